@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "quadrille/detector/point_cloud.hpp"
+
+namespace quadrille {
+
+/// Layout of points as bytes: one record per point, with float32 or float64 x, y, z at any offset.
+struct PointLayout {
+  /// Width of one coordinate.
+  enum class Scalar { kFloat32, kFloat64 };
+
+  Scalar scalar = Scalar::kFloat32;
+  bool big_endian = false;
+  /// Byte offsets of x, y and z within a record.
+  std::size_t x = 0, y = 4, z = 8;
+  /// Bytes from one record to the next of a row.
+  std::size_t point_step = 12;
+  /// Bytes from one row to the next; 0 means width * point_step.
+  std::size_t row_step = 0;
+  /// Records per row, and rows. An unorganised cloud has height 1.
+  std::size_t width = 0, height = 1;
+};
+
+/// Reads the points out of raw bytes; NaN, infinite and all-zero records count as missing.
+///
+/// Missing points are dropped from an unorganised cloud and kept as NaN in an organised one.
+/// @param bytes   the records
+/// @param layout  where the coordinates stand
+/// @return the cloud, its viewpoint at the origin and its frame empty
+/// @throws std::invalid_argument if the layout does not fit into the bytes
+PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layout);
+
+}  // namespace quadrille

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace quadrille {
+
+/// The paper's 10-vector q = (A B C D E F G H I J).
+using Vector10d = Eigen::Matrix<double, 10, 1>;
+
+/// A quadric f(x) = [x 1] Q [x 1]ᵀ = Ax² + By² + Cz² + 2Dxy + 2Exz + 2Fyz + 2Gx + 2Hy + 2Iz + J
+/// (paper, eq. 1 and 2). Known only up to scale; which sign the gradient has is the user's choice.
+class Quadric {
+ public:
+  Quadric() = default;
+  /// @param Q  4x4 symmetric
+  explicit Quadric(const Eigen::Matrix4d& Q) : Q_(Q) {}
+  /// @param q  the paper's 10-vector
+  explicit Quadric(const Vector10d& q);
+
+  /// 4x4 symmetric matrix Q.
+  const Eigen::Matrix4d& matrix() const { return Q_; }
+  /// The 10-vector q.
+  Vector10d coefficients() const;
+  /// The same surface with |q| = 1 and the same sign; unchanged if q is zero.
+  Quadric normalized() const;
+  /// The same surface with the opposite gradient.
+  Quadric flipped() const { return Quadric(Eigen::Matrix4d(-Q_)); }
+
+  /// f(x), the algebraic distance.
+  double value(const Eigen::Vector3d& x) const;
+  /// ∇f(x).
+  Eigen::Vector3d gradient(const Eigen::Vector3d& x) const;
+  /// f(x) / |∇f(x)|, the signed first-order distance [m]; infinite where the gradient vanishes.
+  double distance(const Eigen::Vector3d& x) const;
+
+  /// The quadric that holds X·x for each x of this one: Q_B = X_BA⁻ᵀ Q_A X_BA⁻¹.
+  Quadric transformed(const Eigen::Isometry3d& X_BA) const;
+
+ private:
+  Eigen::Matrix4d Q_ = Eigen::Matrix4d::Zero();
+};
+
+}  // namespace quadrille

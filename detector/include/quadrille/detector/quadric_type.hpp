@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace quadrille {
+
+/// The 17 real and imaginary affine types of quadrics, with the rotational special cases (sphere,
+/// circular cylinder, circular cone) and the single plane named apart.
+enum class QuadricType {
+  kSphere,
+  kEllipsoid,
+  kCylinder,
+  kEllipticCylinder,
+  kCone,
+  kEllipticCone,
+  kEllipticParaboloid,
+  kHyperbolicParaboloid,
+  kHyperboloidOneSheet,
+  kHyperboloidTwoSheets,
+  kHyperbolicCylinder,
+  kParabolicCylinder,
+  kPlane,
+  kParallelPlanes,
+  kIntersectingPlanes,
+  kCoincidentPlanes,
+  kImaginaryEllipsoid,
+  kImaginaryCone,
+  kImaginaryEllipticCylinder,
+  kImaginaryParallelPlanes,
+  kImaginaryIntersectingPlanes,
+};
+
+inline constexpr int kQuadricTypeCount = 21;
+
+/// All types, in the order of the enumeration.
+std::array<QuadricType, kQuadricTypeCount> all_quadric_types();
+
+/// The name used in JSON, messages and options, such as "elliptic_cylinder".
+std::string_view to_string(QuadricType type);
+
+/// The type of a name; nullopt if there is none of that name.
+std::optional<QuadricType> quadric_type_from_string(std::string_view name);
+
+/// True for a plane and for pairs of planes.
+bool is_flat(QuadricType type);
+
+/// True for the types without real points, or with a single one or a single line of them.
+bool is_imaginary(QuadricType type);
+
+}  // namespace quadrille

@@ -1,0 +1,95 @@
+#include "quadrille/detector/ingest.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+
+namespace quadrille {
+namespace {
+
+/// Bytes that the layout reaches, or SIZE_MAX if that number overflows.
+std::size_t bytes_needed(const PointLayout& layout, std::size_t row_step, std::size_t scalar_size) {
+  if (layout.width == 0 || layout.height == 0) return 0;
+  const std::size_t last_coordinate = std::max({layout.x, layout.y, layout.z});
+  std::size_t rows, columns, end;
+  if (__builtin_mul_overflow(layout.height - 1, row_step, &rows) ||
+      __builtin_mul_overflow(layout.width - 1, layout.point_step, &columns) ||
+      __builtin_add_overflow(rows, columns, &end) ||
+      __builtin_add_overflow(end, last_coordinate, &end) ||
+      __builtin_add_overflow(end, scalar_size, &end)) {
+    return std::numeric_limits<std::size_t>::max();
+  }
+  return end;
+}
+
+template <class Scalar>
+Scalar load(const std::byte* from, bool swap) {
+  std::array<std::byte, sizeof(Scalar)> raw;
+  std::memcpy(raw.data(), from, raw.size());
+  if (swap) std::reverse(raw.begin(), raw.end());
+  return std::bit_cast<Scalar>(raw);
+}
+
+template <class Scalar>
+void append_points(std::span<const std::byte> bytes, const PointLayout& layout,
+                   std::size_t row_step, PointCloud* cloud) {
+  const bool swap = layout.big_endian != (std::endian::native == std::endian::big);
+  const bool organised = cloud->organised();
+  const Eigen::Vector3f missing =
+      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+  cloud->points.reserve(layout.width * layout.height);
+  for (std::size_t row = 0; row < layout.height; ++row) {
+    const std::byte* record = bytes.data() + row * row_step;
+    for (std::size_t column = 0; column < layout.width; ++column, record += layout.point_step) {
+      const Eigen::Vector3f p(static_cast<float>(load<Scalar>(record + layout.x, swap)),
+                              static_cast<float>(load<Scalar>(record + layout.y, swap)),
+                              static_cast<float>(load<Scalar>(record + layout.z, swap)));
+      if (p.allFinite() && !p.isZero(0.0f)) {
+        cloud->points.push_back(p);
+      } else if (organised) {
+        cloud->points.push_back(missing);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layout) {
+  const bool wide = layout.scalar == PointLayout::Scalar::kFloat64;
+  const std::size_t scalar_size = wide ? 8 : 4;
+  const std::size_t record_end = std::max({layout.x, layout.y, layout.z}) + scalar_size;
+  if (record_end > layout.point_step) {
+    throw std::invalid_argument("point layout: a coordinate ends at byte " +
+                                std::to_string(record_end) + " of records of " +
+                                std::to_string(layout.point_step) + " bytes");
+  }
+  std::size_t row_step = layout.row_step;
+  if (row_step == 0 && __builtin_mul_overflow(layout.width, layout.point_step, &row_step)) {
+    throw std::invalid_argument("point layout: width * point_step overflows");
+  }
+  if (bytes_needed(layout, row_step, scalar_size) > bytes.size()) {
+    throw std::invalid_argument("point layout: " + std::to_string(layout.width) + " x " +
+                                std::to_string(layout.height) + " points do not fit into " +
+                                std::to_string(bytes.size()) + " bytes");
+  }
+  PointCloud cloud;
+  cloud.read = layout.width * layout.height;
+  if (layout.height > 1) {
+    cloud.width = static_cast<int>(layout.width);
+    cloud.height = static_cast<int>(layout.height);
+  }
+  if (wide) {
+    append_points<double>(bytes, layout, row_step, &cloud);
+  } else {
+    append_points<float>(bytes, layout, row_step, &cloud);
+  }
+  return cloud;
+}
+
+}  // namespace quadrille

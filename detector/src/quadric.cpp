@@ -1,0 +1,49 @@
+#include "quadrille/detector/quadric.hpp"
+
+#include <limits>
+#include <tuple>
+
+namespace quadrille {
+
+Quadric::Quadric(const Vector10d& q) {
+  const auto [A, B, C, D, E, F] = std::tuple(q[0], q[1], q[2], q[3], q[4], q[5]);
+  const auto [G, H, I, J] = std::tuple(q[6], q[7], q[8], q[9]);
+  Q_ << A, D, E, G,  //
+      D, B, F, H,    //
+      E, F, C, I,    //
+      G, H, I, J;
+}
+
+Vector10d Quadric::coefficients() const {
+  Vector10d q;
+  q << Q_(0, 0), Q_(1, 1), Q_(2, 2), Q_(0, 1), Q_(0, 2), Q_(1, 2), Q_(0, 3), Q_(1, 3), Q_(2, 3),
+      Q_(3, 3);
+  return q;
+}
+
+Quadric Quadric::normalized() const {
+  const double norm = coefficients().norm();
+  return norm > 0.0 ? Quadric(Eigen::Matrix4d(Q_ / norm)) : *this;
+}
+
+double Quadric::value(const Eigen::Vector3d& x) const {
+  return x.homogeneous().dot(Q_ * x.homogeneous());
+}
+
+Eigen::Vector3d Quadric::gradient(const Eigen::Vector3d& x) const {
+  return 2.0 * Q_.topRows<3>() * x.homogeneous();
+}
+
+double Quadric::distance(const Eigen::Vector3d& x) const {
+  const double slope = gradient(x).norm();
+  const double f = value(x);
+  if (slope > 0.0) return f / slope;
+  return f == 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
+}
+
+Quadric Quadric::transformed(const Eigen::Isometry3d& X_BA) const {
+  const Eigen::Matrix4d X_AB = X_BA.inverse().matrix();
+  return Quadric(Eigen::Matrix4d(X_AB.transpose() * Q_ * X_AB));
+}
+
+}  // namespace quadrille

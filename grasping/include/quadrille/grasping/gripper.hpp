@@ -1,0 +1,36 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace quadrille {
+
+/// A parallel-jaw hand as boxes in the grasp frame G: origin midway between the finger pads,
+/// z along the approach, y along the closing direction.
+struct Gripper {
+  std::string name;
+  /// Largest and smallest distance between the pads [m].
+  double max_opening = 0.0, min_opening = 0.0;
+  /// One finger: its size along x, y (thickness) and z, from its back to its tip [m].
+  Eigen::Vector3d finger = Eigen::Vector3d::Zero();
+  /// How far the tip lies before the origin of G along z [m].
+  double finger_front = 0.0;
+  /// Pad that touches the object, centred at the origin: size along x and z [m].
+  Eigen::Vector2d pad = Eigen::Vector2d::Zero();
+  /// The palm: size along x, y and z, its front face at the back of the fingers [m].
+  Eigen::Vector3d palm = Eigen::Vector3d::Zero();
+  /// Largest closing force [N].
+  double max_force = 0.0;
+
+  /// @throws std::invalid_argument naming the field that contradicts the others
+  void check() const;
+};
+
+/// The Franka Hand, sizes after the facts of its description.
+Gripper franka_hand();
+
+/// A built-in gripper by name ("franka"); throws std::invalid_argument listing the names it knows.
+Gripper gripper_by_name(const std::string& name);
+
+}  // namespace quadrille

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/grasping/gripper.hpp"
+#include "quadrille/grasping/shape.hpp"
+
+namespace octomap {
+class OcTree;
+}
+
+namespace quadrille {
+
+/// What unobserved space counts as while the hand moves through it.
+enum class UnknownPolicy {
+  kObstacle,      ///< all unknown space collides
+  kTargetShadow,  ///< unknown space behind the target itself is free, the rest collides
+  kFree,          ///< unknown space never collides
+};
+
+/// One two-finger grasp. Frame G: origin midway between the pads, z approach, y closing.
+struct Grasp {
+  /// Id of the detection to be grasped.
+  int target = 0;
+  /// 0 to 1, best first.
+  double score = 0.0;
+  Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
+  /// Distance between the contacts [m], and opening of the hand on its way in [m].
+  double width = 0.0, preshape = 0.0;
+  /// Contact points in frame C [m].
+  std::array<Eigen::Vector3d, 2> contacts_C;
+  /// Length of the straight approach that was checked [m].
+  double approach = 0.0;
+  /// Least friction coefficient μ* that closes the grasp.
+  double friction_needed = 0.0;
+  /// Grasp quality ε: the largest wrench, of any direction, that a unit contact force resists.
+  double epsilon = 0.0;
+  /// Distance by which the hand may be inflated before it touches anything but the target [m].
+  double clearance = 0.0;
+  /// True if a contact lies on a part of the target that was not observed.
+  bool unknown_contact = false;
+};
+
+struct PlanOptions {
+  UnknownPolicy unknown = UnknownPolicy::kObstacle;
+  /// Voxel edge of the occupancy map [m].
+  double resolution = 0.005;
+  /// Friction coefficient between pads and objects.
+  double friction = 0.5;
+  /// Grasps to return at most.
+  int max_grasps = 50;
+
+  /// @throws std::invalid_argument naming the field that is out of range
+  void check() const;
+};
+
+/// What the planner made of one cloud and its quadrics.
+struct GraspPlan {
+  /// Best first.
+  std::vector<Grasp> grasps;
+  /// Candidates refused, counted by reason ("width", "friction", "collision", "unknown", …).
+  std::map<std::string, int> rejected;
+  /// One per detection that has a collision shape.
+  std::vector<CollisionShape> shapes;
+  /// Free and occupied space; unknown where the tree has no node.
+  std::shared_ptr<octomap::OcTree> occupancy;
+  std::vector<StageTime> timings;
+  double total_ms = 0.0;
+  std::vector<std::string> warnings;
+};
+
+/// Plans two-finger grasps on the detections of one cloud.
+/// @throws std::invalid_argument if gripper or options are out of range
+GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
+                      const Gripper& gripper, const PlanOptions& options = {});
+
+}  // namespace quadrille

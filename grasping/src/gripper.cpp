@@ -1,0 +1,1 @@
+#include "quadrille/grasping/gripper.hpp"
