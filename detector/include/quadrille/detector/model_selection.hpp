@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "quadrille/detector/geometric_fit.hpp"
+
+namespace quadrille {
+
+struct SelectionOptions {
+  /// Independent measurements per point: neighbours share their noise.
+  double effective_share = 0.25;
+  /// Residual below which two fits count as equal, in the unit of the points.
+  double floor = 0.0;
+  /// Steps of the geometric fit.
+  int iterations = 6;
+};
+
+/// The fit that the Bayesian information criterion prefers, n ln(rss / n) + k ln n with n the
+/// effective sample size and k the degrees of freedom: the simplest type that explains the points.
+struct Selection {
+  FamilyFit best;
+  double bic = 0.0;
+  /// Fits of all families tried.
+  std::vector<FamilyFit> fits;
+};
+
+/// BIC of a fit to `size` points.
+double bic(double rss, int size, int dof, const SelectionOptions& options);
+
+/// Fits the families and selects one; nullopt if none can be fitted.
+std::optional<Selection> select_family(const FitPoints& points, std::span<const Family> families,
+                                       const SelectionOptions& options);
+
+}  // namespace quadrille

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "quadrille/detector/geometric_fit.hpp"
+#include "quadrille/detector/quadric.hpp"
+#include "quadrille/detector/surface_samples.hpp"
+
+namespace quadrille {
+
+/// Similarity that carries a region's points to about the unit ball: x_local = (x − centre) / scale.
+struct Normalisation {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double scale = 1.0;
+
+  /// The quadric of local coordinates in the frame of the samples.
+  Quadric to_frame(const Eigen::Matrix4d& Q_local) const;
+  /// The inverse.
+  Eigen::Matrix4d to_local(const Quadric& Q) const;
+};
+
+/// Centre and mean square radius of the raw positions of a region.
+Normalisation normalisation_of(const SurfaceSamples& samples, std::span<const int> region);
+
+/// Up to `most` points of a region (every k-th), raw positions in local coordinates.
+FitPoints fit_points(const SurfaceSamples& samples, std::span<const int> region,
+                     const Normalisation& normalisation, int most);
+
+struct InlierTest {
+  /// Largest distance in multiples of a sample's sigma, plus a share of its cell.
+  float sigmas = 3.0f, cells = 0.1f;
+  /// Least |cosine| between normal and gradient.
+  float least_cosine = 0.9f;
+};
+
+/// True if sample i lies on Q with a compatible normal, up to sign: on surfaces seen inside and
+/// outside, normals towards the camera contradict the gradient.
+bool is_inlier(const SurfaceSamples& samples, int i, const Eigen::Matrix4f& Q,
+               const InlierTest& test);
+
+/// The samples connected to the start by neighbours that are inliers of Q.
+/// @param free  per sample, zero to stay out of it
+std::vector<int> connected_inliers(const SurfaceSamples& samples, std::span<const int> start,
+                                   const Quadric& Q, const InlierTest& test,
+                                   const std::vector<char>& free);
+
+}  // namespace quadrille

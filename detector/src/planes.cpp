@@ -1,0 +1,147 @@
+#include "quadrille/detector/planes.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Geometry>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace quadrille {
+namespace {
+
+/// Running sums for a plane by total least squares.
+struct PlaneSums {
+  double n = 0;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+
+  void add(const Eigen::Vector3f& p) {
+    const Eigen::Vector3d x = p.cast<double>();
+    n += 1;
+    sum += x;
+    square += x * x.transpose();
+  }
+  Eigen::Vector4d plane(const Eigen::Vector3f& towards) const {
+    const Eigen::Vector3d mean = sum / n;
+    const Eigen::Matrix3d S = square / n - mean * mean.transpose();
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+    eigen.computeDirect(S);
+    Eigen::Vector3d m = eigen.eigenvectors().col(0);
+    if (m.dot(towards.cast<double>()) < 0) m = -m;
+    return {m.x(), m.y(), m.z(), -m.dot(mean)};
+  }
+};
+
+/// How well the neighbours' normals agree with a sample's own: their mean cosine.
+std::vector<float> flatness(const SurfaceSamples& samples) {
+  std::vector<float> flat(static_cast<std::size_t>(samples.size()), -1.0f);
+  for (int i = 0; i < samples.size(); ++i) {
+    const auto around = samples.neighbours_of(i);
+    if (around.size() < 5) continue;
+    float sum = 0;
+    for (const int j : around) sum += samples.n[i].dot(samples.n[j]);
+    flat[i] = sum / static_cast<float>(around.size());
+  }
+  return flat;
+}
+
+/// True if a quadratic fit over the plane bends significantly with less than the least radius.
+bool bends(const SurfaceSamples& samples, const PlaneRegion& region, double least_radius) {
+  const Eigen::Vector3d m = region.plane.head<3>();
+  const Eigen::Vector3d e1 = m.unitOrthogonal(), e2 = m.cross(e1);
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const int i : region.samples) mean += samples.raw[i].cast<double>();
+  mean /= static_cast<double>(region.samples.size());
+  Eigen::Matrix<double, 6, 6> A = Eigen::Matrix<double, 6, 6>::Zero();
+  Eigen::Matrix<double, 6, 1> b = Eigen::Matrix<double, 6, 1>::Zero();
+  double hh = 0;
+  for (const int i : region.samples) {
+    const Eigen::Vector3d x = samples.raw[i].cast<double>() - mean;
+    const double s = x.dot(e1), t = x.dot(e2), h = x.dot(m);
+    Eigen::Matrix<double, 6, 1> row;
+    row << 1, s, t, s * s, s * t, t * t;
+    A += row * row.transpose();
+    b += h * row;
+    hh += h * h;
+  }
+  const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> ldlt(A);
+  const Eigen::Matrix<double, 6, 1> a = ldlt.solve(b);
+  const double n = static_cast<double>(region.samples.size());
+  const double variance = std::max(1e-12, hh - a.dot(b)) / std::max(1.0, n / 4 - 6);
+  const Eigen::Matrix<double, 6, 6> covariance =
+      variance * ldlt.solve(Eigen::Matrix<double, 6, 6>::Identity());
+  Eigen::Matrix2d H;
+  H << 2 * a[3], a[4], a[4], 2 * a[5];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(H);
+  const int k = std::abs(eigen.eigenvalues()[0]) > std::abs(eigen.eigenvalues()[1]) ? 0 : 1;
+  const Eigen::Vector2d d = eigen.eigenvectors().col(k);
+  Eigen::Matrix<double, 6, 1> g;
+  g << 0, 0, 0, 2 * d[0] * d[0], 2 * d[0] * d[1], 2 * d[1] * d[1];
+  const double curvature = std::abs(eigen.eigenvalues()[k]);
+  return curvature > 1.0 / least_radius && curvature > 3.0 * std::sqrt(g.dot(covariance * g));
+}
+
+}  // namespace
+
+std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options) {
+  const std::vector<float> flat = flatness(samples);
+  std::vector<int> seeds(static_cast<std::size_t>(samples.size()));
+  std::iota(seeds.begin(), seeds.end(), 0);
+  std::stable_sort(seeds.begin(), seeds.end(), [&](int a, int b) { return flat[a] > flat[b]; });
+  const float least_cosine = static_cast<float>(std::cos(options.angle));
+
+  std::vector<PlaneRegion> planes;
+  // 0 free, otherwise the number of the attempt that took it.
+  std::vector<int> taken(static_cast<std::size_t>(samples.size()), 0);
+  int attempt = 0;
+  for (const int seed : seeds) {
+    if (flat[seed] < least_cosine) break;
+    if (taken[seed]) continue;
+    ++attempt;
+    PlaneSums sums;
+    std::vector<int> members = {seed};
+    taken[seed] = attempt;
+    sums.add(samples.raw[seed]);
+    for (const int j : samples.neighbours_of(seed)) {
+      if (!taken[j]) sums.add(samples.raw[j]);
+    }
+    if (sums.n < 4) continue;
+    const Eigen::Vector3f towards = samples.n[seed];
+    Eigen::Vector4d plane = sums.plane(towards);
+    sums = PlaneSums();
+    sums.add(samples.raw[seed]);
+    std::size_t refit_at = 12;
+    for (std::size_t k = 0; k < members.size(); ++k) {
+      for (const int j : samples.neighbours_of(members[k])) {
+        if (taken[j]) continue;
+        const Eigen::Vector3f m = plane.head<3>().cast<float>();
+        const double distance = plane.head<3>().dot(samples.raw[j].cast<double>()) + plane[3];
+        const double limit = options.sigmas * samples.sigma[j] + 0.05 * samples.cell[j];
+        if (std::abs(distance) > limit || m.dot(samples.n[j]) < least_cosine) continue;
+        taken[j] = attempt;
+        members.push_back(j);
+        sums.add(samples.raw[j]);
+      }
+      if (members.size() >= refit_at) {
+        plane = sums.plane(towards);
+        refit_at = members.size() * 2;
+      }
+    }
+    PlaneRegion region{sums.n >= 4 ? sums.plane(towards) : plane, members};
+    const bool enough = static_cast<int>(members.size()) >= options.least_samples;
+    if (enough && !bends(samples, region, options.least_radius)) {
+      planes.push_back(std::move(region));
+    } else if (enough) {
+      for (const int i : members) taken[i] = 0;
+      taken[seed] = attempt;
+    } else {
+      for (const int i : members) {
+        if (i != seed) taken[i] = 0;
+      }
+    }
+  }
+  return planes;
+}
+
+}  // namespace quadrille

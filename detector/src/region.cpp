@@ -1,0 +1,78 @@
+#include "quadrille/detector/region.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+Quadric Normalisation::to_frame(const Eigen::Matrix4d& Q_local) const {
+  Eigen::Matrix4d S = Eigen::Matrix4d::Identity();
+  S.topLeftCorner<3, 3>() /= scale;
+  S.topRightCorner<3, 1>() = -centre / scale;
+  return Quadric(Eigen::Matrix4d(S.transpose() * Q_local * S));
+}
+
+Eigen::Matrix4d Normalisation::to_local(const Quadric& Q) const {
+  Eigen::Matrix4d S = Eigen::Matrix4d::Identity();
+  S.topLeftCorner<3, 3>() *= scale;
+  S.topRightCorner<3, 1>() = centre;
+  return S.transpose() * Q.matrix() * S;
+}
+
+Normalisation normalisation_of(const SurfaceSamples& samples, std::span<const int> region) {
+  Normalisation result;
+  if (region.empty()) return result;
+  for (const int i : region) result.centre += samples.raw[i].cast<double>();
+  result.centre /= static_cast<double>(region.size());
+  double square = 0;
+  for (const int i : region) square += (samples.raw[i].cast<double>() - result.centre).squaredNorm();
+  result.scale = std::max(1e-6, std::sqrt(square / static_cast<double>(region.size())));
+  return result;
+}
+
+FitPoints fit_points(const SurfaceSamples& samples, std::span<const int> region,
+                     const Normalisation& normalisation, int most) {
+  const std::size_t size = std::min<std::size_t>(region.size(), most);
+  FitPoints points(static_cast<Eigen::Index>(size));
+  const Eigen::Vector3f centre = normalisation.centre.cast<float>();
+  const float inverse = static_cast<float>(1.0 / normalisation.scale);
+  for (std::size_t k = 0; k < size; ++k) {
+    const int i = region[k * region.size() / size];
+    const Eigen::Vector3f x = (samples.raw[i] - centre) * inverse;
+    points.x[k] = x.x(), points.y[k] = x.y(), points.z[k] = x.z();
+    points.nx[k] = samples.n[i].x(), points.ny[k] = samples.n[i].y(), points.nz[k] = samples.n[i].z();
+  }
+  return points;
+}
+
+bool is_inlier(const SurfaceSamples& samples, int i, const Eigen::Matrix4f& Q,
+               const InlierTest& test) {
+  const Eigen::Vector4f x = samples.raw[i].homogeneous();
+  const Eigen::Vector4f h = Q * x;
+  const float f = x.dot(h);
+  const Eigen::Vector3f g = h.head<3>();
+  const float slope = g.norm();
+  const float limit = test.sigmas * samples.sigma[i] + test.cells * samples.cell[i];
+  return std::abs(f) <= 2.0f * slope * limit &&
+         std::abs(g.dot(samples.n[i])) >= test.least_cosine * slope;
+}
+
+std::vector<int> connected_inliers(const SurfaceSamples& samples, std::span<const int> start,
+                                   const Quadric& quadric, const InlierTest& test,
+                                   const std::vector<char>& free) {
+  const Eigen::Matrix4f Q = quadric.normalized().matrix().cast<float>();
+  std::vector<char> seen(static_cast<std::size_t>(samples.size()), 0);
+  std::vector<int> region;
+  const auto visit = [&](int i) {
+    if (seen[i]) return;
+    seen[i] = 1;
+    if (free[i] && is_inlier(samples, i, Q, test)) region.push_back(i);
+  };
+  for (const int i : start) visit(i);
+  for (std::size_t k = 0; k < region.size(); ++k) {
+    for (const int j : samples.neighbours_of(region[k])) visit(j);
+  }
+  return region;
+}
+
+}  // namespace quadrille

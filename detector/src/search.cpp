@@ -1,0 +1,182 @@
+#include "quadrille/detector/search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "quadrille/detector/basis.hpp"
+#include "quadrille/detector/model_selection.hpp"
+#include "quadrille/detector/random.hpp"
+#include "quadrille/detector/vote.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr std::array kGrowFamilies = {Family::kPlane, Family::kSphere, Family::kCylinder,
+                                      Family::kCone, Family::kRevolution, Family::kGeneral};
+constexpr int kGrowPoints = 200;
+
+/// Samples connected to the seed within a ball.
+std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float radius,
+                               const std::vector<char>& free, std::vector<int>* stamp, int mark) {
+  std::vector<int> list = {seed};
+  (*stamp)[seed] = mark;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    for (const int j : samples.neighbours_of(list[k])) {
+      if ((*stamp)[j] == mark || !free[j]) continue;
+      (*stamp)[j] = mark;
+      if ((samples.p[j] - samples.p[seed]).squaredNorm() <= radius * radius) list.push_back(j);
+    }
+  }
+  return list;
+}
+
+struct Hypothesis {
+  Quadric Q;
+  int support = 0;
+};
+
+/// Inliers among the neighbourhood's points, by distance and signed normal.
+int count_support(const FitPoints& p, const Eigen::Matrix4d& matrix, float limit,
+                  float least_cosine) {
+  const Eigen::Matrix4f Q = matrix.cast<float>();
+  const Eigen::ArrayXf gx = Q(0, 0) * p.x + Q(0, 1) * p.y + Q(0, 2) * p.z + Q(0, 3);
+  const Eigen::ArrayXf gy = Q(0, 1) * p.x + Q(1, 1) * p.y + Q(1, 2) * p.z + Q(1, 3);
+  const Eigen::ArrayXf gz = Q(0, 2) * p.x + Q(1, 2) * p.y + Q(2, 2) * p.z + Q(2, 3);
+  const Eigen::ArrayXf f =
+      gx * p.x + gy * p.y + gz * p.z + Q(0, 3) * p.x + Q(1, 3) * p.y + Q(2, 3) * p.z + Q(3, 3);
+  const Eigen::ArrayXf slope = (gx.square() + gy.square() + gz.square()).sqrt();
+  return static_cast<int>((f.abs() <= 2.0f * limit * slope &&
+                           gx * p.nx + gy * p.ny + gz * p.nz >= least_cosine * slope)
+                              .count());
+}
+
+class Searcher {
+ public:
+  Searcher(const SurfaceSamples& samples, const SearchOptions& options, std::uint64_t seed)
+      : samples_(samples),
+        options_(options),
+        seed_(seed),
+        free_(static_cast<std::size_t>(samples.size()), 1),
+        all_(free_),
+        open_(free_),
+        stamp_(static_cast<std::size_t>(samples.size()), 0) {}
+
+  std::vector<Candidate> run() {
+    std::vector<Candidate> candidates;
+    std::vector<int> order(static_cast<std::size_t>(samples_.size()));
+    std::iota(order.begin(), order.end(), 0);
+    RandomStream shuffle(seed_, 0);
+    for (int i = samples_.size() - 1; i > 0; --i) std::swap(order[i], order[shuffle.below(i + 1)]);
+    for (const int seed : order) {
+      if (!open_[seed]) continue;
+      std::optional<Candidate> candidate = try_seed(seed);
+      if (!candidate) {
+        retire(seed);
+        continue;
+      }
+      open_[seed] = 0;
+      for (const int i : candidate->region) open_[i] = 0;
+      candidates.push_back(std::move(*candidate));
+    }
+    return candidates;
+  }
+
+ private:
+  void retire(int seed) {
+    open_[seed] = 0;
+    for (const int j : samples_.neighbours_of(seed)) open_[j] = 0;
+  }
+
+  std::optional<Candidate> try_seed(int seed) {
+    std::optional<Candidate> best;
+    for (const double radius : options_.radii) {
+      const std::vector<int> around =
+          neighbourhood(samples_, seed, static_cast<float>(radius) * samples_.cell[seed], open_,
+                        &stamp_, ++mark_);
+      if (static_cast<int>(around.size()) < options_.least_samples / 2) continue;
+      const std::optional<Hypothesis> hypothesis = best_hypothesis(seed, around);
+      if (!hypothesis) continue;
+      std::optional<Candidate> grown = grow(*hypothesis, around);
+      if (grown && (!best || grown->region.size() > 1.1 * best->region.size())) {
+        best = std::move(grown);
+      }
+    }
+    return best;
+  }
+
+  std::optional<Hypothesis> best_hypothesis(int seed, const std::vector<int>& around) {
+    RandomStream random(seed_, 1 + static_cast<std::uint64_t>(seed));
+    const Normalisation local = normalisation_of(samples_, around);
+    FitPoints voters = fit_points(samples_, around, local, options_.voters);
+    const float limit = static_cast<float>(
+        (options_.inlier.sigmas * samples_.sigma[seed] + options_.inlier.cells * samples_.cell[seed]) /
+        local.scale);
+    const int n = static_cast<int>(voters.size());
+    VoteOptions vote_options;
+    vote_options.least_height = std::max(0.1, 2.0 * limit);
+    vote_options.least_cosine = options_.inlier.least_cosine;
+    Hypothesis best;
+    for (int trial = 0; trial < options_.bases; ++trial) {
+      std::array<OrientedPoint, 3> basis;
+      for (OrientedPoint& point : basis) {
+        const int k = random.below(n);
+        point = {voters.point(k), voters.normal(k)};
+      }
+      const std::optional<Pencil> pencil = make_pencil(basis);
+      if (!pencil || inconsistency(basis) > 0.6) continue;
+      for (const VotePeak& peak : vote(*pencil, voters, vote_options)) {
+        const Eigen::Matrix4d Q = pencil->at(peak.lambda);
+        const int support = count_support(voters, Q, limit, options_.inlier.least_cosine);
+        if (support > best.support) best = {local.to_frame(Q), support};
+      }
+    }
+    if (best.support < n / 4 || best.support < 8) return std::nullopt;
+    return best;
+  }
+
+  std::optional<Candidate> grow(const Hypothesis& hypothesis, const std::vector<int>& around) {
+    Candidate candidate;
+    candidate.Q = hypothesis.Q;
+    std::vector<int> region =
+        connected_inliers(samples_, around, candidate.Q, options_.inlier, all_);
+    for (int round = 0; round < options_.rounds; ++round) {
+      if (static_cast<int>(region.size()) < options_.least_samples) return std::nullopt;
+      const Normalisation local = normalisation_of(samples_, region);
+      const FitPoints points = fit_points(samples_, region, local, kGrowPoints);
+      const std::optional<Selection> selection = select_family(points, kGrowFamilies, {});
+      if (!selection) return std::nullopt;
+      candidate.Q = local.to_frame(selection->best.posed.matrix()).normalized();
+      candidate.family = selection->best.family;
+      candidate.rms = local.scale * std::sqrt(selection->best.rss / points.size());
+      std::vector<int> next = connected_inliers(samples_, region, candidate.Q, options_.inlier, all_);
+      const double change = std::abs(static_cast<double>(next.size()) - region.size());
+      const bool settled = change < 0.03 * static_cast<double>(region.size());
+      region = std::move(next);
+      if (settled && round > 0) break;
+    }
+    if (static_cast<int>(region.size()) < options_.least_samples) return std::nullopt;
+    candidate.region = std::move(region);
+    return candidate;
+  }
+
+  const SurfaceSamples& samples_;
+  const SearchOptions& options_;
+  const std::uint64_t seed_;
+  std::vector<char> free_, all_;
+  /// Samples that nothing explains yet and no attempt has failed on.
+  std::vector<char> open_;
+  std::vector<int> stamp_;
+  int mark_ = 0;
+};
+
+}  // namespace
+
+std::vector<Candidate> search(const SurfaceSamples& samples, const SearchOptions& options,
+                              std::uint64_t seed) {
+  return Searcher(samples, options, seed).run();
+}
+
+}  // namespace quadrille
