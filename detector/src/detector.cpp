@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "quadrille/detector/aggregate.hpp"
 #include "quadrille/detector/depth_cells.hpp"
 #include "quadrille/detector/depth_samples.hpp"
 #include "quadrille/detector/model_selection.hpp"
@@ -39,18 +40,6 @@ class StageClock {
  private:
   DetectionResult* result_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now(), last_ = start_;
-};
-
-constexpr std::array kAllFamilies = {
-    Family::kPlane,      Family::kSphere,     Family::kCylinder,         Family::kCone,
-    Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder, Family::kGeneral};
-
-struct Found {
-  Quadric Q;
-  Family family;
-  int level;
-  std::vector<int> cells;  // level 0
-  double rms, score;
 };
 
 }  // namespace
@@ -116,14 +105,15 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options) 
   std::array<SurfaceSamples, 3> samples;
   for (int l = 0; l < 3; ++l) samples[l] = make_depth_samples(rest[l], l ? std::vector<char>{} : keep, noise[l], 2);
   clock.mark("samples");
-  std::vector<Found> found;
   SearchOptions search_options;
-  std::vector<int> sample_of0(cells[0].size(), -1);
+  std::vector<int> sample_of0(cells[0].size(), -1), sample_of1(cells[1].size(), -1);
   for (int i = 0; i < samples[0].size(); ++i) sample_of0[samples[0].source[i]] = i;
+  for (int i = 0; i < samples[1].size(); ++i) sample_of1[samples[1].source[i]] = i;
+  std::vector<Candidate> all;
   for (int l = 2; l >= 0; --l) {
-    const std::vector<Candidate> candidates = search(samples[l], search_options, options.seed + l);
-    for (const Candidate& c : candidates) {
-      Found f{c.Q, c.family, l, {}, c.rms, 0};
+    std::vector<Candidate> candidates = search(samples[l], search_options, options.seed + l);
+    for (Candidate& c : candidates) {
+      std::vector<int> fine;
       const Eigen::Matrix4f Q = c.Q.matrix().cast<float>();
       for (const int s : c.region) {
         const int cell = samples[l].source[s];
@@ -134,44 +124,29 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options) 
             if (i < 0) continue;
             InlierTest test = search_options.inlier;
             test.least_cosine = -1;
-            if (is_inlier(samples[0], i, Q, test)) f.cells.push_back(i);
+            if (is_inlier(samples[0], i, Q, test)) fine.push_back(i);
           }
       }
-      found.push_back(std::move(f));
+      c.region = std::move(fine);
+      all.push_back(std::move(c));
     }
     if (getenv("QDEBUG")) fprintf(stderr, "level %d: samples %d candidates %zu\n", l, samples[l].size(), candidates.size());
     clock.mark(l == 0 ? "search0" : l == 1 ? "search1" : "search2");
   }
-  // greedy
-  for (Found& f : found) {
-    double s = 0;
-    for (const int i : f.cells) {
-      const double d = std::abs(f.Q.distance(samples[0].raw[i].cast<double>())) / (3 * samples[0].sigma[i]);
-      s += std::max(0.0, 1 - d * d) * samples[0].cell[i] * samples[0].cell[i];
-    }
-    f.score = s;
+  SurfaceSamples finest = samples[0];
+  for (int i = 0; i < finest.size(); ++i) {
+    const int c = finest.source[i];
+    const int k = sample_of1[(c / rest[0].width / 2) * rest[1].width + (c % rest[0].width) / 2];
+    if (k >= 0) finest.n[i] = (finest.n[i] + samples[1].n[k]).normalized();
   }
-  std::stable_sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.score > b.score; });
-  std::vector<char> claimed(samples[0].size(), 0);
-  for (const Found& f : found) {
-    int open = 0;
-    for (const int i : f.cells) open += !claimed[i];
-    if (open < 25 || open < 0.5 * f.cells.size()) continue;
-    const Normalisation local = normalisation_of(samples[0], f.cells);
-    const FitPoints points = fit_points(samples[0], f.cells, local, 600);
-    SelectionOptions so;
-    so.effective_share = 0.25 / 4;
-    so.iterations = 10;
-    const auto selection = select_family(points, kAllFamilies, so);
-    if (!selection) continue;
-    for (const int i : f.cells) claimed[i] = 1;
+  for (const Surface& s : aggregate(finest, std::move(all), {})) {
     Detection d;
     d.id = result.detections.size() + 1;
-    d.Q_C = local.to_frame(selection->best.posed.matrix()).normalized();
-    d.rms = local.scale * std::sqrt(selection->best.rss / points.size());
-    d.inliers = f.cells.size();
-    d.score = f.score;
-    switch (selection->best.family) {
+    d.Q_C = s.Q;
+    d.rms = s.rms;
+    d.inliers = s.region.size();
+    d.score = 0.5;
+    switch (s.fit.family) {
       case Family::kPlane: d.type = QuadricType::kPlane; break;
       case Family::kSphere: d.type = QuadricType::kSphere; break;
       case Family::kCylinder: d.type = QuadricType::kCylinder; break;
@@ -181,7 +156,9 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options) 
       case Family::kEllipticCylinder: d.type = QuadricType::kEllipticCylinder; break;
       case Family::kGeneral: d.type = QuadricType::kHyperboloidOneSheet; break;
     }
-    d.seen = f.level;
+    const Evidence& e = s.evidence;
+    d.dimensions = {{"log_count", e.log_count}, {"spread", e.spread}, {"n1", e.smooth_border}, {"two_planes", e.two_planes}, {"dof", double(family_spec(s.fit.family).dof)}};
+    d.score = s.score;
     result.detections.push_back(d);
   }
   clock.mark("select");

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "quadrille/detector/geometric_fit.hpp"
+#include "quadrille/detector/quadric.hpp"
+#include "quadrille/detector/surface_samples.hpp"
+
+namespace quadrille {
+
+/// What speaks for and against a fitted quadric.
+struct Evidence {
+  /// Natural logarithm of the number of samples.
+  double log_count = 0.0;
+  /// Angle between the samples' normals and their mean, 90th percentile [rad].
+  double spread = 0.0;
+  /// Share of the region's border where the surface goes on smoothly into samples that are no
+  /// inliers, 0 to 1: a patch cut out of something else has such a border, an object has none.
+  double smooth_border = 0.0;
+  /// log(rss of the best two planes / rss of the quadric): a box edge really is a rank-2 quadric,
+  /// and a curved one explains it no better than two planes do.
+  double two_planes = 0.0;
+};
+
+/// Collects the evidence for a quadric whose inliers are the region.
+Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
+                          const Quadric& Q);
+
+/// Confidence that a curved quadric with this evidence is a real surface of its own, 0 to 1: a
+/// logistic model over the evidence.
+double confidence(const Evidence& evidence, int dof);
+
+}  // namespace quadrille
