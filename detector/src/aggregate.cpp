@@ -1,5 +1,6 @@
 #include "quadrille/detector/aggregate.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,162 +8,194 @@
 namespace quadrille {
 namespace {
 
-constexpr std::array kAllFamilies = {
-    Family::kPlane,      Family::kSphere,     Family::kCylinder,         Family::kCone,
-    Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder, Family::kGeneral};
+constexpr std::array kFamilies = {Family::kPlane,      Family::kSphere,    Family::kCylinder,
+                                  Family::kCone,       Family::kRevolution, Family::kParaboloid,
+                                  Family::kEllipticCylinder};
+constexpr int kIterations = 8;
+// A candidate whose own fit is less credible than this is not worth a better one.
+constexpr double kHopeless = 0.1;
+// A joint fit may be this much worse than the worse of two.
+constexpr double kJointRms = 1.25;
 
 /// Area explained, weighted by how well: a truncated quadratic in the distance.
-double support(const SurfaceSamples& samples, const Candidate& c, const InlierTest& test,
+double support(const SurfaceSamples& samples, const Candidate& candidate, const InlierTest& test,
                const std::vector<char>& claimed) {
-  double sum = 0;
-  for (const int i : c.region) {
+  const Eigen::Matrix4f Q = candidate.Q.matrix().cast<float>();
+  float sum = 0;
+  for (const int i : candidate.region) {
     if (claimed[i]) continue;
-    const double d = c.Q.distance(samples.raw[i].cast<double>()) / (test.sigmas * samples.sigma[i]);
-    sum += std::max(0.0, 1.0 - d * d) * samples.cell[i] * samples.cell[i];
+    const Eigen::Vector4f x = samples.raw[i].homogeneous();
+    const Eigen::Vector4f h = Q * x;
+    const float d = x.dot(h) / (2.0f * h.head<3>().norm() * test.sigmas * samples.sigma[i]);
+    sum += std::max(0.0f, 1.0f - d * d) * samples.cell[i] * samples.cell[i];
   }
   return sum;
 }
 
-class Aggregation {
- public:
-  Aggregation(const SurfaceSamples& samples, const AggregateOptions& options)
-      : samples_(samples), options_(options), claimed_(samples.p.size(), 0) {
-    selection_.effective_share = options.effective_share;
-    selection_.iterations = 10;
-  }
-
-  std::vector<Surface> run(std::vector<Candidate> candidates) {
-    std::vector<double> value;
-    for (const Candidate& c : candidates) {
-      value.push_back(support(samples_, c, options_.inlier, claimed_));
-    }
-    std::vector<Surface> surfaces;
-    while (true) {
-      const auto best = std::max_element(value.begin(), value.end());
-      if (best == value.end() || *best <= 0) break;
-      const std::size_t k = static_cast<std::size_t>(best - value.begin());
-      *best = 0;
-      std::vector<int> open;
-      for (const int i : candidates[k].region) {
-        if (!claimed_[i]) open.push_back(i);
-      }
-      if (static_cast<int>(open.size()) < options_.least_samples ||
-          static_cast<double>(open.size()) <
-              options_.least_open * static_cast<double>(candidates[k].region.size())) {
-        continue;
-      }
-      std::optional<Surface> surface = fitted(open);
-      if (!surface) continue;
-      extend(&*surface);
-      merge(&*surface, &surfaces);
-      surface->evidence = collect_evidence(samples_, surface->region, surface->Q);
-      const int dof = family_spec(surface->fit.family).dof;
-      surface->score = confidence(surface->evidence, dof);
-      static const double th = getenv("QTH") ? atof(getenv("QTH")) : 0.4;
-      if (surface->fit.family != Family::kPlane && surface->score < th) continue;
-      for (const int i : surface->region) claimed_[i] = 1;
-      surfaces.push_back(std::move(*surface));
-      for (std::size_t c = 0; c < candidates.size(); ++c) {
-        if (value[c] > 0) value[c] = support(samples_, candidates[c], options_.inlier, claimed_);
-      }
-    }
-    return surfaces;
-  }
-
- private:
-  std::optional<Surface> fitted(std::vector<int> region) const {
-    Surface surface;
-    surface.local = normalisation_of(samples_, region);
-    const FitPoints points = fit_points(samples_, region, surface.local, options_.fit_points);
-    std::optional<Selection> selection = select_family(points, kAllFamilies, selection_);
-    if (!selection) return std::nullopt;
-    surface.Q = surface.local.to_frame(selection->best.posed.matrix()).normalized();
-    surface.rms = surface.local.scale *
-                  std::sqrt(selection->best.rss / static_cast<double>(points.size()));
-    surface.fit = std::move(selection->best);
-    surface.region = std::move(region);
-    return surface;
-  }
-
-  /// Adds all open samples within the quadric's extent that lie on it, and refits if they are
-  /// many: the other side of an occluder, the inside of a bowl.
-  void extend(Surface* surface) const {
-    const std::vector<int> more = further(*surface);
-    std::vector<int> all = surface->region;
-    all.insert(all.end(), more.begin(), more.end());
-    if (more.size() > surface->region.size() / 50) {
-      std::optional<Surface> refit = fitted(all);
-      if (refit && refit->rms < 1.3 * surface->rms) {
-        *surface = std::move(*refit);
-        return;
-      }
-    }
-    surface->region = std::move(all);
-  }
-
-  double bic_of(const Surface& s) const {
-    const double n = static_cast<double>(s.region.size());
-    const double r = s.rms;
-    return bic(r * r * n, static_cast<int>(n), family_spec(s.fit.family).dof, selection_);
-  }
-
-  /// Joins the surface with earlier ones where one quadric explains both.
-  void merge(Surface* surface, std::vector<Surface>* others) const {
-    for (std::size_t k = 0; k < others->size();) {
-      Surface& other = (*others)[k];
-      const bool flat = surface->fit.family == Family::kPlane, other_flat = other.fit.family == Family::kPlane;
-      const double reach = 2.5 * (surface->local.scale + other.local.scale);
-      if (flat != other_flat || (surface->local.centre - other.local.centre).norm() > reach) {
-        ++k;
-        continue;
-      }
-      std::vector<int> all = other.region;
-      all.insert(all.end(), surface->region.begin(), surface->region.end());
-      std::optional<Surface> joint = fitted(all);
-      if (joint && joint->rms < 1.25 * std::max(surface->rms, other.rms) &&
-          bic_of(*joint) < bic_of(*surface) + bic_of(other)) {
-        *surface = std::move(*joint);
-        others->erase(others->begin() + static_cast<std::ptrdiff_t>(k));
-      } else {
-        ++k;
-      }
-    }
-  }
-
-  std::vector<int> further(const Surface& surface) const {
-    const Eigen::Isometry3d Y = surface.fit.posed.X.inverse();
-    const auto posed = [&](int i) -> Eigen::Vector3d {
-      return Y * ((samples_.raw[i].cast<double>() - surface.local.centre) / surface.local.scale);
-    };
-    Eigen::AlignedBox3d box;
-    for (const int i : surface.region) box.extend(posed(i));
-    const Eigen::Vector3d margin = 0.15 * box.sizes();
-    box.extend(box.min() - margin);
-    box.extend(box.max() + margin);
-    std::vector<char> inside(samples_.p.size(), 0);
-    for (const int i : surface.region) inside[i] = 1;
-    InlierTest test = options_.inlier;
-    test.sigmas *= static_cast<float>(options_.claim);
-    const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
-    std::vector<int> more;
-    for (int i = 0; i < samples_.size(); ++i) {
-      if (claimed_[i] || inside[i] || !is_inlier(samples_, i, Q, test)) continue;
-      if (box.contains(posed(i))) more.push_back(i);
-    }
-    return more;
-  }
-
-  const SurfaceSamples& samples_;
-  const AggregateOptions& options_;
-  SelectionOptions selection_;
-  std::vector<char> claimed_;
-};
+double mean_sigma(const SurfaceSamples& samples, const std::vector<int>& region) {
+  double sum = 0;
+  for (const int i : region) sum += samples.sigma[i];
+  return sum / static_cast<double>(region.size());
+}
 
 }  // namespace
 
-std::vector<Surface> aggregate(const SurfaceSamples& samples, std::vector<Candidate> candidates,
-                               const AggregateOptions& options) {
-  return Aggregation(samples, options).run(std::move(candidates));
+Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& options)
+    : samples_(samples), options_(options), claimed_(samples.p.size(), 0) {}
+
+void Aggregation::offer(std::vector<Candidate> candidates, bool early) {
+  for (Candidate& c : candidates) pending_.push_back(std::move(c));
+  std::vector<double> value;
+  for (const Candidate& c : pending_) {
+    value.push_back(support(samples_, c, options_.inlier, claimed_));
+  }
+  std::vector<Candidate> later;
+  while (true) {
+    const auto best = std::max_element(value.begin(), value.end());
+    if (best == value.end() || *best <= 0) break;
+    Candidate& candidate = pending_[static_cast<std::size_t>(best - value.begin())];
+    *best = 0;
+    std::optional<Surface> surface = accept(candidate, early);
+    if (!surface) {
+      if (early) later.push_back(std::move(candidate));
+      continue;
+    }
+    for (const int i : surface->region) claimed_[i] = 1;
+    surfaces_.push_back(std::move(*surface));
+    for (std::size_t c = 0; c < pending_.size(); ++c) {
+      if (value[c] > 0) value[c] = support(samples_, pending_[c], options_.inlier, claimed_);
+    }
+  }
+  pending_ = std::move(later);
+}
+
+std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool early) {
+  std::vector<int> open;
+  for (const int i : candidate.region) {
+    if (!claimed_[i]) open.push_back(i);
+  }
+  const double size = static_cast<double>(candidate.region.size());
+  if (static_cast<int>(open.size()) < options_.least_samples ||
+      static_cast<double>(open.size()) < options_.least_open * size) {
+    return std::nullopt;
+  }
+  const double least = early ? options_.least_confidence_early : options_.least_confidence;
+  const bool flat = candidate.family == Family::kPlane;
+  if (!flat) {
+    const Evidence evidence = collect_evidence(samples_, open, candidate.Q);
+    const double hope = confidence(evidence, family_spec(candidate.family).dof);
+    if (hope < (early ? 0.5 * least : kHopeless)) return std::nullopt;
+  }
+  std::optional<Surface> surface = fitted(std::move(open));
+  if (!surface) return std::nullopt;
+  if (early &&
+      surface->rms > options_.largest_residual_early * mean_sigma(samples_, surface->region)) {
+    return std::nullopt;
+  }
+  extend(&*surface);
+  surface->evidence = collect_evidence(samples_, surface->region, surface->Q);
+  surface->confidence = confidence(surface->evidence, family_spec(surface->fit.family).dof);
+  if (surface->fit.family != Family::kPlane && surface->confidence < least) return std::nullopt;
+  join(&*surface);
+  return surface;
+}
+
+std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
+  Surface surface;
+  surface.local = normalisation_of(samples_, region);
+  const FitPoints points = fit_points(samples_, region, surface.local, options_.fit_points);
+  const std::optional<FamilyFit> general =
+      fit_family(points, Family::kGeneral, {}, kIterations);
+  if (!general) return std::nullopt;
+  const double share =
+      effective_share(samples_, region, surface.local.to_frame(general->posed.matrix()));
+  surface.effective_size =
+      std::min(options_.effective_size,
+               std::min(share, options_.effective_share) * static_cast<double>(region.size()));
+  SelectionOptions selection_options;
+  selection_options.iterations = kIterations;
+  selection_options.effective_share = surface.effective_size / static_cast<double>(points.size());
+  std::optional<Selection> selection =
+      select_family(points, kFamilies, *general, selection_options);
+  surface.Q = surface.local.to_frame(selection->best.posed.matrix()).normalized();
+  surface.rms = surface.local.scale *
+                std::sqrt(selection->best.rss / static_cast<double>(points.size()));
+  surface.fit = std::move(selection->best);
+  surface.region = std::move(region);
+  return surface;
+}
+
+/// Adds all open samples within the quadric's extent that lie on it, and refits if they are many:
+/// the other side of an occluder, the inside of a bowl.
+void Aggregation::extend(Surface* surface) const {
+  const std::vector<int> more = further(*surface);
+  std::vector<int> all = surface->region;
+  all.insert(all.end(), more.begin(), more.end());
+  if (more.size() > surface->region.size() / 50) {
+    std::optional<Surface> refit = fitted(all);
+    if (refit && refit->rms < 1.3 * surface->rms) {
+      *surface = std::move(*refit);
+      return;
+    }
+  }
+  surface->region = std::move(all);
+}
+
+double Aggregation::bic_of(const Surface& surface) const {
+  SelectionOptions selection_options;
+  const int n = static_cast<int>(surface.region.size());
+  selection_options.effective_share = surface.effective_size / n;
+  return bic(surface.rms * surface.rms * n, n, family_spec(surface.fit.family).dof,
+             selection_options);
+}
+
+/// Joins the surface with earlier ones where one quadric explains both.
+void Aggregation::join(Surface* surface) {
+  const auto is_flat = [](const Surface& s) { return s.fit.family == Family::kPlane; };
+  for (std::size_t k = 0; k < surfaces_.size();) {
+    const Surface& other = surfaces_[k];
+    const double reach = 2.5 * (surface->local.scale + other.local.scale);
+    bool joined = false;
+    if (is_flat(*surface) == is_flat(other) &&
+        (surface->local.centre - other.local.centre).norm() < reach) {
+      std::vector<int> all = other.region;
+      all.insert(all.end(), surface->region.begin(), surface->region.end());
+      std::optional<Surface> joint = fitted(std::move(all));
+      joined = joint && joint->rms < kJointRms * std::max(surface->rms, other.rms) &&
+               bic_of(*joint) < bic_of(*surface) + bic_of(other);
+      if (joined) {
+        joint->evidence = collect_evidence(samples_, joint->region, joint->Q);
+        joint->confidence = std::max({surface->confidence, other.confidence,
+                                      confidence(joint->evidence, family_spec(joint->fit.family).dof)});
+        *surface = std::move(*joint);
+        surfaces_.erase(surfaces_.begin() + static_cast<std::ptrdiff_t>(k));
+      }
+    }
+    if (!joined) ++k;
+  }
+}
+
+std::vector<int> Aggregation::further(const Surface& surface) const {
+  const Eigen::Isometry3d Y = surface.fit.posed.X.inverse();
+  const auto posed = [&](int i) -> Eigen::Vector3d {
+    return Y * ((samples_.raw[i].cast<double>() - surface.local.centre) / surface.local.scale);
+  };
+  Eigen::AlignedBox3d box;
+  for (const int i : surface.region) box.extend(posed(i));
+  const Eigen::Vector3d margin = 0.15 * box.sizes();
+  box.extend(Eigen::Vector3d(box.min() - margin));
+  box.extend(Eigen::Vector3d(box.max() + margin));
+  std::vector<char> inside(samples_.p.size(), 0);
+  for (const int i : surface.region) inside[i] = 1;
+  InlierTest test = options_.inlier;
+  test.sigmas *= static_cast<float>(options_.claim);
+  const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
+  std::vector<int> more;
+  for (int i = 0; i < samples_.size(); ++i) {
+    if (claimed_[i] || inside[i] || !is_inlier(samples_, i, Q, test)) continue;
+    if (box.contains(posed(i))) more.push_back(i);
+  }
+  return more;
 }
 
 }  // namespace quadrille

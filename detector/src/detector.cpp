@@ -65,9 +65,8 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options) 
   cells[1] = coarser(cells[0], {});
   cells[2] = coarser(cells[1], {});
   clock.mark("cells");
-  std::array<NoiseModel, 3> noise;
+  const std::vector<NoiseModel> noise = measure_noise(cells, {});
   for (int l = 0; l < 3; ++l) {
-    noise[l] = measure_noise(cells[l], 0.04, 0.25);
     if (getenv("QDEBUG")) fprintf(stderr, "level %d: pixels %d %dx%d noise %.5f exp %.2f sigma(z=%.2f) %.5f\n", l, cells[l].pixels, cells[l].width, cells[l].height, noise[l].factor, noise[l].exponent, z, noise[l].sigma(z));
   }
   clock.mark("noise");
@@ -109,15 +108,35 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options) 
   std::vector<int> sample_of0(cells[0].size(), -1), sample_of1(cells[1].size(), -1);
   for (int i = 0; i < samples[0].size(); ++i) sample_of0[samples[0].source[i]] = i;
   for (int i = 0; i < samples[1].size(); ++i) sample_of1[samples[1].source[i]] = i;
-  std::vector<Candidate> all;
+  SurfaceSamples finest = samples[0];
+  for (int i = 0; i < finest.size(); ++i) {
+    const int c = finest.source[i];
+    const int k = sample_of1[(c / rest[0].width / 2) * rest[1].width + (c % rest[0].width) / 2];
+    if (k >= 0) finest.n[i] = (finest.n[i] + samples[1].n[k]).normalized();
+  }
+  Aggregation aggregation(finest, {});
   for (int l = 2; l >= 0; --l) {
-    std::vector<Candidate> candidates = search(samples[l], search_options, options.seed + l);
+    std::vector<char> open(samples[l].p.size());
+    const int span = 1 << l;
+    for (int s = 0; s < samples[l].size(); ++s) {
+      const int cell = samples[l].source[s];
+      const int cx = cell % rest[l].width, cy = cell / rest[l].width;
+      int free = 0, taken = 0;
+      for (int y = cy * span; y < std::min(rest[0].height, (cy + 1) * span); ++y)
+        for (int x = cx * span; x < std::min(rest[0].width, (cx + 1) * span); ++x) {
+          const int i = sample_of0[y * rest[0].width + x];
+          if (i < 0) continue;
+          ++(aggregation.claimed()[i] ? taken : free);
+        }
+      open[s] = free > taken;
+    }
+    std::vector<Candidate> candidates = search(samples[l], open, search_options, options.seed + l);
     for (Candidate& c : candidates) {
       std::vector<int> fine;
       const Eigen::Matrix4f Q = c.Q.matrix().cast<float>();
       for (const int s : c.region) {
         const int cell = samples[l].source[s];
-        const int cx = cell % rest[l].width, cy = cell / rest[l].width, span = 1 << l;
+        const int cx = cell % rest[l].width, cy = cell / rest[l].width;
         for (int y = cy * span; y < std::min(rest[0].height, (cy + 1) * span); ++y)
           for (int x = cx * span; x < std::min(rest[0].width, (cx + 1) * span); ++x) {
             const int i = sample_of0[y * rest[0].width + x];
@@ -128,18 +147,13 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options) 
           }
       }
       c.region = std::move(fine);
-      all.push_back(std::move(c));
     }
     if (getenv("QDEBUG")) fprintf(stderr, "level %d: samples %d candidates %zu\n", l, samples[l].size(), candidates.size());
     clock.mark(l == 0 ? "search0" : l == 1 ? "search1" : "search2");
+    aggregation.offer(std::move(candidates), l > 0);
+    clock.mark(l == 0 ? "select0" : l == 1 ? "select1" : "select2");
   }
-  SurfaceSamples finest = samples[0];
-  for (int i = 0; i < finest.size(); ++i) {
-    const int c = finest.source[i];
-    const int k = sample_of1[(c / rest[0].width / 2) * rest[1].width + (c % rest[0].width) / 2];
-    if (k >= 0) finest.n[i] = (finest.n[i] + samples[1].n[k]).normalized();
-  }
-  for (const Surface& s : aggregate(finest, std::move(all), {})) {
+  for (const Surface& s : aggregation.surfaces()) {
     Detection d;
     d.id = result.detections.size() + 1;
     d.Q_C = s.Q;
@@ -157,8 +171,8 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options) 
       case Family::kGeneral: d.type = QuadricType::kHyperboloidOneSheet; break;
     }
     const Evidence& e = s.evidence;
-    d.dimensions = {{"log_count", e.log_count}, {"spread", e.spread}, {"n1", e.smooth_border}, {"two_planes", e.two_planes}, {"dof", double(family_spec(s.fit.family).dof)}};
-    d.score = s.score;
+    d.dimensions = {{"log_count", e.log_count}, {"spread", e.spread}, {"n1", e.smooth_border}, {"two_planes", e.two_planes}, {"share", s.effective_size}, {"dof", double(family_spec(s.fit.family).dof)}};
+    d.score = s.confidence;
     result.detections.push_back(d);
   }
   clock.mark("select");

@@ -50,7 +50,11 @@ Eigen::Matrix<double, 11, 11> normal_equations(const FitPoints& p, const Eigen::
   J.col(8) = (2.0f * (p.z - rz) * e.inverse).matrix();
   J.col(9) = e.inverse.matrix();
   J.col(10) = e.residual.matrix();
-  return (J.transpose() * J).cast<double>();
+  Eigen::Matrix<double, 11, 11> N;
+  for (int a = 0; a < 11; ++a) {
+    for (int b = a; b < 11; ++b) N(a, b) = N(b, a) = J.col(a).dot(J.col(b));
+  }
+  return N;
 }
 
 /// The generator of a motion as a 4x4 matrix of se(3).
@@ -128,7 +132,7 @@ std::optional<FamilyFit> refine(const FitPoints& points, Family family, const Po
     const PosedQuadric next = moved(spec, fit.posed, step);
     const Eigen::Matrix<double, 11, 11> M = normal_equations(points, next.matrix());
     if (M.allFinite() && M(10, 10) < fit.rss) {
-      const bool converged = M(10, 10) > 0.9999 * fit.rss;
+      const bool converged = M(10, 10) > 0.999 * fit.rss;
       fit.posed = next;
       fit.rss = M(10, 10);
       N = M;

@@ -63,27 +63,36 @@ double bic(double rss, int size, int dof, const SelectionOptions& options) {
   return n * std::log(variance) + dof * std::log(n);
 }
 
-std::optional<Selection> select_family(const FitPoints& points, std::span<const Family> families,
-                                       const SelectionOptions& options) {
-  Selection selection;
-  const int size = static_cast<int>(points.size());
-  bool found = false;
-  for (const Family family : families) {
-    std::optional<FamilyFit> best;
-    for (const PosedQuadric& start : starts(points, family, selection.fits)) {
-      const std::optional<FamilyFit> fit = refine(points, family, start, options.iterations);
-      if (fit && (!best || fit->rss < best->rss)) best = fit;
-    }
-    if (!best) continue;
-    const double value = bic(best->rss, size, family_spec(family).dof, options);
-    if (!found || value < selection.bic) {
-      selection.best = *best;
-      selection.bic = value;
-      found = true;
-    }
-    selection.fits.push_back(std::move(*best));
+std::optional<FamilyFit> fit_family(const FitPoints& points, Family family,
+                                    const std::vector<FamilyFit>& known, int iterations) {
+  std::optional<FamilyFit> best;
+  for (const PosedQuadric& start : starts(points, family, known)) {
+    std::optional<FamilyFit> fit = refine(points, family, start, iterations);
+    if (fit && (!best || fit->rss < best->rss)) best = std::move(fit);
   }
-  if (!found) return std::nullopt;
+  return best;
+}
+
+std::optional<Selection> select_family(const FitPoints& points, std::span<const Family> families,
+                                       const FamilyFit& general, const SelectionOptions& options) {
+  const int size = static_cast<int>(points.size());
+  Selection selection;
+  selection.best = general;
+  selection.bic = bic(general.rss, size, family_spec(Family::kGeneral).dof, options);
+  selection.fits.push_back(general);
+  for (const Family family : families) {
+    // Even with the residual of the general fit, this family could not become the best.
+    const int dof = family_spec(family).dof;
+    if (bic(0.95 * general.rss, size, dof, options) >= selection.bic) continue;
+    std::optional<FamilyFit> fit = fit_family(points, family, selection.fits, options.iterations);
+    if (!fit) continue;
+    const double value = bic(fit->rss, size, dof, options);
+    if (value < selection.bic) {
+      selection.best = *fit;
+      selection.bic = value;
+    }
+    selection.fits.push_back(std::move(*fit));
+  }
   return selection;
 }
 

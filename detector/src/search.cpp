@@ -15,7 +15,7 @@ namespace quadrille {
 namespace {
 
 constexpr std::array kGrowFamilies = {Family::kPlane, Family::kSphere, Family::kCylinder,
-                                      Family::kCone, Family::kRevolution, Family::kGeneral};
+                                      Family::kCone, Family::kRevolution};
 constexpr int kGrowPoints = 200;
 
 /// Samples connected to the seed within a ball.
@@ -55,13 +55,13 @@ int count_support(const FitPoints& p, const Eigen::Matrix4d& matrix, float limit
 
 class Searcher {
  public:
-  Searcher(const SurfaceSamples& samples, const SearchOptions& options, std::uint64_t seed)
+  Searcher(const SurfaceSamples& samples, std::vector<char> open, const SearchOptions& options,
+           std::uint64_t seed)
       : samples_(samples),
         options_(options),
         seed_(seed),
-        free_(static_cast<std::size_t>(samples.size()), 1),
-        all_(free_),
-        open_(free_),
+        free_(open),
+        open_(std::move(open)),
         stamp_(static_cast<std::size_t>(samples.size()), 0) {}
 
   std::vector<Candidate> run() {
@@ -90,21 +90,19 @@ class Searcher {
     for (const int j : samples_.neighbours_of(seed)) open_[j] = 0;
   }
 
+  /// Tries neighbourhoods from the largest: what most of a large one agrees on needs no small one.
   std::optional<Candidate> try_seed(int seed) {
-    std::optional<Candidate> best;
-    for (const double radius : options_.radii) {
+    for (auto radius = options_.radii.rbegin(); radius != options_.radii.rend(); ++radius) {
       const std::vector<int> around =
-          neighbourhood(samples_, seed, static_cast<float>(radius) * samples_.cell[seed], open_,
+          neighbourhood(samples_, seed, static_cast<float>(*radius) * samples_.cell[seed], open_,
                         &stamp_, ++mark_);
-      if (static_cast<int>(around.size()) < options_.least_samples / 2) continue;
+      if (static_cast<int>(around.size()) < options_.least_samples / 2) return std::nullopt;
       const std::optional<Hypothesis> hypothesis = best_hypothesis(seed, around);
       if (!hypothesis) continue;
       std::optional<Candidate> grown = grow(*hypothesis, around);
-      if (grown && (!best || grown->region.size() > 1.1 * best->region.size())) {
-        best = std::move(grown);
-      }
+      if (grown) return grown;
     }
-    return best;
+    return std::nullopt;
   }
 
   std::optional<Hypothesis> best_hypothesis(int seed, const std::vector<int>& around) {
@@ -133,7 +131,7 @@ class Searcher {
         if (support > best.support) best = {local.to_frame(Q), support};
       }
     }
-    if (best.support < n / 4 || best.support < 8) return std::nullopt;
+    if (best.support < options_.least_support * n || best.support < 8) return std::nullopt;
     return best;
   }
 
@@ -141,17 +139,21 @@ class Searcher {
     Candidate candidate;
     candidate.Q = hypothesis.Q;
     std::vector<int> region =
-        connected_inliers(samples_, around, candidate.Q, options_.inlier, all_);
+        connected_inliers(samples_, around, candidate.Q, options_.inlier, free_);
     for (int round = 0; round < options_.rounds; ++round) {
       if (static_cast<int>(region.size()) < options_.least_samples) return std::nullopt;
       const Normalisation local = normalisation_of(samples_, region);
       const FitPoints points = fit_points(samples_, region, local, kGrowPoints);
-      const std::optional<Selection> selection = select_family(points, kGrowFamilies, {});
+      const std::optional<FamilyFit> general = fit_family(points, Family::kGeneral, {}, 4);
+      if (!general) return std::nullopt;
+      SelectionOptions selection_options;
+      selection_options.effective_share = 0.1;
+      const std::optional<Selection> selection = select_family(points, kGrowFamilies, *general, selection_options);
       if (!selection) return std::nullopt;
       candidate.Q = local.to_frame(selection->best.posed.matrix()).normalized();
       candidate.family = selection->best.family;
       candidate.rms = local.scale * std::sqrt(selection->best.rss / points.size());
-      std::vector<int> next = connected_inliers(samples_, region, candidate.Q, options_.inlier, all_);
+      std::vector<int> next = connected_inliers(samples_, region, candidate.Q, options_.inlier, free_);
       const double change = std::abs(static_cast<double>(next.size()) - region.size());
       const bool settled = change < 0.03 * static_cast<double>(region.size());
       region = std::move(next);
@@ -165,7 +167,8 @@ class Searcher {
   const SurfaceSamples& samples_;
   const SearchOptions& options_;
   const std::uint64_t seed_;
-  std::vector<char> free_, all_;
+  /// Samples that may support a candidate.
+  std::vector<char> free_;
   /// Samples that nothing explains yet and no attempt has failed on.
   std::vector<char> open_;
   std::vector<int> stamp_;
@@ -174,9 +177,9 @@ class Searcher {
 
 }  // namespace
 
-std::vector<Candidate> search(const SurfaceSamples& samples, const SearchOptions& options,
-                              std::uint64_t seed) {
-  return Searcher(samples, options, seed).run();
+std::vector<Candidate> search(const SurfaceSamples& samples, std::vector<char> open,
+                              const SearchOptions& options, std::uint64_t seed) {
+  return Searcher(samples, std::move(open), options, seed).run();
 }
 
 }  // namespace quadrille

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "quadrille/detector/evidence.hpp"
@@ -14,10 +15,16 @@ struct AggregateOptions {
   double least_open = 0.5;
   /// Samples of a surface at least.
   int least_samples = 30;
+  /// Least confidence of a curved surface; see evidence.hpp.
+  double least_confidence = 0.4;
+  /// The same for candidates of the coarser levels, which claim their samples before the finer
+  /// ones are searched, and their largest rms in multiples of the noise.
+  double least_confidence_early = 0.8, largest_residual_early = 1.3;
   /// Points that a fit uses at most.
-  int fit_points = 600;
-  /// Independent measurements per sample.
-  double effective_share = 0.0625;
+  int fit_points = 400;
+  /// Independent measurements at most, per sample and in all. Sensor noise comes in waves, and real
+  /// objects are quadrics only nearly: more samples than this argue for no richer type.
+  double effective_share = 0.0625, effective_size = 40.0;
   InlierTest inlier;
   /// Factor on the distance within which an accepted quadric claims further samples.
   double claim = 1.3;
@@ -25,19 +32,49 @@ struct AggregateOptions {
 
 /// A surface of the scene: one fitted quadric and the samples on it.
 struct Surface {
+  /// In frame C, |q| = 1.
   Quadric Q;
-  /// In frame C; empty for planes found before.
+  /// The fit in local coordinates.
   FamilyFit fit;
   Normalisation local;
   std::vector<int> region;
-  double rms = 0.0, score = 0.0;
+  /// Root mean square distance of the region [m].
+  double rms = 0.0;
   Evidence evidence;
+  double confidence = 0.0;
+  /// Independent measurements that the fit rests on.
+  double effective_size = 1.0;
 };
 
 /// Chooses among overlapping candidates (paper, "Hypotheses aggregation"): the one that explains
-/// most comes first, refits itself to all it explains, connected or not, and claims it.
-/// @param candidates  with regions in terms of `samples`
-std::vector<Surface> aggregate(const SurfaceSamples& samples, std::vector<Candidate> candidates,
-                               const AggregateOptions& options);
+/// most comes first, is refitted to all that it explains, connected or not, joined with earlier
+/// ones that the same quadric explains, verified, and claims its samples.
+class Aggregation {
+ public:
+  /// @param samples  on which regions and claims are counted; must outlive this
+  Aggregation(const SurfaceSamples& samples, const AggregateOptions& options);
+
+  /// Takes over candidates, with regions in terms of the samples, and accepts what can be accepted.
+  /// @param early  true while finer levels are still to come: only clear cases claim samples
+  void offer(std::vector<Candidate> candidates, bool early);
+
+  /// Per sample, nonzero if an accepted surface holds it.
+  const std::vector<char>& claimed() const { return claimed_; }
+  const std::vector<Surface>& surfaces() const { return surfaces_; }
+
+ private:
+  std::optional<Surface> accept(const Candidate& candidate, bool early);
+  std::optional<Surface> fitted(std::vector<int> region) const;
+  void extend(Surface* surface) const;
+  void join(Surface* surface);
+  double bic_of(const Surface& surface) const;
+  std::vector<int> further(const Surface& surface) const;
+
+  const SurfaceSamples& samples_;
+  AggregateOptions options_;
+  std::vector<char> claimed_;
+  std::vector<Candidate> pending_;
+  std::vector<Surface> surfaces_;
+};
 
 }  // namespace quadrille

@@ -29,8 +29,14 @@ struct Selection {
 /// BIC of a fit to `size` points.
 double bic(double rss, int size, int dof, const SelectionOptions& options);
 
+/// The best fit of one family from its closed-form starts; nullopt if there is none.
+/// @param known  fits of other families, on which some starts build
+std::optional<FamilyFit> fit_family(const FitPoints& points, Family family,
+                                    const std::vector<FamilyFit>& known, int iterations);
+
 /// Fits the families and selects one; nullopt if none can be fitted.
+/// @param general  the fit of the general family: no other fits better, which spares most fits
 std::optional<Selection> select_family(const FitPoints& points, std::span<const Family> families,
-                                       const SelectionOptions& options);
+                                       const FamilyFit& general, const SelectionOptions& options);
 
 }  // namespace quadrille

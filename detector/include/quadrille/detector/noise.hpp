@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "quadrille/detector/depth_cells.hpp"
@@ -15,11 +16,19 @@ struct NoiseModel {
   float sigma(float z) const;
 };
 
-/// Measures the noise of cell means as the residual of quadratic patches, w = quadratic in (u, v),
-/// of the given radius. Windows smaller than the waves of a sensor's correlated noise would follow
-/// the waves and see too little of them; of all patches a low quantile is taken, because clutter
-/// is no quadratic.
-/// @param radius  of the patches [m]
-NoiseModel measure_noise(const DepthCells& cells, double radius, double quantile);
+struct NoiseOptions {
+  /// Radius of the patches [m]. Smaller windows would follow the waves of a sensor's correlated
+  /// noise and see too little of them.
+  double radius = 0.04;
+  /// Of all patches' residuals this quantile is taken: clutter is no quadratic.
+  double quantile = 0.25;
+};
+
+/// Measures the noise of cell means at each level of a pyramid of cells, as the residual of
+/// quadratic patches, w = quadratic in (u, v), that are fitted on the second level.
+/// @param levels  finest first, each of twice the cell edge of the one before
+/// @return one model per level
+std::vector<NoiseModel> measure_noise(std::span<const DepthCells> levels,
+                                      const NoiseOptions& options);
 
 }  // namespace quadrille

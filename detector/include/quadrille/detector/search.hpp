@@ -17,6 +17,8 @@ struct SearchOptions {
   int bases = 8;
   /// Voters per basis at most.
   int voters = 160;
+  /// Share of a neighbourhood that a hypothesis must explain.
+  double least_support = 0.5;
   /// Samples that a candidate has at least.
   int least_samples = 25;
   /// Rounds of growing and refitting.
@@ -36,7 +38,8 @@ struct Candidate {
 
 /// RANSAC over three-point bases with a vote in each (paper, section 4): seeds are drawn from the
 /// samples that nothing explains yet; the best hypothesis of a seed is grown and refitted.
-std::vector<Candidate> search(const SurfaceSamples& samples, const SearchOptions& options,
-                              std::uint64_t seed);
+/// @param open  per sample, zero to leave it out
+std::vector<Candidate> search(const SurfaceSamples& samples, std::vector<char> open,
+                              const SearchOptions& options, std::uint64_t seed);
 
 }  // namespace quadrille
