@@ -84,7 +84,9 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
   if (!flat) {
     const Evidence evidence = collect_evidence(samples_, open, candidate.Q);
     const double hope = confidence(evidence, family_spec(candidate.family).dof);
-    if (hope < (early ? 0.5 * least : kHopeless)) return std::nullopt;
+    if (hope < (early ? 0.5 * least : kHopeless) || evidence.spread < 0.8 * options_.least_spread) {
+      return std::nullopt;
+    }
   }
   std::optional<Surface> surface = fitted(std::move(open));
   if (!surface) return std::nullopt;
@@ -95,7 +97,10 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
   extend(&*surface);
   surface->evidence = collect_evidence(samples_, surface->region, surface->Q);
   surface->confidence = confidence(surface->evidence, family_spec(surface->fit.family).dof);
-  if (surface->fit.family != Family::kPlane && surface->confidence < least) return std::nullopt;
+  if (surface->fit.family != Family::kPlane &&
+      (surface->confidence < least || surface->evidence.spread < options_.least_spread)) {
+    return std::nullopt;
+  }
   join(&*surface);
   return surface;
 }
@@ -141,10 +146,10 @@ void Aggregation::extend(Surface* surface) const {
   surface->region = std::move(all);
 }
 
-double Aggregation::bic_of(const Surface& surface) const {
+double Aggregation::bic_of(const Surface& surface, double effective_size) const {
   SelectionOptions selection_options;
   const int n = static_cast<int>(surface.region.size());
-  selection_options.effective_share = surface.effective_size / n;
+  selection_options.effective_share = effective_size / n;
   return bic(surface.rms * surface.rms * n, n, family_spec(surface.fit.family).dof,
              selection_options);
 }
@@ -162,7 +167,9 @@ void Aggregation::join(Surface* surface) {
       all.insert(all.end(), surface->region.begin(), surface->region.end());
       std::optional<Surface> joint = fitted(std::move(all));
       joined = joint && joint->rms < kJointRms * std::max(surface->rms, other.rms) &&
-               bic_of(*joint) < bic_of(*surface) + bic_of(other);
+               bic_of(*joint, surface->effective_size + other.effective_size) <
+                   bic_of(*surface, surface->effective_size) +
+                       bic_of(other, other.effective_size);
       if (joined) {
         joint->evidence = collect_evidence(samples_, joint->region, joint->Q);
         joint->confidence = std::max({surface->confidence, other.confidence,

@@ -17,7 +17,9 @@ struct AggregateOptions {
   int least_samples = 30;
   /// Least confidence of a curved surface; see evidence.hpp.
   double least_confidence = 0.4;
-  /// The same for candidates of the coarser levels, which claim their samples before the finer
+  /// Least spread of the normals of a curved surface [rad]: less is a plane, or anything.
+  double least_spread = 0.35;
+  /// Least confidence for candidates of the coarser levels, which claim their samples before the finer
   /// ones are searched, and their largest rms in multiples of the noise.
   double least_confidence_early = 0.8, largest_residual_early = 1.3;
   /// Points that a fit uses at most.
@@ -67,7 +69,7 @@ class Aggregation {
   std::optional<Surface> fitted(std::vector<int> region) const;
   void extend(Surface* surface) const;
   void join(Surface* surface);
-  double bic_of(const Surface& surface) const;
+  double bic_of(const Surface& surface, double effective_size) const;
   std::vector<int> further(const Surface& surface) const;
 
   const SurfaceSamples& samples_;
