@@ -128,7 +128,7 @@ void DepthView::fill_holes() {
           least = std::min(least, z);
         }
       }
-      if (known >= 5) depth_[at] = least;
+      if (known >= 3) depth_[at] = least;
     }
   }
 }
@@ -209,24 +209,7 @@ DepthRange DepthView::range(const Eigen::Vector3d& p_V, double radius) const {
 }
 
 bool DepthView::sees_past(const Eigen::Vector3d& centre_C, double half) const {
-  const Eigen::Vector3d p_V = to_view(centre_C);
-  const double radius = half * std::numbers::sqrt3;
-  if (p_V.z() - radius < kNearest) return false;
-  const Eigen::Vector3d o = p_CV_ - centre_C;
-  const Eigen::Vector2i middle = pixel(p_V);
-  if (depth(middle.x(), middle.y()) <= p_V.z()) return false;
-  const Span s = span(p_V, radius);
-  for (int v = s.v0; v <= s.v1; ++v) {
-    for (int u = s.u0; u <= s.u1; ++u) {
-      const double z = depth(u, v);
-      if (z > p_V.z() + radius) continue;
-      const Eigen::Array3d inverse = ray_C(u, v).array().inverse();
-      const Eigen::Array3d t0 = (-half - o.array()) * inverse, t1 = (half - o.array()) * inverse;
-      const double enter = t0.min(t1).maxCoeff(), leave = t0.max(t1).minCoeff();
-      if (enter <= leave && z <= leave) return false;
-    }
-  }
-  return true;
+  return all_blockers(centre_C, half, [](int, int, double) { return false; });
 }
 
 }  // namespace quadrille

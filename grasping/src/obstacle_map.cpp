@@ -153,13 +153,19 @@ void ObstacleMap::clear_shadow(const OccupancyGrid& grid, const DepthView& view,
     for (int j = range.first.y(); j <= range.second.y(); ++j) {
       for (int i = range.first.x(); i <= range.second.x(); ++i) {
         if (grid.at(i, j, k) != Voxel::kUnknown) continue;
+        // A quick look at the centre's own ray spares most voxels the exact test.
         const Eigen::Vector3d p_V = view.to_view(centre(i, j, k));
         if (p_V.z() <= 0.0) continue;
         const Eigen::Vector2i uv = view.pixel(p_V);
         const double z = view.depth(uv.x(), uv.y());
-        if (z == 0.0 || z > p_V.z()) continue;
         const Eigen::Vector3d seen = view.p_CV() + z * view.ray_C(uv.x(), uv.y());
-        if (body.contains(seen, kOnTarget)) levels_[0].flags[levels_[0].index(i, j, k)] = 0;
+        if (z <= p_V.z() && !body.contains(seen, 4.0 * kOnTarget)) continue;
+        const auto on_target = [&](const Eigen::Vector3d& p_C) {
+          return body.contains(p_C, kOnTarget);
+        };
+        if (view.hidden_only_by(centre(i, j, k), 0.5 * resolution_, on_target)) {
+          levels_[0].flags[levels_[0].index(i, j, k)] = 0;
+        }
       }
     }
   }

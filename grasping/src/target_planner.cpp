@@ -10,13 +10,15 @@ namespace quadrille {
 namespace {
 
 // Effort per target. The candidates come best first, so more of it finds little.
-constexpr int kMostChecks = 1500;
+constexpr int kMostChecks = 10000;
 constexpr std::size_t kMostAccepted = 12;
 // Grasps nearer than this to an accepted one add nothing.
 constexpr double kNearby = 0.012;
 const double kAlike = std::cos(20.0 * 3.14159265358979323846 / 180.0);
 // A contact close to slipping in the model slips in truth: normals are known to a few degrees.
 constexpr double kFrictionShare = 0.85;
+// How far the tips reach beyond a contact that only they hold [m].
+constexpr double kTipBeyond = 0.003;
 
 std::string reason(Obstruction what) {
   switch (what) {
@@ -118,20 +120,41 @@ void TargetPlanner::try_candidate(const ContactLine& line, const Candidate& cand
   if (resembles_accepted(line, candidate.approach_C)) return;
   const double step = 0.33 * gripper_.pad.y();
   for (const double depth : {0.0, -step, step}) {
-    const Eigen::Isometry3d X_CG = grasp_pose(line, candidate.approach_C, depth);
-    for (const double preshape : preshapes(line)) {
-      ++checks_;
-      const SweptHand hand =
-          sweep_hand(gripper_, X_CG, preshape, line.width, options_.approach);
-      const std::optional<Obstruction> what = scene_.obstruction(hand);
-      if (!what) {
-        accepted_.push_back(describe(line, X_CG, preshape));
-        return;
-      }
-      ++rejected[reason(*what)];
-      if (*what == Obstruction::kSupport) break;  // another opening does not help
-    }
+    if (try_depth(line, candidate.approach_C, depth, rejected)) return;
   }
+  try_chords(line, candidate.approach_C, rejected);
+}
+
+bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C,
+                              double depth, std::map<std::string, int>& rejected) {
+  const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
+  for (const double preshape : preshapes(line)) {
+    ++checks_;
+    const SweptHand hand = sweep_hand(gripper_, X_CG, preshape, line.width, options_.approach);
+    const std::optional<Obstruction> what = scene_.obstruction(hand);
+    if (!what) {
+      accepted_.push_back(describe(line, X_CG, preshape));
+      return true;
+    }
+    ++rejected[reason(*what)];
+    if (*what == Obstruction::kSupport) return false;  // another opening does not help
+  }
+  return false;
+}
+
+// Above the widest part, with the tips: what lies low, or in front of unseen space, can still be
+// held as far as friction allows.
+bool TargetPlanner::try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
+                               std::map<std::string, int>& rejected) {
+  const double depth = kTipBeyond - gripper_.finger_front;
+  for (const double share : {0.2, 0.36}) {
+    const Eigen::Vector3d p_C = line.centre_C - 0.5 * share * line.width * approach_C;
+    std::optional<ContactLine> beside = chord(target_.body, p_C, line.closing_C);
+    if (!beside) continue;
+    beside->opening = line.opening;
+    if (usable(*beside, rejected) && try_depth(*beside, approach_C, depth, rejected)) return true;
+  }
+  return false;
 }
 
 Grasp TargetPlanner::describe(const ContactLine& line, const Eigen::Isometry3d& X_CG,

@@ -34,6 +34,10 @@ class TargetPlanner {
   std::vector<double> preshapes(const ContactLine& line) const;
   void try_candidate(const ContactLine& line, const Candidate& candidate,
                      std::map<std::string, int>& rejected);
+  bool try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C, double depth,
+                 std::map<std::string, int>& rejected);
+  bool try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
+                  std::map<std::string, int>& rejected);
   Grasp describe(const ContactLine& line, const Eigen::Isometry3d& X_CG, double preshape) const;
   void rate(Grasp& grasp, const ContactLine& line) const;
   double margin() const;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "quadrille/grasping/body.hpp"
@@ -31,5 +32,11 @@ struct ContactLine {
 /// @param viewpoint_C  where the sensor stood [m]
 std::vector<ContactLine> contact_lines(const Body& body, const Gripper& gripper,
                                        const Eigen::Vector3d& viewpoint_C);
+
+/// The line of direction d that passes the body at point p: the contacts of a grasp beside its
+/// widest part, from the roots of the quadric along p + t·d. Nullopt if p lies outside the body or
+/// the line leaves it through an end.
+std::optional<ContactLine> chord(const Body& body, const Eigen::Vector3d& p_C,
+                                 const Eigen::Vector3d& d_C);
 
 }  // namespace quadrille

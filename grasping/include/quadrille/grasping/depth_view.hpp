@@ -42,8 +42,11 @@ class DepthView {
   Eigen::Vector2i pixel(const Eigen::Vector3d& p_V) const;
   /// Bounds of the depth over all pixels whose rays may pass the ball of that radius around p_V.
   DepthRange range(const Eigen::Vector3d& p_V, double radius) const;
-  /// True if each pixel whose ray passes the cube measured something beyond it, and one does.
+  /// True if each pixel whose ray passes the cube measured something beyond it.
   bool sees_past(const Eigen::Vector3d& centre_C, double half) const;
+  /// True if some of those pixels did not, and holds(p_C) of the point that each of these measured.
+  template <class Holds>
+  bool hidden_only_by(const Eigen::Vector3d& centre_C, double half, Holds&& holds) const;
   /// For each point of the cloud, whether it was refused as a stray.
   const std::vector<std::uint8_t>& stray() const { return stray_; }
 
@@ -56,6 +59,8 @@ class DepthView {
     int u0, u1, v0, v1;
   };
 
+  template <class Visitor>
+  bool all_blockers(const Eigen::Vector3d& centre_C, double half, Visitor&& visit) const;
   Span span(const Eigen::Vector3d& p_V, double radius) const;
   void choose_axes(const PointCloud& cloud);
   void choose_grid(const PointCloud& cloud);
@@ -72,5 +77,40 @@ class DepthView {
   std::vector<Level> levels_;
   std::vector<std::uint8_t> stray_;
 };
+
+// Calls visit(u, v, depth) for each pixel whose ray passes the cube without seeing past it, until
+// one call returns false. The pixel that the centre projects to counts in any case.
+template <class Visitor>
+bool DepthView::all_blockers(const Eigen::Vector3d& centre_C, double half, Visitor&& visit) const {
+  const Eigen::Vector3d p_V = to_view(centre_C);
+  const double radius = half * 1.7320508075688772;
+  if (p_V.z() - radius <= 0.0) return visit(-1, -1, 0.0);
+  const Eigen::Array3d to_low = (centre_C - p_CV_).array() - half;
+  const Eigen::Vector2i middle = pixel(p_V);
+  const double z_middle = depth(middle.x(), middle.y());
+  if (z_middle <= p_V.z() && !visit(middle.x(), middle.y(), z_middle)) return false;
+  const Span s = span(p_V, radius);
+  for (int v = s.v0; v <= s.v1; ++v) {
+    for (int u = s.u0; u <= s.u1; ++u) {
+      const double z = depth(u, v);
+      if (z > p_V.z() + radius) continue;
+      const Eigen::Array3d inverse = ray_C(u, v).array().inverse();
+      const Eigen::Array3d t0 = to_low * inverse, t1 = (to_low + 2.0 * half) * inverse;
+      const double enter = t0.min(t1).maxCoeff(), leave = t0.max(t1).minCoeff();
+      if (enter <= leave && z <= leave && !visit(u, v, z)) return false;
+    }
+  }
+  return true;
+}
+
+template <class Holds>
+bool DepthView::hidden_only_by(const Eigen::Vector3d& centre_C, double half, Holds&& holds) const {
+  int blockers = 0;
+  const bool all = all_blockers(centre_C, half, [&](int u, int v, double z) {
+    ++blockers;
+    return z > 0.0 && holds(Eigen::Vector3d(p_CV_ + z * ray_C(u, v)));
+  });
+  return all && blockers > 0;
+}
 
 }  // namespace quadrille
