@@ -35,17 +35,21 @@ DepthView::DepthView(const PointCloud& cloud) : p_CV_(cloud.viewpoint) {
 
 void DepthView::choose_axes(const PointCloud& cloud) {
   std::size_t finite = 0, before = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3f& p : cloud.points) {
     if (!p.allFinite()) continue;
-    const Eigen::Vector3d ray = p.cast<double>() - p_CV_;
     ++finite;
-    before += in_front(ray);
-    if (ray.norm() > kNearest) sum += ray.normalized();
+    before += in_front(p.cast<double>() - p_CV_);
   }
   // The optical convention keeps the pixel grid regular; any other frame looks at its points' mean.
-  if (before * 20 >= finite * 19 || sum.norm() < 1e-9) return;
+  if (before * 20 >= finite * 19) return;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3f& p : cloud.points) {
+    const Eigen::Vector3d ray = p.cast<double>() - p_CV_;
+    if (p.allFinite() && ray.norm() > kNearest) sum += ray.normalized();
+  }
+  if (sum.norm() < 1e-9) return;
   R_VC_ = Eigen::Quaterniond::FromTwoVectors(sum, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  spread_ = R_VC_.cwiseAbs().rowwise().sum();
 }
 
 void DepthView::choose_grid(const PointCloud& cloud) {
@@ -170,24 +174,24 @@ Eigen::Vector2i DepthView::pixel(const Eigen::Vector3d& p_V) const {
           index(p_V.y() / (p_V.z() * pitch_v_) + cv_ + 0.5)};
 }
 
-DepthView::Span DepthView::span(const Eigen::Vector3d& p_V, double radius) const {
-  // Tangents over the ball's bounding box lie between those at its nearest and farthest depth.
-  const double z0 = p_V.z() - radius, z1 = p_V.z() + radius;
-  const auto bounds = [&](double x, double pitch, double centre) {
-    const double lo = x - radius, hi = x + radius;
+DepthView::Span DepthView::span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const {
+  // Tangents over the box lie between those at its nearest and farthest depth.
+  const double z0 = p_V.z() - reach.z(), z1 = p_V.z() + reach.z();
+  const auto bounds = [&](int axis, double pitch, double centre) {
+    const double lo = p_V[axis] - reach[axis], hi = p_V[axis] + reach[axis];
     const double t0 = lo < 0.0 ? lo / z0 : lo / z1;
     const double t1 = hi < 0.0 ? hi / z1 : hi / z0;
     const auto whole = [](double y) { return static_cast<int>(std::clamp(y, -1e8, 1e8)); };
     return std::pair(whole(std::ceil(t0 / pitch + centre)), whole(std::floor(t1 / pitch + centre)));
   };
-  const auto [u0, u1] = bounds(p_V.x(), pitch_u_, cu_);
-  const auto [v0, v1] = bounds(p_V.y(), pitch_v_, cv_);
+  const auto [u0, u1] = bounds(0, pitch_u_, cu_);
+  const auto [v0, v1] = bounds(1, pitch_v_, cv_);
   return {u0, u1, v0, v1};
 }
 
-DepthRange DepthView::range(const Eigen::Vector3d& p_V, double radius) const {
-  if (p_V.z() - radius < kNearest) return {0.0, std::numeric_limits<double>::max()};
-  Span s = span(p_V, radius);
+DepthRange DepthView::range(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const {
+  if (p_V.z() - reach.z() < kNearest) return {0.0, std::numeric_limits<double>::max()};
+  Span s = span(p_V, reach);
   if (s.u0 > s.u1) s.u0 = s.u1 = pixel(p_V).x();
   if (s.v0 > s.v1) s.v0 = s.v1 = pixel(p_V).y();
   if (s.u1 < 0 || s.v1 < 0 || s.u0 >= width_ || s.v0 >= height_) return {0.0, 0.0};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace quadrille {
@@ -56,10 +55,10 @@ void OccupancyGrid::mark_free(const DepthView& view, const Eigen::Vector3i& low,
   const Eigen::Vector3d centre_C =
       ((corner_ + low).cast<double>().array() + 0.5 * edge) * resolution_;
   const Eigen::Vector3d p_V = view.to_view(centre_C);
-  const double radius = half * std::numbers::sqrt3;
-  const DepthRange range = view.range(p_V, radius);
-  if (p_V.z() - radius > range.far) return;
-  if (p_V.z() + radius < range.near) return fill(low, edge, Voxel::kFree);
+  const Eigen::Vector3d reach = view.reach(half);
+  const DepthRange range = view.range(p_V, reach);
+  if (p_V.z() - reach.z() > range.far) return;
+  if (p_V.z() + reach.z() < range.near) return fill(low, edge, Voxel::kFree);
   if (edge == 1) {
     if (view.sees_past(centre_C, half)) states_[index(low.x(), low.y(), low.z())] = Voxel::kFree;
     return;

@@ -40,8 +40,10 @@ class DepthView {
   double depth(int u, int v) const;
   /// Pixel that p_V projects to (p_V.z > 0); may lie outside the image.
   Eigen::Vector2i pixel(const Eigen::Vector3d& p_V) const;
-  /// Bounds of the depth over all pixels whose rays may pass the ball of that radius around p_V.
-  DepthRange range(const Eigen::Vector3d& p_V, double radius) const;
+  /// Half sizes along the axes of V of a cube with edges along those of C and of that half size.
+  Eigen::Vector3d reach(double half) const { return half * spread_; }
+  /// Bounds of the depth over all pixels whose rays may pass the box p_V ± reach.
+  DepthRange range(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
   /// True if each pixel whose ray passes the cube measured something beyond it.
   bool sees_past(const Eigen::Vector3d& centre_C, double half) const;
   /// True if some of those pixels did not, and holds(p_C) of the point that each of these measured.
@@ -61,7 +63,7 @@ class DepthView {
 
   template <class Visitor>
   bool all_blockers(const Eigen::Vector3d& centre_C, double half, Visitor&& visit) const;
-  Span span(const Eigen::Vector3d& p_V, double radius) const;
+  Span span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
   void choose_axes(const PointCloud& cloud);
   void choose_grid(const PointCloud& cloud);
   void project(const PointCloud& cloud);
@@ -70,6 +72,7 @@ class DepthView {
   void build_levels();
 
   Eigen::Matrix3d R_VC_ = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d spread_ = Eigen::Vector3d::Ones();
   Eigen::Vector3d p_CV_ = Eigen::Vector3d::Zero();
   int width_ = 0, height_ = 0;
   double pitch_u_ = 1.0, pitch_v_ = 1.0, cu_ = 0.0, cv_ = 0.0;
@@ -83,17 +86,18 @@ class DepthView {
 template <class Visitor>
 bool DepthView::all_blockers(const Eigen::Vector3d& centre_C, double half, Visitor&& visit) const {
   const Eigen::Vector3d p_V = to_view(centre_C);
-  const double radius = half * 1.7320508075688772;
-  if (p_V.z() - radius <= 0.0) return visit(-1, -1, 0.0);
+  const Eigen::Vector3d around = reach(half);
+  const double beyond = p_V.z() + around.z();
+  if (p_V.z() - around.z() <= 0.0) return visit(-1, -1, 0.0);
   const Eigen::Array3d to_low = (centre_C - p_CV_).array() - half;
   const Eigen::Vector2i middle = pixel(p_V);
   const double z_middle = depth(middle.x(), middle.y());
   if (z_middle <= p_V.z() && !visit(middle.x(), middle.y(), z_middle)) return false;
-  const Span s = span(p_V, radius);
+  const Span s = span(p_V, around);
   for (int v = s.v0; v <= s.v1; ++v) {
     for (int u = s.u0; u <= s.u1; ++u) {
       const double z = depth(u, v);
-      if (z > p_V.z() + radius) continue;
+      if (z > beyond) continue;
       const Eigen::Array3d inverse = ray_C(u, v).array().inverse();
       const Eigen::Array3d t0 = to_low * inverse, t1 = (to_low + 2.0 * half) * inverse;
       const double enter = t0.min(t1).maxCoeff(), leave = t0.max(t1).minCoeff();
