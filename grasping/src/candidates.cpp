@@ -14,11 +14,9 @@ bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space) {
   return -approach.dot(space.view_C) > -0.3 || -approach.dot(space.up_C) > 0.5;
 }
 
-double prior(const ContactLine& line, const Eigen::Vector3d& approach,
-             const ApproachSpace& space) {
+double prior(const ContactLine& line, const Eigen::Vector3d& approach, const ApproachSpace& space) {
   const double across = 1.0 - std::abs(line.closing_C.dot(space.view_C));
-  const double from =
-      std::max(-approach.dot(space.view_C), -approach.dot(space.up_C));
+  const double from = std::max(-approach.dot(space.view_C), -approach.dot(space.up_C));
   const double off = (line.centre_C - space.centre_C).norm() / space.reach;
   return 0.5 * across + 0.3 * from - 0.2 * std::min(off, 1.0);
 }
@@ -32,7 +30,11 @@ std::vector<Candidate> sample_approaches(const std::vector<ContactLine>& lines,
   for (std::size_t n = 0; n < lines.size(); ++n) {
     const Eigen::Vector3d& d = lines[n].closing_C;
     Eigen::Vector3d first = -space.view_C + d * d.dot(space.view_C);
-    if (first.norm() < 0.1) first = d.unitOrthogonal();
+    if (first.norm() < 0.1) {
+      int least = 0;
+      (space.axes_C.transpose() * d).cwiseAbs().minCoeff(&least);
+      first = d.cross(space.axes_C.col(least));
+    }
     first.normalize();
     const Eigen::Vector3d second = d.cross(first);
     for (int k = 0; k < kDirections; ++k) {

@@ -11,12 +11,12 @@ namespace quadrille {
 namespace {
 
 // Only collide(), never distance() or continuousCollide(): those fail on half-spaces and empty
-// octrees or miss thin walls between their samples. FCL's own GJK needs no tolerance from libccd's
-// defaults, and a yes or no is all that is asked.
+// octrees or miss thin walls between their samples. libccd's solver, not FCL's own (GST_INDEP),
+// which lets a small box inside a Convex pass.
 bool fcl_collide(const fcl::CollisionGeometryd* a, const fcl::Transform3d& X_A,
                  const fcl::CollisionGeometryd* b, const fcl::Transform3d& X_B) {
   fcl::CollisionRequestd request(1, false);
-  request.gjk_solver_type = fcl::GST_INDEP;
+  request.gjk_solver_type = fcl::GST_LIBCCD;
   request.gjk_tolerance = 1e-6;
   fcl::CollisionResultd result;
   return fcl::collide(a, X_A, b, X_B, request, result) > 0;

@@ -81,15 +81,16 @@ void add_end_on(const Body& body, std::vector<ContactLine>& lines) {
   const double half = 0.5 * (body.z_max - body.z_min);
   for (const double x : {0.0, -0.5, 0.5}) {
     for (const double y : {0.0, -0.5, 0.5}) {
-      lines.push_back(placed(body, {{x * body.a, y * body.b, middle}, half * up, up, up, -up, 0.0}));
+      lines.push_back(
+          placed(body, {{x * body.a, y * body.b, middle}, half * up, up, up, -up, 0.0}));
     }
   }
 }
 
 // Directions over half a sphere: principal axes, a ring across the line of sight, an even spiral.
 std::vector<Eigen::Vector3d> sphere_directions(const Eigen::Vector3d& view_Q) {
-  std::vector<Eigen::Vector3d> directions = {
-      Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitZ()};
+  std::vector<Eigen::Vector3d> directions = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
+                                             Eigen::Vector3d::UnitZ()};
   const Eigen::Vector3d v = view_Q.norm() > 1e-9 ? Eigen::Vector3d(view_Q.normalized())
                                                  : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
   const Eigen::Vector3d e = v.unitOrthogonal(), f = v.cross(e);
@@ -176,8 +177,7 @@ std::optional<ContactLine> chord(const Body& body, const Eigen::Vector3d& p_C,
 
 std::vector<ContactLine> contact_lines(const Body& body, const Gripper& gripper,
                                        const Eigen::Vector3d& viewpoint_C) {
-  const Eigen::Vector3d view_Q =
-      body.X_CQ.linear().transpose() * (viewpoint_C - body.centre_C());
+  const Eigen::Vector3d view_Q = body.X_CQ.linear().transpose() * (viewpoint_C - body.centre_C());
   std::vector<ContactLine> lines;
   if (body.profile == Profile::kEllipse) {
     add_ellipsoid(body, gripper, view_Q, lines);

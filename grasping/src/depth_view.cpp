@@ -103,7 +103,8 @@ void DepthView::refuse_strays(const std::vector<int>& nearest) {
       if (raw[at] == 0.0F) continue;
       const float tolerance = 0.02F * raw[at];
       int alike = 0;
-      for (int y = std::max(v - 1, 0); y <= std::min(v + 1, height_ - 1) && alike <= kSupport; ++y) {
+      for (int y = std::max(v - 1, 0); y <= std::min(v + 1, height_ - 1) && alike <= kSupport;
+           ++y) {
         for (int x = std::max(u - 1, 0); x <= std::min(u + 1, width_ - 1); ++x) {
           const float other = raw[static_cast<std::size_t>(y) * width_ + x];
           alike += other > 0.0F && std::abs(other - raw[at]) < tolerance;
@@ -169,7 +170,9 @@ double DepthView::depth(int u, int v) const {
 }
 
 Eigen::Vector2i DepthView::pixel(const Eigen::Vector3d& p_V) const {
-  const auto index = [](double x) { return static_cast<int>(std::floor(std::clamp(x, -1e8, 1e8))); };
+  const auto index = [](double x) {
+    return static_cast<int>(std::floor(std::clamp(x, -1e8, 1e8)));
+  };
   return {index(p_V.x() / (p_V.z() * pitch_u_) + cu_ + 0.5),
           index(p_V.y() / (p_V.z() * pitch_v_) + cv_ + 0.5)};
 }

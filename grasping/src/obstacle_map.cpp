@@ -18,16 +18,19 @@ std::uint8_t merge(std::uint8_t a, std::uint8_t b) {
 
 // A box as the 15 axes that may separate it from a cube, each with the box's own reach on it.
 struct ObstacleMap::Query {
-  Eigen::Vector3d p;                       // centre
-  Eigen::Vector3d reach;                   // on the cube's axes
-  Eigen::Matrix3d R, absolute;             // axes of the box, as columns
+  Eigen::Vector3d p;            // centre
+  Eigen::Vector3d reach;        // on the cube's axes
+  Eigen::Matrix3d R, absolute;  // axes of the box, as columns
   Eigen::Vector3d half;
-  Eigen::Matrix<double, 3, 9> edge_axes;   // cross products of edges
+  Eigen::Matrix<double, 3, 9> edge_axes;  // cross products of edges
   Eigen::Matrix<double, 9, 1> edge_reach, edge_spread;
   Eigen::Vector3d face_spread;
 
   explicit Query(const OrientedBox& box)
-      : p(box.p_CB), reach(box.reach()), R(box.R_CB), absolute(box.R_CB.cwiseAbs()),
+      : p(box.p_CB),
+        reach(box.reach()),
+        R(box.R_CB),
+        absolute(box.R_CB.cwiseAbs()),
         half(box.half) {
     face_spread = absolute.colwise().sum();
     for (int n = 0; n < 9; ++n) {

@@ -20,7 +20,8 @@ OccupancyGrid::OccupancyGrid(const PointCloud& cloud, const DepthView& view,
   const Eigen::Array3d lo = region.min().array() / resolution / kBlock;
   const Eigen::Array3d hi = region.max().array() / resolution / kBlock;
   if (!(lo.abs().maxCoeff() * kBlock < kRange && hi.abs().maxCoeff() * kBlock < kRange)) {
-    throw std::invalid_argument("occupancy: region leaves the map's range; use a coarser resolution");
+    throw std::invalid_argument(
+        "occupancy: region leaves the map's range; use a coarser resolution");
   }
   corner_ = lo.floor().cast<int>() * kBlock;
   size_ = (hi.floor().cast<int>() + 1) * kBlock - corner_.array();

@@ -67,8 +67,8 @@ class TreeWriter {
   }
 
   octomap::OcTreeNode* child(octomap::OcTreeNode* node, const Eigen::Vector3i& key, int bit) {
-    const unsigned n = ((key.x() >> bit) & 1) | (((key.y() >> bit) & 1) << 1) |
-                       (((key.z() >> bit) & 1) << 2);
+    const unsigned n =
+        ((key.x() >> bit) & 1) | (((key.y() >> bit) & 1) << 1) | (((key.z() >> bit) & 1) << 2);
     return tree_->nodeChildExists(node, n) ? tree_->getNodeChild(node, n)
                                            : tree_->createNodeChild(node, n);
   }

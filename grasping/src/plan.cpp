@@ -33,7 +33,8 @@ std::optional<SupportPlane> support(const Detection& plane, const Body& body) {
   return SupportPlane{n, n.dot(plane.X_CQ.translation())};
 }
 
-// A cap, a second fit or a fragment of the target: its middle lies in the body, and it is no larger.
+// A cap, a second fit or a fragment of the target: its middle lies in the body, and it is no
+// larger.
 bool part_of(const Detection& other, const Body& body) {
   const Eigen::Vector3d middle = other.X_CQ * Eigen::Vector3d(other.extent_Q.center());
   const double size = body.bounds_Q().sizes().maxCoeff();
@@ -47,8 +48,8 @@ bool graspable(const Body& body, const Gripper& gripper) {
 /// Composes the stages over one cloud.
 class Planner {
  public:
-  Planner(const PointCloud& cloud, const std::vector<Detection>& detections,
-          const Gripper& gripper, const PlanOptions& options)
+  Planner(const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
+          const PlanOptions& options)
       : cloud_(cloud), detections_(detections), gripper_(gripper), options_(options) {}
 
   GraspPlan plan() {
@@ -135,7 +136,8 @@ class Planner {
     });
     for (std::size_t n = 0; n < plan_.shapes.size(); ++n) {
       const Detection& d = detections_[shape_of_[n]];
-      if (d.id != target.id && !part_of(d, target.body)) scene.neighbours.push_back(plan_.shapes[n]);
+      if (d.id != target.id && !part_of(d, target.body))
+        scene.neighbours.push_back(plan_.shapes[n]);
     }
     carve(target, scene);
     return scene;

@@ -57,7 +57,8 @@ CollisionShape cylinder_shape(const Body& body) {
 CollisionShape cone_shape(const Body& body) {
   const double length = body.z_max - body.z_min;
   CollisionShape shape = placed("cone", body, 0.5 * (body.z_min + body.z_max));
-  if (body.z_max > 0.0) shape.X_CS.rotate(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()));
+  if (body.z_max > 0.0)
+    shape.X_CS.rotate(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()));
   shape.dimensions = {body.a * length, length};
   shape.geometry = std::make_shared<fcl::Coned>(body.a * length, length);
   return shape;
@@ -168,8 +169,7 @@ std::vector<CollisionShape> split(const Body& body) {
     const double step = (body.z_max - body.z_min) / kPieces;
     const double z = body.z_min + i * step;
     // A hyperbola's chords lie outside it.
-    pieces.push_back(
-        ring_shape(body, {{z, body.scale(z)}, {z + step, body.scale(z + step)}}));
+    pieces.push_back(ring_shape(body, {{z, body.scale(z)}, {z + step, body.scale(z + step)}}));
   }
   return pieces;
 }

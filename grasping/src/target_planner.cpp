@@ -42,6 +42,7 @@ std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
   std::vector<ContactLine> lines = contact_lines(target_.body, gripper_, viewpoint_C);
   std::erase_if(lines, [&](const ContactLine& line) { return !usable(line, rejected); });
   ApproachSpace space;
+  space.axes_C = target_.body.X_CQ.linear();
   space.centre_C = target_.body.centre_C();
   space.reach = 0.5 * target_.body.bounds_Q().sizes().maxCoeff();
   const Eigen::Vector3d ray = viewpoint_C - space.centre_C;

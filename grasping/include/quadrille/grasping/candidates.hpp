@@ -24,6 +24,8 @@ struct ApproachSpace {
   Eigen::Vector3d view_C = -Eigen::Vector3d::UnitZ();
   /// Unit normal of the plane that the target stands on; zero if none is known.
   Eigen::Vector3d up_C = Eigen::Vector3d::Zero();
+  /// Axes of the target's canonical frame, the reference where the view gives none.
+  Eigen::Matrix3d axes_C = Eigen::Matrix3d::Identity();
   /// The target's middle [m].
   Eigen::Vector3d centre_C = Eigen::Vector3d::Zero();
   /// Half the target's largest size [m].

@@ -28,7 +28,8 @@ struct ContactLine {
 /// Contact lines all over a body: across the axis at many heights, end-on for cylinders and slabs,
 /// in all directions for ellipsoids. A flat pad touches a convex cross-section at the support point
 /// of the closing direction d: for semi-axes A that is ±A²d/√(dᵀA²d), half the width √(dᵀA²d).
-/// Directions across the line of sight are sampled most densely: there both pads stay in seen space.
+/// Directions across the line of sight are sampled most densely: there both pads stay in seen
+/// space.
 /// @param viewpoint_C  where the sensor stood [m]
 std::vector<ContactLine> contact_lines(const Body& body, const Gripper& gripper,
                                        const Eigen::Vector3d& viewpoint_C);

@@ -14,9 +14,7 @@ struct OrientedBox {
   Eigen::Vector3d half = Eigen::Vector3d::Zero();
 
   /// The same box with each face moved outward by r [m].
-  OrientedBox inflated(double r) const {
-    return {R_CB, p_CB, half + Eigen::Vector3d::Constant(r)};
-  }
+  OrientedBox inflated(double r) const { return {R_CB, p_CB, half + Eigen::Vector3d::Constant(r)}; }
   /// True if point p_C lies inside or on the box.
   bool contains(const Eigen::Vector3d& p_C) const {
     return ((R_CB.transpose() * (p_C - p_CB)).cwiseAbs().array() <= half.array()).all();

@@ -88,9 +88,9 @@ struct GraspPlan {
 
 /// Plans two-finger grasps on the detections of one cloud.
 ///
-/// Contacts follow in closed form from each quadric; the hand, swept along its approach and while it
-/// closes, is checked against the voxels, the planes and the shapes of all other detections, and its
-/// opened fingers and palm against the target's own body. Deterministic.
+/// Contacts follow in closed form from each quadric; the hand, swept along its approach and while
+/// it closes, is checked against the voxels, the planes and the shapes of all other detections, and
+/// its opened fingers and palm against the target's own body. Deterministic.
 /// @throws std::invalid_argument if gripper or options are out of range
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
                       const Gripper& gripper, const PlanOptions& options = {});

@@ -20,9 +20,10 @@ struct ContactModel {
 
 /// Quality ε: the largest wrench, of any direction, that a unit contact force resists.
 ///
-/// For contacts along the closing line ε = min(γ/λ, μk/√(1 + k² + μ²k²)) with k = width / 2λ. Normals
-/// that lean by θ leave of each friction cone at least a cone of half angle atan μ − θ around the
-/// line, so μ is reduced to tan(atan μ − θ): a lower bound, 0 where the grasp does not close.
+/// For contacts along the closing line ε = min(γ/λ, μk/√(1 + k² + μ²k²)) with k = width / 2λ.
+/// Normals that lean by θ leave of each friction cone at least a cone of half angle atan μ − θ
+/// around the line, so μ is reduced to tan(atan μ − θ): a lower bound, 0 where the grasp does not
+/// close.
 double grasp_epsilon(const ContactLine& line, const ContactModel& model);
 
 /// What a grasp is ranked by, each term from 0 to 1.
