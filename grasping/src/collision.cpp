@@ -4,7 +4,8 @@
 #include <octomap/OcTree.h>
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <span>
 
 namespace quadrille {
 
@@ -29,35 +30,45 @@ fcl::Transform3d pose(const OrientedBox& box) {
   return X;
 }
 
-template <class Visitor>
-bool any_box(const SweptHand& hand, bool with_closing, Visitor&& visit) {
-  if (visit(hand.fingers[0]) || visit(hand.fingers[1]) || visit(hand.palm)) return true;
-  return with_closing && (visit(hand.closing[0]) || visit(hand.closing[1]));
-}
-
-bool crosses(const SweptHand& hand, const SupportPlane& plane, double margin) {
-  return any_box(hand, true, [&](const OrientedBox& box) {
+bool crosses(std::span<const OrientedBox> boxes, const SupportPlane& plane, double margin) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const OrientedBox& box) {
     return -box.support(-plane.n_C) < plane.d + margin;
   });
 }
 
-bool hits(const SweptHand& hand, const std::vector<CollisionShape>& shapes, double margin,
-          bool with_closing) {
-  return any_box(hand, with_closing, [&](const OrientedBox& box) {
+bool hits(std::span<const OrientedBox> boxes, const std::vector<CollisionShape>& shapes,
+          double margin) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const OrientedBox& box) {
     const OrientedBox grown = box.inflated(margin);
     return std::any_of(shapes.begin(), shapes.end(),
                        [&](const CollisionShape& shape) { return overlaps(grown, shape); });
   });
 }
 
-std::optional<Obstruction> voxel_hit(const SweptHand& hand, const ObstacleMap& map, double margin) {
-  Hit hit = Hit::kNone;
-  any_box(hand, true, [&](const OrientedBox& box) {
-    hit = map.collides(margin > 0.0 ? box.inflated(margin) : box);
-    return hit != Hit::kNone;
-  });
-  if (hit == Hit::kNone) return std::nullopt;
-  return hit == Hit::kOccupied ? Obstruction::kOccupied : Obstruction::kUnknown;
+Hit voxel_hit(std::span<const OrientedBox> boxes, const ObstacleMap& map, double margin) {
+  for (const OrientedBox& box : boxes) {
+    const Hit hit = map.collides(margin > 0.0 ? box.inflated(margin) : box);
+    if (hit != Hit::kNone) return hit;
+  }
+  return Hit::kNone;
+}
+
+// `solid` stays out of everything, `closing` may touch the target.
+std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
+                                             std::span<const OrientedBox> solid,
+                                             std::span<const OrientedBox> closing) {
+  for (const SupportPlane& plane : scene.planes) {
+    if (crosses(solid, plane, scene.margin)) return Obstruction::kSupport;
+  }
+  for (const auto boxes : {solid, closing}) {
+    const Hit hit = voxel_hit(boxes, scene.map, 0.0);
+    if (hit == Hit::kOccupied) return Obstruction::kOccupied;
+    if (hit == Hit::kUnknown) return Obstruction::kUnknown;
+  }
+  if (hits(solid, scene.target, scene.margin)) return Obstruction::kTarget;
+  if (hits(solid, scene.neighbours, scene.margin)) return Obstruction::kNeighbour;
+  if (hits(closing, scene.neighbours, scene.margin)) return Obstruction::kNeighbour;
+  return std::nullopt;
 }
 
 }  // namespace
@@ -81,22 +92,27 @@ bool overlaps(const OrientedBox& box, const std::shared_ptr<const octomap::OcTre
   return fcl_collide(&geometry, fcl::Transform3d::Identity(), &solid, pose(box));
 }
 
+std::optional<Obstruction> CollisionScene::palm_obstruction(const SweptHand& hand) const {
+  return first_obstruction(*this, {&hand.palm, 1}, {});
+}
+
+std::optional<Obstruction> CollisionScene::finger_obstruction(const SweptHand& hand) const {
+  return first_obstruction(*this, hand.fingers, hand.closing);
+}
+
 std::optional<Obstruction> CollisionScene::obstruction(const SweptHand& hand) const {
-  for (const SupportPlane& plane : planes) {
-    if (crosses(hand, plane, margin)) return Obstruction::kSupport;
-  }
-  if (const auto hit = voxel_hit(hand, map, 0.0)) return hit;
-  if (hits(hand, target, margin, false)) return Obstruction::kTarget;
-  if (hits(hand, neighbours, margin, true)) return Obstruction::kNeighbour;
-  return std::nullopt;
+  const std::optional<Obstruction> palm = palm_obstruction(hand);
+  return palm ? palm : finger_obstruction(hand);
 }
 
 double CollisionScene::clearance(const SweptHand& hand) const {
+  const std::array<OrientedBox, 5> boxes = {hand.fingers[0], hand.fingers[1], hand.palm,
+                                            hand.closing[0], hand.closing[1]};
   const auto blocked = [&](double r) {
     for (const SupportPlane& plane : planes) {
-      if (crosses(hand, plane, r)) return true;
+      if (crosses(boxes, plane, r)) return true;
     }
-    return voxel_hit(hand, map, r).has_value() || hits(hand, neighbours, r, true);
+    return voxel_hit(boxes, map, r) != Hit::kNone || hits(boxes, neighbours, r);
   };
   double free = 0.0, hit = 0.032;
   if (!blocked(hit)) return hit;

@@ -10,7 +10,7 @@ namespace quadrille {
 namespace {
 
 // Effort per target. The candidates come best first, so more of it finds little.
-constexpr int kMostChecks = 10000;
+constexpr int kMostChecks = 8000;
 constexpr std::size_t kMostAccepted = 12;
 // Grasps nearer than this to an accepted one add nothing.
 constexpr double kNearby = 0.012;
@@ -129,10 +129,17 @@ void TargetPlanner::try_candidate(const ContactLine& line, const Candidate& cand
 bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C,
                               double depth, std::map<std::string, int>& rejected) {
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
+  const auto swept = [&](double preshape) {
+    return sweep_hand(gripper_, X_CG, preshape, line.width, options_.approach);
+  };
+  ++checks_;
+  if (const auto what = scene_.palm_obstruction(swept(line.opening))) {
+    ++rejected[reason(*what)];
+    return false;
+  }
   for (const double preshape : preshapes(line)) {
     ++checks_;
-    const SweptHand hand = sweep_hand(gripper_, X_CG, preshape, line.width, options_.approach);
-    const std::optional<Obstruction> what = scene_.obstruction(hand);
+    const std::optional<Obstruction> what = scene_.finger_obstruction(swept(preshape));
     if (!what) {
       accepted_.push_back(describe(line, X_CG, preshape));
       return true;

@@ -40,6 +40,10 @@ struct CollisionScene {
 
   /// What the swept hand runs into, nullopt if nothing. Its closing may touch the target.
   std::optional<Obstruction> obstruction(const SweptHand& hand) const;
+  /// The same for the palm alone, which no other opening of the hand moves out of the way.
+  std::optional<Obstruction> palm_obstruction(const SweptHand& hand) const;
+  /// The same for the fingers and their closing.
+  std::optional<Obstruction> finger_obstruction(const SweptHand& hand) const;
   /// How far the hand may be inflated before it runs into anything but the target, found by
   /// bisection to within 1 mm and at most 32 mm [m].
   double clearance(const SweptHand& hand) const;
