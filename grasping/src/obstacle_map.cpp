@@ -14,6 +14,22 @@ std::uint8_t merge(std::uint8_t a, std::uint8_t b) {
   return static_cast<std::uint8_t>(((a | b) & 3) | (a & b & 4));
 }
 
+// A measured point this near to the target's body is the target's [m].
+constexpr double kOnTarget = 0.006;
+
+// True if the ball around p_C may lie behind the body, as the sensor sees it: two cones overlap.
+bool may_shadow(const DepthView& view, const Body& body, const Eigen::Vector3d& p_C,
+                double radius) {
+  const Eigen::AlignedBox3d bounds = body.bounds_C();
+  const Eigen::Vector3d to_body = bounds.center() - view.p_CV(), to_ball = p_C - view.p_CV();
+  const double size = 0.5 * bounds.diagonal().norm() + kOnTarget;
+  const double far = to_body.norm(), here = to_ball.norm();
+  if (far <= size || here <= radius) return true;
+  if (here + radius < far - size) return false;
+  const double angle = std::asin(size / far) + std::asin(radius / here);
+  return angle >= std::acos(-1.0) || to_body.dot(to_ball) >= std::cos(angle) * far * here;
+}
+
 }  // namespace
 
 // A box as the 15 axes that may separate it from a cube, each with the box's own reach on it.
@@ -150,29 +166,39 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, int i, int j, i
 void ObstacleMap::clear_shadow(const OccupancyGrid& grid, const DepthView& view, const Body& body,
                                const Eigen::AlignedBox3d& region) {
   if (!view.valid() || levels_[0].flags.empty()) return;
-  constexpr double kOnTarget = 0.006;
+  constexpr int kEdge = 1 << (kLevels - 1);
   const Range range = voxels(region);
-  for (int k = range.first.z(); k <= range.second.z(); ++k) {
-    for (int j = range.first.y(); j <= range.second.y(); ++j) {
-      for (int i = range.first.x(); i <= range.second.x(); ++i) {
-        if (grid.at(i, j, k) != Voxel::kUnknown) continue;
-        // A quick look at the centre's own ray spares most voxels the exact test.
-        const Eigen::Vector3d p_V = view.to_view(centre(i, j, k));
-        if (p_V.z() <= 0.0) continue;
-        const Eigen::Vector2i uv = view.pixel(p_V);
-        const double z = view.depth(uv.x(), uv.y());
-        const Eigen::Vector3d seen = view.p_CV() + z * view.ray_C(uv.x(), uv.y());
-        if (z <= p_V.z() && !body.contains(seen, 4.0 * kOnTarget)) continue;
-        const auto on_target = [&](const Eigen::Vector3d& p_C) {
-          return body.contains(p_C, kOnTarget);
-        };
-        if (view.hidden_only_by(centre(i, j, k), 0.5 * resolution_, on_target)) {
-          levels_[0].flags[levels_[0].index(i, j, k)] = 0;
-        }
+  const Eigen::Vector3i low = range.first / kEdge, high = range.second / kEdge;
+  if ((range.second.array() < 0).any()) return;
+  for (int k = low.z(); k <= high.z(); ++k) {
+    for (int j = low.y(); j <= high.y(); ++j) {
+      for (int i = low.x(); i <= high.x(); ++i) {
+        const Eigen::Vector3i first = kEdge * Eigen::Vector3i(i, j, k);
+        const Eigen::Vector3d middle =
+            corner_ + resolution_ * (first.cast<double>().array() + 0.5 * kEdge).matrix();
+        if (!may_shadow(view, body, middle, 0.87 * kEdge * resolution_)) continue;
+        clear_block(grid, view, body, first);
       }
     }
   }
   refresh(range);
+}
+
+// One block of the top level, voxel by voxel.
+void ObstacleMap::clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
+                              const Eigen::Vector3i& first) {
+  constexpr int kEdge = 1 << (kLevels - 1);
+  const auto on_target = [&](const Eigen::Vector3d& p_C) { return body.contains(p_C, kOnTarget); };
+  for (int n = 0; n < kEdge * kEdge * kEdge; ++n) {
+    const int i = first.x() + n % kEdge, j = first.y() + n / kEdge % kEdge;
+    const int k = first.z() + n / (kEdge * kEdge);
+    if (grid.at(i, j, k) != Voxel::kUnknown) continue;
+    const Eigen::Vector3d p_C = centre(i, j, k);
+    if (!may_shadow(view, body, p_C, resolution_)) continue;
+    if (view.hidden_only_by(p_C, 0.5 * resolution_, on_target)) {
+      levels_[0].flags[levels_[0].index(i, j, k)] = 0;
+    }
+  }
 }
 
 }  // namespace quadrille

@@ -57,14 +57,14 @@ std::optional<PixelGrid> regular_grid(const std::vector<Eigen::Vector2d>& tangen
 // From the median count of points in coarse, occupied bins.
 PixelGrid density_grid(const std::vector<Eigen::Vector2d>& tangents,
                        const Eigen::AlignedBox2d& bounds) {
-  constexpr int kBins = 48;
   constexpr double kPointsPerPixel = 2.0;
-  const Eigen::Vector2d bin = bounds.sizes().cwiseMax(1e-6) / kBins;
-  std::vector<int> counts(kBins * kBins, 0);
+  const int bins = std::clamp(static_cast<int>(std::sqrt(tangents.size() / 8.0)), 1, 48);
+  const Eigen::Vector2d bin = bounds.sizes().cwiseMax(1e-6) / bins;
+  std::vector<int> counts(bins * bins, 0);
   for (const Eigen::Vector2d& t : tangents) {
     const Eigen::Vector2i at =
-        (t - bounds.min()).cwiseQuotient(bin).cast<int>().cwiseMax(0).cwiseMin(kBins - 1);
-    ++counts[at.y() * kBins + at.x()];
+        (t - bounds.min()).cwiseQuotient(bin).cast<int>().cwiseMax(0).cwiseMin(bins - 1);
+    ++counts[at.y() * bins + at.x()];
   }
   std::vector<double> occupied;
   for (const int n : counts) {

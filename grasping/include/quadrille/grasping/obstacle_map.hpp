@@ -55,6 +55,8 @@ class ObstacleMap {
     return corner_ + resolution_ * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
   }
   std::uint8_t descend(const Query& query, int level, int i, int j, int k) const;
+  void clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
+                   const Eigen::Vector3i& first);
   void refresh(const Range& range);
 
   double resolution_;
