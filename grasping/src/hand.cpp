@@ -1,5 +1,7 @@
 #include "quadrille/grasping/hand.hpp"
 
+#include <algorithm>
+
 namespace quadrille {
 
 SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, double preshape,

@@ -1,5 +1,6 @@
 #include "quadrille/grasping/gripper.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 #include "quadrille/grasping/hand.hpp"

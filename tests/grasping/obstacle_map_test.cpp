@@ -2,6 +2,8 @@
 
 #include <octomap/OcTree.h>
 
+#include <algorithm>
+
 #include "mapped_scene.hpp"
 #include "quadrille/grasping/collision.hpp"
 #include "support/catch.hpp"

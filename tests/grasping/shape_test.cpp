@@ -1,5 +1,7 @@
 #include "quadrille/grasping/shape.hpp"
 
+#include <algorithm>
+
 #include "quadrille/grasping/body.hpp"
 #include "quadrille/grasping/collision.hpp"
 #include "scenes.hpp"

@@ -48,6 +48,7 @@ class ObstacleMap {
     }
   };
   struct Query;
+  struct Cone;
   using Range = std::pair<Eigen::Vector3i, Eigen::Vector3i>;
 
   Range voxels(const Eigen::AlignedBox3d& box) const;
@@ -56,7 +57,7 @@ class ObstacleMap {
   }
   std::uint8_t descend(const Query& query, int level, int i, int j, int k) const;
   void clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
-                   const Eigen::Vector3i& first);
+                   const Cone& cone, const Eigen::Vector3i& first);
   void refresh(const Range& range);
 
   double resolution_;
