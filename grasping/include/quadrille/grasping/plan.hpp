@@ -55,6 +55,11 @@ struct PlanOptions {
   double resolution = 0.005;
   /// Friction coefficient between pads and objects.
   double friction = 0.5;
+  /// Length of the straight approach to check [m].
+  double approach = 0.05;
+  /// Least distance of each pad from the target on the way in [m]; grows with the uncertainty of
+  /// the target's size.
+  double pad_margin = 0.0025;
   /// Grasps to return at most.
   int max_grasps = 50;
 
@@ -66,7 +71,11 @@ struct PlanOptions {
 struct GraspPlan {
   /// Best first.
   std::vector<Grasp> grasps;
-  /// Candidates refused, counted by reason ("width", "friction", "collision", "unknown", …).
+  /// Refused, counted by reason. Detections: "no_shape" (their type bounds no solid). Contact
+  /// lines: "width" (wider than the hand opens), "friction" (would slip), "contradicted" (free
+  /// space was seen where the surface should be). Approach directions: "unreachable" (from behind
+  /// or below). Hands: "support" (would enter the plane the target stands on), "target" (the target
+  /// itself), "collision" (occupied space or another detection), "unknown" (unobserved space).
   std::map<std::string, int> rejected;
   /// One per detection that has a collision shape.
   std::vector<CollisionShape> shapes;
@@ -78,6 +87,10 @@ struct GraspPlan {
 };
 
 /// Plans two-finger grasps on the detections of one cloud.
+///
+/// Contacts follow in closed form from each quadric; the hand, swept along its approach and while
+/// it closes, is checked against the voxels, the planes and the shapes of all other detections, and
+/// its opened fingers and palm against the target's own body. Deterministic.
 /// @throws std::invalid_argument if gripper or options are out of range
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
                       const Gripper& gripper, const PlanOptions& options = {});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/grasping/body.hpp"
 
 namespace fcl {
 template <typename S>
@@ -33,6 +34,13 @@ struct CollisionShape {
 };
 
 /// The collision shape of a detection; nullopt if its type has none (the reason in *why).
+///
+/// Spheres, ellipsoids, circular cylinders and whole circular cones are exact. Frusta, elliptic
+/// cylinders and cones and paraboloids are polyhedra that hold the body; so are hyperboloids of one
+/// sheet, waist filled. A plane is a slab of 10 mm to 100 mm behind the side that was seen.
 std::optional<CollisionShape> make_shape(const Detection& detection, std::string* why = nullptr);
+
+/// Convex shapes whose union is the body itself, waist left open: what a hand must stay out of.
+std::vector<CollisionShape> make_pieces(const Body& body);
 
 }  // namespace quadrille

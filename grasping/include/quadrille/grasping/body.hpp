@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quadrille/detector/detection.hpp"
+
+namespace quadrille {
+
+/// The solid that a detected quadric bounds, both seen and hidden side, in its canonical frame Q.
+///
+/// Each cross-section at height z is an ellipse with semi-axes a·s(z) along x and b·s(z) along y, z
+/// from z_min to z_max; for parallel planes it is a rectangle of half sizes a and b.
+struct Body {
+  /// How s varies along z.
+  enum class Profile {
+    kConstant,   ///< cylinders: s = 1
+    kLinear,     ///< cones: s = |z|
+    kRoot,       ///< elliptic paraboloids: s = √z
+    kHyperbola,  ///< hyperboloids of one sheet: s = √(1 + z²/c²)
+    kEllipse,    ///< ellipsoids: s = √(1 − z²/c²)
+    kBox,        ///< parallel planes, between their extents
+  };
+
+  Profile profile = Profile::kConstant;
+  Eigen::Isometry3d X_CQ = Eigen::Isometry3d::Identity();
+  /// Semi-axes at s = 1 [m]; for kLinear tangents of the half angles; for kRoot in √m.
+  double a = 0.0, b = 0.0;
+  /// Third semi-axis of kHyperbola and kEllipse [m].
+  double c = 0.0;
+  double z_min = 0.0, z_max = 0.0;
+  /// Largest standard deviation of the lengths [m].
+  double std = 0.0;
+
+  /// s(z) and its derivative.
+  double scale(double z) const;
+  double slope(double z) const;
+  /// Half sizes of the bounding box along x and y at the widest cross-section [m].
+  Eigen::Vector2d widest() const;
+  /// Bounding box in frame Q [m].
+  Eigen::AlignedBox3d bounds_Q() const;
+  /// Bounding box in frame C [m].
+  Eigen::AlignedBox3d bounds_C() const;
+  /// Centre of the bounding box, in frame C [m].
+  Eigen::Vector3d centre_C() const { return X_CQ * bounds_Q().center(); }
+  /// True if p_C lies within the body grown by `margin` [m] (along its semi-axes and ends).
+  bool contains(const Eigen::Vector3d& p_C, double margin = 0.0) const;
+};
+
+/// The solid of a detection; nullopt if its type bounds none (the reason in *why).
+std::optional<Body> make_body(const Detection& detection, std::string* why = nullptr);
+
+}  // namespace quadrille

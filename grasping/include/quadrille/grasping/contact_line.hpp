@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "quadrille/grasping/body.hpp"
+#include "quadrille/grasping/gripper.hpp"
+
+namespace quadrille {
+
+/// Two opposite contacts of flat, parallel pads with a body, in closed form.
+struct ContactLine {
+  /// Midway between the contacts, in frame C [m].
+  Eigen::Vector3d centre_C = Eigen::Vector3d::Zero();
+  /// Unit closing direction, from contact 1 to contact 0.
+  Eigen::Vector3d closing_C = Eigen::Vector3d::UnitY();
+  std::array<Eigen::Vector3d, 2> contacts_C;
+  /// Outward unit normals of the body at the contacts.
+  std::array<Eigen::Vector3d, 2> normals_C;
+  /// Distance between the pads when they touch [m].
+  double width = 0.0;
+  /// Largest size of the body along the closing direction where the pads pass it [m].
+  double opening = 0.0;
+};
+
+/// Contact lines all over a body: across the axis at many heights, end-on for cylinders and slabs,
+/// in all directions for ellipsoids. A flat pad touches a convex cross-section at the support point
+/// of the closing direction d: for semi-axes A that is ±A²d/√(dᵀA²d), half the width √(dᵀA²d).
+/// Directions across the line of sight are sampled most densely: there both pads stay in seen
+/// space.
+/// @param viewpoint_C  where the sensor stood [m]
+std::vector<ContactLine> contact_lines(const Body& body, const Gripper& gripper,
+                                       const Eigen::Vector3d& viewpoint_C);
+
+/// The line of direction d that passes the body at point p: the contacts of a grasp beside its
+/// widest part, from the roots of the quadric along p + t·d. Nullopt if p lies outside the body or
+/// the line leaves it through an end.
+std::optional<ContactLine> chord(const Body& body, const Eigen::Vector3d& p_C,
+                                 const Eigen::Vector3d& d_C);
+
+}  // namespace quadrille

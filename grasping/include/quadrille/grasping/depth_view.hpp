@@ -1,0 +1,120 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <vector>
+
+#include "quadrille/detector/point_cloud.hpp"
+
+namespace quadrille {
+
+/// What one pixel measured.
+struct DepthRange {
+  /// Least and largest depth within a region of the image [m]; near is 0 where a pixel is missing.
+  double near = 0.0, far = 0.0;
+};
+
+/// A cloud as the depth image of a pinhole at its viewpoint: which space the sensor saw through.
+///
+/// Frame V: origin at the viewpoint, z forward. A regular grid of pixels, as an organised cloud or
+/// one stored row by row has, is recovered exactly; otherwise the pitch follows from the density of
+/// the points. A pixel without support among its neighbours (a stray or mixed pixel) counts as
+/// missing; a missing pixel inside a surface takes the least depth of its neighbours, others stay
+/// missing.
+class DepthView {
+ public:
+  explicit DepthView(const PointCloud& cloud);
+
+  /// False if no point lies before the viewpoint, or the viewpoint is not finite.
+  bool valid() const { return width_ > 0; }
+  int width() const { return width_; }
+  int height() const { return height_; }
+  const Eigen::Vector3d& p_CV() const { return p_CV_; }
+  /// Point of frame C in frame V.
+  Eigen::Vector3d to_view(const Eigen::Vector3d& p_C) const { return R_VC_ * (p_C - p_CV_); }
+  /// Direction in C through the centre of pixel (u, v), of unit depth.
+  Eigen::Vector3d ray_C(int u, int v) const {
+    return R_VC_.transpose() * Eigen::Vector3d((u - cu_) * pitch_u_, (v - cv_) * pitch_v_, 1.0);
+  }
+  /// Depth at a pixel [m], 0 if missing or outside the image.
+  double depth(int u, int v) const;
+  /// Pixel that p_V projects to (p_V.z > 0); may lie outside the image.
+  Eigen::Vector2i pixel(const Eigen::Vector3d& p_V) const;
+  /// Half sizes along the axes of V of a cube with edges along those of C and of that half size.
+  Eigen::Vector3d reach(double half) const { return half * spread_; }
+  /// Bounds of the depth over all pixels whose rays may pass the box p_V ± reach.
+  DepthRange range(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
+  /// True if each pixel whose ray passes the cube measured something beyond it.
+  bool sees_past(const Eigen::Vector3d& centre_C, double half) const;
+  /// True if some of those pixels did not, and holds(p_C) of the point that each of these measured.
+  template <class Holds>
+  bool hidden_only_by(const Eigen::Vector3d& centre_C, double half, Holds&& holds) const;
+  /// For each point of the cloud, whether it was refused as a stray.
+  const std::vector<std::uint8_t>& stray() const { return stray_; }
+
+ private:
+  struct Level {
+    int width = 0, height = 0;
+    std::vector<float> near, far;
+  };
+  struct Span {
+    int u0, u1, v0, v1;
+  };
+
+  template <class Visitor>
+  bool all_blockers(const Eigen::Vector3d& centre_C, double half, Visitor&& visit) const;
+  Span span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
+  void choose_axes(const PointCloud& cloud);
+  void choose_grid(const PointCloud& cloud);
+  void project(const PointCloud& cloud);
+  void refuse_strays(const std::vector<int>& nearest);
+  void fill_holes();
+  void build_levels();
+
+  Eigen::Matrix3d R_VC_ = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d spread_ = Eigen::Vector3d::Ones();
+  Eigen::Vector3d p_CV_ = Eigen::Vector3d::Zero();
+  int width_ = 0, height_ = 0;
+  double pitch_u_ = 1.0, pitch_v_ = 1.0, cu_ = 0.0, cv_ = 0.0;
+  std::vector<float> depth_;
+  std::vector<Level> levels_;
+  std::vector<std::uint8_t> stray_;
+};
+
+// Calls visit(u, v, depth) for each pixel whose ray passes the cube without seeing past it, until
+// one call returns false. The pixel that the centre projects to counts in any case.
+template <class Visitor>
+bool DepthView::all_blockers(const Eigen::Vector3d& centre_C, double half, Visitor&& visit) const {
+  const Eigen::Vector3d p_V = to_view(centre_C);
+  const Eigen::Vector3d around = reach(half);
+  const double beyond = p_V.z() + around.z();
+  if (p_V.z() - around.z() <= 0.0) return visit(-1, -1, 0.0);
+  const Eigen::Array3d to_low = (centre_C - p_CV_).array() - half;
+  const Eigen::Vector2i middle = pixel(p_V);
+  const double z_middle = depth(middle.x(), middle.y());
+  if (z_middle <= p_V.z() && !visit(middle.x(), middle.y(), z_middle)) return false;
+  const Span s = span(p_V, around);
+  for (int v = s.v0; v <= s.v1; ++v) {
+    for (int u = s.u0; u <= s.u1; ++u) {
+      const double z = depth(u, v);
+      if (z > beyond) continue;
+      const Eigen::Array3d inverse = ray_C(u, v).array().inverse();
+      const Eigen::Array3d t0 = to_low * inverse, t1 = (to_low + 2.0 * half) * inverse;
+      const double enter = t0.min(t1).maxCoeff(), leave = t0.max(t1).minCoeff();
+      if (enter <= leave && z <= leave && !visit(u, v, z)) return false;
+    }
+  }
+  return true;
+}
+
+template <class Holds>
+bool DepthView::hidden_only_by(const Eigen::Vector3d& centre_C, double half, Holds&& holds) const {
+  int blockers = 0;
+  const bool all = all_blockers(centre_C, half, [&](int u, int v, double z) {
+    ++blockers;
+    return z > 0.0 && holds(Eigen::Vector3d(p_CV_ + z * ray_C(u, v)));
+  });
+  return all && blockers > 0;
+}
+
+}  // namespace quadrille

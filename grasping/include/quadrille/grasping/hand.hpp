@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+
+#include "quadrille/grasping/gripper.hpp"
+#include "quadrille/grasping/oriented_box.hpp"
+
+namespace quadrille {
+
+/// The space that a hand passes through on its way in and while it closes, as boxes in frame C.
+struct SweptHand {
+  /// Both fingers, opened to the pre-shape, from the start of the approach to the grasp.
+  std::array<OrientedBox, 2> fingers;
+  /// The palm, from the start of the approach to the grasp.
+  OrientedBox palm;
+  /// What the fingers pass through while they close from the pre-shape to the width.
+  std::array<OrientedBox, 2> closing;
+};
+
+/// Sweeps the hand along a straight approach that ends at X_CG, then closes it.
+/// @param preshape  distance between the pads on the way in [m]
+/// @param width     distance between the pads at the end [m]
+/// @param approach  length of the approach [m]
+SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, double preshape,
+                     double width, double approach);
+
+}  // namespace quadrille

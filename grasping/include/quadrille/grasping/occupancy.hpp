@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/grasping/depth_view.hpp"
+
+namespace octomap {
+class OcTree;
+}
+
+namespace quadrille {
+
+/// State of one voxel.
+enum class Voxel : std::uint8_t { kUnknown, kFree, kOccupied };
+
+/// Free, occupied and unknown space of a region, as one dense grid of voxels.
+///
+/// A voxel that holds a point is occupied; one that every ray through it was seen to pass is free;
+/// the rest (behind a surface, outside the image, at missing pixels) is unknown. Voxel (i, j, k)
+/// covers [i, i + 1) × … times the resolution, counted from a corner on OctoMap's own lattice.
+class OccupancyGrid {
+ public:
+  /// Voxels per edge of the blocks that the grid is made of.
+  static constexpr int kBlock = 16;
+
+  /// @param region      space to map, in frame C [m]; grown to whole blocks
+  /// @param resolution  voxel edge [m]
+  /// @throws std::invalid_argument if the resolution is not positive or the region leaves OctoMap's
+  ///         range of ±32768 voxels
+  OccupancyGrid(const PointCloud& cloud, const DepthView& view, const Eigen::AlignedBox3d& region,
+                double resolution);
+
+  double resolution() const { return resolution_; }
+  /// Voxels along x, y and z; zero for an empty region.
+  const Eigen::Vector3i& size() const { return size_; }
+  /// Corner of voxel (0, 0, 0), in voxels from the origin of C.
+  const Eigen::Vector3i& corner() const { return corner_; }
+  /// The space that it covers, in frame C [m].
+  Eigen::AlignedBox3d bounds() const;
+  /// State at a point of C; unknown outside.
+  Voxel at(const Eigen::Vector3d& p_C) const;
+  Voxel at(int i, int j, int k) const { return states_[index(i, j, k)]; }
+  std::size_t index(int i, int j, int k) const {
+    return (static_cast<std::size_t>(k) * size_.y() + j) * size_.x() + i;
+  }
+  /// Centre of a voxel in frame C [m].
+  Eigen::Vector3d centre(int i, int j, int k) const {
+    return ((corner_ + Eigen::Vector3i(i, j, k)).cast<double>().array() + 0.5) * resolution_;
+  }
+  const std::vector<Voxel>& states() const { return states_; }
+
+  /// The same map as an OctoMap, uniform blocks as single nodes; unknown where it has no node.
+  /// @param unknown_occupied  mark unknown space of the region as occupied, for FCL, which lets
+  ///                          everything pass where the tree has no node
+  std::shared_ptr<octomap::OcTree> to_octree(bool unknown_occupied = false) const;
+
+ private:
+  void mark_free(const DepthView& view);
+  void mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge);
+  void mark_occupied(const PointCloud& cloud, const DepthView& view);
+  void fill(const Eigen::Vector3i& low, int edge, Voxel state);
+
+  double resolution_ = 0.0;
+  Eigen::Vector3i corner_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
+  std::vector<Voxel> states_;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,175 @@
+#include "quadrille/grasping/body.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+namespace {
+
+using Profile = Body::Profile;
+
+// Value and standard deviation of the n-th dimension, 0 if it is missing.
+double dimension(const Detection& d, std::size_t n) {
+  return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
+}
+
+// Standard deviation of the lengths; an angle's acts at the far end of the body.
+double length_std(const Detection& d, double reach) {
+  double largest = 0.0;
+  for (const Dimension& x : d.dimensions) {
+    if (x.name == "length" || x.name == "width" || x.name == "height") continue;
+    const bool angle = x.name.find("angle") != std::string::npos;
+    largest = std::max(largest, angle ? x.std * reach : x.std);
+  }
+  return std::isfinite(largest) ? std::min(largest, 0.01) : 0.01;
+}
+
+void set_extent(Body& body, const Detection& d) {
+  body.z_min = d.extent_Q.min().z();
+  body.z_max = d.extent_Q.max().z();
+}
+
+bool fill_profile(Body& body, const Detection& d) {
+  set_extent(body, d);
+  switch (d.type) {
+    case QuadricType::kSphere:
+    case QuadricType::kEllipsoid: {
+      const bool sphere = d.type == QuadricType::kSphere;
+      body.profile = Profile::kEllipse;
+      body.a = dimension(d, 0);
+      body.b = sphere ? body.a : dimension(d, 1);
+      body.c = sphere ? body.a : dimension(d, 2);
+      body.z_min = -body.c;
+      body.z_max = body.c;
+      return true;
+    }
+    case QuadricType::kCylinder:
+    case QuadricType::kEllipticCylinder:
+      body.a = dimension(d, 0);
+      body.b = d.type == QuadricType::kCylinder ? body.a : dimension(d, 1);
+      return true;
+    case QuadricType::kCone:
+    case QuadricType::kEllipticCone:
+      body.profile = Profile::kLinear;
+      body.a = std::tan(dimension(d, 0));
+      body.b = d.type == QuadricType::kCone ? body.a : std::tan(dimension(d, 1));
+      return true;
+    case QuadricType::kEllipticParaboloid:
+      body.profile = Profile::kRoot;
+      body.a = std::sqrt(4.0 * std::abs(dimension(d, 0)));
+      body.b = std::sqrt(4.0 * std::abs(dimension(d, 1)));
+      body.z_min = 0.0;
+      return true;
+    case QuadricType::kHyperboloidOneSheet:
+      body.profile = Profile::kHyperbola;
+      body.a = dimension(d, 0);
+      body.b = dimension(d, 1);
+      body.c = dimension(d, 2);
+      return true;
+    case QuadricType::kParallelPlanes:
+      body.profile = Profile::kBox;
+      body.a = 0.5 * d.extent_Q.sizes().x();
+      body.b = 0.5 * d.extent_Q.sizes().y();
+      body.X_CQ.translation() = d.X_CQ * Eigen::Vector3d(d.extent_Q.center());
+      body.z_max = 0.5 * dimension(d, 0);
+      body.z_min = -body.z_max;
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool sound(const Body& body) {
+  if (!body.X_CQ.matrix().allFinite()) return false;
+  const Eigen::Vector3d size = body.bounds_Q().sizes();
+  return size.allFinite() && size.minCoeff() > 1e-4 && size.maxCoeff() < 100.0;
+}
+
+}  // namespace
+
+double Body::scale(double z) const {
+  switch (profile) {
+    case Profile::kLinear:
+      return std::abs(z);
+    case Profile::kRoot:
+      return std::sqrt(std::max(z, 0.0));
+    case Profile::kHyperbola:
+      return std::sqrt(1.0 + z * z / (c * c));
+    case Profile::kEllipse:
+      return std::sqrt(std::max(0.0, 1.0 - z * z / (c * c)));
+    default:
+      return 1.0;
+  }
+}
+
+double Body::slope(double z) const {
+  const double s = std::max(scale(z), 1e-9);
+  switch (profile) {
+    case Profile::kLinear:
+      return z < 0.0 ? -1.0 : 1.0;
+    case Profile::kRoot:
+      return 0.5 / s;
+    case Profile::kHyperbola:
+      return z / (c * c * s);
+    case Profile::kEllipse:
+      return -z / (c * c * s);
+    default:
+      return 0.0;
+  }
+}
+
+Eigen::Vector2d Body::widest() const {
+  const bool bulges = profile == Profile::kEllipse;
+  const double s = bulges ? 1.0 : std::max(scale(z_min), scale(z_max));
+  return {a * s, b * s};
+}
+
+Eigen::AlignedBox3d Body::bounds_Q() const {
+  const Eigen::Vector2d w = widest();
+  return {Eigen::Vector3d(-w.x(), -w.y(), z_min), Eigen::Vector3d(w.x(), w.y(), z_max)};
+}
+
+Eigen::AlignedBox3d Body::bounds_C() const {
+  const Eigen::AlignedBox3d box = bounds_Q();
+  const Eigen::Vector3d half = X_CQ.linear().cwiseAbs() * (0.5 * box.sizes());
+  const Eigen::Vector3d centre = X_CQ * Eigen::Vector3d(box.center());
+  return {centre - half, centre + half};
+}
+
+bool Body::contains(const Eigen::Vector3d& p_C, double margin) const {
+  const Eigen::Vector3d p = X_CQ.inverse() * p_C;
+  if (p.z() < z_min - margin || p.z() > z_max + margin) return false;
+  if (profile == Profile::kBox) {
+    return std::abs(p.x()) <= a + margin && std::abs(p.y()) <= b + margin;
+  }
+  if (profile == Profile::kEllipse) {
+    const Eigen::Vector3d semi(a + margin, b + margin, c + margin);
+    return p.cwiseQuotient(semi).squaredNorm() <= 1.0;
+  }
+  const double s = scale(std::clamp(p.z(), z_min, z_max));
+  const double u = p.x() / (a * s + margin);
+  const double v = p.y() / (b * s + margin);
+  return u * u + v * v <= 1.0;
+}
+
+std::optional<Body> make_body(const Detection& detection, std::string* why) {
+  const auto refuse = [&](const std::string& reason) {
+    if (why) *why = reason;
+    return std::nullopt;
+  };
+  Body body;
+  body.X_CQ = detection.X_CQ;
+  const std::string type(to_string(detection.type));
+  if (is_imaginary(detection.type)) return refuse(type + " has no real surface");
+  if (!fill_profile(body, detection)) return refuse(type + " bounds no solid");
+  if (body.profile == Profile::kLinear && body.z_min < 0.0 && body.z_max > 0.0) {
+    // Both nappes: the seen part lies mostly on one.
+    (body.z_max > -body.z_min ? body.z_min : body.z_max) = 0.0;
+  }
+  if (!sound(body)) return refuse(type + " has no finite, positive size");
+  body.std = length_std(detection, std::max(std::abs(body.z_min), std::abs(body.z_max)));
+  return body;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,65 @@
+#include "quadrille/grasping/candidates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace quadrille {
+
+namespace {
+
+// The hand comes within 107° of the line of sight, or from above within 60°.
+bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space) {
+  if (approach.dot(space.up_C) > 0.35) return false;
+  return -approach.dot(space.view_C) > -0.3 || -approach.dot(space.up_C) > 0.5;
+}
+
+double prior(const ContactLine& line, const Eigen::Vector3d& approach, const ApproachSpace& space) {
+  const double across = 1.0 - std::abs(line.closing_C.dot(space.view_C));
+  const double from = std::max(-approach.dot(space.view_C), -approach.dot(space.up_C));
+  const double off = (line.centre_C - space.centre_C).norm() / space.reach;
+  return 0.5 * across + 0.3 * from - 0.2 * std::min(off, 1.0);
+}
+
+}  // namespace
+
+std::vector<Candidate> sample_approaches(const std::vector<ContactLine>& lines,
+                                         const ApproachSpace& space, int& refused) {
+  constexpr int kDirections = 24;
+  std::vector<Candidate> candidates;
+  for (std::size_t n = 0; n < lines.size(); ++n) {
+    const Eigen::Vector3d& d = lines[n].closing_C;
+    Eigen::Vector3d first = -space.view_C + d * d.dot(space.view_C);
+    if (first.norm() < 0.1) {
+      int least = 0;
+      (space.axes_C.transpose() * d).cwiseAbs().minCoeff(&least);
+      first = d.cross(space.axes_C.col(least));
+    }
+    first.normalize();
+    const Eigen::Vector3d second = d.cross(first);
+    for (int k = 0; k < kDirections; ++k) {
+      const double t = 2.0 * std::numbers::pi * k / kDirections;
+      const Eigen::Vector3d approach = std::cos(t) * first + std::sin(t) * second;
+      if (reachable(approach, space)) {
+        candidates.push_back({static_cast<int>(n), approach, prior(lines[n], approach, space)});
+      } else {
+        ++refused;
+      }
+    }
+  }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.prior > b.prior; });
+  return candidates;
+}
+
+Eigen::Isometry3d grasp_pose(const ContactLine& line, const Eigen::Vector3d& approach_C,
+                             double depth) {
+  Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
+  X_CG.linear().col(0) = line.closing_C.cross(approach_C);
+  X_CG.linear().col(1) = line.closing_C;
+  X_CG.linear().col(2) = approach_C;
+  X_CG.translation() = line.centre_C + depth * approach_C;
+  return X_CG;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,126 @@
+#include "quadrille/grasping/collision.hpp"
+
+#include <fcl/fcl.h>
+#include <octomap/OcTree.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace quadrille {
+
+namespace {
+
+// Only collide(), never distance() or continuousCollide(): those fail on half-spaces and empty
+// octrees or miss thin walls between their samples. libccd's solver, not FCL's own (GST_INDEP),
+// which lets a small box inside a Convex pass.
+bool fcl_collide(const fcl::CollisionGeometryd* a, const fcl::Transform3d& X_A,
+                 const fcl::CollisionGeometryd* b, const fcl::Transform3d& X_B) {
+  fcl::CollisionRequestd request(1, false);
+  request.gjk_solver_type = fcl::GST_LIBCCD;
+  request.gjk_tolerance = 1e-6;
+  fcl::CollisionResultd result;
+  return fcl::collide(a, X_A, b, X_B, request, result) > 0;
+}
+
+fcl::Transform3d pose(const OrientedBox& box) {
+  fcl::Transform3d X = fcl::Transform3d::Identity();
+  X.linear() = box.R_CB;
+  X.translation() = box.p_CB;
+  return X;
+}
+
+bool crosses(std::span<const OrientedBox> boxes, const SupportPlane& plane, double margin) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const OrientedBox& box) {
+    return -box.support(-plane.n_C) < plane.d + margin;
+  });
+}
+
+bool hits(std::span<const OrientedBox> boxes, const std::vector<CollisionShape>& shapes,
+          double margin) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const OrientedBox& box) {
+    const OrientedBox grown = box.inflated(margin);
+    return std::any_of(shapes.begin(), shapes.end(),
+                       [&](const CollisionShape& shape) { return overlaps(grown, shape); });
+  });
+}
+
+Hit voxel_hit(std::span<const OrientedBox> boxes, const ObstacleMap& map, double margin) {
+  for (const OrientedBox& box : boxes) {
+    const Hit hit = map.collides(margin > 0.0 ? box.inflated(margin) : box);
+    if (hit != Hit::kNone) return hit;
+  }
+  return Hit::kNone;
+}
+
+// `solid` stays out of everything, `closing` may touch the target.
+std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
+                                             std::span<const OrientedBox> solid,
+                                             std::span<const OrientedBox> closing) {
+  for (const SupportPlane& plane : scene.planes) {
+    if (crosses(solid, plane, scene.margin)) return Obstruction::kSupport;
+  }
+  for (const auto boxes : {solid, closing}) {
+    const Hit hit = voxel_hit(boxes, scene.map, 0.0);
+    if (hit == Hit::kOccupied) return Obstruction::kOccupied;
+    if (hit == Hit::kUnknown) return Obstruction::kUnknown;
+  }
+  if (hits(solid, scene.target, scene.margin)) return Obstruction::kTarget;
+  if (hits(solid, scene.neighbours, scene.margin)) return Obstruction::kNeighbour;
+  if (hits(closing, scene.neighbours, scene.margin)) return Obstruction::kNeighbour;
+  return std::nullopt;
+}
+
+}  // namespace
+
+bool overlaps(const OrientedBox& box, const CollisionShape& shape) {
+  if (!shape.geometry) return false;
+  const double reach = shape.geometry->aabb_radius + box.half.norm();
+  const Eigen::Vector3d centre = shape.X_CS * shape.geometry->aabb_center;
+  if ((centre - box.p_CB).squaredNorm() > reach * reach) return false;
+  const fcl::Boxd geometry(2.0 * box.half);
+  fcl::Transform3d X = fcl::Transform3d::Identity();
+  X.matrix() = shape.X_CS.matrix();
+  return fcl_collide(&geometry, pose(box), shape.geometry.get(), X);
+}
+
+bool overlaps(const OrientedBox& box, const std::shared_ptr<const octomap::OcTree>& tree) {
+  if (!tree || !tree->getRoot()) return false;
+  fcl::OcTreed geometry(tree);
+  geometry.computeLocalAABB();
+  const fcl::Boxd solid(2.0 * box.half);
+  return fcl_collide(&geometry, fcl::Transform3d::Identity(), &solid, pose(box));
+}
+
+std::optional<Obstruction> CollisionScene::palm_obstruction(const SweptHand& hand) const {
+  return first_obstruction(*this, {&hand.palm, 1}, {});
+}
+
+std::optional<Obstruction> CollisionScene::finger_obstruction(const SweptHand& hand) const {
+  return first_obstruction(*this, hand.fingers, hand.closing);
+}
+
+std::optional<Obstruction> CollisionScene::obstruction(const SweptHand& hand) const {
+  const std::optional<Obstruction> palm = palm_obstruction(hand);
+  return palm ? palm : finger_obstruction(hand);
+}
+
+double CollisionScene::clearance(const SweptHand& hand) const {
+  const std::array<OrientedBox, 5> boxes = {hand.fingers[0], hand.fingers[1], hand.palm,
+                                            hand.closing[0], hand.closing[1]};
+  const auto blocked = [&](double r) {
+    for (const SupportPlane& plane : planes) {
+      if (crosses(boxes, plane, r)) return true;
+    }
+    return voxel_hit(boxes, map, r) != Hit::kNone || hits(boxes, neighbours, r);
+  };
+  double free = 0.0, hit = 0.032;
+  if (!blocked(hit)) return hit;
+  for (int step = 0; step < 5; ++step) {
+    const double middle = 0.5 * (free + hit);
+    (blocked(middle) ? hit : free) = middle;
+  }
+  return free;
+}
+
+}  // namespace quadrille

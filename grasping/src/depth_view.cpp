@@ -1,0 +1,220 @@
+#include "quadrille/grasping/depth_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "pixel_pitch.hpp"
+
+namespace quadrille {
+
+namespace {
+
+constexpr double kNearest = 0.02;
+// Beyond 70° off its axis a pinhole has no use.
+constexpr double kWidest = 2.7;
+
+bool in_front(const Eigen::Vector3d& p_V) {
+  return p_V.z() > kNearest && std::abs(p_V.x()) < kWidest * p_V.z() &&
+         std::abs(p_V.y()) < kWidest * p_V.z();
+}
+
+}  // namespace
+
+DepthView::DepthView(const PointCloud& cloud) : p_CV_(cloud.viewpoint) {
+  stray_.assign(cloud.points.size(), 0);
+  if (!p_CV_.allFinite()) return;
+  choose_axes(cloud);
+  choose_grid(cloud);
+  if (!valid()) return;
+  project(cloud);
+  build_levels();
+}
+
+void DepthView::choose_axes(const PointCloud& cloud) {
+  std::size_t finite = 0, before = 0;
+  for (const Eigen::Vector3f& p : cloud.points) {
+    if (!p.allFinite()) continue;
+    ++finite;
+    before += in_front(p.cast<double>() - p_CV_);
+  }
+  // The optical convention keeps the pixel grid regular; any other frame looks at its points' mean.
+  if (before * 20 >= finite * 19) return;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3f& p : cloud.points) {
+    const Eigen::Vector3d ray = p.cast<double>() - p_CV_;
+    if (p.allFinite() && ray.norm() > kNearest) sum += ray.normalized();
+  }
+  if (sum.norm() < 1e-9) return;
+  R_VC_ = Eigen::Quaterniond::FromTwoVectors(sum, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  spread_ = R_VC_.cwiseAbs().rowwise().sum();
+}
+
+void DepthView::choose_grid(const PointCloud& cloud) {
+  std::vector<Eigen::Vector2d> tangents;
+  tangents.reserve(cloud.points.size());
+  Eigen::AlignedBox2d bounds;
+  for (const Eigen::Vector3f& p : cloud.points) {
+    const Eigen::Vector3d p_V = to_view(p.cast<double>());
+    if (!p.allFinite() || !in_front(p_V)) continue;
+    tangents.emplace_back(p_V.head<2>() / p_V.z());
+    bounds.extend(tangents.back());
+  }
+  if (tangents.empty()) return;
+  const PixelGrid grid = find_pixel_grid(tangents, bounds);
+  pitch_u_ = grid.pitch.x();
+  pitch_v_ = grid.pitch.y();
+  const Eigen::Vector2d first = (bounds.min() - grid.phase).cwiseQuotient(grid.pitch);
+  const Eigen::Vector2d last = (bounds.max() - grid.phase).cwiseQuotient(grid.pitch);
+  const double u0 = std::round(first.x()), v0 = std::round(first.y());
+  cu_ = -grid.phase.x() / pitch_u_ - u0;
+  cv_ = -grid.phase.y() / pitch_v_ - v0;
+  width_ = static_cast<int>(std::round(last.x()) - u0) + 1;
+  height_ = static_cast<int>(std::round(last.y()) - v0) + 1;
+}
+
+void DepthView::project(const PointCloud& cloud) {
+  depth_.assign(static_cast<std::size_t>(width_) * height_, 0.0F);
+  std::vector<int> nearest(depth_.size(), -1);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (!cloud.points[i].allFinite()) continue;
+    const Eigen::Vector3d p_V = to_view(cloud.points[i].cast<double>());
+    if (!in_front(p_V)) continue;
+    const Eigen::Vector2i uv = pixel(p_V);
+    if (uv.x() < 0 || uv.x() >= width_ || uv.y() < 0 || uv.y() >= height_) continue;
+    const std::size_t at = static_cast<std::size_t>(uv.y()) * width_ + uv.x();
+    if (depth_[at] > 0.0F && depth_[at] <= p_V.z()) continue;
+    depth_[at] = static_cast<float>(p_V.z());
+    nearest[at] = static_cast<int>(i);
+  }
+  refuse_strays(nearest);
+  fill_holes();
+  fill_holes();
+}
+
+void DepthView::refuse_strays(const std::vector<int>& nearest) {
+  constexpr int kSupport = 2;
+  const std::vector<float> raw = depth_;
+  for (int v = 0; v < height_; ++v) {
+    for (int u = 0; u < width_; ++u) {
+      const std::size_t at = static_cast<std::size_t>(v) * width_ + u;
+      if (raw[at] == 0.0F) continue;
+      const float tolerance = 0.02F * raw[at];
+      int alike = 0;
+      for (int y = std::max(v - 1, 0); y <= std::min(v + 1, height_ - 1) && alike <= kSupport;
+           ++y) {
+        for (int x = std::max(u - 1, 0); x <= std::min(u + 1, width_ - 1); ++x) {
+          const float other = raw[static_cast<std::size_t>(y) * width_ + x];
+          alike += other > 0.0F && std::abs(other - raw[at]) < tolerance;
+        }
+      }
+      if (alike > kSupport) continue;  // the pixel itself counts once
+      depth_[at] = 0.0F;
+      stray_[nearest[at]] = 1;
+    }
+  }
+}
+
+void DepthView::fill_holes() {
+  const std::vector<float> raw = depth_;
+  for (int v = 1; v + 1 < height_; ++v) {
+    for (int u = 1; u + 1 < width_; ++u) {
+      const std::size_t at = static_cast<std::size_t>(v) * width_ + u;
+      if (raw[at] > 0.0F) continue;
+      int known = 0;
+      float least = std::numeric_limits<float>::max();
+      for (int y = v - 1; y <= v + 1; ++y) {
+        for (int x = u - 1; x <= u + 1; ++x) {
+          const float z = raw[static_cast<std::size_t>(y) * width_ + x];
+          if (z == 0.0F) continue;
+          ++known;
+          least = std::min(least, z);
+        }
+      }
+      if (known >= 3) depth_[at] = least;
+    }
+  }
+}
+
+void DepthView::build_levels() {
+  levels_.push_back({width_, height_, depth_, depth_});
+  while (levels_.back().width > 1 || levels_.back().height > 1) {
+    const Level& fine = levels_.back();
+    Level coarse;
+    coarse.width = (fine.width + 1) / 2;
+    coarse.height = (fine.height + 1) / 2;
+    coarse.near.resize(static_cast<std::size_t>(coarse.width) * coarse.height);
+    coarse.far.resize(coarse.near.size());
+    for (int v = 0; v < coarse.height; ++v) {
+      const std::size_t row0 = static_cast<std::size_t>(2 * v) * fine.width;
+      const std::size_t row1 =
+          static_cast<std::size_t>(std::min(2 * v + 1, fine.height - 1)) * fine.width;
+      for (int u = 0; u < coarse.width; ++u) {
+        const int u0 = 2 * u, u1 = std::min(2 * u + 1, fine.width - 1);
+        const std::size_t at = static_cast<std::size_t>(v) * coarse.width + u;
+        coarse.near[at] = std::min(std::min(fine.near[row0 + u0], fine.near[row0 + u1]),
+                                   std::min(fine.near[row1 + u0], fine.near[row1 + u1]));
+        coarse.far[at] = std::max(std::max(fine.far[row0 + u0], fine.far[row0 + u1]),
+                                  std::max(fine.far[row1 + u0], fine.far[row1 + u1]));
+      }
+    }
+    levels_.push_back(std::move(coarse));
+  }
+}
+
+double DepthView::depth(int u, int v) const {
+  if (u < 0 || v < 0 || u >= width_ || v >= height_) return 0.0;
+  return depth_[static_cast<std::size_t>(v) * width_ + u];
+}
+
+Eigen::Vector2i DepthView::pixel(const Eigen::Vector3d& p_V) const {
+  const auto index = [](double x) {
+    return static_cast<int>(std::floor(std::clamp(x, -1e8, 1e8)));
+  };
+  return {index(p_V.x() / (p_V.z() * pitch_u_) + cu_ + 0.5),
+          index(p_V.y() / (p_V.z() * pitch_v_) + cv_ + 0.5)};
+}
+
+DepthView::Span DepthView::span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const {
+  // Tangents over the box lie between those at its nearest and farthest depth.
+  const double z0 = p_V.z() - reach.z(), z1 = p_V.z() + reach.z();
+  const auto bounds = [&](int axis, double pitch, double centre) {
+    const double lo = p_V[axis] - reach[axis], hi = p_V[axis] + reach[axis];
+    const double t0 = lo < 0.0 ? lo / z0 : lo / z1;
+    const double t1 = hi < 0.0 ? hi / z1 : hi / z0;
+    const auto whole = [](double y) { return static_cast<int>(std::clamp(y, -1e8, 1e8)); };
+    return std::pair(whole(std::ceil(t0 / pitch + centre)), whole(std::floor(t1 / pitch + centre)));
+  };
+  const auto [u0, u1] = bounds(0, pitch_u_, cu_);
+  const auto [v0, v1] = bounds(1, pitch_v_, cv_);
+  return {u0, u1, v0, v1};
+}
+
+DepthRange DepthView::range(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const {
+  if (p_V.z() - reach.z() < kNearest) return {0.0, std::numeric_limits<double>::max()};
+  Span s = span(p_V, reach);
+  if (s.u0 > s.u1) s.u0 = s.u1 = pixel(p_V).x();
+  if (s.v0 > s.v1) s.v0 = s.v1 = pixel(p_V).y();
+  if (s.u1 < 0 || s.v1 < 0 || s.u0 >= width_ || s.v0 >= height_) return {0.0, 0.0};
+  const bool cut = s.u0 < 0 || s.v0 < 0 || s.u1 >= width_ || s.v1 >= height_;
+  const int u0 = std::max(s.u0, 0), u1 = std::min(s.u1, width_ - 1);
+  const int v0 = std::max(s.v0, 0), v1 = std::min(s.v1, height_ - 1);
+  std::size_t k = 0;
+  while (k + 1 < levels_.size() && (1 << k) < std::max(u1 - u0, v1 - v0)) ++k;
+  const Level& level = levels_[k];
+  float near = std::numeric_limits<float>::max(), far = 0.0F;
+  for (int v = v0 >> k; v <= v1 >> k; ++v) {
+    for (int u = u0 >> k; u <= u1 >> k; ++u) {
+      const std::size_t at = static_cast<std::size_t>(v) * level.width + u;
+      near = std::min(near, level.near[at]);
+      far = std::max(far, level.far[at]);
+    }
+  }
+  return {cut ? 0.0 : near, far};
+}
+
+bool DepthView::sees_past(const Eigen::Vector3d& centre_C, double half) const {
+  return all_blockers(centre_C, half, [](int, int, double) { return false; });
+}
+
+}  // namespace quadrille

@@ -1,0 +1,29 @@
+#include "quadrille/grasping/hand.hpp"
+
+#include <algorithm>
+
+namespace quadrille {
+
+SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, double preshape,
+                     double width, double approach) {
+  const double x = 0.5 * gripper.finger.x();
+  const double thick = gripper.finger.y();
+  const double tip = gripper.finger_front;
+  const double back = tip - gripper.finger.z();
+  SweptHand hand;
+  for (int i = 0; i < 2; ++i) {
+    const double side = i == 0 ? 1.0 : -1.0;
+    const auto between = [&](double y0, double y1, double z0) {
+      return box_between(X_CG, {-x, std::min(side * y0, side * y1), z0},
+                         {x, std::max(side * y0, side * y1), tip});
+    };
+    hand.fingers[i] = between(0.5 * preshape, 0.5 * preshape + thick, back - approach);
+    hand.closing[i] = between(0.5 * std::min(width, preshape), 0.5 * preshape, back);
+  }
+  const Eigen::Vector3d palm = 0.5 * gripper.palm;
+  hand.palm = box_between(X_CG, {-palm.x(), -palm.y(), back - gripper.palm.z() - approach},
+                          {palm.x(), palm.y(), back});
+  return hand;
+}
+
+}  // namespace quadrille

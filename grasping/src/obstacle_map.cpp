@@ -1,0 +1,216 @@
+#include "quadrille/grasping/obstacle_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+namespace {
+
+// Overlaps shallower than this count as touching.
+constexpr double kTouch = 1e-9;
+
+std::uint8_t merge(std::uint8_t a, std::uint8_t b) {
+  return static_cast<std::uint8_t>(((a | b) & 3) | (a & b & 4));
+}
+
+// A measured point this near to the target's body is the target's [m].
+constexpr double kOnTarget = 0.006;
+
+}  // namespace
+
+// The cone that a body's shadow lies in, as seen by the sensor.
+struct ObstacleMap::Cone {
+  Eigen::Vector3d p_CV, to_body;
+  double far, size, angle;
+
+  Cone(const DepthView& view, const Body& body) : p_CV(view.p_CV()) {
+    const Eigen::AlignedBox3d bounds = body.bounds_C();
+    to_body = bounds.center() - p_CV;
+    far = to_body.norm();
+    size = 0.5 * bounds.diagonal().norm() + kOnTarget;
+    angle = far > size ? std::asin(size / far) : std::acos(-1.0);
+  }
+
+  // True if the ball around p_C may reach into it.
+  bool meets(const Eigen::Vector3d& p_C, double radius) const {
+    const Eigen::Vector3d to_ball = p_C - p_CV;
+    const double here = to_ball.norm();
+    if (here <= radius) return true;
+    if (here + radius < far - size) return false;
+    const double sum = angle + std::asin(radius / here);
+    return sum >= std::acos(-1.0) || to_body.dot(to_ball) >= std::cos(sum) * far * here;
+  }
+};
+
+// A box as the 15 axes that may separate it from a cube, each with the box's own reach on it.
+struct ObstacleMap::Query {
+  Eigen::Vector3d p;            // centre
+  Eigen::Vector3d reach;        // on the cube's axes
+  Eigen::Matrix3d R, absolute;  // axes of the box, as columns
+  Eigen::Vector3d half;
+  Eigen::Matrix<double, 3, 9> edge_axes;  // cross products of edges
+  Eigen::Matrix<double, 9, 1> edge_reach, edge_spread;
+  Eigen::Vector3d face_spread;
+
+  explicit Query(const OrientedBox& box)
+      : p(box.p_CB),
+        reach(box.reach()),
+        R(box.R_CB),
+        absolute(box.R_CB.cwiseAbs()),
+        half(box.half) {
+    face_spread = absolute.colwise().sum();
+    for (int n = 0; n < 9; ++n) {
+      const Eigen::Vector3d axis = Eigen::Vector3d::Unit(n / 3).cross(R.col(n % 3));
+      edge_axes.col(n) = axis;
+      edge_reach[n] = (R.transpose() * axis).cwiseAbs().dot(half);
+      edge_spread[n] = axis.cwiseAbs().sum();
+    }
+  }
+
+  bool overlaps(const Eigen::Vector3d& centre, double h) const {
+    const Eigen::Vector3d t = centre - p;
+    const double g = h - kTouch;
+    if ((t.cwiseAbs().array() >= reach.array() + g).any()) return false;
+    if (((R.transpose() * t).cwiseAbs().array() >= half.array() + g * face_spread.array()).any()) {
+      return false;
+    }
+    return ((edge_axes.transpose() * t).cwiseAbs().array() <
+            edge_reach.array() + g * edge_spread.array() + 1e-12)
+        .all();
+  }
+};
+
+ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks)
+    : resolution_(grid.resolution()),
+      unknown_blocks_(unknown_blocks),
+      corner_(grid.corner().cast<double>() * grid.resolution()) {
+  levels_[0].size = grid.size();
+  levels_[0].flags.resize(grid.states().size());
+  const std::array<std::uint8_t, 3> flags = {
+      static_cast<std::uint8_t>(unknown_blocks ? kAnyUnknown | kAll : 0), 0, kAnyOccupied | kAll};
+  std::transform(grid.states().begin(), grid.states().end(), levels_[0].flags.begin(),
+                 [&](Voxel state) { return flags[static_cast<std::size_t>(state)]; });
+  for (int n = 1; n < kLevels; ++n) {
+    levels_[n].size = levels_[n - 1].size / 2;
+    levels_[n].flags.resize(levels_[n].size.cast<std::size_t>().prod());
+  }
+  if (!levels_[0].flags.empty()) refresh({Eigen::Vector3i::Zero(), grid.size().array() - 1});
+}
+
+void ObstacleMap::refresh(const Range& range) {
+  Eigen::Vector3i low = range.first, high = range.second;
+  if ((high.array() < 0).any()) return;
+  for (int n = 1; n < kLevels; ++n) {
+    low /= 2;
+    high /= 2;
+    const Level& fine = levels_[n - 1];
+    Level& coarse = levels_[n];
+    const std::size_t row = fine.size.x(), layer = row * fine.size.y();
+    for (int k = low.z(); k <= high.z(); ++k) {
+      for (int j = low.y(); j <= high.y(); ++j) {
+        for (int i = low.x(); i <= high.x(); ++i) {
+          const std::uint8_t* f = &fine.flags[fine.index(2 * i, 2 * j, 2 * k)];
+          const std::uint8_t near = merge(merge(f[0], f[1]), merge(f[row], f[row + 1]));
+          const std::uint8_t far =
+              merge(merge(f[layer], f[layer + 1]), merge(f[layer + row], f[layer + row + 1]));
+          coarse.flags[coarse.index(i, j, k)] = merge(near, far);
+        }
+      }
+    }
+  }
+}
+
+ObstacleMap::Range ObstacleMap::voxels(const Eigen::AlignedBox3d& box) const {
+  const Eigen::Array3d last = levels_[0].size.cast<double>().array() - 1.0;
+  const auto clip = [&](const Eigen::Vector3d& p) {
+    const Eigen::Array3d x = ((p - corner_) / resolution_).array().floor();
+    return Eigen::Vector3i(x.max(0.0).min(last).cast<int>());
+  };
+  // A box beside the grid gives an empty range.
+  const Eigen::Vector3d top = corner_ + resolution_ * (last + 1.0).matrix();
+  if ((last < 0.0).any() || !box.intersects(Eigen::AlignedBox3d(corner_, top))) {
+    return {Eigen::Vector3i::Zero(), Eigen::Vector3i::Constant(-1)};
+  }
+  return {clip(box.min()), clip(box.max())};
+}
+
+Hit ObstacleMap::collides(const OrientedBox& box) const {
+  const Eigen::Vector3d reach = box.reach();
+  const Eigen::Vector3d top = corner_ + resolution_ * levels_[0].size.cast<double>();
+  const bool outside = ((box.p_CB - reach).array() < corner_.array()).any() ||
+                       ((box.p_CB + reach).array() > top.array()).any();
+  if (outside && unknown_blocks_) return Hit::kUnknown;
+  if (levels_[0].flags.empty()) return Hit::kNone;
+  const Query query(box);
+  const auto [low, high] = voxels({box.p_CB - reach, box.p_CB + reach});
+  constexpr int kShift = kLevels - 1;
+  if ((high.array() < 0).any()) return Hit::kNone;
+  for (int k = low.z() >> kShift; k <= high.z() >> kShift; ++k) {
+    for (int j = low.y() >> kShift; j <= high.y() >> kShift; ++j) {
+      for (int i = low.x() >> kShift; i <= high.x() >> kShift; ++i) {
+        const std::uint8_t hit = descend(query, kShift, i, j, k);
+        if (hit) return hit & kAnyOccupied ? Hit::kOccupied : Hit::kUnknown;
+      }
+    }
+  }
+  return Hit::kNone;
+}
+
+std::uint8_t ObstacleMap::descend(const Query& query, int level, int i, int j, int k) const {
+  const Level& here = levels_[level];
+  const std::uint8_t flags = here.flags[here.index(i, j, k)];
+  if (flags == 0) return 0;
+  const double h = 0.5 * resolution_ * (1 << level);
+  const Eigen::Vector3d centre =
+      corner_ + 2.0 * h * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
+  if (!query.overlaps(centre, h)) return 0;
+  if (level == 0 || flags & kAll) return flags;
+  for (int n = 0; n < 8; ++n) {
+    const std::uint8_t hit =
+        descend(query, level - 1, 2 * i + (n & 1), 2 * j + ((n >> 1) & 1), 2 * k + (n >> 2));
+    if (hit) return hit;
+  }
+  return 0;
+}
+
+void ObstacleMap::clear_shadow(const OccupancyGrid& grid, const DepthView& view, const Body& body,
+                               const Eigen::AlignedBox3d& region) {
+  if (!view.valid() || levels_[0].flags.empty()) return;
+  constexpr int kEdge = 1 << (kLevels - 1);
+  const Range range = voxels(region);
+  const Eigen::Vector3i low = range.first / kEdge, high = range.second / kEdge;
+  if ((range.second.array() < 0).any()) return;
+  const Cone cone(view, body);
+  for (int k = low.z(); k <= high.z(); ++k) {
+    for (int j = low.y(); j <= high.y(); ++j) {
+      for (int i = low.x(); i <= high.x(); ++i) {
+        const Eigen::Vector3i first = kEdge * Eigen::Vector3i(i, j, k);
+        const Eigen::Vector3d middle =
+            corner_ + resolution_ * (first.cast<double>().array() + 0.5 * kEdge).matrix();
+        if (cone.meets(middle, 0.87 * kEdge * resolution_))
+          clear_block(grid, view, body, cone, first);
+      }
+    }
+  }
+  refresh(range);
+}
+
+// One block of the top level, voxel by voxel.
+void ObstacleMap::clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
+                              const Cone& cone, const Eigen::Vector3i& first) {
+  constexpr int kEdge = 1 << (kLevels - 1);
+  const auto on_target = [&](const Eigen::Vector3d& p_C) { return body.contains(p_C, kOnTarget); };
+  for (int n = 0; n < kEdge * kEdge * kEdge; ++n) {
+    const int i = first.x() + n % kEdge, j = first.y() + n / kEdge % kEdge;
+    const int k = first.z() + n / (kEdge * kEdge);
+    if (grid.at(i, j, k) != Voxel::kUnknown) continue;
+    const Eigen::Vector3d p_C = centre(i, j, k);
+    if (!cone.meets(p_C, resolution_)) continue;
+    if (view.hidden_only_by(p_C, 0.5 * resolution_, on_target)) {
+      levels_[0].flags[levels_[0].index(i, j, k)] = 0;
+    }
+  }
+}
+
+}  // namespace quadrille

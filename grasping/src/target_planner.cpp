@@ -1,0 +1,203 @@
+#include "target_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "quadrille/grasping/quality.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// Effort per target. The candidates come best first, so more of it finds little.
+constexpr int kMostChecks = 8000;
+constexpr std::size_t kMostAccepted = 12;
+// Grasps nearer than this to an accepted one add nothing.
+constexpr double kNearby = 0.012;
+const double kAlike = std::cos(20.0 * 3.14159265358979323846 / 180.0);
+// A contact close to slipping in the model slips in truth: normals are known to a few degrees.
+constexpr double kFrictionShare = 0.85;
+// How far the tips reach beyond a contact that only they hold [m].
+constexpr double kTipBeyond = 0.003;
+
+std::string reason(Obstruction what) {
+  switch (what) {
+    case Obstruction::kSupport:
+      return "support";
+    case Obstruction::kTarget:
+      return "target";
+    case Obstruction::kUnknown:
+      return "unknown";
+    default:
+      return "collision";
+  }
+}
+
+}  // namespace
+
+double TargetPlanner::margin() const { return options_.pad_margin + 2.0 * target_.body.std; }
+
+std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
+                                       std::map<std::string, int>& rejected) {
+  std::vector<ContactLine> lines = contact_lines(target_.body, gripper_, viewpoint_C);
+  std::erase_if(lines, [&](const ContactLine& line) { return !usable(line, rejected); });
+  ApproachSpace space;
+  space.axes_C = target_.body.X_CQ.linear();
+  space.centre_C = target_.body.centre_C();
+  space.reach = 0.5 * target_.body.bounds_Q().sizes().maxCoeff();
+  const Eigen::Vector3d ray = viewpoint_C - space.centre_C;
+  if (ray.norm() > 1e-9) space.view_C = ray.normalized();
+  if (!scene_.planes.empty()) space.up_C = scene_.planes.front().n_C;
+  int refused = 0;
+  const std::vector<Candidate> candidates = sample_approaches(lines, space, refused);
+  if (refused > 0) rejected["unreachable"] += refused;
+  for (const Candidate& candidate : candidates) {
+    if (checks_ >= kMostChecks || accepted_.size() >= kMostAccepted) break;
+    try_candidate(lines[candidate.line], candidate, rejected);
+  }
+  return std::move(accepted_);
+}
+
+bool TargetPlanner::usable(const ContactLine& line, std::map<std::string, int>& rejected) const {
+  const auto refuse = [&](const char* why) {
+    ++rejected[why];
+    return false;
+  };
+  if (line.opening + 2.0 * margin() > gripper_.max_opening || line.width < gripper_.min_opening) {
+    return refuse("width");
+  }
+  if (friction_needed(line) > kFrictionShare * options_.friction) return refuse("friction");
+  if (contradicted(line)) return refuse("contradicted");
+  return true;
+}
+
+bool TargetPlanner::contradicted(const ContactLine& line) const {
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Vector3d inward = (line.centre_C - line.contacts_C[i]).normalized();
+    bool all_free = true;
+    for (const double steps : {-0.5, 0.5, 1.5}) {
+      const double depth = std::min(steps * grid_.resolution(), 0.4 * line.width);
+      all_free &= grid_.at(line.contacts_C[i] + depth * inward) == Voxel::kFree;
+    }
+    if (all_free) return true;
+  }
+  return false;
+}
+
+bool TargetPlanner::observed(const Eigen::Vector3d& contact_C) const {
+  const double step = grid_.resolution();
+  for (int n = 0; n < 27; ++n) {
+    const Eigen::Vector3d offset(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+    if (grid_.at(contact_C + step * offset) == Voxel::kOccupied) return true;
+  }
+  return false;
+}
+
+bool TargetPlanner::resembles_accepted(const ContactLine& line,
+                                       const Eigen::Vector3d& approach_C) const {
+  return std::any_of(accepted_.begin(), accepted_.end(), [&](const Grasp& other) {
+    const Eigen::Vector3d middle = 0.5 * (other.contacts_C[0] + other.contacts_C[1]);
+    return (middle - line.centre_C).norm() < kNearby &&
+           other.X_CG.linear().col(2).dot(approach_C) > kAlike &&
+           std::abs(other.X_CG.linear().col(1).dot(line.closing_C)) > kAlike;
+  });
+}
+
+// Medium, wide, then narrow.
+std::vector<double> TargetPlanner::preshapes(const ContactLine& line) const {
+  std::vector<double> openings;
+  const double least = line.opening + 2.0 * margin();
+  for (const double room : {0.007, 0.014, 0.0}) {
+    const double opening = std::min(least + 2.0 * room, gripper_.max_opening);
+    if (std::find(openings.begin(), openings.end(), opening) == openings.end()) {
+      openings.push_back(opening);
+    }
+  }
+  return openings;
+}
+
+void TargetPlanner::try_candidate(const ContactLine& line, const Candidate& candidate,
+                                  std::map<std::string, int>& rejected) {
+  if (resembles_accepted(line, candidate.approach_C)) return;
+  const double step = 0.33 * gripper_.pad.y();
+  for (const double depth : {0.0, -step, step}) {
+    if (try_depth(line, candidate.approach_C, depth, rejected)) return;
+  }
+  try_chords(line, candidate.approach_C, rejected);
+}
+
+bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C,
+                              double depth, std::map<std::string, int>& rejected) {
+  const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
+  const auto swept = [&](double preshape) {
+    return sweep_hand(gripper_, X_CG, preshape, line.width, options_.approach);
+  };
+  ++checks_;
+  if (const auto what = scene_.palm_obstruction(swept(line.opening))) {
+    ++rejected[reason(*what)];
+    return false;
+  }
+  for (const double preshape : preshapes(line)) {
+    ++checks_;
+    const std::optional<Obstruction> what = scene_.finger_obstruction(swept(preshape));
+    if (!what) {
+      accepted_.push_back(describe(line, X_CG, preshape));
+      return true;
+    }
+    ++rejected[reason(*what)];
+    if (*what == Obstruction::kSupport) return false;  // another opening does not help
+  }
+  return false;
+}
+
+// Above the widest part, with the tips: what lies low, or in front of unseen space, can still be
+// held as far as friction allows.
+bool TargetPlanner::try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
+                               std::map<std::string, int>& rejected) {
+  const double depth = kTipBeyond - gripper_.finger_front;
+  for (const double share : {0.2, 0.36}) {
+    const Eigen::Vector3d p_C = line.centre_C - 0.5 * share * line.width * approach_C;
+    std::optional<ContactLine> beside = chord(target_.body, p_C, line.closing_C);
+    if (!beside) continue;
+    beside->opening = line.opening;
+    if (usable(*beside, rejected) && try_depth(*beside, approach_C, depth, rejected)) return true;
+  }
+  return false;
+}
+
+Grasp TargetPlanner::describe(const ContactLine& line, const Eigen::Isometry3d& X_CG,
+                              double preshape) const {
+  Grasp grasp;
+  grasp.target = target_.id;
+  grasp.X_CG = X_CG;
+  grasp.width = line.width;
+  grasp.preshape = preshape;
+  grasp.contacts_C = line.contacts_C;
+  grasp.approach = options_.approach;
+  grasp.friction_needed = friction_needed(line);
+  rate(grasp, line);
+  return grasp;
+}
+
+void TargetPlanner::rate(Grasp& grasp, const ContactLine& line) const {
+  const double reach = 0.5 * target_.body.bounds_Q().sizes().maxCoeff();
+  ContactModel model;
+  model.friction = options_.friction;
+  // A pad of soft material touches on a disc of about half its size: γ = 2/3 μ r.
+  model.torsion = 2.0 / 3.0 * options_.friction * 0.25 * gripper_.pad.minCoeff();
+  model.torque_scale = reach;
+  grasp.epsilon = grasp_epsilon(line, model);
+  grasp.clearance = scene_.clearance(
+      sweep_hand(gripper_, grasp.X_CG, grasp.preshape, grasp.width, grasp.approach));
+  const int seen = observed(line.contacts_C[0]) + observed(line.contacts_C[1]);
+  grasp.unknown_contact = seen < 2;
+  ScoreTerms terms;
+  terms.friction = 1.0 - grasp.friction_needed / options_.friction;
+  terms.clearance = grasp.clearance / 0.01;
+  terms.observed = 0.5 * seen;
+  terms.room = 0.5 * (grasp.preshape - line.opening) / 0.005;
+  terms.central = 1.0 - (line.centre_C - target_.body.centre_C()).norm() / reach;
+  grasp.score = grasp_score(terms) * (0.5 + 0.5 * std::clamp(target_.confidence, 0.0, 1.0));
+}
+
+}  // namespace quadrille

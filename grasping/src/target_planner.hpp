@@ -1,0 +1,54 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "quadrille/grasping/candidates.hpp"
+#include "quadrille/grasping/collision.hpp"
+#include "quadrille/grasping/plan.hpp"
+
+namespace quadrille {
+
+/// One detection to be grasped, and all that its planning needs.
+struct Target {
+  int id = 0;
+  double confidence = 1.0;
+  Body body;
+};
+
+/// Plans the grasps of one target: those that survive, diverse, in no order.
+class TargetPlanner {
+ public:
+  TargetPlanner(const Target& target, const Gripper& gripper, const PlanOptions& options,
+                const OccupancyGrid& grid, const CollisionScene& scene)
+      : target_(target), gripper_(gripper), options_(options), grid_(grid), scene_(scene) {}
+
+  std::vector<Grasp> plan(const Eigen::Vector3d& viewpoint_C, std::map<std::string, int>& rejected);
+
+ private:
+  bool usable(const ContactLine& line, std::map<std::string, int>& rejected) const;
+  bool contradicted(const ContactLine& line) const;
+  bool observed(const Eigen::Vector3d& contact_C) const;
+  bool resembles_accepted(const ContactLine& line, const Eigen::Vector3d& approach_C) const;
+  std::vector<double> preshapes(const ContactLine& line) const;
+  void try_candidate(const ContactLine& line, const Candidate& candidate,
+                     std::map<std::string, int>& rejected);
+  bool try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C, double depth,
+                 std::map<std::string, int>& rejected);
+  bool try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
+                  std::map<std::string, int>& rejected);
+  Grasp describe(const ContactLine& line, const Eigen::Isometry3d& X_CG, double preshape) const;
+  void rate(Grasp& grasp, const ContactLine& line) const;
+  double margin() const;
+
+  const Target& target_;
+  const Gripper& gripper_;
+  const PlanOptions& options_;
+  const OccupancyGrid& grid_;
+  const CollisionScene& scene_;
+  int checks_ = 0;
+  std::vector<Grasp> accepted_;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,270 @@
+#include "quadrille/grasping/plan.hpp"
+
+#include <octomap/OcTree.h>
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "quadrille/grasping/hand.hpp"
+#include "scenes.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+GraspPlan plan_balls(const std::vector<Ball>& balls, PlanOptions options = {}) {
+  std::vector<Detection> detections = {table_detection()};
+  for (const Ball& ball : balls) {
+    detections.push_back(sphere_detection(ball, static_cast<int>(detections.size())));
+  }
+  return plan_grasps(render(balls), detections, franka_hand(), options);
+}
+
+PlanOptions with(UnknownPolicy policy) {
+  PlanOptions options;
+  options.unknown = policy;
+  return options;
+}
+
+std::set<int> targets(const GraspPlan& plan) {
+  std::set<int> ids;
+  for (const Grasp& grasp : plan.grasps) ids.insert(grasp.target);
+  return ids;
+}
+
+// True if a finger or the palm, on its way in, holds a point of a ball.
+bool touches(const Grasp& g, const std::vector<Ball>& balls) {
+  const SweptHand hand = sweep_hand(franka_hand(), g.X_CG, g.preshape, g.width, g.approach);
+  for (const OrientedBox& box : {hand.fingers[0], hand.fingers[1], hand.palm}) {
+    for (const Ball& ball : balls) {
+      for (const Eigen::Vector3d& p : skin(ball)) {
+        if (box.contains(p)) return true;
+      }
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a ball on a table is grasped across its diameter", "[plan]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  const GraspPlan plan = plan_balls({ball});
+  REQUIRE_FALSE(plan.grasps.empty());
+  const Grasp& best = plan.grasps.front();
+  CHECK(best.target == 1);
+  CHECK(best.width == Approx(0.06));
+  CHECK(best.friction_needed == Approx(0.0).margin(1e-6));
+  CHECK(best.preshape > best.width);
+  CHECK(best.preshape <= 0.08 + 1e-12);
+  CHECK(best.score > 0.0);
+  CHECK(best.score <= 1.0);
+  CHECK(best.epsilon > 0.0);
+  CHECK(((best.contacts_C[0] + best.contacts_C[1]) / 2 - ball.p_C).norm() < 1e-9);
+  CHECK(best.X_CG.linear().determinant() == Approx(1.0));
+  CHECK(plan.occupancy->size() > 0);
+  CHECK(plan.shapes.size() == 2);
+}
+
+TEST_CASE("no planned hand touches any true surface, seen or hidden", "[plan][collision]") {
+  const std::vector<Ball> balls = {ball_on_table(0.0, 0.0, 0.03), ball_on_table(0.1, 0.05, 0.025),
+                                   ball_on_table(-0.12, 0.02, 0.035),
+                                   ball_on_table(0.03, 0.13, 0.02)};
+  const Detection table = table_detection();
+  for (const UnknownPolicy policy :
+       {UnknownPolicy::kObstacle, UnknownPolicy::kTargetShadow, UnknownPolicy::kFree}) {
+    const GraspPlan plan = plan_balls(balls, with(policy));
+    REQUIRE(plan.grasps.size() >= 4);
+    for (const Grasp& g : plan.grasps) {
+      CHECK_FALSE(touches(g, balls));
+      const SweptHand hand = sweep_hand(franka_hand(), g.X_CG, g.preshape, g.width, g.approach);
+      const Eigen::Vector3d n = table.X_CQ.linear().col(2);
+      for (const OrientedBox& box : {hand.fingers[0], hand.fingers[1], hand.palm}) {
+        CHECK(-box.support(-n) > n.dot(table.X_CQ.translation()));
+      }
+    }
+  }
+}
+
+TEST_CASE("a more permissive policy reaches all that a stricter one does", "[plan][policy]") {
+  const std::vector<Ball> balls = {ball_on_table(0.0, 0.0, 0.03), ball_on_table(0.0, 0.09, 0.03),
+                                   ball_on_table(0.0, -0.09, 0.03)};
+  const auto obstacle = targets(plan_balls(balls, with(UnknownPolicy::kObstacle)));
+  const auto shadow = targets(plan_balls(balls, with(UnknownPolicy::kTargetShadow)));
+  const auto free = targets(plan_balls(balls, with(UnknownPolicy::kFree)));
+  CHECK(std::includes(shadow.begin(), shadow.end(), obstacle.begin(), obstacle.end()));
+  CHECK(std::includes(free.begin(), free.end(), shadow.begin(), shadow.end()));
+  CHECK(free.size() == 3);
+}
+
+TEST_CASE("the plan is the same each time, best first and diverse", "[plan][determinism]") {
+  const std::vector<Ball> balls = {ball_on_table(0.0, 0.0, 0.03), ball_on_table(0.1, 0.0, 0.025)};
+  const GraspPlan a = plan_balls(balls), b = plan_balls(balls);
+  REQUIRE(a.grasps.size() == b.grasps.size());
+  CHECK(a.rejected == b.rejected);
+  for (std::size_t i = 0; i < a.grasps.size(); ++i) {
+    CHECK(a.grasps[i].X_CG.matrix() == b.grasps[i].X_CG.matrix());
+    CHECK(a.grasps[i].score == b.grasps[i].score);
+    if (i > 0) CHECK(a.grasps[i - 1].score >= a.grasps[i].score);
+    for (std::size_t j = 0; j < i; ++j) {
+      CHECK_FALSE(a.grasps[i].X_CG.isApprox(a.grasps[j].X_CG, 1e-3));
+    }
+  }
+}
+
+TEST_CASE("grasps move with the scene", "[plan][law]") {
+  std::mt19937 random(12);
+  PointCloud cloud;
+  for (int i = 0; i < 50; ++i) cloud.points.emplace_back(3.0F, 0.01F * i, 3.0F);
+  for (const Detection& d : solid_detections()) {
+    const Eigen::Isometry3d X = random_pose(random);
+    Detection here = d, there = d;
+    here.X_CQ.translation() = Eigen::Vector3d(0.05, 0.02, 0.7);
+    there.X_CQ = X * here.X_CQ;
+    PointCloud moved = cloud;
+    moved.viewpoint = X.translation();
+    for (Eigen::Vector3f& p : moved.points) p = (X * p.cast<double>()).cast<float>();
+    const PlanOptions options = with(UnknownPolicy::kFree);
+    const GraspPlan a = plan_grasps(cloud, {here}, franka_hand(), options);
+    const GraspPlan b = plan_grasps(moved, {there}, franka_hand(), options);
+    CAPTURE(to_string(d.type));
+    CHECK(a.grasps.empty() == b.grasps.empty());
+    if (a.grasps.empty()) continue;
+    CHECK(a.grasps.size() == b.grasps.size());
+    CHECK(a.grasps.front().score == Approx(b.grasps.front().score).epsilon(0.02));
+  }
+}
+
+TEST_CASE("every solid of the hand's size is grasped where nothing is in the way", "[plan]") {
+  PointCloud cloud;
+  for (int i = 0; i < 50; ++i) cloud.points.emplace_back(3.0F, 0.01F * i, 3.0F);
+  for (Detection d : solid_detections()) {
+    d.X_CQ.translation() = Eigen::Vector3d(0.0, 0.0, 0.7);
+    const GraspPlan plan = plan_grasps(cloud, {d}, franka_hand(), with(UnknownPolicy::kFree));
+    CAPTURE(to_string(d.type), plan.rejected);
+    CHECK_FALSE(plan.grasps.empty());
+    for (const Grasp& grasp : plan.grasps) CHECK(grasp.friction_needed <= 0.5);
+  }
+}
+
+TEST_CASE("an object wider than the hand is refused for its width", "[plan]") {
+  const GraspPlan plan = plan_balls({ball_on_table(0.0, 0.0, 0.06)});
+  CHECK(plan.grasps.empty());
+  CHECK(plan.rejected.at("width") > 0);
+  const GraspPlan tight = plan_balls({ball_on_table(0.0, 0.0, 0.0395)}, with(UnknownPolicy::kFree));
+  for (const Grasp& grasp : tight.grasps) CHECK(grasp.preshape <= 0.08 + 1e-12);
+}
+
+TEST_CASE("a neighbour without a gap keeps the fingers out", "[plan][collision]") {
+  // Two balls that touch: no grasp may close across their common point.
+  const std::vector<Ball> balls = {ball_on_table(-0.03, 0.0, 0.03), ball_on_table(0.03, 0.0, 0.03)};
+  const GraspPlan plan = plan_balls(balls, with(UnknownPolicy::kFree));
+  for (const Grasp& grasp : plan.grasps) {
+    CHECK_FALSE(touches(grasp, balls));
+    CHECK(std::abs(grasp.X_CG.linear()(0, 1)) < 0.9);
+  }
+  CHECK(plan.rejected.at("collision") > 0);
+}
+
+TEST_CASE("a cap does not block the grasp of its own cylinder", "[plan]") {
+  PointCloud cloud;
+  for (int i = 0; i < 50; ++i) cloud.points.emplace_back(3.0F, 0.01F * i, 3.0F);
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.translation().z() = 0.7;
+  const Detection can = cylinder_detection(X, 0.03, 0.06);
+  Detection cap = table_detection(2);
+  cap.X_CQ = X;
+  cap.X_CQ.translation().z() = 0.67;
+  cap.X_CQ.linear() = Eigen::AngleAxisd(3.14159265, Eigen::Vector3d::UnitX()).matrix();
+  cap.extent_Q = {Eigen::Vector3d(-0.03, -0.03, 0), Eigen::Vector3d(0.03, 0.03, 0)};
+  const PlanOptions options = with(UnknownPolicy::kFree);
+  const auto alone = plan_grasps(cloud, {can}, franka_hand(), options);
+  const auto both = plan_grasps(cloud, {can, cap}, franka_hand(), options);
+  CHECK_FALSE(alone.grasps.empty());
+  CHECK(both.grasps.size() == alone.grasps.size());
+}
+
+TEST_CASE("without a cloud all space is unknown and the answer says so", "[plan][hostile]") {
+  const Detection ball = sphere_detection(ball_on_table(0.0, 0.0, 0.03));
+  const GraspPlan plan = plan_grasps({}, {ball}, franka_hand());
+  CHECK(plan.grasps.empty());
+  CHECK(plan.rejected.at("unknown") > 0);
+  CHECK_FALSE(plan.warnings.empty());
+  const GraspPlan free = plan_grasps({}, {ball}, franka_hand(), with(UnknownPolicy::kFree));
+  CHECK_FALSE(free.grasps.empty());
+  CHECK(free.grasps.front().unknown_contact);
+}
+
+TEST_CASE("without detections there is nothing to grasp and no failure", "[plan][hostile]") {
+  const GraspPlan plan = plan_grasps(render({}), {}, franka_hand());
+  CHECK(plan.grasps.empty());
+  CHECK(plan.shapes.empty());
+  REQUIRE(plan.occupancy);
+  CHECK(plan.total_ms > 0.0);
+}
+
+TEST_CASE("a viewpoint inside the object, at infinity or on a point never crashes the planner",
+          "[plan][hostile]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  PointCloud cloud = render({ball});
+  for (const Eigen::Vector3d& viewpoint :
+       {ball.p_C, Eigen::Vector3d(Eigen::Vector3d::Constant(std::nan(""))),
+        Eigen::Vector3d(Eigen::Vector3d::Constant(1e30)),
+        Eigen::Vector3d(cloud.points[kWidth * kHeight / 2].cast<double>())}) {
+    cloud.viewpoint = viewpoint;
+    const GraspPlan plan =
+        plan_grasps(cloud, {sphere_detection(ball), table_detection()}, franka_hand());
+    for (const Grasp& grasp : plan.grasps) CHECK(grasp.X_CG.matrix().allFinite());
+    CHECK(plan.rejected.size() + plan.grasps.size() > 0);
+  }
+}
+
+TEST_CASE("a detection where free space was seen is contradicted", "[plan]") {
+  const PointCloud cloud = render({});
+  const Detection ghost = sphere_detection(ball_on_table(0.0, 0.0, 0.03));
+  Detection high = ghost;
+  high.X_CQ.translation() += 0.08 * table_detection().X_CQ.linear().col(2);
+  const GraspPlan plan = plan_grasps(cloud, {high}, franka_hand(), with(UnknownPolicy::kFree));
+  CHECK(plan.grasps.empty());
+  CHECK(plan.rejected.at("contradicted") > 0);
+}
+
+TEST_CASE("targets far apart are mapped more coarsely, with a warning", "[plan][hostile]") {
+  Detection near = sphere_detection({{0, 0, 0.7}, 0.03}, 1);
+  Detection far = sphere_detection({{40, 30, 20}, 0.03}, 2);
+  const GraspPlan plan = plan_grasps(render({}), {near, far}, franka_hand());
+  CHECK_FALSE(plan.warnings.empty());
+}
+
+TEST_CASE("options out of range are refused by name", "[plan]") {
+  const auto message = [](auto&& spoil) {
+    PlanOptions options;
+    spoil(options);
+    try {
+      plan_grasps({}, {}, franka_hand(), options);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto names = [](const std::string& text, const char* field) {
+    return text.find(field) != std::string::npos;
+  };
+  CHECK(names(message([](PlanOptions& o) { o.resolution = 0.0; }), "resolution"));
+  CHECK(names(message([](PlanOptions& o) { o.friction = std::nan(""); }), "friction"));
+  CHECK(names(message([](PlanOptions& o) { o.approach = -1.0; }), "approach"));
+  CHECK(names(message([](PlanOptions& o) { o.pad_margin = 1.0; }), "pad_margin"));
+  CHECK(names(message([](PlanOptions& o) { o.max_grasps = -1; }), "max_grasps"));
+}
+
+TEST_CASE("each target keeps its best grasp when only few are asked for", "[plan]") {
+  const std::vector<Ball> balls = {ball_on_table(-0.1, 0.0, 0.03), ball_on_table(0.1, 0.0, 0.025)};
+  PlanOptions options = with(UnknownPolicy::kFree);
+  options.max_grasps = 2;
+  const GraspPlan plan = plan_balls(balls, options);
+  CHECK(plan.grasps.size() == 2);
+  CHECK(targets(plan).size() == 2);
+}
