@@ -35,7 +35,7 @@ if(TARGET quadrille_lcmtypes)
 endif()
 if(TARGET quadrille_bus)
   quadrille_install_library(bus "Checked decoding and connections for LCM"
-                            "quadrille-lcmtypes quadrille-grasping" "")
+                            "quadrille-lcmtypes quadrille-detector" "")
 endif()
 
 configure_package_config_file(
