@@ -48,9 +48,4 @@ install(FILES ${PROJECT_BINARY_DIR}/quadrilleConfig.cmake
               ${PROJECT_SOURCE_DIR}/tools/cmake/FindLcm.cmake
         DESTINATION ${QUADRILLE_CMAKE_DIR})
 
-foreach(program quadrille quadrille-detector quadrille-grasp-planner)
-  if(TARGET ${program})
-    install(TARGETS ${program} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-  endif()
-endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
