@@ -20,7 +20,7 @@ struct Printer {
               << "  at [m]" << std::setprecision(3);
     for (const double value : found.pose.position) std::cout << std::setw(8) << value;
     for (const quadrille::dimension_t& dimension : found.dimensions) {
-      std::cout << "  " << dimension.name << ' ' << dimension.value;
+      std::cout << "  " << dimension.name << ' ' << dimension.value << " ± " << dimension.std;
     }
     std::cout << '\n';
   }

@@ -38,5 +38,6 @@ build_quadrille() {
     tail -n 20 "$log" >&2
     fail "cmake could not configure $folder; its output is in $log"
   }
-  cmake --build "$folder" -j "$(build_jobs)" "$@" || fail "the build in $folder failed"
+  cmake --build "$folder" -j "$(build_jobs)" "$@" | sed -u '/Built target/d' ||
+    fail "the build in $folder failed"
 }
