@@ -1,0 +1,39 @@
+// Prints the quadrics that quadrille-detector publishes, until Ctrl-C or the end of a log:
+//   02_listen_quadrics [LCM_URL]        e.g. "file://recorded.lcm?speed=0"
+#include <iomanip>
+#include <iostream>
+#include <lcm/lcm-cpp.hpp>
+#include <lcmtypes/quadrille/quadrics_t.hpp>
+
+struct Printer {
+  void on_quadrics(const lcm::ReceiveBuffer*, const std::string&,
+                   const quadrille::quadrics_t* message) {
+    std::cout << "cloud " << message->utime << " us, frame '" << message->frame
+              << "': " << message->num_detections << " quadrics\n";
+    for (const quadrille::quadric_t& found : message->detections) print(found);
+    std::cout << std::flush;
+  }
+
+  static void print(const quadrille::quadric_t& found) {
+    std::cout << std::fixed << std::setw(4) << found.id << "  " << std::left << std::setw(22)
+              << found.type << std::right << " score " << std::setprecision(2) << found.score
+              << "  at [m]" << std::setprecision(3);
+    for (const double value : found.pose.position) std::cout << std::setw(8) << value;
+    for (const quadrille::dimension_t& dimension : found.dimensions) {
+      std::cout << "  " << dimension.name << ' ' << dimension.value << " ± " << dimension.std;
+    }
+    std::cout << '\n';
+  }
+};
+
+int main(int argc, char** argv) {
+  lcm::LCM lcm(argc > 1 ? argv[1] : "");  // "" is $LCM_DEFAULT_URL
+  if (!lcm.good()) {
+    std::cerr << "no LCM: is there a multicast route? (ip route add 224.0.0.0/4 dev lo)\n";
+    return 1;
+  }
+  Printer printer;
+  lcm.subscribe("QUADRICS", &Printer::on_quadrics, &printer);
+  while (lcm.handle() == 0) {
+  }
+}

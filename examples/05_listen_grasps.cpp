@@ -1,0 +1,45 @@
+// Prints the grasps that quadrille-grasp-planner publishes, until Ctrl-C or the end of a log:
+//   05_listen_grasps [LCM_URL]        e.g. "file://recorded.lcm?speed=0"
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <lcm/lcm-cpp.hpp>
+#include <lcmtypes/quadrille/grasps_t.hpp>
+
+struct Printer {
+  static constexpr std::size_t kShown = 5;
+
+  void on_grasps(const lcm::ReceiveBuffer*, const std::string&,
+                 const quadrille::grasps_t* message) {
+    std::cout << "cloud " << message->utime << " us, hand " << message->gripper << ": "
+              << message->num_grasps << " grasps\n";
+    const std::size_t shown = std::min(message->grasps.size(), kShown);
+    for (std::size_t i = 0; i < shown; ++i) print(message->grasps[i]);
+    if (shown == 0) {
+      for (const quadrille::count_t& refused : message->rejected) {
+        std::cout << "      " << refused.count << " refused: " << refused.name << '\n';
+      }
+    }
+    std::cout << std::flush;
+  }
+
+  static void print(const quadrille::grasp_t& grasp) {
+    std::cout << std::fixed << std::setprecision(2) << "      on quadric " << grasp.target
+              << "  score " << grasp.score << "  at [m]" << std::setprecision(3);
+    for (const double value : grasp.pose.position) std::cout << std::setw(8) << value;
+    std::cout << std::setprecision(0) << "  width " << 1000.0 * grasp.width << " mm  clearance "
+              << 1000.0 * grasp.clearance << " mm\n";
+  }
+};
+
+int main(int argc, char** argv) {
+  lcm::LCM lcm(argc > 1 ? argv[1] : "");  // "" is $LCM_DEFAULT_URL
+  if (!lcm.good()) {
+    std::cerr << "no LCM: is there a multicast route? (ip route add 224.0.0.0/4 dev lo)\n";
+    return 1;
+  }
+  Printer printer;
+  lcm.subscribe("GRASPS", &Printer::on_grasps, &printer);
+  while (lcm.handle() == 0) {
+  }
+}
