@@ -21,7 +21,9 @@ const char* unit_of(const Dimension& dimension) { return is_angle(dimension) ? "
 std::string short_name(const std::string& name) {
   if (name == "radius") return "r";
   if (name == "length") return "l";
+  if (name == "height") return "h";
   if (name.starts_with("half_angle")) return "angle" + name.substr(10);
+  if (name.starts_with("focal_")) return "f" + name.substr(6);
   return name;
 }
 
@@ -43,11 +45,12 @@ std::string short_label(const Detection& detection) {
   std::string text = fmt::format("{} {}", detection.id, to_string(detection.type));
   std::replace(text.begin(), text.end(), '_', ' ');
   const auto& dimensions = detection.dimensions;
-  for (std::size_t i = 0; i < dimensions.size(); ++i) {
+  const std::size_t shown = std::min<std::size_t>(dimensions.size(), 3);
+  for (std::size_t i = 0; i < shown; ++i) {
     const char* unit = unit_of(dimensions[i]);
     text += fmt::format(" {} {:.1f}", short_name(dimensions[i].name), shown_value(dimensions[i]));
     // One unit serves neighbours that share it.
-    const bool last = i + 1 == dimensions.size();
+    const bool last = i + 1 == shown;
     if (last || std::string(unit_of(dimensions[i + 1])) != unit) text += fmt::format(" {}", unit);
   }
   return text;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <filesystem>
 #include <vector>
 
@@ -54,6 +55,11 @@ void draw_labels(const std::vector<Label>& labels, int height, Image* image) {
       if (is_free && top >= 0 && top + line <= height) break;
     }
     taken.push_back(box);
+    // A label that had to move away points back to its quadric.
+    if (std::abs(box.min().y() - wanted) > line) {
+      draw_line(box.center().cast<double>(), label.anchor.cast<double>(), 1.5, label.color, 0.9f,
+                image);
+    }
     draw_rectangle(box.min().x(), box.min().y(), width, line, kPaper, 0.7f, image);
     draw_text(label.text, box.min().x() + kPad, box.min().y() + kPad, kScale, label.color, image);
   }

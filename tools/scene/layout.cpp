@@ -38,7 +38,7 @@ bool place(const FamilyTraits& traits, const std::vector<Body>& bodies, std::siz
 Eigen::Isometry3d camera_pose(const FamilyTraits& traits, Random* random) {
   const double t = random->uniform(traits.least_elevation, traits.most_elevation);
   const double cosine = (1 - t * t) / (1 + t * t), sine = 2 * t / (1 + t * t);
-  const double distance = random->uniform(2.6, 3.2) * traits.radius + 0.15;
+  const double distance = random->uniform(2.2, 2.7) * traits.radius + 0.15;
   const Eigen::Vector3d target(random->uniform(-0.03, 0.03), random->uniform(-0.03, 0.03), 0.04);
   const Eigen::Vector3d forward(0, cosine, -sine);
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
