@@ -1,5 +1,7 @@
 #include "quadrille/output.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
@@ -30,8 +32,8 @@ std::string PicturePaths::next(const std::string& input) {
   const std::string stem = std::filesystem::path(input).stem().string();
   const auto seen = std::count(used_.begin(), used_.end(), stem);
   used_.push_back(stem);
-  std::string name = path.stem().string() + "_" + stem;
-  if (seen > 0) name += "_" + std::to_string(seen + 1);
+  std::string name = fmt::format("{}_{}", path.stem().string(), stem);
+  if (seen > 0) name += fmt::format("_{}", seen + 1);
   return (path.parent_path() / (name + path.extension().string())).string();
 }
 
