@@ -1,0 +1,202 @@
+#include <nlohmann/json.hpp>
+
+#include "scene/scene_files.hpp"
+#include "support/catch.hpp"
+#include "support/data.hpp"
+#include "tools/support_files.hpp"
+
+using namespace quadrille;
+using nlohmann::json;
+using test::Run;
+using test::run_quadrille;
+using test::TempFolder;
+
+namespace {
+
+/// An ascii cloud of the given points.
+std::string ply_of(const std::vector<std::string>& points) {
+  std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(points.size()) +
+                     "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+  for (const std::string& point : points) text += point + "\n";
+  return text;
+}
+
+int lines_of(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+/// A failed run: code 1, nothing on stdout, one line on stderr.
+void check_failure(const Run& run, const std::string& part) {
+  INFO(run.err);
+  CHECK(run.code == 1);
+  CHECK(run.out.empty());
+  CHECK(lines_of(run.err) == 1);
+  CHECK(contains(run.err, part));
+}
+
+}  // namespace
+
+TEST_CASE("bad files end the command with 1 and one line", "[command][hostile]") {
+  const TempFolder folder;
+  check_failure(run_quadrille("detect " + folder.path("none.ply")), "none.ply: no such file");
+  check_failure(run_quadrille("detect " + folder.path("none.pcd")), "none.pcd: no such file");
+  check_failure(run_quadrille("detect /tmp"), "/tmp");
+  check_failure(run_quadrille("detect " + folder.write("a.txt", "x")), "unknown kind of file");
+  check_failure(run_quadrille("detect " + folder.write("text.ply", "hello\n")), "line 1");
+  check_failure(run_quadrille("detect " + folder.write("empty.ply", "")), "line 1");
+  check_failure(run_quadrille("detect " + folder.write("empty.pcd", "")), "DATA");
+  std::string cut = ply_of({"1 2 3", "4 5 6"});
+  cut.resize(cut.size() - 6);
+  check_failure(run_quadrille("detect " + folder.write("cut.ply", cut)), "byte");
+  check_failure(run_quadrille("plan --gripper franka " + folder.write("cut2.ply", cut)), "byte");
+}
+
+TEST_CASE("absurd counts are refused within little memory", "[command][hostile]") {
+  const TempFolder folder;
+  for (const char* count : {"4000000000", "18446744073709551615"}) {
+    const std::string path = folder.write(
+        "huge.ply", "ply\nformat binary_little_endian 1.0\nelement vertex " + std::string(count) +
+                        "\nproperty float x\nproperty float y\nproperty float z\nend_header\nabc");
+    check_failure(run_quadrille("detect " + path), "byte");
+  }
+  const std::string path = folder.write(
+      "huge.pcd",
+      "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2000000000\nHEIGHT 2000000000\n"
+      "DATA binary\nabc");
+  check_failure(run_quadrille("detect " + path), "byte");
+}
+
+TEST_CASE("degenerate clouds give an empty or sane result, never NaN", "[command][hostile]") {
+  const TempFolder folder;
+  const std::vector<std::string> line(200, "0.1 0.2 0.5");
+  std::vector<std::string> on_a_line, millimetres;
+  for (int i = 1; i <= 300; ++i) {
+    on_a_line.push_back(std::to_string(0.001 * i) + " 0.1 0.5");
+    millimetres.push_back(std::to_string(i % 20 * 10) + " " + std::to_string(i / 20 * 10) + " 900");
+  }
+  const std::vector<std::pair<std::string, std::vector<std::string>>> clouds = {
+      {"none.ply", {}},
+      {"one.ply", {"0.1 0.2 0.5"}},
+      {"nan.ply", {"nan nan nan", "inf 0 1", "0 0 0", "-inf nan 2"}},
+      {"same.ply", line},
+      {"line.ply", on_a_line},
+      {"millimetres.ply", millimetres}};
+  for (const auto& [name, points] : clouds) {
+    const Run run = run_quadrille("detect --json - " + folder.write(name, ply_of(points)));
+    INFO(name << " " << run.err);
+    REQUIRE(run.code == 0);
+    const json result = json::parse(run.out);
+    CHECK(result["points"]["read"] == points.size());
+    CHECK_FALSE(contains(run.out, "null"));
+    for (const json& d : result["detections"]) CHECK(d["type"] == "plane");
+  }
+  const Run run = run_quadrille("detect --json - " + folder.path("nan.ply"));
+  CHECK(json::parse(run.out)["points"]["finite"] == 0);
+}
+
+TEST_CASE("wrong usage ends the command with 2", "[command]") {
+  const TempFolder folder;
+  const std::string cloud = folder.write("a.ply", ply_of({"1 2 3"}));
+  for (const std::string& arguments : std::vector<std::string>{
+           "", "nonsense", "detect", "detect --seed x " + cloud, "detect --threads 0 " + cloud,
+           "detect --only " + cloud, "detect --nonsense " + cloud, "plan " + cloud,
+           "plan --gripper no_such_hand " + cloud, "plan --gripper franka --unknown maybe " + cloud,
+           "scene", "scene out.obj", "scene out.ply --family impossible"}) {
+    const Run run = run_quadrille(arguments);
+    INFO(arguments << "\n" << run.err);
+    CHECK(run.code == 2);
+    CHECK_FALSE(run.err.empty());
+  }
+  const Run only = run_quadrille("detect --only sphere,cube " + cloud);
+  CHECK(only.code == 2);
+  CHECK(contains(only.err, "'cube'"));
+  CHECK(contains(only.err, "elliptic_cylinder"));
+  CHECK(run_quadrille("--help").code == 0);
+  CHECK(run_quadrille("detect --help").code == 0);
+}
+
+TEST_CASE("a wrong configuration or gripper file ends the command with 1", "[command][hostile]") {
+  const TempFolder folder;
+  const std::string cloud = folder.write("a.ply", ply_of({"1 2 3"}));
+  const std::string wrong = folder.write("c.toml", "seed = 1\nnonsense = 2\n");
+  check_failure(run_quadrille("detect --config " + wrong + " " + cloud), "line 2");
+  check_failure(run_quadrille("plan --gripper " + wrong + " " + cloud), "max_opening");
+}
+
+TEST_CASE("JSON goes to stdout alone, or to a file beside the table", "[command]") {
+  const TempFolder folder;
+  const std::string cloud = folder.write("a.ply", ply_of({"1 2 3", "nan 1 2", "4 5 6"}));
+  const Run alone = run_quadrille("detect --json - " + cloud);
+  CHECK(alone.code == 0);
+  CHECK(lines_of(alone.out) == 1);
+  CHECK(json::parse(alone.out)["points"]["finite"] == 2);
+  const std::string file = folder.path("out.json");
+  const Run beside = run_quadrille("detect --json " + file + " " + cloud);
+  CHECK(contains(beside.out, "a.ply"));
+  CHECK(json::parse(test::content_of(file))["input"] == cloud);
+  check_failure(run_quadrille("detect --json " + folder.path("no/out.json") + " " + cloud),
+                "cannot be created");
+}
+
+TEST_CASE("several inputs give one JSON object a line and a picture each", "[command]") {
+  const TempFolder folder;
+  const std::string a = folder.write("a.ply", ply_of({"0.1 0.2 1", "0.2 0.2 1"}));
+  const std::string b = folder.write("b.ply", ply_of({"0.1 0.2 1", "0.3 0.2 1", "0 0.1 1"}));
+  const Run run = run_quadrille("detect " + a + " " + b + " " + a + " --json - --picture " +
+                                folder.path("p.png"));
+  CHECK(run.code == 0);
+  REQUIRE(lines_of(run.out) == 3);
+  const std::string second = run.out.substr(run.out.find('\n') + 1);
+  CHECK(json::parse(second.substr(0, second.find('\n')))["points"]["read"] == 3);
+  for (const char* name : {"p_a.png", "p_b.png", "p_a_2.png"}) {
+    CHECK(test::content_of(folder.path(name)).substr(1, 3) == "PNG");
+  }
+}
+
+TEST_CASE("plan prints JSON with all parts for a cloud without objects", "[command]") {
+  const TempFolder folder;
+  const std::string cloud = folder.write("a.ply", ply_of({"1 2 3"}));
+  for (const char* policy : {"obstacle", "target-shadow", "free"}) {
+    const Run run = run_quadrille("plan --gripper franka --json - --picture " +
+                                  folder.path("p.png") + " --unknown " + policy + " " + cloud);
+    INFO(run.err);
+    REQUIRE(run.code == 0);
+    CHECK(json::parse(run.out)["grasps"].empty());
+    CHECK(std::filesystem::exists(folder.path("p.png")));
+  }
+}
+
+TEST_CASE("scene writes the same cloud and truth for the same seed", "[command][determinism]") {
+  const TempFolder folder;
+  const std::string a = folder.path("a.ply"), b = folder.path("b.ply");
+  REQUIRE(run_quadrille("scene --family tabletop --seed 9 " + a).code == 0);
+  REQUIRE(run_quadrille("scene --family tabletop --seed 9 " + b).code == 0);
+  CHECK(test::content_of(a) == test::content_of(b));
+  const std::string truth = test::content_of(scene::truth_path(a));
+  CHECK(truth == test::content_of(scene::truth_path(b)));
+  CHECK(json::parse(truth)["family"] == "tabletop");
+  const Run run = run_quadrille("detect --json - " + a);
+  CHECK(json::parse(run.out)["points"]["read"] == json::parse(truth)["points"]);
+  check_failure(run_quadrille("scene " + folder.path("no/such/s.ply")), "cannot be written");
+}
+
+TEST_CASE("real scans are read whole", "[command][real]") {
+  const auto data = test::data_folder();
+  if (!data) return;
+  const json manifest = json::parse(test::content_of((*data / "data/real/manifest.json").string()));
+  int read = 0;
+  for (const json& scan : manifest["scenes"]) {
+    if (!scan.contains("n_points")) continue;
+    const std::string file = scan["file"];
+    const Run run = run_quadrille("detect --json - " + (*data / "data/real" / file).string());
+    INFO(file << " " << run.err);
+    REQUIRE(run.code == 0);
+    CHECK(json::parse(run.out)["points"]["read"] == scan["n_points"]);
+    ++read;
+  }
+  CHECK(read >= 10);
+}

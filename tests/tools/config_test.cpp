@@ -1,0 +1,90 @@
+#include "io/config.hpp"
+
+#include "io/gripper_file.hpp"
+#include "support/catch.hpp"
+#include "tools/support_files.hpp"
+
+using namespace quadrille;
+using test::error_of;
+
+namespace {
+
+std::string config_error(const std::string& text) {
+  const test::TempFolder folder;
+  const std::string path = folder.write("c.toml", text);
+  const std::string error = error_of([&] { io::load_detector_options(path); });
+  if (!error.empty()) CHECK(error.find(path) == 0);
+  return error;
+}
+
+const std::string kGripper =
+    "name = \"pinch\"\nmax_opening = 0.1\nmin_opening = 0.0\nfinger = [0.02, 0.015, 0.05]\n"
+    "finger_front = 0.01\npad = [0.02, 0.02]\npalm = [0.06, 0.2, 0.06]\nmax_force = 70\n";
+
+std::string gripper_error(const std::string& text) {
+  const test::TempFolder folder;
+  return error_of([&] { io::read_gripper(folder.write("g.toml", text)); });
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a configuration sets what it names and leaves the rest", "[config]") {
+  const test::TempFolder folder;
+  const DetectorOptions options =
+      io::load_detector_options(folder.write("c.toml", "# mine\nseed = 42\n"));
+  CHECK(options.seed == 42);
+  CHECK(options.threads == DetectorOptions().threads);
+}
+
+TEST_CASE("the printed defaults read back as the defaults", "[config]") {
+  const test::TempFolder folder;
+  DetectorOptions back =
+      io::load_detector_options(folder.write("c.toml", io::default_detector_config()));
+  DetectorOptions defaults;
+  std::vector<double> a, b;
+  visit_options(back, [&](const char*, auto& field) { a.push_back(static_cast<double>(field)); });
+  visit_options(defaults,
+                [&](const char*, auto& field) { b.push_back(static_cast<double>(field)); });
+  CHECK(a == b);
+}
+
+TEST_CASE("a wrong configuration is refused with its key and line", "[config][hostile]") {
+  const std::string unknown = config_error("seed = 1\n\nnonsense = 3\n");
+  CHECK(contains(unknown, "line 3"));
+  CHECK(contains(unknown, "'nonsense'"));
+  CHECK(contains(config_error("[planes]\nno_such_key = 1\n"), "'planes.no_such_key'"));
+  CHECK(contains(config_error("\nthreads = \"two\"\n"), "line 2: key 'threads'"));
+  CHECK(contains(config_error("threads = 1.5\n"), "'threads'"));
+  CHECK(contains(config_error("threads = 99999999999\n"), "'threads'"));
+  CHECK(contains(config_error("seed = -1\n"), "'seed'"));
+  CHECK(contains(config_error("seed = true\n"), "'seed'"));
+  CHECK(contains(config_error("threads = 0\n"), "threads"));
+  CHECK(contains(config_error("seed = 1\nseed = \n"), "line 2"));
+  CHECK(contains(error_of([] { io::load_detector_options("/no/such.toml"); }), "no such file"));
+}
+
+TEST_CASE("a gripper is read from its file", "[gripper]") {
+  const test::TempFolder folder;
+  const Gripper gripper = io::load_gripper(folder.write("g.toml", kGripper));
+  CHECK(gripper.name == "pinch");
+  CHECK(gripper.max_opening == 0.1);
+  CHECK(gripper.finger == Eigen::Vector3d(0.02, 0.015, 0.05));
+  CHECK(gripper.pad == Eigen::Vector2d(0.02, 0.02));
+  CHECK(gripper.palm == Eigen::Vector3d(0.06, 0.2, 0.06));
+  CHECK(gripper.finger_front == 0.01);
+  CHECK(gripper.max_force == 70.0);
+}
+
+TEST_CASE("a wrong gripper file is refused with its key", "[gripper][hostile]") {
+  CHECK(gripper_error(kGripper).empty());
+  CHECK(contains(gripper_error(kGripper + "thumb = 1\n"), "line 9: unknown key 'thumb'"));
+  CHECK(contains(gripper_error("max_opening = 0.1\n"), "'min_opening' is missing"));
+  CHECK(contains(gripper_error("max_opening = \"wide\"\n"), "line 1: key 'max_opening'"));
+  std::string two = kGripper;
+  two.replace(two.find("[0.02, 0.015, 0.05]"), 19, "[0.02, 0.015]");
+  CHECK(contains(gripper_error(two), "line 4: key 'finger'"));
+}

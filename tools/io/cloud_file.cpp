@@ -1,0 +1,23 @@
+#include "io/cloud_file.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+#include "io/file_bytes.hpp"
+#include "io/pcd.hpp"
+#include "io/ply.hpp"
+
+namespace quadrille::io {
+
+PointCloud read_cloud(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == ".ply") return read_ply(path);
+  if (extension == ".pcd") return read_pcd(path);
+  if (!std::filesystem::exists(path)) throw FileError(path, "", "no such file; check the path");
+  throw FileError(path, "", "unknown kind of file; give a .ply or .pcd file");
+}
+
+}  // namespace quadrille::io

@@ -1,0 +1,96 @@
+#include "io/config.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <type_traits>
+
+#include "io/toml_file.hpp"
+
+namespace quadrille::io {
+namespace {
+
+/// Sets a field from a node; false if the node's type or range does not suit it.
+template <class Field>
+bool assign(const toml::node& node, Field* field) {
+  if constexpr (std::is_same_v<Field, bool>) {
+    const auto value = node.value_exact<bool>();
+    if (value) *field = *value;
+    return value.has_value();
+  } else if constexpr (std::is_floating_point_v<Field>) {
+    if (!node.is_number()) return false;
+    *field = *node.value<double>();
+    return true;
+  } else {
+    const auto value = node.value_exact<std::int64_t>();
+    if (!value || !std::in_range<Field>(*value)) return false;
+    *field = static_cast<Field>(*value);
+    return true;
+  }
+}
+
+template <class Field>
+const char* expected() {
+  if (std::is_same_v<Field, bool>) return "true or false";
+  if (std::is_floating_point_v<Field>) return "a number";
+  return std::is_unsigned_v<Field> ? "a non-negative integer" : "an integer";
+}
+
+/// Complains about the first key that is no setting.
+void refuse_unknown(const toml::table& table, const std::string& prefix,
+                    const std::set<std::string>& known, const std::string& path) {
+  for (const auto& [key, node] : table) {
+    const std::string name = prefix + std::string(key.str());
+    if (known.count(name)) continue;
+    if (const toml::table* inner = node.as_table()) {
+      refuse_unknown(*inner, name + ".", known, path);
+      continue;
+    }
+    std::string all;
+    for (const std::string& k : known) all += (all.empty() ? "" : ", ") + k;
+    throw FileError(path, line_of(node), "unknown key '" + name + "'; the keys are " + all);
+  }
+}
+
+}  // namespace
+
+DetectorOptions load_detector_options(const std::string& path) {
+  const toml::table table = read_toml(path);
+  DetectorOptions options;
+  std::set<std::string> known;
+  visit_options(options, [&](const char* name, auto& field) {
+    using Field = std::remove_reference_t<decltype(field)>;
+    known.insert(name);
+    const toml::node_view<const toml::node> node = table.at_path(name);
+    if (node && !assign(*node.node(), &field)) {
+      throw FileError(path, line_of(*node.node()),
+                      fmt::format("key '{}' must be {}", name, expected<Field>()));
+    }
+  });
+  refuse_unknown(table, "", known, path);
+  try {
+    options.check();
+  } catch (const std::invalid_argument& error) {
+    throw FileError(path, "", error.what());
+  }
+  return options;
+}
+
+std::string default_detector_config() {
+  std::string text = "# Settings of the detector, with their defaults.\n";
+  DetectorOptions options;
+  visit_options(options, [&](const char* name, auto& field) {
+    using Field = std::remove_reference_t<decltype(field)>;
+    if constexpr (std::is_floating_point_v<Field>) {
+      text += fmt::format("{} = {:#}\n", name, field);
+    } else {
+      text += fmt::format("{} = {}\n", name, field);
+    }
+  });
+  return text;
+}
+
+}  // namespace quadrille::io

@@ -1,0 +1,59 @@
+#include "io/describe.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace quadrille::io {
+namespace {
+
+bool is_angle(const Dimension& dimension) {
+  return dimension.name.find("angle") != std::string::npos;
+}
+
+double shown_value(const Dimension& dimension) {
+  return dimension.value * (is_angle(dimension) ? 180.0 / std::numbers::pi : 1000.0);
+}
+
+const char* unit_of(const Dimension& dimension) { return is_angle(dimension) ? "deg" : "mm"; }
+
+std::string short_name(const std::string& name) {
+  if (name == "radius") return "r";
+  if (name == "length") return "l";
+  if (name == "height") return "h";
+  if (name.starts_with("half_angle")) return "angle" + name.substr(10);
+  if (name.starts_with("focal_")) return "f" + name.substr(6);
+  return name;
+}
+
+}  // namespace
+
+std::string describe(const Dimension& dimension) {
+  return fmt::format("{:.1f} {}", shown_value(dimension), unit_of(dimension));
+}
+
+std::string describe_dimensions(const Detection& detection) {
+  std::string text;
+  for (const Dimension& dimension : detection.dimensions) {
+    text += (text.empty() ? "" : ", ") + dimension.name + " " + describe(dimension);
+  }
+  return text;
+}
+
+std::string short_label(const Detection& detection) {
+  std::string text = fmt::format("{} {}", detection.id, to_string(detection.type));
+  std::replace(text.begin(), text.end(), '_', ' ');
+  const auto& dimensions = detection.dimensions;
+  const std::size_t shown = std::min<std::size_t>(dimensions.size(), 3);
+  for (std::size_t i = 0; i < shown; ++i) {
+    const char* unit = unit_of(dimensions[i]);
+    text += fmt::format(" {} {:.1f}", short_name(dimensions[i].name), shown_value(dimensions[i]));
+    // One unit serves neighbours that share it.
+    const bool last = i + 1 == shown;
+    if (last || std::string(unit_of(dimensions[i + 1])) != unit) text += fmt::format(" {}", unit);
+  }
+  return text;
+}
+
+}  // namespace quadrille::io

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "quadrille/detector/detection.hpp"
+
+namespace quadrille::io {
+
+/// A dimension for people: "41.0 mm", "7.4 deg" for angles.
+std::string describe(const Dimension& dimension);
+
+/// All dimensions of a detection in one line: "radius 41.0 mm, length 90.9 mm".
+std::string describe_dimensions(const Detection& detection);
+
+/// A short name for pictures, with three dimensions at most: "1 cylinder r 41.0 l 90.9 mm".
+std::string short_label(const Detection& detection);
+
+}  // namespace quadrille::io

@@ -1,0 +1,62 @@
+#include "io/file_bytes.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace quadrille::io {
+namespace {
+
+/// Keeps the message on one line, whatever a hostile file or file name holds.
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
+  }
+  return text;
+}
+
+}  // namespace
+
+FileError::FileError(const std::string& path, const std::string& where, const std::string& what)
+    : std::runtime_error(one_line(path + ": " + (where.empty() ? "" : where + ": ") + what)) {}
+
+std::vector<std::byte> read_file(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) {
+    throw FileError(path, "", "no such file; check the path");
+  }
+  if (!std::filesystem::is_regular_file(status)) {
+    throw FileError(path, "", "not a regular file; give the path of a file");
+  }
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  std::ifstream in(path, std::ios::binary);
+  if (error || !in) {
+    throw FileError(
+        path, "",
+        std::string("cannot be read (") + std::strerror(errno) + "); check its permissions");
+  }
+  std::vector<std::byte> bytes(size);
+  in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
+
+void write_file(const std::string& path, std::span<const std::byte> bytes) {
+  std::ofstream out(path, std::ios::binary | std::ios::trunc);
+  out.write(reinterpret_cast<const char*>(bytes.data()),
+            static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (!out) {
+    throw FileError(path, "",
+                    std::string("cannot be written (") + std::strerror(errno) +
+                        "); check the folder, its permissions and the space left");
+  }
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  write_file(path, std::as_bytes(std::span(text)));
+}
+
+}  // namespace quadrille::io

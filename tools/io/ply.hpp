@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+
+#include "quadrille/detector/point_cloud.hpp"
+
+namespace quadrille::io {
+
+/// Reads a PLY file: ascii, binary little or big endian, vertex positions as float or double among
+/// any other properties, lists and elements.
+///
+/// `comment viewpoint X Y Z` gives the sensor's place [m], `comment frame NAME` the frame, and
+/// `comment width W height H` or `obj_info num_cols W`, `num_rows H` make the cloud organised
+/// where W x H is the number of vertices.
+/// @throws FileError if the file is missing, cut short, or of another format
+PointCloud read_ply(const std::string& path);
+
+/// The same from memory; `name` stands for the path in errors.
+PointCloud parse_ply(std::span<const std::byte> bytes, const std::string& name);
+
+/// Writes float x y z, binary little endian, with the comments that read_ply understands.
+/// @throws FileError if the file cannot be written
+void write_ply(const std::string& path, const PointCloud& cloud);
+
+}  // namespace quadrille::io

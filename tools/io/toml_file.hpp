@@ -1,0 +1,29 @@
+#pragma once
+
+#include <toml++/toml.h>
+
+#include <string>
+
+#include "io/file_bytes.hpp"
+
+namespace quadrille::io {
+
+/// "line 7" of a node.
+inline std::string line_of(const toml::node& node) {
+  return "line " + std::to_string(node.source().begin.line);
+}
+
+/// Parses a TOML file.
+/// @throws FileError naming the line
+inline toml::table read_toml(const std::string& path) {
+  const std::vector<std::byte> bytes = read_file(path);
+  try {
+    return toml::parse(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()),
+                       path);
+  } catch (const toml::parse_error& error) {
+    throw FileError(path, "line " + std::to_string(error.source().begin.line),
+                    "no valid TOML: " + std::string(error.description()));
+  }
+}
+
+}  // namespace quadrille::io

@@ -1,0 +1,64 @@
+#include "picture/cloud_layer.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+namespace {
+
+/// Taps of the smoothing window: half its side and the step between them [pixels].
+constexpr int kHalfWindow = 8, kTapStep = 2;
+/// Neighbours whose depth differs by more than this share belong to something else.
+constexpr float kSameDepth = 0.02f;
+
+/// Normal of the plane that fits a pixel's surroundings: on a plane, 1/z is linear in the pixel.
+Eigen::Vector3d normal_at(const std::vector<float>& depth, const View& view, int x, int y) {
+  const float z = depth[static_cast<std::size_t>(y) * view.width + x];
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d sums = Eigen::Vector3d::Zero();
+  for (int dy = -kHalfWindow; dy <= kHalfWindow; dy += kTapStep) {
+    for (int dx = -kHalfWindow; dx <= kHalfWindow; dx += kTapStep) {
+      const int u = x + dx, v = y + dy;
+      if (u < 0 || v < 0 || u >= view.width || v >= view.height) continue;
+      const float w = depth[static_cast<std::size_t>(v) * view.width + u];
+      if (w == 0.0f || std::abs(w - z) > kSameDepth * z) continue;
+      const Eigen::Vector3d tap(dx, dy, 1);
+      moments += tap * tap.transpose();
+      sums += tap / w;
+    }
+  }
+  moments.diagonal().array() += 1e-3;
+  const Eigen::Vector3d slope = moments.inverse() * sums;
+  const Eigen::Vector2d tilt = view.focal * slope.head<2>();
+  const Eigen::Vector3d ray = view.ray(x, y);
+  Eigen::Vector3d n(tilt.x(), tilt.y(), 0.0);
+  n.z() = slope.z() - tilt.dot(ray.head<2>());
+  n.normalize();
+  return n.dot(ray) > 0 ? Eigen::Vector3d(-n) : n;
+}
+
+}  // namespace
+
+void draw_cloud(const std::vector<float>& depth, const View& view, Image* image) {
+  std::vector<float> known;
+  for (const float z : depth) {
+    if (z > 0.0f) known.push_back(z);
+  }
+  if (known.empty()) return;
+  std::sort(known.begin(), known.end());
+  const float near = known[known.size() / 50], far = known[known.size() - 1 - known.size() / 50];
+  const Eigen::Vector3d light = Eigen::Vector3d(-0.45, -0.6, -0.66).normalized();
+  for (int y = 0; y < view.height; ++y) {
+    for (int x = 0; x < view.width; ++x) {
+      const float z = depth[static_cast<std::size_t>(y) * view.width + x];
+      if (z == 0.0f) continue;
+      const double lit = std::max(0.0, normal_at(depth, view, x, y).dot(light));
+      const float distance = std::clamp((z - near) / std::max(far - near, 1e-6f), 0.0f, 1.0f);
+      const float grey = (0.22f + 0.62f * static_cast<float>(lit)) * (1.05f - 0.35f * distance);
+      image->blend(x, y, Color(grey, grey, grey), 1.0f);
+    }
+  }
+}
+
+}  // namespace quadrille

@@ -1,0 +1,118 @@
+#include "picture/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <vector>
+
+#include "io/describe.hpp"
+#include "picture/cloud_layer.hpp"
+#include "picture/grasp_layer.hpp"
+#include "picture/quadric_layer.hpp"
+#include "picture/text.hpp"
+#include "picture/view.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr int kScale = 2, kLegendHeight = 30, kPad = 4;
+const Color kBackground(0.09f, 0.1f, 0.12f), kPaper(0.0f, 0.0f, 0.0f), kWhite(1.0f, 1.0f, 1.0f);
+
+const Color& color_of(std::size_t index) {
+  static const std::array<Color, 8> kColors = {
+      Color(1.0f, 0.55f, 0.1f), Color(0.2f, 0.75f, 1.0f),  Color(1.0f, 0.35f, 0.75f),
+      Color(0.95f, 0.9f, 0.2f), Color(0.55f, 0.5f, 1.0f),  Color(0.3f, 0.95f, 0.75f),
+      Color(1.0f, 0.35f, 0.3f), Color(0.75f, 0.95f, 0.4f),
+  };
+  return kColors[index % kColors.size()];
+}
+
+/// A label and the place that it would like to have.
+struct Label {
+  std::string text;
+  Color color;
+  Eigen::Vector2i anchor;
+};
+
+/// Writes labels above their anchors, moved up or down until none covers another.
+void draw_labels(const std::vector<Label>& labels, int height, Image* image) {
+  std::vector<Eigen::AlignedBox2i> taken;
+  const int line = kTextHeight * kScale + kPad;
+  for (const Label& label : labels) {
+    const int width = static_cast<int>(label.text.size()) * kTextWidth * kScale + 2 * kPad;
+    const int left =
+        std::clamp(label.anchor.x() - width / 2, 0, std::max(0, image->width() - width));
+    const int wanted = std::clamp(label.anchor.y() - line - 6, 0, std::max(0, height - line));
+    Eigen::AlignedBox2i box;
+    for (int step = 0; step < 2 * height / line; ++step) {
+      const int top = wanted + (step % 2 == 0 ? -1 : 1) * ((step + 1) / 2) * line;
+      box = {Eigen::Vector2i(left, top), Eigen::Vector2i(left + width, top + line - 1)};
+      const bool is_free = std::none_of(taken.begin(), taken.end(),
+                                        [&](const auto& other) { return box.intersects(other); });
+      if (is_free && top >= 0 && top + line <= height) break;
+    }
+    taken.push_back(box);
+    // A label that had to move away points back to its quadric.
+    if (std::abs(box.min().y() - wanted) > line) {
+      draw_line(box.center().cast<double>(), label.anchor.cast<double>(), 1.5, label.color, 0.9f,
+                image);
+    }
+    draw_rectangle(box.min().x(), box.min().y(), width, line, kPaper, 0.7f, image);
+    draw_text(label.text, box.min().x() + kPad, box.min().y() + kPad, kScale, label.color, image);
+  }
+}
+
+std::string legend_of(const PictureContent& content) {
+  const auto& detections = content.result.detections;
+  const auto flat = std::count_if(detections.begin(), detections.end(),
+                                  [](const Detection& d) { return is_flat(d.type); });
+  const auto curved = static_cast<std::ptrdiff_t>(detections.size()) - flat;
+  std::string text =
+      fmt::format("{}   {} points   {} curved, {} flat in {:.1f} ms",
+                  std::filesystem::path(content.title).filename().string(),
+                  content.result.points_finite, curved, flat, content.result.total_ms);
+  if (content.plan != nullptr) {
+    text += fmt::format("   {} grasps in {:.0f} ms", content.plan->grasps.size(),
+                        content.plan->total_ms);
+  }
+  return text;
+}
+
+/// Flat ones first, so that tints of tables do not dull the rest.
+std::vector<Label> draw_detections(const DetectionResult& result, const std::vector<float>& depth,
+                                   const View& view, Image* image) {
+  std::vector<Label> labels;
+  for (const bool flat : {true, false}) {
+    std::size_t index = 0;
+    for (const Detection& detection : result.detections) {
+      if (is_flat(detection.type) != flat) continue;
+      const Color& color = color_of(flat ? index + 4 : index);
+      ++index;
+      const auto anchor = draw_quadric(detection, color, depth, view, image);
+      if (anchor) labels.push_back({io::short_label(detection), color, *anchor});
+    }
+  }
+  return labels;
+}
+
+}  // namespace
+
+Image draw_picture(const PictureContent& content, int width) {
+  const View view = fit_view(content.cloud, width);
+  const std::vector<float> depth = depth_image(content.cloud, view);
+  Image image(view.width, view.height + kLegendHeight, kBackground);
+  draw_cloud(depth, view, &image);
+  const std::vector<Label> labels = draw_detections(content.result, depth, view, &image);
+  if (content.plan != nullptr && content.gripper != nullptr) {
+    draw_grasps(*content.plan, *content.gripper, view, &image);
+  }
+  draw_labels(labels, view.height, &image);
+  draw_rectangle(0, view.height, view.width, kLegendHeight, kPaper, 1.0f, &image);
+  draw_text(legend_of(content), 10, view.height + 8, kScale, kWhite, &image);
+  return image;
+}
+
+}  // namespace quadrille

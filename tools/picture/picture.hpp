@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "picture/image.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/grasping/plan.hpp"
+
+namespace quadrille {
+
+/// What a picture shows. Plan and gripper are left out, or given together.
+struct PictureContent {
+  const std::string& title;
+  const PointCloud& cloud;
+  const DetectionResult& result;
+  const GraspPlan* plan = nullptr;
+  const Gripper* gripper = nullptr;
+};
+
+/// Draws the cloud from its viewpoint in grey, the quadrics over it in colour with names and sizes,
+/// the best grasps, and a legend.
+/// @param width  of the picture [pixels]; its height follows from the cloud
+Image draw_picture(const PictureContent& content, int width = 1280);
+
+}  // namespace quadrille

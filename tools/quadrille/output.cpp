@@ -1,0 +1,51 @@
+#include "quadrille/output.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include "io/file_bytes.hpp"
+
+namespace quadrille {
+
+JsonLines::JsonLines(const std::string& path) : path_(path) {
+  if (path_.empty() || owns_stdout()) return;
+  file_.open(path_, std::ios::trunc);
+  if (!file_) throw io::FileError(path_, "", "cannot be created; check the folder");
+}
+
+void JsonLines::write(const io::Json& json) {
+  if (path_.empty()) return;
+  // File names may hold any bytes; JSON may not.
+  const std::string line = json.dump(-1, ' ', false, io::Json::error_handler_t::replace) + "\n";
+  if (owns_stdout()) return print(line);
+  file_ << line << std::flush;
+  if (!file_) throw io::FileError(path_, "", "cannot be written; check the space left");
+}
+
+std::string PicturePaths::next(const std::string& input) {
+  if (!several_) return path_;
+  const std::filesystem::path path(path_);
+  const std::string stem = std::filesystem::path(input).stem().string();
+  const auto seen = std::count(used_.begin(), used_.end(), stem);
+  used_.push_back(stem);
+  std::string name = fmt::format("{}_{}", path.stem().string(), stem);
+  if (seen > 0) name += fmt::format("_{}", seen + 1);
+  return (path.parent_path() / (name + path.extension().string())).string();
+}
+
+void print_warnings(const std::string& input, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) {
+    std::cerr << "quadrille: " << input << ": warning: " << warning << "\n";
+  }
+}
+
+void print(const std::string& text) {
+  std::cout << text << std::flush;
+  if (!std::cout) throw std::runtime_error("stdout: cannot be written; is its reader gone?");
+}
+
+}  // namespace quadrille

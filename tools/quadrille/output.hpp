@@ -1,0 +1,52 @@
+#pragma once
+
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "io/json.hpp"
+
+namespace quadrille {
+
+/// Writes JSON objects, one a line, to a file or, for "-", to stdout.
+class JsonLines {
+ public:
+  /// An empty path writes nothing.
+  /// @throws io::FileError if the file cannot be created
+  explicit JsonLines(const std::string& path);
+
+  /// True if stdout belongs to the JSON.
+  bool owns_stdout() const { return path_ == "-"; }
+
+  /// @throws io::FileError if the line cannot be written
+  void write(const io::Json& json);
+
+ private:
+  std::string path_;
+  std::ofstream file_;
+};
+
+/// The path for the picture of one input: as given if it is the only one, else with the input's
+/// stem (and, for later clouds of the same input, a number) before the extension.
+class PicturePaths {
+ public:
+  PicturePaths(std::string path, bool several) : path_(std::move(path)), several_(several) {}
+
+  /// True if pictures are wanted.
+  bool wanted() const { return !path_.empty(); }
+  std::string next(const std::string& input);
+
+ private:
+  std::string path_;
+  bool several_;
+  std::vector<std::string> used_;
+};
+
+/// Writes each warning as one line to stderr.
+void print_warnings(const std::string& input, const std::vector<std::string>& warnings);
+
+/// Writes to stdout and sees to it that it arrived.
+/// @throws std::runtime_error if it did not
+void print(const std::string& text);
+
+}  // namespace quadrille

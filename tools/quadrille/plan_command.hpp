@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace quadrille {
+
+/// Adds `plan INPUT --gripper NAME|FILE`: detects quadrics and plans grasps on them.
+void add_plan_command(CLI::App& app);
+
+}  // namespace quadrille

@@ -1,0 +1,60 @@
+#include "quadrille/scene_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "quadrille/output.hpp"
+#include "scene/scene.hpp"
+#include "scene/scene_files.hpp"
+
+namespace quadrille {
+namespace {
+
+struct SceneArguments {
+  std::string out;
+  scene::SceneOptions options;
+  bool labels = false;
+};
+
+const std::map<std::string, scene::Family>& families() {
+  static const std::map<std::string, scene::Family> map = {{"easy", scene::Family::kEasy},
+                                                           {"medium", scene::Family::kMedium},
+                                                           {"hard", scene::Family::kHard},
+                                                           {"tabletop", scene::Family::kTabletop}};
+  return map;
+}
+
+void run(const SceneArguments& arguments) {
+  const scene::Scene made = scene::make_scene(arguments.options);
+  scene::write_scene(arguments.out, made, arguments.labels);
+  print(fmt::format("{}: {} points, {} quadrics; truth in {}\n", arguments.out,
+                    made.view.points.size(), scene::count_quadrics(made),
+                    scene::truth_path(arguments.out)));
+}
+
+}  // namespace
+
+void add_scene_command(CLI::App& app) {
+  auto arguments = std::make_shared<SceneArguments>();
+  CLI::App* command = app.add_subcommand("scene", "Render a depth-camera scene with its truth");
+  command->add_option("OUT", arguments->out, "The cloud to write (.ply)")
+      ->required()
+      ->check(CLI::Validator(
+          [](const std::string& path) {
+            return path.ends_with(".ply") ? std::string() : "'" + path + "' must end in .ply";
+          },
+          ""));
+  command->add_option("--family", arguments->options.family, "How hard the scene is")
+      ->transform(CLI::CheckedTransformer(families()).description(""))
+      ->type_name("easy|medium|hard|tabletop");
+  command->add_option("--seed", arguments->options.seed, "Chooses the scene")->type_name("N");
+  command->add_flag("--labels", arguments->labels,
+                    "Also write the surface and the true normal of each point");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace quadrille

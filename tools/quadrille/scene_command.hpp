@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace quadrille {
+
+/// Adds `scene OUT.ply`: renders a depth-camera scene with its truth.
+void add_scene_command(CLI::App& app);
+
+}  // namespace quadrille

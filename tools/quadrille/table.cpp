@@ -1,0 +1,49 @@
+#include "quadrille/table.hpp"
+
+#include <fmt/format.h>
+
+#include "io/describe.hpp"
+
+namespace quadrille {
+
+std::string detection_table(const io::InputInfo& input, const DetectionResult& result) {
+  std::string text = fmt::format(
+      "{}: {} points, {} finite, {} used; read {:.1f} ms, detect {:.1f} ms\n", input.input,
+      input.points_read, result.points_finite, result.points_used, input.read_ms, result.total_ms);
+  if (result.detections.empty()) return text + "  no quadrics found\n";
+  text += fmt::format("  {:>3}  {:<22} {:>5} {:>8} {:>7} {:>5}  {:^23}  {}\n", "id", "type",
+                      "score", "inliers", "rms/mm", "seen", "position/m", "dimensions");
+  for (const Detection& d : result.detections) {
+    const Eigen::Vector3d p = d.X_CQ.translation();
+    text += fmt::format(
+        "  {:>3}  {:<22} {:>5.2f} {:>8} {:>7.2f} {:>5.2f}  {:>7.3f} {:>7.3f} {:>7.3f}  {}\n", d.id,
+        to_string(d.type), d.score, d.inliers, 1000.0 * d.rms, d.seen, p.x(), p.y(), p.z(),
+        io::describe_dimensions(d));
+  }
+  return text;
+}
+
+std::string grasp_table(const GraspPlan& plan) {
+  std::string text;
+  if (plan.grasps.empty()) {
+    text = "  no grasps found\n";
+  } else {
+    text = fmt::format("  {:>6} {:>5} {:>8} {:>8} {:>8} {:>7} {:>9}  {}\n", "target", "score",
+                       "width/mm", "friction", "epsilon", "free/mm", "position", "/m");
+  }
+  for (const Grasp& g : plan.grasps) {
+    const Eigen::Vector3d p = g.X_CG.translation();
+    text += fmt::format(
+        "  {:>6} {:>5.2f} {:>8.1f} {:>8.2f} {:>8.3f} {:>7.1f}  {:.3f} {:.3f} {:.3f}{}\n", g.target,
+        g.score, 1000.0 * g.width, g.friction_needed, g.epsilon, 1000.0 * g.clearance, p.x(), p.y(),
+        p.z(), g.unknown_contact ? "  touches an unseen part" : "");
+  }
+  if (plan.rejected.empty()) return text;
+  std::string reasons;
+  for (const auto& [reason, count] : plan.rejected) {
+    reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", reason, count);
+  }
+  return text + fmt::format("  refused: {}; plan {:.1f} ms\n", reasons, plan.total_ms);
+}
+
+}  // namespace quadrille

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "io/json.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "quadrille/grasping/plan.hpp"
+
+namespace quadrille {
+
+/// The detections of one cloud for people, a line each.
+std::string detection_table(const io::InputInfo& input, const DetectionResult& result);
+
+/// The grasps of one cloud for people, a line each, with what was refused and why.
+std::string grasp_table(const GraspPlan& plan);
+
+}  // namespace quadrille

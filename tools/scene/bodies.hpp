@@ -1,0 +1,21 @@
+#pragma once
+
+#include "scene/random.hpp"
+#include "scene/surface.hpp"
+
+namespace quadrille::scene {
+
+/// A random quadric body standing or lying on z = 0 of its frame B.
+/// @param scale  factor on sizes of 6 to 25 cm
+Body random_quadric(double scale, Random* random);
+
+/// A random box standing on z = 0 of its frame B.
+Body random_box(double scale, Random* random);
+
+/// The table: the rectangle |x| <= half_x, |y| <= half_y of z = 0.
+Body make_table(double half_x, double half_y);
+
+/// A wall, 3 m high, in the plane y = 0 of its frame B, seen from y < 0.
+Body make_wall();
+
+}  // namespace quadrille::scene
