@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quadrille/detector/quadric.hpp"
+#include "quadrille/detector/quadric_type.hpp"
+
+namespace quadrille {
+
+/// A quadric in its own frame: what it is, where it stands and how large it is.
+struct CanonicalForm {
+  QuadricType type = QuadricType::kPlane;
+  /// Pose of the canonical frame Q in the frame of the quadric:
+  ///   surfaces with a centre have it as origin, cones their apex, paraboloids their vertex;
+  ///   z is the axis of revolution, of a cylinder, of a cone or of a hyperboloid, or the direction
+  ///   in which a paraboloid opens, or a plane's normal; otherwise a ≥ b (≥ c) along x, y (, z).
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  /// Names and values in the order of Detection::dimensions; without extents, which a quadric
+  /// does not have. Lengths in the unit of the coordinates, angles in radians.
+  std::vector<std::pair<std::string, double>> dimensions;
+};
+
+/// True if a dimension of that name is an angle and not a length.
+bool is_angle(const std::string& dimension);
+
+/// Finds type, pose and dimensions from the eigenvalues of Q and its upper left 3x3 block: all 17
+/// types, with the circular ones apart.
+///
+/// Best with coordinates in which the surface has about unit size.
+/// @param tolerance  relative size below which an eigenvalue, a constant or a difference of
+///                   semi-axes counts as zero
+/// @throws std::invalid_argument if Q is zero, not finite, or a constant
+CanonicalForm canonical_form(const Quadric& Q, double tolerance = 1e-9);
+
+/// The quadric of a canonical form, the inverse of canonical_form() up to scale.
+/// @throws std::invalid_argument for a type without dimensions of its own (imaginary ones)
+Quadric from_canonical(const CanonicalForm& form);
+
+}  // namespace quadrille
