@@ -99,6 +99,13 @@ LogSurvey survey_log(const std::string& path) {
   return survey;
 }
 
+void check_different_files(const std::string& in_log, const std::string& out_log) {
+  std::error_code error;
+  if (std::filesystem::equivalent(in_log, out_log, error)) {
+    fail(out_log, "is both the log to read and the log to write; name another one");
+  }
+}
+
 LogReader::LogReader(const std::string& path) : survey_(survey_log(path)) {
   file_ = std::make_unique<lcm::LogFile>(path, "r");
   if (!file_->good()) fail(path, "cannot be read");
