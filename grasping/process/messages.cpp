@@ -27,6 +27,16 @@ std::int32_t count(const std::vector<Element>& elements) {
   return static_cast<std::int32_t>(elements.size());
 }
 
+/// The content of a .bt file. OctoMap's own writeBinaryConst() prints to stderr.
+std::string write_octree(const octomap::OcTree& tree) {
+  std::ostringstream stream;
+  stream << "# Octomap OcTree binary file\nid " << tree.getTreeType() << "\nsize " << tree.size()
+         << "\nres " << tree.getResolution() << "\ndata\n";
+  tree.writeBinaryData(stream);
+  if (!stream) throw std::runtime_error("the octree cannot be written");
+  return stream.str();
+}
+
 }  // namespace
 
 grasp_t to_message(const Grasp& grasp) {
@@ -98,9 +108,7 @@ occupancy_t make_occupancy_message(const bus::CloudMessage& cloud, const GraspPl
   for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
     ++(tree.isNodeOccupied(*leaf) ? m.num_occupied : m.num_free);
   }
-  std::ostringstream stream;
-  if (!tree.writeBinaryConst(stream)) throw std::runtime_error("the octree cannot be written");
-  const std::string bytes = stream.str();
+  const std::string bytes = write_octree(tree);
   m.data.assign(bytes.begin(), bytes.end());
   m.data_size = count(m.data);
   return m;

@@ -5,6 +5,7 @@
 #include <lcmtypes/bot_core/pointcloud2_t.hpp>
 #include <lcmtypes/bot_core/pointcloud_t.hpp>
 #include <lcmtypes/drake/lcmt_point_cloud.hpp>
+#include <limits>
 #include <stdexcept>
 
 #include "quadrille/bus/cloud_message.hpp"
@@ -17,12 +18,19 @@ constexpr bool kBigEndian = std::endian::native == std::endian::big;
 constexpr int kPointBytes = 3 * sizeof(float);
 static_assert(sizeof(Eigen::Vector3f) == kPointBytes);
 
+/// Missing points that an unorganised cloud has dropped; they go into the message again, so that
+/// it announces as many points as the cloud's source did.
+std::size_t count_dropped(const PointCloud& cloud) {
+  const bool dropped = !cloud.organised() && cloud.read > cloud.points.size();
+  return dropped ? cloud.read - cloud.points.size() : 0;
+}
+
 void check_cloud(const PointCloud& cloud) {
   if (cloud.frame.size() > kMaxFrameBytes) {
     throw std::invalid_argument("frame: a name of " + std::to_string(cloud.frame.size()) +
                                 " bytes");
   }
-  if (cloud.points.size() > kMaxMessageBytes / kPointBytes) {
+  if (std::max(cloud.points.size(), cloud.read) > kMaxMessageBytes / kPointBytes) {
     throw std::invalid_argument("points: " + std::to_string(cloud.points.size()) +
                                 " do not fit into one message");
   }
@@ -33,20 +41,31 @@ void check_cloud(const PointCloud& cloud) {
   }
 }
 
+/// All points, those that were dropped as NaN at the end.
+std::vector<Eigen::Vector3f> restore_points(const PointCloud& cloud) {
+  std::vector<Eigen::Vector3f> points = cloud.points;
+  points.resize(points.size() + count_dropped(cloud),
+                Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+  return points;
+}
+
 int row_length(const PointCloud& cloud) {
-  return cloud.organised() ? cloud.width : static_cast<int>(cloud.points.size());
+  return cloud.organised() ? cloud.width
+                           : static_cast<int>(cloud.points.size() + count_dropped(cloud));
 }
 
 int row_count(const PointCloud& cloud) { return cloud.organised() ? cloud.height : 1; }
 
 bool all_finite(const PointCloud& cloud) {
-  return std::all_of(cloud.points.begin(), cloud.points.end(),
+  return count_dropped(cloud) == 0 &&
+         std::all_of(cloud.points.begin(), cloud.points.end(),
                      [](const Eigen::Vector3f& p) { return p.allFinite(); });
 }
 
 std::vector<std::uint8_t> copy_records(const PointCloud& cloud) {
-  std::vector<std::uint8_t> bytes(cloud.points.size() * kPointBytes);
-  if (!bytes.empty()) std::memcpy(bytes.data(), cloud.points.data(), bytes.size());
+  const std::vector<Eigen::Vector3f> points = restore_points(cloud);
+  std::vector<std::uint8_t> bytes(points.size() * kPointBytes);
+  if (!bytes.empty()) std::memcpy(bytes.data(), points.data(), bytes.size());
   return bytes;
 }
 
@@ -112,8 +131,8 @@ std::vector<std::byte> encode_pointcloud(const CloudMessage& message) {
   m.utime = message.utime;
   m.seq = message.seq;
   m.frame_id = message.cloud.frame;
-  for (const Eigen::Vector3f& p : message.cloud.points) {
-    if (p.allFinite()) m.points.push_back({p.x(), p.y(), p.z()});
+  for (const Eigen::Vector3f& p : restore_points(message.cloud)) {
+    m.points.push_back({p.x(), p.y(), p.z()});
   }
   m.n_points = static_cast<std::int32_t>(m.points.size());
   m.n_channels = 0;

@@ -53,7 +53,9 @@ Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes,
 
 /// The bytes of a cloud as a message: float32 x, y, z without other fields.
 ///
-/// A cloud of kPointCloud loses its rows and its missing points, which that type cannot tell.
+/// What was dropped from an unorganised cloud goes in again as NaN, so that the message announces
+/// cloud.read points. kPointCloud cannot tell the rows of an organised cloud; no type can tell the
+/// viewpoint.
 /// @throws std::invalid_argument if the cloud's frame or size does not fit the type
 std::vector<std::byte> encode_cloud(const CloudMessage& message, CloudFormat format);
 
