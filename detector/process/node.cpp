@@ -14,7 +14,9 @@
 namespace quadrille {
 
 DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publish)
-    : settings_(settings), publish_(std::move(publish)) {}
+    : settings_(settings),
+      publish_(std::move(publish)),
+      dropped_before_(bus::count_dropped_datagrams()) {}
 
 std::optional<ReceivedCloud> DetectorNode::receive(std::span<const std::byte> bytes) {
   const auto now = std::chrono::steady_clock::now();
@@ -79,7 +81,8 @@ detector_status_t DetectorNode::make_status() const {
   const std::lock_guard lock(mutex_);
   detector_status_t status = counts_;
   status.utime = bus::wall_clock_utime();
-  status.dropped_datagrams = bus::count_dropped_datagrams();
+  status.dropped_datagrams =
+      dropped_before_ < 0 ? -1 : bus::count_dropped_datagrams() - dropped_before_;
   status.rejected = bus::to_message(rejected_);
   status.num_rejected = static_cast<std::int32_t>(status.rejected.size());
   const bus::DurationSummary latency = latencies_.summary(), detection = detections_.summary();

@@ -51,6 +51,7 @@ class DetectorNode {
 
   const DetectorSettings settings_;
   const bus::Publish publish_;
+  const std::int64_t dropped_before_;
   bus::RateLimiter rejection_log_{std::chrono::seconds(1)};
 
   mutable std::mutex mutex_;

@@ -13,7 +13,9 @@
 namespace quadrille {
 
 PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
-    : settings_(settings), publish_(std::move(publish)) {}
+    : settings_(settings),
+      publish_(std::move(publish)),
+      dropped_before_(bus::count_dropped_datagrams()) {}
 
 template <class Message>
 std::optional<CloudAndQuadrics> PlannerNode::accept(bus::Decoded<Message> decoded,
@@ -109,7 +111,8 @@ planner_status_t PlannerNode::make_status() const {
   status.utime = bus::wall_clock_utime();
   status.paired = pairing_.paired();
   status.unpaired_quadrics = pairing_.unpaired();
-  status.dropped_datagrams = bus::count_dropped_datagrams();
+  status.dropped_datagrams =
+      dropped_before_ < 0 ? -1 : bus::count_dropped_datagrams() - dropped_before_;
   status.rejected_clouds = bus::to_message(rejected_clouds_);
   status.num_rejected_clouds = static_cast<std::int32_t>(status.rejected_clouds.size());
   status.rejected_quadrics = bus::to_message(rejected_quadrics_);
