@@ -72,7 +72,7 @@ void Connection::subscribe_all(Handler handler) { add_subscriber(".*", "", std::
 
 void Connection::add_subscriber(const std::string& pattern, const std::string& channel,
                                 Handler handler) {
-  auto subscriber = std::make_unique<Subscriber>(this, channel, std::move(handler));
+  auto subscriber = std::make_unique<Subscriber>(Subscriber{this, channel, std::move(handler)});
   if (lcm_subscribe(lcm_.get(), pattern.c_str(), &Connection::dispatch, subscriber.get()) ==
       nullptr) {
     throw std::runtime_error("LCM address " + url_ + ": cannot subscribe to '" + pattern + "'");
