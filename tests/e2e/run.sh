@@ -103,6 +103,22 @@ check_cut_log() {
   [[ $(grep -c QUADRICS "$work/o.lcm" -a) -ge 1 ]] || fail "nothing from a log cut short"
 }
 
+# What `quadrille log` writes, as each message type, is what the detector replays.
+check_log_command() {
+  printf '%s\n' ply "format ascii 1.0" "element vertex 3" "property float x" "property float y" \
+    "property float z" end_header "0 0 1" "0.1 0 1" "0 0.1 1" >"$work/three.ply"
+  for type in drake pointcloud2 pointcloud; do
+    "$bin/quadrille" log "$work/three.lcm" "$work/three.ply" "$work/three.ply" --rate 20 \
+      --channel THREE --as "$type" >/dev/null
+    "$detector" -v --in-channel THREE --in-log "$work/three.lcm" --out-log "$work/o.lcm" \
+      2>"$work/stderr"
+    [[ $(grep -c " of 3 points" "$work/stderr") -eq 2 ]] || fail "not 2 clouds as $type"
+  done
+  expect_exit 2 "" "$bin/quadrille" log "$work/three.lcm" "$work/three.ply" --as png
+  expect_exit 1 "none.ply" "$bin/quadrille" log "$work/none.lcm" "$work/none.ply"
+  [[ ! -e $work/none.lcm ]] || fail "a log without clouds was left behind"
+}
+
 # run_live LOG RECORDED: plays the log to both processes.
 run_live() {
   lcm-logger --lcm-url="$url" "$2" >"$work/logger.stdout" 2>"$work/logger.stderr" &
@@ -140,6 +156,7 @@ check_without_route
 check_command_lines
 run_offline
 check_cut_log
+check_log_command
 
 run_live "$work/clouds.lcm" "$work/live.lcm"
 "$tool" check-status "$work/live.lcm"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -12,8 +13,18 @@
 namespace quadrille::bus {
 namespace {
 
-/// The receive buffer that an address asks for; 0 if that is not a number.
-int asked_buffer(const Url& url) { return std::atoi(url.arguments.at("recv_buf_size").c_str()); }
+/// Has the address ask for a large receive buffer if it asks for none.
+/// @return what is wrong with the buffer that the kernel grants
+std::optional<std::string> set_receive_buffer(Url* url) {
+  const auto named = url->arguments.find("recv_buf_size");
+  const bool is_named = named != url->arguments.end();
+  const int asked = is_named ? std::atoi(named->second.c_str()) : kReceiveBufferBytes;
+  if (asked <= 0) throw std::invalid_argument("recv_buf_size: must be a number of bytes");
+  const int granted = granted_receive_buffer(asked);
+  // LCM would complain if it asked for more; the same complaint with a cure is ours.
+  if (!is_named) url->arguments["recv_buf_size"] = std::to_string(granted);
+  return find_buffer_problem(asked, granted);
+}
 
 std::string failure_to_connect(const Url& url) {
   const std::string start = "LCM address " + url.to_string() + ": ";
@@ -48,12 +59,7 @@ Connection::Connection(const std::string& url) {
   Url parsed = parse_url(url);
   if (const auto problem = find_route_problem(parsed)) throw std::runtime_error(*problem);
   if (parsed.provider == "udpm") {
-    parsed.arguments.try_emplace("recv_buf_size", std::to_string(kReceiveBufferBytes));
-    const int asked = asked_buffer(parsed);
-    if (asked <= 0) throw std::invalid_argument("recv_buf_size: must be a number of bytes");
-    if (auto problem = find_buffer_problem(asked, granted_receive_buffer(asked))) {
-      warnings_.push_back(std::move(*problem));
-    }
+    if (auto problem = set_receive_buffer(&parsed)) warnings_.push_back(std::move(*problem));
   }
   url_ = parsed.to_string();
   lcm_.reset(lcm_create(url_.c_str()));

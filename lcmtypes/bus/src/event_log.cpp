@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "quadrille/bus/cloud_message.hpp"
-#include "quadrille/bus/connection.hpp"
 
 namespace quadrille::bus {
 namespace {
@@ -129,7 +128,9 @@ LogWriter::LogWriter(const std::string& path) : path_(path) {
 
 void LogWriter::write(std::int64_t utime, const std::string& channel,
                       std::span<const std::byte> bytes) {
-  check_channel(channel);
+  if (channel.empty() || channel.size() > kMaxChannelBytes) {
+    throw std::invalid_argument("channel: a name of " + std::to_string(channel.size()) + " bytes");
+  }
   if (bytes.size() > kMaxMessageBytes) {
     throw std::invalid_argument("a message of " + std::to_string(bytes.size()) +
                                 " bytes is too large for LCM");

@@ -59,8 +59,10 @@ class LogWriter {
   explicit LogWriter(const std::string& path);
 
   /// Appends one event.
-  /// @param utime  the event's time [us]
-  /// @throws std::invalid_argument if the channel's name is unfit or the message too large
+  /// @param utime    the event's time [us]
+  /// @param channel  any name of 1 to 999 bytes: a copied log keeps those of its source
+  /// @throws std::invalid_argument if the channel's name has no such length or the message is too
+  ///   large
   /// @throws std::runtime_error if it cannot be written
   void write(std::int64_t utime, const std::string& channel, std::span<const std::byte> bytes);
 
