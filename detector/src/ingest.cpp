@@ -73,6 +73,10 @@ PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layo
   if (row_step == 0 && __builtin_mul_overflow(layout.width, layout.point_step, &row_step)) {
     throw std::invalid_argument("point layout: width * point_step overflows");
   }
+  if (layout.height > 1 && row_step / layout.point_step < layout.width) {
+    throw std::invalid_argument("point layout: rows of " + std::to_string(row_step) +
+                                " bytes do not hold " + std::to_string(layout.width) + " points");
+  }
   if (bytes_needed(layout, row_step, scalar_size) > bytes.size()) {
     throw std::invalid_argument("point layout: " + std::to_string(layout.width) + " x " +
                                 std::to_string(layout.height) + " points do not fit into " +

@@ -3,6 +3,7 @@
 #include <iostream>
 
 #include "quadrille/detect_command.hpp"
+#include "quadrille/log_command.hpp"
 #include "quadrille/plan_command.hpp"
 #include "quadrille/scene_command.hpp"
 
@@ -12,6 +13,7 @@ int main(int argc, char** argv) {
   quadrille::add_detect_command(app);
   quadrille::add_plan_command(app);
   quadrille::add_scene_command(app);
+  quadrille::add_log_command(app);
   try {
     app.parse(argc, argv);
     return 0;

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "quadrille/bus/rejection.hpp"
+#include "quadrille/detector/point_cloud.hpp"
+
+namespace quadrille::bus {
+
+/// The message types that carry clouds, told apart by their fingerprints.
+enum class CloudFormat {
+  kDrake,        ///< drake.lcmt_point_cloud
+  kPointCloud2,  ///< bot_core.pointcloud2_t
+  kPointCloud,   ///< bot_core.pointcloud_t
+};
+
+/// "drake", "pointcloud2" or "pointcloud".
+std::string_view to_string(CloudFormat format);
+
+/// The format of a name; nullopt if there is none of that name.
+std::optional<CloudFormat> cloud_format_from_string(std::string_view name);
+
+/// A cloud with what its message said of it.
+struct CloudMessage {
+  /// Time of capture [us].
+  std::int64_t utime = 0;
+  /// Number of the cloud by its source; 0 where the type has none.
+  std::int32_t seq = 0;
+  PointCloud cloud;
+};
+
+/// The largest message that LCM delivers over UDP [byte].
+inline constexpr std::size_t kMaxMessageBytes = std::size_t{256} << 20;
+
+/// The longest name of a frame that is accepted [byte].
+inline constexpr std::size_t kMaxFrameBytes = 1024;
+
+/// Reads a cloud out of a message of any of the formats.
+///
+/// Every length, sign and product is checked before anything is allocated, and memory stays within
+/// three times the size of the message. The points are read as by read_points(): missing ones are
+/// dropped from an unorganised cloud and kept as NaN in an organised one; the viewpoint is the
+/// origin.
+/// @param bytes      the message as it came, fingerprint first
+/// @param max_bytes  larger messages are refused [byte]
+Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes,
+                                   std::size_t max_bytes = kMaxMessageBytes);
+
+/// The bytes of a cloud as a message: float32 x, y, z without other fields.
+///
+/// What was dropped from an unorganised cloud goes in again as NaN, so that the message announces
+/// cloud.read points. kPointCloud cannot tell the rows of an organised cloud; no type can tell the
+/// viewpoint.
+/// @throws std::invalid_argument if the cloud's frame or size does not fit the type
+std::vector<std::byte> encode_cloud(const CloudMessage& message, CloudFormat format);
+
+}  // namespace quadrille::bus

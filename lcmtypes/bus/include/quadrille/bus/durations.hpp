@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace quadrille::bus {
+
+/// Percentiles of durations [ms].
+struct DurationSummary {
+  double p50 = 0.0, p95 = 0.0, max = 0.0;
+};
+
+/// The last so many durations of something that happens again and again.
+class Durations {
+ public:
+  /// @param window  how many of the last durations count, at least 1
+  /// @throws std::invalid_argument if the window is 0
+  explicit Durations(std::size_t window = 1000);
+
+  /// @param ms  one more duration [ms]
+  void add(double ms);
+
+  /// Nearest-rank percentiles over the window; zeros before the first duration.
+  DurationSummary summary() const;
+
+ private:
+  std::size_t window_, next_ = 0;
+  std::vector<double> ms_;
+};
+
+}  // namespace quadrille::bus

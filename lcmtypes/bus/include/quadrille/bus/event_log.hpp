@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <lcm/lcm-cpp.hpp>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace quadrille::bus {
+
+/// What the headers of a log's events say, read without their data.
+struct LogSurvey {
+  /// Whole events.
+  std::int64_t events = 0;
+  /// Where the log is cut short, "cut short at byte N: …"; nullopt if it ends with an event.
+  std::optional<std::string> defect;
+};
+
+/// Walks over the events of a log, so that LCM's reader meets no length that is not there.
+/// @throws std::runtime_error naming file and offset if the file is missing, is not an LCM log, or
+///   has an event with an absurd length; a log that is merely cut short is told in the survey
+LogSurvey survey_log(const std::string& path);
+
+/// Refuses an output log that is the input log too: opening it would empty the input.
+/// @throws std::runtime_error naming the file
+void check_different_files(const std::string& in_log, const std::string& out_log);
+
+/// Reads the whole events of a log in order.
+class LogReader {
+ public:
+  /// @throws std::runtime_error as survey_log() does
+  explicit LogReader(const std::string& path);
+
+  const LogSurvey& survey() const { return survey_; }
+
+  /// One event; its data lives until the next one is read.
+  struct Event {
+    /// When the event was logged [us].
+    std::int64_t utime = 0;
+    std::string channel;
+    std::span<const std::byte> bytes;
+  };
+
+  /// The next event; nullopt at the end.
+  std::optional<Event> next();
+
+ private:
+  LogSurvey survey_;
+  std::int64_t read_ = 0;
+  std::unique_ptr<lcm::LogFile> file_;
+};
+
+/// Writes a log that lcm-logplayer and file:// play.
+class LogWriter {
+ public:
+  /// @throws std::runtime_error if the file cannot be made
+  explicit LogWriter(const std::string& path);
+
+  /// Appends one event.
+  /// @param utime    the event's time [us]
+  /// @param channel  any name of 1 to 999 bytes: a copied log keeps those of its source
+  /// @throws std::invalid_argument if the channel's name has no such length or the message is too
+  ///   large
+  /// @throws std::runtime_error if it cannot be written
+  void write(std::int64_t utime, const std::string& channel, std::span<const std::byte> bytes);
+
+  /// Hands all to the system, so that a full disk does not go unnoticed.
+  /// @throws std::runtime_error if that fails
+  void flush();
+
+ private:
+  std::string path_;
+  std::unique_ptr<lcm::LogFile> file_;
+};
+
+}  // namespace quadrille::bus

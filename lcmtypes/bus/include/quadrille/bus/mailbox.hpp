@@ -1,0 +1,48 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace quadrille::bus {
+
+/// A slot for one item between a thread that receives and a thread that works: the newest wins.
+template <class T>
+class Mailbox {
+ public:
+  /// Puts an item in; one that was not yet taken is dropped and counted.
+  void put(T item) {
+    // An item may be large: the old one dies after the lock is given back.
+    std::optional<T> dropped(std::move(item));
+    {
+      const std::lock_guard lock(mutex_);
+      slot_.swap(dropped);
+      if (dropped) ++superseded_;
+    }
+    filled_.notify_one();
+  }
+
+  /// Takes the item, waiting for one for as long as the timeout; nullopt if none came.
+  std::optional<T> take(std::chrono::milliseconds timeout) {
+    std::unique_lock lock(mutex_);
+    filled_.wait_for(lock, timeout, [this] { return slot_.has_value(); });
+    return std::exchange(slot_, std::nullopt);
+  }
+
+  /// Items dropped for a newer one so far.
+  std::int64_t superseded() const {
+    const std::lock_guard lock(mutex_);
+    return superseded_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  std::condition_variable filled_;
+  std::optional<T> slot_;
+  std::int64_t superseded_ = 0;
+};
+
+}  // namespace quadrille::bus

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <lcmtypes/quadrille/pose_t.hpp>
+#include <lcmtypes/quadrille/quadrics_t.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/rejection.hpp"
+#include "quadrille/detector/detection.hpp"
+
+namespace quadrille::bus {
+
+/// The quadrics of one cloud, as they came in a message.
+struct QuadricsMessage {
+  /// That of the cloud [us].
+  std::int64_t utime = 0;
+  /// That of the cloud; 0 where the cloud has none.
+  std::int32_t seq = 0;
+  /// Name of the cloud's frame C.
+  std::string frame;
+  std::vector<Detection> detections;
+};
+
+/// The pose X_CF as a message.
+pose_t to_message(const Eigen::Isometry3d& X_CF);
+
+/// The pose of a message; its quaternion must have unit norm.
+Eigen::Isometry3d from_message(const pose_t& pose);
+
+/// One detection as a message; all in frame C.
+quadric_t to_message(const Detection& detection);
+
+/// The result of detection as a message stamped with its cloud's utime, seq and frame.
+quadrics_t to_message(const CloudMessage& cloud, const DetectionResult& result);
+
+/// Reads quadrics out of a message of type quadrille.quadrics_t, with every length, sign and value
+/// checked before the generated decoder sees the bytes.
+/// @param bytes      the message as it came, fingerprint first
+/// @param max_bytes  larger messages are refused [byte]
+Decoded<QuadricsMessage> decode_quadrics(std::span<const std::byte> bytes,
+                                         std::size_t max_bytes = kMaxMessageBytes);
+
+}  // namespace quadrille::bus

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+
+namespace quadrille::bus {
+
+/// Lets one record in an interval through and counts those it holds back.
+class RateLimiter {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit RateLimiter(std::chrono::milliseconds interval) : interval_(interval) {}
+
+  /// @return how many records were held back since the last one let through; nullopt to hold this
+  ///   one back too
+  std::optional<std::int64_t> admit(Clock::time_point now = Clock::now());
+
+ private:
+  std::chrono::milliseconds interval_;
+  std::optional<Clock::time_point> last_;
+  std::int64_t held_back_ = 0;
+};
+
+}  // namespace quadrille::bus

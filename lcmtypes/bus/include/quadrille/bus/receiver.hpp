@@ -1,0 +1,36 @@
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "quadrille/bus/connection.hpp"
+
+namespace quadrille::bus {
+
+/// Handles the messages of a connection in a thread of its own, from its start to its end.
+class Receiver {
+ public:
+  /// The connection must outlive this; subscribe before.
+  explicit Receiver(Connection& connection);
+  Receiver(const Receiver&) = delete;
+  Receiver& operator=(const Receiver&) = delete;
+  ~Receiver();
+
+  /// Throws what ended the thread, if something did: an exception of a handler, or a
+  /// std::runtime_error if the connection was lost.
+  void check();
+
+ private:
+  void run() noexcept;
+  void handle_until_stopped();
+
+  Connection& connection_;
+  std::atomic<bool> stop_{false};
+  std::mutex mutex_;
+  std::exception_ptr thrown_;
+  std::thread thread_;
+};
+
+}  // namespace quadrille::bus

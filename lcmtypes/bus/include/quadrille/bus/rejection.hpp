@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+
+namespace quadrille::bus {
+
+/// Why the bytes of a message were refused.
+enum class RejectReason {
+  kTooLarge,       ///< more bytes than the limit
+  kUnknownType,    ///< no fingerprint that is understood here
+  kCutShort,       ///< ends within a member
+  kBadLength,      ///< a length that is negative, or more than the bytes that are left
+  kTrailingBytes,  ///< bytes after the last member
+  kBadLayout,      ///< records in which x, y, z cannot be found
+  kBadValue,       ///< a value without meaning, such as an infinite coefficient
+  kInternal,       ///< valid perhaps, but not decoded: out of memory
+};
+
+inline constexpr int kRejectReasonCount = 8;
+
+/// The name used in status messages, such as "cut_short".
+std::string_view to_string(RejectReason reason);
+
+/// A refusal, with the member and the numbers it is about.
+struct Rejection {
+  RejectReason reason = RejectReason::kInternal;
+  std::string detail;
+};
+
+/// What became of the bytes of one message.
+template <class T>
+using Decoded = std::variant<T, Rejection>;
+
+/// Refusals counted by reason.
+class RejectCounts {
+ public:
+  void add(RejectReason reason) { ++counts_[static_cast<std::size_t>(reason)]; }
+  std::int64_t of(RejectReason reason) const { return counts_[static_cast<std::size_t>(reason)]; }
+  std::int64_t total() const;
+
+ private:
+  std::array<std::int64_t, kRejectReasonCount> counts_{};
+};
+
+}  // namespace quadrille::bus

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "quadrille/bus/connection.hpp"
+#include "quadrille/bus/event_log.hpp"
+
+namespace quadrille::bus {
+
+/// Hands every whole event of a log to the handler, in order and none skipped, through LCM's own
+/// file provider. Ends at the end of the log, or when a stop is requested.
+/// @return what the log's headers say; its defect tells of a log that was cut short
+/// @throws std::runtime_error as survey_log() does; and what the handler throws
+LogSurvey replay_log(const std::string& path, const Connection::Handler& handler);
+
+}  // namespace quadrille::bus

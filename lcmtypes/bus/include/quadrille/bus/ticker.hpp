@@ -1,0 +1,27 @@
+#pragma once
+
+#include <chrono>
+
+namespace quadrille::bus {
+
+/// Says when something periodic is due.
+class Ticker {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit Ticker(std::chrono::milliseconds period, Clock::time_point start = Clock::now())
+      : period_(period), last_(start) {}
+
+  /// True once a period; time that was missed is not made up for.
+  bool due(Clock::time_point now = Clock::now()) {
+    if (now - last_ < period_) return false;
+    last_ = now;
+    return true;
+  }
+
+ private:
+  std::chrono::milliseconds period_;
+  Clock::time_point last_;
+};
+
+}  // namespace quadrille::bus

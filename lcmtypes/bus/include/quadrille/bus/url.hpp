@@ -1,0 +1,27 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace quadrille::bus {
+
+/// An LCM address: provider://network?key=value&key=value.
+struct Url {
+  std::string provider, network;
+  std::map<std::string, std::string> arguments;
+
+  std::string to_string() const;
+};
+
+/// @throws std::invalid_argument if there is no "provider://"
+Url parse_url(const std::string& text);
+
+/// The address to use: the option if it is not empty, else $LCM_DEFAULT_URL if it is set and not
+/// empty, else LCM's own default, this machine only (ttl=0).
+std::string resolve_url(const std::string& option);
+
+/// The address that replays a log as fast as its events are handled, each of them and in order.
+/// @throws std::invalid_argument if the path holds characters that an LCM address cannot
+std::string replay_url(const std::string& path);
+
+}  // namespace quadrille::bus

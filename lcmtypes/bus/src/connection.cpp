@@ -1,0 +1,118 @@
+#include "quadrille/bus/connection.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "quadrille/bus/network.hpp"
+#include "quadrille/bus/url.hpp"
+
+namespace quadrille::bus {
+namespace {
+
+/// Has the address ask for a large receive buffer if it asks for none.
+/// @return what is wrong with the buffer that the kernel grants
+std::optional<std::string> set_receive_buffer(Url* url) {
+  const auto named = url->arguments.find("recv_buf_size");
+  const bool is_named = named != url->arguments.end();
+  const int asked = is_named ? std::atoi(named->second.c_str()) : kReceiveBufferBytes;
+  if (asked <= 0) throw std::invalid_argument("recv_buf_size: must be a number of bytes");
+  const int granted = granted_receive_buffer(asked);
+  // LCM would complain if it asked for more; the same complaint with a cure is ours.
+  if (!is_named) url->arguments["recv_buf_size"] = std::to_string(granted);
+  return find_buffer_problem(asked, granted);
+}
+
+std::string failure_to_connect(const Url& url) {
+  const std::string start = "LCM address " + url.to_string() + ": ";
+  if (url.provider == "file") return start + "cannot be read as an LCM log";
+  if (url.provider == "tcpq") {
+    return start + "no server answers; start one with: lcm-tcpq-server";
+  }
+  return start + "LCM cannot open it; check it, or leave --lcm-url and LCM_DEFAULT_URL out";
+}
+
+}  // namespace
+
+struct Connection::Subscriber {
+  Connection* connection;
+  /// Empty for all channels.
+  std::string channel;
+  Handler handler;
+};
+
+void check_channel(const std::string& channel) {
+  const bool fit = std::all_of(channel.begin(), channel.end(), [](char c) {
+    return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.' || c == '/';
+  });
+  if (channel.empty() || channel.size() > 63 || !fit) {
+    throw std::invalid_argument("channel '" + channel +
+                                "': must have 1 to 63 characters of A-Z a-z 0-9 _ - . /");
+  }
+}
+
+Connection::Connection(const std::string& url) {
+  Url parsed = parse_url(url);
+  if (const auto problem = find_route_problem(parsed)) throw std::runtime_error(*problem);
+  if (parsed.provider == "udpm") {
+    if (auto problem = set_receive_buffer(&parsed)) warnings_.push_back(std::move(*problem));
+  }
+  url_ = parsed.to_string();
+  lcm_.reset(lcm_create(url_.c_str()));
+  // Without a server tcpq looks well, but aborts when it is waited on.
+  if (!lcm_ || lcm_get_fileno(lcm_.get()) < 0) throw std::runtime_error(failure_to_connect(parsed));
+}
+
+Connection::~Connection() = default;
+
+void Connection::subscribe(const std::string& channel, Handler handler) {
+  check_channel(channel);
+  add_subscriber(channel, channel, std::move(handler));
+}
+
+void Connection::subscribe_all(Handler handler) { add_subscriber(".*", "", std::move(handler)); }
+
+void Connection::add_subscriber(const std::string& pattern, const std::string& channel,
+                                Handler handler) {
+  auto subscriber = std::make_unique<Subscriber>(Subscriber{this, channel, std::move(handler)});
+  if (lcm_subscribe(lcm_.get(), pattern.c_str(), &Connection::dispatch, subscriber.get()) ==
+      nullptr) {
+    throw std::runtime_error("LCM address " + url_ + ": cannot subscribe to '" + pattern + "'");
+  }
+  subscribers_.push_back(std::move(subscriber));
+}
+
+void Connection::dispatch(const lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept {
+  auto* subscriber = static_cast<Subscriber*>(user);
+  try {
+    // LCM reads the name as a regular expression, in which a dot is any character.
+    if (!subscriber->channel.empty() && subscriber->channel != channel) return;
+    subscriber->handler(channel, {static_cast<const std::byte*>(buffer->data), buffer->data_size});
+  } catch (...) {
+    if (!subscriber->connection->thrown_)
+      subscriber->connection->thrown_ = std::current_exception();
+  }
+}
+
+Connection::Outcome Connection::handle(int timeout_ms) {
+  const int status = lcm_handle_timeout(lcm_.get(), timeout_ms);
+  if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
+  if (status < 0) return Outcome::kEnd;
+  return status == 0 ? Outcome::kTimeout : Outcome::kHandled;
+}
+
+void Connection::publish(const std::string& channel, std::span<const std::byte> bytes) {
+  check_channel(channel);
+  if (bytes.size() > std::numeric_limits<unsigned>::max() ||
+      lcm_publish(lcm_.get(), channel.c_str(), bytes.data(), static_cast<unsigned>(bytes.size())) !=
+          0) {
+    throw std::runtime_error("LCM address " + url_ + ": cannot publish " +
+                             std::to_string(bytes.size()) + " bytes on " + channel);
+  }
+}
+
+}  // namespace quadrille::bus

@@ -1,0 +1,122 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "byte_reader.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+
+namespace quadrille::bus {
+namespace {
+
+constexpr std::size_t kMaxNameBytes = 256;
+/// Fixed members of a quadric, and of a dimension, with empty strings.
+constexpr std::size_t kLeastQuadricBytes = 225, kLeastDimensionBytes = 21, kLeastStringBytes = 5;
+
+void check_finite(ByteReader& reader, const char* member, int count) {
+  for (int i = 0; i < count; ++i) reader.read_finite(member);
+}
+
+void check_unit(ByteReader& reader, const char* member, int count) {
+  double squared = 0.0;
+  for (int i = 0; i < count; ++i) squared += std::pow(reader.read_finite(member), 2);
+  if (!(std::abs(squared - 1.0) < 1e-6)) {
+    refuse(RejectReason::kBadValue, std::string(member) + " is not of unit norm");
+  }
+}
+
+void check_quadric(ByteReader& reader) {
+  reader.read_int32("id");
+  const std::string type = reader.read_string("type", kMaxNameBytes);
+  if (!quadric_type_from_string(type)) {
+    refuse(RejectReason::kBadValue, "a quadric of unknown type");
+  }
+  check_unit(reader, "q", 10);
+  check_finite(reader, "score", 1);
+  reader.read_int32("inliers");
+  check_finite(reader, "rms", 1);
+  check_finite(reader, "position", 3);
+  check_unit(reader, "quaternion", 4);
+  const std::int32_t dimensions = reader.read_count("num_dimensions", kLeastDimensionBytes);
+  for (std::int32_t i = 0; i < dimensions; ++i) {
+    reader.read_string("dimension name", kMaxNameBytes);
+    check_finite(reader, "dimension", 1);
+    // A deviation that could not be estimated may be infinite or NaN.
+    reader.read_double("std");
+  }
+  check_finite(reader, "extent", 6);
+  check_finite(reader, "seen", 1);
+}
+
+/// Walks over all members; afterwards the generated decoder can allocate no more than a small
+/// multiple of the bytes.
+void check_quadrics(std::span<const std::byte> bytes) {
+  ByteReader reader(bytes);
+  if (reader.read_int64("the fingerprint") != quadrics_t::getHash()) {
+    refuse(RejectReason::kUnknownType, "not quadrille.quadrics_t");
+  }
+  reader.read_int64("utime");
+  reader.read_int32("seq");
+  reader.read_string("frame", kMaxFrameBytes);
+  reader.read_int64("points_read");
+  reader.read_int64("points_finite");
+  reader.read_int64("points_used");
+  const std::int32_t detections = reader.read_count("num_detections", kLeastQuadricBytes);
+  for (std::int32_t i = 0; i < detections; ++i) check_quadric(reader);
+  const std::int32_t warnings = reader.read_count("num_warnings", kLeastStringBytes);
+  for (std::int32_t i = 0; i < warnings; ++i) reader.skip_string("warning");
+  reader.expect_end();
+}
+
+Detection to_detection(const quadric_t& m) {
+  Detection detection;
+  detection.id = m.id;
+  detection.type = quadric_type_from_string(m.type).value();
+  detection.Q_C = Quadric(Vector10d(Eigen::Map<const Vector10d>(m.q)));
+  detection.score = m.score;
+  detection.inliers = m.inliers;
+  detection.rms = m.rms;
+  detection.X_CQ = from_message(m.pose);
+  for (const dimension_t& d : m.dimensions)
+    detection.dimensions.push_back({d.name, d.value, d.std});
+  detection.extent_Q = Eigen::AlignedBox3d(Eigen::Vector3d(m.extent_min),  //
+                                           Eigen::Vector3d(m.extent_max));
+  detection.seen = m.seen;
+  return detection;
+}
+
+}  // namespace
+
+Eigen::Isometry3d from_message(const pose_t& pose) {
+  Eigen::Isometry3d X_CF = Eigen::Isometry3d::Identity();
+  X_CF.translation() = Eigen::Vector3d(pose.position);
+  X_CF.linear() = Eigen::Quaterniond(pose.quaternion[0], pose.quaternion[1], pose.quaternion[2],
+                                     pose.quaternion[3])
+                      .normalized()
+                      .toRotationMatrix();
+  return X_CF;
+}
+
+Decoded<QuadricsMessage> decode_quadrics(std::span<const std::byte> bytes,
+                                         std::size_t max_bytes) try {
+  if (bytes.size() > max_bytes) {
+    refuse(RejectReason::kTooLarge, std::to_string(bytes.size()) + " bytes");
+  }
+  check_quadrics(bytes);
+  quadrics_t m;
+  const int size = static_cast<int>(bytes.size());
+  if (m.decode(bytes.data(), 0, size) != size) {
+    refuse(RejectReason::kBadLength, "the decoder reads another size");
+  }
+  QuadricsMessage message{m.utime, m.seq, m.frame, {}};
+  for (const quadric_t& quadric : m.detections) {
+    message.detections.push_back(to_detection(quadric));
+  }
+  return message;
+} catch (const Refused& refused) {
+  return refused.rejection;
+} catch (const std::bad_alloc&) {
+  return Rejection{RejectReason::kInternal, "out of memory"};
+}
+
+}  // namespace quadrille::bus

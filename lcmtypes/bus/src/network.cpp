@@ -1,0 +1,98 @@
+#include "quadrille/bus/network.hpp"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace quadrille::bus {
+namespace {
+
+class UdpSocket {
+ public:
+  UdpSocket() : fd_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
+    if (fd_ < 0) throw std::runtime_error(std::string("no UDP socket: ") + std::strerror(errno));
+  }
+  UdpSocket(const UdpSocket&) = delete;
+  UdpSocket& operator=(const UdpSocket&) = delete;
+  ~UdpSocket() { close(fd_); }
+
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+sockaddr_in parse_group(const std::string& network) {
+  const std::size_t colon = network.find(':');
+  sockaddr_in address = {};
+  address.sin_family = AF_INET;
+  int port = 0;
+  std::istringstream digits(colon == std::string::npos ? "" : network.substr(colon + 1));
+  if (inet_pton(AF_INET, network.substr(0, colon).c_str(), &address.sin_addr) != 1 ||
+      !(digits >> port) || !digits.eof() || port < 1 || port > 65535) {
+    throw std::invalid_argument("udpm address '" + network +
+                                "': must be ADDRESS:PORT such as 239.255.76.67:7667");
+  }
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  return address;
+}
+
+}  // namespace
+
+std::optional<std::string> find_route_problem(const Url& url) {
+  if (url.provider != "udpm" || url.network.empty()) return std::nullopt;
+  const sockaddr_in address = parse_group(url.network);
+  const UdpSocket socket;
+  // Connecting a UDP socket sends nothing; it only looks up the route.
+  if (connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0) {
+    return std::nullopt;
+  }
+  return "no route to the multicast group " + url.network + " (" + std::strerror(errno) +
+         "); mend it with: sudo ip link set lo up && sudo ip route add 224.0.0.0/4 dev lo";
+}
+
+std::optional<std::string> find_buffer_problem(int asked, int granted) {
+  constexpr int kEnough = 4 << 20;
+  if (granted >= kEnough) return std::nullopt;
+  const std::string start = "the receive buffer of " + std::to_string(granted) +
+                            " bytes is too small: clouds of more " + "than about " +
+                            std::to_string(granted) + " bytes will be lost; mend it with: ";
+  if (granted >= asked)
+    return start + "recv_buf_size=" + std::to_string(kReceiveBufferBytes) + " in the LCM address";
+  const std::string setting = "net.core.rmem_max=" + std::to_string(kReceiveBufferBytes);
+  return start + "sudo sysctl -w " + setting + " (and to keep it: echo " + setting +
+         " | sudo tee /etc/sysctl.d/60-lcm.conf)";
+}
+
+int granted_receive_buffer(int asked) {
+  const UdpSocket socket;
+  setsockopt(socket.get(), SOL_SOCKET, SO_RCVBUF, &asked, sizeof(asked));
+  int doubled = 0;
+  socklen_t size = sizeof(doubled);
+  getsockopt(socket.get(), SOL_SOCKET, SO_RCVBUF, &doubled, &size);
+  // The kernel adds as much again for its own bookkeeping and tells the sum.
+  return doubled / 2;
+}
+
+std::int64_t count_dropped_datagrams() {
+  std::ifstream snmp("/proc/net/snmp");
+  std::string names, values;
+  while (std::getline(snmp, names) && std::getline(snmp, values)) {
+    if (!names.starts_with("Udp:")) continue;
+    std::istringstream name_words(names), value_words(values);
+    std::string name, value;
+    while (name_words >> name && value_words >> value) {
+      if (name == "RcvbufErrors") return std::stoll(value);
+    }
+  }
+  return -1;
+}
+
+}  // namespace quadrille::bus

@@ -1,0 +1,58 @@
+#include "quadrille/bus/receiver.hpp"
+
+#include <signal.h>
+
+#include <chrono>
+#include <stdexcept>
+
+namespace quadrille::bus {
+namespace {
+
+// How soon a stop is noticed.
+constexpr int kWaitMs = 100;
+// LCM tells a signal and a lost peer alike; only the second comes again and again.
+constexpr int kFailuresOfLostPeer = 20;
+constexpr std::chrono::milliseconds kPauseAfterFailure{10};
+
+}  // namespace
+
+Receiver::Receiver(Connection& connection) : connection_(connection), thread_([this] { run(); }) {}
+
+Receiver::~Receiver() {
+  stop_ = true;
+  thread_.join();
+}
+
+void Receiver::check() {
+  const std::lock_guard lock(mutex_);
+  if (thrown_) std::rethrow_exception(thrown_);
+}
+
+void Receiver::run() noexcept {
+  // Signals are for the main thread.
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  try {
+    handle_until_stopped();
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    thrown_ = std::current_exception();
+  }
+}
+
+void Receiver::handle_until_stopped() {
+  int failures = 0;
+  while (!stop_) {
+    if (connection_.handle(kWaitMs) != Connection::Outcome::kEnd) {
+      failures = 0;
+    } else if (++failures == kFailuresOfLostPeer) {
+      throw std::runtime_error("LCM address " + connection_.url() +
+                               ": the connection is lost; start its server and this process anew");
+    } else {
+      std::this_thread::sleep_for(kPauseAfterFailure);
+    }
+  }
+}
+
+}  // namespace quadrille::bus

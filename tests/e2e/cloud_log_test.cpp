@@ -1,0 +1,111 @@
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "logs/cloud_log_reader.hpp"
+#include "logs/cloud_log_writer.hpp"
+#include "support/catch.hpp"
+
+namespace quadrille::logs {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that goes with its user.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string folder = (fs::temp_directory_path() / "quadrille-XXXXXX").string();
+    REQUIRE(mkdtemp(folder.data()) != nullptr);
+    folder_ = folder;
+  }
+  ~TemporaryFolder() { fs::remove_all(folder_); }
+  std::string file(const char* name) const { return (folder_ / name).string(); }
+
+ private:
+  fs::path folder_;
+};
+
+std::vector<PointCloud> make_clouds() {
+  std::vector<PointCloud> clouds(3);
+  for (int i = 0; i < 3; ++i) {
+    clouds[static_cast<std::size_t>(i)].frame = "camera";
+    clouds[static_cast<std::size_t>(i)].points = {{1.0f, 2.0f, 3.0f + i}, {4, 5, 6}};
+  }
+  return clouds;
+}
+
+TEST_CASE("clouds come out of a log as they went in, at the rate asked for", "[logs]") {
+  const TemporaryFolder folder;
+  const auto format = GENERATE(bus::CloudFormat::kDrake, bus::CloudFormat::kPointCloud2,
+                               bus::CloudFormat::kPointCloud);
+  CloudLogOptions options;
+  options.rate = 30.0;
+  options.channel = "LIDAR";
+  options.format = format;
+  write_cloud_log(folder.file("x.lcm"), make_clouds(), options);
+  CloudLogReader reader(folder.file("x.lcm"), "LIDAR");
+  const std::int64_t utimes[] = {33333, 66667, 100000};
+  for (int i = 0; i < 3; ++i) {
+    const auto got = reader.next();
+    REQUIRE(got);
+    CHECK(got->channel == "LIDAR");
+    CHECK(got->event_utime == utimes[i]);
+    CHECK(got->message.utime == utimes[i]);
+    CHECK(got->message.cloud.frame == "camera");
+    REQUIRE(got->message.cloud.points.size() == 2);
+    CHECK(got->message.cloud.points[0].z() == 3.0f + i);
+  }
+  CHECK_FALSE(reader.next());
+  CHECK(reader.rejected().total() == 0);
+  CHECK_FALSE(CloudLogReader(folder.file("x.lcm"), "POINT_CLOUD").next());
+}
+
+TEST_CASE("events that are no valid clouds are counted, other types passed over",
+          "[logs][hostile]") {
+  const TemporaryFolder folder;
+  const std::vector<std::byte> good =
+      bus::encode_cloud({1, 0, make_clouds()[0]}, bus::CloudFormat::kDrake);
+  std::vector<std::byte> long_one = good;
+  long_one.push_back(std::byte{0});
+  {
+    bus::LogWriter log(folder.file("x.lcm"));
+    log.write(1, "POSE", std::vector<std::byte>(20));
+    log.write(2, "POINT_CLOUD", long_one);
+    log.write(3, "POINT_CLOUD", std::vector<std::byte>(20));
+    log.write(4, "POINT_CLOUD", good);
+  }
+  CloudLogReader any(folder.file("x.lcm"));
+  CHECK(any.next());
+  CHECK_FALSE(any.next());
+  CHECK(any.rejected().total() == 1);
+  CloudLogReader named(folder.file("x.lcm"), "POINT_CLOUD");
+  CHECK(named.next());
+  CHECK_FALSE(named.next());
+  CHECK(named.rejected().of(bus::RejectReason::kTrailingBytes) == 1);
+  CHECK(named.rejected().of(bus::RejectReason::kUnknownType) == 1);
+}
+
+TEST_CASE("a log cut short gives its whole clouds and tells where it ends", "[logs][hostile]") {
+  const TemporaryFolder folder;
+  write_cloud_log(folder.file("x.lcm"), make_clouds());
+  fs::resize_file(folder.file("x.lcm"), fs::file_size(folder.file("x.lcm")) - 5);
+  CloudLogReader reader(folder.file("x.lcm"));
+  CHECK(reader.next());
+  CHECK(reader.next());
+  CHECK_FALSE(reader.next());
+  REQUIRE(reader.defect());
+  CHECK(reader.defect()->starts_with("cut short at byte "));
+}
+
+TEST_CASE("options out of range are refused", "[logs]") {
+  CloudLogOptions options;
+  options.rate = 0.0;
+  CHECK_THROWS_AS(options.check(), std::invalid_argument);
+  options.rate = 10.0;
+  options.channel = "A B";
+  CHECK_THROWS_AS(options.check(), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace quadrille::logs

@@ -1,0 +1,173 @@
+#!/usr/bin/env bash
+# The real processes, played to by lcm-logplayer and recorded by lcm-logger, in a network of their
+# own: run.sh BIN_FOLDER E2E_TOOL
+set -euo pipefail
+
+fail() {
+  echo "e2e: $*" >&2
+  exit 1
+}
+
+# A private network namespace needs no multicast route of the machine and hears no one else.
+if [[ -z ${QUADRILLE_E2E_PRIVATE:-} ]]; then
+  for unshare in "unshare -n" "unshare -rn"; do
+    if $unshare true 2>/dev/null; then
+      QUADRILLE_E2E_PRIVATE=yes exec $unshare "$0" "$@"
+    fi
+  done
+  ip route get 239.255.76.67 >/dev/null 2>&1 || fail "no multicast route and no right to make a" \
+    "network namespace; mend it with: sudo ip route add 224.0.0.0/4 dev lo"
+  QUADRILLE_E2E_PRIVATE=no
+fi
+export QUADRILLE_E2E_PRIVATE
+
+bin=$1
+tool=$2
+detector=$bin/quadrille-detector
+planner=$bin/quadrille-grasp-planner
+url="udpm://239.255.76.67:7667?ttl=0"
+# Whoever does not obey --lcm-url ends up where no one listens.
+export LCM_DEFAULT_URL="udpm://239.255.76.68:7668?ttl=0"
+work=$(mktemp -d)
+started=()
+
+clean_up() {
+  for process in "${started[@]}"; do kill -KILL "$process" 2>/dev/null || true; done
+  rm -rf "$work"
+}
+trap clean_up EXIT
+
+# wait_until SECONDS COMMAND…: until the command succeeds.
+wait_until() {
+  local tries=$(($1 * 20))
+  shift
+  until "$@"; do
+    ((tries-- > 0)) || return 1
+    sleep 0.05
+  done
+}
+
+# Sockets bound to the port 7667.
+enough_listeners() { [[ $(grep -c ':1DF3 ' /proc/net/udp) -ge $1 ]]; }
+
+# expect_exit STATUS TEXT COMMAND…: the command ends with that status and says the text on stderr.
+expect_exit() {
+  local wanted=$1 text=$2 status=0
+  shift 2
+  "$@" 2>"$work/stderr" >/dev/null || status=$?
+  [[ $status -eq $wanted ]] || fail "exit $status instead of $wanted: $* ($(<"$work/stderr"))"
+  [[ -z $text ]] || grep -qF -- "$text" "$work/stderr" || fail "no '$text' from: $* ($(<"$work/stderr"))"
+}
+
+# expect_end PROCESS NAME: it ends with status 0.
+expect_end() {
+  local status=0
+  wait "$1" || status=$?
+  [[ $status -eq 0 ]] || fail "$2 ended with $status: $(<"$work/$2.stderr")"
+}
+
+check_without_route() {
+  [[ $QUADRILLE_E2E_PRIVATE == yes ]] || return 0
+  expect_exit 1 "ip route add 224.0.0.0/4 dev lo" "$detector" --lcm-url "$url"
+  expect_exit 1 "ip route add 224.0.0.0/4 dev lo" "$planner" --lcm-url "$url"
+  ip link set lo up
+  ip route add 224.0.0.0/4 dev lo
+}
+
+check_command_lines() {
+  for program in "$detector" "$planner"; do
+    expect_exit 0 "" "$program" --help
+    expect_exit 2 "" "$program" --no-such-option
+    expect_exit 2 "--out-log" "$program" --in-log "$work/clouds.lcm"
+    expect_exit 1 "no such file" "$program" --in-log "$work/none.lcm" --out-log "$work/o.lcm"
+    expect_exit 1 "is not an LCM log" "$program" --in-log "$0" --out-log "$work/o.lcm"
+    expect_exit 1 "name another one" "$program" --in-log "$work/clouds.lcm" \
+      --out-log "$work/clouds.lcm"
+    expect_exit 1 "lcm-tcpq-server" "$program" --lcm-url tcpq://127.0.0.1:9
+    expect_exit 1 "pigeon" "$program" --lcm-url pigeon://
+  done
+  expect_exit 2 "the types are" "$detector" --only torus
+  expect_exit 2 "channel 'A B'" "$detector" --in-channel "A B"
+}
+
+run_offline() {
+  "$detector" --in-log "$work/clouds.lcm" --out-log "$work/quadrics.lcm" --copy-input
+  "$planner" --in-log "$work/quadrics.lcm" --out-log "$work/grasps.lcm"
+  "$tool" check-quadrics "$work/quadrics.lcm"
+}
+
+# A log that was cut short gives its whole clouds, and says so.
+check_cut_log() {
+  head -c 200000 "$work/clouds.lcm" >"$work/cut.lcm"
+  expect_exit 0 "cut short at byte" "$detector" --in-log "$work/cut.lcm" --out-log "$work/o.lcm"
+  [[ $(grep -c QUADRICS "$work/o.lcm" -a) -ge 1 ]] || fail "nothing from a log cut short"
+}
+
+# What `quadrille log` writes, as each message type, is what the detector replays.
+check_log_command() {
+  printf '%s\n' ply "format ascii 1.0" "element vertex 3" "property float x" "property float y" \
+    "property float z" end_header "0 0 1" "0.1 0 1" "0 0.1 1" >"$work/three.ply"
+  for type in drake pointcloud2 pointcloud; do
+    "$bin/quadrille" log "$work/three.lcm" "$work/three.ply" "$work/three.ply" --rate 20 \
+      --channel THREE --as "$type" >/dev/null
+    "$detector" -v --in-channel THREE --in-log "$work/three.lcm" --out-log "$work/o.lcm" \
+      2>"$work/stderr"
+    [[ $(grep -c " of 3 points" "$work/stderr") -eq 2 ]] || fail "not 2 clouds as $type"
+  done
+  expect_exit 2 "" "$bin/quadrille" log "$work/three.lcm" "$work/three.ply" --as png
+  expect_exit 1 "none.ply" "$bin/quadrille" log "$work/none.lcm" "$work/none.ply"
+  [[ ! -e $work/none.lcm ]] || fail "a log without clouds was left behind"
+}
+
+# run_live LOG RECORDED: plays the log to both processes.
+run_live() {
+  lcm-logger --lcm-url="$url" "$2" >"$work/logger.stdout" 2>"$work/logger.stderr" &
+  local logger=$!
+  "$detector" -v --lcm-url "$url" 2>"$work/detector.stderr" &
+  local detector_process=$!
+  "$planner" -v --lcm-url "$url" 2>"$work/planner.stderr" &
+  local planner_process=$!
+  started=("$logger" "$detector_process" "$planner_process")
+  wait_until 20 enough_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"
+  lcm-logplayer --lcm-url="$url" "$1" >/dev/null
+  # The last cloud has to pass through both; then each tells its last status.
+  wait_until 20 grep -q "cloud 3000000: " "$work/planner.stderr" ||
+    fail "no grasps for the last cloud: $(cat "$work"/*.stderr)"
+  peak=$(awk '/VmHWM/ {print $2}' "/proc/$detector_process/status")
+  kill -TERM "$detector_process"
+  expect_end "$detector_process" detector
+  kill -INT "$planner_process"
+  expect_end "$planner_process" planner
+  sleep 0.3
+  kill -INT "$logger"
+  wait "$logger" || fail "lcm-logger failed: $(<"$work/logger.stderr")"
+  started=()
+}
+
+compare_with_offline() {
+  "$tool" check-same "$1" "$work/quadrics.lcm" QUADRICS
+  for channel in GRASPS COLLISION_SHAPES OCCUPANCY; do
+    "$tool" check-same "$1" "$work/grasps.lcm" "$channel"
+  done
+}
+
+"$tool" make-logs "$work"
+check_without_route
+check_command_lines
+run_offline
+check_cut_log
+check_log_command
+
+run_live "$work/clouds.lcm" "$work/live.lcm"
+"$tool" check-status "$work/live.lcm"
+compare_with_offline "$work/live.lcm"
+
+# The hostile log carries the clouds as another type, with a seq of their own.
+"$detector" --in-log "$work/hostile.lcm" --out-log "$work/quadrics.lcm" --copy-input 2>/dev/null
+"$planner" --in-log "$work/quadrics.lcm" --out-log "$work/grasps.lcm" 2>/dev/null
+run_live "$work/hostile.lcm" "$work/live_hostile.lcm"
+"$tool" check-hostile-status "$work/live_hostile.lcm"
+compare_with_offline "$work/live_hostile.lcm"
+grep -q "refused a message" "$work/detector.stderr" || fail "garbage is not logged"
+((peak < 400000)) || fail "the detector took $peak kB on small messages"
+echo "e2e: all well"

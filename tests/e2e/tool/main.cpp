@@ -1,0 +1,33 @@
+// Makes the logs of the end-to-end test and checks what was recorded.
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+
+#include "tool.hpp"
+
+namespace {
+
+void run(const std::vector<std::string>& words) {
+  using namespace quadrille::e2e;
+  const std::string command = words.empty() ? "" : words[0];
+  if (command == "make-logs" && words.size() == 2) return make_logs(words[1]);
+  if (command == "check-quadrics" && words.size() == 2) return check_quadrics(words[1]);
+  if (command == "check-status" && words.size() == 2) return check_status(words[1], false);
+  if (command == "check-hostile-status" && words.size() == 2) return check_status(words[1], true);
+  if (command == "check-same" && words.size() == 4) return check_same(words[1], words[2], words[3]);
+  throw std::invalid_argument(
+      "use: make-logs FOLDER | check-quadrics LOG | check-status LOG | check-hostile-status LOG | "
+      "check-same LIVE OFFLINE CHANNEL");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    run({argv + 1, argv + argc});
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "e2e_tool: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace quadrille::e2e {
+
+/// Clouds in each of the logs.
+inline constexpr int kClouds = 6;
+
+/// Bytes that a process must refuse, with the reason that it must give.
+struct Garbage {
+  std::string channel;
+  std::vector<std::byte> bytes;
+  std::string reason;
+};
+
+/// One message for each of the ways in which bytes may be hostile.
+std::vector<Garbage> make_garbage();
+
+/// How often each reason must be given for messages on a channel of the hostile log.
+std::map<std::string, long> expected_rejections(const std::string& channel);
+
+/// Writes FOLDER/clouds.lcm, and FOLDER/hostile.lcm with garbage between the same clouds.
+void make_logs(const std::string& folder);
+
+/// Checks that the quadrics of a log are those that detect() finds in its clouds.
+void check_quadrics(const std::string& log);
+
+/// Checks that each message of a channel of the one log has equal bytes in the other, and that none
+/// is missing but those that the status says were superseded.
+void check_same(const std::string& live, const std::string& offline, const std::string& channel);
+
+/// Checks the last status of both processes.
+/// @param hostile  whether the garbage was on the bus too
+void check_status(const std::string& log, bool hostile);
+
+}  // namespace quadrille::e2e

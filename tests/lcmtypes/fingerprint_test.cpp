@@ -1,0 +1,16 @@
+#include <cstdint>
+#include <lcmtypes/bot_core/pointcloud2_t.hpp>
+#include <lcmtypes/bot_core/pointcloud_t.hpp>
+#include <lcmtypes/drake/lcmt_point_cloud.hpp>
+
+#include "support/catch.hpp"
+
+TEST_CASE("the input types have the fingerprints of those that drivers publish",
+          "[lcmtypes][contract]") {
+  const auto bits = [](std::int64_t hash) { return static_cast<std::uint64_t>(hash); };
+  CHECK(bits(drake::lcmt_point_cloud::getHash()) == 0x17f2c128b5d25a95u);
+  CHECK(bits(drake::lcmt_point_cloud_field::getHash()) == 0xd2628d58fb331b3fu);
+  CHECK(bits(bot_core::pointcloud2_t::getHash()) == 0x0bcd5ce4bf5a1b4au);
+  CHECK(bits(bot_core::pointfield_t::getHash()) == 0xb24e10825e0b476du);
+  CHECK(bits(bot_core::pointcloud_t::getHash()) == 0x0d89dc76eb295069u);
+}

@@ -1,0 +1,49 @@
+#include <array>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <lcmtypes/bot_core/pointcloud2_t.hpp>
+#include <lcmtypes/bot_core/pointcloud_t.hpp>
+#include <lcmtypes/drake/lcmt_point_cloud.hpp>
+#include <vector>
+
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+
+namespace {
+
+using namespace quadrille;
+
+/// The first byte chooses a fingerprint, so that the fuzzer need not guess one.
+std::vector<std::byte> make_message(const std::uint8_t* data, std::size_t size) {
+  const std::array<std::int64_t, 4> fingerprints = {
+      drake::lcmt_point_cloud::getHash(), bot_core::pointcloud2_t::getHash(),
+      bot_core::pointcloud_t::getHash(), quadrics_t::getHash()};
+  auto fingerprint = static_cast<std::uint64_t>(fingerprints[data[0] % fingerprints.size()]);
+  std::vector<std::byte> message(8 + size - 1);
+  for (int i = 7; i >= 0; --i, fingerprint >>= 8) {
+    message[static_cast<std::size_t>(i)] = static_cast<std::byte>(fingerprint & 0xff);
+  }
+  std::memcpy(message.data() + 8, data + 1, size - 1);
+  return message;
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  if (size == 0) return 0;
+  const std::vector<std::byte> message = make_message(data, size);
+  const auto cloud = bus::decode_cloud(message);
+  if (const auto* accepted = std::get_if<bus::CloudMessage>(&cloud)) {
+    if (accepted->cloud.points.size() * 4 > message.size()) std::abort();
+    if (bus::encode_cloud(*accepted, bus::CloudFormat::kDrake).empty()) std::abort();
+  }
+  const auto quadrics = bus::decode_quadrics(message);
+  if (const auto* accepted = std::get_if<bus::QuadricsMessage>(&quadrics)) {
+    DetectionResult result;
+    result.detections = accepted->detections;
+    bus::encode(bus::to_message(bus::CloudMessage{}, result));
+  }
+  return 0;
+}

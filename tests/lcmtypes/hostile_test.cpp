@@ -1,0 +1,190 @@
+#include <functional>
+#include <lcmtypes/bot_core/pointcloud2_t.hpp>
+#include <lcmtypes/bot_core/pointcloud_t.hpp>
+
+#include "samples.hpp"
+#include "support/catch.hpp"
+
+namespace quadrille::bus {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+RejectReason reason_of(const Bytes& bytes) {
+  const auto decoded = decode_cloud(bytes);
+  REQUIRE(std::holds_alternative<Rejection>(decoded));
+  return std::get<Rejection>(decoded).reason;
+}
+
+RejectReason quadrics_reason_of(const Bytes& bytes) {
+  const auto decoded = decode_quadrics(bytes);
+  REQUIRE(std::holds_alternative<Rejection>(decoded));
+  return std::get<Rejection>(decoded).reason;
+}
+
+Bytes encode_changed(const std::function<void(drake::lcmt_point_cloud&)>& change) {
+  auto message = test::make_wide_message(false);
+  change(message);
+  return encode(message);
+}
+
+/// A pointcloud_t of a frame "f" whose header stands alone.
+Bytes pointcloud_header(std::int32_t points) {
+  bot_core::pointcloud_t m{};
+  m.frame_id = "f";
+  Bytes bytes = encode(m);
+  // Fingerprint, utime, seq, length of the frame and its two bytes.
+  test::put_int32(bytes, 8 + 8 + 4 + 4 + 2, points);
+  return bytes;
+}
+
+TEST_CASE("a cloud cut short anywhere is refused", "[bus][hostile]") {
+  const auto format =
+      GENERATE(CloudFormat::kDrake, CloudFormat::kPointCloud2, CloudFormat::kPointCloud);
+  const Bytes whole = encode_cloud(test::make_cloud(), format);
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    const auto decoded = decode_cloud(std::span(whole).first(size));
+    CHECK(std::holds_alternative<Rejection>(decoded));
+  }
+  CHECK(reason_of({whole.begin(), whole.begin() + 11}) == RejectReason::kCutShort);
+}
+
+TEST_CASE("quadrics cut short anywhere are refused", "[bus][hostile]") {
+  const Bytes whole = test::make_quadrics_bytes();
+  for (std::size_t size = 0; size < whole.size(); ++size) {
+    CHECK(std::holds_alternative<Rejection>(decode_quadrics(std::span(whole).first(size))));
+  }
+}
+
+TEST_CASE("trailing bytes are refused", "[bus][hostile]") {
+  Bytes cloud = encode_cloud(test::make_cloud(), CloudFormat::kPointCloud);
+  cloud.push_back(std::byte{0});
+  CHECK(reason_of(cloud) == RejectReason::kTrailingBytes);
+  Bytes quadrics = test::make_quadrics_bytes();
+  quadrics.push_back(std::byte{0});
+  CHECK(quadrics_reason_of(quadrics) == RejectReason::kTrailingBytes);
+}
+
+TEST_CASE("another fingerprint is refused", "[bus][hostile]") {
+  Bytes bytes = encode_cloud(test::make_cloud(), CloudFormat::kDrake);
+  bytes[3] ^= std::byte{1};
+  CHECK(reason_of(bytes) == RejectReason::kUnknownType);
+  CHECK(reason_of(test::make_quadrics_bytes()) == RejectReason::kUnknownType);
+  CHECK(quadrics_reason_of(bytes) == RejectReason::kUnknownType);
+}
+
+TEST_CASE("a message above the limit is refused unread", "[bus][hostile]") {
+  const Bytes bytes = encode_cloud(test::make_cloud(), CloudFormat::kDrake);
+  const auto decoded = decode_cloud(bytes, bytes.size() - 1);
+  REQUIRE(std::holds_alternative<Rejection>(decoded));
+  CHECK(std::get<Rejection>(decoded).reason == RejectReason::kTooLarge);
+  CHECK(std::holds_alternative<CloudMessage>(decode_cloud(bytes, bytes.size())));
+}
+
+TEST_CASE("array lengths that are negative or overflow are refused", "[bus][hostile]") {
+  // 0x40000001 * 4 wraps to 4 in 32 bits, and 0x15555556 * 12 to 8.
+  const std::int32_t points =
+      GENERATE(-1, std::numeric_limits<std::int32_t>::min(), 0x40000001, 0x15555556, 0x7fffffff);
+  CHECK(reason_of(pointcloud_header(points)) == RejectReason::kBadLength);
+}
+
+TEST_CASE("a byte block larger than the message is refused before it is allocated",
+          "[bus][hostile]") {
+  bot_core::pointcloud2_t m{};
+  m.fields.resize(3);
+  m.nfields = 3;
+  for (int i = 0; i < 3; ++i) {
+    m.fields[static_cast<std::size_t>(i)].name = std::string(1, static_cast<char>('x' + i));
+    m.fields[static_cast<std::size_t>(i)].datatype = 7;
+  }
+  Bytes bytes = encode(m);
+  // The last five bytes are data_nbytes and is_dense.
+  test::put_int32(bytes, bytes.size() - 5, 0x7fffffff);
+  CHECK(reason_of(bytes) == RejectReason::kBadLength);
+  test::put_int32(bytes, bytes.size() - 5, -1);
+  CHECK(reason_of(bytes) == RejectReason::kBadLength);
+}
+
+TEST_CASE("a drake data_size beyond 32 bits is refused", "[bus][hostile]") {
+  Bytes bytes = encode(test::make_wide_message(false));
+  const std::size_t data_size = bytes.size() - 66 - 8;
+  test::put_int32(bytes, data_size, 1);
+  CHECK(reason_of(bytes) == RejectReason::kBadLength);
+  test::put_int32(bytes, data_size, -1);
+  CHECK(reason_of(bytes) == RejectReason::kBadLength);
+}
+
+TEST_CASE("a string of length zero, negative, or without its end mark is refused",
+          "[bus][hostile]") {
+  const Bytes whole = encode_cloud(test::make_cloud(), CloudFormat::kDrake);
+  // Fingerprint and utime come before the frame's length, its name and its end mark.
+  for (const std::int32_t length : {0, -1, 6, 1 << 30}) {
+    Bytes bytes = whole;
+    test::put_int32(bytes, 16, length);
+    CHECK(reason_of(bytes) == RejectReason::kBadLength);
+  }
+}
+
+TEST_CASE("layouts in which rows overlap or sizes overflow are refused", "[bus][hostile]") {
+  const auto refused = [](const std::function<void(drake::lcmt_point_cloud&)>& change) {
+    const RejectReason reason = reason_of(encode_changed(change));
+    return reason == RejectReason::kBadLayout || reason == RejectReason::kBadLength;
+  };
+  // A thousand million points out of a few bytes.
+  CHECK(refused([](auto& m) { m.height = 1000000, m.width = 2, m.row_step = 1; }));
+  CHECK(refused([](auto& m) { m.height = 1000000, m.width = 1000, m.row_step = 4; }));
+  CHECK(refused([](auto& m) { m.width = std::numeric_limits<std::int64_t>::max(); }));
+  CHECK(refused([](auto& m) { m.height = std::numeric_limits<std::int64_t>::max(); }));
+  CHECK(refused([](auto& m) { m.width = -1; }));
+  CHECK(refused([](auto& m) { m.height = -1, m.width = -2; }));
+  CHECK(refused([](auto& m) { m.row_step = -66; }));
+  CHECK(refused([](auto& m) { m.point_step = 0; }));
+  CHECK(refused([](auto& m) { m.point_step = -33; }));
+  CHECK(refused([](auto& m) { m.point_step = 24; }));
+  CHECK(refused([](auto& m) { m.width = 3; }));
+}
+
+TEST_CASE("fields that do not give one x, y and z of floats are refused", "[bus][hostile]") {
+  const auto reason = [](const std::function<void(drake::lcmt_point_cloud&)>& change) {
+    return reason_of(encode_changed(change));
+  };
+  CHECK(reason([](auto& m) { m.fields[2].name.assign(1, 'u'); }) == RejectReason::kBadLayout);
+  CHECK(reason([](auto& m) { m.fields[1].name.assign(1, 'x'); }) == RejectReason::kBadLayout);
+  CHECK(reason([](auto& m) { m.fields[2].datatype = 6; }) == RejectReason::kBadLayout);
+  CHECK(reason([](auto& m) { m.fields[2].datatype = 7; }) == RejectReason::kBadLayout);
+  CHECK(reason([](auto& m) { m.fields[2].byte_offset = -8; }) == RejectReason::kBadLayout);
+  CHECK(reason([](auto& m) { m.fields[2].byte_offset = 0x7fffffff; }) == RejectReason::kBadLayout);
+}
+
+TEST_CASE("quadrics with values without meaning are refused", "[bus][hostile]") {
+  const auto reason = [](const std::function<void(quadrics_t&)>& change) {
+    quadrics_t m = to_message(test::make_cloud(), test::make_result());
+    change(m);
+    return quadrics_reason_of(encode(m));
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(reason([](auto& m) { m.detections[0].type = "torus"; }) == RejectReason::kBadValue);
+  CHECK(reason([&](auto& m) { m.detections[0].q[3] = nan; }) == RejectReason::kBadValue);
+  CHECK(reason([](auto& m) { m.detections[0].q[0] = 2.0; }) == RejectReason::kBadValue);
+  CHECK(reason([&](auto& m) { m.detections[1].pose.position[0] = nan; }) ==
+        RejectReason::kBadValue);
+  CHECK(reason([](auto& m) { m.detections[1].pose.quaternion[0] = 0.1; }) ==
+        RejectReason::kBadValue);
+  CHECK(reason([&](auto& m) { m.detections[1].dimensions[0].value = 1.0 / 0.0; }) ==
+        RejectReason::kBadValue);
+  CHECK(reason([&](auto& m) { m.detections[1].extent_max[2] = nan; }) == RejectReason::kBadValue);
+}
+
+TEST_CASE("refusals are counted by reason", "[bus][hostile]") {
+  RejectCounts counts;
+  counts.add(RejectReason::kCutShort);
+  counts.add(RejectReason::kCutShort);
+  counts.add(RejectReason::kBadLayout);
+  CHECK(counts.of(RejectReason::kCutShort) == 2);
+  CHECK(counts.of(RejectReason::kBadLayout) == 1);
+  CHECK(counts.of(RejectReason::kTooLarge) == 0);
+  CHECK(counts.total() == 3);
+}
+
+}  // namespace
+}  // namespace quadrille::bus

@@ -1,0 +1,52 @@
+#include "quadrille/bus/mailbox.hpp"
+
+#include <memory>
+#include <thread>
+
+#include "support/catch.hpp"
+
+namespace quadrille::bus {
+namespace {
+
+using std::chrono::milliseconds;
+
+TEST_CASE("the newest item wins and the others are counted", "[bus][mailbox]") {
+  Mailbox<int> mailbox;
+  for (int i = 1; i <= 5; ++i) mailbox.put(i);
+  CHECK(mailbox.superseded() == 4);
+  CHECK(mailbox.take(milliseconds(0)) == 5);
+  CHECK(mailbox.take(milliseconds(0)) == std::nullopt);
+  mailbox.put(6);
+  CHECK(mailbox.take(milliseconds(0)) == 6);
+  CHECK(mailbox.superseded() == 4);
+}
+
+TEST_CASE("an item that comes while someone waits is taken", "[bus][mailbox]") {
+  Mailbox<std::unique_ptr<int>> mailbox;
+  std::thread sender([&] { mailbox.put(std::make_unique<int>(7)); });
+  const auto item = mailbox.take(milliseconds(10000));
+  sender.join();
+  REQUIRE(item);
+  CHECK(**item == 7);
+}
+
+TEST_CASE("every item is either taken or counted as superseded", "[bus][mailbox]") {
+  constexpr int kItems = 20000;
+  Mailbox<int> mailbox;
+  std::thread sender([&] {
+    for (int i = 1; i <= kItems; ++i) mailbox.put(i);
+  });
+  int taken = 0, last = 0;
+  while (last != kItems) {
+    const auto item = mailbox.take(milliseconds(10000));
+    REQUIRE(item);
+    REQUIRE(*item > last);
+    last = *item;
+    ++taken;
+  }
+  sender.join();
+  CHECK(taken + mailbox.superseded() == kItems);
+}
+
+}  // namespace
+}  // namespace quadrille::bus

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <lcmtypes/drake/lcmt_point_cloud.hpp>
+#include <limits>
+#include <vector>
+
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+
+namespace quadrille::test {
+
+/// An organised cloud of 4 x 3 points, two of them missing.
+inline bus::CloudMessage make_cloud() {
+  bus::CloudMessage message{1234567, 42, {}};
+  message.cloud.frame = "camera";
+  message.cloud.width = 4;
+  message.cloud.height = 3;
+  message.cloud.read = 12;
+  for (int i = 0; i < 12; ++i) {
+    message.cloud.points.emplace_back(0.1f * i, -0.2f * i, 1.0f + 0.01f * i);
+  }
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  message.cloud.points[5] = message.cloud.points[7] = {nan, nan, nan};
+  return message;
+}
+
+/// The same points as a row, the missing ones dropped.
+inline bus::CloudMessage make_unorganised_cloud() {
+  bus::CloudMessage message = make_cloud();
+  message.cloud.width = message.cloud.height = 0;
+  std::erase_if(message.cloud.points, [](const Eigen::Vector3f& p) { return !p.allFinite(); });
+  return message;
+}
+
+/// A cylinder and a plane as a detector would report them.
+inline DetectionResult make_result() {
+  Detection cylinder;
+  cylinder.id = 1;
+  cylinder.type = QuadricType::kCylinder;
+  Vector10d q;
+  q << 1, 1, 0, 0, 0, 0, 0, 0, 0, -0.0016;
+  cylinder.Q_C = Quadric(q).normalized();
+  cylinder.score = 0.9;
+  cylinder.inliers = 1234;
+  cylinder.rms = 0.0007;
+  cylinder.X_CQ = Eigen::Translation3d(0.1, -0.2, 0.9) *
+                  Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized());
+  cylinder.dimensions = {{"radius", 0.04, 0.0002}, {"length", 0.1, 0.001}};
+  cylinder.extent_Q = {Eigen::Vector3d(-0.04, -0.04, -0.05), Eigen::Vector3d(0.04, 0.04, 0.05)};
+  cylinder.seen = 0.4;
+  Detection plane = cylinder;
+  plane.id = 2;
+  plane.type = QuadricType::kPlane;
+  q << 0, 0, 0, 0, 0, 0, 0, 0, 0.5, -1;
+  plane.Q_C = Quadric(q).normalized();
+  plane.dimensions = {{"width", 1.0, 0.01}, {"height", 0.5, 0.01}};
+  DetectionResult result;
+  result.detections = {cylinder, plane};
+  result.points_finite = 10;
+  result.points_used = 9;
+  result.warnings = {"few points"};
+  return result;
+}
+
+/// A drake message of one row of float64 records, the coordinates at odd offsets.
+inline drake::lcmt_point_cloud make_wide_message(bool big_endian) {
+  drake::lcmt_point_cloud m;
+  m.utime = 7;
+  m.frame_name = "lidar";
+  m.width = 2;
+  m.height = 1;
+  m.point_step = 33;
+  m.row_step = 66;
+  m.flags = big_endian ? drake::lcmt_point_cloud::IS_BIGENDIAN : 0;
+  int offset = 1;
+  for (const char* name : {"z", "intensity", "x", "y"}) {
+    drake::lcmt_point_cloud_field field;
+    field.name = name;
+    field.byte_offset = offset;
+    field.datatype = drake::lcmt_point_cloud::FLOAT64;
+    field.count = 1;
+    m.fields.push_back(field);
+    offset += 8;
+  }
+  m.num_fields = 4;
+  m.filler = {0, 0, 0};
+  m.filler_size = 3;
+  m.data.assign(66, 0xee);
+  m.data_size = 66;
+  for (int point = 0; point < 2; ++point) {
+    for (int member = 0; member < 4; ++member) {
+      std::uint64_t bits = std::bit_cast<std::uint64_t>(10.0 * point + member + 0.5);
+      if (big_endian != (std::endian::native == std::endian::big)) bits = __builtin_bswap64(bits);
+      std::memcpy(&m.data[static_cast<std::size_t>(33 * point + 1 + 8 * member)], &bits, 8);
+    }
+  }
+  return m;
+}
+
+inline std::vector<std::byte> make_quadrics_bytes() {
+  return bus::encode(bus::to_message(make_cloud(), make_result()));
+}
+
+/// Overwrites a big-endian 32-bit number.
+inline void put_int32(std::vector<std::byte>& bytes, std::size_t at, std::int32_t value) {
+  for (int i = 0; i < 4; ++i) {
+    bytes[at + static_cast<std::size_t>(i)] =
+        static_cast<std::byte>(static_cast<std::uint32_t>(value) >> (24 - 8 * i) & 0xff);
+  }
+}
+
+}  // namespace quadrille::test

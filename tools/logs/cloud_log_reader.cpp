@@ -1,0 +1,24 @@
+#include "logs/cloud_log_reader.hpp"
+
+#include <utility>
+
+namespace quadrille::logs {
+
+CloudLogReader::CloudLogReader(const std::string& path, const std::string& channel)
+    : log_(path), channel_(channel) {}
+
+std::optional<LoggedCloud> CloudLogReader::next() {
+  while (const auto event = log_.next()) {
+    if (!channel_.empty() && event->channel != channel_) continue;
+    bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(event->bytes);
+    if (auto* message = std::get_if<bus::CloudMessage>(&decoded)) {
+      return LoggedCloud{std::move(*message), event->channel, event->utime};
+    }
+    const bus::RejectReason reason = std::get<bus::Rejection>(decoded).reason;
+    const bool other_type = reason == bus::RejectReason::kUnknownType && channel_.empty();
+    if (!other_type) rejected_.add(reason);
+  }
+  return std::nullopt;
+}
+
+}  // namespace quadrille::logs

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/event_log.hpp"
+#include "quadrille/bus/rejection.hpp"
+
+namespace quadrille::logs {
+
+/// One cloud of a log.
+struct LoggedCloud {
+  bus::CloudMessage message;
+  std::string channel;
+  /// When the event was logged [us].
+  std::int64_t event_utime = 0;
+};
+
+/// Reads the clouds of an LCM log in order, of all the formats.
+class CloudLogReader {
+ public:
+  /// @param channel  only this channel; empty: all channels, whose events of other types are passed
+  ///   over
+  /// @throws std::runtime_error naming file and offset if the file is missing, is not an LCM log,
+  /// or
+  ///   has an event with an absurd length; a log that is merely cut short gives its whole events
+  explicit CloudLogReader(const std::string& path, const std::string& channel = "");
+
+  /// The next cloud; nullopt at the end. Events that are no valid clouds are counted.
+  std::optional<LoggedCloud> next();
+
+  /// Events refused so far, by reason.
+  const bus::RejectCounts& rejected() const { return rejected_; }
+  /// Where the log is cut short; nullopt if it is whole.
+  const std::optional<std::string>& defect() const { return log_.survey().defect; }
+
+ private:
+  bus::LogReader log_;
+  std::string channel_;
+  bus::RejectCounts rejected_;
+};
+
+}  // namespace quadrille::logs

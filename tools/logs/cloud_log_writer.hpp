@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/event_log.hpp"
+
+namespace quadrille::logs {
+
+/// How clouds are written to a log.
+struct CloudLogOptions {
+  /// Clouds per second of the log's own time [Hz].
+  double rate = 10.0;
+  std::string channel = "POINT_CLOUD";
+  bus::CloudFormat format = bus::CloudFormat::kDrake;
+
+  /// @throws std::invalid_argument naming the field that is out of range
+  void check() const;
+};
+
+/// Writes clouds as an LCM log that lcm-logplayer and file:// play.
+class CloudLogWriter {
+ public:
+  /// @throws std::invalid_argument if an option is out of range
+  /// @throws std::runtime_error if the file cannot be made
+  CloudLogWriter(const std::string& path, const CloudLogOptions& options);
+
+  /// Appends a cloud; the n-th one, counted from 1, gets utime n / rate and seq n - 1.
+  /// @throws std::invalid_argument if the cloud does not fit into a message
+  /// @throws std::runtime_error if it cannot be written
+  void write(const PointCloud& cloud);
+
+  /// Hands all to the system.
+  /// @throws std::runtime_error if that fails
+  void flush() { log_.flush(); }
+
+  /// Clouds and bytes of messages so far.
+  std::int64_t clouds() const { return clouds_; }
+  std::int64_t bytes() const { return bytes_; }
+
+ private:
+  CloudLogOptions options_;
+  bus::LogWriter log_;
+  std::int64_t clouds_ = 0, bytes_ = 0;
+};
+
+/// Writes all the clouds at once, as by CloudLogWriter.
+void write_cloud_log(const std::string& path, std::span<const PointCloud> clouds,
+                     const CloudLogOptions& options = {});
+
+}  // namespace quadrille::logs

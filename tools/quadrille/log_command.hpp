@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace quadrille {
+
+/// Adds `log OUT.lcm INPUT…`: writes clouds as an LCM log.
+void add_log_command(CLI::App& app);
+
+}  // namespace quadrille
