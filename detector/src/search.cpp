@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array kGrowFamilies = {Family::kPlane, Family::kSphere, Family::kCylinder,
                                       Family::kCone, Family::kRevolution};
-constexpr int kGrowPoints = 200;
+constexpr int kGrowPoints = 128;
 
 /// Samples connected to the seed within a ball.
 std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float radius,

@@ -23,7 +23,7 @@ struct AggregateOptions {
   /// finer ones are searched, and their largest rms in multiples of the noise.
   double least_confidence_early = 0.8, largest_residual_early = 1.3;
   /// Points that a fit uses at most.
-  int fit_points = 400;
+  int fit_points = 240;
   /// Independent measurements at most, per sample and in all. Sensor noise comes in waves, and real
   /// objects are quadrics only nearly: more samples than this argue for no richer type.
   double effective_share = 0.0625, effective_size = 40.0;

@@ -14,9 +14,9 @@ struct SearchOptions {
   /// Radii of the neighbourhoods that bases are drawn from, in cells.
   std::vector<double> radii = {5.0, 9.0, 15.0};
   /// Bases per seed and radius.
-  int bases = 8;
+  int bases = 5;
   /// Voters per basis at most.
-  int voters = 160;
+  int voters = 100;
   /// Share of a neighbourhood that a hypothesis must explain.
   double least_support = 0.5;
   /// Samples that a candidate has at least.
