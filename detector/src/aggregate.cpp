@@ -127,12 +127,11 @@ std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
   SelectionOptions selection_options;
   selection_options.iterations = kIterations;
   selection_options.effective_share = surface.effective_size / static_cast<double>(points.size());
-  std::optional<Selection> selection =
-      select_family(points, kFamilies, *general, selection_options);
-  surface.Q = surface.local.to_frame(selection->best.posed.matrix()).normalized();
+  Selection selection = select_family(points, kFamilies, *general, selection_options);
+  surface.Q = surface.local.to_frame(selection.best.posed.matrix()).normalized();
   surface.rms =
-      surface.local.scale * std::sqrt(selection->best.rss / static_cast<double>(points.size()));
-  surface.fit = std::move(selection->best);
+      surface.local.scale * std::sqrt(selection.best.rss / static_cast<double>(points.size()));
+  surface.fit = std::move(selection.best);
   surface.region = std::move(region);
   return surface;
 }

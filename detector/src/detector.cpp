@@ -87,12 +87,11 @@ bool wanted(const Detection& detection, const DetectorOptions& options) {
          std::find(options.only.begin(), options.only.end(), detection.type) != options.only.end();
 }
 
-/// Curved quadrics first, then planes, each by the points that they explain with confidence.
+/// Best score first, of equal ones the larger.
 void rank(std::vector<Detection>* detections) {
-  const auto value = [](const Detection& d) { return d.score; };
   std::stable_sort(detections->begin(), detections->end(),
-                   [&](const Detection& a, const Detection& b) {
-                     return value(a) != value(b) ? value(a) > value(b) : a.inliers > b.inliers;
+                   [](const Detection& a, const Detection& b) {
+                     return a.score != b.score ? a.score > b.score : a.inliers > b.inliers;
                    });
   int id = 0;
   for (Detection& d : *detections) d.id = ++id;

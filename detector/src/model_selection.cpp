@@ -78,8 +78,8 @@ std::optional<FamilyFit> fit_family(const FitPoints& points, Family family,
   return refine(points, family, *best, iterations);
 }
 
-std::optional<Selection> select_family(const FitPoints& points, std::span<const Family> families,
-                                       const FamilyFit& general, const SelectionOptions& options) {
+Selection select_family(const FitPoints& points, std::span<const Family> families,
+                        const FamilyFit& general, const SelectionOptions& options) {
   const int size = static_cast<int>(points.size());
   Selection selection;
   selection.best = general;

@@ -35,8 +35,9 @@ void DetectorOptions::check() const {
   require_within("search.bases", search.bases, 1, 10000);
   require_within("search.voters", search.voters, 16, 100000);
   require_within("search.least_support", search.least_support, 0.0, 1.0);
-  require_within("search.least_samples", search.least_samples, 9, 1000000);
-  require_within("search.rounds", search.rounds, 1, 1000);
+  require_within("search.grow.least_samples", search.grow.least_samples, 9, 1000000);
+  require_within("search.grow.rounds", search.grow.rounds, 1, 1000);
+  require_within("search.grow.fit_points", search.grow.fit_points, 16, 1000000);
   require_within("aggregate.least_open", aggregate.least_open, 0.0, 1.0);
   require_within("aggregate.least_samples", aggregate.least_samples, 9, 1000000);
   require_within("aggregate.least_plane_samples", aggregate.least_plane_samples, 9, 1000000);

@@ -7,16 +7,15 @@
 #include <optional>
 
 #include "quadrille/detector/basis.hpp"
-#include "quadrille/detector/model_selection.hpp"
 #include "quadrille/detector/random.hpp"
 #include "quadrille/detector/vote.hpp"
 
 namespace quadrille {
 namespace {
 
-constexpr std::array kGrowFamilies = {Family::kPlane, Family::kSphere, Family::kCylinder,
-                                      Family::kCone, Family::kRevolution};
-constexpr int kGrowPoints = 128;
+// A basis further than this from lying on one quadric is not worth a vote; see inconsistency().
+constexpr double kMostInconsistent = 0.6;
+constexpr int kLeastSupport = 8;
 
 /// Samples connected to the seed within a ball.
 std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float radius,
@@ -97,10 +96,11 @@ class Searcher {
       const std::vector<int> around =
           neighbourhood(samples_, seed, static_cast<float>(*radius) * samples_.cell[seed], open_,
                         &stamp_, ++mark_);
-      if (static_cast<int>(around.size()) < options_.least_samples / 2) return std::nullopt;
+      if (static_cast<int>(around.size()) < options_.grow.least_samples / 2) return std::nullopt;
       const std::optional<Hypothesis> hypothesis = best_hypothesis(seed, around);
       if (!hypothesis) continue;
-      std::optional<Candidate> grown = grow(*hypothesis, around);
+      std::optional<Candidate> grown =
+          grow(samples_, hypothesis->Q, around, free_, inlier_, options_.grow);
       if (grown) return grown;
     }
     return std::nullopt;
@@ -125,7 +125,7 @@ class Searcher {
         point = {voters.point(k), voters.normal(k)};
       }
       const std::optional<Pencil> pencil = make_pencil(basis);
-      if (!pencil || inconsistency(basis) > 0.6) continue;
+      if (!pencil || inconsistency(basis) > kMostInconsistent) continue;
       for (const VotePeak& peak : vote(*pencil, voters, vote_options)) {
         const Eigen::Matrix4d Q = pencil->at(peak.lambda);
         const int support =
@@ -133,37 +133,9 @@ class Searcher {
         if (support > best.support) best = {local.to_frame(Q), support};
       }
     }
-    if (best.support < options_.least_support * n || best.support < 8) return std::nullopt;
+    if (best.support < options_.least_support * n || best.support < kLeastSupport)
+      return std::nullopt;
     return best;
-  }
-
-  std::optional<Candidate> grow(const Hypothesis& hypothesis, const std::vector<int>& around) {
-    Candidate candidate;
-    candidate.Q = hypothesis.Q;
-    std::vector<int> region = connected_inliers(samples_, around, candidate.Q, inlier_, free_);
-    for (int round = 0; round < options_.rounds; ++round) {
-      if (static_cast<int>(region.size()) < options_.least_samples) return std::nullopt;
-      const Normalisation local = normalisation_of(samples_, region);
-      const FitPoints points = fit_points(samples_, region, local, kGrowPoints);
-      const std::optional<FamilyFit> general = fit_family(points, Family::kGeneral, {}, 4);
-      if (!general) return std::nullopt;
-      SelectionOptions selection_options;
-      selection_options.effective_share = 0.1;
-      const std::optional<Selection> selection =
-          select_family(points, kGrowFamilies, *general, selection_options);
-      if (!selection) return std::nullopt;
-      candidate.Q = local.to_frame(selection->best.posed.matrix()).normalized();
-      candidate.family = selection->best.family;
-      candidate.rms = local.scale * std::sqrt(selection->best.rss / points.size());
-      std::vector<int> next = connected_inliers(samples_, region, candidate.Q, inlier_, free_);
-      const double change = std::abs(static_cast<double>(next.size()) - region.size());
-      const bool settled = change < 0.03 * static_cast<double>(region.size());
-      region = std::move(next);
-      if (settled && round > 0) break;
-    }
-    if (static_cast<int>(region.size()) < options_.least_samples) return std::nullopt;
-    candidate.region = std::move(region);
-    return candidate;
   }
 
   const SurfaceSamples& samples_;

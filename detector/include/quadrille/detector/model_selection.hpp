@@ -34,9 +34,9 @@ double bic(double rss, int size, int dof, const SelectionOptions& options);
 std::optional<FamilyFit> fit_family(const FitPoints& points, Family family,
                                     const std::vector<FamilyFit>& known, int iterations);
 
-/// Fits the families and selects one; nullopt if none can be fitted.
+/// Fits the families and selects one.
 /// @param general  the fit of the general family: no other fits better, which spares most fits
-std::optional<Selection> select_family(const FitPoints& points, std::span<const Family> families,
-                                       const FamilyFit& general, const SelectionOptions& options);
+Selection select_family(const FitPoints& points, std::span<const Family> families,
+                        const FamilyFit& general, const SelectionOptions& options);
 
 }  // namespace quadrille

@@ -53,8 +53,9 @@ void visit_options(Options& o, Visitor&& visit) {
   visit("search.bases", o.search.bases);
   visit("search.voters", o.search.voters);
   visit("search.least_support", o.search.least_support);
-  visit("search.least_samples", o.search.least_samples);
-  visit("search.rounds", o.search.rounds);
+  visit("search.grow.least_samples", o.search.grow.least_samples);
+  visit("search.grow.rounds", o.search.grow.rounds);
+  visit("search.grow.fit_points", o.search.grow.fit_points);
   visit("aggregate.least_open", o.aggregate.least_open);
   visit("aggregate.least_samples", o.aggregate.least_samples);
   visit("aggregate.least_plane_samples", o.aggregate.least_plane_samples);

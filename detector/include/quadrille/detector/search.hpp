@@ -3,8 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "quadrille/detector/family.hpp"
-#include "quadrille/detector/quadric.hpp"
+#include "quadrille/detector/grow.hpp"
 #include "quadrille/detector/region.hpp"
 #include "quadrille/detector/surface_samples.hpp"
 
@@ -19,20 +18,7 @@ struct SearchOptions {
   int voters = 100;
   /// Share of a neighbourhood that a hypothesis must explain.
   double least_support = 0.5;
-  /// Samples that a candidate has at least.
-  int least_samples = 25;
-  /// Rounds of growing and refitting.
-  int rounds = 5;
-};
-
-/// A quadric with the samples that support it.
-struct Candidate {
-  Quadric Q;
-  Family family = Family::kGeneral;
-  /// Indices into the samples that it was found on.
-  std::vector<int> region;
-  /// Root mean square distance of the region [m].
-  double rms = 0.0;
+  GrowOptions grow;
 };
 
 /// RANSAC over three-point bases with a vote in each (paper, section 4): seeds are drawn from the

@@ -1,0 +1,86 @@
+#include "quadrille/detector/two_planes.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace quadrille {
+namespace {
+
+constexpr int kNormalRounds = 5, kDistanceRounds = 4;
+
+/// Least-squares plane of the samples on one side, relative to the origin; far away if they are
+/// too few.
+Eigen::Vector4d plane_of_side(const SurfaceSamples& samples, std::span<const int> region,
+                              const std::vector<char>& side, char wanted,
+                              const Eigen::Vector3d& origin) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+  double n = 0;
+  for (std::size_t r = 0; r < region.size(); ++r) {
+    if (side[r] != wanted) continue;
+    const Eigen::Vector3d x = samples.raw[region[r]].cast<double>() - origin;
+    n += 1, sum += x, square += x * x.transpose();
+  }
+  if (n < 3) return {0, 0, 0, 1e3};
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+  eigen.computeDirect(square / n - sum * sum.transpose() / (n * n));
+  const Eigen::Vector3d m = eigen.eigenvectors().col(0);
+  return {m.x(), m.y(), m.z(), -m.dot(sum) / n};
+}
+
+/// The normal farthest from a direction.
+Eigen::Vector3f farthest_normal(const SurfaceSamples& samples, std::span<const int> region,
+                                const Eigen::Vector3f& from) {
+  int best = region[0];
+  for (const int i : region) {
+    if (samples.n[i].dot(from) < samples.n[best].dot(from)) best = i;
+  }
+  return samples.n[best];
+}
+
+/// Parts a region by its normals: 2-means from the two most different ones.
+std::vector<char> part_by_normals(const SurfaceSamples& samples, std::span<const int> region) {
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  for (const int i : region) mean += samples.n[i];
+  std::array<Eigen::Vector3f, 2> centre;
+  centre[0] = farthest_normal(samples, region, mean);
+  centre[1] = farthest_normal(samples, region, centre[0]);
+  std::vector<char> side(region.size(), 0);
+  for (int round = 0; round < kNormalRounds; ++round) {
+    std::array<Eigen::Vector3f, 2> sum = {Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};
+    for (std::size_t r = 0; r < region.size(); ++r) {
+      const Eigen::Vector3f& n = samples.n[region[r]];
+      side[r] = n.dot(centre[1]) > n.dot(centre[0]);
+      sum[static_cast<std::size_t>(side[r])] += n;
+    }
+    for (int c = 0; c < 2; ++c) {
+      if (sum[c].norm() > 0) centre[c] = sum[c].normalized();
+    }
+  }
+  return side;
+}
+
+}  // namespace
+
+double two_planes_rss(const SurfaceSamples& samples, std::span<const int> region) {
+  std::vector<char> side = part_by_normals(samples, region);
+  // Near an edge the smoothed normals lie between the faces: from here on the distance decides.
+  const Eigen::Vector3d origin = samples.raw[region[0]].cast<double>();
+  double rss = 0;
+  for (int round = 0; round < kDistanceRounds; ++round) {
+    const Eigen::Vector4d first = plane_of_side(samples, region, side, 0, origin);
+    const Eigen::Vector4d second = plane_of_side(samples, region, side, 1, origin);
+    rss = 0;
+    for (std::size_t r = 0; r < region.size(); ++r) {
+      const Eigen::Vector4d x = (samples.raw[region[r]].cast<double>() - origin).homogeneous();
+      const double a = std::abs(first.dot(x)), b = std::abs(second.dot(x));
+      side[r] = b < a;
+      rss += std::min(a * a, b * b);
+    }
+  }
+  return rss;
+}
+
+}  // namespace quadrille
