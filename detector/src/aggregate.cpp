@@ -8,9 +8,9 @@
 namespace quadrille {
 namespace {
 
-constexpr std::array kFamilies = {Family::kPlane,      Family::kSphere,    Family::kCylinder,
-                                  Family::kCone,       Family::kRevolution, Family::kParaboloid,
-                                  Family::kEllipticCylinder};
+constexpr std::array kFamilies = {
+    Family::kPlane,      Family::kSphere,     Family::kCylinder,        Family::kCone,
+    Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder};
 constexpr int kIterations = 8;
 // A candidate whose own fit is less credible than this is not worth a better one.
 constexpr double kHopeless = 0.1;
@@ -21,12 +21,13 @@ constexpr double kJointRms = 1.25;
 double support(const SurfaceSamples& samples, const Candidate& candidate, const InlierTest& test,
                const std::vector<char>& claimed) {
   const Eigen::Matrix4f Q = candidate.Q.matrix().cast<float>();
+  const float sigmas = static_cast<float>(test.sigmas);
   float sum = 0;
   for (const int i : candidate.region) {
     if (claimed[i]) continue;
     const Eigen::Vector4f x = samples.raw[i].homogeneous();
     const Eigen::Vector4f h = Q * x;
-    const float d = x.dot(h) / (2.0f * h.head<3>().norm() * test.sigmas * samples.sigma[i]);
+    const float d = x.dot(h) / (2.0f * h.head<3>().norm() * sigmas * samples.sigma[i]);
     sum += std::max(0.0f, 1.0f - d * d) * samples.cell[i] * samples.cell[i];
   }
   return sum;
@@ -40,14 +41,15 @@ double mean_sigma(const SurfaceSamples& samples, const std::vector<int>& region)
 
 }  // namespace
 
-Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& options)
-    : samples_(samples), options_(options), claimed_(samples.p.size(), 0) {}
+Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,
+                         const InlierTest& inlier)
+    : samples_(samples), options_(options), inlier_(inlier), claimed_(samples.p.size(), 0) {}
 
 void Aggregation::offer(std::vector<Candidate> candidates, bool early) {
   for (Candidate& c : candidates) pending_.push_back(std::move(c));
   std::vector<double> value;
   for (const Candidate& c : pending_) {
-    value.push_back(support(samples_, c, options_.inlier, claimed_));
+    value.push_back(support(samples_, c, inlier_, claimed_));
   }
   std::vector<Candidate> later;
   while (true) {
@@ -63,7 +65,7 @@ void Aggregation::offer(std::vector<Candidate> candidates, bool early) {
     for (const int i : surface->region) claimed_[i] = 1;
     surfaces_.push_back(std::move(*surface));
     for (std::size_t c = 0; c < pending_.size(); ++c) {
-      if (value[c] > 0) value[c] = support(samples_, pending_[c], options_.inlier, claimed_);
+      if (value[c] > 0) value[c] = support(samples_, pending_[c], inlier_, claimed_);
     }
   }
   pending_ = std::move(later);
@@ -97,8 +99,11 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
   extend(&*surface);
   surface->evidence = collect_evidence(samples_, surface->region, surface->Q);
   surface->confidence = confidence(surface->evidence, family_spec(surface->fit.family).dof);
-  if (surface->fit.family != Family::kPlane &&
-      (surface->confidence < least || surface->evidence.spread < options_.least_spread)) {
+  const bool plane = surface->fit.family == Family::kPlane;
+  if (plane && static_cast<int>(surface->region.size()) < options_.least_plane_samples) {
+    return std::nullopt;
+  }
+  if (!plane && (surface->confidence < least || surface->evidence.spread < options_.least_spread)) {
     return std::nullopt;
   }
   join(&*surface);
@@ -109,8 +114,7 @@ std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
   Surface surface;
   surface.local = normalisation_of(samples_, region);
   const FitPoints points = fit_points(samples_, region, surface.local, options_.fit_points);
-  const std::optional<FamilyFit> general =
-      fit_family(points, Family::kGeneral, {}, kIterations);
+  const std::optional<FamilyFit> general = fit_family(points, Family::kGeneral, {}, kIterations);
   if (!general) return std::nullopt;
   const double share =
       effective_share(samples_, region, surface.local.to_frame(general->posed.matrix()));
@@ -123,8 +127,8 @@ std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
   std::optional<Selection> selection =
       select_family(points, kFamilies, *general, selection_options);
   surface.Q = surface.local.to_frame(selection->best.posed.matrix()).normalized();
-  surface.rms = surface.local.scale *
-                std::sqrt(selection->best.rss / static_cast<double>(points.size()));
+  surface.rms =
+      surface.local.scale * std::sqrt(selection->best.rss / static_cast<double>(points.size()));
   surface.fit = std::move(selection->best);
   surface.region = std::move(region);
   return surface;
@@ -168,12 +172,12 @@ void Aggregation::join(Surface* surface) {
       std::optional<Surface> joint = fitted(std::move(all));
       joined = joint && joint->rms < kJointRms * std::max(surface->rms, other.rms) &&
                bic_of(*joint, surface->effective_size + other.effective_size) <
-                   bic_of(*surface, surface->effective_size) +
-                       bic_of(other, other.effective_size);
+                   bic_of(*surface, surface->effective_size) + bic_of(other, other.effective_size);
       if (joined) {
         joint->evidence = collect_evidence(samples_, joint->region, joint->Q);
-        joint->confidence = std::max({surface->confidence, other.confidence,
-                                      confidence(joint->evidence, family_spec(joint->fit.family).dof)});
+        joint->confidence =
+            std::max({surface->confidence, other.confidence,
+                      confidence(joint->evidence, family_spec(joint->fit.family).dof)});
         *surface = std::move(*joint);
         surfaces_.erase(surfaces_.begin() + static_cast<std::ptrdiff_t>(k));
       }
@@ -194,8 +198,8 @@ std::vector<int> Aggregation::further(const Surface& surface) const {
   box.extend(Eigen::Vector3d(box.max() + margin));
   std::vector<char> inside(samples_.p.size(), 0);
   for (const int i : surface.region) inside[i] = 1;
-  InlierTest test = options_.inlier;
-  test.sigmas *= static_cast<float>(options_.claim);
+  InlierTest test = inlier_;
+  test.sigmas *= options_.claim;
   const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
   std::vector<int> more;
   for (int i = 0; i < samples_.size(); ++i) {

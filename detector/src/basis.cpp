@@ -40,7 +40,8 @@ std::optional<Pencil> make_pencil(const std::array<OrientedPoint, 3>& basis) {
   const auto affine = [](const Eigen::Vector3d& g, double at, const Eigen::Vector3d& x) {
     return Eigen::Vector4d(g.x(), g.y(), g.z(), at - g.dot(x));
   };
-  const std::array<Eigen::Vector4d, 3> u = {affine(g1, 1, x1), affine(g2, 1, x2), affine(g3, 1, x3)};
+  const std::array<Eigen::Vector4d, 3> u = {affine(g1, 1, x1), affine(g2, 1, x2),
+                                            affine(g3, 1, x3)};
   Pencil pencil;
   pencil.plane = affine(m, 0, x1);
   pencil.Q0.setZero();

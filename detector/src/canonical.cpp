@@ -74,7 +74,8 @@ CanonicalForm ellipsoid(const Diagonal& d, const Eigen::Vector3d& centre, double
     return form;
   }
   // A spheroid's odd axis is z.
-  if (equal(axes[1].first, axes[2].first, tol)) std::rotate(axes.begin(), axes.begin() + 1, axes.end());
+  if (equal(axes[1].first, axes[2].first, tol))
+    std::rotate(axes.begin(), axes.begin() + 1, axes.end());
   form.type = QuadricType::kEllipsoid;
   form.X = frame(centre, d.R.col(axes[0].second), d.R.col(axes[2].second));
   form.dimensions = {{"a", axes[0].first}, {"b", axes[1].first}, {"c", axes[2].first}};
@@ -174,8 +175,7 @@ CanonicalForm from_rank_3(const Diagonal& d, double tol) {
   if (!definite) return hyperboloid(d, centre, constant, tol);
   if (constant != 0.0 && constant * d.lambda[0] < 0) return ellipsoid(d, centre, constant, tol);
   CanonicalForm form;
-  form.type =
-      constant == 0.0 ? QuadricType::kImaginaryCone : QuadricType::kImaginaryEllipsoid;
+  form.type = constant == 0.0 ? QuadricType::kImaginaryCone : QuadricType::kImaginaryEllipsoid;
   form.X.translation() = centre;
   return form;
 }

@@ -29,21 +29,20 @@ bool solve(const WindowSums& m, float* a, float* b, float* c) {
 }  // namespace
 
 SurfaceSamples make_depth_samples(const DepthCells& cells, const std::vector<char>& keep,
-                                  const NoiseModel& noise, int reach) {
+                                  const NoiseModel& noise, const Eigen::Isometry3f& X_CV,
+                                  int reach) {
   const int width = cells.width, height = cells.height;
-  const float step = cells.view.pitch * static_cast<float>(cells.pixels);
   const auto usable = [&](int c) { return cells.count[c] > 0 && (keep.empty() || keep[c]); };
 
   SurfaceSamples samples;
   std::vector<int> sample_of(static_cast<std::size_t>(cells.size()), -1);
-  const Eigen::Isometry3f X_CV = cells.view.X_VC.inverse();
   for (int j = 0; j < height; ++j) {
     for (int i = 0; i < width; ++i) {
       const int c = j * width + i;
       if (!usable(c)) continue;
       const float u0 = cells.u[c], v0 = cells.v[c], w0 = cells.w[c];
       const float z0 = 1.0f / w0;
-      const float limit = 3.0f * step * z0 + 0.008f * z0 * z0;
+      const float limit = continuous_step(cells, w0) * static_cast<float>(reach);
       WindowSums m;
       for (int y = std::max(0, j - reach); y <= std::min(height - 1, j + reach); ++y) {
         const int row = y * width;
@@ -51,7 +50,7 @@ SurfaceSamples make_depth_samples(const DepthCells& cells, const std::vector<cha
           const int k = row + x;
           if (!usable(k)) continue;
           const float dw = cells.w[k] - w0;
-          if (std::abs(dw) * z0 / cells.w[k] > limit * static_cast<float>(reach)) continue;
+          if (std::abs(dw) * z0 > limit * cells.w[k]) continue;
           const float s = cells.u[k] - u0, t = cells.v[k] - v0;
           m.n += 1, m.s += s, m.t += t, m.ss += s * s, m.st += s * t, m.tt += t * t;
           m.w += dw, m.sw += s * dw, m.tw += t * dw;

@@ -67,8 +67,7 @@ double planes_rss(const SurfaceSamples& samples, std::span<const int> region, in
     for (int c = 0; c < k; ++c) plane[c] = plane_of_group(samples, region, group, c, origin);
     rss = 0;
     for (std::size_t r = 0; r < region.size(); ++r) {
-      const Eigen::Vector4d x =
-          (samples.raw[region[r]].cast<double>() - origin).homogeneous();
+      const Eigen::Vector4d x = (samples.raw[region[r]].cast<double>() - origin).homogeneous();
       double least = 1e300;
       for (int c = 0; c < k; ++c) {
         const double d = std::abs(plane[c].dot(x));

@@ -22,8 +22,8 @@ struct Evaluation {
     gx = Q(0, 0) * p.x + Q(0, 1) * p.y + Q(0, 2) * p.z + Q(0, 3);
     gy = Q(0, 1) * p.x + Q(1, 1) * p.y + Q(1, 2) * p.z + Q(1, 3);
     gz = Q(0, 2) * p.x + Q(1, 2) * p.y + Q(2, 2) * p.z + Q(2, 3);
-    const Eigen::ArrayXf f = gx * p.x + gy * p.y + gz * p.z + Q(0, 3) * p.x + Q(1, 3) * p.y +
-                             Q(2, 3) * p.z + Q(3, 3);
+    const Eigen::ArrayXf f =
+        gx * p.x + gy * p.y + gz * p.z + Q(0, 3) * p.x + Q(1, 3) * p.y + Q(2, 3) * p.z + Q(3, 3);
     const Eigen::ArrayXf slope = (gx.square() + gy.square() + gz.square()).sqrt();
     const float least = std::max(1e-20f, kWeakGradient * slope.mean());
     inverse = 0.5f / slope.max(least);
@@ -86,7 +86,15 @@ Eigen::MatrixXd tangent_space(const FamilySpec& spec, const PosedQuadric& q) {
   return T;
 }
 
-PosedQuadric moved(const FamilySpec& spec, PosedQuadric q, const Eigen::VectorXd& step) {
+}  // namespace
+
+Eigen::Matrix4d PosedQuadric::matrix() const {
+  const Eigen::Matrix4d Y = X.inverse().matrix();
+  return Y.transpose() * D * Y;
+}
+
+PosedQuadric moved(Family family, PosedQuadric q, const Eigen::VectorXd& step) {
+  const FamilySpec& spec = family_spec(family);
   Eigen::Index k = 0;
   for (const Eigen::Matrix4d& shape : spec.shapes) q.D += step[k++] * shape;
   Eigen::Vector3d t = Eigen::Vector3d::Zero(), r = Eigen::Vector3d::Zero();
@@ -100,13 +108,6 @@ PosedQuadric moved(const FamilySpec& spec, PosedQuadric q, const Eigen::VectorXd
   return q;
 }
 
-}  // namespace
-
-Eigen::Matrix4d PosedQuadric::matrix() const {
-  const Eigen::Matrix4d Y = X.inverse().matrix();
-  return Y.transpose() * D * Y;
-}
-
 double sum_of_squares(const FitPoints& points, const Eigen::Matrix4d& Q) {
   return Evaluation(points, Q).residual.square().sum();
 }
@@ -115,7 +116,10 @@ std::optional<FamilyFit> refine(const FitPoints& points, Family family, const Po
                                 int iterations) {
   const FamilySpec& spec = family_spec(family);
   if (points.size() < spec.dof) return std::nullopt;
-  FamilyFit fit{family, start, 0.0, {}};
+  FamilyFit fit;
+  fit.family = family;
+  fit.posed = start;
+  fit.points = static_cast<int>(points.size());
   Eigen::Matrix<double, 11, 11> N = normal_equations(points, start.matrix());
   if (!N.allFinite()) return std::nullopt;
   fit.rss = N(10, 10);
@@ -129,7 +133,7 @@ std::optional<FamilyFit> refine(const FitPoints& points, Family family, const Po
                          Eigen::VectorXd::Constant(A.rows(), 1e-9 * A.diagonal().maxCoeff());
     const Eigen::VectorXd step = -damped.ldlt().solve(b);
     if (!step.allFinite()) break;
-    const PosedQuadric next = moved(spec, fit.posed, step);
+    const PosedQuadric next = moved(family, fit.posed, step);
     const Eigen::Matrix<double, 11, 11> M = normal_equations(points, next.matrix());
     if (M.allFinite() && M(10, 10) < fit.rss) {
       const bool converged = M(10, 10) > 0.999 * fit.rss;

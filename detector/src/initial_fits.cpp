@@ -14,8 +14,7 @@ using Matrix10d = Eigen::Matrix<double, 10, 10>;
 /// Pose at a position with its z axis along a direction.
 Eigen::Isometry3d pose_along(const Eigen::Vector3d& position, const Eigen::Vector3d& z) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-  X.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), z).toRotationMatrix();
+  X.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), z).toRotationMatrix();
   X.translation() = position;
   return X;
 }
@@ -67,8 +66,7 @@ std::optional<std::pair<Eigen::Vector3d, double>> circle_across(const FitPoints&
 
 std::optional<PosedQuadric> initial_plane(const FitPoints& p) {
   const Eigen::Vector3d mean = mean_x(p);
-  const Eigen::Matrix3d S =
-      sum_of_xx(p) - static_cast<double>(p.size()) * mean * mean.transpose();
+  const Eigen::Matrix3d S = sum_of_xx(p) - static_cast<double>(p.size()) * mean * mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(S);
   if (!(eigen.eigenvalues()[1] > 0)) return std::nullopt;
   PosedQuadric plane;
@@ -132,8 +130,9 @@ std::optional<PosedQuadric> initial_revolution(const FitPoints& p) {
       (p.x * p.ny - p.y * p.nx).matrix(), p.nx.matrix(), p.ny.matrix(), p.nz.matrix();
   const Matrix6d S = (H.transpose() * H).cast<double>();
   // Least |H [a m]| with |a| = 1: eliminate m.
-  const Eigen::Matrix3d Smm = S.bottomRightCorner<3, 3>() +
-                              1e-9 * S.bottomRightCorner<3, 3>().trace() * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d Smm =
+      S.bottomRightCorner<3, 3>() +
+      1e-9 * S.bottomRightCorner<3, 3>().trace() * Eigen::Matrix3d::Identity();
   const Eigen::Matrix3d K = -Smm.ldlt().solve(Eigen::Matrix3d(S.bottomLeftCorner<3, 3>()));
   const Eigen::Matrix3d reduced = S.topLeftCorner<3, 3>() + S.topRightCorner<3, 3>() * K;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
@@ -144,9 +143,7 @@ std::optional<PosedQuadric> initial_revolution(const FitPoints& p) {
   // Profile ρ² = α + β s + γ s².
   const Eigen::Isometry3d X = pose_along(foot, a);
   const Eigen::Isometry3f Y = X.inverse().cast<float>();
-  const auto local = [&](int r) {
-    return Y(r, 0) * p.x + Y(r, 1) * p.y + Y(r, 2) * p.z + Y(r, 3);
-  };
+  const auto local = [&](int r) { return Y(r, 0) * p.x + Y(r, 1) * p.y + Y(r, 2) * p.z + Y(r, 3); };
   const Eigen::ArrayXf s = local(2);
   Eigen::Matrix<float, Eigen::Dynamic, 4> M(p.size(), 4);
   M << Eigen::VectorXf::Ones(p.size()), s.matrix(), s.square().matrix(),
@@ -180,8 +177,7 @@ std::optional<PosedQuadric> initial_general(const FitPoints& p) {
   Eigen::Matrix<float, Eigen::Dynamic, 10> V(n, 10);
   V << p.x.square().matrix(), p.y.square().matrix(), p.z.square().matrix(),
       (2.0f * p.x * p.y).matrix(), (2.0f * p.x * p.z).matrix(), (2.0f * p.y * p.z).matrix(),
-      (2.0f * p.x).matrix(), (2.0f * p.y).matrix(), (2.0f * p.z).matrix(),
-      Eigen::VectorXf::Ones(n);
+      (2.0f * p.x).matrix(), (2.0f * p.y).matrix(), (2.0f * p.z).matrix(), Eigen::VectorXf::Ones(n);
   const Matrix10d S = (V.transpose() * V).cast<double>();
   // Scatter of the gradient: ∇v of x² is (2x, 0, 0), of 2xy is (2y, 2x, 0), of 2x is (2, 0, 0).
   const double xx = S(0, 9), yy = S(1, 9), zz = S(2, 9);
@@ -206,7 +202,8 @@ std::optional<PosedQuadric> initial_general(const FitPoints& p) {
       S.topLeftCorner<9, 9>() - S.topRightCorner<9, 1>() * S.bottomLeftCorner<1, 9>() / S(9, 9);
   Eigen::Matrix<double, 9, 9> weight = G.topLeftCorner<9, 9>();
   weight.diagonal().array() += 1e-9 * weight.trace();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> eigen(reduced, weight);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix<double, 9, 9>> eigen(reduced,
+                                                                                    weight);
   if (eigen.info() != Eigen::Success) return std::nullopt;
   Eigen::Matrix<double, 10, 1> q;
   q.head<9>() = eigen.eigenvectors().col(0);

@@ -23,9 +23,7 @@ struct Patch {
     m << 1, s, t, s * s, s * t, t * t;
     return m;
   }
-  float residual(float u, float v, float w) const {
-    return w / w0 - 1.0f - a.dot(monomials(u, v));
-  }
+  float residual(float u, float v, float w) const { return w / w0 - 1.0f - a.dot(monomials(u, v)); }
 };
 
 /// Fits a patch around cell (i, j); nullopt if it is mostly empty or a depth edge runs through it.
@@ -33,7 +31,7 @@ std::optional<Patch> fit_patch(const DepthCells& cells, int i, int j, int reach)
   const int centre = j * cells.width + i;
   Patch patch;
   patch.u0 = cells.u[centre], patch.v0 = cells.v[centre], patch.w0 = cells.w[centre];
-  patch.scale = 1.0f / (cells.view.pitch * static_cast<float>(cells.pixels * reach));
+  patch.scale = 1.0f / (cells.image.pitch * static_cast<float>(cells.pixels * reach));
   Eigen::Matrix<float, 6, 6> A = Eigen::Matrix<float, 6, 6>::Zero();
   Eigen::Matrix<float, 6, 1> b = Eigen::Matrix<float, 6, 1>::Zero();
   int n = 0;
@@ -58,9 +56,9 @@ std::optional<Patch> fit_patch(const DepthCells& cells, int i, int j, int reach)
 
 /// Root mean square residual in depth of the level's cells over the patch; negative if none.
 float patch_residual(const DepthCells& cells, const Patch& patch, double lost) {
-  const float step = cells.view.pitch * static_cast<float>(cells.pixels);
-  const int i = static_cast<int>((patch.u0 - cells.view.u0) / step);
-  const int j = static_cast<int>((patch.v0 - cells.view.v0) / step);
+  const float step = cells.image.pitch * static_cast<float>(cells.pixels);
+  const int i = static_cast<int>((patch.u0 - cells.image.u0) / step);
+  const int j = static_cast<int>((patch.v0 - cells.image.v0) / step);
   const int reach = std::max(1, static_cast<int>(1.0f / (patch.scale * step)));
   double square = 0;
   int n = 0;
@@ -78,8 +76,8 @@ float patch_residual(const DepthCells& cells, const Patch& patch, double lost) {
 }
 
 float quantile_of(std::vector<float>& values, double quantile) {
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(quantile * static_cast<double>(values.size() - 1));
+  const auto at = values.begin() +
+                  static_cast<std::ptrdiff_t>(quantile * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -101,8 +99,8 @@ NoiseModel fit_growth(std::vector<std::pair<float, float>> depth_residual, doubl
     residual[k] = std::max(kLeastSigma, quantile_of(r, quantile));
   }
   if (depth[1] > 1.2f * depth[0]) {
-    model.exponent = std::clamp(std::log(residual[1] / residual[0]) / std::log(depth[1] / depth[0]),
-                                1.0f, 2.5f);
+    model.exponent =
+        std::clamp(std::log(residual[1] / residual[0]) / std::log(depth[1] / depth[0]), 1.0f, 2.5f);
   }
   model.factor = std::sqrt(residual[0] / std::pow(depth[0], model.exponent) * residual[1] /
                            std::pow(depth[1], model.exponent));

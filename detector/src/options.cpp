@@ -1,15 +1,52 @@
 #include "quadrille/detector/options.hpp"
 
+#include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace quadrille {
+namespace {
+
+template <class Number>
+void require_within(const char* field, Number value, Number low, Number high) {
+  if (value >= low && value <= high) return;
+  std::ostringstream message;
+  message << field << " = " << value << ": must lie between " << low << " and " << high;
+  throw std::invalid_argument(message.str());
+}
+
+}  // namespace
 
 void DetectorOptions::check() const {
-  if (threads < 1 || threads > 256) {
-    throw std::invalid_argument("threads = " + std::to_string(threads) +
-                                ": must lie between 1 and 256");
-  }
+  require_within("threads", threads, 1, 256);
+  require_within("sampling.cell", sampling.cell, 1e-5, 10.0);
+  require_within("sampling.noisiest_cell", sampling.noisiest_cell, 0.01, 100.0);
+  require_within("sampling.noise.radius", sampling.noise.radius, 1e-4, 10.0);
+  require_within("sampling.noise.quantile", sampling.noise.quantile, 0.0, 1.0);
+  require_within("planes.least_samples", planes.least_samples, 4, 1000000);
+  require_within("planes.sigmas", planes.sigmas, 0.1, 100.0);
+  require_within("planes.angle", planes.angle, 0.01, M_PI_2);
+  require_within("planes.least_radius", planes.least_radius, 0.0, 1e6);
+  require_within("inlier.sigmas", inlier.sigmas, 0.1, 100.0);
+  require_within("inlier.cells", inlier.cells, 0.0, 10.0);
+  require_within("inlier.least_cosine", inlier.least_cosine, -1.0, 1.0);
+  require_within("search.bases", search.bases, 1, 10000);
+  require_within("search.voters", search.voters, 16, 100000);
+  require_within("search.least_support", search.least_support, 0.0, 1.0);
+  require_within("search.least_samples", search.least_samples, 9, 1000000);
+  require_within("search.rounds", search.rounds, 1, 1000);
+  require_within("aggregate.least_open", aggregate.least_open, 0.0, 1.0);
+  require_within("aggregate.least_samples", aggregate.least_samples, 9, 1000000);
+  require_within("aggregate.least_plane_samples", aggregate.least_plane_samples, 9, 1000000);
+  require_within("aggregate.least_confidence", aggregate.least_confidence, 0.0, 1.0);
+  require_within("aggregate.least_confidence_early", aggregate.least_confidence_early, 0.0, 1.0);
+  require_within("aggregate.largest_residual_early", aggregate.largest_residual_early, 0.0, 100.0);
+  require_within("aggregate.least_spread", aggregate.least_spread, 0.0, M_PI);
+  require_within("aggregate.fit_points", aggregate.fit_points, 16, 1000000);
+  require_within("aggregate.effective_share", aggregate.effective_share, 1e-4, 1.0);
+  require_within("aggregate.effective_size", aggregate.effective_size, 10.0, 1e9);
+  require_within("aggregate.claim", aggregate.claim, 0.1, 100.0);
 }
 
 }  // namespace quadrille

@@ -1,8 +1,8 @@
 #include "quadrille/detector/planes.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Geometry>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numeric>

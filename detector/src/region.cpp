@@ -25,7 +25,8 @@ Normalisation normalisation_of(const SurfaceSamples& samples, std::span<const in
   for (const int i : region) result.centre += samples.raw[i].cast<double>();
   result.centre /= static_cast<double>(region.size());
   double square = 0;
-  for (const int i : region) square += (samples.raw[i].cast<double>() - result.centre).squaredNorm();
+  for (const int i : region)
+    square += (samples.raw[i].cast<double>() - result.centre).squaredNorm();
   result.scale = std::max(1e-6, std::sqrt(square / static_cast<double>(region.size())));
   return result;
 }
@@ -40,7 +41,8 @@ FitPoints fit_points(const SurfaceSamples& samples, std::span<const int> region,
     const int i = region[k * region.size() / size];
     const Eigen::Vector3f x = (samples.raw[i] - centre) * inverse;
     points.x[k] = x.x(), points.y[k] = x.y(), points.z[k] = x.z();
-    points.nx[k] = samples.n[i].x(), points.ny[k] = samples.n[i].y(), points.nz[k] = samples.n[i].z();
+    points.nx[k] = samples.n[i].x(), points.ny[k] = samples.n[i].y(),
+    points.nz[k] = samples.n[i].z();
   }
   return points;
 }
@@ -52,9 +54,10 @@ bool is_inlier(const SurfaceSamples& samples, int i, const Eigen::Matrix4f& Q,
   const float f = x.dot(h);
   const Eigen::Vector3f g = h.head<3>();
   const float slope = g.norm();
-  const float limit = test.sigmas * samples.sigma[i] + test.cells * samples.cell[i];
+  const float limit = static_cast<float>(test.sigmas) * samples.sigma[i] +
+                      static_cast<float>(test.cells) * samples.cell[i];
   return std::abs(f) <= 2.0f * slope * limit &&
-         std::abs(g.dot(samples.n[i])) >= test.least_cosine * slope;
+         std::abs(g.dot(samples.n[i])) >= static_cast<float>(test.least_cosine) * slope;
 }
 
 std::vector<int> connected_inliers(const SurfaceSamples& samples, std::span<const int> start,

@@ -48,17 +48,18 @@ int count_support(const FitPoints& p, const Eigen::Matrix4d& matrix, float limit
   const Eigen::ArrayXf f =
       gx * p.x + gy * p.y + gz * p.z + Q(0, 3) * p.x + Q(1, 3) * p.y + Q(2, 3) * p.z + Q(3, 3);
   const Eigen::ArrayXf slope = (gx.square() + gy.square() + gz.square()).sqrt();
-  return static_cast<int>((f.abs() <= 2.0f * limit * slope &&
-                           gx * p.nx + gy * p.ny + gz * p.nz >= least_cosine * slope)
-                              .count());
+  return static_cast<int>(
+      (f.abs() <= 2.0f * limit * slope && gx * p.nx + gy * p.ny + gz * p.nz >= least_cosine * slope)
+          .count());
 }
 
 class Searcher {
  public:
   Searcher(const SurfaceSamples& samples, std::vector<char> open, const SearchOptions& options,
-           std::uint64_t seed)
+           const InlierTest& inlier, std::uint64_t seed)
       : samples_(samples),
         options_(options),
+        inlier_(inlier),
         seed_(seed),
         free_(open),
         open_(std::move(open)),
@@ -110,12 +111,12 @@ class Searcher {
     const Normalisation local = normalisation_of(samples_, around);
     FitPoints voters = fit_points(samples_, around, local, options_.voters);
     const float limit = static_cast<float>(
-        (options_.inlier.sigmas * samples_.sigma[seed] + options_.inlier.cells * samples_.cell[seed]) /
+        (inlier_.sigmas * samples_.sigma[seed] + inlier_.cells * samples_.cell[seed]) /
         local.scale);
     const int n = static_cast<int>(voters.size());
     VoteOptions vote_options;
     vote_options.least_height = std::max(0.1, 2.0 * limit);
-    vote_options.least_cosine = options_.inlier.least_cosine;
+    vote_options.least_cosine = inlier_.least_cosine;
     Hypothesis best;
     for (int trial = 0; trial < options_.bases; ++trial) {
       std::array<OrientedPoint, 3> basis;
@@ -127,7 +128,8 @@ class Searcher {
       if (!pencil || inconsistency(basis) > 0.6) continue;
       for (const VotePeak& peak : vote(*pencil, voters, vote_options)) {
         const Eigen::Matrix4d Q = pencil->at(peak.lambda);
-        const int support = count_support(voters, Q, limit, options_.inlier.least_cosine);
+        const int support =
+            count_support(voters, Q, limit, static_cast<float>(inlier_.least_cosine));
         if (support > best.support) best = {local.to_frame(Q), support};
       }
     }
@@ -138,8 +140,7 @@ class Searcher {
   std::optional<Candidate> grow(const Hypothesis& hypothesis, const std::vector<int>& around) {
     Candidate candidate;
     candidate.Q = hypothesis.Q;
-    std::vector<int> region =
-        connected_inliers(samples_, around, candidate.Q, options_.inlier, free_);
+    std::vector<int> region = connected_inliers(samples_, around, candidate.Q, inlier_, free_);
     for (int round = 0; round < options_.rounds; ++round) {
       if (static_cast<int>(region.size()) < options_.least_samples) return std::nullopt;
       const Normalisation local = normalisation_of(samples_, region);
@@ -148,12 +149,13 @@ class Searcher {
       if (!general) return std::nullopt;
       SelectionOptions selection_options;
       selection_options.effective_share = 0.1;
-      const std::optional<Selection> selection = select_family(points, kGrowFamilies, *general, selection_options);
+      const std::optional<Selection> selection =
+          select_family(points, kGrowFamilies, *general, selection_options);
       if (!selection) return std::nullopt;
       candidate.Q = local.to_frame(selection->best.posed.matrix()).normalized();
       candidate.family = selection->best.family;
       candidate.rms = local.scale * std::sqrt(selection->best.rss / points.size());
-      std::vector<int> next = connected_inliers(samples_, region, candidate.Q, options_.inlier, free_);
+      std::vector<int> next = connected_inliers(samples_, region, candidate.Q, inlier_, free_);
       const double change = std::abs(static_cast<double>(next.size()) - region.size());
       const bool settled = change < 0.03 * static_cast<double>(region.size());
       region = std::move(next);
@@ -166,6 +168,7 @@ class Searcher {
 
   const SurfaceSamples& samples_;
   const SearchOptions& options_;
+  const InlierTest& inlier_;
   const std::uint64_t seed_;
   /// Samples that may support a candidate.
   std::vector<char> free_;
@@ -178,8 +181,9 @@ class Searcher {
 }  // namespace
 
 std::vector<Candidate> search(const SurfaceSamples& samples, std::vector<char> open,
-                              const SearchOptions& options, std::uint64_t seed) {
-  return Searcher(samples, std::move(open), options, seed).run();
+                              const SearchOptions& options, const InlierTest& inlier,
+                              std::uint64_t seed) {
+  return Searcher(samples, std::move(open), options, inlier, seed).run();
 }
 
 }  // namespace quadrille

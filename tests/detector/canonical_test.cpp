@@ -108,5 +108,6 @@ TEST_CASE("a zero, constant or NaN matrix has no canonical form", "[canonical][d
   Eigen::Matrix4d constant = Eigen::Matrix4d::Zero();
   constant(3, 3) = 1.0;
   CHECK_THROWS_AS(canonical_form(Quadric(constant)), std::invalid_argument);
-  CHECK_THROWS_AS(canonical_form(Quadric(Eigen::Matrix4d(Eigen::Matrix4d::Constant(NAN)))), std::invalid_argument);
+  CHECK_THROWS_AS(canonical_form(Quadric(Eigen::Matrix4d(Eigen::Matrix4d::Constant(NAN)))),
+                  std::invalid_argument);
 }

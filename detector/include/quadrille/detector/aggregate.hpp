@@ -13,21 +13,20 @@ namespace quadrille {
 struct AggregateOptions {
   /// Share of a candidate's samples that no better one has claimed.
   double least_open = 0.5;
-  /// Samples of a surface at least.
-  int least_samples = 30;
+  /// Samples of a surface at least, and of a plane that was not found before.
+  int least_samples = 30, least_plane_samples = 60;
   /// Least confidence of a curved surface; see evidence.hpp.
   double least_confidence = 0.4;
   /// Least spread of the normals of a curved surface [rad]: less is a plane, or anything.
   double least_spread = 0.35;
-  /// Least confidence for candidates of the coarser levels, which claim their samples before the finer
-  /// ones are searched, and their largest rms in multiples of the noise.
+  /// Least confidence for candidates of the coarser levels, which claim their samples before the
+  /// finer ones are searched, and their largest rms in multiples of the noise.
   double least_confidence_early = 0.8, largest_residual_early = 1.3;
   /// Points that a fit uses at most.
   int fit_points = 400;
   /// Independent measurements at most, per sample and in all. Sensor noise comes in waves, and real
   /// objects are quadrics only nearly: more samples than this argue for no richer type.
   double effective_share = 0.0625, effective_size = 40.0;
-  InlierTest inlier;
   /// Factor on the distance within which an accepted quadric claims further samples.
   double claim = 1.3;
 };
@@ -54,7 +53,8 @@ struct Surface {
 class Aggregation {
  public:
   /// @param samples  on which regions and claims are counted; must outlive this
-  Aggregation(const SurfaceSamples& samples, const AggregateOptions& options);
+  Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,
+              const InlierTest& inlier);
 
   /// Takes over candidates, with regions in terms of the samples, and accepts what can be accepted.
   /// @param early  true while finer levels are still to come: only clear cases claim samples
@@ -74,6 +74,7 @@ class Aggregation {
 
   const SurfaceSamples& samples_;
   AggregateOptions options_;
+  InlierTest inlier_;
   std::vector<char> claimed_;
   std::vector<Candidate> pending_;
   std::vector<Surface> surfaces_;

@@ -13,8 +13,10 @@ namespace quadrille {
 /// exact on a plane and has the normal (b, c, a) in the view's frame.
 /// @param keep   per cell, zero to leave it out of everything; empty means all
 /// @param noise  for the samples' sigma
+/// @param X_CV   pose of the view's frame in frame C
 /// @param reach  half the window, in cells
 SurfaceSamples make_depth_samples(const DepthCells& cells, const std::vector<char>& keep,
-                                  const NoiseModel& noise, int reach);
+                                  const NoiseModel& noise, const Eigen::Isometry3f& X_CV,
+                                  int reach);
 
 }  // namespace quadrille

@@ -18,7 +18,9 @@ struct FitPoints {
   explicit FitPoints(Eigen::Index size = 0)
       : x(size), y(size), z(size), nx(size), ny(size), nz(size) {}
   Eigen::Index size() const { return x.size(); }
-  Eigen::Vector3d point(Eigen::Index i) const { return Eigen::Vector3f(x[i], y[i], z[i]).cast<double>(); }
+  Eigen::Vector3d point(Eigen::Index i) const {
+    return Eigen::Vector3f(x[i], y[i], z[i]).cast<double>();
+  }
   Eigen::Vector3d normal(Eigen::Index i) const {
     return Eigen::Vector3f(nx[i], ny[i], nz[i]).cast<double>();
   }
@@ -37,9 +39,14 @@ struct FamilyFit {
   PosedQuadric posed;
   /// Sum of squared first-order distances |f| / |∇f|, in the squared unit of the points.
   double rss = 0.0;
+  /// Number of points.
+  int points = 0;
   /// JᵀJ of the residuals with respect to the family's parameters (shapes, then motions).
   Eigen::MatrixXd information;
 };
+
+/// The quadric after a step in a family's parameters (shapes, then motions).
+PosedQuadric moved(Family family, PosedQuadric quadric, const Eigen::VectorXd& step);
 
 /// Sum of squared first-order distances of the points.
 double sum_of_squares(const FitPoints& points, const Eigen::Matrix4d& Q);

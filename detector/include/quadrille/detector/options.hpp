@@ -3,11 +3,15 @@
 #include <cstdint>
 #include <vector>
 
+#include "quadrille/detector/aggregate.hpp"
+#include "quadrille/detector/cell_pyramid.hpp"
+#include "quadrille/detector/planes.hpp"
 #include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/search.hpp"
 
 namespace quadrille {
 
-/// All settings of the detector.
+/// All settings of the detector, stage by stage.
 struct DetectorOptions {
   /// Chooses the random stream.
   std::uint64_t seed = 1;
@@ -16,17 +20,51 @@ struct DetectorOptions {
   /// Report only these types; empty means all.
   std::vector<QuadricType> only;
 
+  SamplingOptions sampling;
+  PlaneOptions planes;
+  /// When a sample lies on a quadric, for search and aggregation.
+  InlierTest inlier;
+  SearchOptions search;
+  AggregateOptions aggregate;
+
   /// @throws std::invalid_argument naming the field that is out of range
   void check() const;
 };
 
 /// Calls visit(name, field) for each scalar setting, in the order of the configuration file.
-/// A name is the dotted TOML key, such as "planes.max_distance"; a field is double, int, bool or
+/// A name is the dotted TOML key, such as "planes.sigmas"; a field is double, int, bool or
 /// std::uint64_t.
 template <class Options, class Visitor>
 void visit_options(Options& o, Visitor&& visit) {
   visit("seed", o.seed);
   visit("threads", o.threads);
+  visit("sampling.cell", o.sampling.cell);
+  visit("sampling.noisiest_cell", o.sampling.noisiest_cell);
+  visit("sampling.noise.radius", o.sampling.noise.radius);
+  visit("sampling.noise.quantile", o.sampling.noise.quantile);
+  visit("planes.least_samples", o.planes.least_samples);
+  visit("planes.sigmas", o.planes.sigmas);
+  visit("planes.angle", o.planes.angle);
+  visit("planes.least_radius", o.planes.least_radius);
+  visit("inlier.sigmas", o.inlier.sigmas);
+  visit("inlier.cells", o.inlier.cells);
+  visit("inlier.least_cosine", o.inlier.least_cosine);
+  visit("search.bases", o.search.bases);
+  visit("search.voters", o.search.voters);
+  visit("search.least_support", o.search.least_support);
+  visit("search.least_samples", o.search.least_samples);
+  visit("search.rounds", o.search.rounds);
+  visit("aggregate.least_open", o.aggregate.least_open);
+  visit("aggregate.least_samples", o.aggregate.least_samples);
+  visit("aggregate.least_plane_samples", o.aggregate.least_plane_samples);
+  visit("aggregate.least_confidence", o.aggregate.least_confidence);
+  visit("aggregate.least_confidence_early", o.aggregate.least_confidence_early);
+  visit("aggregate.largest_residual_early", o.aggregate.largest_residual_early);
+  visit("aggregate.least_spread", o.aggregate.least_spread);
+  visit("aggregate.fit_points", o.aggregate.fit_points);
+  visit("aggregate.effective_share", o.aggregate.effective_share);
+  visit("aggregate.effective_size", o.aggregate.effective_size);
+  visit("aggregate.claim", o.aggregate.claim);
 }
 
 }  // namespace quadrille

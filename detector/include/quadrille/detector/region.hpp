@@ -9,7 +9,8 @@
 
 namespace quadrille {
 
-/// Similarity that carries a region's points to about the unit ball: x_local = (x − centre) / scale.
+/// Similarity that carries a region's points to about the unit ball: x_local = (x − centre) /
+/// scale.
 struct Normalisation {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double scale = 1.0;
@@ -29,9 +30,9 @@ FitPoints fit_points(const SurfaceSamples& samples, std::span<const int> region,
 
 struct InlierTest {
   /// Largest distance in multiples of a sample's sigma, plus a share of its cell.
-  float sigmas = 3.0f, cells = 0.1f;
-  /// Least |cosine| between normal and gradient.
-  float least_cosine = 0.9f;
+  double sigmas = 3.0, cells = 0.1;
+  /// Least |cosine| between normal and gradient; -1 to ignore normals.
+  double least_cosine = 0.9;
 };
 
 /// True if sample i lies on Q with a compatible normal, up to sign: on surfaces seen inside and

@@ -23,7 +23,6 @@ struct SearchOptions {
   int least_samples = 25;
   /// Rounds of growing and refitting.
   int rounds = 5;
-  InlierTest inlier;
 };
 
 /// A quadric with the samples that support it.
@@ -40,6 +39,7 @@ struct Candidate {
 /// samples that nothing explains yet; the best hypothesis of a seed is grown and refitted.
 /// @param open  per sample, zero to leave it out
 std::vector<Candidate> search(const SurfaceSamples& samples, std::vector<char> open,
-                              const SearchOptions& options, std::uint64_t seed);
+                              const SearchOptions& options, const InlierTest& inlier,
+                              std::uint64_t seed);
 
 }  // namespace quadrille

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "quadrille/detector/point_cloud.hpp"
+
+namespace quadrille {
+
+/// What a look at the points alone tells.
+struct CloudCheck {
+  std::size_t finite = 0;
+  /// False if no surface can be found in the points.
+  bool usable = false;
+  /// Why not, or what looks wrong.
+  std::vector<std::string> warnings;
+};
+
+/// Checks that a cloud has enough points that do not all coincide or lie on a line, and that its
+/// coordinates look like metres.
+CloudCheck check_cloud(const PointCloud& cloud);
+
+}  // namespace quadrille

@@ -1,0 +1,70 @@
+#include "quadrille/detector/cloud_check.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+namespace {
+
+constexpr std::size_t kLeastPoints = 50;
+// Nothing to grasp is this far away, but in millimetres most things are.
+constexpr float kFarthest = 50.0f;
+// Larger coordinates are no measurement; their squares would overflow single precision.
+constexpr float kLargest = 1e9f;
+
+}  // namespace
+
+CloudCheck check_cloud(const PointCloud& cloud) {
+  CloudCheck check;
+  std::vector<float> distance;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+  double looked = 0;
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / 5000);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Eigen::Vector3f& p = cloud.points[i];
+    if (!p.allFinite()) continue;
+    if (check.finite++ == 0) origin = p.cast<double>();
+    if (i % stride) continue;
+    const Eigen::Vector3d x = p.cast<double>() - origin;
+    looked += 1, sum += x, square += x * x.transpose();
+    distance.push_back(static_cast<float>((p.cast<double>() - cloud.viewpoint).norm()));
+  }
+  if (check.finite < kLeastPoints) {
+    check.warnings.push_back("only " + std::to_string(check.finite) +
+                             " finite points; a surface needs at least " +
+                             std::to_string(kLeastPoints));
+    return check;
+  }
+  if (distance.empty()) {
+    check.usable = true;
+    return check;
+  }
+  const auto middle = distance.begin() + static_cast<std::ptrdiff_t>(distance.size() / 2);
+  std::nth_element(distance.begin(), middle, distance.end());
+  if (!(*middle < kLargest)) {
+    check.warnings.push_back("coordinates are too large to be a measurement in metres");
+    return check;
+  }
+  if (*middle > kFarthest) {
+    check.warnings.push_back(
+        "half of the points are more than 50 m away: the coordinates look like "
+        "millimetres; give metres");
+  }
+  const Eigen::Vector3d mean = sum / looked;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+      Eigen::Matrix3d(square / looked - mean * mean.transpose()));
+  const Eigen::Vector3d spread = eigen.eigenvalues();
+  if (!(spread[2] > 1e-18)) {
+    check.warnings.push_back("all points coincide");
+  } else if (spread[1] < 1e-8 * spread[2]) {
+    check.warnings.push_back("all points lie on a line");
+  } else {
+    check.usable = true;
+  }
+  return check;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,95 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "quadrille/detector/cell_pyramid.hpp"
+#include "quadrille/detector/depth_cells.hpp"
+#include "quadrille/detector/depth_samples.hpp"
+#include "quadrille/detector/parallel.hpp"
+
+namespace quadrille {
+namespace {
+
+// More cells with layers than this, and the cloud is no single view.
+constexpr double kMostLayered = 0.25;
+constexpr int kMostPixels = 32;
+// Half windows of the regressions, in cells.
+constexpr int kPlaneReach = 1, kReach = 2;
+
+class DepthPyramid : public CellPyramid {
+ public:
+  DepthPyramid(const Eigen::Isometry3f& X_CV, std::array<DepthCells, kLevels> cells,
+               std::vector<NoiseModel> noise)
+      : X_CV_(X_CV), cells_(std::move(cells)), noise_(std::move(noise)) {}
+
+  int size(int level) const override { return cells_[level].size(); }
+  int parent(int level, int cell) const override {
+    const int width = cells_[level].width;
+    return (cell / width / 2) * cells_[level + 1].width + (cell % width) / 2;
+  }
+  int count(int cell) const override { return cells_[0].count[cell]; }
+  Eigen::Vector3f mean(int cell) const override { return X_CV_ * cells_[0].position_V(cell); }
+  float sigma(int cell) const override { return noise_[0].sigma(1.0f / cells_[0].w[cell]); }
+
+  SurfaceSamples coarse_samples() const override {
+    return make_depth_samples(cells_[kLevels - 1], {}, noise_[kLevels - 1], X_CV_, kPlaneReach);
+  }
+
+  std::vector<SurfaceSamples> samples(const std::vector<char>& keep, int threads) const override {
+    std::array<DepthCells, kLevels> rest;
+    for (int l = 1; l < kLevels; ++l) {
+      rest[l] = l == 1 ? coarser(cells_[0], keep) : coarser(rest[l - 1], {});
+    }
+    std::vector<SurfaceSamples> levels(kLevels);
+    parallel_for(kLevels, threads, [&](int l) {
+      levels[l] = l == 0 ? make_depth_samples(cells_[0], keep, noise_[0], X_CV_, kReach)
+                         : make_depth_samples(rest[l], {}, noise_[l], X_CV_, kReach);
+    });
+    return levels;
+  }
+
+ private:
+  Eigen::Isometry3f X_CV_;
+  std::array<DepthCells, kLevels> cells_;
+  std::vector<NoiseModel> noise_;
+};
+
+/// Depth that a third of the points are nearer than.
+float near_depth(const Projection& projection) {
+  std::vector<float> w;
+  const std::size_t stride = std::max<std::size_t>(1, projection.uvw.size() / 5000);
+  for (std::size_t i = 0; i < projection.uvw.size(); i += stride)
+    w.push_back(projection.uvw[i].z());
+  const auto third = w.begin() + static_cast<std::ptrdiff_t>(w.size() * 7 / 10);
+  std::nth_element(w.begin(), third, w.end());
+  return 1.0f / *third;
+}
+
+}  // namespace
+
+std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
+                                                const SamplingOptions& options) {
+  const std::optional<Projection> projection = project(cloud);
+  if (!projection) return nullptr;
+  const std::optional<PinholeImage> image = find_image(*projection);
+  if (!image) return nullptr;
+  const float z = near_depth(*projection);
+  const double pixels = std::clamp(options.cell / (image->pitch * z), 1.0, 1.0 * kMostPixels);
+  std::array<DepthCells, kLevels> cells;
+  cells[0] = make_depth_cells(*projection, *image, static_cast<int>(std::lround(pixels)));
+  if (cells[0].layered > kMostLayered) return nullptr;
+  const auto coarsen = [&] {
+    for (int l = 1; l < kLevels; ++l) cells[l] = coarser(cells[l - 1], {});
+  };
+  coarsen();
+  std::vector<NoiseModel> noise = measure_noise(cells, options.noise);
+  if (noise[0].sigma(z) > options.noisiest_cell * cells[0].metric(1.0f / z)) {
+    cells[0] = std::move(cells[1]);
+    coarsen();
+    noise = measure_noise(cells, options.noise);
+  }
+  return std::make_unique<DepthPyramid>(projection->X_VC.inverse(), std::move(cells),
+                                        std::move(noise));
+}
+
+}  // namespace quadrille
