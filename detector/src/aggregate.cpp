@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "quadrille/detector/canonical.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -91,12 +93,13 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
     }
   }
   std::optional<Surface> surface = fitted(std::move(open));
-  if (!surface) return std::nullopt;
+  if (!surface || is_thin(*surface)) return std::nullopt;
   if (early &&
       surface->rms > options_.largest_residual_early * mean_sigma(samples_, surface->region)) {
     return std::nullopt;
   }
   extend(&*surface);
+  if (is_thin(*surface)) return std::nullopt;
   surface->evidence = collect_evidence(samples_, surface->region, surface->Q);
   surface->confidence = confidence(surface->evidence, family_spec(surface->fit.family).dof);
   const bool plane = surface->fit.family == Family::kPlane;
@@ -132,6 +135,17 @@ std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
   surface.fit = std::move(selection->best);
   surface.region = std::move(region);
   return surface;
+}
+
+/// True if the surface is so thin that its two sides lie within the noise of each other: next to a
+/// doubled plane the first-order distance is half the true one, and such fits look too good.
+bool Aggregation::is_thin(const Surface& surface) const {
+  const CanonicalForm form = canonical_form(Quadric(surface.fit.posed.matrix()), 1e-7);
+  if (is_imaginary(form.type)) return true;
+  const double least = 3.0 * mean_sigma(samples_, surface.region) / surface.local.scale;
+  return std::any_of(form.dimensions.begin(), form.dimensions.end(), [&](const auto& dimension) {
+    return dimension.second < (is_angle(dimension.first) ? 0.02 : least);
+  });
 }
 
 /// Adds all open samples within the quadric's extent that lie on it, and refits if they are many:

@@ -171,6 +171,26 @@ std::optional<PosedQuadric> initial_paraboloid(const PosedQuadric& revolution) {
   return paraboloid;
 }
 
+std::optional<PosedQuadric> tangent_cone(const PosedQuadric& revolution) {
+  // About z = 0, ρ² = −j − 2 i z − c z²: radius r, slope dρ/dz = −i / r.
+  const double i = revolution.D(2, 3), j = revolution.D(3, 3);
+  if (!(j < 0) || std::abs(i) < 1e-9) return std::nullopt;
+  const double r = std::sqrt(-j), slope = -i / r;
+  if (std::abs(r / slope) > 1e3) return std::nullopt;
+  PosedQuadric cone;
+  cone.X = revolution.X * Eigen::Translation3d(0, 0, -r / slope);
+  cone.D = diagonal(1, 1, -slope * slope, 0);
+  return cone;
+}
+
+std::optional<PosedQuadric> tangent_cylinder(const PosedQuadric& revolution) {
+  const double j = revolution.D(3, 3);
+  if (!(j < 0)) return std::nullopt;
+  PosedQuadric cylinder = revolution;
+  cylinder.D = diagonal(1, 1, 0, j);
+  return cylinder;
+}
+
 std::optional<PosedQuadric> initial_general(const FitPoints& p) {
   const Eigen::Index n = p.size();
   if (n < 9) return std::nullopt;

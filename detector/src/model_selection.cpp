@@ -30,9 +30,11 @@ std::vector<PosedQuadric> starts(const FitPoints& points, Family family,
       break;
     case Family::kCylinder:
       add(initial_cylinder(points));
+      if (const auto round = initial_revolution(points)) add(tangent_cylinder(*round));
       break;
     case Family::kCone:
       add(initial_cone(points));
+      if (const auto round = initial_revolution(points)) add(tangent_cone(*round));
       break;
     case Family::kRevolution:
       add(initial_revolution(points));
@@ -65,12 +67,15 @@ double bic(double rss, int size, int dof, const SelectionOptions& options) {
 
 std::optional<FamilyFit> fit_family(const FitPoints& points, Family family,
                                     const std::vector<FamilyFit>& known, int iterations) {
-  std::optional<FamilyFit> best;
-  for (const PosedQuadric& start : starts(points, family, known)) {
-    std::optional<FamilyFit> fit = refine(points, family, start, iterations);
-    if (fit && (!best || fit->rss < best->rss)) best = std::move(fit);
+  const PosedQuadric* best = nullptr;
+  double least = 0.0;
+  const std::vector<PosedQuadric> list = starts(points, family, known);
+  for (const PosedQuadric& start : list) {
+    const double rss = sum_of_squares(points, start.matrix());
+    if (!best || rss < least) best = &start, least = rss;
   }
-  return best;
+  if (!best) return std::nullopt;
+  return refine(points, family, *best, iterations);
 }
 
 std::optional<Selection> select_family(const FitPoints& points, std::span<const Family> families,

@@ -27,7 +27,8 @@ void DetectorOptions::check() const {
   require_within("planes.least_samples", planes.least_samples, 4, 1000000);
   require_within("planes.sigmas", planes.sigmas, 0.1, 100.0);
   require_within("planes.angle", planes.angle, 0.01, M_PI_2);
-  require_within("planes.least_radius", planes.least_radius, 0.0, 1e6);
+  require_within("planes.least_radius", planes.least_radius, 1e-6, 1e6);
+  require_within("planes.least_proven_radius", planes.least_proven_radius, 1e-6, 1e6);
   require_within("inlier.sigmas", inlier.sigmas, 0.1, 100.0);
   require_within("inlier.cells", inlier.cells, 0.0, 10.0);
   require_within("inlier.least_cosine", inlier.least_cosine, -1.0, 1.0);

@@ -46,8 +46,9 @@ std::vector<float> flatness(const SurfaceSamples& samples) {
   return flat;
 }
 
-/// True if a quadratic fit over the plane bends significantly with less than the least radius.
-bool bends(const SurfaceSamples& samples, const PlaneRegion& region, double least_radius) {
+/// Curvature of a quadratic fit over the plane where it bends most, and its standard deviation
+/// [1/m].
+std::pair<double, double> curvature_of(const SurfaceSamples& samples, const PlaneRegion& region) {
   const Eigen::Vector3d m = region.plane.head<3>();
   const Eigen::Vector3d e1 = m.unitOrthogonal(), e2 = m.cross(e1);
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -78,8 +79,16 @@ bool bends(const SurfaceSamples& samples, const PlaneRegion& region, double leas
   const Eigen::Vector2d d = eigen.eigenvectors().col(k);
   Eigen::Matrix<double, 6, 1> g;
   g << 0, 0, 0, 2 * d[0] * d[0], 2 * d[0] * d[1], 2 * d[1] * d[1];
-  const double curvature = std::abs(eigen.eigenvalues()[k]);
-  return curvature > 1.0 / least_radius && curvature > 3.0 * std::sqrt(g.dot(covariance * g));
+  return {std::abs(eigen.eigenvalues()[k]), std::sqrt(g.dot(covariance * g))};
+}
+
+/// True unless the region is shown to be flat: it must not bend significantly, and what it may bend
+/// within the noise must be little. Narrow strips of cylinders are not shown to be flat.
+bool may_bend(const SurfaceSamples& samples, const PlaneRegion& region,
+              const PlaneOptions& options) {
+  const auto [curvature, std] = curvature_of(samples, region);
+  return (curvature > 1.0 / options.least_radius && curvature > 3.0 * std) ||
+         curvature + 2.0 * std > 1.0 / options.least_proven_radius;
 }
 
 }  // namespace
@@ -94,10 +103,11 @@ std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneO
   std::vector<PlaneRegion> planes;
   // 0 free, otherwise the number of the attempt that took it.
   std::vector<int> taken(static_cast<std::size_t>(samples.size()), 0);
+  std::vector<char> bent(taken.size(), 0);
   int attempt = 0;
   for (const int seed : seeds) {
     if (flat[seed] < least_cosine) break;
-    if (taken[seed]) continue;
+    if (taken[seed] || bent[seed]) continue;
     ++attempt;
     PlaneSums sums;
     std::vector<int> members = {seed};
@@ -129,16 +139,16 @@ std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneO
       }
     }
     PlaneRegion region{sums.n >= 4 ? sums.plane(towards) : plane, members};
-    const bool enough = static_cast<int>(members.size()) >= options.least_samples;
-    if (enough && !bends(samples, region, options.least_radius)) {
-      planes.push_back(std::move(region));
-    } else if (enough) {
-      for (const int i : members) taken[i] = 0;
-      taken[seed] = attempt;
-    } else {
+    if (static_cast<int>(members.size()) < options.least_samples) {
+      for (const int i : members) taken[i] = i == seed ? attempt : 0;
+    } else if (may_bend(samples, region, options)) {
+      // Smaller pieces of a bent surface would pass for planes: no seed among them.
       for (const int i : members) {
-        if (i != seed) taken[i] = 0;
+        taken[i] = 0;
+        bent[i] = 1;
       }
+    } else {
+      planes.push_back(std::move(region));
     }
   }
   return planes;

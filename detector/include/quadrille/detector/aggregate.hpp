@@ -67,6 +67,7 @@ class Aggregation {
  private:
   std::optional<Surface> accept(const Candidate& candidate, bool early);
   std::optional<Surface> fitted(std::vector<int> region) const;
+  bool is_thin(const Surface& surface) const;
   void extend(Surface* surface) const;
   void join(Surface* surface);
   double bic_of(const Surface& surface, double effective_size) const;

@@ -22,6 +22,9 @@ std::optional<PosedQuadric> initial_cone(const FitPoints& points);
 std::optional<PosedQuadric> initial_revolution(const FitPoints& points);
 /// The same with γ = 0.
 std::optional<PosedQuadric> initial_paraboloid(const PosedQuadric& revolution);
+/// Cone and cylinder that touch a surface of revolution where the points are, at z = 0.
+std::optional<PosedQuadric> tangent_cone(const PosedQuadric& revolution);
+std::optional<PosedQuadric> tangent_cylinder(const PosedQuadric& revolution);
 /// Taubin's fit: generalised eigenvalue problem of the scatter of v and of its gradient
 /// (Taubin, PAMI 1991).
 std::optional<PosedQuadric> initial_general(const FitPoints& points);

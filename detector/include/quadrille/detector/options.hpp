@@ -46,6 +46,7 @@ void visit_options(Options& o, Visitor&& visit) {
   visit("planes.sigmas", o.planes.sigmas);
   visit("planes.angle", o.planes.angle);
   visit("planes.least_radius", o.planes.least_radius);
+  visit("planes.least_proven_radius", o.planes.least_proven_radius);
   visit("inlier.sigmas", o.inlier.sigmas);
   visit("inlier.cells", o.inlier.cells);
   visit("inlier.least_cosine", o.inlier.least_cosine);

@@ -16,6 +16,9 @@ struct PlaneOptions {
   double angle = 0.26;
   /// A region whose quadratic fit bends with a smaller radius [m], significantly, is no plane.
   double least_radius = 0.7;
+  /// Nor is one that might bend with a smaller radius than this [m], for all that its noise lets
+  /// one say.
+  double least_proven_radius = 0.3;
 };
 
 /// One plane n·x + d = 0, n towards the viewpoint.
