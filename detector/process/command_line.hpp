@@ -1,11 +1,25 @@
 #pragma once
 
+#include <CLI/App.hpp>
+
+#include "cli/detector_arguments.hpp"
 #include "settings.hpp"
 
 namespace quadrille {
 
-/// Reads the command line, and the configuration file that it names.
-/// Ends the process where the command line is wrong (2) or only asks for help (0).
-DetectorSettings parse_command_line(int argc, const char* const* argv);
+/// The options of the process.
+class CommandLine {
+ public:
+  /// Adds them to an app, which must not outlive this.
+  explicit CommandLine(CLI::App& app);
+
+  /// What they ask for, once the app has read them.
+  /// @throws io::FileError if the configuration file is wrong
+  DetectorSettings settings() const;
+
+ private:
+  DetectorSettings settings_;
+  DetectorArguments detector_;
+};
 
 }  // namespace quadrille

@@ -1,28 +1,21 @@
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
+#include <CLI/CLI.hpp>
 
-#include <cstdio>
-#include <exception>
-
+#include "cli/run_program.hpp"
 #include "command_line.hpp"
 #include "quadrille/bus/stop.hpp"
 #include "run.hpp"
 
 int main(int argc, char** argv) {
-  try {
-    const quadrille::DetectorSettings settings = quadrille::parse_command_line(argc, argv);
-    spdlog::set_default_logger(spdlog::stderr_logger_mt("quadrille-detector"));
-    spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %n %l: %v");
-    spdlog::set_level(settings.verbose ? spdlog::level::debug : spdlog::level::info);
+  CLI::App app("Detects quadrics in the point clouds of an LCM channel.", "quadrille-detector");
+  const quadrille::CommandLine command_line(app);
+  return quadrille::run_program(app, argc, argv, [&] {
+    const quadrille::DetectorSettings settings = command_line.settings();
+    quadrille::start_logging(app, settings.process.verbose);
     quadrille::bus::install_stop_signals();
-    if (settings.in_log.empty()) {
+    if (settings.process.in_log.empty()) {
       quadrille::run_on_bus(settings);
     } else {
       quadrille::run_on_log(settings);
     }
-    return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "quadrille-detector: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -12,7 +12,7 @@
 namespace quadrille {
 
 void run_on_bus(const DetectorSettings& settings) {
-  bus::Connection connection(bus::resolve_url(settings.lcm_url));
+  bus::Connection connection(bus::resolve_url(settings.process.lcm_url));
   for (const std::string& warning : connection.warnings()) spdlog::warn("{}", warning);
   DetectorNode node(settings, [&](const std::string& channel, std::span<const std::byte> bytes) {
     connection.publish(channel, bytes);

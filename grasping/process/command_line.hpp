@@ -1,11 +1,28 @@
 #pragma once
 
+#include <CLI/App.hpp>
+#include <string>
+
+#include "cli/planner_arguments.hpp"
 #include "settings.hpp"
 
 namespace quadrille {
 
-/// Reads the command line, and the files that it names.
-/// Ends the process where the command line is wrong (2) or only asks for help (0).
-PlannerSettings parse_command_line(int argc, const char* const* argv);
+/// The options of the process.
+class CommandLine {
+ public:
+  /// Adds them to an app, which must not outlive this.
+  explicit CommandLine(CLI::App& app);
+
+  /// What they ask for, once the app has read them.
+  /// @throws CLI::ValidationError if there is no such gripper
+  /// @throws io::FileError if the configuration or the gripper's file is wrong
+  PlannerSettings settings() const;
+
+ private:
+  PlannerSettings settings_;
+  PlannerArguments planner_;
+  std::string config_;
+};
 
 }  // namespace quadrille

@@ -1,15 +1,26 @@
 #include "config.hpp"
 
+#include <stdexcept>
+
 #include "io/toml_file.hpp"
-#include "unknown_policy.hpp"
+#include "io/unknown_policy.hpp"
 
 namespace quadrille {
 namespace {
 
+/// The option of a name that is a number; nullptr if there is none.
+double PlanOptions::*number_option(const std::string& key) {
+  if (key == "resolution") return &PlanOptions::resolution;
+  if (key == "friction") return &PlanOptions::friction;
+  if (key == "approach") return &PlanOptions::approach;
+  if (key == "pad_margin") return &PlanOptions::pad_margin;
+  return nullptr;
+}
+
 /// Sets one option; false if the value has the wrong type or the key is unknown.
 bool set_option(const std::string& key, const toml::node& node, PlanOptions* options) {
   if (key == "unknown") {
-    const auto policy = unknown_policy_from_string(node.value_or(std::string_view{}));
+    const auto policy = io::unknown_policy_from_string(node.value_or(std::string_view{}));
     if (policy) options->unknown = *policy;
     return policy.has_value();
   }
@@ -18,12 +29,10 @@ bool set_option(const std::string& key, const toml::node& node, PlanOptions* opt
     if (value && *value >= 0 && *value <= 1000000) options->max_grasps = static_cast<int>(*value);
     return value && options->max_grasps == *value;
   }
-  double* field = key == "resolution" ? &options->resolution
-                  : key == "friction" ? &options->friction
-                                      : nullptr;
+  const auto field = number_option(key);
   const auto value = node.value<double>();
   if (field == nullptr || !value) return false;
-  *field = *value;
+  options->*field = *value;
   return true;
 }
 
@@ -34,13 +43,19 @@ PlanOptions load_plan_options(const std::string& path) {
   for (const auto& [key, node] : io::read_toml(path)) {
     const std::string name(key);
     if (!set_option(name, node, &options)) {
-      throw io::FileError(path, io::line_of(node),
-                          "'" + name +
-                              "' is unknown or has a wrong value; the keys are unknown (obstacle, "
-                              "target-shadow or free), resolution, friction and max_grasps");
+      throw io::FileError(
+          path, io::line_of(node),
+          "'" + name +
+              "' is unknown or has a wrong value; the keys are unknown (obstacle, "
+              "target-shadow or free), resolution, friction, approach, pad_margin and "
+              "max_grasps");
     }
   }
-  options.check();
+  try {
+    options.check();
+  } catch (const std::invalid_argument& error) {
+    throw io::FileError(path, "", error.what());
+  }
   return options;
 }
 

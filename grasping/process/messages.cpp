@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "io/unknown_policy.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
-#include "unknown_policy.hpp"
 
 namespace quadrille {
 namespace {
@@ -75,7 +75,7 @@ grasps_t make_grasps_message(const bus::CloudMessage& cloud, const GraspPlan& pl
                              const PlannerSettings& settings) {
   auto m = make_stamped<grasps_t>(cloud);
   m.gripper = settings.gripper.name;
-  m.unknown = to_string(settings.plan.unknown);
+  m.unknown = io::to_string(settings.plan.unknown);
   for (const Grasp& grasp : plan.grasps) m.grasps.push_back(to_message(grasp));
   m.num_grasps = count(m.grasps);
   for (const auto& [reason, number] : plan.rejected) {

@@ -1,30 +1,14 @@
-#include <unistd.h>
-
 #include <filesystem>
 
 #include "logs/cloud_log_reader.hpp"
 #include "logs/cloud_log_writer.hpp"
 #include "support/catch.hpp"
+#include "support/temp_folder.hpp"
 
 namespace quadrille::logs {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A folder that goes with its user.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string folder = (fs::temp_directory_path() / "quadrille-XXXXXX").string();
-    REQUIRE(mkdtemp(folder.data()) != nullptr);
-    folder_ = folder;
-  }
-  ~TemporaryFolder() { fs::remove_all(folder_); }
-  std::string file(const char* name) const { return (folder_ / name).string(); }
-
- private:
-  fs::path folder_;
-};
 
 std::vector<PointCloud> make_clouds() {
   std::vector<PointCloud> clouds(3);
@@ -36,15 +20,15 @@ std::vector<PointCloud> make_clouds() {
 }
 
 TEST_CASE("clouds come out of a log as they went in, at the rate asked for", "[logs]") {
-  const TemporaryFolder folder;
+  const test::TempFolder folder;
   const auto format = GENERATE(bus::CloudFormat::kDrake, bus::CloudFormat::kPointCloud2,
                                bus::CloudFormat::kPointCloud);
   CloudLogOptions options;
   options.rate = 30.0;
   options.channel = "LIDAR";
   options.format = format;
-  write_cloud_log(folder.file("x.lcm"), make_clouds(), options);
-  CloudLogReader reader(folder.file("x.lcm"), "LIDAR");
+  write_cloud_log(folder.path("x.lcm"), make_clouds(), options);
+  CloudLogReader reader(folder.path("x.lcm"), "LIDAR");
   const std::int64_t utimes[] = {33333, 66667, 100000};
   for (int i = 0; i < 3; ++i) {
     const auto got = reader.next();
@@ -58,28 +42,28 @@ TEST_CASE("clouds come out of a log as they went in, at the rate asked for", "[l
   }
   CHECK_FALSE(reader.next());
   CHECK(reader.rejected().total() == 0);
-  CHECK_FALSE(CloudLogReader(folder.file("x.lcm"), "POINT_CLOUD").next());
+  CHECK_FALSE(CloudLogReader(folder.path("x.lcm"), "POINT_CLOUD").next());
 }
 
 TEST_CASE("events that are no valid clouds are counted, other types passed over",
           "[logs][hostile]") {
-  const TemporaryFolder folder;
+  const test::TempFolder folder;
   const std::vector<std::byte> good =
       bus::encode_cloud({1, 0, make_clouds()[0]}, bus::CloudFormat::kDrake);
   std::vector<std::byte> long_one = good;
   long_one.push_back(std::byte{0});
   {
-    bus::LogWriter log(folder.file("x.lcm"));
+    bus::LogWriter log(folder.path("x.lcm"));
     log.write(1, "POSE", std::vector<std::byte>(20));
     log.write(2, "POINT_CLOUD", long_one);
     log.write(3, "POINT_CLOUD", std::vector<std::byte>(20));
     log.write(4, "POINT_CLOUD", good);
   }
-  CloudLogReader any(folder.file("x.lcm"));
+  CloudLogReader any(folder.path("x.lcm"));
   CHECK(any.next());
   CHECK_FALSE(any.next());
   CHECK(any.rejected().total() == 1);
-  CloudLogReader named(folder.file("x.lcm"), "POINT_CLOUD");
+  CloudLogReader named(folder.path("x.lcm"), "POINT_CLOUD");
   CHECK(named.next());
   CHECK_FALSE(named.next());
   CHECK(named.rejected().of(bus::RejectReason::kTrailingBytes) == 1);
@@ -87,10 +71,10 @@ TEST_CASE("events that are no valid clouds are counted, other types passed over"
 }
 
 TEST_CASE("a log cut short gives its whole clouds and tells where it ends", "[logs][hostile]") {
-  const TemporaryFolder folder;
-  write_cloud_log(folder.file("x.lcm"), make_clouds());
-  fs::resize_file(folder.file("x.lcm"), fs::file_size(folder.file("x.lcm")) - 5);
-  CloudLogReader reader(folder.file("x.lcm"));
+  const test::TempFolder folder;
+  write_cloud_log(folder.path("x.lcm"), make_clouds());
+  fs::resize_file(folder.path("x.lcm"), fs::file_size(folder.path("x.lcm")) - 5);
+  CloudLogReader reader(folder.path("x.lcm"));
   CHECK(reader.next());
   CHECK(reader.next());
   CHECK_FALSE(reader.next());

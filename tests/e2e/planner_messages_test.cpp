@@ -2,11 +2,11 @@
 
 #include <sstream>
 
+#include "io/unknown_policy.hpp"
 #include "messages.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "support/catch.hpp"
-#include "unknown_policy.hpp"
 
 namespace quadrille {
 namespace {
@@ -122,9 +122,9 @@ TEST_CASE("a plan without occupancy gives a message without data", "[planner][me
 TEST_CASE("policies for unknown space are known by name", "[planner]") {
   for (const UnknownPolicy policy :
        {UnknownPolicy::kObstacle, UnknownPolicy::kTargetShadow, UnknownPolicy::kFree}) {
-    CHECK(unknown_policy_from_string(to_string(policy)) == policy);
+    CHECK(io::unknown_policy_from_string(io::to_string(policy)) == policy);
   }
-  CHECK(unknown_policy_from_string("shadow") == std::nullopt);
+  CHECK(io::unknown_policy_from_string("shadow") == std::nullopt);
 }
 
 }  // namespace

@@ -1,13 +1,12 @@
 #include "quadrille/bus/event_log.hpp"
 
-#include <unistd.h>
-
 #include <filesystem>
 #include <fstream>
 
 #include "contains.hpp"
 #include "quadrille/bus/replay.hpp"
 #include "samples.hpp"
+#include "support/temp_folder.hpp"
 
 namespace quadrille::bus {
 namespace {
@@ -17,16 +16,10 @@ namespace fs = std::filesystem;
 /// A file in a folder of its own that goes with it.
 class TemporaryFile {
  public:
-  TemporaryFile() {
-    std::string folder = (fs::temp_directory_path() / "quadrille-XXXXXX").string();
-    REQUIRE(mkdtemp(folder.data()) != nullptr);
-    folder_ = folder;
-  }
-  ~TemporaryFile() { fs::remove_all(folder_); }
-  std::string path() const { return (folder_ / "x.lcm").string(); }
+  std::string path() const { return folder_.path("x.lcm"); }
 
  private:
-  fs::path folder_;
+  test::TempFolder folder_;
 };
 
 void write_three(const std::string& path) {

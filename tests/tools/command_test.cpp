@@ -2,11 +2,13 @@
 
 #include "scene/scene_files.hpp"
 #include "support/catch.hpp"
-#include "support/data.hpp"
 #include "tools/support_files.hpp"
 
 using namespace quadrille;
 using nlohmann::json;
+using test::check_failure;
+using test::contains;
+using test::lines_of;
 using test::Run;
 using test::run_quadrille;
 using test::TempFolder;
@@ -19,23 +21,6 @@ std::string ply_of(const std::vector<std::string>& points) {
                      "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
   for (const std::string& point : points) text += point + "\n";
   return text;
-}
-
-int lines_of(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-/// A failed run: code 1, nothing on stdout, one line on stderr.
-void check_failure(const Run& run, const std::string& part) {
-  INFO(run.err);
-  CHECK(run.code == 1);
-  CHECK(run.out.empty());
-  CHECK(lines_of(run.err) == 1);
-  CHECK(contains(run.err, part));
 }
 
 }  // namespace
@@ -182,21 +167,4 @@ TEST_CASE("scene writes the same cloud and truth for the same seed", "[command][
   const Run run = run_quadrille("detect --json - " + a);
   CHECK(json::parse(run.out)["points"]["read"] == json::parse(truth)["points"]);
   check_failure(run_quadrille("scene " + folder.path("no/such/s.ply")), "cannot be written");
-}
-
-TEST_CASE("real scans are read whole", "[command][real]") {
-  const auto data = test::data_folder();
-  if (!data) return;
-  const json manifest = json::parse(test::content_of((*data / "data/real/manifest.json").string()));
-  int read = 0;
-  for (const json& scan : manifest["scenes"]) {
-    if (!scan.contains("n_points")) continue;
-    const std::string file = scan["file"];
-    const Run run = run_quadrille("detect --json - " + (*data / "data/real" / file).string());
-    INFO(file << " " << run.err);
-    REQUIRE(run.code == 0);
-    CHECK(json::parse(run.out)["points"]["read"] == scan["n_points"]);
-    ++read;
-  }
-  CHECK(read >= 10);
 }

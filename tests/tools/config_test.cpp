@@ -5,6 +5,7 @@
 #include "tools/support_files.hpp"
 
 using namespace quadrille;
+using test::contains;
 using test::error_of;
 
 namespace {
@@ -24,10 +25,6 @@ const std::string kGripper =
 std::string gripper_error(const std::string& text) {
   const test::TempFolder folder;
   return error_of([&] { io::read_gripper(folder.write("g.toml", text)); });
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
 }
 
 }  // namespace

@@ -1,33 +1,14 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <functional>
 #include <span>
 #include <string>
 #include <type_traits>
 
+#include "support/temp_folder.hpp"
+
 namespace quadrille::test {
-
-/// A folder that lives as long as the object.
-class TempFolder {
- public:
-  TempFolder();
-  ~TempFolder();
-  TempFolder(const TempFolder&) = delete;
-  TempFolder& operator=(const TempFolder&) = delete;
-
-  /// Path of a file in the folder.
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
-  /// Writes a file and returns its path.
-  std::string write(const std::string& name, const std::string& content) const;
-
- private:
-  std::filesystem::path folder_;
-};
-
-/// The whole content of a file.
-std::string content_of(const std::string& path);
 
 /// What a run of the quadrille command left behind.
 struct Run {
@@ -37,6 +18,14 @@ struct Run {
 
 /// Runs the built quadrille command through the shell.
 Run run_quadrille(const std::string& arguments);
+
+/// Sees to it that a run failed as it should: code 1, nothing on stdout, one line on stderr that
+/// contains the part.
+void check_failure(const Run& run, const std::string& part);
+
+int lines_of(const std::string& text);
+
+bool contains(const std::string& text, const std::string& part);
 
 /// The message that a call throws as std::runtime_error; empty if it throws nothing.
 std::string error_of(const std::function<void()>& call);

@@ -18,13 +18,14 @@ if(QUADRILLE_SANITIZE)
   add_link_options(-fsanitize=${QUADRILLE_SANITIZE})
 endif()
 
-# GCC 12 sees these two where it has inlined the standard library's or Eigen's loops; they stay
+# GCC 12 sees these three where it has inlined the standard library's or Eigen's loops; they stay
 # warnings.
 set(QUADRILLE_WARNINGS -Wall -Wextra)
 if(QUADRILLE_WERROR)
   list(APPEND QUADRILLE_WARNINGS -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    list(APPEND QUADRILLE_WARNINGS -Wno-error=array-bounds -Wno-error=maybe-uninitialized)
+    list(APPEND QUADRILLE_WARNINGS -Wno-error=array-bounds -Wno-error=maybe-uninitialized
+                -Wno-error=restrict)
   endif()
 endif()
 

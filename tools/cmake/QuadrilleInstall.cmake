@@ -30,13 +30,9 @@ endfunction()
 quadrille_install_library(detector "Detection of quadrics in point clouds" "eigen3" "-pthread")
 quadrille_install_library(grasping "Grasp planning on quadrics" "quadrille-detector"
                           "-lfcl -lccd -loctomap -loctomath")
-if(TARGET quadrille_lcmtypes)
-  quadrille_install_library(lcmtypes "LCM messages of quadrille" "" "-llcm")
-endif()
-if(TARGET quadrille_bus)
-  quadrille_install_library(bus "Checked decoding and connections for LCM"
-                            "quadrille-lcmtypes quadrille-detector" "")
-endif()
+quadrille_install_library(lcmtypes "LCM messages of quadrille" "" "-llcm")
+quadrille_install_library(bus "Checked decoding and connections for LCM"
+                          "quadrille-lcmtypes quadrille-detector" "")
 
 configure_package_config_file(
   ${PROJECT_SOURCE_DIR}/tools/cmake/quadrilleConfig.cmake.in

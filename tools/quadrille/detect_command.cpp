@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/detector_arguments.hpp"
 #include "picture/picture.hpp"
 #include "picture/png.hpp"
 #include "quadrille/detector/detector.hpp"
-#include "quadrille/detector_arguments.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/output.hpp"
 #include "quadrille/table.hpp"
@@ -28,7 +28,7 @@ void run(const DetectArguments& arguments) {
   PicturePaths pictures(arguments.picture, several);
   JsonLines json(arguments.json);
   for (const std::string& path : arguments.inputs) {
-    for_each_cloud(path, [&](const InputCloud& input) {
+    const auto warnings = for_each_cloud(path, [&](const InputCloud& input) {
       const DetectionResult result = detect(input.cloud, options);
       json.write(io::detect_json(input.info, result));
       if (!json.owns_stdout()) print(detection_table(input.info, result));
@@ -36,6 +36,7 @@ void run(const DetectArguments& arguments) {
       if (!pictures.wanted()) return;
       write_png(pictures.next(path), draw_picture({input.info.input, input.cloud, result}));
     });
+    print_warnings(path, warnings);
   }
 }
 

@@ -5,39 +5,77 @@
 
 #include "io/cloud_file.hpp"
 #include "io/file_bytes.hpp"
+#include "logs/cloud_log_reader.hpp"
+#include "quadrille/bus/clock.hpp"
+#include "quadrille/bus/event_log.hpp"
 
 namespace quadrille {
 namespace {
+
+using Visitor = std::function<void(const InputCloud&)>;
 
 InputCloud read_cloud_file(const std::string& path) {
   const auto start = std::chrono::steady_clock::now();
   InputCloud input;
   input.cloud = io::read_cloud(path);
-  const std::chrono::duration<double, std::milli> elapsed =
-      std::chrono::steady_clock::now() - start;
-  input.info = {path, input.cloud.frame, input.cloud.read, elapsed.count()};
+  input.info = {path, input.cloud.frame, input.cloud.read, bus::ms_since(start)};
   return input;
+}
+
+/// Reads on to the next cloud of a log; number counts its clouds from 1.
+std::optional<InputCloud> read_logged_cloud(logs::CloudLogReader& reader, const std::string& path,
+                                            int number) {
+  const auto start = std::chrono::steady_clock::now();
+  auto logged = reader.next();
+  if (!logged) return std::nullopt;
+  InputCloud input;
+  input.cloud = std::move(logged->message.cloud);
+  input.info = {path + "#" + std::to_string(number), input.cloud.frame, input.cloud.read,
+                bus::ms_since(start)};
+  return input;
+}
+
+std::vector<std::string> warnings_about(const logs::CloudLogReader& reader, int clouds) {
+  std::vector<std::string> warnings;
+  if (reader.defect()) warnings.push_back(*reader.defect());
+  for (const bus::RejectReason reason : bus::all_reject_reasons()) {
+    const auto count = reader.rejected().of(reason);
+    if (count == 0) continue;
+    warnings.push_back("refused " + std::to_string(count) +
+                       " messages: " + std::string(to_string(reason)));
+  }
+  if (clouds == 0) warnings.push_back("holds no cloud; record POINT_CLOUD messages");
+  return warnings;
+}
+
+std::vector<std::string> visit_log(const std::string& path, const Visitor& visit) {
+  logs::CloudLogReader reader(path);
+  int clouds = 0;
+  while (const auto input = read_logged_cloud(reader, path, clouds + 1)) {
+    ++clouds;
+    visit(*input);
+  }
+  return warnings_about(reader, clouds);
 }
 
 }  // namespace
 
-bool is_log(const std::string& path) { return path.ends_with(".lcm"); }
+bool is_log(const std::string& path) { return path.ends_with(".lcm") || bus::starts_as_log(path); }
 
-void for_each_cloud(const std::string& path, const std::function<void(const InputCloud&)>& visit) {
-  if (is_log(path)) {
-    throw io::FileError(path, "", "LCM logs cannot be read here; give a .ply or .pcd file");
-  }
+std::vector<std::string> for_each_cloud(const std::string& path, const Visitor& visit) {
+  if (is_log(path)) return visit_log(path, visit);
   visit(read_cloud_file(path));
+  return {};
 }
 
-InputCloud read_one_cloud(const std::string& path) {
+SingleCloud read_single_cloud(const std::string& path) {
   std::optional<InputCloud> found;
-  for_each_cloud(path, [&](const InputCloud& input) {
+  auto warnings = for_each_cloud(path, [&](const InputCloud& input) {
     if (found) throw io::FileError(path, "", "holds more than one cloud; give a single one");
     found = input;
   });
   if (!found) throw io::FileError(path, "", "holds no cloud; record POINT_CLOUD messages");
-  return *found;
+  return {std::move(*found), std::move(warnings)};
 }
 
 }  // namespace quadrille

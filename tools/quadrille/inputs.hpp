@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "io/json.hpp"
 #include "quadrille/detector/point_cloud.hpp"
@@ -14,15 +15,24 @@ struct InputCloud {
   PointCloud cloud;
 };
 
+/// The only cloud of an input, with what is wrong with the input.
+struct SingleCloud {
+  InputCloud input;
+  std::vector<std::string> warnings;
+};
+
 /// True if a path names an LCM log, which may hold many clouds.
 bool is_log(const std::string& path);
 
-/// Calls visit for each cloud of a file, in order.
-/// @throws io::FileError if the file cannot be read
-void for_each_cloud(const std::string& path, const std::function<void(const InputCloud&)>& visit);
+/// Calls visit for each cloud of a file or of an LCM log, in order.
+/// @return what is wrong with a log that gave what it could: where it is cut short, which messages
+///   were refused, that it holds no cloud
+/// @throws std::runtime_error naming the file if it cannot be read
+std::vector<std::string> for_each_cloud(const std::string& path,
+                                        const std::function<void(const InputCloud&)>& visit);
 
-/// The single cloud of a file.
-/// @throws io::FileError if it cannot be read or holds no cloud or several
-InputCloud read_one_cloud(const std::string& path);
+/// The only cloud of a file or log.
+/// @throws std::runtime_error if it cannot be read or holds no cloud or several
+SingleCloud read_single_cloud(const std::string& path);
 
 }  // namespace quadrille

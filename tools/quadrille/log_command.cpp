@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "cli/process_arguments.hpp"
 #include "io/cloud_file.hpp"
 #include "logs/cloud_log_writer.hpp"
-#include "quadrille/bus/connection.hpp"
 
 namespace quadrille {
 namespace {
@@ -21,13 +21,6 @@ struct LogArguments {
   std::string format = "drake";
   logs::CloudLogOptions options;
 };
-
-std::string check_channel_argument(const std::string& channel) try {
-  bus::check_channel(channel);
-  return {};
-} catch (const std::exception& error) {
-  return error.what();
-}
 
 void run(const LogArguments& arguments) {
   // A bad input must not leave an empty log, so the first one is read before the log is made.
@@ -57,9 +50,7 @@ void add_log_command(CLI::App& app) {
   command->add_option("--rate", arguments->options.rate, "Clouds per second")
       ->check(CLI::Range(0.001, 10000.0))
       ->type_name("HZ");
-  command->add_option("--channel", arguments->options.channel, "Their channel")
-      ->check(CLI::Validator(check_channel_argument, ""))
-      ->type_name("NAME");
+  add_channel_option(*command, "--channel", arguments->options.channel, "clouds");
   command->add_option("--as", arguments->format, "Their message type")
       ->check(CLI::IsMember({"drake", "pointcloud2", "pointcloud"}).description(""))
       ->type_name("drake|pointcloud2|pointcloud");

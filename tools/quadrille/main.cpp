@@ -1,7 +1,6 @@
 #include <CLI/CLI.hpp>
-#include <exception>
-#include <iostream>
 
+#include "cli/run_program.hpp"
 #include "quadrille/detect_command.hpp"
 #include "quadrille/log_command.hpp"
 #include "quadrille/plan_command.hpp"
@@ -14,13 +13,6 @@ int main(int argc, char** argv) {
   quadrille::add_plan_command(app);
   quadrille::add_scene_command(app);
   quadrille::add_log_command(app);
-  try {
-    app.parse(argc, argv);
-    return 0;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::cerr << "quadrille: " << error.what() << "\n";
-    return 1;
-  }
+  // The commands do their work while they are parsed.
+  return quadrille::run_program(app, argc, argv, [] {});
 }

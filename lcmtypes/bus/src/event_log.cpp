@@ -98,6 +98,11 @@ LogSurvey survey_log(const std::string& path) {
   return survey;
 }
 
+bool starts_as_log(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return file && read_header(file, 0).magic == kMagic;
+}
+
 void check_different_files(const std::string& in_log, const std::string& out_log) {
   std::error_code error;
   if (std::filesystem::equivalent(in_log, out_log, error)) {

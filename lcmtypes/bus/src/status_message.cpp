@@ -4,8 +4,7 @@ namespace quadrille::bus {
 
 std::vector<count_t> to_message(const RejectCounts& counts) {
   std::vector<count_t> message;
-  for (int i = 0; i < kRejectReasonCount; ++i) {
-    const auto reason = static_cast<RejectReason>(i);
+  for (const RejectReason reason : all_reject_reasons()) {
     if (counts.of(reason) == 0) continue;
     count_t entry;
     entry.name = to_string(reason);

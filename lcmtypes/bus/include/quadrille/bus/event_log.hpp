@@ -23,6 +23,9 @@ struct LogSurvey {
 ///   has an event with an absurd length; a log that is merely cut short is told in the survey
 LogSurvey survey_log(const std::string& path);
 
+/// True if a file begins as LCM logs do, whatever its name; false if it cannot be read.
+bool starts_as_log(const std::string& path);
+
 /// Refuses an output log that is the input log too: opening it would empty the input.
 /// @throws std::runtime_error naming the file
 void check_different_files(const std::string& in_log, const std::string& out_log);

@@ -22,6 +22,15 @@ enum class RejectReason {
 
 inline constexpr int kRejectReasonCount = 8;
 
+/// All the reasons, in their order.
+constexpr std::array<RejectReason, kRejectReasonCount> all_reject_reasons() {
+  std::array<RejectReason, kRejectReasonCount> reasons{};
+  for (int i = 0; i < kRejectReasonCount; ++i) {
+    reasons[static_cast<std::size_t>(i)] = static_cast<RejectReason>(i);
+  }
+  return reasons;
+}
+
 /// The name used in status messages, such as "cut_short".
 std::string_view to_string(RejectReason reason);
 

@@ -1,6 +1,6 @@
-#include "unknown_policy.hpp"
+#include "io/unknown_policy.hpp"
 
-namespace quadrille {
+namespace quadrille::io {
 
 std::string_view to_string(UnknownPolicy policy) {
   switch (policy) {
@@ -15,11 +15,10 @@ std::string_view to_string(UnknownPolicy policy) {
 }
 
 std::optional<UnknownPolicy> unknown_policy_from_string(std::string_view name) {
-  for (const UnknownPolicy policy :
-       {UnknownPolicy::kObstacle, UnknownPolicy::kTargetShadow, UnknownPolicy::kFree}) {
+  for (const UnknownPolicy policy : all_unknown_policies()) {
     if (name == to_string(policy)) return policy;
   }
   return std::nullopt;
 }
 
-}  // namespace quadrille
+}  // namespace quadrille::io

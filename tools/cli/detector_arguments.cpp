@@ -1,4 +1,4 @@
-#include "quadrille/detector_arguments.hpp"
+#include "cli/detector_arguments.hpp"
 
 #include <CLI/CLI.hpp>
 #include <sstream>

@@ -1,0 +1,140 @@
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/catch.hpp"
+#include "tools/support_files.hpp"
+
+using namespace quadrille;
+using nlohmann::json;
+using test::check_failure;
+using test::contains;
+using test::Run;
+using test::run_quadrille;
+
+namespace {
+
+/// A generated scene as a file.
+std::string make_scene(const test::TempFolder& folder, int seed) {
+  const std::string path = folder.path("scene_" + std::to_string(seed) + ".ply");
+  REQUIRE(run_quadrille("scene --family easy --seed " + std::to_string(seed) + " " + path).code ==
+          0);
+  return path;
+}
+
+/// Clouds as a log of the given type.
+std::string make_log(const test::TempFolder& folder, const std::string& clouds,
+                     const std::string& type = "drake") {
+  const std::string path = folder.path(type + ".lcm");
+  REQUIRE(run_quadrille("log " + path + " " + clouds + " --as " + type).code == 0);
+  return path;
+}
+
+/// One JSON object a line, without what may differ: the input's name and the times.
+std::vector<json> comparable(const Run& run) {
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  std::vector<json> objects;
+  std::istringstream lines(run.out);
+  for (std::string line; std::getline(lines, line);) {
+    objects.push_back(json::parse(line));
+    objects.back().erase("input");
+    objects.back().erase("timings");
+  }
+  return objects;
+}
+
+std::vector<json> detect(const std::string& arguments) {
+  return comparable(run_quadrille("detect --json - " + arguments));
+}
+
+}  // namespace
+
+TEST_CASE("clouds through a log give what their files give, in all message types",
+          "[command][log][determinism]") {
+  const test::TempFolder folder;
+  const std::string clouds = make_scene(folder, 3) + " " + make_scene(folder, 4);
+  const std::vector<json> expected = detect(clouds);
+  REQUIRE(expected.size() == 2);
+  REQUIRE(expected[0]["detections"].size() >= 2);
+  for (const char* type : {"drake", "pointcloud2", "pointcloud"}) {
+    INFO(type);
+    CHECK(detect(make_log(folder, clouds, type)) == expected);
+  }
+}
+
+TEST_CASE("the number of threads never changes the result, from a file or a log",
+          "[command][log][determinism]") {
+  const test::TempFolder folder;
+  const std::string cloud = make_scene(folder, 5);
+  const std::string log = make_log(folder, cloud);
+  const std::vector<json> expected = detect("--threads 1 " + cloud);
+  REQUIRE(expected[0]["detections"].size() >= 2);
+  for (const char* threads : {"--threads 2 ", "--threads 5 "}) {
+    CHECK(detect(threads + cloud) == expected);
+    CHECK(detect(threads + log) == expected);
+  }
+}
+
+TEST_CASE("the clouds of a log are named by their number", "[command][log]") {
+  const test::TempFolder folder;
+  const std::string cloud = make_scene(folder, 3);
+  const std::string log = make_log(folder, cloud + " " + cloud);
+  std::istringstream lines(run_quadrille("detect --json - " + log).out);
+  for (const char* number : {"#1", "#2"}) {
+    std::string line;
+    REQUIRE(std::getline(lines, line));
+    CHECK(json::parse(line)["input"] == log + number);
+  }
+}
+
+TEST_CASE("a log is known by its content where its name does not tell", "[command][log]") {
+  const test::TempFolder folder;
+  const std::string log = make_log(folder, make_scene(folder, 3));
+  const std::string renamed = folder.write("lcmlog-2024-01-31.00", test::content_of(log));
+  CHECK(detect(renamed) == detect(log));
+}
+
+TEST_CASE("plan takes a log of one cloud and refuses one of several", "[command][log]") {
+  const test::TempFolder folder;
+  const std::string cloud = make_scene(folder, 3);
+  const std::string plan = "plan --gripper franka --json - ";
+  const Run through_log = run_quadrille(plan + make_log(folder, cloud));
+  CHECK(comparable(through_log) == comparable(run_quadrille(plan + cloud)));
+  const std::string two = make_log(folder, cloud + " " + cloud, "pointcloud2");
+  check_failure(run_quadrille(plan + two), "holds more than one cloud");
+}
+
+TEST_CASE("a damaged log gives its whole clouds and a warning", "[command][log][hostile]") {
+  const test::TempFolder folder;
+  const std::string cloud = make_scene(folder, 3);
+  const std::string whole = test::content_of(make_log(folder, cloud + " " + cloud));
+  const std::string cut = folder.write("cut.lcm", whole.substr(0, whole.size() - 100));
+  const Run run = run_quadrille("detect --json - " + cut);
+  CHECK(comparable(run).size() == 1);
+  CHECK(contains(run.err, "warning: cut short at byte "));
+
+  std::string wrong_length = whole;
+  // A header of 28 bytes and the channel's name; then the fingerprint and the time, 8 bytes each,
+  // and the length of the frame's name, whose first byte makes it negative.
+  wrong_length[28 + std::string("POINT_CLOUD").size() + 16] = '\xff';
+  const Run refused = run_quadrille("detect --json - " + folder.write("wrong.lcm", wrong_length));
+  CHECK(comparable(refused).size() == 1);
+  CHECK(contains(refused.err, "warning: refused 1 messages: bad_length"));
+}
+
+TEST_CASE("a log without clouds gives nothing but a warning", "[command][log][hostile]") {
+  const test::TempFolder folder;
+  const std::string empty = folder.write("empty.lcm", "");
+  const Run run = run_quadrille("detect --json - " + empty);
+  CHECK(run.code == 0);
+  CHECK(run.out.empty());
+  CHECK(contains(run.err, "holds no cloud"));
+  check_failure(run_quadrille("plan --gripper franka " + empty), "holds no cloud");
+}
+
+TEST_CASE("what is no log ends the command with 1 and one line", "[command][log][hostile]") {
+  const test::TempFolder folder;
+  check_failure(run_quadrille("detect " + folder.path("none.lcm")), "none.lcm: no such file");
+  check_failure(run_quadrille("detect " + folder.write("text.lcm", std::string(100, 'x'))),
+                "is not an LCM log");
+}

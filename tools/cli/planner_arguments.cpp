@@ -1,0 +1,38 @@
+#include "cli/planner_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <stdexcept>
+
+#include "io/gripper_file.hpp"
+#include "io/unknown_policy.hpp"
+
+namespace quadrille {
+
+void PlannerArguments::add_to(CLI::App& app, const std::string& default_gripper) {
+  gripper_name = default_gripper;
+  auto* gripper = app.add_option("--gripper", gripper_name, "Built-in name, or a TOML file")
+                      ->type_name("NAME|FILE");
+  if (default_gripper.empty()) {
+    gripper->required();
+  } else {
+    gripper->capture_default_str();
+  }
+  std::map<std::string, UnknownPolicy> policies;
+  for (const UnknownPolicy policy : io::all_unknown_policies()) {
+    policies.emplace(io::to_string(policy), policy);
+  }
+  app.add_option("--unknown", unknown, "What unobserved space counts as")
+      ->transform(CLI::CheckedTransformer(policies).description(""))
+      ->type_name("obstacle|target-shadow|free");
+}
+
+Gripper PlannerArguments::gripper() const {
+  try {
+    return io::load_gripper(gripper_name);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--gripper", error.what());
+  }
+}
+
+}  // namespace quadrille

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "quadrille/grasping/plan.hpp"
+
+namespace quadrille {
+
+/// The planner's options on the command line, shared by the programs that plan.
+struct PlannerArguments {
+  std::string gripper_name;
+  std::optional<UnknownPolicy> unknown;
+
+  /// Adds --gripper and --unknown; this must outlive the app.
+  /// @param default_gripper  empty: --gripper is required
+  void add_to(CLI::App& app, const std::string& default_gripper);
+  /// The hand that is named.
+  /// @throws CLI::ValidationError if there is none of that name
+  /// @throws io::FileError if its file is wrong
+  Gripper gripper() const;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,51 @@
+#include "cli/process_arguments.hpp"
+
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "quadrille/bus/connection.hpp"
+
+namespace quadrille {
+namespace {
+
+/// Empty if LCM takes the name, else what is wrong with it.
+std::string check_channel_name(const std::string& channel) try {
+  bus::check_channel(channel);
+  return {};
+} catch (const std::exception& error) {
+  return error.what();
+}
+
+}  // namespace
+
+void add_channel_option(CLI::App& app, const std::string& name, std::string& channel,
+                        const std::string& what) {
+  app.add_option(name, channel, "Channel of the " + what)
+      ->check(CLI::Validator(check_channel_name, ""))
+      ->type_name("NAME")
+      ->capture_default_str();
+}
+
+void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
+  auto* url = app.add_option("-l,--lcm-url", lcm_url, "LCM address; else LCM_DEFAULT_URL");
+  auto* in = app.add_option("--in-log", in_log, "Replay this log, every " + work + " in order");
+  auto* out = app.add_option("--out-log", out_log, "Write what is published to this log");
+  auto* copy =
+      app.add_flag("--copy-input", copy_input, "Copy the replayed events to the written log too");
+  in->needs(out);
+  out->needs(in);
+  copy->needs(in);
+  in->excludes(url);
+  app.add_flag("-v,--verbose", verbose, "Log every " + work);
+}
+
+void start_logging(const CLI::App& app, bool verbose) {
+  spdlog::set_default_logger(spdlog::stderr_logger_mt(app.get_name()));
+  spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %n %l: %v");
+  spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::info);
+}
+
+}  // namespace quadrille

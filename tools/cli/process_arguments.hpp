@@ -1,0 +1,31 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+namespace quadrille {
+
+/// What both processes are told: where to listen, or what to replay.
+struct ProcessArguments {
+  /// Empty: LCM_DEFAULT_URL, or LCM's default.
+  std::string lcm_url;
+  /// Log to replay instead of the bus, and log that then takes what is published.
+  std::string in_log, out_log;
+  /// Copy all events of the replayed log to the other one.
+  bool copy_input = false;
+  bool verbose = false;
+
+  /// Adds --lcm-url, --in-log, --out-log, --copy-input and --verbose; this must outlive the app.
+  /// @param work  what is logged with --verbose, such as "cloud"
+  void add_to(CLI::App& app, const std::string& work);
+};
+
+/// Adds an option that takes the name of a channel.
+/// @param what  what the channel carries, such as "clouds"
+void add_channel_option(CLI::App& app, const std::string& name, std::string& channel,
+                        const std::string& what);
+
+/// Sends the records of spdlog to stderr, one a line, with time, program and level.
+void start_logging(const CLI::App& app, bool verbose);
+
+}  // namespace quadrille
