@@ -16,6 +16,8 @@ constexpr std::array kFamilies = {
 constexpr int kIterations = 8;
 // A candidate whose own fit is less credible than this is not worth a better one.
 constexpr double kHopeless = 0.1;
+// Before the better fit, the spread is allowed to be this much smaller.
+constexpr double kNearlyFlat = 0.8;
 // A joint fit may be this much worse than the worse of two.
 constexpr double kJointRms = 1.25;
 
@@ -88,9 +90,8 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
   if (!flat) {
     const Evidence evidence = collect_evidence(samples_, open, candidate.Q);
     const double hope = confidence(evidence, family_spec(candidate.family).dof);
-    if (hope < (early ? 0.5 * least : kHopeless) || evidence.spread < 0.8 * options_.least_spread) {
-      return std::nullopt;
-    }
+    const bool curved = evidence.spread >= kNearlyFlat * options_.least_spread;
+    if (curved ? hope < (early ? 0.5 * least : kHopeless) : early) return std::nullopt;
   }
   std::optional<Surface> surface = fitted(std::move(open));
   if (!surface || is_thin(*surface)) return std::nullopt;
@@ -102,6 +103,17 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
   if (is_thin(*surface)) return std::nullopt;
   surface->evidence = collect_evidence(samples_, surface->region, surface->Q);
   surface->confidence = confidence(surface->evidence, family_spec(surface->fit.family).dof);
+  // What hardly bends is reported as the plane that it nearly is.
+  if (surface->fit.family != Family::kPlane && surface->evidence.spread < options_.least_spread) {
+    std::optional<Surface> plane = fitted_plane(surface->region);
+    if (early || !plane ||
+        plane->rms > options_.largest_residual_plane * mean_sigma(samples_, plane->region)) {
+      return std::nullopt;
+    }
+    plane->evidence = collect_evidence(samples_, plane->region, plane->Q);
+    plane->confidence = confidence(plane->evidence, family_spec(Family::kPlane).dof);
+    surface = std::move(plane);
+  }
   const bool plane = surface->fit.family == Family::kPlane;
   if (plane && static_cast<int>(surface->region.size()) < options_.least_plane_samples) {
     return std::nullopt;
@@ -132,6 +144,21 @@ std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
   surface.rms =
       surface.local.scale * std::sqrt(selection.best.rss / static_cast<double>(points.size()));
   surface.fit = std::move(selection.best);
+  surface.region = std::move(region);
+  return surface;
+}
+
+std::optional<Surface> Aggregation::fitted_plane(std::vector<int> region) const {
+  Surface surface;
+  surface.local = normalisation_of(samples_, region);
+  const FitPoints points = fit_points(samples_, region, surface.local, options_.fit_points);
+  std::optional<FamilyFit> fit = fit_family(points, Family::kPlane, {}, kIterations);
+  if (!fit) return std::nullopt;
+  surface.effective_size = std::min(options_.effective_size,
+                                    options_.effective_share * static_cast<double>(region.size()));
+  surface.Q = surface.local.to_frame(fit->posed.matrix()).normalized();
+  surface.rms = surface.local.scale * std::sqrt(fit->rss / static_cast<double>(points.size()));
+  surface.fit = std::move(*fit);
   surface.region = std::move(region);
   return surface;
 }

@@ -137,9 +137,9 @@ CanonicalForm cylinder(const Diagonal& d, const Eigen::Vector3d& centre, double 
   const bool same = l0 * l1 > 0;
   if (k == 0.0) {
     form.type = same ? QuadricType::kImaginaryIntersectingPlanes : QuadricType::kIntersectingPlanes;
-    form.X = frame(centre, d.R.col(0), z);
-    // y² = t² x²: x bisects the angle 2 atan t.
-    if (!same) form.dimensions = {{"angle", 2.0 * std::atan(std::sqrt(std::abs(l0 / l1)))}};
+    form.X = frame(centre, d.R.col(1), z);
+    // y² = t² x² with t ≤ 1: x bisects the smaller angle, 2 atan t.
+    if (!same) form.dimensions = {{"angle", 2.0 * std::atan(std::sqrt(std::abs(l1 / l0)))}};
     return form;
   }
   if (same && k * l0 > 0) {

@@ -45,6 +45,7 @@ void DetectorOptions::check() const {
   require_within("aggregate.least_confidence_early", aggregate.least_confidence_early, 0.0, 1.0);
   require_within("aggregate.largest_residual_early", aggregate.largest_residual_early, 0.0, 100.0);
   require_within("aggregate.least_spread", aggregate.least_spread, 0.0, M_PI);
+  require_within("aggregate.largest_residual_plane", aggregate.largest_residual_plane, 0.0, 100.0);
   require_within("aggregate.fit_points", aggregate.fit_points, 16, 1000000);
   require_within("aggregate.effective_share", aggregate.effective_share, 1e-4, 1.0);
   require_within("aggregate.effective_size", aggregate.effective_size, 10.0, 1e9);

@@ -10,6 +10,8 @@
 namespace quadrille {
 namespace {
 
+constexpr double kCoplanarCosine = 0.99;
+
 /// Running sums for a plane by total least squares.
 struct PlaneSums {
   double n = 0;
@@ -91,6 +93,40 @@ bool may_bend(const SurfaceSamples& samples, const PlaneRegion& region,
          curvature + 2.0 * std > 1.0 / options.least_proven_radius;
 }
 
+/// Joins planes that noise or an object between had parted: nearly parallel, and the smaller one
+/// within the noise of the larger.
+std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
+                                       std::vector<PlaneRegion> planes,
+                                       const PlaneOptions& options) {
+  std::stable_sort(planes.begin(), planes.end(), [](const PlaneRegion& a, const PlaneRegion& b) {
+    return a.samples.size() > b.samples.size();
+  });
+  const auto coplanar = [&](const PlaneRegion& large, const PlaneRegion& small) {
+    if (large.plane.head<3>().dot(small.plane.head<3>()) < kCoplanarCosine) return false;
+    double distance = 0, limit = 0;
+    for (const int i : small.samples) {
+      distance += std::abs(large.plane.dot(samples.raw[i].cast<double>().homogeneous()));
+      limit += options.sigmas * samples.sigma[i];
+    }
+    return distance < limit;
+  };
+  std::vector<PlaneRegion> joined;
+  for (PlaneRegion& plane : planes) {
+    const auto host = std::find_if(joined.begin(), joined.end(), [&](const PlaneRegion& large) {
+      return coplanar(large, plane);
+    });
+    if (host == joined.end()) {
+      joined.push_back(std::move(plane));
+      continue;
+    }
+    host->samples.insert(host->samples.end(), plane.samples.begin(), plane.samples.end());
+    PlaneSums sums;
+    for (const int i : host->samples) sums.add(samples.raw[i]);
+    host->plane = sums.plane(host->plane.head<3>().cast<float>());
+  }
+  return joined;
+}
+
 }  // namespace
 
 std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options) {
@@ -151,7 +187,7 @@ std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneO
       planes.push_back(std::move(region));
     }
   }
-  return planes;
+  return join_coplanar(samples, std::move(planes), options);
 }
 
 }  // namespace quadrille

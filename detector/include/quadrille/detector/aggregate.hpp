@@ -22,6 +22,8 @@ struct AggregateOptions {
   /// Least confidence for candidates of the coarser levels, which claim their samples before the
   /// finer ones are searched, and their largest rms in multiples of the noise.
   double least_confidence_early = 0.8, largest_residual_early = 1.3;
+  /// Largest rms of a plane that stands in for such a surface, in multiples of the noise.
+  double largest_residual_plane = 2.0;
   /// Points that a fit uses at most.
   int fit_points = 240;
   /// Independent measurements at most, per sample and in all. Sensor noise comes in waves, and real
@@ -67,6 +69,7 @@ class Aggregation {
  private:
   std::optional<Surface> accept(const Candidate& candidate, bool early);
   std::optional<Surface> fitted(std::vector<int> region) const;
+  std::optional<Surface> fitted_plane(std::vector<int> region) const;
   bool is_thin(const Surface& surface) const;
   void extend(Surface* surface) const;
   void join(Surface* surface);

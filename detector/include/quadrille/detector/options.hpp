@@ -63,6 +63,7 @@ void visit_options(Options& o, Visitor&& visit) {
   visit("aggregate.least_confidence_early", o.aggregate.least_confidence_early);
   visit("aggregate.largest_residual_early", o.aggregate.largest_residual_early);
   visit("aggregate.least_spread", o.aggregate.least_spread);
+  visit("aggregate.largest_residual_plane", o.aggregate.largest_residual_plane);
   visit("aggregate.fit_points", o.aggregate.fit_points);
   visit("aggregate.effective_share", o.aggregate.effective_share);
   visit("aggregate.effective_size", o.aggregate.effective_size);
