@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "quadrille/detector/plane_claims.hpp"
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"
 
@@ -70,11 +71,8 @@ TEST_CASE("normals that look inwards turn the gradient inwards", "[measure]") {
 TEST_CASE("a plane has its normal towards the viewpoint, and width and height", "[measure]") {
   for (const double side : {1.0, -1.0}) {
     const SurfaceSamples samples = plane_grid(61, 31, 0.01, 0.0005, 3);
-    Eigen::Matrix4d D = Eigen::Matrix4d::Zero();
-    D(0, 3) = D(3, 0) = 0.5;
-    const auto surface = surface_of(samples, Quadric(D), Family::kPlane);
-    REQUIRE(surface);
-    const Detection d = measure(*surface, samples, {side, 0.1, 0.0});
+    const Surface surface = plane_surface(samples, {{side, 0, 0, 0}, all_of(samples)});
+    const Detection d = measure(surface, samples, {side, 0.1, 0.0});
     CHECK(d.type == QuadricType::kPlane);
     CHECK(d.X_CQ.linear().col(2).x() * side > 0.999);
     CHECK(dimension(d, "width").value == Approx(0.6).margin(0.03));

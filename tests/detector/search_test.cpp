@@ -62,7 +62,7 @@ TEST_CASE("a seed decides all, and nothing else does", "[search][determinism]") 
 TEST_CASE("without open samples or surfaces there are no candidates", "[search][degenerate]") {
   const SurfaceSamples samples = sphere_grid(20, 20, 0.05, 0.004, 0.0, 6);
   CHECK(search(samples, std::vector<char>(400, 0), {}, {}, 1).empty());
-  CHECK(search_all(SurfaceSamples{.first = {0}}, 1).empty());
+  CHECK(search_all(SurfaceSamples(), 1).empty());
   // Points and normals without any order.
   SurfaceSamples chaos = samples;
   RandomStream random(101, 0);
