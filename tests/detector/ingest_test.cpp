@@ -148,5 +148,6 @@ TEST_CASE("layouts that do not fit into the bytes are refused", "[ingest][hostil
   refused([](PointLayout* l) { l->width = kHuge / 12 + 2, l->height = 2; });
   refused([](PointLayout* l) { l->width = 1, l->height = kHuge / 16 + 2, l->row_step = 16; });
   refused([](PointLayout* l) { l->width = 1, l->height = 3, l->row_step = kHuge / 2 + 1; });
+  refused([](PointLayout* l) { l->width = 3, l->height = 2, l->row_step = kHuge - 11; });
   refused([](PointLayout* l) { l->x = kHuge - 3; });
 }

@@ -50,8 +50,8 @@ TEST_CASE("averages of four pixels have half the noise, and of sixteen a quarter
   Camera camera;
   camera.noise = 0.004;
   const auto models = noise_of({slope()}, camera, 0.5);
-  CHECK(models[1].sigma(1.2f) == Approx(0.5 * 0.004 * 1.44).epsilon(0.25));
-  CHECK(models[2].sigma(1.2f) == Approx(0.25 * 0.004 * 1.44).epsilon(0.3));
+  CHECK(models[1].sigma(1.2f) == Approx(0.5 * 0.004 * 1.44).epsilon(0.12));
+  CHECK(models[2].sigma(1.2f) == Approx(0.25 * 0.004 * 1.44).epsilon(0.12));
 }
 
 TEST_CASE("curved surfaces do not count as noise", "[noise]") {
