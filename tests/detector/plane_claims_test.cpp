@@ -22,7 +22,7 @@ TEST_CASE("the cells of a table are claimed, those of what stands on it are not"
   Camera camera;
   camera.noise = 0.001;
   const auto pyramid = make_depth_pyramid(
-      render({rectangle(translation(0, 0, 1.0), 1e3, 1e3), sphere(translation(0, 0, 0.9), 0.08)},
+      render({rectangle(translation(0, 0, 1.0), 1e3, 1e3), sphere(translation(0, 0, 1.0), 0.08)},
              camera),
       {});
   const SurfaceSamples coarse = pyramid->coarse_samples();
