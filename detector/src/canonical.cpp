@@ -137,11 +137,9 @@ CanonicalForm cylinder(const Diagonal& d, const Eigen::Vector3d& centre, double 
   const bool same = l0 * l1 > 0;
   if (k == 0.0) {
     form.type = same ? QuadricType::kImaginaryIntersectingPlanes : QuadricType::kIntersectingPlanes;
-    // y² = t² x², t ≤ 1: x bisects the smaller angle, 2 atan t.
-    const bool second = std::abs(l0) > std::abs(l1);
-    const double t2 = std::abs(second ? l1 / l0 : l0 / l1);
-    form.X = frame(centre, d.R.col(second ? 1 : 0), z);
-    if (!same) form.dimensions = {{"angle", 2.0 * std::atan(std::sqrt(t2))}};
+    form.X = frame(centre, d.R.col(1), z);
+    // y² = t² x² with t ≤ 1: x bisects the smaller angle, 2 atan t.
+    if (!same) form.dimensions = {{"angle", 2.0 * std::atan(std::sqrt(std::abs(l1 / l0)))}};
     return form;
   }
   if (same && k * l0 > 0) {
