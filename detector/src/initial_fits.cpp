@@ -114,7 +114,8 @@ std::optional<PosedQuadric> initial_cone(const FitPoints& p) {
       Eigen::Vector3f((p.nx * d).sum(), (p.ny * d).sum(), (p.nz * d).sum()).cast<double>();
   const Eigen::Matrix3d N = sum_of_nn(p);
   const Eigen::Vector3d apex = N.ldlt().solve(b);
-  const double sine = std::abs(n.dot(axis)) / std::max(1e-9, n.norm());
+  // Each unit normal has the same component along the axis, so their mean has it too.
+  const double sine = std::abs(n.dot(axis));
   if (!apex.allFinite() || apex.norm() > 1e3 || sine < 1e-3 || sine > 0.999) return std::nullopt;
   const double k2 = sine * sine / (1 - sine * sine);
   PosedQuadric cone;

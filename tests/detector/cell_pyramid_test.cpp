@@ -1,0 +1,122 @@
+#include "quadrille/detector/cell_pyramid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "support/catch.hpp"
+#include "support/depth_camera.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+constexpr double kRadius = 0.06;
+
+/// Points all over a sphere, evenly (golden spiral), the viewpoint far above.
+PointCloud all_around(double noise) {
+  PointCloud cloud;
+  cloud.viewpoint = {0, 0, 2};
+  RandomStream random(91, 0);
+  constexpr int kCount = 20000;
+  for (int i = 0; i < kCount; ++i) {
+    const double z = 1 - (2 * i + 1.0) / kCount, a = i * M_PI * (3 - std::sqrt(5.0));
+    const double r = std::sqrt(1 - z * z);
+    const Eigen::Vector3d n(r * std::cos(a), r * std::sin(a), z);
+    cloud.points.push_back(((kRadius + noise * gaussian(random)) * n).cast<float>());
+  }
+  return cloud;
+}
+
+/// What holds of a pyramid of either kind.
+void check_pyramid(const CellPyramid& pyramid, std::size_t points) {
+  std::size_t total = 0;
+  for (int c = 0; c < pyramid.size(0); ++c) {
+    total += static_cast<std::size_t>(pyramid.count(c));
+    if (pyramid.count(c) == 0) continue;
+    REQUIRE(pyramid.mean(c).allFinite());
+    REQUIRE(pyramid.sigma(c) > 0.0f);
+  }
+  CHECK(total <= points);
+  CHECK(total > points * 95 / 100);
+  for (int l = 0; l + 1 < kLevels; ++l) {
+    CHECK(pyramid.size(l + 1) < pyramid.size(l));
+    for (int c = 0; c < pyramid.size(l); ++c) {
+      REQUIRE(pyramid.parent(l, c) >= 0);
+      REQUIRE(pyramid.parent(l, c) < pyramid.size(l + 1));
+    }
+  }
+  const std::vector<char> keep(static_cast<std::size_t>(pyramid.size(0)), 1);
+  const auto one = pyramid.samples(keep, 1), three = pyramid.samples(keep, 3);
+  REQUIRE(one.size() == kLevels);
+  for (int l = 0; l < kLevels; ++l) {
+    CHECK(one[l].size() > 0);
+    CHECK(one[l].raw == three[l].raw);
+    CHECK(one[l].n == three[l].n);
+    CHECK(one[l].neighbours == three[l].neighbours);
+    if (l > 0) CHECK(one[l].cell[0] == Approx(2 * one[l - 1].cell[0]).epsilon(0.2));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a single view becomes a pyramid of depth cells", "[pyramid]") {
+  const PointCloud cloud = render({rectangle(translation(0, 0, 1.0), 1e3, 1e3)});
+  const auto pyramid = make_depth_pyramid(cloud, {});
+  REQUIRE(pyramid);
+  check_pyramid(*pyramid, cloud.points.size());
+  // 3.6 mm cells at 1 m are one pixel of 3.3 mm.
+  CHECK(pyramid->size(0) == 320 * 240);
+  CHECK(make_pyramid(cloud, {})->size(0) == pyramid->size(0));
+}
+
+TEST_CASE("noise that outweighs the finest cells doubles them", "[pyramid]") {
+  Camera camera;
+  camera.noise = 0.006;
+  const auto pyramid =
+      make_depth_pyramid(render({rectangle(translation(0, 0, 1.0), 1e3, 1e3)}, camera), {});
+  REQUIRE(pyramid);
+  CHECK(pyramid->size(0) == 160 * 120);
+}
+
+TEST_CASE("a cloud fused from two sides has no depth grid and becomes voxels", "[pyramid]") {
+  const PointCloud cloud = all_around(0.0);
+  CHECK_FALSE(make_depth_pyramid(cloud, {}));
+  const auto pyramid = make_pyramid(cloud, {});
+  REQUIRE(pyramid);
+  check_pyramid(*pyramid, cloud.points.size());
+  // About one voxel per cell face of the surface 4πr², and more where it runs across them.
+  const double faces = 4 * M_PI * kRadius * kRadius / (0.0036 * 0.0036);
+  CHECK(pyramid->size(0) > faces);
+  CHECK(pyramid->size(0) < 2.5 * faces);
+}
+
+TEST_CASE("normals of voxels are those of the sphere and look to the viewpoint's side",
+          "[pyramid][voxel]") {
+  const auto pyramid = make_voxel_pyramid(all_around(0.0002), {});
+  REQUIRE(pyramid);
+  const std::vector<char> keep(static_cast<std::size_t>(pyramid->size(0)), 1);
+  for (const SurfaceSamples& level : pyramid->samples(keep, 1)) {
+    std::vector<double> angle;
+    for (int i = 0; i < level.size(); ++i) {
+      const Eigen::Vector3d x = level.raw[i].cast<double>();
+      const Eigen::Vector3d n = level.n[i].cast<double>();
+      angle.push_back(std::acos(std::min(1.0, std::abs(n.dot(x.normalized())))));
+      CHECK(n.dot(Eigen::Vector3d(0, 0, 2) - x) >= -1e-6);
+      CHECK(level.neighbours_of(i).size() <= 8);
+    }
+    std::nth_element(angle.begin(), angle.begin() + static_cast<long>(angle.size() * 9 / 10),
+                     angle.end());
+    CHECK(angle[angle.size() * 9 / 10] < 6.0 * M_PI / 180.0);
+  }
+}
+
+TEST_CASE("too small a cloud has no pyramid", "[pyramid][degenerate]") {
+  PointCloud cloud = all_around(0.0);
+  cloud.points.resize(49);
+  CHECK_FALSE(make_pyramid(cloud, {}));
+  CHECK_FALSE(make_pyramid(PointCloud(), {}));
+  cloud.points.assign(5000, Eigen::Vector3f::Constant(NAN));
+  CHECK_FALSE(make_pyramid(cloud, {}));
+}

@@ -1,0 +1,78 @@
+#include "quadrille/detector/cloud_check.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "support/catch.hpp"
+#include "support/depth_camera.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+PointCloud box_of_points(double size, int count) {
+  PointCloud cloud;
+  RandomStream random(111, 0);
+  for (int i = 0; i < count; ++i) {
+    const double x = random.uniform(), y = random.uniform(), z = random.uniform();
+    cloud.points.push_back((size * Eigen::Vector3d(x, y, z + 0.5)).cast<float>());
+  }
+  return cloud;
+}
+
+bool warns(const CloudCheck& check, const std::string& text) {
+  for (const std::string& warning : check.warnings) {
+    if (warning.find(text) != std::string::npos) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+TEST_CASE("a cloud in metres is usable without a warning", "[check]") {
+  const CloudCheck check = check_cloud(box_of_points(1.0, 1000));
+  CHECK(check.finite == 1000);
+  CHECK(check.usable);
+  CHECK(check.warnings.empty());
+}
+
+TEST_CASE("points that are not finite are not counted", "[check][hostile]") {
+  PointCloud cloud = box_of_points(1.0, 1000);
+  for (std::size_t i = 0; i < 300; ++i) cloud.points[i].x() = NAN;
+  cloud.points[300].z() = std::numeric_limits<float>::infinity();
+  CHECK(check_cloud(cloud).finite == 699);
+  CHECK(check_cloud(cloud).usable);
+}
+
+TEST_CASE("too few points are refused with their number", "[check][degenerate]") {
+  for (const int count : {0, 1, 49}) {
+    const CloudCheck check = check_cloud(box_of_points(1.0, count));
+    CHECK_FALSE(check.usable);
+    CHECK(warns(check, "only " + std::to_string(count) + " finite points"));
+  }
+  CHECK(check_cloud(box_of_points(1.0, 50)).usable);
+}
+
+TEST_CASE("millimetres are noticed, but looked at", "[check]") {
+  const CloudCheck check = check_cloud(box_of_points(1000.0, 1000));
+  CHECK(check.usable);
+  CHECK(warns(check, "millimetres"));
+}
+
+TEST_CASE("coincident points, lines and absurd numbers are refused", "[check][degenerate]") {
+  PointCloud cloud = box_of_points(1.0, 1000);
+  for (Eigen::Vector3f& p : cloud.points) p = {0.3f, 0.1f, 1.0f};
+  CHECK(warns(check_cloud(cloud), "coincide"));
+  CHECK_FALSE(check_cloud(cloud).usable);
+  RandomStream random(112, 0);
+  for (Eigen::Vector3f& p : cloud.points) {
+    const double t = random.uniform();
+    p = Eigen::Vector3f(0.3f, 0.1f, 1.0f) + static_cast<float>(t) * Eigen::Vector3f(1, 2, 3);
+  }
+  CHECK(warns(check_cloud(cloud), "line"));
+  CHECK_FALSE(check_cloud(cloud).usable);
+  const CloudCheck absurd = check_cloud(box_of_points(1e20, 1000));
+  CHECK(warns(absurd, "too large"));
+  CHECK_FALSE(absurd.usable);
+}

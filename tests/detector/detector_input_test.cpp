@@ -1,0 +1,89 @@
+#include <cmath>
+#include <stdexcept>
+
+#include "detector/table_scene.hpp"
+#include "quadrille/detector/detector.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+TEST_CASE("points given twice, and as a list instead of an image, change no finding",
+          "[detector][law]") {
+  PointCloud doubled = table_cloud();
+  doubled.width = doubled.height = 0;
+  std::erase_if(doubled.points, [](const Eigen::Vector3f& p) { return !p.allFinite(); });
+  const std::vector<Eigen::Vector3f> once = doubled.points;
+  doubled.points.insert(doubled.points.end(), once.begin(), once.end());
+  const DetectionResult result = detect(doubled);
+  check_sound(result);
+  CHECK(result.points_finite == 2 * once.size());
+  for (const QuadricType type : {QuadricType::kSphere, QuadricType::kCylinder}) {
+    const Detection* d = find(result, type);
+    REQUIRE(d);
+    CHECK(dimension(*d, "radius") ==
+          Approx(dimension(*find(table_result(), type), "radius")).epsilon(0.03));
+  }
+}
+
+TEST_CASE("missing points change no finding", "[detector][hostile]") {
+  PointCloud holed = table_cloud();
+  RandomStream random(122, 0);
+  std::size_t finite = 0;
+  for (Eigen::Vector3f& p : holed.points) {
+    const double u = random.uniform();
+    if (u < 0.03) p.x() = NAN;
+    if (u > 0.97) p.z() = INFINITY;
+    finite += p.allFinite();
+  }
+  const DetectionResult result = detect(holed);
+  check_sound(result);
+  CHECK(result.points_finite == finite);
+  CHECK(find(result, QuadricType::kSphere));
+  CHECK(find(result, QuadricType::kCylinder));
+}
+
+TEST_CASE("clouds without surfaces give nothing and say why", "[detector][degenerate]") {
+  const auto refused = [](const std::vector<Eigen::Vector3f>& points, const std::string& why) {
+    PointCloud cloud;
+    cloud.points = points;
+    const DetectionResult result = detect(cloud);
+    CHECK(result.detections.empty());
+    CAPTURE(why);
+    CHECK(warns(result, why));
+  };
+  refused({}, "only 0 finite points");
+  refused({{0.1f, 0.2f, 1.0f}}, "only 1 finite points");
+  refused(std::vector<Eigen::Vector3f>(5000, Eigen::Vector3f::Constant(NAN)),
+          "only 0 finite points");
+  refused(std::vector<Eigen::Vector3f>(5000, Eigen::Vector3f(0.1f, 0.2f, 1.0f)), "coincide");
+  std::vector<Eigen::Vector3f> line;
+  for (int i = 0; i < 5000; ++i) line.push_back({1e-4f * static_cast<float>(i), 0.2f, 1.0f});
+  refused(line, "line");
+}
+
+TEST_CASE("noise without surfaces has no curved quadrics", "[detector][degenerate]") {
+  PointCloud cloud;
+  RandomStream random(123, 0);
+  for (int i = 0; i < 20000; ++i) {
+    const double x = random.uniform(), y = random.uniform(), z = random.uniform();
+    cloud.points.push_back(Eigen::Vector3d(x - 0.5, y - 0.5, 0.5 + z).cast<float>());
+  }
+  const DetectionResult result = detect(cloud);
+  check_sound(result);
+  CHECK(curved(result).empty());
+}
+
+TEST_CASE("millimetres are warned about and give no quadric of NaN", "[detector][hostile]") {
+  PointCloud cloud = table_cloud();
+  for (Eigen::Vector3f& p : cloud.points) p *= 1000.0f;
+  const DetectionResult result = detect(cloud);
+  check_sound(result);
+  CHECK(warns(result, "millimetres"));
+}
+
+TEST_CASE("an option out of range is refused by name", "[detector][hostile]") {
+  DetectorOptions options;
+  options.planes.sigmas = -1.0;
+  CHECK_THROWS_AS(detect(table_cloud(), options), std::invalid_argument);
+}

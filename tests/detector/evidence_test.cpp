@@ -1,0 +1,80 @@
+#include "quadrille/detector/evidence.hpp"
+
+#include <cmath>
+
+#include "quadrille/detector/family.hpp"
+#include "support/catch.hpp"
+#include "support/surface_grid.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+constexpr double kRadius = 0.04;
+
+Quadric cylinder_quadric() { return Quadric(diagonal(1, 1, 0, -kRadius * kRadius)); }
+
+/// Two planes that meet at a right angle along z in the middle column.
+SurfaceSamples edge_grid() {
+  return surface_grid(
+      30, 30,
+      [](int i, int j) {
+        const double s = (i - 14.5) * 0.004, z = j * 0.004;
+        return s < 0 ? OrientedPoint{{0, s, z}, -Eigen::Vector3d::UnitX()}
+                     : OrientedPoint{{s, 0, z}, -Eigen::Vector3d::UnitY()};
+      },
+      0.004, 0.0005, 1);
+}
+
+}  // namespace
+
+TEST_CASE("count and spread are those of the closed form", "[evidence]") {
+  // Normals fill angles up to ±a evenly: the 90th percentile is 0.9 a.
+  const SurfaceSamples samples = cylinder_grid(21, 31, kRadius, 0.004, 0.0005, 1);
+  const Evidence e = collect_evidence(samples, all_of(samples), cylinder_quadric());
+  CHECK(e.log_count == Approx(std::log(21.0 * 31.0)));
+  CHECK(e.spread == Approx(0.9 * 10 * 0.004 / kRadius).epsilon(0.03));
+}
+
+TEST_CASE("a whole surface has no smooth border, a piece cut out of one has", "[evidence]") {
+  const SurfaceSamples samples = cylinder_grid(25, 40, kRadius, 0.004, 0.0005, 2);
+  std::vector<int> lower;
+  for (const int i : all_of(samples)) {
+    if (i / 25 < 20) lower.push_back(i);
+  }
+  CHECK(collect_evidence(samples, all_of(samples), cylinder_quadric()).smooth_border == 0.0);
+  CHECK(collect_evidence(samples, lower, cylinder_quadric()).smooth_border > 0.15);
+}
+
+TEST_CASE("two planes explain a box edge, but not a cylinder", "[evidence]") {
+  const SurfaceSamples round = cylinder_grid(25, 40, kRadius, 0.004, 0.0005, 3);
+  const Evidence cylinder = collect_evidence(round, all_of(round), cylinder_quadric());
+  CHECK(cylinder.two_planes > 1.5);
+  // The pair of planes itself, xy = 0, is the best quadric of the edge.
+  Eigen::Matrix4d D = Eigen::Matrix4d::Zero();
+  D(0, 1) = D(1, 0) = 1.0;
+  const SurfaceSamples edge = edge_grid();
+  const Evidence planes = collect_evidence(edge, all_of(edge), Quadric(D));
+  CHECK(std::abs(planes.two_planes) < 0.3);
+  const int dof = family_spec(Family::kCylinder).dof;
+  CHECK(confidence(cylinder, dof) > 0.9);
+  CHECK(confidence(planes, family_spec(Family::kEllipticCylinder).dof) < confidence(cylinder, dof));
+}
+
+TEST_CASE("confidence lies in (0, 1) and moves with each piece of evidence", "[evidence]") {
+  Evidence e;
+  e.log_count = 3.0, e.spread = 1.0, e.smooth_border = 0.1, e.two_planes = 1.0;
+  const double base = confidence(e, 5);
+  CHECK(base > 0.0);
+  CHECK(base < 1.0);
+  const auto changed = [&](double Evidence::*field, double by) {
+    Evidence other = e;
+    other.*field += by;
+    return confidence(other, 5);
+  };
+  CHECK(changed(&Evidence::log_count, 1.0) > base);
+  CHECK(changed(&Evidence::smooth_border, 0.1) < base);
+  CHECK(changed(&Evidence::two_planes, 1.0) > base);
+  CHECK(confidence(e, 9) < base);
+}
