@@ -21,6 +21,20 @@ double prior(const ContactLine& line, const Eigen::Vector3d& approach, const App
   return 0.5 * across + 0.3 * from - 0.2 * std::min(off, 1.0);
 }
 
+// Every kStride-th first, then those between: the best ones are much alike, and where one is
+// blocked so are its neighbours.
+std::vector<Candidate> spread_out(const std::vector<Candidate>& best_first) {
+  constexpr std::size_t kStride = 16;
+  std::vector<Candidate> spread;
+  spread.reserve(best_first.size());
+  for (std::size_t start = 0; start < kStride; ++start) {
+    for (std::size_t n = start; n < best_first.size(); n += kStride) {
+      spread.push_back(best_first[n]);
+    }
+  }
+  return spread;
+}
+
 }  // namespace
 
 std::vector<Candidate> sample_approaches(const std::vector<ContactLine>& lines,
@@ -49,7 +63,7 @@ std::vector<Candidate> sample_approaches(const std::vector<ContactLine>& lines,
   }
   std::stable_sort(candidates.begin(), candidates.end(),
                    [](const Candidate& a, const Candidate& b) { return a.prior > b.prior; });
-  return candidates;
+  return spread_out(candidates);
 }
 
 Eigen::Isometry3d grasp_pose(const ContactLine& line, const Eigen::Vector3d& approach_C,

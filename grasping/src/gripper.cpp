@@ -43,9 +43,22 @@ Gripper franka_hand() {
   return hand;
 }
 
+Gripper schunk_wsg50() {
+  Gripper hand;
+  hand.name = "wsg50";
+  hand.max_opening = 0.11;
+  hand.finger = {0.02, 0.016, 0.075};
+  hand.finger_front = 0.01;
+  hand.pad = {0.02, 0.02};
+  hand.palm = {0.0495, 0.146, 0.0725};
+  hand.max_force = 80.0;
+  return hand;
+}
+
 Gripper gripper_by_name(const std::string& name) {
   if (name == "franka") return franka_hand();
-  throw std::invalid_argument("unknown gripper '" + name + "'; known: franka");
+  if (name == "wsg50") return schunk_wsg50();
+  throw std::invalid_argument("unknown gripper '" + name + "'; known: franka, wsg50");
 }
 
 }  // namespace quadrille

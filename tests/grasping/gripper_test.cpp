@@ -14,12 +14,20 @@ TEST_CASE("the Franka Hand is known by name and consistent", "[gripper]") {
   CHECK(hand.max_opening == Approx(0.08));
 }
 
+TEST_CASE("the WSG 50 is known by name, consistent and opens wider", "[gripper]") {
+  const Gripper hand = gripper_by_name("wsg50");
+  CHECK_NOTHROW(hand.check());
+  CHECK(hand.name == "wsg50");
+  CHECK(hand.max_opening == Approx(0.11));
+}
+
 TEST_CASE("an unknown gripper's message lists the known ones", "[gripper]") {
   try {
     gripper_by_name("claw");
     FAIL("no exception");
   } catch (const std::invalid_argument& error) {
     CHECK(std::string(error.what()).find("franka") != std::string::npos);
+    CHECK(std::string(error.what()).find("wsg50") != std::string::npos);
   }
 }
 

@@ -30,7 +30,11 @@ struct Gripper {
 /// The Franka Hand, sizes after the facts of its description.
 Gripper franka_hand();
 
-/// A built-in gripper by name ("franka"); throws std::invalid_argument listing the names it knows.
+/// The Schunk WSG 50 with its standard fingers, for objects too wide for the Franka Hand.
+Gripper schunk_wsg50();
+
+/// A built-in gripper by name ("franka", "wsg50"); throws std::invalid_argument listing the names
+/// it knows.
 Gripper gripper_by_name(const std::string& name);
 
 }  // namespace quadrille
