@@ -94,7 +94,11 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
     if (curved ? hope < (early ? 0.5 * least : kHopeless) : early) return std::nullopt;
   }
   std::optional<Surface> surface = fitted(std::move(open));
-  if (!surface || is_thin(*surface)) return std::nullopt;
+  // The general fit of a plane is a doubled plane.
+  if (surface && is_thin(*surface)) {
+    surface = early ? std::nullopt : as_plane(std::move(surface->region));
+  }
+  if (!surface) return std::nullopt;
   if (early &&
       surface->rms > options_.largest_residual_early * mean_sigma(samples_, surface->region)) {
     return std::nullopt;
@@ -105,14 +109,8 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
   surface->confidence = confidence(surface->evidence, family_spec(surface->fit.family).dof);
   // What hardly bends is reported as the plane that it nearly is.
   if (surface->fit.family != Family::kPlane && surface->evidence.spread < options_.least_spread) {
-    std::optional<Surface> plane = fitted_plane(surface->region);
-    if (early || !plane ||
-        plane->rms > options_.largest_residual_plane * mean_sigma(samples_, plane->region)) {
-      return std::nullopt;
-    }
-    plane->evidence = collect_evidence(samples_, plane->region, plane->Q);
-    plane->confidence = confidence(plane->evidence, family_spec(Family::kPlane).dof);
-    surface = std::move(plane);
+    surface = early ? std::nullopt : as_plane(std::move(surface->region));
+    if (!surface) return std::nullopt;
   }
   const bool plane = surface->fit.family == Family::kPlane;
   if (plane && static_cast<int>(surface->region.size()) < options_.least_plane_samples) {
@@ -148,17 +146,23 @@ std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
   return surface;
 }
 
-std::optional<Surface> Aggregation::fitted_plane(std::vector<int> region) const {
+/// The region as a plane with its evidence; nullopt if the noise does not explain its residual.
+std::optional<Surface> Aggregation::as_plane(std::vector<int> region) const {
   Surface surface;
   surface.local = normalisation_of(samples_, region);
   const FitPoints points = fit_points(samples_, region, surface.local, options_.fit_points);
   std::optional<FamilyFit> fit = fit_family(points, Family::kPlane, {}, kIterations);
   if (!fit) return std::nullopt;
-  surface.effective_size = std::min(options_.effective_size,
-                                    options_.effective_share * static_cast<double>(region.size()));
   surface.Q = surface.local.to_frame(fit->posed.matrix()).normalized();
   surface.rms = surface.local.scale * std::sqrt(fit->rss / static_cast<double>(points.size()));
+  if (surface.rms > options_.largest_residual_plane * mean_sigma(samples_, region)) {
+    return std::nullopt;
+  }
+  surface.effective_size = std::min(options_.effective_size,
+                                    options_.effective_share * static_cast<double>(region.size()));
   surface.fit = std::move(*fit);
+  surface.evidence = collect_evidence(samples_, region, surface.Q);
+  surface.confidence = confidence(surface.evidence, family_spec(Family::kPlane).dof);
   surface.region = std::move(region);
   return surface;
 }

@@ -69,7 +69,7 @@ class Aggregation {
  private:
   std::optional<Surface> accept(const Candidate& candidate, bool early);
   std::optional<Surface> fitted(std::vector<int> region) const;
-  std::optional<Surface> fitted_plane(std::vector<int> region) const;
+  std::optional<Surface> as_plane(std::vector<int> region) const;
   bool is_thin(const Surface& surface) const;
   void extend(Surface* surface) const;
   void join(Surface* surface);
