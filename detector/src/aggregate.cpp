@@ -116,9 +116,7 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
   if (plane && static_cast<int>(surface->region.size()) < options_.least_plane_samples) {
     return std::nullopt;
   }
-  if (!plane && (surface->confidence < least || surface->evidence.spread < options_.least_spread)) {
-    return std::nullopt;
-  }
+  if (!plane && surface->confidence < least) return std::nullopt;
   join(&*surface);
   return surface;
 }

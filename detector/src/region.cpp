@@ -2,8 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace quadrille {
+namespace {
+
+/// The k-th of a golden-ratio sequence over 0 … n-1: even, and in step with no grid, where every
+/// m-th element of a region could be the same few columns.
+std::size_t golden_index(std::size_t k, std::size_t n) {
+  const std::uint64_t fraction = (k + 1) * 0x9e3779b97f4a7c15u;
+  return static_cast<std::size_t>((fraction >> 32) * n >> 32);
+}
+
+}  // namespace
 
 Quadric Normalisation::to_frame(const Eigen::Matrix4d& Q_local) const {
   Eigen::Matrix4d S = Eigen::Matrix4d::Identity();
@@ -38,7 +49,7 @@ FitPoints fit_points(const SurfaceSamples& samples, std::span<const int> region,
   const Eigen::Vector3f centre = normalisation.centre.cast<float>();
   const float inverse = static_cast<float>(1.0 / normalisation.scale);
   for (std::size_t k = 0; k < size; ++k) {
-    const int i = region[k * region.size() / size];
+    const int i = region[size == region.size() ? k : golden_index(k, region.size())];
     const Eigen::Vector3f x = (samples.raw[i] - centre) * inverse;
     points.x[k] = x.x(), points.y[k] = x.y(), points.z[k] = x.z();
     points.nx[k] = samples.n[i].x(), points.ny[k] = samples.n[i].y(),

@@ -24,7 +24,7 @@ struct Normalisation {
 /// Centre and mean square radius of the raw positions of a region.
 Normalisation normalisation_of(const SurfaceSamples& samples, std::span<const int> region);
 
-/// Up to `most` points of a region (every k-th), raw positions in local coordinates.
+/// Up to `most` points of a region (spread evenly), raw positions in local coordinates.
 FitPoints fit_points(const SurfaceSamples& samples, std::span<const int> region,
                      const Normalisation& normalisation, int most);
 
