@@ -162,6 +162,22 @@ void DepthView::build_levels() {
   }
 }
 
+int DepthView::nearer_end_of_gap(int u, int v) const {
+  // Focal length times baseline over depth, as common sensors have it at half a metre.
+  constexpr int kWidest = 20;
+  if (u < 0 || v < 0 || u >= width_ || v >= height_) return -1;
+  int best = -1;
+  for (const int step : {-1, 1}) {
+    for (int k = 1; k <= kWidest; ++k) {
+      const double z = depth(u + k * step, v);
+      if (z == 0.0) continue;
+      if (best < 0 || z < depth(best, v)) best = u + k * step;
+      break;
+    }
+  }
+  return best;
+}
+
 double DepthView::depth(int u, int v) const {
   if (u < 0 || v < 0 || u >= width_ || v >= height_) return 0.0;
   return depth_[static_cast<std::size_t>(v) * width_ + u];

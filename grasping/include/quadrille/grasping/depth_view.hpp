@@ -47,6 +47,9 @@ class DepthView {
   /// True if each pixel whose ray passes the cube measured something beyond it.
   bool sees_past(const Eigen::Vector3d& centre_C, double half) const;
   /// True if some of those pixels did not, and holds(p_C) of the point that each of these measured.
+  /// A pixel that measured nothing counts with the nearer of the two points at the ends of its gap,
+  /// if the gap is narrow: beside the edge of a thing, a stereo or structured-light sensor is blind
+  /// where the thing stands between the surface and its second eye.
   template <class Holds>
   bool hidden_only_by(const Eigen::Vector3d& centre_C, double half, Holds&& holds) const;
   /// For each point of the cloud, whether it was refused as a stray.
@@ -64,6 +67,8 @@ class DepthView {
   template <class Visitor>
   bool all_blockers(const Eigen::Vector3d& centre_C, double half, Visitor&& visit) const;
   Span span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
+  /// Column of the nearer measured pixel at the ends of the gap at (u, v); -1 if there is none.
+  int nearer_end_of_gap(int u, int v) const;
   void choose_axes(const PointCloud& cloud);
   void choose_grid(const PointCloud& cloud);
   void project(const PointCloud& cloud);
@@ -112,7 +117,9 @@ bool DepthView::hidden_only_by(const Eigen::Vector3d& centre_C, double half, Hol
   int blockers = 0;
   const bool all = all_blockers(centre_C, half, [&](int u, int v, double z) {
     ++blockers;
-    return z > 0.0 && holds(Eigen::Vector3d(p_CV_ + z * ray_C(u, v)));
+    const int edge = z > 0.0 ? u : nearer_end_of_gap(u, v);
+    if (edge < 0) return false;
+    return holds(Eigen::Vector3d(p_CV_ + depth(edge, v) * ray_C(edge, v)));
   });
   return all && blockers > 0;
 }
