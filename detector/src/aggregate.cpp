@@ -13,9 +13,9 @@ namespace {
 constexpr std::array kFamilies = {
     Family::kPlane,      Family::kSphere,     Family::kCylinder,        Family::kCone,
     Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder};
-constexpr int kIterations = 8;
+constexpr int kIterations = 6;
 // A candidate whose own fit is less credible than this is not worth a better one.
-constexpr double kHopeless = 0.1;
+constexpr double kHopeless = 0.2;
 // Before the better fit, the spread is allowed to be this much smaller.
 constexpr double kNearlyFlat = 0.8;
 // A joint fit may be this much worse than the worse of two.

@@ -20,7 +20,7 @@ struct Dimension {
 
 /// One quadric found in a cloud with frame C.
 struct Detection {
-  /// 1, 2, … within one result; stable over frames where a tracker assigns it.
+  /// 1, 2, … within one result, best score first.
   int id = 0;
   QuadricType type = QuadricType::kPlane;
   /// Of unit norm, its gradient pointing to the side that the sensor saw.

@@ -32,8 +32,8 @@ struct DetectorOptions {
 };
 
 /// Calls visit(name, field) for each scalar setting, in the order of the configuration file.
-/// A name is the dotted TOML key, such as "planes.sigmas"; a field is double, int, bool or
-/// std::uint64_t.
+/// A name is the dotted TOML key, such as "planes.sigmas"; a field is double, int or
+/// std::uint64_t. Lists (only, search.radii) are left out.
 template <class Options, class Visitor>
 void visit_options(Options& o, Visitor&& visit) {
   visit("seed", o.seed);
