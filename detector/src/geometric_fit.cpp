@@ -12,6 +12,10 @@ namespace {
 // Where the gradient is weaker than this share of its mean, the first-order distance is cut: near
 // an apex or a centre it would explode.
 constexpr float kWeakGradient = 0.05f;
+// A step that promises less than this share of the residual is not worth its evaluation.
+constexpr double kNegligible = 1e-4;
+// A fit that promises more than this multiple of the wanted residual will not get there.
+constexpr double kHopeless = 4.0;
 
 /// Values, gradients and inverse slopes of Q at the points.
 struct Evaluation {
@@ -31,8 +35,10 @@ struct Evaluation {
   }
 };
 
+using Normal = Eigen::Matrix<double, 11, 11>;
+
 /// JᵀJ, Jᵀr and rᵀr of the residuals r with respect to the 10-vector q, in one 11x11 matrix.
-Eigen::Matrix<double, 11, 11> normal_equations(const FitPoints& p, const Eigen::Matrix4d& Q) {
+Normal normal_equations(const FitPoints& p, const Eigen::Matrix4d& Q) {
   const Evaluation e(p, Q);
   const Eigen::ArrayXf rx = e.residual * e.inverse * 2.0f * e.gx;
   const Eigen::ArrayXf ry = e.residual * e.inverse * 2.0f * e.gy;
@@ -50,7 +56,7 @@ Eigen::Matrix<double, 11, 11> normal_equations(const FitPoints& p, const Eigen::
   J.col(8) = (2.0f * (p.z - rz) * e.inverse).matrix();
   J.col(9) = e.inverse.matrix();
   J.col(10) = e.residual.matrix();
-  Eigen::Matrix<double, 11, 11> N;
+  Normal N;
   for (int a = 0; a < 11; ++a) {
     for (int b = a; b < 11; ++b) N(a, b) = N(b, a) = J.col(a).dot(J.col(b));
   }
@@ -70,10 +76,15 @@ Eigen::Matrix4d generator(int motion) {
   return G;
 }
 
+// At most ten parameters: no heap.
+using Tangent = Eigen::Matrix<double, 10, Eigen::Dynamic, 0, 10, 10>;
+using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 10, 10>;
+using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 10, 1>;
+
 /// dq/dθ of a family at a posed quadric: 10 x (shapes + motions).
-Eigen::MatrixXd tangent_space(const FamilySpec& spec, const PosedQuadric& q) {
+Tangent tangent_space(const FamilySpec& spec, const PosedQuadric& q) {
   const Eigen::Matrix4d Y = q.X.inverse().matrix();
-  Eigen::MatrixXd T(10, spec.shapes.size() + spec.motions.size());
+  Tangent T(10, static_cast<Eigen::Index>(spec.shapes.size() + spec.motions.size()));
   Eigen::Index column = 0;
   for (const Eigen::Matrix4d& shape : spec.shapes) {
     T.col(column++) = Quadric(Eigen::Matrix4d(Y.transpose() * shape * Y)).coefficients();
@@ -86,6 +97,25 @@ Eigen::MatrixXd tangent_space(const FamilySpec& spec, const PosedQuadric& q) {
   return T;
 }
 
+/// Gauss-Newton's equations A step = -b in a family's parameters.
+struct Step {
+  Tangent T;
+  Square A;
+  Vector b;
+
+  Step(const FamilySpec& spec, const PosedQuadric& q, const Normal& N)
+      : T(tangent_space(spec, q)),
+        A(T.transpose().lazyProduct(Tangent(N.topLeftCorner<10, 10>().lazyProduct(T)))),
+        b(T.transpose().lazyProduct(N.topRightCorner<10, 1>())) {}
+
+  Vector solve(double damping) const {
+    Square damped = A;
+    damped.diagonal().array() +=
+        damping * A.diagonal().array() + 1e-9 * A.diagonal().maxCoeff();
+    return -damped.ldlt().solve(b);
+  }
+};
+
 }  // namespace
 
 Eigen::Matrix4d PosedQuadric::matrix() const {
@@ -93,7 +123,7 @@ Eigen::Matrix4d PosedQuadric::matrix() const {
   return Y.transpose() * D * Y;
 }
 
-PosedQuadric moved(Family family, PosedQuadric q, const Eigen::VectorXd& step) {
+PosedQuadric moved(Family family, PosedQuadric q, const Eigen::Ref<const Eigen::VectorXd>& step) {
   const FamilySpec& spec = family_spec(family);
   Eigen::Index k = 0;
   for (const Eigen::Matrix4d& shape : spec.shapes) q.D += step[k++] * shape;
@@ -113,34 +143,32 @@ double sum_of_squares(const FitPoints& points, const Eigen::Matrix4d& Q) {
 }
 
 std::optional<FamilyFit> refine(const FitPoints& points, Family family, const PosedQuadric& start,
-                                int iterations) {
+                                int iterations, double wanted) {
   const FamilySpec& spec = family_spec(family);
   if (points.size() < spec.dof) return std::nullopt;
   FamilyFit fit;
   fit.family = family;
   fit.posed = start;
   fit.points = static_cast<int>(points.size());
-  Eigen::Matrix<double, 11, 11> N = normal_equations(points, start.matrix());
+  Normal N = normal_equations(points, start.matrix());
   if (!N.allFinite()) return std::nullopt;
   fit.rss = N(10, 10);
+  Step step(spec, fit.posed, N);
   double damping = 1e-3;
-  Eigen::MatrixXd T = tangent_space(spec, fit.posed);
   for (int i = 0; i < iterations; ++i) {
-    const Eigen::MatrixXd A = T.transpose() * N.topLeftCorner<10, 10>() * T;
-    const Eigen::VectorXd b = T.transpose() * N.topRightCorner<10, 1>();
-    Eigen::MatrixXd damped = A;
-    damped.diagonal() += damping * A.diagonal() +
-                         Eigen::VectorXd::Constant(A.rows(), 1e-9 * A.diagonal().maxCoeff());
-    const Eigen::VectorXd step = -damped.ldlt().solve(b);
-    if (!step.allFinite()) break;
-    const PosedQuadric next = moved(family, fit.posed, step);
-    const Eigen::Matrix<double, 11, 11> M = normal_equations(points, next.matrix());
+    const Vector change = step.solve(damping);
+    if (!change.allFinite()) break;
+    const double gain = -step.b.dot(change);
+    if (gain < kNegligible * fit.rss) break;
+    if (i > 0 && fit.rss - gain > kHopeless * wanted) break;
+    const PosedQuadric next = moved(family, fit.posed, change);
+    const Normal M = normal_equations(points, next.matrix());
     if (M.allFinite() && M(10, 10) < fit.rss) {
       const bool converged = M(10, 10) > 0.999 * fit.rss;
       fit.posed = next;
       fit.rss = M(10, 10);
       N = M;
-      T = tangent_space(spec, fit.posed);
+      step = Step(spec, fit.posed, N);
       damping *= 0.1;
       if (converged) break;
     } else {
@@ -148,7 +176,7 @@ std::optional<FamilyFit> refine(const FitPoints& points, Family family, const Po
       if (damping > 1e3) break;
     }
   }
-  fit.information = T.transpose() * N.topLeftCorner<10, 10>() * T;
+  fit.information = step.A;
   return fit;
 }
 

@@ -57,16 +57,27 @@ std::vector<PosedQuadric> starts(const FitPoints& points, Family family,
   return list;
 }
 
+double effective_size(int size, const SelectionOptions& options) {
+  return std::max(2.0, options.effective_share * size);
+}
+
+/// The inverse of bic(): the sum of squares with which a fit reaches it.
+double rss_for(double bic, int size, int dof, const SelectionOptions& options) {
+  const double n = effective_size(size, options);
+  return size * std::exp((bic - dof * std::log(n)) / n);
+}
+
 }  // namespace
 
 double bic(double rss, int size, int dof, const SelectionOptions& options) {
-  const double n = std::max(2.0, options.effective_share * size);
-  const double variance = rss / size + options.floor * options.floor + 1e-18;
+  const double n = effective_size(size, options);
+  const double variance = rss / size + 1e-18;
   return n * std::log(variance) + dof * std::log(n);
 }
 
 std::optional<FamilyFit> fit_family(const FitPoints& points, Family family,
-                                    const std::vector<FamilyFit>& known, int iterations) {
+                                    const std::vector<FamilyFit>& known, int iterations,
+                                    double wanted) {
   const PosedQuadric* best = nullptr;
   double least = 0.0;
   const std::vector<PosedQuadric> list = starts(points, family, known);
@@ -75,7 +86,7 @@ std::optional<FamilyFit> fit_family(const FitPoints& points, Family family,
     if (!best || rss < least) best = &start, least = rss;
   }
   if (!best) return std::nullopt;
-  return refine(points, family, *best, iterations);
+  return refine(points, family, *best, iterations, wanted);
 }
 
 Selection select_family(const FitPoints& points, std::span<const Family> families,
@@ -89,7 +100,9 @@ Selection select_family(const FitPoints& points, std::span<const Family> familie
     // Even with the residual of the general fit, this family could not become the best.
     const int dof = family_spec(family).dof;
     if (bic(0.95 * general.rss, size, dof, options) >= selection.bic) continue;
-    std::optional<FamilyFit> fit = fit_family(points, family, selection.fits, options.iterations);
+    const double wanted = rss_for(selection.bic, size, dof, options);
+    std::optional<FamilyFit> fit =
+        fit_family(points, family, selection.fits, options.iterations, wanted);
     if (!fit) continue;
     const double value = bic(fit->rss, size, dof, options);
     if (value < selection.bic) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -46,7 +47,8 @@ struct FamilyFit {
 };
 
 /// The quadric after a step in a family's parameters (shapes, then motions).
-PosedQuadric moved(Family family, PosedQuadric quadric, const Eigen::VectorXd& step);
+PosedQuadric moved(Family family, PosedQuadric quadric,
+                   const Eigen::Ref<const Eigen::VectorXd>& step);
 
 /// Sum of squared first-order distances of the points.
 double sum_of_squares(const FitPoints& points, const Eigen::Matrix4d& Q);
@@ -54,8 +56,10 @@ double sum_of_squares(const FitPoints& points, const Eigen::Matrix4d& Q);
 /// Least squares of the first-order distance within a family, from a start, by
 /// Levenberg-Marquardt. Residuals and their derivatives are taken in the space of q, where they
 /// are the same for all families, and projected onto the family's tangent space dq/dθ.
+/// @param wanted  sum of squares of interest: the fit may stop early where it will not get there
 /// @return nullopt if the start is degenerate or no finite step exists
 std::optional<FamilyFit> refine(const FitPoints& points, Family family, const PosedQuadric& start,
-                                int iterations);
+                                int iterations,
+                                double wanted = std::numeric_limits<double>::infinity());
 
 }  // namespace quadrille

@@ -11,8 +11,6 @@ namespace quadrille {
 struct SelectionOptions {
   /// Independent measurements per point: neighbours share their noise.
   double effective_share = 0.25;
-  /// Residual below which two fits count as equal, in the unit of the points.
-  double floor = 0.0;
   /// Steps of the geometric fit.
   int iterations = 6;
 };
@@ -31,8 +29,10 @@ double bic(double rss, int size, int dof, const SelectionOptions& options);
 
 /// The best fit of one family from its closed-form starts; nullopt if there is none.
 /// @param known  fits of other families, on which some starts build
+/// @param wanted  sum of squares of interest; see refine()
 std::optional<FamilyFit> fit_family(const FitPoints& points, Family family,
-                                    const std::vector<FamilyFit>& known, int iterations);
+                                    const std::vector<FamilyFit>& known, int iterations,
+                                    double wanted = std::numeric_limits<double>::infinity());
 
 /// Fits the families and selects one.
 /// @param general  the fit of the general family: no other fits better, which spares most fits
