@@ -18,6 +18,8 @@ constexpr int kIterations = 6;
 constexpr double kHopeless = 0.2;
 // Before the better fit, the spread is allowed to be this much smaller.
 constexpr double kNearlyFlat = 0.8;
+// Share of its extent that a surface is looked for beyond each end.
+constexpr float kFurther = 0.15f;
 // A joint fit may be this much worse than the worse of two.
 constexpr double kJointRms = 1.25;
 
@@ -29,9 +31,7 @@ double support(const SurfaceSamples& samples, const Candidate& candidate, const 
   float sum = 0;
   for (const int i : candidate.region) {
     if (claimed[i]) continue;
-    const Eigen::Vector4f x = samples.raw[i].homogeneous();
-    const Eigen::Vector4f h = Q * x;
-    const float d = x.dot(h) / (2.0f * h.head<3>().norm() * sigmas * samples.sigma[i]);
+    const float d = distance_to(Q, samples.raw[i]) / (sigmas * samples.sigma[i]);
     sum += std::max(0.0f, 1.0f - d * d) * samples.cell[i] * samples.cell[i];
   }
   return sum;
@@ -229,24 +229,34 @@ void Aggregation::join(Surface* surface) {
 }
 
 std::vector<int> Aggregation::further(const Surface& surface) const {
-  const Eigen::Isometry3d Y = surface.fit.posed.X.inverse();
-  const auto posed = [&](int i) -> Eigen::Vector3d {
-    return Y * ((samples_.raw[i].cast<double>() - surface.local.centre) / surface.local.scale);
+  const Eigen::Isometry3f Y = surface.fit.posed.X.inverse().cast<float>();
+  const Eigen::Vector3f centre = surface.local.centre.cast<float>();
+  const float scale = static_cast<float>(surface.local.scale);
+  const auto posed = [&](int i) -> Eigen::Vector3f {
+    return Y * Eigen::Vector3f((samples_.raw[i] - centre) / scale);
   };
-  Eigen::AlignedBox3d box;
-  for (const int i : surface.region) box.extend(posed(i));
-  const Eigen::Vector3d margin = 0.15 * box.sizes();
-  box.extend(Eigen::Vector3d(box.min() - margin));
-  box.extend(Eigen::Vector3d(box.max() + margin));
   std::vector<char> inside(samples_.p.size(), 0);
-  for (const int i : surface.region) inside[i] = 1;
+  Eigen::AlignedBox3f box;
+  float farthest = 0;
+  for (const int i : surface.region) {
+    inside[i] = 1;
+    box.extend(posed(i));
+    farthest = std::max(farthest, (samples_.raw[i] - centre).squaredNorm());
+  }
+  const Eigen::Vector3f margin = kFurther * box.sizes();
+  box.extend(Eigen::Vector3f(box.min() - margin));
+  box.extend(Eigen::Vector3f(box.max() + margin));
+  // The box lies within this ball.
+  const float reach = std::sqrt(farthest) + margin.norm() * scale;
   InlierTest test = inlier_;
   test.sigmas *= options_.claim;
   const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
   std::vector<int> more;
   for (int i = 0; i < samples_.size(); ++i) {
-    if (claimed_[i] || inside[i] || !is_inlier(samples_, i, Q, test)) continue;
-    if (box.contains(posed(i))) more.push_back(i);
+    if (claimed_[i] || inside[i] || (samples_.raw[i] - centre).squaredNorm() > reach * reach) {
+      continue;
+    }
+    if (is_inlier(samples_, i, Q, test) && box.contains(posed(i))) more.push_back(i);
   }
   return more;
 }

@@ -23,11 +23,13 @@ CloudCheck check_cloud(const PointCloud& cloud) {
   double looked = 0;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / 5000);
-  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    const Eigen::Vector3f& p = cloud.points[i];
+  std::size_t until_next = 0;
+  for (const Eigen::Vector3f& p : cloud.points) {
+    const bool look = until_next == 0;
+    until_next = look ? stride - 1 : until_next - 1;
     if (!p.allFinite()) continue;
     if (check.finite++ == 0) origin = p.cast<double>();
-    if (i % stride) continue;
+    if (!look) continue;
     const Eigen::Vector3d x = p.cast<double>() - origin;
     looked += 1, sum += x, square += x * x.transpose();
     distance.push_back(static_cast<float>((p.cast<double>() - cloud.viewpoint).norm()));

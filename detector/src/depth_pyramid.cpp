@@ -13,6 +13,8 @@ namespace {
 // More cells with layers than this, and the cloud is no single view.
 constexpr double kMostLayered = 0.25;
 constexpr int kMostPixels = 32;
+// Patches that tell whether the cells are too fine for the noise.
+constexpr int kGlance = 100;
 // Half windows of the regressions, in cells.
 constexpr int kPlaneReach = 1, kReach = 2;
 
@@ -82,12 +84,13 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
     for (int l = 1; l < kLevels; ++l) cells[l] = coarser(cells[l - 1], {});
   };
   coarsen();
-  std::vector<NoiseModel> noise = measure_noise(cells, options.noise);
-  if (noise[0].sigma(z) > options.noisiest_cell * cells[0].metric(1.0f / z)) {
+  NoiseOptions glance = options.noise;
+  glance.patches = std::min(glance.patches, kGlance);
+  if (measure_noise(cells, glance)[0].sigma(z) > options.noisiest_cell * cells[0].metric(1.0f / z)) {
     cells[0] = std::move(cells[1]);
     coarsen();
-    noise = measure_noise(cells, options.noise);
   }
+  std::vector<NoiseModel> noise = measure_noise(cells, options.noise);
   return std::make_unique<DepthPyramid>(projection->X_VC.inverse(), std::move(cells),
                                         std::move(noise));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "quadrille/detector/region.hpp"
 #include "quadrille/detector/two_planes.hpp"
 
 namespace quadrille {
@@ -46,9 +47,10 @@ Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> re
   e.log_count = std::log(n);
   double square = 1e-12 * n;
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  const Eigen::Matrix4f Q = quadric.normalized().matrix().cast<float>();
   for (const int i : region) {
-    const double d = quadric.distance(samples.raw[i].cast<double>());
-    square += d * d;
+    const float d = distance_to(Q, samples.raw[i]);
+    square += static_cast<double>(d * d);
     mean += samples.n[i];
   }
   mean.normalize();

@@ -4,64 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "normal_equations.hpp"
 #include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 namespace {
 
-// Where the gradient is weaker than this share of its mean, the first-order distance is cut: near
-// an apex or a centre it would explode.
-constexpr float kWeakGradient = 0.05f;
 // A step that promises less than this share of the residual is not worth its evaluation.
 constexpr double kNegligible = 1e-4;
 // A fit that promises more than this multiple of the wanted residual will not get there.
 constexpr double kHopeless = 4.0;
 
-/// Values, gradients and inverse slopes of Q at the points.
-struct Evaluation {
-  Eigen::ArrayXf gx, gy, gz, inverse, residual;
-
-  Evaluation(const FitPoints& p, const Eigen::Matrix4d& matrix) {
-    const Eigen::Matrix4f Q = matrix.cast<float>();
-    gx = Q(0, 0) * p.x + Q(0, 1) * p.y + Q(0, 2) * p.z + Q(0, 3);
-    gy = Q(0, 1) * p.x + Q(1, 1) * p.y + Q(1, 2) * p.z + Q(1, 3);
-    gz = Q(0, 2) * p.x + Q(1, 2) * p.y + Q(2, 2) * p.z + Q(2, 3);
-    const Eigen::ArrayXf f =
-        gx * p.x + gy * p.y + gz * p.z + Q(0, 3) * p.x + Q(1, 3) * p.y + Q(2, 3) * p.z + Q(3, 3);
-    const Eigen::ArrayXf slope = (gx.square() + gy.square() + gz.square()).sqrt();
-    const float least = std::max(1e-20f, kWeakGradient * slope.mean());
-    inverse = 0.5f / slope.max(least);
-    residual = f * inverse;
-  }
-};
-
 using Normal = Eigen::Matrix<double, 11, 11>;
-
-/// JᵀJ, Jᵀr and rᵀr of the residuals r with respect to the 10-vector q, in one 11x11 matrix.
-Normal normal_equations(const FitPoints& p, const Eigen::Matrix4d& Q) {
-  const Evaluation e(p, Q);
-  const Eigen::ArrayXf rx = e.residual * e.inverse * 2.0f * e.gx;
-  const Eigen::ArrayXf ry = e.residual * e.inverse * 2.0f * e.gy;
-  const Eigen::ArrayXf rz = e.residual * e.inverse * 2.0f * e.gz;
-  // dr/dq = (v - r ∇vᵀ g / |g|) / |g|, where g is the gradient and its halves are in e.
-  Eigen::Matrix<float, Eigen::Dynamic, 11> J(p.size(), 11);
-  J.col(0) = (p.x * (p.x - 2.0f * rx) * e.inverse).matrix();
-  J.col(1) = (p.y * (p.y - 2.0f * ry) * e.inverse).matrix();
-  J.col(2) = (p.z * (p.z - 2.0f * rz) * e.inverse).matrix();
-  J.col(3) = (2.0f * (p.x * p.y - p.y * rx - p.x * ry) * e.inverse).matrix();
-  J.col(4) = (2.0f * (p.x * p.z - p.z * rx - p.x * rz) * e.inverse).matrix();
-  J.col(5) = (2.0f * (p.y * p.z - p.z * ry - p.y * rz) * e.inverse).matrix();
-  J.col(6) = (2.0f * (p.x - rx) * e.inverse).matrix();
-  J.col(7) = (2.0f * (p.y - ry) * e.inverse).matrix();
-  J.col(8) = (2.0f * (p.z - rz) * e.inverse).matrix();
-  J.col(9) = e.inverse.matrix();
-  J.col(10) = e.residual.matrix();
-  Normal N;
-  for (int a = 0; a < 11; ++a) {
-    for (int b = a; b < 11; ++b) N(a, b) = N(b, a) = J.col(a).dot(J.col(b));
-  }
-  return N;
-}
 
 /// The generator of a motion as a 4x4 matrix of se(3).
 Eigen::Matrix4d generator(int motion) {
@@ -136,10 +90,6 @@ PosedQuadric moved(Family family, PosedQuadric q, const Eigen::Ref<const Eigen::
   // Only the general family is free in scale; the others hold a coefficient fixed.
   if (spec.motions.empty()) q.D /= q.D.norm();
   return q;
-}
-
-double sum_of_squares(const FitPoints& points, const Eigen::Matrix4d& Q) {
-  return Evaluation(points, Q).residual.square().sum();
 }
 
 std::optional<FamilyFit> refine(const FitPoints& points, Family family, const PosedQuadric& start,

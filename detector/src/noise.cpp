@@ -9,7 +9,6 @@ namespace quadrille {
 namespace {
 
 constexpr float kLeastSigma = 1e-4f;
-constexpr int kPatches = 400;
 constexpr int kLeastReach = 3, kLargestReach = 8;
 
 /// w / w₀ − 1 as a quadratic in the offsets (s, t) from the centre, scaled to the patch.
@@ -118,7 +117,7 @@ std::vector<NoiseModel> measure_noise(std::span<const DepthCells> levels,
   const DepthCells& cells = levels[std::min<std::size_t>(1, levels.size() - 1)];
   std::vector<std::vector<std::pair<float, float>>> depth_residual(levels.size());
   const int stride =
-      std::max(1, static_cast<int>(std::sqrt(static_cast<double>(cells.size()) / kPatches)));
+      std::max(1, static_cast<int>(std::sqrt(static_cast<double>(cells.size()) / options.patches)));
   for (int j = stride / 2; j < cells.height; j += stride) {
     for (int i = stride / 2; i < cells.width; i += stride) {
       const int c = j * cells.width + i;

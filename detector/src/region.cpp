@@ -16,6 +16,13 @@ std::size_t golden_index(std::size_t k, std::size_t n) {
 
 }  // namespace
 
+std::vector<int> spread_evenly(std::span<const int> region, std::size_t most) {
+  if (region.size() <= most) return {region.begin(), region.end()};
+  std::vector<int> some(most);
+  for (std::size_t k = 0; k < most; ++k) some[k] = region[golden_index(k, region.size())];
+  return some;
+}
+
 Quadric Normalisation::to_frame(const Eigen::Matrix4d& Q_local) const {
   Eigen::Matrix4d S = Eigen::Matrix4d::Identity();
   S.topLeftCorner<3, 3>() /= scale;
@@ -90,12 +97,13 @@ std::vector<int> connected_inliers(const SurfaceSamples& samples, std::span<cons
 }
 
 double effective_share(const SurfaceSamples& samples, std::span<const int> region,
-                       const Quadric& Q) {
+                       const Quadric& quadric) {
+  const Eigen::Matrix4f Q = quadric.normalized().matrix().cast<float>();
   std::vector<float> residual(static_cast<std::size_t>(samples.size()), 0.0f);
   std::vector<char> inside(residual.size(), 0);
   double square = 0;
   for (const int i : region) {
-    residual[i] = static_cast<float>(Q.distance(samples.raw[i].cast<double>()));
+    residual[i] = distance_to(Q, samples.raw[i]);
     inside[i] = 1;
     square += residual[i] * residual[i];
   }

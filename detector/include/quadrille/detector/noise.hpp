@@ -22,6 +22,8 @@ struct NoiseOptions {
   double radius = 0.04;
   /// Of all patches' residuals this quantile is taken: clutter is no quadratic.
   double quantile = 0.25;
+  /// Patches to look at, about.
+  int patches = 400;
 };
 
 /// Measures the noise of cell means at each level of a pyramid of cells, as the residual of

@@ -42,6 +42,7 @@ void visit_options(Options& o, Visitor&& visit) {
   visit("sampling.noisiest_cell", o.sampling.noisiest_cell);
   visit("sampling.noise.radius", o.sampling.noise.radius);
   visit("sampling.noise.quantile", o.sampling.noise.quantile);
+  visit("sampling.noise.patches", o.sampling.noise.patches);
   visit("planes.least_samples", o.planes.least_samples);
   visit("planes.sigmas", o.planes.sigmas);
   visit("planes.angle", o.planes.angle);

@@ -24,6 +24,9 @@ struct Normalisation {
 /// Centre and mean square radius of the raw positions of a region.
 Normalisation normalisation_of(const SurfaceSamples& samples, std::span<const int> region);
 
+/// The region if it has at most so many samples, else that many of them, spread evenly.
+std::vector<int> spread_evenly(std::span<const int> region, std::size_t most);
+
 /// Up to `most` points of a region (spread evenly), raw positions in local coordinates.
 FitPoints fit_points(const SurfaceSamples& samples, std::span<const int> region,
                      const Normalisation& normalisation, int most);
@@ -34,6 +37,12 @@ struct InlierTest {
   /// Least |cosine| between normal and gradient; -1 to ignore normals.
   double least_cosine = 0.9;
 };
+
+/// Signed first-order distance f / |∇f| of a position to Q, in single precision [m].
+inline float distance_to(const Eigen::Matrix4f& Q, const Eigen::Vector3f& x) {
+  const Eigen::Vector4f h = Q * x.homogeneous();
+  return x.homogeneous().dot(h) / (2.0f * h.head<3>().norm());
+}
 
 /// True if sample i lies on Q with a compatible normal, up to sign: on surfaces seen inside and
 /// outside, normals towards the camera contradict the gradient.
