@@ -5,14 +5,10 @@
 #include <cmath>
 #include <vector>
 
-#include "quadrille/detector/region.hpp"
-
 namespace quadrille {
 namespace {
 
 constexpr int kNormalRounds = 5, kDistanceRounds = 4;
-// Samples that the rounds look at; more do not change the answer.
-constexpr std::size_t kSamples = 400;
 
 /// Least-squares plane of the samples on one side, relative to the origin; far away if they are
 /// too few.
@@ -68,8 +64,7 @@ std::vector<char> part_by_normals(const SurfaceSamples& samples, std::span<const
 
 }  // namespace
 
-double two_planes_rss(const SurfaceSamples& samples, std::span<const int> all) {
-  const std::vector<int> region = spread_evenly(all, kSamples);
+double two_planes_rss(const SurfaceSamples& samples, std::span<const int> region) {
   std::vector<char> side = part_by_normals(samples, region);
   // Near an edge the smoothed normals lie between the faces: from here on the distance decides.
   const Eigen::Vector3d origin = samples.raw[region[0]].cast<double>();
@@ -85,7 +80,7 @@ double two_planes_rss(const SurfaceSamples& samples, std::span<const int> all) {
       rss += std::min(a * a, b * b);
     }
   }
-  return rss * static_cast<double>(all.size()) / static_cast<double>(region.size());
+  return rss;
 }
 
 }  // namespace quadrille
