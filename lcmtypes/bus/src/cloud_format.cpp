@@ -15,8 +15,7 @@ std::string_view to_string(CloudFormat format) {
 }
 
 std::optional<CloudFormat> cloud_format_from_string(std::string_view name) {
-  for (const CloudFormat format :
-       {CloudFormat::kDrake, CloudFormat::kPointCloud2, CloudFormat::kPointCloud}) {
+  for (const CloudFormat format : all_cloud_formats()) {
     if (name == to_string(format)) return format;
   }
   return std::nullopt;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -18,6 +19,11 @@ enum class CloudFormat {
   kPointCloud2,  ///< bot_core.pointcloud2_t
   kPointCloud,   ///< bot_core.pointcloud_t
 };
+
+/// All the formats, in their order.
+constexpr std::array<CloudFormat, 3> all_cloud_formats() {
+  return {CloudFormat::kDrake, CloudFormat::kPointCloud2, CloudFormat::kPointCloud};
+}
 
 /// "drake", "pointcloud2" or "pointcloud".
 std::string_view to_string(CloudFormat format);
