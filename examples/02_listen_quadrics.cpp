@@ -9,7 +9,7 @@ struct Printer {
   void on_quadrics(const lcm::ReceiveBuffer*, const std::string&,
                    const quadrille::quadrics_t* message) {
     std::cout << "cloud " << message->utime << " us, frame '" << message->frame
-              << "': " << message->num_detections << " quadrics\n";
+              << "', quadrics: " << message->num_detections << '\n';
     for (const quadrille::quadric_t& found : message->detections) print(found);
     std::cout << std::flush;
   }

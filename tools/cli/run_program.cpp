@@ -5,9 +5,22 @@
 #include <exception>
 
 namespace quadrille {
+namespace {
+
+/// One line on what is wrong, and where to read on.
+std::string describe_usage_error(const CLI::App* app, const CLI::Error& error) {
+  std::string what = error.what();
+  while (what.ends_with('\n')) what.pop_back();
+  return app->get_name() + ": " + what + "; see " + app->get_name() + " --help\n";
+}
+
+}  // namespace
 
 int run_program(CLI::App& app, int argc, const char* const* argv,
                 const std::function<void()>& work) {
+  app.set_version_flag("--version", app.get_name() + " " + QUADRILLE_VERSION,
+                       "Print the version and exit");
+  app.failure_message(describe_usage_error);
   try {
     app.parse(argc, argv);
     work();

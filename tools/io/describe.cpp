@@ -29,6 +29,10 @@ std::string short_name(const std::string& name) {
 
 }  // namespace
 
+std::string count_of(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
+
 std::string describe(const Dimension& dimension) {
   return fmt::format("{:.1f} {}", shown_value(dimension), unit_of(dimension));
 }

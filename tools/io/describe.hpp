@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille::io {
+
+/// A count for people: "1 cloud", "2 clouds".
+std::string count_of(std::size_t count, const std::string& noun);
 
 /// A dimension for people: "41.0 mm", "7.4 deg" for angles.
 std::string describe(const Dimension& dimension);
