@@ -114,6 +114,8 @@ TEST_CASE("wrong usage ends the command with 2", "[command]") {
   CHECK(only.code == 2);
   CHECK(contains(only.err, "'cube'"));
   CHECK(contains(only.err, "elliptic_cylinder"));
+  CHECK(contains(run_quadrille("nonsense").err, "give one of the commands detect, plan"));
+  CHECK(contains(run_quadrille("plan " + cloud).err, "see quadrille plan --help"));
   CHECK(run_quadrille("--version").out.starts_with("quadrille "));
   CHECK(run_quadrille("--help").code == 0);
   CHECK(run_quadrille("detect --help").code == 0);

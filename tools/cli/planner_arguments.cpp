@@ -29,7 +29,7 @@ Gripper PlannerArguments::gripper() const {
   try {
     return io::load_gripper(gripper_name);
   } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError("--gripper", error.what());
+    throw CLI::ValidationError("--gripper", std::string(error.what()) + ", or a .toml file");
   }
 }
 

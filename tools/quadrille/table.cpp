@@ -28,7 +28,7 @@ std::string grasp_table(const GraspPlan& plan) {
   if (plan.grasps.empty()) {
     text = "  no grasps found\n";
   } else {
-    text = fmt::format("  {:>6} {:>5} {:>8} {:>8} {:>8} {:>7}  {:^23}\n", "target", "score",
+    text = fmt::format("  {:>6} {:>5} {:>8} {:>8} {:>8} {:>7}        {}\n", "target", "score",
                        "width/mm", "friction", "epsilon", "free/mm", "position/m");
   }
   for (const Grasp& g : plan.grasps) {
