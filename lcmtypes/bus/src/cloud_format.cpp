@@ -14,11 +14,4 @@ std::string_view to_string(CloudFormat format) {
   return "drake";
 }
 
-std::optional<CloudFormat> cloud_format_from_string(std::string_view name) {
-  for (const CloudFormat format : all_cloud_formats()) {
-    if (name == to_string(format)) return format;
-  }
-  return std::nullopt;
-}
-
 }  // namespace quadrille::bus

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -27,9 +26,6 @@ constexpr std::array<CloudFormat, 3> all_cloud_formats() {
 
 /// "drake", "pointcloud2" or "pointcloud".
 std::string_view to_string(CloudFormat format);
-
-/// The format of a name; nullopt if there is none of that name.
-std::optional<CloudFormat> cloud_format_from_string(std::string_view name);
 
 /// A cloud with what its message said of it.
 struct CloudMessage {
