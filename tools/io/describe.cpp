@@ -45,9 +45,14 @@ std::string describe_dimensions(const Detection& detection) {
   return text;
 }
 
-std::string short_label(const Detection& detection) {
+std::string name_of(const Detection& detection) {
   std::string text = fmt::format("{} {}", detection.id, to_string(detection.type));
   std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::string short_label(const Detection& detection) {
+  std::string text = name_of(detection);
   const auto& dimensions = detection.dimensions;
   const std::size_t shown = std::min<std::size_t>(dimensions.size(), 3);
   for (std::size_t i = 0; i < shown; ++i) {
