@@ -19,6 +19,7 @@ struct Printer {
               << found.type << std::right << " score " << std::setprecision(2) << found.score
               << "  at [m]" << std::setprecision(3);
     for (const double value : found.pose.position) std::cout << std::setw(8) << value;
+    std::cout << std::setprecision(4);
     for (const quadrille::dimension_t& dimension : found.dimensions) {
       std::cout << "  " << dimension.name << ' ' << dimension.value << " ± " << dimension.std;
     }

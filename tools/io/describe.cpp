@@ -22,8 +22,8 @@ std::string short_name(const std::string& name) {
   if (name == "radius") return "r";
   if (name == "length") return "l";
   if (name == "height") return "h";
-  if (name.starts_with("half_angle")) return "angle" + name.substr(10);
-  if (name.starts_with("focal_")) return "f" + name.substr(6);
+  if (name.starts_with("half_angle")) return fmt::format("angle{}", name.substr(10));
+  if (name.starts_with("focal_")) return fmt::format("f{}", name.substr(6));
   return name;
 }
 
