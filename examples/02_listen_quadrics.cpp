@@ -9,7 +9,7 @@ struct Printer {
   void on_quadrics(const lcm::ReceiveBuffer*, const std::string&,
                    const quadrille::quadrics_t* message) {
     std::cout << "cloud " << message->utime << " us, frame '" << message->frame
-              << "': " << message->num_detections << " quadrics\n";
+              << "', quadrics: " << message->num_detections << '\n';
     for (const quadrille::quadric_t& found : message->detections) print(found);
     std::cout << std::flush;
   }
@@ -19,6 +19,7 @@ struct Printer {
               << found.type << std::right << " score " << std::setprecision(2) << found.score
               << "  at [m]" << std::setprecision(3);
     for (const double value : found.pose.position) std::cout << std::setw(8) << value;
+    std::cout << std::setprecision(4);
     for (const quadrille::dimension_t& dimension : found.dimensions) {
       std::cout << "  " << dimension.name << ' ' << dimension.value << " ± " << dimension.std;
     }

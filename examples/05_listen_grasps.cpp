@@ -11,8 +11,8 @@ struct Printer {
 
   void on_grasps(const lcm::ReceiveBuffer*, const std::string&,
                  const quadrille::grasps_t* message) {
-    std::cout << "cloud " << message->utime << " us, hand " << message->gripper << ": "
-              << message->num_grasps << " grasps\n";
+    std::cout << "cloud " << message->utime << " us, hand " << message->gripper
+              << ", grasps: " << message->num_grasps << '\n';
     const std::size_t shown = std::min(message->grasps.size(), kShown);
     for (std::size_t i = 0; i < shown; ++i) print(message->grasps[i]);
     if (shown == 0) {

@@ -2,20 +2,16 @@
 
 #include "cli/run_program.hpp"
 #include "command_line.hpp"
-#include "quadrille/bus/stop.hpp"
-#include "run.hpp"
+#include "node.hpp"
+#include "process/run.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app("Detects quadrics in the point clouds of an LCM channel.", "quadrille-detector");
   const quadrille::CommandLine command_line(app);
   return quadrille::run_program(app, argc, argv, [&] {
     const quadrille::DetectorSettings settings = command_line.settings();
-    quadrille::start_logging(app, settings.process.verbose);
-    quadrille::bus::install_stop_signals();
-    if (settings.process.in_log.empty()) {
-      quadrille::run_on_bus(settings);
-    } else {
-      quadrille::run_on_log(settings);
-    }
+    quadrille::run_process(app.get_name(), settings.process, [&](quadrille::bus::Publish publish) {
+      return std::make_unique<quadrille::DetectorNode>(settings, std::move(publish));
+    });
   });
 }

@@ -9,55 +9,39 @@
 #include <string>
 #include <vector>
 
+#include "process/node.hpp"
+#include "process/refusals.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/durations.hpp"
-#include "quadrille/bus/publish.hpp"
-#include "quadrille/bus/rate_limiter.hpp"
-#include "quadrille/bus/rejection.hpp"
 #include "settings.hpp"
 
 namespace quadrille {
 
-/// A cloud on its way to the detector.
-struct ReceivedCloud {
-  bus::CloudMessage message;
-  std::chrono::steady_clock::time_point at;
-};
-
-/// The work of the process, the same on the bus and in replay.
-class DetectorNode {
+/// Finds the quadrics of the clouds of one channel.
+class DetectorNode : public Node {
  public:
   DetectorNode(const DetectorSettings& settings, bus::Publish publish);
 
-  /// Decodes a message of the input channel; nullopt if it was refused, which is counted and
-  /// logged. For the receiving thread.
-  std::optional<ReceivedCloud> receive(std::span<const std::byte> bytes);
-
-  /// Detects and publishes; what fails is counted and logged. For the working thread.
-  void handle(const ReceivedCloud& cloud);
-
-  /// Publishes the status.
-  /// @param superseded  clouds dropped for a newer one
-  /// @param warnings    what is wrong with the transport
-  void publish_status(std::int64_t superseded, const std::vector<std::string>& warnings);
-
-  /// Clouds on which the detection failed.
-  std::int64_t failed() const;
+  std::vector<InChannel> in_channels() const override;
+  std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
+  void publish_status(std::int64_t superseded, const std::vector<std::string>& warnings) override;
+  std::string summary() const override;
 
  private:
-  void log_rejection(const bus::Rejection& rejection);
-  void detect_and_publish(const ReceivedCloud& cloud);
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  void detect_and_publish(const bus::CloudMessage& cloud, TimePoint received);
   detector_status_t make_status() const;
 
   const DetectorSettings settings_;
   const bus::Publish publish_;
   const std::int64_t dropped_before_;
-  bus::RateLimiter rejection_log_{std::chrono::seconds(1)};
 
   mutable std::mutex mutex_;
   detector_status_t counts_{};
-  bus::RejectCounts rejected_;
-  bus::Durations latencies_, detections_;
+  std::int64_t detections_ = 0;
+  Refusals refusals_;
+  bus::Durations latencies_, detection_times_;
 };
 
 }  // namespace quadrille

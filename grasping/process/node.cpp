@@ -1,13 +1,13 @@
 #include "node.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <utility>
 
 #include "messages.hpp"
-#include "quadrille/bus/clock.hpp"
+#include "process/status.hpp"
 #include "quadrille/bus/encode.hpp"
-#include "quadrille/bus/network.hpp"
 #include "quadrille/bus/status_message.hpp"
 
 namespace quadrille {
@@ -17,24 +17,27 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
       publish_(std::move(publish)),
       dropped_before_(bus::count_dropped_datagrams()) {}
 
+std::vector<InChannel> PlannerNode::in_channels() const {
+  return {{"--cloud-channel", settings_.cloud_channel},
+          {"--quadrics-channel", settings_.quadrics_channel}};
+}
+
 template <class Message>
-std::optional<CloudAndQuadrics> PlannerNode::accept(bus::Decoded<Message> decoded,
-                                                    const std::string& channel,
-                                                    std::int64_t* accepted,
-                                                    bus::RejectCounts* rejected) {
+std::optional<Job> PlannerNode::accept(bus::Decoded<Message> decoded, const std::string& channel,
+                                       std::int64_t* accepted, Refusals* refusals) {
   if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
-    rejected->add(rejection->reason);
-    log_rejection(channel, *rejection);
+    refusals->add(channel, *rejection);
     return std::nullopt;
   }
   ++*accepted;
-  Message message = std::get<Message>(std::move(decoded));
-  last_utime_ = message.utime;
-  return pairing_.add(std::move(message));
+  auto pair = pairing_.add(std::get<Message>(std::move(decoded)));
+  if (!pair) return std::nullopt;
+  const std::int64_t utime = pair->cloud->utime;
+  return Job{utime, [this, pair = std::move(*pair)] { plan_and_publish(pair); }};
 }
 
-std::optional<CloudAndQuadrics> PlannerNode::receive(const std::string& channel,
-                                                     std::span<const std::byte> bytes) {
+std::optional<Job> PlannerNode::receive(const std::string& channel,
+                                        std::span<const std::byte> bytes) {
   const bool is_cloud = channel == settings_.cloud_channel;
   if (!is_cloud && channel != settings_.quadrics_channel) return std::nullopt;
   if (is_cloud) {
@@ -42,30 +45,13 @@ std::optional<CloudAndQuadrics> PlannerNode::receive(const std::string& channel,
     const std::lock_guard lock(mutex_);
     ++counts_.received_clouds;
     counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
-    return accept(std::move(decoded), channel, &counts_.decoded_clouds, &rejected_clouds_);
+    return accept(std::move(decoded), channel, &counts_.decoded_clouds, &refused_clouds_);
   }
   auto decoded = bus::decode_quadrics(bytes);
   const std::lock_guard lock(mutex_);
   ++counts_.received_quadrics;
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
-  return accept(std::move(decoded), channel, &counts_.decoded_quadrics, &rejected_quadrics_);
-}
-
-void PlannerNode::log_rejection(const std::string& channel, const bus::Rejection& rejection) {
-  const auto held_back = rejection_log_.admit();
-  if (!held_back) return;
-  spdlog::warn("{}: refused a message: {} ({}); {} more since the last record", channel,
-               to_string(rejection.reason), rejection.detail, *held_back);
-}
-
-void PlannerNode::handle(const CloudAndQuadrics& pair) {
-  try {
-    plan_and_publish(pair);
-  } catch (const std::exception& error) {
-    spdlog::error("cloud {}: {}", pair.cloud->utime, error.what());
-    const std::lock_guard lock(mutex_);
-    ++counts_.failed;
-  }
+  return accept(std::move(decoded), channel, &counts_.decoded_quadrics, &refused_quadrics_);
 }
 
 template <class Message>
@@ -92,54 +78,48 @@ void PlannerNode::plan_and_publish(const CloudAndQuadrics& pair) {
   ++counts_.published;
   counts_.published_bytes += bytes;
   counts_.cloud_utime = pair.cloud->utime;
+  grasps_ += static_cast<std::int64_t>(plan.grasps.size());
   latencies_.add(latency);
-  plans_.add(plan.total_ms);
+  plan_times_.add(plan.total_ms);
 }
 
 void PlannerNode::publish_status(std::int64_t superseded,
                                  const std::vector<std::string>& warnings) {
   planner_status_t status = make_status();
-  status.superseded = superseded;
-  status.warnings = warnings;
-  status.num_warnings = static_cast<std::int32_t>(warnings.size());
+  set_transport(superseded, warnings, dropped_before_, &status);
   publish(settings_.status_channel, status);
 }
 
 planner_status_t PlannerNode::make_status() const {
   const std::lock_guard lock(mutex_);
   planner_status_t status = counts_;
-  status.utime = bus::wall_clock_utime();
   status.paired = pairing_.paired();
   status.unpaired_quadrics = pairing_.unpaired();
-  status.dropped_datagrams =
-      dropped_before_ < 0 ? -1 : bus::count_dropped_datagrams() - dropped_before_;
-  status.rejected_clouds = bus::to_message(rejected_clouds_);
+  status.failed = failed();
+  status.rejected_clouds = bus::to_message(refused_clouds_.counts());
   status.num_rejected_clouds = static_cast<std::int32_t>(status.rejected_clouds.size());
-  status.rejected_quadrics = bus::to_message(rejected_quadrics_);
+  status.rejected_quadrics = bus::to_message(refused_quadrics_.counts());
   status.num_rejected_quadrics = static_cast<std::int32_t>(status.rejected_quadrics.size());
-  const bus::DurationSummary latency = latencies_.summary(), plan = plans_.summary();
-  status.latency_p50 = latency.p50;
-  status.latency_p95 = latency.p95;
-  status.latency_max = latency.max;
+  set_latency(latencies_.summary(), &status);
+  const bus::DurationSummary plan = plan_times_.summary();
   status.plan_p50 = plan.p50;
   status.plan_p95 = plan.p95;
   status.plan_max = plan.max;
   return status;
 }
 
-std::int64_t PlannerNode::failed() const {
+std::string PlannerNode::summary() const {
   const std::lock_guard lock(mutex_);
-  return counts_.failed;
+  return fmt::format(
+      "clouds in: {}, {}; messages of quadrics in: {}, {}; pairs: {}; grasps out: {}",
+      counts_.received_clouds, describe(refused_clouds_.counts()), counts_.received_quadrics,
+      describe(refused_quadrics_.counts()), pairing_.paired(), grasps_);
 }
 
-std::int64_t PlannerNode::paired() const {
+std::vector<std::string> PlannerNode::find_oddities() const {
   const std::lock_guard lock(mutex_);
-  return pairing_.paired();
-}
-
-std::int64_t PlannerNode::last_utime() const {
-  const std::lock_guard lock(mutex_);
-  return last_utime_;
+  if (pairing_.paired() > 0) return {};
+  return {"no quadrics with their cloud; make it with quadrille-detector --copy-input"};
 }
 
 }  // namespace quadrille

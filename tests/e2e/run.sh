@@ -32,6 +32,7 @@ work=$(mktemp -d)
 started=()
 
 clean_up() {
+  # One that has ended by itself cannot be ended again.
   for process in "${started[@]}"; do kill -KILL "$process" 2>/dev/null || true; done
   rm -rf "$work"
 }
@@ -77,6 +78,7 @@ check_without_route() {
 check_command_lines() {
   for program in "$detector" "$planner"; do
     expect_exit 0 "" "$program" --help
+    [[ $("$program" --version) =~ ^${program##*/}\ [0-9]+\.[0-9]+\.[0-9]+$ ]] || fail "no version"
     expect_exit 2 "" "$program" --no-such-option
     expect_exit 2 "--out-log" "$program" --in-log "$work/clouds.lcm"
     expect_exit 1 "no such file" "$program" --in-log "$work/none.lcm" --out-log "$work/o.lcm"
@@ -87,6 +89,9 @@ check_command_lines() {
     expect_exit 1 "pigeon" "$program" --lcm-url pigeon://
   done
   expect_exit 2 "the types are" "$detector" --only torus
+  expect_exit 2 "--unknown: 'x' is none of: obstacle, target-shadow, free; see" \
+    "$planner" --unknown x
+  expect_exit 2 "'0' is none of" "$planner" --unknown 0
   expect_exit 2 "channel 'A B'" "$detector" --in-channel "A B"
 }
 
@@ -94,6 +99,34 @@ run_offline() {
   "$detector" --in-log "$work/clouds.lcm" --out-log "$work/quadrics.lcm" --copy-input
   "$planner" --in-log "$work/quadrics.lcm" --out-log "$work/grasps.lcm"
   "$tool" check-quadrics "$work/quadrics.lcm"
+}
+
+# What the processes make of a scene is what the command makes of its file.
+check_plan() {
+  for seed in 1 2 3; do
+    "$bin/quadrille" scene "$work/scene.ply" --family tabletop --seed "$seed" >/dev/null
+    "$bin/quadrille" plan "$work/scene.ply" --gripper franka --unknown free \
+      --json "$work/plan.json" >/dev/null 2>&1
+    "$bin/quadrille" log "$work/scene.lcm" "$work/scene.ply" >/dev/null
+    "$detector" --in-log "$work/scene.lcm" --out-log "$work/found.lcm" --copy-input 2>/dev/null
+    "$planner" --unknown free --in-log "$work/found.lcm" --out-log "$work/planned.lcm" \
+      --copy-input 2>/dev/null
+    "$tool" check-plan "$work/planned.lcm" "$work/plan.json"
+  done
+}
+
+# A channel that is named wrong is told from one on which nothing can be found.
+check_channels() {
+  expect_exit 0 "no event on CAMERA; the log holds POINT_CLOUD (6); name the channel with --in-" \
+    "$detector" --in-channel CAMERA --in-log "$work/clouds.lcm" --out-log "$work/o.lcm"
+  expect_exit 0 "clouds in: 0, none refused; quadrics out: 0" \
+    "$detector" --in-channel CAMERA --in-log "$work/clouds.lcm" --out-log "$work/o.lcm"
+  expect_exit 0 "no event on QUADRICS; the log holds POINT_CLOUD (6)" \
+    "$planner" --in-log "$work/clouds.lcm" --out-log "$work/o.lcm"
+  expect_exit 0 "clouds in: 6, none refused; messages of quadrics in: 6, none refused; pairs: 6;" \
+    "$planner" --in-log "$work/quadrics.lcm" --out-log "$work/o.lcm"
+  expect_exit 0 "clouds in: 15, 9 refused (unknown_type 2, cut_short 1, " \
+    "$detector" --in-log "$work/hostile.lcm" --out-log "$work/o.lcm"
 }
 
 # A log that was cut short gives its whole clouds, and says so.
@@ -155,6 +188,8 @@ compare_with_offline() {
 check_without_route
 check_command_lines
 run_offline
+check_plan
+check_channels
 check_cut_log
 check_log_command
 
@@ -164,7 +199,9 @@ compare_with_offline "$work/live.lcm"
 
 # The hostile log carries the clouds as another type, with a seq of their own.
 "$detector" --in-log "$work/hostile.lcm" --out-log "$work/quadrics.lcm" --copy-input 2>/dev/null
-"$planner" --in-log "$work/quadrics.lcm" --out-log "$work/grasps.lcm" 2>/dev/null
+"$planner" --in-log "$work/quadrics.lcm" --out-log "$work/grasps.lcm" --copy-input 2>/dev/null
+"$tool" check-copy "$work/hostile.lcm" "$work/quadrics.lcm"
+"$tool" check-copy "$work/quadrics.lcm" "$work/grasps.lcm"
 run_live "$work/hostile.lcm" "$work/live_hostile.lcm"
 "$tool" check-hostile-status "$work/live_hostile.lcm"
 compare_with_offline "$work/live_hostile.lcm"

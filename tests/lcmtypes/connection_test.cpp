@@ -1,42 +1,11 @@
 #include "quadrille/bus/connection.hpp"
 
-#include <cstdlib>
-
 #include "contains.hpp"
-#include "quadrille/bus/network.hpp"
-#include "quadrille/bus/receiver.hpp"
-#include "quadrille/bus/url.hpp"
 
 namespace quadrille::bus {
 namespace {
 
 const std::vector<std::byte> kBytes(5, std::byte{1});
-
-TEST_CASE("an address is taken apart and put together", "[bus][url]") {
-  const Url url = parse_url("udpm://239.255.76.67:7667?ttl=1&recv_buf_size=4096");
-  CHECK(url.provider == "udpm");
-  CHECK(url.network == "239.255.76.67:7667");
-  CHECK(url.arguments.at("ttl") == "1");
-  CHECK(url.to_string() == "udpm://239.255.76.67:7667?recv_buf_size=4096&ttl=1");
-  CHECK(parse_url("memq://").to_string() == "memq://");
-  CHECK_THROWS_AS(parse_url("239.255.76.67:7667"), std::invalid_argument);
-}
-
-TEST_CASE("the option wins over the environment, and that over the default", "[bus][url]") {
-  setenv("LCM_DEFAULT_URL", "memq://", 1);
-  CHECK(resolve_url("tcpq://") == "tcpq://");
-  CHECK(resolve_url("") == "memq://");
-  setenv("LCM_DEFAULT_URL", "", 1);
-  CHECK(resolve_url("") == "udpm://239.255.76.67:7667?ttl=0");
-  unsetenv("LCM_DEFAULT_URL");
-  CHECK(resolve_url("") == "udpm://239.255.76.67:7667?ttl=0");
-}
-
-TEST_CASE("a log that LCM could not open by address is refused", "[bus][url]") {
-  CHECK(replay_url("a/b.lcm") == "file://a/b.lcm?speed=0");
-  CHECK_THROWS_AS(replay_url("what?.lcm"), std::invalid_argument);
-  CHECK_THROWS_AS(replay_url(""), std::invalid_argument);
-}
 
 TEST_CASE("an address that does not work is an error and never another transport", "[bus]") {
   CHECK_THROWS_AS(Connection("udpm://nowhere"), std::invalid_argument);
@@ -83,24 +52,6 @@ TEST_CASE("what a handler throws passes around LCM, which goes on working", "[bu
   CHECK(connection.handle(1000) == Connection::Outcome::kHandled);
   CHECK(connection.handle(0) == Connection::Outcome::kTimeout);
   CHECK(calls == 2);
-}
-
-TEST_CASE("what ends the receiving thread is thrown where it is looked after", "[bus]") {
-  Connection connection("memq://");
-  connection.subscribe("A", [](const std::string&, auto) { throw std::runtime_error("broken"); });
-  Receiver receiver(connection);
-  CHECK_NOTHROW(receiver.check());
-  connection.publish("A", kBytes);
-  std::string what;
-  for (int i = 0; i < 1000 && what.empty(); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    try {
-      receiver.check();
-    } catch (const std::runtime_error& error) {
-      what = error.what();
-    }
-  }
-  CHECK(what == "broken");
 }
 
 }  // namespace

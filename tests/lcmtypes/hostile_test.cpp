@@ -175,16 +175,5 @@ TEST_CASE("quadrics with values without meaning are refused", "[bus][hostile]") 
   CHECK(reason([&](auto& m) { m.detections[1].extent_max[2] = nan; }) == RejectReason::kBadValue);
 }
 
-TEST_CASE("refusals are counted by reason", "[bus][hostile]") {
-  RejectCounts counts;
-  counts.add(RejectReason::kCutShort);
-  counts.add(RejectReason::kCutShort);
-  counts.add(RejectReason::kBadLayout);
-  CHECK(counts.of(RejectReason::kCutShort) == 2);
-  CHECK(counts.of(RejectReason::kBadLayout) == 1);
-  CHECK(counts.of(RejectReason::kTooLarge) == 0);
-  CHECK(counts.total() == 3);
-}
-
 }  // namespace
 }  // namespace quadrille::bus

@@ -58,5 +58,25 @@ TEST_CASE("a rotation is written with one of its two quaternions", "[bus][determ
   }
 }
 
+TEST_CASE("detections as received are those that a message brings", "[bus][quadrics]") {
+  CloudMessage cloud;
+  DetectionResult result;
+  for (int i = 0; i < 20; ++i) {
+    Detection detection = test::make_result().detections[0];
+    detection.X_CQ.linear() =
+        Eigen::AngleAxisd(0.3 * i, Eigen::Vector3d(1, 0.1 * i, -2).normalized()).matrix();
+    result.detections.push_back(detection);
+  }
+  const auto decoded = decode_quadrics(encode(to_message(cloud, result)));
+  const auto& sent = std::get<QuadricsMessage>(decoded).detections;
+  const std::vector<Detection> received = as_received(result.detections);
+  REQUIRE(received.size() == sent.size());
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    CHECK(received[i].X_CQ.matrix() == sent[i].X_CQ.matrix());
+    CHECK(received[i].Q_C.coefficients() == sent[i].Q_C.coefficients());
+    CHECK(received[i].extent_Q.isApprox(sent[i].extent_Q, 0.0));
+  }
+}
+
 }  // namespace
 }  // namespace quadrille::bus

@@ -30,7 +30,7 @@ TEST_CASE("bad files end the command with 1 and one line", "[command][hostile]")
   check_failure(run_quadrille("detect " + folder.path("none.ply")), "none.ply: no such file");
   check_failure(run_quadrille("detect " + folder.path("none.pcd")), "none.pcd: no such file");
   check_failure(run_quadrille("detect /tmp"), "/tmp");
-  check_failure(run_quadrille("detect " + folder.write("a.txt", "x")), "unknown kind of file");
+  check_failure(run_quadrille("detect " + folder.write("a.txt", "x")), "an LCM log");
   check_failure(run_quadrille("detect " + folder.write("text.ply", "hello\n")), "line 1");
   check_failure(run_quadrille("detect " + folder.write("empty.ply", "")), "line 1");
   check_failure(run_quadrille("detect " + folder.write("empty.pcd", "")), "DATA");
@@ -96,10 +96,27 @@ TEST_CASE("wrong usage ends the command with 2", "[command]") {
     CHECK(run.code == 2);
     CHECK_FALSE(run.err.empty());
   }
+  for (const std::string& arguments : std::vector<std::string>{
+           "plan --gripper franka --unknown x " + cloud, "scene s.ply --family x",
+           "log o.lcm --as x " + cloud, "plan --gripper franka --unknown 1 " + cloud,
+           "scene s.ply --family 3", "detect --picture p.jpg " + cloud,
+           "plan --gripper franka --picture p.png.txt " + cloud}) {
+    const Run run = run_quadrille(arguments);
+    INFO(arguments << "\n" << run.err);
+    CHECK(run.code == 2);
+    CHECK(run.out.empty());
+    CHECK(lines_of(run.err) == 1);
+    CHECK((contains(run.err, "is none of: ") || contains(run.err, "must end in .png")));
+  }
+  const Run family = run_quadrille("scene s.ply --family x");
+  CHECK(contains(family.err, "--family: 'x' is none of: easy, medium, hard, tabletop; see"));
   const Run only = run_quadrille("detect --only sphere,cube " + cloud);
   CHECK(only.code == 2);
   CHECK(contains(only.err, "'cube'"));
   CHECK(contains(only.err, "elliptic_cylinder"));
+  CHECK(contains(run_quadrille("nonsense").err, "give one of the commands detect, plan"));
+  CHECK(contains(run_quadrille("plan " + cloud).err, "see quadrille plan --help"));
+  CHECK(run_quadrille("--version").out.starts_with("quadrille "));
   CHECK(run_quadrille("--help").code == 0);
   CHECK(run_quadrille("detect --help").code == 0);
 }

@@ -122,6 +122,7 @@ TEST_CASE("the JSON of a plan has the promised keys, and its total spans both ha
 
 TEST_CASE("labels name a detection with units", "[json]") {
   Detection d = example_detection();
+  CHECK(io::name_of(d) == "3 cylinder");
   CHECK(io::short_label(d) == "3 cylinder r 41.0 l 90.9 mm");
   CHECK(io::describe_dimensions(d) == "radius 41.0 mm, length 90.9 mm");
   d.type = QuadricType::kCone;

@@ -119,7 +119,7 @@ TEST_CASE("a damaged log gives its whole clouds and a warning", "[command][log][
   wrong_length[28 + std::string("POINT_CLOUD").size() + 16] = '\xff';
   const Run refused = run_quadrille("detect --json - " + folder.write("wrong.lcm", wrong_length));
   CHECK(comparable(refused).size() == 1);
-  CHECK(contains(refused.err, "warning: refused 1 messages: bad_length"));
+  CHECK(contains(refused.err, "warning: refused 1 message: bad_length"));
 }
 
 TEST_CASE("a log without clouds gives nothing but a warning", "[command][log][hostile]") {

@@ -97,6 +97,21 @@ TEST_CASE("the same content gives the same picture", "[picture][determinism]") {
         draw_picture({title, cloud, result}, 320).bytes());
 }
 
+TEST_CASE("the legend has a line for each curved quadric, in its colour", "[picture]") {
+  const PointCloud cloud = ball_before_wall();
+  const DetectionResult result = ball_found();
+  const Image with = draw_picture({"ball.ply", cloud, result}, 640);
+  const Image without = draw_picture({"ball.ply", cloud, {}}, 640);
+  REQUIRE(with.height() > without.height());
+  float most = 0.0f;
+  for (int row = without.height(); row < with.height(); ++row) {
+    for (int column = 0; column < 300; ++column) {
+      most = std::max(most, saturation(with.at(column, row)));
+    }
+  }
+  CHECK(most > 0.2f);
+}
+
 TEST_CASE("grasps change a picture", "[picture]") {
   const PointCloud cloud = ball_before_wall();
   const DetectionResult result = ball_found();

@@ -1,9 +1,9 @@
 #include "cli/planner_arguments.hpp"
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <stdexcept>
 
+#include "cli/choice_option.hpp"
 #include "io/gripper_file.hpp"
 #include "io/unknown_policy.hpp"
 
@@ -18,20 +18,18 @@ void PlannerArguments::add_to(CLI::App& app, const std::string& default_gripper)
   } else {
     gripper->capture_default_str();
   }
-  std::map<std::string, UnknownPolicy> policies;
+  Choices<UnknownPolicy> policies;
   for (const UnknownPolicy policy : io::all_unknown_policies()) {
-    policies.emplace(io::to_string(policy), policy);
+    policies.emplace_back(io::to_string(policy), policy);
   }
-  app.add_option("--unknown", unknown, "What unobserved space counts as")
-      ->transform(CLI::CheckedTransformer(policies).description(""))
-      ->type_name("obstacle|target-shadow|free");
+  add_choice_option(app, "--unknown", unknown, policies, "What unobserved space counts as");
 }
 
 Gripper PlannerArguments::gripper() const {
   try {
     return io::load_gripper(gripper_name);
   } catch (const std::invalid_argument& error) {
-    throw CLI::ValidationError("--gripper", error.what());
+    throw CLI::ValidationError("--gripper", std::string(error.what()) + ", or a .toml file");
   }
 }
 

@@ -42,8 +42,8 @@ void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
   app.add_flag("-v,--verbose", verbose, "Log every " + work);
 }
 
-void start_logging(const CLI::App& app, bool verbose) {
-  spdlog::set_default_logger(spdlog::stderr_logger_mt(app.get_name()));
+void start_logging(const std::string& program, bool verbose) {
+  spdlog::set_default_logger(spdlog::stderr_logger_mt(program));
   spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %n %l: %v");
   spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::info);
 }

@@ -26,6 +26,7 @@ void add_channel_option(CLI::App& app, const std::string& name, std::string& cha
                         const std::string& what);
 
 /// Sends the records of spdlog to stderr, one a line, with time, program and level.
-void start_logging(const CLI::App& app, bool verbose);
+/// @param program  the name that the records carry
+void start_logging(const std::string& program, bool verbose);
 
 }  // namespace quadrille

@@ -5,9 +5,33 @@
 #include <exception>
 
 namespace quadrille {
+namespace {
+
+/// What is wrong if a program with commands was given none of them; empty otherwise.
+std::string find_missing_command(const CLI::App& app) {
+  std::string all;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    all += (all.empty() ? "" : ", ") + command->get_name();
+  }
+  return all.empty() || !app.get_subcommands().empty() ? "" : "give one of the commands " + all;
+}
+
+/// One line on what is wrong, and where to read on.
+std::string describe_usage_error(const CLI::App* app, const CLI::Error& error) {
+  std::string what = error.what(), command = app->get_name();
+  if (const std::string missing = find_missing_command(*app); !missing.empty()) what = missing;
+  while (what.ends_with('\n')) what.pop_back();
+  for (const CLI::App* chosen : app->get_subcommands()) command += " " + chosen->get_name();
+  return app->get_name() + ": " + what + "; see " + command + " --help\n";
+}
+
+}  // namespace
 
 int run_program(CLI::App& app, int argc, const char* const* argv,
                 const std::function<void()>& work) {
+  app.set_version_flag("--version", app.get_name() + " " + QUADRILLE_VERSION,
+                       "Print the version and exit");
+  app.failure_message(describe_usage_error);
   try {
     app.parse(argc, argv);
     work();

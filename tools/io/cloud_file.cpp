@@ -17,7 +17,9 @@ PointCloud read_cloud(const std::string& path) {
   if (extension == ".ply") return read_ply(path);
   if (extension == ".pcd") return read_pcd(path);
   if (!std::filesystem::exists(path)) throw FileError(path, "", "no such file; check the path");
-  throw FileError(path, "", "unknown kind of file; give a .ply or .pcd file");
+  throw FileError(
+      path, "",
+      "unknown kind of file; give a .ply or .pcd file, or (to detect and plan) an LCM log");
 }
 
 }  // namespace quadrille::io

@@ -22,12 +22,16 @@ std::string short_name(const std::string& name) {
   if (name == "radius") return "r";
   if (name == "length") return "l";
   if (name == "height") return "h";
-  if (name.starts_with("half_angle")) return "angle" + name.substr(10);
-  if (name.starts_with("focal_")) return "f" + name.substr(6);
+  if (name.starts_with("half_angle")) return fmt::format("angle{}", name.substr(10));
+  if (name.starts_with("focal_")) return fmt::format("f{}", name.substr(6));
   return name;
 }
 
 }  // namespace
+
+std::string count_of(std::size_t count, const std::string& noun) {
+  return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
+}
 
 std::string describe(const Dimension& dimension) {
   return fmt::format("{:.1f} {}", shown_value(dimension), unit_of(dimension));
@@ -41,9 +45,14 @@ std::string describe_dimensions(const Detection& detection) {
   return text;
 }
 
-std::string short_label(const Detection& detection) {
+std::string name_of(const Detection& detection) {
   std::string text = fmt::format("{} {}", detection.id, to_string(detection.type));
   std::replace(text.begin(), text.end(), '_', ' ');
+  return text;
+}
+
+std::string short_label(const Detection& detection) {
+  std::string text = name_of(detection);
   const auto& dimensions = detection.dimensions;
   const std::size_t shown = std::min<std::size_t>(dimensions.size(), 3);
   for (std::size_t i = 0; i < shown; ++i) {

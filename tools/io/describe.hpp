@@ -1,10 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille::io {
+
+/// A count for people: "1 cloud", "2 clouds".
+std::string count_of(std::size_t count, const std::string& noun);
 
 /// A dimension for people: "41.0 mm", "7.4 deg" for angles.
 std::string describe(const Dimension& dimension);
@@ -12,7 +16,10 @@ std::string describe(const Dimension& dimension);
 /// All dimensions of a detection in one line: "radius 41.0 mm, length 90.9 mm".
 std::string describe_dimensions(const Detection& detection);
 
-/// A short name for pictures, with three dimensions at most: "1 cylinder r 41.0 l 90.9 mm".
+/// A name for pictures: "1 elliptic cylinder".
+std::string name_of(const Detection& detection);
+
+/// A short line for pictures, with three dimensions at most: "1 cylinder r 41.0 l 90.9 mm".
 std::string short_label(const Detection& detection);
 
 }  // namespace quadrille::io

@@ -1,6 +1,6 @@
 #include "io/json.hpp"
 
-#include <cmath>
+#include "quadrille/bus/quadrics_message.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -30,10 +30,8 @@ void add_stages(const std::vector<StageTime>& stages, Json* timings) {
 }  // namespace
 
 Json to_json(const Eigen::Isometry3d& X) {
-  Eigen::Quaterniond q(X.linear());
-  if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-  return {{"position", array_of(Eigen::Vector3d(X.translation()))},
-          {"quaternion", {q.w(), q.x(), q.y(), q.z()}}};
+  const pose_t pose = bus::to_message(X);
+  return {{"position", pose.position}, {"quaternion", pose.quaternion}};
 }
 
 Json to_json(const Detection& detection) {

@@ -18,7 +18,7 @@
 namespace quadrille {
 namespace {
 
-constexpr int kScale = 2, kLegendHeight = 30, kPad = 4;
+constexpr int kScale = 2, kLegendHeight = 30, kPad = 4, kLine = kTextHeight * kScale + kPad;
 const Color kBackground(0.09f, 0.1f, 0.12f), kPaper(0.0f, 0.0f, 0.0f), kWhite(1.0f, 1.0f, 1.0f);
 
 const Color& color_of(std::size_t index) {
@@ -30,9 +30,9 @@ const Color& color_of(std::size_t index) {
   return kColors[index % kColors.size()];
 }
 
-/// A label and the place that it would like to have.
+/// A name with the place that it would like to have, and what the legend says of it.
 struct Label {
-  std::string text;
+  std::string text, line;
   Color color;
   Eigen::Vector2i anchor;
 };
@@ -40,27 +40,26 @@ struct Label {
 /// Writes labels above their anchors, moved up or down until none covers another.
 void draw_labels(const std::vector<Label>& labels, int height, Image* image) {
   std::vector<Eigen::AlignedBox2i> taken;
-  const int line = kTextHeight * kScale + kPad;
   for (const Label& label : labels) {
     const int width = static_cast<int>(label.text.size()) * kTextWidth * kScale + 2 * kPad;
     const int left =
         std::clamp(label.anchor.x() - width / 2, 0, std::max(0, image->width() - width));
-    const int wanted = std::clamp(label.anchor.y() - line - 6, 0, std::max(0, height - line));
+    const int wanted = std::clamp(label.anchor.y() - kLine - 6, 0, std::max(0, height - kLine));
     Eigen::AlignedBox2i box;
-    for (int step = 0; step < 2 * height / line; ++step) {
-      const int top = wanted + (step % 2 == 0 ? -1 : 1) * ((step + 1) / 2) * line;
-      box = {Eigen::Vector2i(left, top), Eigen::Vector2i(left + width, top + line - 1)};
+    for (int step = 0; step < 2 * height / kLine; ++step) {
+      const int top = wanted + (step % 2 == 0 ? -1 : 1) * ((step + 1) / 2) * kLine;
+      box = {Eigen::Vector2i(left, top), Eigen::Vector2i(left + width, top + kLine - 1)};
       const bool is_free = std::none_of(taken.begin(), taken.end(),
                                         [&](const auto& other) { return box.intersects(other); });
-      if (is_free && top >= 0 && top + line <= height) break;
+      if (is_free && top >= 0 && top + kLine <= height) break;
     }
     taken.push_back(box);
     // A label that had to move away points back to its quadric.
-    if (std::abs(box.min().y() - wanted) > line) {
+    if (std::abs(box.min().y() - wanted) > kLine) {
       draw_line(box.center().cast<double>(), label.anchor.cast<double>(), 1.5, label.color, 0.9f,
                 image);
     }
-    draw_rectangle(box.min().x(), box.min().y(), width, line, kPaper, 0.7f, image);
+    draw_rectangle(box.min().x(), box.min().y(), width, kLine, kPaper, 0.7f, image);
     draw_text(label.text, box.min().x() + kPad, box.min().y() + kPad, kScale, label.color, image);
   }
 }
@@ -92,10 +91,31 @@ std::vector<Label> draw_detections(const DetectionResult& result, const std::vec
       const Color& color = color_of(flat ? index + 4 : index);
       ++index;
       const auto anchor = draw_quadric(detection, color, depth, view, image);
-      if (anchor) labels.push_back({io::short_label(detection), color, *anchor});
+      if (anchor)
+        labels.push_back({io::name_of(detection), io::short_label(detection), color, *anchor});
     }
   }
   return labels;
+}
+
+/// Lines of the legend that stand side by side in a picture of that width.
+int count_columns(int width) { return std::max(1, width / 620); }
+
+int legend_height(std::size_t labels, int width) {
+  const int columns = count_columns(width);
+  return kLegendHeight + (static_cast<int>(labels) + columns - 1) / columns * kLine;
+}
+
+void draw_legend(const PictureContent& content, const std::vector<Label>& labels, int top,
+                 Image* image) {
+  draw_rectangle(0, top, image->width(), image->height() - top, kPaper, 1.0f, image);
+  draw_text(legend_of(content), 10, top + 8, kScale, kWhite, image);
+  const int columns = count_columns(image->width());
+  for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
+    const Label& label = labels[static_cast<std::size_t>(i)];
+    draw_text(label.line, 10 + i % columns * image->width() / columns,
+              top + kLegendHeight + i / columns * kLine, kScale, label.color, image);
+  }
 }
 
 }  // namespace
@@ -103,15 +123,17 @@ std::vector<Label> draw_detections(const DetectionResult& result, const std::vec
 Image draw_picture(const PictureContent& content, int width) {
   const View view = fit_view(content.cloud, width);
   const std::vector<float> depth = depth_image(content.cloud, view);
-  Image image(view.width, view.height + kLegendHeight, kBackground);
+  const auto& detections = content.result.detections;
+  const auto curved = static_cast<std::size_t>(std::count_if(
+      detections.begin(), detections.end(), [](const Detection& d) { return !is_flat(d.type); }));
+  Image image(view.width, view.height + legend_height(curved, view.width), kBackground);
   draw_cloud(depth, view, &image);
   const std::vector<Label> labels = draw_detections(content.result, depth, view, &image);
   if (content.plan != nullptr && content.gripper != nullptr) {
     draw_grasps(*content.plan, *content.gripper, view, &image);
   }
   draw_labels(labels, view.height, &image);
-  draw_rectangle(0, view.height, view.width, kLegendHeight, kPaper, 1.0f, &image);
-  draw_text(legend_of(content), 10, view.height + 8, kScale, kWhite, &image);
+  draw_legend(content, labels, view.height, &image);
   return image;
 }
 

@@ -11,6 +11,7 @@
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/output.hpp"
+#include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
 
 namespace quadrille {
@@ -48,8 +49,7 @@ void add_detect_command(CLI::App& app) {
   command->add_option("INPUT", arguments->inputs, "Clouds: .ply, .pcd or an LCM log")->required();
   command->add_option("--json", arguments->json, "Write JSON, an object a line; - is stdout")
       ->type_name("FILE|-");
-  command->add_option("--picture", arguments->picture, "Draw the cloud and the quadrics")
-      ->type_name("FILE.png");
+  add_picture_option(*command, arguments->picture, "the cloud and the quadrics");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });
 }

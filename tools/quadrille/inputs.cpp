@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "io/cloud_file.hpp"
+#include "io/describe.hpp"
 #include "io/file_bytes.hpp"
 #include "logs/cloud_log_reader.hpp"
 #include "quadrille/bus/clock.hpp"
@@ -41,8 +42,8 @@ std::vector<std::string> warnings_about(const logs::CloudLogReader& reader, int 
   for (const bus::RejectReason reason : bus::all_reject_reasons()) {
     const auto count = reader.rejected().of(reason);
     if (count == 0) continue;
-    warnings.push_back("refused " + std::to_string(count) +
-                       " messages: " + std::string(to_string(reason)));
+    warnings.push_back("refused " + io::count_of(static_cast<std::size_t>(count), "message") +
+                       ": " + std::string(to_string(reason)));
   }
   if (clouds == 0) warnings.push_back("holds no cloud; record POINT_CLOUD messages");
   return warnings;

@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "cli/choice_option.hpp"
 #include "cli/process_arguments.hpp"
 #include "io/cloud_file.hpp"
+#include "io/describe.hpp"
 #include "logs/cloud_log_writer.hpp"
 
 namespace quadrille {
@@ -18,7 +20,6 @@ namespace {
 struct LogArguments {
   std::string out;
   std::vector<std::string> inputs;
-  std::string format = "drake";
   logs::CloudLogOptions options;
 };
 
@@ -35,7 +36,8 @@ void run(const LogArguments& arguments) {
     writer.write(cloud);
   }
   writer.flush();
-  fmt::print("{}: {} clouds, {:.1f} MB, on {} at {} Hz\n", arguments.out, writer.clouds(),
+  const auto clouds = static_cast<std::size_t>(writer.clouds());
+  fmt::print("{}: {}, {:.1f} MB, on {} at {} Hz\n", arguments.out, io::count_of(clouds, "cloud"),
              static_cast<double>(writer.bytes()) * 1e-6, arguments.options.channel,
              arguments.options.rate);
 }
@@ -51,13 +53,12 @@ void add_log_command(CLI::App& app) {
       ->check(CLI::Range(0.001, 10000.0))
       ->type_name("HZ");
   add_channel_option(*command, "--channel", arguments->options.channel, "clouds");
-  command->add_option("--as", arguments->format, "Their message type")
-      ->check(CLI::IsMember({"drake", "pointcloud2", "pointcloud"}).description(""))
-      ->type_name("drake|pointcloud2|pointcloud");
-  command->callback([arguments] {
-    arguments->options.format = bus::cloud_format_from_string(arguments->format).value();
-    run(*arguments);
-  });
+  Choices<bus::CloudFormat> formats;
+  for (const bus::CloudFormat format : bus::all_cloud_formats()) {
+    formats.emplace_back(bus::to_string(format), format);
+  }
+  add_choice_option(*command, "--as", arguments->options.format, formats, "Their message type");
+  command->callback([arguments] { run(*arguments); });
 }
 
 }  // namespace quadrille

@@ -8,10 +8,12 @@
 #include "cli/planner_arguments.hpp"
 #include "picture/picture.hpp"
 #include "picture/png.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/output.hpp"
+#include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
 
 namespace quadrille {
@@ -32,7 +34,9 @@ void run(const PlanArguments& arguments) {
   const auto [input, warnings] = read_single_cloud(arguments.input);
   print_warnings(arguments.input, warnings);
   const DetectionResult result = detect(input.cloud, detector_options);
-  const GraspPlan plan = plan_grasps(input.cloud, result.detections, gripper, options);
+  // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
+  const std::vector<Detection> detections = bus::as_received(result.detections);
+  const GraspPlan plan = plan_grasps(input.cloud, detections, gripper, options);
   json.write(io::plan_json(input.info, result, plan));
   if (!json.owns_stdout()) print(detection_table(input.info, result) + grasp_table(plan));
   print_warnings(input.info.input, result.warnings);
@@ -51,9 +55,7 @@ void add_plan_command(CLI::App& app) {
       ->required();
   arguments->planner.add_to(*command, "");
   command->add_option("--json", arguments->json, "Write JSON; - is stdout")->type_name("FILE|-");
-  command
-      ->add_option("--picture", arguments->picture, "Draw the cloud, the quadrics and the grasps")
-      ->type_name("FILE.png");
+  add_picture_option(*command, arguments->picture, "the cloud, the quadrics and the grasps");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });
 }

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 #include <string>
 
+#include "cli/choice_option.hpp"
+#include "io/describe.hpp"
 #include "quadrille/output.hpp"
 #include "scene/scene.hpp"
 #include "scene/scene_files.hpp"
@@ -20,19 +21,19 @@ struct SceneArguments {
   bool labels = false;
 };
 
-const std::map<std::string, scene::Family>& families() {
-  static const std::map<std::string, scene::Family> map = {{"easy", scene::Family::kEasy},
-                                                           {"medium", scene::Family::kMedium},
-                                                           {"hard", scene::Family::kHard},
-                                                           {"tabletop", scene::Family::kTabletop}};
-  return map;
+const Choices<scene::Family>& families() {
+  static const Choices<scene::Family> choices = {{"easy", scene::Family::kEasy},
+                                                 {"medium", scene::Family::kMedium},
+                                                 {"hard", scene::Family::kHard},
+                                                 {"tabletop", scene::Family::kTabletop}};
+  return choices;
 }
 
 void run(const SceneArguments& arguments) {
   const scene::Scene made = scene::make_scene(arguments.options);
   scene::write_scene(arguments.out, made, arguments.labels);
-  print(fmt::format("{}: {} points, {} quadrics; truth in {}\n", arguments.out,
-                    made.view.points.size(), scene::count_quadrics(made),
+  print(fmt::format("{}: {} points, {}; truth in {}\n", arguments.out, made.view.points.size(),
+                    io::count_of(static_cast<std::size_t>(scene::count_quadrics(made)), "quadric"),
                     scene::truth_path(arguments.out)));
 }
 
@@ -48,9 +49,8 @@ void add_scene_command(CLI::App& app) {
             return path.ends_with(".ply") ? std::string() : "'" + path + "' must end in .ply";
           },
           ""));
-  command->add_option("--family", arguments->options.family, "How hard the scene is")
-      ->transform(CLI::CheckedTransformer(families()).description(""))
-      ->type_name("easy|medium|hard|tabletop");
+  add_choice_option(*command, "--family", arguments->options.family, families(),
+                    "How hard the scene is");
   command->add_option("--seed", arguments->options.seed, "Chooses the scene")->type_name("N");
   command->add_flag("--labels", arguments->labels,
                     "Also write the surface and the true normal of each point");

@@ -2,24 +2,24 @@
 
 #include <Eigen/Core>
 #include <cmath>
-#include <cstdint>
+
+#include "quadrille/detector/random.hpp"
 
 namespace quadrille::scene {
 
-/// Random numbers of a (seed, stream) pair: SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
+/// The detector's stream of random numbers, mapped to what scenes are drawn from.
 ///
 /// All mappings use +, -, *, / and square roots only, which IEEE 754 rounds alike everywhere, so
 /// that a seed means the same scene on every machine.
-class Random {
+class Random : public RandomStream {
  public:
-  Random(std::uint64_t seed, std::uint64_t stream) : state_(mix(seed) ^ mix(~stream)) {}
+  using RandomStream::RandomStream;
+  using RandomStream::uniform;
 
-  std::uint64_t bits() { return mix(state_ += 0x9e3779b97f4a7c15u); }
-  /// Uniform in [0, 1).
-  double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
+  /// Uniform in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// Uniform in low … high, both included.
-  int integer(int low, int high) { return low + static_cast<int>(uniform() * (high - low + 1)); }
+  int integer(int low, int high) { return low + below(high - low + 1); }
   bool chance(double probability) { return uniform() < probability; }
 
   /// Mean 0, variance 1, nearly normal: the sum of twelve uniforms (never beyond 6).
@@ -37,15 +37,6 @@ class Random {
       if (square <= 1.0 && square > 1e-4) return v / std::sqrt(square);
     }
   }
-
- private:
-  static std::uint64_t mix(std::uint64_t z) {
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-  }
-
-  std::uint64_t state_;
 };
 
 }  // namespace quadrille::scene

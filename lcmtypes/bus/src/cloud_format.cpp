@@ -14,12 +14,4 @@ std::string_view to_string(CloudFormat format) {
   return "drake";
 }
 
-std::optional<CloudFormat> cloud_format_from_string(std::string_view name) {
-  for (const CloudFormat format :
-       {CloudFormat::kDrake, CloudFormat::kPointCloud2, CloudFormat::kPointCloud}) {
-    if (name == to_string(format)) return format;
-  }
-  return std::nullopt;
-}
-
 }  // namespace quadrille::bus

@@ -97,6 +97,14 @@ Eigen::Isometry3d from_message(const pose_t& pose) {
   return X_CF;
 }
 
+std::vector<Detection> as_received(const std::vector<Detection>& detections) {
+  std::vector<Detection> received;
+  for (const Detection& detection : detections) {
+    received.push_back(to_detection(to_message(detection)));
+  }
+  return received;
+}
+
 Decoded<QuadricsMessage> decode_quadrics(std::span<const std::byte> bytes,
                                          std::size_t max_bytes) try {
   if (bytes.size() > max_bytes) {

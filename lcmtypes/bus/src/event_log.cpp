@@ -42,6 +42,11 @@ Header read_header(std::ifstream& file, std::uint64_t offset) {
   throw std::runtime_error(path + ": " + what);
 }
 
+[[noreturn]] void fail_to_write(const std::string& path) {
+  fail(path, std::string("cannot be written (") + std::strerror(errno) +
+                 "); check the folder and the space left");
+}
+
 /// Lengths that no LCM process writes: the log is damaged, not cut short.
 void check_lengths(const std::string& path, std::uint64_t offset, const Header& header,
                    std::uint64_t left) {
@@ -56,8 +61,8 @@ void check_lengths(const std::string& path, std::uint64_t offset, const Header& 
 
 std::uint64_t size_of(const std::string& path) {
   std::error_code error;
-  if (!std::filesystem::exists(path, error)) fail(path, "no such file");
-  if (!std::filesystem::is_regular_file(path, error)) fail(path, "is not a file");
+  if (!std::filesystem::exists(path, error)) fail(path, "no such file; check the path");
+  if (!std::filesystem::is_regular_file(path, error)) fail(path, "is not a file; give an LCM log");
   const std::uint64_t size = std::filesystem::file_size(path, error);
   if (error) fail(path, error.message());
   return size;
@@ -68,7 +73,7 @@ std::uint64_t size_of(const std::string& path) {
 LogSurvey survey_log(const std::string& path) {
   const std::uint64_t size = size_of(path);
   std::ifstream file(path, std::ios::binary);
-  if (!file) fail(path, std::strerror(errno));
+  if (!file) fail(path, std::string(std::strerror(errno)) + "; check its permissions");
   LogSurvey survey;
   std::uint64_t offset = 0;
   while (offset < size) {
@@ -79,7 +84,8 @@ LogSurvey survey_log(const std::string& path) {
     }
     const Header header = read_header(file, offset);
     if (header.magic != kMagic) {
-      if (offset == 0) fail(path, "is not an LCM log (no event at byte 0)");
+      if (offset == 0)
+        fail(path, "is not an LCM log (no event at byte 0); give one that lcm-logger recorded");
       survey.defect = "damaged at byte " + std::to_string(offset) + ": no event there";
       return survey;
     }
@@ -112,7 +118,7 @@ void check_different_files(const std::string& in_log, const std::string& out_log
 
 LogReader::LogReader(const std::string& path) : survey_(survey_log(path)) {
   file_ = std::make_unique<lcm::LogFile>(path, "r");
-  if (!file_->good()) fail(path, "cannot be read");
+  if (!file_->good()) fail(path, "cannot be read; check its permissions");
 }
 
 std::optional<LogReader::Event> LogReader::next() {
@@ -128,7 +134,7 @@ std::optional<LogReader::Event> LogReader::next() {
 
 LogWriter::LogWriter(const std::string& path) : path_(path) {
   file_ = std::make_unique<lcm::LogFile>(path, "w");
-  if (!file_->good()) fail(path, std::string("cannot be written: ") + std::strerror(errno));
+  if (!file_->good()) fail_to_write(path);
 }
 
 void LogWriter::write(std::int64_t utime, const std::string& channel,
@@ -147,13 +153,13 @@ void LogWriter::write(std::int64_t utime, const std::string& channel,
   event.datalen = static_cast<std::int32_t>(bytes.size());
   event.data = const_cast<std::byte*>(bytes.data());
   if (file_->writeEvent(&event) != 0) {
-    fail(path_, std::string("cannot be written: ") + std::strerror(errno));
+    fail_to_write(path_);
   }
 }
 
 void LogWriter::flush() {
   if (std::fflush(file_->getFilePtr()) != 0) {
-    fail(path_, std::string("cannot be written: ") + std::strerror(errno));
+    fail_to_write(path_);
   }
 }
 

@@ -15,9 +15,11 @@ void run(const std::vector<std::string>& words) {
   if (command == "check-status" && words.size() == 2) return check_status(words[1], false);
   if (command == "check-hostile-status" && words.size() == 2) return check_status(words[1], true);
   if (command == "check-same" && words.size() == 4) return check_same(words[1], words[2], words[3]);
+  if (command == "check-copy" && words.size() == 3) return check_copy(words[1], words[2]);
+  if (command == "check-plan" && words.size() == 3) return check_plan(words[1], words[2]);
   throw std::invalid_argument(
       "use: make-logs FOLDER | check-quadrics LOG | check-status LOG | check-hostile-status LOG | "
-      "check-same LIVE OFFLINE CHANNEL");
+      "check-same LIVE OFFLINE CHANNEL | check-copy SOURCE COPY | check-plan LOG JSON");
 }
 
 }  // namespace

@@ -114,6 +114,8 @@ void make_logs(const std::string& folder) {
   while (const auto cloud = reader.next()) {
     hostile.write(cloud->event_utime, cloud->channel,
                   bus::encode_cloud(cloud->message, bus::CloudFormat::kPointCloud2));
+    // Something that is no business of ours; it comes between a cloud and the next.
+    hostile.write(cloud->event_utime + 10000, "POSE", Bytes(20));
     for (std::size_t i = 0; i < 3 && next < garbage.size(); ++i, ++next) {
       hostile.write(cloud->event_utime + 40000 * static_cast<std::int64_t>(i + 1),
                     garbage[next].channel, garbage[next].bytes);

@@ -33,6 +33,14 @@ void check_quadrics(const std::string& log);
 /// is missing but those that the status says were superseded.
 void check_same(const std::string& live, const std::string& offline, const std::string& channel);
 
+/// Checks that a log holds every event of another with its own time, and between them nothing but
+/// results that carry the time of the event before them.
+void check_copy(const std::string& source, const std::string& copy);
+
+/// Checks that the last quadrics and grasps of a log are those of `quadrille plan --json`, bit for
+/// bit, and that there are some.
+void check_plan(const std::string& log, const std::string& json);
+
 /// Checks the last status of both processes.
 /// @param hostile  whether the garbage was on the bus too
 void check_status(const std::string& log, bool hostile);

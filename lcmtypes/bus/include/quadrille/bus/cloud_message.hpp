@@ -1,8 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -19,11 +19,13 @@ enum class CloudFormat {
   kPointCloud,   ///< bot_core.pointcloud_t
 };
 
+/// All the formats, in their order.
+constexpr std::array<CloudFormat, 3> all_cloud_formats() {
+  return {CloudFormat::kDrake, CloudFormat::kPointCloud2, CloudFormat::kPointCloud};
+}
+
 /// "drake", "pointcloud2" or "pointcloud".
 std::string_view to_string(CloudFormat format);
-
-/// The format of a name; nullopt if there is none of that name.
-std::optional<CloudFormat> cloud_format_from_string(std::string_view name);
 
 /// A cloud with what its message said of it.
 struct CloudMessage {

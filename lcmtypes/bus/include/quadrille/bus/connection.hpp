@@ -74,6 +74,7 @@ class Connection {
   std::unique_ptr<lcm_t, Destroyer> lcm_;
 };
 
+/// Refuses names that LCM would cut off or read as a pattern.
 /// @throws std::invalid_argument if the name is not one to 63 of A-Z a-z 0-9 _ - . /
 void check_channel(const std::string& channel);
 

@@ -8,7 +8,9 @@
 namespace quadrille::bus {
 
 /// The bytes of a message of a generated type.
-/// @throws std::invalid_argument if an array's length and its count disagree
+/// @param message  its arrays must have the lengths that their counts tell: the generated encoder
+///   reads past the end of a shorter one
+/// @throws std::invalid_argument if the generated encoder fails
 template <class Message>
 std::vector<std::byte> encode(const Message& message) {
   std::vector<std::byte> bytes(static_cast<std::size_t>(message.getEncodedSize()));

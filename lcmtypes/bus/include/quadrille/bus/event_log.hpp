@@ -36,6 +36,7 @@ class LogReader {
   /// @throws std::runtime_error as survey_log() does
   explicit LogReader(const std::string& path);
 
+  /// What the headers said before the first event was read.
   const LogSurvey& survey() const { return survey_; }
 
   /// One event; its data lives until the next one is read.

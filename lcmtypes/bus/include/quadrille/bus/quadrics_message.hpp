@@ -37,6 +37,10 @@ quadric_t to_message(const Detection& detection);
 /// The result of detection as a message stamped with its cloud's utime, seq and frame.
 quadrics_t to_message(const CloudMessage& cloud, const DetectionResult& result);
 
+/// The detections as whoever gets them in a message will have them: their poses pass through unit
+/// quaternions, which rounds the last bits. What is computed from these is the same on both sides.
+std::vector<Detection> as_received(const std::vector<Detection>& detections);
+
 /// Reads quadrics out of a message of type quadrille.quadrics_t, with every length, sign and value
 /// checked before the generated decoder sees the bytes.
 /// @param bytes      the message as it came, fingerprint first

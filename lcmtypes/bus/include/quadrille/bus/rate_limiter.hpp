@@ -11,8 +11,10 @@ class RateLimiter {
  public:
   using Clock = std::chrono::steady_clock;
 
+  /// @param interval  the shortest time between two records that are let through
   explicit RateLimiter(std::chrono::milliseconds interval) : interval_(interval) {}
 
+  /// Asks for one record at that time.
   /// @return how many records were held back since the last one let through; nullopt to hold this
   ///   one back too
   std::optional<std::int64_t> admit(Clock::time_point now = Clock::now());

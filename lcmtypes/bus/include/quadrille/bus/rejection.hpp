@@ -47,8 +47,11 @@ using Decoded = std::variant<T, Rejection>;
 /// Refusals counted by reason.
 class RejectCounts {
  public:
+  /// Counts one more refusal.
   void add(RejectReason reason) { ++counts_[static_cast<std::size_t>(reason)]; }
+  /// Refusals for that reason so far.
   std::int64_t of(RejectReason reason) const { return counts_[static_cast<std::size_t>(reason)]; }
+  /// Refusals so far.
   std::int64_t total() const;
 
  private:

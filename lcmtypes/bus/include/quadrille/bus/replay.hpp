@@ -1,16 +1,19 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
-#include "quadrille/bus/connection.hpp"
 #include "quadrille/bus/event_log.hpp"
 
 namespace quadrille::bus {
+
+/// Gets one event of a log, with the time at which it was logged; its data lives until it returns.
+using EventHandler = std::function<void(const LogReader::Event&)>;
 
 /// Hands every whole event of a log to the handler, in order and none skipped, through LCM's own
 /// file provider. Ends at the end of the log, or when a stop is requested.
 /// @return what the log's headers say; its defect tells of a log that was cut short
 /// @throws std::runtime_error as survey_log() does; and what the handler throws
-LogSurvey replay_log(const std::string& path, const Connection::Handler& handler);
+LogSurvey replay_log(const std::string& path, const EventHandler& handler);
 
 }  // namespace quadrille::bus

@@ -9,6 +9,7 @@ class Ticker {
  public:
   using Clock = std::chrono::steady_clock;
 
+  /// @param period  first due a period after the start
   explicit Ticker(std::chrono::milliseconds period, Clock::time_point start = Clock::now())
       : period_(period), last_(start) {}
 

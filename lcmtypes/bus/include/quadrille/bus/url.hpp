@@ -10,9 +10,11 @@ struct Url {
   std::string provider, network;
   std::map<std::string, std::string> arguments;
 
+  /// The address as LCM reads it, its arguments in the order of their keys.
   std::string to_string() const;
 };
 
+/// Takes an address apart; of an argument that is given twice the last one counts.
 /// @throws std::invalid_argument if there is no "provider://"
 Url parse_url(const std::string& text);
 

@@ -1,0 +1,53 @@
+#include "quadrille/bus/receiver.hpp"
+
+#include <chrono>
+#include <stdexcept>
+
+#include "support/catch.hpp"
+
+namespace quadrille::bus {
+namespace {
+
+const std::vector<std::byte> kBytes(5, std::byte{1});
+
+TEST_CASE("what ends the receiving thread is thrown where it is looked after", "[bus]") {
+  Connection connection("memq://");
+  connection.subscribe("A", [](const std::string&, auto) { throw std::runtime_error("broken"); });
+  Receiver receiver(connection);
+  CHECK_NOTHROW(receiver.check());
+  connection.publish("A", kBytes);
+  std::string what;
+  for (int i = 0; i < 1000 && what.empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    try {
+      receiver.check();
+    } catch (const std::runtime_error& error) {
+      what = error.what();
+    }
+  }
+  CHECK(what == "broken");
+}
+
+TEST_CASE("messages are handled in another thread until the receiver goes", "[bus]") {
+  Connection connection("memq://");
+  std::atomic<int> calls{0};
+  std::thread::id thread;
+  connection.subscribe("A", [&](const std::string&, auto) {
+    thread = std::this_thread::get_id();
+    ++calls;
+  });
+  {
+    const Receiver receiver(connection);
+    connection.publish("A", kBytes);
+    for (int i = 0; i < 1000 && calls == 0; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+  CHECK(calls == 1);
+  CHECK(thread != std::this_thread::get_id());
+  connection.publish("A", kBytes);
+  CHECK(calls == 1);
+}
+
+}  // namespace
+}  // namespace quadrille::bus

@@ -1,0 +1,85 @@
+#include "quadrille/bus/replay.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "contains.hpp"
+#include "log_files.hpp"
+
+namespace quadrille::bus {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TemporaryLog;
+using test::write_three;
+
+std::vector<std::int64_t> replayed_times(const std::string& path) {
+  std::vector<std::int64_t> utimes;
+  replay_log(path, [&](const LogReader::Event& event) { utimes.push_back(event.utime); });
+  return utimes;
+}
+
+TEST_CASE("a replay hands over every event with its own time", "[bus][log]") {
+  const TemporaryLog file;
+  write_three(file.path());
+  int events = 0;
+  const LogSurvey survey = replay_log(file.path(), [&](const LogReader::Event& event) {
+    ++events;
+    CHECK(event.utime == 1000 * events);
+    CHECK(event.channel == "A");
+    CHECK(event.bytes.size() == 10);
+    CHECK(event.bytes.front() == std::byte(events));
+  });
+  CHECK(events == 3);
+  CHECK(survey.events == 3);
+}
+
+TEST_CASE("times stay with their events when LCM passes over one", "[bus][log][hostile]") {
+  const TemporaryLog file;
+  {
+    LogWriter log(file.path());
+    log.write(1, "A", std::vector<std::byte>(4));
+    // LCM matches names line by line, so that it never delivers this one.
+    log.write(2, "A\nB", std::vector<std::byte>(4));
+    log.write(3, "A", std::vector<std::byte>(4));
+  }
+  CHECK(replayed_times(file.path()) == std::vector<std::int64_t>{1, 3});
+}
+
+TEST_CASE("a log cut short is replayed up to the cut", "[bus][log][hostile]") {
+  const TemporaryLog file;
+  write_three(file.path());
+  fs::resize_file(file.path(), 3 * test::kEventBytes - 1);
+  CHECK(replayed_times(file.path()) == std::vector<std::int64_t>{1000, 2000});
+  fs::resize_file(file.path(), test::kEventBytes - 1);
+  CHECK(replayed_times(file.path()).empty());
+}
+
+TEST_CASE("nothing comes from an empty log", "[bus][log]") {
+  const TemporaryLog file;
+  std::ofstream(file.path()).close();
+  CHECK(replayed_times(file.path()).empty());
+}
+
+TEST_CASE("a replay refuses a damaged log before its first event", "[bus][log][hostile]") {
+  const TemporaryLog file;
+  write_three(file.path());
+  std::fstream log(file.path(), std::ios::in | std::ios::out | std::ios::binary);
+  // The length of the third event's data.
+  log.seekp(static_cast<std::streamoff>(2 * test::kEventBytes + 24));
+  log.write("\xff\xff\xff\xff", 4);
+  log.close();
+  CHECK_THROWS_WITH(replayed_times(file.path()), test::contains("damaged at byte 78"));
+}
+
+TEST_CASE("what a handler throws ends a replay", "[bus][log]") {
+  const TemporaryLog file;
+  write_three(file.path());
+  CHECK_THROWS_WITH(
+      replay_log(file.path(), [](const LogReader::Event&) { throw std::runtime_error("stop"); }),
+      "stop");
+}
+
+}  // namespace
+}  // namespace quadrille::bus

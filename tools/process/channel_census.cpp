@@ -1,0 +1,32 @@
+#include "process/channel_census.hpp"
+
+#include <fmt/format.h>
+
+namespace quadrille {
+namespace {
+
+std::string list(const std::map<std::string, std::int64_t>& events) {
+  if (events.empty()) return "no events at all";
+  constexpr std::size_t kShown = 12;
+  std::string text;
+  std::size_t shown = 0;
+  for (const auto& [channel, count] : events) {
+    if (shown == kShown) return fmt::format("{} and {} more", text, events.size() - shown);
+    text += fmt::format("{}{} ({})", shown++ == 0 ? "" : ", ", channel, count);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> ChannelCensus::find_missing(const std::vector<InChannel>& wanted) const {
+  std::vector<std::string> lines;
+  for (const InChannel& channel : wanted) {
+    if (events_.count(channel.name) > 0) continue;
+    lines.push_back(fmt::format("no event on {}; the log holds {}; name the channel with {}",
+                                channel.name, list(events_), channel.option));
+  }
+  return lines;
+}
+
+}  // namespace quadrille

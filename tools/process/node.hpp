@@ -1,0 +1,70 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "quadrille/bus/publish.hpp"
+
+namespace quadrille {
+
+/// A channel that a node listens to, and the option that names it.
+struct InChannel {
+  std::string option, name;
+};
+
+/// What a message asks for.
+struct Job {
+  /// The utime of the cloud that it is about [us].
+  std::int64_t cloud_utime = 0;
+  std::function<void()> run;
+};
+
+/// The work of a process, the same on the bus and in replay.
+class Node {
+ public:
+  Node() = default;
+  Node(const Node&) = delete;
+  Node& operator=(const Node&) = delete;
+  virtual ~Node() = default;
+
+  virtual std::vector<InChannel> in_channels() const = 0;
+
+  /// Takes a message; one that is refused is counted and logged, one of another channel ignored.
+  /// For the receiving thread.
+  /// @return what is to be done now that it is there
+  virtual std::optional<Job> receive(const std::string& channel,
+                                     std::span<const std::byte> bytes) = 0;
+
+  /// Publishes the status.
+  /// @param superseded  jobs dropped for a newer one
+  /// @param warnings    what is wrong with the transport
+  virtual void publish_status(std::int64_t superseded,
+                              const std::vector<std::string>& warnings) = 0;
+
+  /// What went in, came out and was refused so far, in one line.
+  virtual std::string summary() const = 0;
+
+  /// What is odd about all that a log held; empty if nothing is.
+  virtual std::vector<std::string> find_oddities() const { return {}; }
+
+  /// Does a job; what fails is counted and logged. For the working thread.
+  void work(const Job& job);
+
+  /// Jobs that failed.
+  std::int64_t failed() const { return failed_; }
+
+ private:
+  std::atomic<std::int64_t> failed_{0};
+};
+
+/// Makes the node of a process, which publishes through what it is given.
+using NodeMaker = std::function<std::unique_ptr<Node>(bus::Publish publish)>;
+
+}  // namespace quadrille
