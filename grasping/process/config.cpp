@@ -14,6 +14,7 @@ double PlanOptions::*number_option(const std::string& key) {
   if (key == "friction") return &PlanOptions::friction;
   if (key == "approach") return &PlanOptions::approach;
   if (key == "pad_margin") return &PlanOptions::pad_margin;
+  if (key == "baseline") return &PlanOptions::baseline;
   return nullptr;
 }
 
@@ -43,12 +44,11 @@ PlanOptions load_plan_options(const std::string& path) {
   for (const auto& [key, node] : io::read_toml(path)) {
     const std::string name(key);
     if (!set_option(name, node, &options)) {
-      throw io::FileError(
-          path, io::line_of(node),
-          "'" + name +
-              "' is unknown or has a wrong value; the keys are unknown (obstacle, "
-              "target-shadow or free), resolution, friction, approach, pad_margin and "
-              "max_grasps");
+      throw io::FileError(path, io::line_of(node),
+                          "'" + name +
+                              "' is unknown or has a wrong value; the keys are unknown (obstacle, "
+                              "target-shadow or free), resolution, friction, approach, pad_margin, "
+                              "baseline and max_grasps");
     }
   }
   try {

@@ -9,20 +9,50 @@ namespace {
 
 using Profile = Body::Profile;
 
-// Value and standard deviation of the n-th dimension, 0 if it is missing.
+// What is known no better than this is not known at all; more would only be refused as well [m].
+constexpr double kMostStd = 0.01;
+
+// Value of the n-th dimension, 0 if it is missing.
 double dimension(const Detection& d, std::size_t n) {
   return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
 }
 
-// Standard deviation of the lengths; an angle's acts at the far end of the body.
-double length_std(const Detection& d, double reach) {
-  double largest = 0.0;
-  for (const Dimension& x : d.dimensions) {
-    if (x.name == "length" || x.name == "width" || x.name == "height") continue;
-    const bool angle = x.name.find("angle") != std::string::npos;
-    largest = std::max(largest, angle ? x.std * reach : x.std);
+// Standard deviation of the n-th dimension, 0 if it is missing. At most 1: unknown, and finite.
+double deviation(const Detection& d, std::size_t n) {
+  if (n >= d.dimensions.size()) return 0.0;
+  const double std = d.dimensions[n].std;
+  return std::isfinite(std) ? std::min(std, 1.0) : 1.0;
+}
+
+// Those of a, b and c, from the dimensions that these were made of.
+Eigen::Vector3d deviations(const Detection& d, const Body& body) {
+  const double first = deviation(d, 0), second = deviation(d, 1);
+  switch (d.type) {
+    case QuadricType::kSphere:
+      return {first, first, first};
+    case QuadricType::kCylinder:
+      return {first, first, 0.0};
+    case QuadricType::kEllipticCylinder:
+      return {first, second, 0.0};
+    case QuadricType::kCone:
+      return Eigen::Vector3d(1.0, 1.0, 0.0) * first * (1.0 + body.a * body.a);
+    case QuadricType::kEllipticCone:
+      return {first * (1.0 + body.a * body.a), second * (1.0 + body.b * body.b), 0.0};
+    case QuadricType::kEllipticParaboloid:  // a = √(4f)
+      return {2.0 * first / body.a, 2.0 * second / body.b, 0.0};
+    case QuadricType::kParallelPlanes:
+      return Eigen::Vector3d::Zero();
+    default:
+      return {first, second, deviation(d, 2)};
   }
-  return std::isfinite(largest) ? std::min(largest, 0.01) : 0.01;
+}
+
+double end_deviation(const Detection& d) {
+  if (d.type == QuadricType::kParallelPlanes) return 0.5 * deviation(d, 0);
+  for (std::size_t n = 0; n < d.dimensions.size(); ++n) {
+    if (d.dimensions[n].name == "length") return deviation(d, n);
+  }
+  return 0.0;
 }
 
 void set_extent(Body& body, const Detection& d) {
@@ -119,6 +149,17 @@ double Body::slope(double z) const {
   }
 }
 
+double Body::width_std(const Eigen::Vector3d& d_Q, double z) const {
+  const bool round = profile == Profile::kEllipse;
+  const Eigen::Vector3d semi(a, b, round ? c : 0.0);
+  const Eigen::Vector3d squared = d_Q.cwiseAbs2();
+  const double h = std::sqrt(semi.cwiseAbs2().dot(squared));
+  double sum = semi.cwiseProduct(squared).dot(std) / std::max(h, 1e-9);
+  if (!round) sum *= scale(z);
+  if (profile == Profile::kHyperbola) sum += h * z * z / (c * c * c * scale(z)) * std.z();
+  return std::min(sum, kMostStd);
+}
+
 Eigen::Vector2d Body::widest() const {
   const bool bulges = profile == Profile::kEllipse;
   const double s = bulges ? 1.0 : std::max(scale(z_min), scale(z_max));
@@ -168,7 +209,8 @@ std::optional<Body> make_body(const Detection& detection, std::string* why) {
     (body.z_max > -body.z_min ? body.z_min : body.z_max) = 0.0;
   }
   if (!sound(body)) return refuse(type + " has no finite, positive size");
-  body.std = length_std(detection, std::max(std::abs(body.z_min), std::abs(body.z_max)));
+  body.std = deviations(detection, body);
+  body.end_std = std::min(end_deviation(detection), kMostStd);
   return body;
 }
 

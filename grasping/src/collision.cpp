@@ -31,9 +31,8 @@ fcl::Transform3d pose(const OrientedBox& box) {
 }
 
 bool crosses(std::span<const OrientedBox> boxes, const SupportPlane& plane, double margin) {
-  return std::any_of(boxes.begin(), boxes.end(), [&](const OrientedBox& box) {
-    return -box.support(-plane.n_C) < plane.d + margin;
-  });
+  return std::any_of(boxes.begin(), boxes.end(),
+                     [&](const OrientedBox& box) { return plane.meets(box, margin); });
 }
 
 bool hits(std::span<const OrientedBox> boxes, const std::vector<CollisionShape>& shapes,
@@ -72,6 +71,15 @@ std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
 }
 
 }  // namespace
+
+bool SupportPlane::meets(const OrientedBox& box, double margin) const {
+  const Eigen::Matrix3d R_PC = X_CP.linear().transpose();
+  const Eigen::Vector3d centre = R_PC * (box.p_CB - X_CP.translation());
+  const Eigen::Vector3d reach = (R_PC * box.R_CB).cwiseAbs() * box.half;
+  if (centre.z() - reach.z() >= margin) return false;
+  const Eigen::Vector2d low = (centre - reach).head<2>(), high = (centre + reach).head<2>();
+  return extent_P.intersects(Eigen::AlignedBox2d(low, high));
+}
 
 bool overlaps(const OrientedBox& box, const CollisionShape& shape) {
   if (!shape.geometry) return false;

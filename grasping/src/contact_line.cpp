@@ -14,7 +14,7 @@ constexpr double kPi = std::numbers::pi;
 // The line through ±p_Q + offset_Q, with outward normal n_Q at the positive end.
 struct Pair {
   Eigen::Vector3d offset_Q, p_Q, closing_Q, n_plus_Q, n_minus_Q;
-  double opening;
+  double opening, std;
 };
 
 ContactLine placed(const Body& body, const Pair& pair) {
@@ -27,6 +27,7 @@ ContactLine placed(const Body& body, const Pair& pair) {
   line.normals_C = {R * pair.n_plus_Q.normalized(), R * pair.n_minus_Q.normalized()};
   line.width = 2.0 * pair.p_Q.dot(pair.closing_Q);
   line.opening = std::max(pair.opening, line.width);
+  line.std = pair.std;
   return line;
 }
 
@@ -69,7 +70,8 @@ void add_across(const Body& body, const Gripper& gripper, const Eigen::Vector3d&
       const double h = std::sqrt(d.dot(squared.cwiseProduct(d)));  // at s = 1
       const Eigen::Vector3d p = squared.cwiseProduct(d) * (s / h);
       const Eigen::Vector3d rise(0.0, 0.0, -h * body.slope(z));
-      lines.push_back(placed(body, {{0, 0, z}, p, d, d + rise, -d + rise, 2.0 * h * widest}));
+      lines.push_back(placed(
+          body, {{0, 0, z}, p, d, d + rise, -d + rise, 2.0 * h * widest, body.width_std(d, z)}));
     }
   }
 }
@@ -81,8 +83,8 @@ void add_end_on(const Body& body, std::vector<ContactLine>& lines) {
   const double half = 0.5 * (body.z_max - body.z_min);
   for (const double x : {0.0, -0.5, 0.5}) {
     for (const double y : {0.0, -0.5, 0.5}) {
-      lines.push_back(
-          placed(body, {{x * body.a, y * body.b, middle}, half * up, up, up, -up, 0.0}));
+      lines.push_back(placed(
+          body, {{x * body.a, y * body.b, middle}, half * up, up, up, -up, 0.0, body.end_std}));
     }
   }
 }
@@ -117,7 +119,8 @@ void add_ellipsoid(const Body& body, const Gripper& gripper, const Eigen::Vector
     const Eigen::Vector3d p = squared.cwiseProduct(d) / h;
     // Contacts beside the pads are none.
     if ((p - h * d).norm() > 0.45 * gripper.pad.minCoeff()) continue;
-    lines.push_back(placed(body, {Eigen::Vector3d::Zero(), p, d, d, -d, 2.0 * h}));
+    lines.push_back(
+        placed(body, {Eigen::Vector3d::Zero(), p, d, d, -d, 2.0 * h, body.width_std(d, 0.0)}));
   }
 }
 
@@ -172,7 +175,8 @@ std::optional<ContactLine> chord(const Body& body, const Eigen::Vector3d& p_C,
   const auto normal = [&](const Eigen::Vector3d& x) -> Eigen::Vector3d {
     return 2.0 * q.M.cwiseProduct(x) + q.g;
   };
-  return placed(body, {0.5 * (low + high), 0.5 * (high - low), d, normal(high), normal(low), 0.0});
+  return placed(body, {0.5 * (low + high), 0.5 * (high - low), d, normal(high), normal(low), 0.0,
+                       body.width_std(d, 0.5 * (low.z() + high.z()))});
 }
 
 std::vector<ContactLine> contact_lines(const Body& body, const Gripper& gripper,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "blind_bands.hpp"
 #include "pixel_pitch.hpp"
 
 namespace quadrille {
@@ -21,13 +22,16 @@ bool in_front(const Eigen::Vector3d& p_V) {
 
 }  // namespace
 
-DepthView::DepthView(const PointCloud& cloud) : p_CV_(cloud.viewpoint) {
+DepthView::DepthView(const PointCloud& cloud, double baseline) : p_CV_(cloud.viewpoint) {
   stray_.assign(cloud.points.size(), 0);
   if (!p_CV_.allFinite()) return;
   choose_axes(cloud);
   choose_grid(cloud);
   if (!valid()) return;
   project(cloud);
+  blind_.assign(depth_.size(), 0);
+  // Only in the optical convention are rows those of the sensor, along its baseline.
+  if (R_VC_.isIdentity()) blind_ = fill_blind_bands(depth_, width_, pitch_u_, baseline);
   build_levels();
 }
 
@@ -169,9 +173,8 @@ int DepthView::nearer_end_of_gap(int u, int v) const {
   int best = -1;
   for (const int step : {-1, 1}) {
     for (int k = 1; k <= kWidest; ++k) {
-      const double z = depth(u + k * step, v);
-      if (z == 0.0) continue;
-      if (best < 0 || z < depth(best, v)) best = u + k * step;
+      if (!measured(u + k * step, v)) continue;
+      if (best < 0 || depth(u + k * step, v) < depth(best, v)) best = u + k * step;
       break;
     }
   }

@@ -17,20 +17,30 @@ double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// A large plane that the target stands on or before; small ones are but neighbours.
+// Shorter planes are but neighbours: boxes, books, lids [m].
+constexpr double kLeastSupport = 0.15;
+// So many times the body's size: what is not wider than the body is a part of it.
+constexpr double kSupportToBody = 1.5;
+// The body itself and its shadow cut off what is seen of the plane below it, and the plane goes on
+// beyond the image [m].
+constexpr double kSupportGoesOn = 0.1;
+
+// A large plane that the target stands on: below the body's middle, no farther from the body than
+// the body is large (what stands before it may hide the body's foot).
 std::optional<SupportPlane> support(const Detection& plane, const Body& body) {
-  const Eigen::Vector3d sides = plane.extent_Q.sizes();
   const double size = body.bounds_Q().sizes().maxCoeff();
-  if (sides.head<2>().minCoeff() < std::max(0.15, 1.5 * size)) return std::nullopt;
-  const Eigen::Vector3d middle = plane.X_CQ.inverse() * body.centre_C();
-  Eigen::AlignedBox3d around = plane.extent_Q;
-  around.min().array() -= 0.1;
-  around.max().array() += 0.1;
-  const bool over = (middle.head<2>().array() >= around.min().head<2>().array()).all() &&
-                    (middle.head<2>().array() <= around.max().head<2>().array()).all();
-  if (!over || middle.z() <= 0.0) return std::nullopt;
-  const Eigen::Vector3d n = plane.X_CQ.linear().col(2);
-  return SupportPlane{n, n.dot(plane.X_CQ.translation())};
+  const double least = std::max(kLeastSupport, kSupportToBody * size);
+  if (plane.extent_Q.sizes().head<2>().minCoeff() < least) return std::nullopt;
+  const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(kSupportGoesOn);
+  const SupportPlane found{
+      plane.X_CQ,
+      {plane.extent_Q.min().head<2>() - beyond, plane.extent_Q.max().head<2>() + beyond}};
+  const Eigen::Vector3d middle_P = plane.X_CQ.inverse() * body.centre_C();
+  if (!found.extent_P.contains(middle_P.head<2>()) || middle_P.z() <= 0.0) return std::nullopt;
+  const Eigen::Vector3d n_Q = body.X_CQ.linear().transpose() * found.n_C();
+  const double foot = middle_P.z() - n_Q.cwiseAbs().dot(0.5 * body.bounds_Q().sizes());
+  if (foot > size) return std::nullopt;
+  return found;
 }
 
 // A cap, a second fit or a fragment of the target: its middle lies in the body, and it is no
@@ -56,7 +66,7 @@ class Planner {
     const Clock::time_point start = Clock::now();
     stage("shapes", [&] { make_shapes(); });
     if (cloud_.points.empty()) warn("the cloud is empty");
-    stage("view", [&] { view_.emplace(cloud_); });
+    stage("view", [&] { view_.emplace(cloud_, options_.baseline); });
     if (!view_->valid()) warn("no point lies before the viewpoint: all space counts as unknown");
     stage("occupancy", [&] { map_space(); });
     stage("octree", [&] { plan_.occupancy = grid_->to_octree(); });
@@ -206,6 +216,7 @@ void PlanOptions::check() const {
   demand(friction > 0.0 && friction <= 10.0, "friction must lie in 0 to 10, above 0");
   demand(approach >= 0.0 && approach <= 1.0, "approach must lie in 0 to 1 m");
   demand(pad_margin >= 0.0 && pad_margin <= 0.1, "pad_margin must lie in 0 to 0.1 m");
+  demand(baseline >= 0.0 && baseline <= 1.0, "baseline must lie in 0 to 1 m");
   demand(max_grasps >= 0, "max_grasps must not be negative");
 }
 

@@ -17,6 +17,8 @@ constexpr double kNearby = 0.012;
 const double kAlike = std::cos(20.0 * 3.14159265358979323846 / 180.0);
 // A contact close to slipping in the model slips in truth: normals are known to a few degrees.
 constexpr double kFrictionShare = 0.85;
+// Standard deviations of a pad's distance to keep from the target: 95 % of truths.
+constexpr double kSigmas = 2.0;
 // How far the tips reach beyond a contact that only they hold [m].
 constexpr double kTipBeyond = 0.003;
 
@@ -35,7 +37,9 @@ std::string reason(Obstruction what) {
 
 }  // namespace
 
-double TargetPlanner::margin() const { return options_.pad_margin + 2.0 * target_.body.std; }
+double TargetPlanner::margin(const ContactLine& line) const {
+  return options_.pad_margin + kSigmas * line.std;
+}
 
 std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
                                        std::map<std::string, int>& rejected) {
@@ -47,7 +51,7 @@ std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
   space.reach = 0.5 * target_.body.bounds_Q().sizes().maxCoeff();
   const Eigen::Vector3d ray = viewpoint_C - space.centre_C;
   if (ray.norm() > 1e-9) space.view_C = ray.normalized();
-  if (!scene_.planes.empty()) space.up_C = scene_.planes.front().n_C;
+  if (!scene_.planes.empty()) space.up_C = scene_.planes.front().n_C();
   int refused = 0;
   const std::vector<Candidate> candidates = sample_approaches(lines, space, refused);
   if (refused > 0) rejected["unreachable"] += refused;
@@ -63,7 +67,8 @@ bool TargetPlanner::usable(const ContactLine& line, std::map<std::string, int>& 
     ++rejected[why];
     return false;
   };
-  if (line.opening + 2.0 * margin() > gripper_.max_opening || line.width < gripper_.min_opening) {
+  if (line.opening + 2.0 * margin(line) > gripper_.max_opening ||
+      line.width < gripper_.min_opening) {
     return refuse("width");
   }
   if (friction_needed(line) > kFrictionShare * options_.friction) return refuse("friction");
@@ -106,7 +111,7 @@ bool TargetPlanner::resembles_accepted(const ContactLine& line,
 // Medium, wide, then narrow.
 std::vector<double> TargetPlanner::preshapes(const ContactLine& line) const {
   std::vector<double> openings;
-  const double least = line.opening + 2.0 * margin();
+  const double least = line.opening + 2.0 * margin(line);
   for (const double room : {0.007, 0.014, 0.0}) {
     const double opening = std::min(least + 2.0 * room, gripper_.max_opening);
     if (std::find(openings.begin(), openings.end(), opening) == openings.end()) {
@@ -160,6 +165,7 @@ bool TargetPlanner::try_chords(const ContactLine& line, const Eigen::Vector3d& a
     std::optional<ContactLine> beside = chord(target_.body, p_C, line.closing_C);
     if (!beside) continue;
     beside->opening = line.opening;
+    beside->std = line.std;
     if (usable(*beside, rejected) && try_depth(*beside, approach_C, depth, rejected)) return true;
   }
   return false;

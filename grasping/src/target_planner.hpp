@@ -40,7 +40,7 @@ class TargetPlanner {
                   std::map<std::string, int>& rejected);
   Grasp describe(const ContactLine& line, const Eigen::Isometry3d& X_CG, double preshape) const;
   void rate(Grasp& grasp, const ContactLine& line) const;
-  double margin() const;
+  double margin(const ContactLine& line) const;
 
   const Target& target_;
   const Gripper& gripper_;

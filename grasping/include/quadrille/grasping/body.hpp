@@ -32,12 +32,17 @@ struct Body {
   /// Third semi-axis of kHyperbola and kEllipse [m].
   double c = 0.0;
   double z_min = 0.0, z_max = 0.0;
-  /// Largest standard deviation of the lengths [m].
-  double std = 0.0;
+  /// Standard deviations of a, b and c, in their units.
+  Eigen::Vector3d std = Eigen::Vector3d::Zero();
+  /// Standard deviation of each end, z_min and z_max [m].
+  double end_std = 0.0;
 
   /// s(z) and its derivative.
   double scale(double z) const;
   double slope(double z) const;
+  /// Standard deviation of half the width across unit direction d_Q at height z, at most 10 mm [m].
+  /// Semi-axes count as far as the direction goes along them: h² = Σ aᵢ²dᵢ², so dh = Σ aᵢdᵢ²·daᵢ/h.
+  double width_std(const Eigen::Vector3d& d_Q, double z) const;
   /// Half sizes of the bounding box along x and y at the widest cross-section [m].
   Eigen::Vector2d widest() const;
   /// Bounding box in frame Q [m].

@@ -11,17 +11,23 @@
 
 namespace quadrille {
 
-/// A plane that bounds free space: n·x ≥ d holds for all that may be entered.
+/// A plane that the target stands on, as far as it reaches: no hand goes below it there.
 struct SupportPlane {
-  Eigen::Vector3d n_C = Eigen::Vector3d::UnitZ();
-  double d = 0.0;
+  /// Frame P: origin in the plane, z along its normal.
+  Eigen::Isometry3d X_CP = Eigen::Isometry3d::Identity();
+  /// Where it reaches, along x and y of P [m].
+  Eigen::AlignedBox2d extent_P;
 
-  double distance(const Eigen::Vector3d& p_C) const { return n_C.dot(p_C) - d; }
+  Eigen::Vector3d n_C() const { return X_CP.linear().col(2); }
+  double distance(const Eigen::Vector3d& p_C) const { return n_C().dot(p_C - X_CP.translation()); }
+  /// True if part of the box may lie less than `margin` [m] above the plane within its extent.
+  /// Never false if it does: the box's bounds along the axes of P are what counts.
+  bool meets(const OrientedBox& box, double margin) const;
 };
 
 /// What stops a hand.
 enum class Obstruction {
-  kSupport,    ///< a plane that the target stands on or before
+  kSupport,    ///< a plane that the target stands on
   kTarget,     ///< the target itself, hidden side included
   kNeighbour,  ///< the shape of another detection
   kOccupied,   ///< a voxel with points

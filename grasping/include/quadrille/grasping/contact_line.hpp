@@ -23,6 +23,8 @@ struct ContactLine {
   double width = 0.0;
   /// Largest size of the body along the closing direction where the pads pass it [m].
   double opening = 0.0;
+  /// Standard deviation of half the width [m].
+  double std = 0.0;
 };
 
 /// Contact lines all over a body: across the axis at many heights, end-on for cylinders and slabs,

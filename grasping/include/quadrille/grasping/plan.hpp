@@ -60,6 +60,10 @@ struct PlanOptions {
   /// Least distance of each pad from the target on the way in [m]; grows with the uncertainty of
   /// the target's size.
   double pad_margin = 0.0025;
+  /// Distance between a depth sensor's two eyes, or eye and projector [m]: the largest whose blind
+  /// bands beside the edges of things count as seen through, up to the second eye's line of sight
+  /// over the edge. 0: missing pixels tell nothing.
+  double baseline = 0.09;
   /// Grasps to return at most.
   int max_grasps = 50;
 
