@@ -47,12 +47,16 @@ struct Weights {
 };
 
 Weights weigh(const Foot& foot, const Noise& noise) {
-  const Eigen::Matrix3d covariance =
-      noise.normal2 * Eigen::Matrix3d::Identity() + noise.point2 * foot.shape * foot.shape;
+  // The foot is off the true point by σ; what that does to S itself is of second order.
+  const double bend2 = noise.point2 * foot.shape.squaredNorm();
+  const Eigen::Matrix3d covariance = (noise.normal2 + bend2 * bend2) * Eigen::Matrix3d::Identity() +
+                                     noise.point2 * foot.shape * foot.shape;
   // The bias is a term of a series that ends where the noise reaches the radius of curvature.
   const double limit = std::sqrt(noise.point2);
   const double bias = std::clamp(0.5 * noise.point2 * foot.shape.trace(), -limit, limit);
-  return {bias, covariance.inverse()};
+  // Along the normal a deviation is of second order and says nothing.
+  const Eigen::Matrix3d P = Eigen::Matrix3d::Identity() - foot.normal * foot.normal.transpose();
+  return {bias, P * covariance.inverse() * P};
 }
 
 /// ∂normal/∂q at the foot, 3x10: (1 + d S) ∂n/∂q = P (∇vᵀ − H n vᵀ / |∇f|) / |∇f|.
