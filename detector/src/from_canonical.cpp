@@ -24,9 +24,7 @@ struct Dimensions {
   double square(std::size_t i) const { return at(i) * at(i); }
   double inverse_square(std::size_t i) const { return 1.0 / square(i); }
   double inverse_focal(std::size_t i) const { return 0.25 / at(i); }
-  double cotangent_square(std::size_t i) const {
-    return 1.0 / (std::tan(at(i)) * std::tan(at(i)));
-  }
+  double cotangent_square(std::size_t i) const { return 1.0 / (std::tan(at(i)) * std::tan(at(i))); }
 };
 
 Eigen::Matrix4d central(QuadricType type, const Dimensions& d) {

@@ -3,10 +3,31 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <limits>
 
 #include "solvers.hpp"
 
 namespace quadrille {
+namespace {
+
+/// The normals with those of a cone's second nappe turned round. With r the ray from the apex and n
+/// the outward normal, r − n is within 45° of the axis on one nappe and of its opposite on the
+/// other, whatever the cone's angle.
+/// @param side  1 for outward normals, -1 for inward ones, 0 to turn none
+Eigen::Matrix3Xd on_one_nappe(const OrientedPoints& points, const Eigen::Vector3d& apex,
+                              double side) {
+  Eigen::Matrix3Xd w = (points.points.colwise() - apex).colwise().normalized();
+  w -= side * points.normals;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(Eigen::Matrix3d(w * w.transpose()));
+  const Eigen::Vector3d main = eigen.eigenvectors().col(2);
+  Eigen::Matrix3Xd normals = points.normals;
+  for (Eigen::Index i = 0; side != 0.0 && i < normals.cols(); ++i) {
+    if (w.col(i).dot(main) < 0.0) normals.col(i) *= -1.0;
+  }
+  return normals;
+}
+
+}  // namespace
 
 std::optional<Eigen::Vector3d> direction_across_normals(const OrientedPoints& points) {
   const auto u = least_eigenvector(Eigen::MatrixXd(points.normals * points.normals.transpose()));
@@ -14,12 +35,20 @@ std::optional<Eigen::Vector3d> direction_across_normals(const OrientedPoints& po
   return Eigen::Vector3d(*u);
 }
 
-std::optional<Eigen::Vector3d> direction_at_constant_angle(const OrientedPoints& points) {
-  const Eigen::Vector3d mean = points.normals.rowwise().mean();
-  const Eigen::Matrix3Xd centred = points.normals.colwise() - mean;
-  const auto u = least_eigenvector(Eigen::MatrixXd(centred * centred.transpose()));
-  if (!u) return std::nullopt;
-  return Eigen::Vector3d(*u);
+std::optional<Eigen::Vector3d> cone_axis(const OrientedPoints& points,
+                                         const Eigen::Vector3d& apex) {
+  std::optional<Eigen::Vector3d> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double side : {0.0, 1.0, -1.0}) {
+    const Eigen::Matrix3Xd normals = on_one_nappe(points, apex, side);
+    const Eigen::Matrix3Xd centred = normals.colwise() - normals.rowwise().mean().eval();
+    const Eigen::MatrixXd scatter = centred * centred.transpose();
+    const auto u = least_eigenvector(scatter);
+    if (!u || !(u->dot(scatter * *u) < least)) continue;
+    least = u->dot(scatter * *u);
+    best = Eigen::Vector3d(*u);
+  }
+  return best;
 }
 
 std::optional<Eigen::Vector3d> direction_of_revolution(const OrientedPoints& points) {

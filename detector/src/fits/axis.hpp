@@ -10,9 +10,9 @@ namespace quadrille {
 /// all normals are parallel.
 std::optional<Eigen::Vector3d> direction_across_normals(const OrientedPoints& points);
 
-/// The direction at a constant angle to all normals: a circular cone's axis. nullopt if the normals
-/// end in less than a plane.
-std::optional<Eigen::Vector3d> direction_at_constant_angle(const OrientedPoints& points);
+/// The axis of a circular cone with a known apex: the direction at a constant angle to the normals
+/// of one nappe. nullopt if the normals end in less than a plane.
+std::optional<Eigen::Vector3d> cone_axis(const OrientedPoints& points, const Eigen::Vector3d& apex);
 
 /// The direction of the line that all normal lines meet (linear line complex: Pottmann, Wallner,
 /// "Computational line geometry", 2001): a surface of revolution's axis. nullopt if there are more.

@@ -20,8 +20,7 @@ std::optional<Quadric> fit_compact(const OrientedPoints& points, const CompactFi
 
 std::optional<Quadric> fit_three_and_one(const OrientedPoints& points) {
   if (points.size() < 4) return std::nullopt;
-  const auto normalised =
-      normalise(points.first(4), 4, Spread::kSpace, NormalLengths::kAsGiven);
+  const auto normalised = normalise(points.first(4), 4, Spread::kSpace, NormalLengths::kAsGiven);
   if (!normalised) return std::nullopt;
   const OrientedPoints& data = normalised->data;
   const auto pencil = make_pencil({data.at(0), data.at(1), data.at(2)});

@@ -18,8 +18,9 @@ namespace {
 using Points = const OrientedPoints&;
 
 Contender primal_dual(std::string_view name, const PrimalDual& kind) {
-  return {name, "paper, figure 2a", kind.points, true, false,
-          [kind](Points p) { return fit_primal_dual(p, kind); }};
+  return {name,        "paper, figure 2a",
+          kind.points, true,
+          false,       [kind](Points p) { return fit_primal_dual(p, kind); }};
 }
 
 }  // namespace

@@ -16,8 +16,7 @@ struct Reduced {
 };
 
 Reduced reduce(const Matrix10d& S, const Matrix10d& BB, double w2, double mu) {
-  const Eigen::SelfAdjointEigenSolver<Matrix10d> solver(
-      Matrix10d(S - w2 * w2 / (w2 - mu) * BB));
+  const Eigen::SelfAdjointEigenSolver<Matrix10d> solver(Matrix10d(S - w2 * w2 / (w2 - mu) * BB));
   const auto& values = solver.eigenvalues();
   return {values[0], values[1], values[9], solver.eigenvectors().col(0)};
 }

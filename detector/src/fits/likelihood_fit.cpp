@@ -38,6 +38,7 @@ std::optional<Foot> find_foot(const Quadric& Q, const Eigen::Vector3d& x) {
 
 struct Noise {
   double point2, normal2;
+  double points_per_normal;
 };
 
 /// What a point and its normal say, with the weights that a noise gives them.
@@ -56,7 +57,7 @@ Weights weigh(const Foot& foot, const Noise& noise) {
   const double bias = std::clamp(0.5 * noise.point2 * foot.shape.trace(), -limit, limit);
   // Along the normal a deviation is of second order and says nothing.
   const Eigen::Matrix3d P = Eigen::Matrix3d::Identity() - foot.normal * foot.normal.transpose();
-  return {bias, P * covariance.inverse() * P};
+  return {bias, P * covariance.inverse() * P / noise.points_per_normal};
 }
 
 /// ∂normal/∂q at the foot, 3x10: (1 + d S) ∂n/∂q = P (∇vᵀ − H n vᵀ / |∇f|) / |∇f|.
@@ -115,7 +116,7 @@ Noise estimate(const OrientedPoints& points, const std::vector<Foot>& feet, cons
     angle += w * excess;
     weight += 2.0 * w;
   }
-  return {point2, std::max(kLeastNoise * kLeastNoise, angle / weight)};
+  return {point2, std::max(kLeastNoise * kLeastNoise, angle / weight), before.points_per_normal};
 }
 
 }  // namespace
@@ -128,7 +129,7 @@ std::optional<LikelihoodFit> solve_likelihood(const OrientedPoints& points,
   const auto start = start_quadric(data);
   if (!start) return std::nullopt;
   Quadric Q = oriented(*start, data);
-  Noise noise{1.0, 1.0};
+  Noise noise{1.0, 1.0, options.points_per_normal};
   for (int round = 0; round < options.rounds; ++round) {
     const auto feet = feet_of(data, Q);
     if (!feet) break;

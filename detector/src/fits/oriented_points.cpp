@@ -20,6 +20,9 @@ bool has_spread(const Eigen::Matrix3Xd& centred, Spread spread) {
 }  // namespace
 
 OrientedPoints OrientedPoints::first(Eigen::Index count) const {
+  if (points.cols() != normals.cols()) {
+    throw std::invalid_argument("fit: the numbers of points and normals differ");
+  }
   OrientedPoints part;
   part.points = points.leftCols(count);
   part.normals = normals.leftCols(count);

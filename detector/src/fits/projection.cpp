@@ -96,8 +96,8 @@ void offer_pole(const Local& q, int k, Nearest& nearest) {
   Eigen::Vector3d y;
   for (int m = 0; m < 3; ++m) {
     const double denominator = 1.0 + t * q.lambda[m];
-    y[m] = std::abs(denominator) < 1e-12 ? -q.b[m] / q.lambda[m]
-                                         : (q.x[m] - t * q.b[m]) / denominator;
+    y[m] =
+        std::abs(denominator) < 1e-12 ? -q.b[m] / q.lambda[m] : (q.x[m] - t * q.b[m]) / denominator;
   }
   // λ (yₖ − centre)² + value at the centre = 0.
   const double square = -q.value(y) / q.lambda[k];

@@ -61,8 +61,9 @@ std::optional<Quadric> fit_cone(const OrientedPoints& points, const SimpleTypeOp
   const auto normalised = normalise(points, 3, Spread::kPlane);
   if (!normalised) return std::nullopt;
   const auto apex = common_point_of_planes(normalised->data);
-  const auto axis = direction_at_constant_angle(normalised->data);
-  if (!apex || !axis || !(apex->norm() < 1e3)) return std::nullopt;
+  if (!apex || !(apex->norm() < 1e3)) return std::nullopt;
+  const auto axis = cone_axis(normalised->data, *apex);
+  if (!axis) return std::nullopt;
   return fit_checked(*normalised, cone_design(*apex, *axis), options.weight, QuadricType::kCone);
 }
 

@@ -93,8 +93,8 @@ std::optional<Quadric> fit_two_planes(const OrientedPoints& points) {
       planes[which] = *plane;
     }
   }
-  return normalised->undo(Quadric(Eigen::Matrix4d(planes[0] * planes[1].transpose() +
-                                                  planes[1] * planes[0].transpose())));
+  return normalised->undo(Quadric(
+      Eigen::Matrix4d(planes[0] * planes[1].transpose() + planes[1] * planes[0].transpose())));
 }
 
 }  // namespace quadrille

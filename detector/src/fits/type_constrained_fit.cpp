@@ -8,12 +8,12 @@
 #include <vector>
 
 #include "axis.hpp"
+#include "fit_scatter.hpp"
 #include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/fits/simple_type_fits.hpp"
 #include "quadrille/detector/fits/taubin_fit.hpp"
 #include "quadrille/detector/fits/two_planes_fit.hpp"
 #include "quadrille/detector/fits/type_design.hpp"
-#include "scatter.hpp"
 
 namespace quadrille {
 namespace {
@@ -79,7 +79,7 @@ std::optional<Quadric> anchor(const OrientedPoints& points, const Eigen::Matrix3
     B.rightCols(B.cols() - 1).setZero();
     for (Eigen::Index k = 1; k + 1 < B.cols(); ++k) B.col(k).segment<3>(6) = frame.col(k - 1);
     B(9, B.cols() - 1) = 1.0;
-    const auto Q = fit_design(points, B, kNoTangents);
+    const auto Q = fit_design(scatter, B, kNoTangents);
     if (!Q || !is_of(*Q, type) || !(misfit(scatter, *Q) < least)) continue;
     least = misfit(scatter, *Q);
     best = Q;
@@ -137,7 +137,7 @@ std::optional<Quadric> fit_parabolic_cylinder(const OrientedPoints& points) {
     B.col(1).segment<3>(6) = e;
     B.col(2).segment<3>(6) = f;
     B(9, 3) = 1.0;
-    return fit_design(points, B, kNoTangents);
+    return fit_design(scatter, B, kNoTangents);
   };
   std::optional<Quadric> best;
   double least = std::numeric_limits<double>::infinity(), angle = 0.0;
@@ -156,16 +156,44 @@ std::optional<Quadric> fit_parabolic_cylinder(const OrientedPoints& points) {
   return best;
 }
 
+/// Best fits of a design that depends on a direction, so far.
+struct DirectionSearch {
+  const Scatter& scatter;
+  QuadricType type;
+  double least = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  std::optional<Quadric> best = std::nullopt;
+
+  bool offer(const Eigen::Vector3d& u) {
+    const auto Q = fit_design(scatter, paraboloid_design(u), kNoTangents);
+    if (!Q || !is_of(*Q, type) || !(misfit(scatter, *Q) < least)) return false;
+    least = misfit(scatter, *Q), direction = u, best = Q;
+    return true;
+  }
+};
+
+/// The axis by a pattern search, from wherever on a coarse hemisphere the type fits best.
 std::optional<Quadric> fit_paraboloid(const OrientedPoints& points, QuadricType type) {
-  const auto free = fit_taubin(points);
-  if (!free) return std::nullopt;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-      Eigen::Matrix3d(free->matrix().topLeftCorner<3, 3>()));
-  Eigen::Index weakest = 0;
-  eigen.eigenvalues().cwiseAbs().minCoeff(&weakest);
-  const auto Q =
-      fit_design(points, paraboloid_design(eigen.eigenvectors().col(weakest)), kNoTangents);
-  return Q && is_of(*Q, type) ? Q : std::nullopt;
+  const Scatter scatter(points);
+  DirectionSearch search{scatter, type};
+  constexpr int kRings = 6, kSectors = 12;
+  for (int ring = 0; ring <= kRings; ++ring) {
+    for (int sector = 0; sector < (ring == 0 ? 1 : kSectors); ++sector) {
+      const double polar = 0.5 * M_PI * ring / kRings, turn = 2.0 * M_PI * sector / kSectors;
+      search.offer(
+          {std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar)});
+    }
+  }
+  if (!search.best) return std::nullopt;
+  for (double step = 0.1; step > 1e-10;) {
+    const Eigen::Vector3d u = search.direction, e = u.unitOrthogonal(), f = u.cross(e);
+    bool better = false;
+    for (const Eigen::Vector3d& side : {e, f, Eigen::Vector3d(-e), Eigen::Vector3d(-f)}) {
+      better = search.offer((u + step * side).normalized()) || better;
+    }
+    if (!better) step *= 0.5;
+  }
+  return search.best;
 }
 
 std::optional<Quadric> fit_elliptic_cone(const OrientedPoints& points) {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-#include "scatter.hpp"
+#include "fit_scatter.hpp"
 #include "solvers.hpp"
 
 namespace quadrille {
@@ -95,13 +95,16 @@ LinearSystem restricted(const LinearSystem& system, const Design& B) {
   return {system.A * B, system.n};
 }
 
-std::optional<Quadric> fit_design(const OrientedPoints& points, const Design& B, double weight) {
-  const Scatter scatter(points);
+std::optional<Quadric> fit_design(const Scatter& scatter, const Design& B, double weight) {
   const Matrix10d S = scatter.values + weight * weight * scatter.across();
   const auto theta = least_eigenvector(Eigen::MatrixXd(B.transpose() * S * B),
                                        Eigen::MatrixXd(B.transpose() * scatter.gradients * B));
   if (!theta) return std::nullopt;
   return Quadric(Vector10d(B * *theta));
+}
+
+std::optional<Quadric> fit_design(const OrientedPoints& points, const Design& B, double weight) {
+  return fit_design(Scatter(points), B, weight);
 }
 
 }  // namespace quadrille

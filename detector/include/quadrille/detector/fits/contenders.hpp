@@ -24,8 +24,8 @@ struct Contender {
   std::function<std::optional<Quadric>(const OrientedPoints&)> fit;
 };
 
-/// All fits of general quadrics with their default options. The type is told to the type-constrained
-/// one alone, as in the paper's comparison.
+/// All fits of general quadrics with their default options. The type is told to the
+/// type-constrained one alone, as in the paper's comparison.
 std::vector<Contender> contenders(QuadricType known_type);
 
 /// The contender of a name; nullptr if there is none.

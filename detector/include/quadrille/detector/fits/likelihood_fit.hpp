@@ -11,6 +11,9 @@ struct LikelihoodFitOptions {
   int rounds = 6;
   /// Most Gauss-Newton steps a round.
   int iterations = 15;
+  /// How many of the points each normal was estimated from: normals of overlapping neighbourhoods
+  /// share their errors, and count for the k-th part each. 1 for measured normals.
+  double points_per_normal = 1.0;
 };
 
 /// A fit with the noise that it found.

@@ -20,6 +20,7 @@ struct OrientedPoints {
   Eigen::Index size() const { return points.cols(); }
   OrientedPoint at(Eigen::Index i) const { return {points.col(i), normals.col(i)}; }
   /// The first of the columns.
+  /// @throws std::invalid_argument if the numbers of points and normals differ
   OrientedPoints first(Eigen::Index count) const;
 };
 

@@ -6,7 +6,8 @@
 
 namespace quadrille {
 
-/// The point of a quadric that is closest to x: orthogonal projection, its true distance |x − foot|.
+/// The point of a quadric that is closest to x: orthogonal projection, its true distance |x −
+/// foot|.
 ///
 /// In the eigenframe of the quadratic part the feet of all normals through x are
 /// yᵢ = (xᵢ − t bᵢ) / (1 + t λᵢ), where t is a root of a polynomial of degree six; where a

@@ -8,8 +8,8 @@
 namespace quadrille {
 
 /// The best quadric of a type known beforehand, after the catalogue of type-specific direct fits by
-/// J. Andrews and C. H. Séquin, "Type-constrained direct fitting of quadric surfaces", Computer-Aided
-/// Design and Applications 2013, with its two strategies:
+/// J. Andrews and C. H. Séquin, "Type-constrained direct fitting of quadric surfaces",
+/// Computer-Aided Design and Applications 2013, with its two strategies:
 /// - cones, cylinders, paraboloids and their like: axis or apex first, then a linear fit in the
 ///   design of the type;
 /// - ellipsoids, hyperboloids and the central cylinders, which are open sets: Taubin's fit, and if

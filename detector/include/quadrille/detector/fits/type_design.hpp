@@ -23,7 +23,8 @@ Design spheroid_design(const Eigen::Vector3d& u);
 Design cylinder_design(const Eigen::Vector3d& u);
 /// Any conic extruded along u: 6 parameters.
 Design extrusion_design(const Eigen::Vector3d& u);
-/// Any quadric whose quadratic part vanishes along u, as a paraboloid's along its axis: 7 parameters.
+/// Any quadric whose quadratic part vanishes along u, as a paraboloid's along its axis: 7
+/// parameters.
 Design paraboloid_design(const Eigen::Vector3d& u);
 /// a|x − p|² + b(u·(x − p))² with the apex p and the axis u: 2 parameters.
 Design cone_design(const Eigen::Vector3d& p, const Eigen::Vector3d& u);
