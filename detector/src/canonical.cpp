@@ -229,15 +229,6 @@ CanonicalForm from_rank_0(const Diagonal& d) {
   return form;
 }
 
-Eigen::Matrix4d diagonal(double a, double b, double c, double d) {
-  return Eigen::Vector4d(a, b, c, d).asDiagonal();
-}
-
-Eigen::Matrix4d with_linear_z(Eigen::Matrix4d D, double i) {
-  D(2, 3) = D(3, 2) = i;
-  return D;
-}
-
 }  // namespace
 
 bool is_angle(const std::string& dimension) { return dimension.find("angle") != std::string::npos; }
@@ -257,68 +248,6 @@ CanonicalForm canonical_form(const Quadric& Q, double tolerance) {
     default:
       return from_rank_0(d);
   }
-}
-
-Quadric from_canonical(const CanonicalForm& form) {
-  const auto dim = [&](std::size_t i) { return form.dimensions.at(i).second; };
-  const auto inverse_square = [&](std::size_t i) { return 1.0 / (dim(i) * dim(i)); };
-  const auto cotangent_square = [&](std::size_t i) {
-    return 1.0 / (std::tan(dim(i)) * std::tan(dim(i)));
-  };
-  Eigen::Matrix4d D;
-  switch (form.type) {
-    case QuadricType::kSphere:
-      D = diagonal(1, 1, 1, -dim(0) * dim(0));
-      break;
-    case QuadricType::kEllipsoid:
-      D = diagonal(inverse_square(0), inverse_square(1), inverse_square(2), -1);
-      break;
-    case QuadricType::kCylinder:
-      D = diagonal(1, 1, 0, -dim(0) * dim(0));
-      break;
-    case QuadricType::kEllipticCylinder:
-      D = diagonal(inverse_square(0), inverse_square(1), 0, -1);
-      break;
-    case QuadricType::kCone:
-      D = diagonal(cotangent_square(0), cotangent_square(0), -1, 0);
-      break;
-    case QuadricType::kEllipticCone:
-      D = diagonal(cotangent_square(0), cotangent_square(1), -1, 0);
-      break;
-    case QuadricType::kEllipticParaboloid:
-      D = with_linear_z(diagonal(0.25 / dim(0), 0.25 / dim(1), 0, 0), -0.5);
-      break;
-    case QuadricType::kHyperbolicParaboloid:
-      D = with_linear_z(diagonal(0.25 / dim(0), -0.25 / dim(1), 0, 0), -0.5);
-      break;
-    case QuadricType::kHyperboloidOneSheet:
-      D = diagonal(inverse_square(0), inverse_square(1), -inverse_square(2), -1);
-      break;
-    case QuadricType::kHyperboloidTwoSheets:
-      D = diagonal(inverse_square(0), inverse_square(1), -inverse_square(2), 1);
-      break;
-    case QuadricType::kHyperbolicCylinder:
-      D = diagonal(inverse_square(0), -inverse_square(1), 0, -1);
-      break;
-    case QuadricType::kParabolicCylinder:
-      D = with_linear_z(diagonal(0.25 / dim(0), 0, 0, 0), -0.5);
-      break;
-    case QuadricType::kPlane:
-      D = with_linear_z(Eigen::Matrix4d::Zero(), 0.5);
-      break;
-    case QuadricType::kParallelPlanes:
-      D = diagonal(0, 0, 1, -0.25 * dim(0) * dim(0));
-      break;
-    case QuadricType::kIntersectingPlanes:
-      D = diagonal(std::tan(0.5 * dim(0)) * std::tan(0.5 * dim(0)), -1, 0, 0);
-      break;
-    case QuadricType::kCoincidentPlanes:
-      D = diagonal(0, 0, 1, 0);
-      break;
-    default:
-      throw std::invalid_argument("from_canonical: an imaginary type has no dimensions");
-  }
-  return Quadric(D).transformed(form.X);
 }
 
 }  // namespace quadrille

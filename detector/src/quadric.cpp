@@ -1,6 +1,9 @@
 #include "quadrille/detector/quadric.hpp"
 
+#include <Eigen/LU>
+#include <cmath>
 #include <limits>
+#include <stdexcept>
 #include <tuple>
 
 namespace quadrille {
@@ -44,6 +47,29 @@ double Quadric::distance(const Eigen::Vector3d& x) const {
 Quadric Quadric::transformed(const Eigen::Isometry3d& X_BA) const {
   const Eigen::Matrix4d X_AB = X_BA.inverse().matrix();
   return Quadric(Eigen::Matrix4d(X_AB.transpose() * Q_ * X_AB));
+}
+
+Quadric Quadric::transformed(const Eigen::Projective3d& P_BA) const {
+  const Eigen::FullPivLU<Eigen::Matrix4d> lu(P_BA.matrix());
+  if (!P_BA.matrix().allFinite() || !lu.isInvertible()) {
+    throw std::invalid_argument("Quadric::transformed: the map is singular or not finite");
+  }
+  const Eigen::Matrix4d P_AB = lu.inverse();
+  return Quadric(Eigen::Matrix4d(P_AB.transpose() * Q_ * P_AB));
+}
+
+Eigen::Matrix4d Quadric::dual() const {
+  Eigen::Matrix4d adjugate;
+  for (int row = 0; row < 4; ++row) {
+    for (int col = 0; col < 4; ++col) {
+      Eigen::Matrix3d minor;
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) minor(i, j) = Q_(i + (i >= row), j + (j >= col));
+      }
+      adjugate(col, row) = ((row + col) % 2 ? -1.0 : 1.0) * minor.determinant();
+    }
+  }
+  return adjugate;
 }
 
 }  // namespace quadrille

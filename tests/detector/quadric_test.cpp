@@ -1,5 +1,8 @@
 #include "quadrille/detector/quadric.hpp"
 
+#include <utility>
+#include <vector>
+
 #include "support/catch.hpp"
 
 using quadrille::Quadric;
@@ -38,4 +41,44 @@ TEST_CASE("a transformed quadric holds the transformed points", "[quadric]") {
   const Eigen::Vector3d on = X * Eigen::Vector3d(0, 0.6, 0.8);
   CHECK(moved.value(on) == Approx(0.0).margin(1e-12));
   CHECK(moved.gradient(on).normalized().isApprox(X.linear() * Eigen::Vector3d(0, 0.6, 0.8), 1e-12));
+}
+
+TEST_CASE("the tangent planes of a quadric lie on its dual", "[quadric][paper:def2]") {
+  Eigen::Matrix4d saddle = Eigen::Vector4d(1, -2, 0, 0.3).asDiagonal();
+  saddle(2, 3) = saddle(3, 2) = 0.7;
+  // 1.4 z = 2 y² − x² − 0.3 at x = 0.2, y = 0.5.
+  const std::vector<std::pair<Quadric, Eigen::Vector4d>> cases = {
+      {sphere(1.5), {0.9, 0, 1.2, 1}}, {Quadric(saddle), {0.2, 0.5, 0.16 / 1.4, 1}}};
+  for (const auto& [Q, on] : cases) {
+    // Q x is the tangent plane at a point x of the quadric.
+    const Eigen::Vector4d plane = Q.matrix() * on;
+    CHECK(plane.dot(Q.dual() * plane) == Approx(0.0).margin(1e-12));
+    const Eigen::Vector4d other = plane + Eigen::Vector4d(0, 0, 0, 0.5);
+    CHECK(std::abs(other.dot(Q.dual() * other)) > 0.05);
+    // The adjugate: Q Q* = det Q.
+    const double det = Q.matrix().determinant();
+    CHECK((Q.matrix() * Q.dual()).isApprox(det * Eigen::Matrix4d::Identity(), 1e-12));
+  }
+}
+
+TEST_CASE("the dual of a cone has rank 1 and that of two planes vanishes", "[quadric]") {
+  const Quadric cone(Eigen::Matrix4d(Eigen::Vector4d(1, 1, -2, 0).asDiagonal()));
+  Eigen::Matrix4d expected = Eigen::Matrix4d::Zero();
+  expected(3, 3) = -2.0;
+  CHECK(cone.dual().isApprox(expected, 1e-15));
+  const Quadric planes(Eigen::Matrix4d(Eigen::Vector4d(1, -1, 0, 0).asDiagonal()));
+  CHECK(planes.dual().isZero(0.0));
+}
+
+TEST_CASE("a projective map carries the points of a quadric along", "[quadric]") {
+  Eigen::Projective3d P = Eigen::Projective3d::Identity();
+  P.matrix() << 1, 0.2, 0, 0.3, 0, 2, 0.1, 0, 0.1, 0, 1, -0.4, 0.2, 0.1, 0, 3;
+  const Eigen::Vector4d on = P.matrix() * Eigen::Vector4d(0, 0.6, 0.8, 1);
+  CHECK(sphere(1.0).transformed(P).value(on.hnormalized()) == Approx(0.0).margin(1e-12));
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.pretranslate(Eigen::Vector3d(1, 2, 3));
+  CHECK(sphere(2.0).transformed(X).matrix().isApprox(
+      sphere(2.0).transformed(Eigen::Projective3d(X)).matrix(), 1e-12));
+  P.matrix().row(3) = P.matrix().row(2);
+  CHECK_THROWS_AS(sphere(1.0).transformed(P), std::invalid_argument);
 }

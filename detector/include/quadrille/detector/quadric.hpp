@@ -36,6 +36,14 @@ class Quadric {
 
   /// The quadric that holds X·x for each x of this one: Q_B = X_BA⁻ᵀ Q_A X_BA⁻¹.
   Quadric transformed(const Eigen::Isometry3d& X_BA) const;
+  /// The same for any invertible projective map of homogeneous points, x_B ~ P_BA x_A.
+  /// @throws std::invalid_argument if P_BA is singular or not finite
+  Quadric transformed(const Eigen::Projective3d& P_BA) const;
+
+  /// The dual quadric Q*, the locus of the planes Π with Πᵀ Q* Π = 0 that touch this one (paper,
+  /// definition 2). The adjugate of Q, which is ~ Q⁻¹ where Q has full rank, and exists for all:
+  /// of rank 1 for cones and cylinders, zero for pairs of planes.
+  Eigen::Matrix4d dual() const;
 
  private:
   Eigen::Matrix4d Q_ = Eigen::Matrix4d::Zero();
