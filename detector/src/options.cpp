@@ -24,6 +24,7 @@ void DetectorOptions::check() const {
   require_within("sampling.noisiest_cell", sampling.noisiest_cell, 0.01, 100.0);
   require_within("sampling.noise.radius", sampling.noise.radius, 1e-4, 10.0);
   require_within("sampling.noise.quantile", sampling.noise.quantile, 0.0, 1.0);
+  require_within("sampling.noise.patches", sampling.noise.patches, 1, 1000000);
   require_within("planes.least_samples", planes.least_samples, 4, 1000000);
   require_within("planes.sigmas", planes.sigmas, 0.1, 100.0);
   require_within("planes.angle", planes.angle, 0.01, M_PI_2);

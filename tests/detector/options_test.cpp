@@ -88,20 +88,21 @@ TEST_CASE("a visit reaches each scalar setting", "[options]") {
   DetectorOptions o;
   auto& [seed, threads, only, sampling, planes, inlier, search, aggregate] = o;
   auto& [cell, noisiest_cell, noise] = sampling;
-  auto& [noise_radius, quantile] = noise;
+  auto& [noise_radius, quantile, patches] = noise;
   auto& [p1, p2, p3, p4, p5] = planes;
   auto& [i1, i2, i3] = inlier;
   auto& [radii, s1, s2, s3, grow] = search;
   auto& [g1, g2, g3] = grow;
   auto& [a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12] = aggregate;
-  const std::set<const void*> scalars = {&seed,         &threads,  &cell, &noisiest_cell,
-                                         &noise_radius, &quantile, &p1,   &p2,
-                                         &p3,           &p4,       &p5,   &i1,
-                                         &i2,           &i3,       &s1,   &s2,
-                                         &s3,           &g1,       &g2,   &g3,
-                                         &a1,           &a2,       &a3,   &a4,
-                                         &a5,           &a6,       &a7,   &a8,
-                                         &a9,           &a10,      &a11,  &a12};
+  const std::set<const void*> scalars = {&seed,         &threads,  &cell,    &noisiest_cell,
+                                         &noise_radius, &quantile, &patches, &p1,
+                                         &p2,           &p3,       &p4,      &p5,
+                                         &i1,           &i2,       &i3,      &s1,
+                                         &s2,           &s3,       &g1,      &g2,
+                                         &g3,           &a1,       &a2,      &a3,
+                                         &a4,           &a5,       &a6,      &a7,
+                                         &a8,           &a9,       &a10,     &a11,
+                                         &a12};
   CHECK(visit(o).fields == scalars);
   CHECK(only.empty());
   CHECK(radii.size() == 3);
