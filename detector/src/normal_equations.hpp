@@ -1,0 +1,13 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "quadrille/detector/geometric_fit.hpp"
+
+namespace quadrille {
+
+/// [JᵀJ Jᵀr; rᵀJ rᵀr] of the first-order distances r = f / |∇f| of the points, J = dr/dq: 11x11,
+/// in the order of q and with the residual last.
+Eigen::Matrix<double, 11, 11> normal_equations(const FitPoints& points, const Eigen::Matrix4d& Q);
+
+}  // namespace quadrille
