@@ -15,6 +15,8 @@ double PlanOptions::*number_option(const std::string& key) {
   if (key == "approach") return &PlanOptions::approach;
   if (key == "pad_margin") return &PlanOptions::pad_margin;
   if (key == "baseline") return &PlanOptions::baseline;
+  if (key == "wall_least") return &PlanOptions::wall_least;
+  if (key == "wall_most") return &PlanOptions::wall_most;
   return nullptr;
 }
 
@@ -48,7 +50,7 @@ PlanOptions load_plan_options(const std::string& path) {
                           "'" + name +
                               "' is unknown or has a wrong value; the keys are unknown (obstacle, "
                               "target-shadow or free), resolution, friction, approach, pad_margin, "
-                              "baseline and max_grasps");
+                              "baseline, wall_least, wall_most and max_grasps");
     }
   }
   try {

@@ -8,10 +8,14 @@ namespace quadrille {
 
 namespace {
 
-// The hand comes within 107° of the line of sight, or from above within 60°.
+// Cosines of the widest angles: 107° to the line of sight, 60° to straight down, 60° into a mouth;
+// and never steeper up than 20°.
+constexpr double kFromView = -0.3, kFromAbove = 0.5, kIntoMouth = 0.5, kUpward = 0.35;
+
 bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space) {
-  if (approach.dot(space.up_C) > 0.35) return false;
-  return -approach.dot(space.view_C) > -0.3 || -approach.dot(space.up_C) > 0.5;
+  if (approach.dot(space.up_C) > kUpward) return false;
+  if (!space.into_C.isZero() && approach.dot(space.into_C) < kIntoMouth) return false;
+  return -approach.dot(space.view_C) > kFromView || -approach.dot(space.up_C) > kFromAbove;
 }
 
 double prior(const ContactLine& line, const Eigen::Vector3d& approach, const ApproachSpace& space) {
@@ -23,9 +27,9 @@ double prior(const ContactLine& line, const Eigen::Vector3d& approach, const App
 
 // Every kStride-th first, then those between: the best ones are much alike, and where one is
 // blocked so are its neighbours.
-std::vector<Candidate> spread_out(const std::vector<Candidate>& best_first) {
+std::vector<GraspCandidate> spread_out(const std::vector<GraspCandidate>& best_first) {
   constexpr std::size_t kStride = 16;
-  std::vector<Candidate> spread;
+  std::vector<GraspCandidate> spread;
   spread.reserve(best_first.size());
   for (std::size_t start = 0; start < kStride; ++start) {
     for (std::size_t n = start; n < best_first.size(); n += kStride) {
@@ -37,10 +41,10 @@ std::vector<Candidate> spread_out(const std::vector<Candidate>& best_first) {
 
 }  // namespace
 
-std::vector<Candidate> sample_approaches(const std::vector<ContactLine>& lines,
-                                         const ApproachSpace& space, int& refused) {
+std::vector<GraspCandidate> sample_approaches(const std::vector<ContactLine>& lines,
+                                              const ApproachSpace& space, int& refused) {
   constexpr int kDirections = 24;
-  std::vector<Candidate> candidates;
+  std::vector<GraspCandidate> candidates;
   for (std::size_t n = 0; n < lines.size(); ++n) {
     const Eigen::Vector3d& d = lines[n].closing_C;
     Eigen::Vector3d first = -space.view_C + d * d.dot(space.view_C);
@@ -61,8 +65,9 @@ std::vector<Candidate> sample_approaches(const std::vector<ContactLine>& lines,
       }
     }
   }
-  std::stable_sort(candidates.begin(), candidates.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.prior > b.prior; });
+  std::stable_sort(
+      candidates.begin(), candidates.end(),
+      [](const GraspCandidate& a, const GraspCandidate& b) { return a.prior > b.prior; });
   return spread_out(candidates);
 }
 

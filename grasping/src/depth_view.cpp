@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "blind_bands.hpp"
+#include "gaps.hpp"
 #include "pixel_pitch.hpp"
 
 namespace quadrille {
@@ -22,16 +22,17 @@ bool in_front(const Eigen::Vector3d& p_V) {
 
 }  // namespace
 
-DepthView::DepthView(const PointCloud& cloud, double baseline) : p_CV_(cloud.viewpoint) {
+DepthView::DepthView(const PointCloud& cloud, double baseline, double thin)
+    : p_CV_(cloud.viewpoint) {
   stray_.assign(cloud.points.size(), 0);
   if (!p_CV_.allFinite()) return;
   choose_axes(cloud);
   choose_grid(cloud);
   if (!valid()) return;
   project(cloud);
-  blind_.assign(depth_.size(), 0);
   // Only in the optical convention are rows those of the sensor, along its baseline.
-  if (R_VC_.isIdentity()) blind_ = fill_blind_bands(depth_, width_, pitch_u_, baseline);
+  const GapRules rules{R_VC_.isIdentity() ? baseline : 0.0, thin};
+  filled_ = fill_gaps(depth_, width_, {pitch_u_, pitch_v_}, rules);
   build_levels();
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "support.hpp"
 #include "target_planner.hpp"
 
 namespace quadrille {
@@ -17,32 +18,6 @@ double ms_since(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-// Shorter planes are but neighbours: boxes, books, lids [m].
-constexpr double kLeastSupport = 0.15;
-// So many times the body's size: what is not wider than the body is a part of it.
-constexpr double kSupportToBody = 1.5;
-// The body itself and its shadow cut off what is seen of the plane below it, and the plane goes on
-// beyond the image [m].
-constexpr double kSupportGoesOn = 0.1;
-
-// A large plane that the target stands on: below the body's middle, no farther from the body than
-// the body is large (what stands before it may hide the body's foot).
-std::optional<SupportPlane> support(const Detection& plane, const Body& body) {
-  const double size = body.bounds_Q().sizes().maxCoeff();
-  const double least = std::max(kLeastSupport, kSupportToBody * size);
-  if (plane.extent_Q.sizes().head<2>().minCoeff() < least) return std::nullopt;
-  const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(kSupportGoesOn);
-  const SupportPlane found{
-      plane.X_CQ,
-      {plane.extent_Q.min().head<2>() - beyond, plane.extent_Q.max().head<2>() + beyond}};
-  const Eigen::Vector3d middle_P = plane.X_CQ.inverse() * body.centre_C();
-  if (!found.extent_P.contains(middle_P.head<2>()) || middle_P.z() <= 0.0) return std::nullopt;
-  const Eigen::Vector3d n_Q = body.X_CQ.linear().transpose() * found.n_C();
-  const double foot = middle_P.z() - n_Q.cwiseAbs().dot(0.5 * body.bounds_Q().sizes());
-  if (foot > size) return std::nullopt;
-  return found;
-}
-
 // A cap, a second fit or a fragment of the target: its middle lies in the body, and it is no
 // larger.
 bool part_of(const Detection& other, const Body& body) {
@@ -51,8 +26,18 @@ bool part_of(const Detection& other, const Body& body) {
   return body.contains(middle, 0.006) && other.extent_Q.sizes().maxCoeff() <= 1.3 * size + 0.01;
 }
 
+// Points of the target lie this far beside its fitted surface [m].
+constexpr double kCarveNoise = 0.002;
+// 30 MB and about 100 ms of mapping.
+constexpr double kMostVoxels = 3e7;
+// Wide bodies are mapped only if their rim can be held. Across a slanted box, or a body whose size
+// is poorly known, there may still be less than its smallest size.
+constexpr double kWidthToOpening = 1.5;
+// A rim farther than this from its own middle is no tableware [m].
+constexpr double kWidestShell = 0.4;
+
 bool graspable(const Body& body, const Gripper& gripper) {
-  return body.bounds_Q().sizes().minCoeff() < gripper.max_opening * 1.5;
+  return body.bounds_Q().sizes().minCoeff() < gripper.max_opening * kWidthToOpening;
 }
 
 /// Composes the stages over one cloud.
@@ -66,8 +51,9 @@ class Planner {
     const Clock::time_point start = Clock::now();
     stage("shapes", [&] { make_shapes(); });
     if (cloud_.points.empty()) warn("the cloud is empty");
-    stage("view", [&] { view_.emplace(cloud_, options_.baseline); });
+    stage("view", [&] { view_.emplace(cloud_, options_.baseline, options_.resolution); });
     if (!view_->valid()) warn("no point lies before the viewpoint: all space counts as unknown");
+    stage("targets", [&] { choose_targets(); });
     stage("occupancy", [&] { map_space(); });
     stage("octree", [&] { plan_.occupancy = grid_->to_octree(); });
     stage("grasps", [&] { plan_targets(); });
@@ -96,15 +82,38 @@ class Planner {
       } else {
         ++plan_.rejected["no_shape"];
       }
+    }
+  }
+
+  void choose_targets() {
+    for (const Detection& d : detections_) {
       if (is_flat(d.type) && d.type != QuadricType::kParallelPlanes) continue;
       const std::optional<Body> body = make_body(d);
       if (!body) continue;
-      if (graspable(*body, gripper_)) {
-        targets_.push_back({d.id, d.score, *body});
+      Target target{d.id, d.score, *body, supports_of(*body, detections_), {}, {}, true};
+      const bool inside = seen_from_inside(d, *body);
+      target.shell = shell_of(target, inside);
+      if (target.shell) {
+        const std::vector<ContactLine> lines = rim_lines(*target.shell, gripper_);
+        target.rim = measured_lines(*target.shell, lines, cloud_);
+        plan_.rejected["unmeasured"] += static_cast<int>(lines.size() - target.rim.size());
+      }
+      // What was seen from inside is no solid: only its wall can be held.
+      target.solid = !inside && graspable(*body, gripper_);
+      if (target.solid || target.shell) {
+        targets_.push_back(std::move(target));
       } else {
-        ++plan_.rejected["width"];
+        ++plan_.rejected[inside ? "seen_from_inside" : "width"];
       }
     }
+  }
+
+  std::optional<Shell> shell_of(const Target& target, bool inside) const {
+    if (target.body.bounds_Q().sizes().maxCoeff() > kWidestShell) return std::nullopt;
+    const Eigen::Vector3d up_C =
+        target.supports.empty() ? Eigen::Vector3d::Zero() : target.supports.front().n_C();
+    return find_shell(target.body, inside, cloud_, *view_, up_C,
+                      {options_.wall_least, options_.wall_most});
   }
 
   // How far the hand reaches from a target's surface.
@@ -121,7 +130,6 @@ class Planner {
       box.max().array() += reach();
       region.extend(box);
     }
-    constexpr double kMostVoxels = 3e7;
     double resolution = options_.resolution;
     if (!region.isEmpty()) {
       const double voxels = region.volume() / std::pow(resolution, 3);
@@ -134,49 +142,74 @@ class Planner {
   }
 
   CollisionScene scene_of(const Target& target, const ObstacleMap& base) const {
-    CollisionScene scene{base, {}, {}, make_pieces(target.body)};
-    for (const Detection& d : detections_) {
-      if (d.type != QuadricType::kPlane) continue;
-      if (const auto plane = support(d, target.body)) scene.planes.push_back(*plane);
-    }
-    // The one nearest to the target's middle is the one it stands on.
-    const Eigen::Vector3d middle = target.body.centre_C();
-    std::stable_sort(scene.planes.begin(), scene.planes.end(), [&](const auto& a, const auto& b) {
-      return a.distance(middle) < b.distance(middle);
-    });
+    CollisionScene scene{base, target.supports, {}, {}};
     for (std::size_t n = 0; n < plan_.shapes.size(); ++n) {
       const Detection& d = detections_[shape_of_[n]];
       if (d.id != target.id && !part_of(d, target.body))
         scene.neighbours.push_back(plan_.shapes[n]);
     }
-    carve(target, scene);
     return scene;
   }
 
   // The target's own voxels give way; those of what it stands on stay.
-  void carve(const Target& target, CollisionScene& scene) const {
-    const double resolution = grid_->resolution();
-    const double margin = 0.87 * resolution + 0.002;
-    scene.map.carve(target.body, margin, [&](const Eigen::Vector3d& centre) {
-      return std::any_of(scene.planes.begin(), scene.planes.end(), [&](const SupportPlane& plane) {
-        return plane.distance(centre) < 0.5 * resolution;
-      });
+  CollisionScene solid_scene(const Target& target, const ObstacleMap& base) const {
+    CollisionScene scene = scene_of(target, base);
+    scene.target = make_pieces(target.body);
+    scene.map.carve(target.body, carve_margin(),
+                    [&](const Eigen::Vector3d& p_C) { return holds_up(target, p_C); });
+    clear_shadow(target.body, scene);
+    return scene;
+  }
+
+  // The same for the wall alone: what the vessel holds, and its hidden bottom, stay in the way.
+  CollisionScene shell_scene(const Target& target, const ObstacleMap& base) const {
+    CollisionScene scene = scene_of(target, base);
+    const Shell& shell = *target.shell;
+    scene.target = make_wall(shell);
+    const double margin = carve_margin();
+    scene.map.carve(shell.body, margin + shell.outer(), [&](const Eigen::Vector3d& p_C) {
+      return !shell.in_wall(p_C, margin) || holds_up(target, p_C);
     });
+    clear_shadow(shell.body, scene);
+    return scene;
+  }
+
+  // A voxel that reaches into the target has its centre within half its diagonal, plus the noise of
+  // its points.
+  double carve_margin() const { return 0.5 * std::sqrt(3.0) * grid_->resolution() + kCarveNoise; }
+
+  bool holds_up(const Target& target, const Eigen::Vector3d& p_C) const {
+    const auto near = [&](const SupportPlane& plane) {
+      return plane.distance(p_C) < 0.5 * grid_->resolution();
+    };
+    return std::any_of(target.supports.begin(), target.supports.end(), near);
+  }
+
+  void clear_shadow(const Body& body, CollisionScene& scene) const {
     if (options_.unknown != UnknownPolicy::kTargetShadow) return;
-    Eigen::AlignedBox3d region = target.body.bounds_C();
+    Eigen::AlignedBox3d region = body.bounds_C();
     region.min().array() -= reach();
     region.max().array() += reach();
-    scene.map.clear_shadow(*grid_, *view_, target.body, region);
+    scene.map.clear_shadow(*grid_, *view_, body, region);
   }
 
   void plan_targets() {
     if (targets_.empty()) return;
     const ObstacleMap base(*grid_, options_.unknown != UnknownPolicy::kFree);
-    for (const Target& target : targets_) {
-      const CollisionScene scene = scene_of(target, base);
-      TargetPlanner planner(target, gripper_, options_, *grid_, scene);
-      const std::vector<Grasp> grasps = planner.plan(cloud_.viewpoint, plan_.rejected);
+    const auto keep = [&](const std::vector<Grasp>& grasps) {
       plan_.grasps.insert(plan_.grasps.end(), grasps.begin(), grasps.end());
+    };
+    for (const Target& target : targets_) {
+      if (target.solid) {
+        const CollisionScene scene = solid_scene(target, base);
+        TargetPlanner planner(target, gripper_, options_, *grid_, scene);
+        keep(planner.plan(cloud_.viewpoint, plan_.rejected));
+      }
+      if (target.shell) {
+        const CollisionScene scene = shell_scene(target, base);
+        TargetPlanner planner(target, gripper_, options_, *grid_, scene);
+        keep(planner.plan_rim(cloud_.viewpoint, plan_.rejected));
+      }
     }
   }
 
@@ -217,6 +250,8 @@ void PlanOptions::check() const {
   demand(approach >= 0.0 && approach <= 1.0, "approach must lie in 0 to 1 m");
   demand(pad_margin >= 0.0 && pad_margin <= 0.1, "pad_margin must lie in 0 to 0.1 m");
   demand(baseline >= 0.0 && baseline <= 1.0, "baseline must lie in 0 to 1 m");
+  demand(wall_least >= 0.0 && wall_least <= wall_most && wall_most <= 0.05,
+         "wall_least and wall_most must lie in 0 to 0.05 m, in this order");
   demand(max_grasps >= 0, "max_grasps must not be negative");
 }
 

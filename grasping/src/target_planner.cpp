@@ -41,25 +41,56 @@ double TargetPlanner::margin(const ContactLine& line) const {
   return options_.pad_margin + kSigmas * line.std;
 }
 
-std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
-                                       std::map<std::string, int>& rejected) {
-  std::vector<ContactLine> lines = contact_lines(target_.body, gripper_, viewpoint_C);
-  std::erase_if(lines, [&](const ContactLine& line) { return !usable(line, rejected); });
+ApproachSpace TargetPlanner::approach_space(const Eigen::Vector3d& viewpoint_C) const {
   ApproachSpace space;
   space.axes_C = target_.body.X_CQ.linear();
   space.centre_C = target_.body.centre_C();
   space.reach = 0.5 * target_.body.bounds_Q().sizes().maxCoeff();
   const Eigen::Vector3d ray = viewpoint_C - space.centre_C;
   if (ray.norm() > 1e-9) space.view_C = ray.normalized();
-  if (!scene_.planes.empty()) space.up_C = scene_.planes.front().n_C();
+  if (!target_.supports.empty()) space.up_C = target_.supports.front().n_C();
+  return space;
+}
+
+std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
+                                       std::map<std::string, int>& rejected) {
+  std::vector<ContactLine> lines = contact_lines(target_.body, gripper_, viewpoint_C);
+  std::erase_if(lines, [&](const ContactLine& line) { return !usable(line, rejected); });
   int refused = 0;
-  const std::vector<Candidate> candidates = sample_approaches(lines, space, refused);
+  const std::vector<GraspCandidate> candidates =
+      sample_approaches(lines, approach_space(viewpoint_C), refused);
   if (refused > 0) rejected["unreachable"] += refused;
-  for (const Candidate& candidate : candidates) {
+  for (const GraspCandidate& candidate : candidates) {
     if (checks_ >= kMostChecks || accepted_.size() >= kMostAccepted) break;
     try_candidate(lines[candidate.line], candidate, rejected);
   }
   return std::move(accepted_);
+}
+
+std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C,
+                                           std::map<std::string, int>& rejected) {
+  std::vector<ContactLine> lines = target_.rim;
+  std::erase_if(lines, [&](const ContactLine& line) { return !fits(line, rejected); });
+  ApproachSpace space = approach_space(viewpoint_C);
+  space.into_C = -target_.shell->body.X_CQ.linear().col(2);
+  int refused = 0;
+  const std::vector<GraspCandidate> candidates = sample_approaches(lines, space, refused);
+  if (refused > 0) rejected["unreachable"] += refused;
+  for (const GraspCandidate& candidate : candidates) {
+    if (checks_ >= kMostChecks || accepted_.size() >= kMostAccepted) break;
+    try_rim(lines[candidate.line], candidate, rejected);
+  }
+  return std::move(accepted_);
+}
+
+// False, and counted, if the hand does not open as far or close as far.
+bool TargetPlanner::fits(const ContactLine& line, std::map<std::string, int>& rejected) const {
+  if (line.opening + 2.0 * margin(line) <= gripper_.max_opening &&
+      line.width >= gripper_.min_opening) {
+    return true;
+  }
+  ++rejected["width"];
+  return false;
 }
 
 bool TargetPlanner::usable(const ContactLine& line, std::map<std::string, int>& rejected) const {
@@ -67,10 +98,7 @@ bool TargetPlanner::usable(const ContactLine& line, std::map<std::string, int>& 
     ++rejected[why];
     return false;
   };
-  if (line.opening + 2.0 * margin(line) > gripper_.max_opening ||
-      line.width < gripper_.min_opening) {
-    return refuse("width");
-  }
+  if (!fits(line, rejected)) return false;
   if (friction_needed(line) > kFrictionShare * options_.friction) return refuse("friction");
   if (contradicted(line)) return refuse("contradicted");
   return true;
@@ -121,7 +149,7 @@ std::vector<double> TargetPlanner::preshapes(const ContactLine& line) const {
   return openings;
 }
 
-void TargetPlanner::try_candidate(const ContactLine& line, const Candidate& candidate,
+void TargetPlanner::try_candidate(const ContactLine& line, const GraspCandidate& candidate,
                                   std::map<std::string, int>& rejected) {
   if (resembles_accepted(line, candidate.approach_C)) return;
   const double step = 0.33 * gripper_.pad.y();
@@ -131,25 +159,37 @@ void TargetPlanner::try_candidate(const ContactLine& line, const Candidate& cand
   try_chords(line, candidate.approach_C, rejected);
 }
 
+// The tips a little beyond the contacts, then the pads' middle at them.
+void TargetPlanner::try_rim(const ContactLine& line, const GraspCandidate& candidate,
+                            std::map<std::string, int>& rejected) {
+  if (resembles_accepted(line, candidate.approach_C)) return;
+  for (const double depth : {kTipBeyond - gripper_.finger_front, 0.0}) {
+    if (try_depth(line, candidate.approach_C, depth, rejected)) return;
+  }
+}
+
 bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C,
                               double depth, std::map<std::string, int>& rejected) {
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
   const auto swept = [&](double preshape) {
     return sweep_hand(gripper_, X_CG, preshape, line.width, options_.approach);
   };
-  ++checks_;
+  // Planes are looked at first, at little cost: they do not count as effort.
+  const auto refuse = [&](Obstruction what) {
+    ++rejected[reason(what)];
+    checks_ += what != Obstruction::kSupport;
+  };
   if (const auto what = scene_.palm_obstruction(swept(line.opening))) {
-    ++rejected[reason(*what)];
+    refuse(*what);
     return false;
   }
   for (const double preshape : preshapes(line)) {
-    ++checks_;
     const std::optional<Obstruction> what = scene_.finger_obstruction(swept(preshape));
     if (!what) {
       accepted_.push_back(describe(line, X_CG, preshape));
       return true;
     }
-    ++rejected[reason(*what)];
+    refuse(*what);
     if (*what == Obstruction::kSupport) return false;  // another opening does not help
   }
   return false;

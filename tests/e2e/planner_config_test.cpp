@@ -21,12 +21,16 @@ TEST_CASE("the planner's configuration sets what it names and leaves the rest", 
   const PlanOptions options =
       load_plan_options(folder.write("p.toml",
                                      "unknown = \"free\"\nresolution = 0.004\nfriction = "
-                                     "0.4\napproach = 0.08\npad_margin = 0.001\n"));
+                                     "0.4\napproach = 0.08\npad_margin = 0.001\n"
+                                     "baseline = 0\nwall_least = 0.001\nwall_most = 0.005\n"));
   CHECK(options.unknown == UnknownPolicy::kFree);
   CHECK(options.resolution == 0.004);
   CHECK(options.friction == 0.4);
   CHECK(options.approach == 0.08);
   CHECK(options.pad_margin == 0.001);
+  CHECK(options.baseline == 0.0);
+  CHECK(options.wall_least == 0.001);
+  CHECK(options.wall_most == 0.005);
   CHECK(options.max_grasps == PlanOptions().max_grasps);
 }
 

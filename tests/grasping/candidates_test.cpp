@@ -17,7 +17,7 @@ TEST_CASE("the best approach comes first and the first pass spans the whole rank
   ApproachSpace space;
   space.view_C = -Eigen::Vector3d::UnitZ();
   int refused = 0;
-  const std::vector<Candidate> candidates = sample_approaches(lines, space, refused);
+  const std::vector<GraspCandidate> candidates = sample_approaches(lines, space, refused);
   REQUIRE(candidates.size() > 160);
   CHECK(candidates.size() + refused == 24 * lines.size());
   const auto [worst, best] =

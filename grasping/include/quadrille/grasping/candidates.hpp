@@ -9,7 +9,7 @@
 namespace quadrille {
 
 /// A contact line and a direction to approach it from.
-struct Candidate {
+struct GraspCandidate {
   /// Index of the contact line.
   int line = 0;
   /// Unit approach direction, across the closing direction.
@@ -24,6 +24,8 @@ struct ApproachSpace {
   Eigen::Vector3d view_C = -Eigen::Vector3d::UnitZ();
   /// Unit normal of the plane that the target stands on; zero if none is known.
   Eigen::Vector3d up_C = Eigen::Vector3d::Zero();
+  /// Unit direction into the mouth of a shell, which the hand comes along within 60°; or zero.
+  Eigen::Vector3d into_C = Eigen::Vector3d::Zero();
   /// Axes of the target's canonical frame, the reference where the view gives none.
   Eigen::Matrix3d axes_C = Eigen::Matrix3d::Identity();
   /// The target's middle [m].
@@ -37,8 +39,8 @@ struct ApproachSpace {
 /// near the target's middle. They come in 16 passes, each with every 16th of that ranking, so that
 /// a bounded search meets unlike ones early. Always the same order for the same input.
 /// @param refused  incremented for each direction that is neither
-std::vector<Candidate> sample_approaches(const std::vector<ContactLine>& lines,
-                                         const ApproachSpace& space, int& refused);
+std::vector<GraspCandidate> sample_approaches(const std::vector<ContactLine>& lines,
+                                              const ApproachSpace& space, int& refused);
 
 /// The grasp frame of a line: z along the approach, y along the closing direction, the origin moved
 /// by `depth` [m] along the approach from midway between the contacts.

@@ -19,13 +19,14 @@ struct DepthRange {
 /// Frame V: origin at the viewpoint, z forward. A regular grid of pixels, as an organised cloud or
 /// one stored row by row has, is recovered exactly; otherwise the pitch follows from the density of
 /// the points. A pixel without support among its neighbours (a stray or mixed pixel) counts as
-/// missing; a missing pixel inside a surface takes the least depth of its neighbours; those of a
-/// blind band beside the edge of a thing take the depth up to which both eyes of the sensor would
-/// have seen anything; others stay missing.
+/// missing; a missing pixel inside a surface takes the least depth of its neighbours; in the
+/// blind band beside the edge of a thing, and in gaps too narrow for anything that counts, it takes
+/// the depth up to which nothing can stand there; others stay missing.
 class DepthView {
  public:
   /// @param baseline  largest distance between the sensor's two eyes [m]; 0 for a single eye
-  explicit DepthView(const PointCloud& cloud, double baseline = 0.0);
+  /// @param thin      things thinner than this may hide in gaps [m]
+  explicit DepthView(const PointCloud& cloud, double baseline = 0.0, double thin = 0.0);
 
   /// False if no point lies before the viewpoint, or the viewpoint is not finite.
   bool valid() const { return width_ > 0; }
@@ -72,7 +73,7 @@ class DepthView {
   /// Column of the nearer measured pixel at the ends of the gap at (u, v); -1 if there is none.
   int nearer_end_of_gap(int u, int v) const;
   bool measured(int u, int v) const {
-    return depth(u, v) > 0.0 && !blind_[static_cast<std::size_t>(v) * width_ + u];
+    return depth(u, v) > 0.0 && !filled_[static_cast<std::size_t>(v) * width_ + u];
   }
   void choose_axes(const PointCloud& cloud);
   void choose_grid(const PointCloud& cloud);
@@ -87,8 +88,8 @@ class DepthView {
   int width_ = 0, height_ = 0;
   double pitch_u_ = 1.0, pitch_v_ = 1.0, cu_ = 0.0, cv_ = 0.0;
   std::vector<float> depth_;
-  /// For each pixel, whether it lies in a blind band.
-  std::vector<std::uint8_t> blind_;
+  /// For each pixel, whether its depth bounds what a gap may hide, not measured.
+  std::vector<std::uint8_t> filled_;
   std::vector<Level> levels_;
   std::vector<std::uint8_t> stray_;
 };

@@ -51,7 +51,8 @@ struct Grasp {
 
 struct PlanOptions {
   UnknownPolicy unknown = UnknownPolicy::kObstacle;
-  /// Voxel edge of the occupancy map [m].
+  /// Voxel edge of the occupancy map, and the size of the smallest things that it is to show where
+  /// the sensor measured nothing [m].
   double resolution = 0.005;
   /// Friction coefficient between pads and objects.
   double friction = 0.5;
@@ -64,6 +65,8 @@ struct PlanOptions {
   /// bands beside the edges of things count as seen through, up to the second eye's line of sight
   /// over the edge. 0: missing pixels tell nothing.
   double baseline = 0.09;
+  /// Bounds of the thickness of walls held at their rim, which one view does not show [m].
+  double wall_least = 0.002, wall_most = 0.008;
   /// Grasps to return at most.
   int max_grasps = 50;
 
@@ -75,11 +78,13 @@ struct PlanOptions {
 struct GraspPlan {
   /// Best first.
   std::vector<Grasp> grasps;
-  /// Refused, counted by reason. Detections: "no_shape" (their type bounds no solid). Contact
-  /// lines: "width" (wider than the hand opens), "friction" (would slip), "contradicted" (free
-  /// space was seen where the surface should be). Approach directions: "unreachable" (from behind
-  /// or below). Hands: "support" (would enter the plane the target stands on), "target" (the target
-  /// itself), "collision" (occupied space or another detection), "unknown" (unobserved space).
+  /// Refused, counted by reason. Detections: "no_shape" (their type bounds no solid),
+  /// "seen_from_inside" (a hollow whose rim was not seen). Contact lines: "unmeasured" (no points
+  /// at the rim), "width" (wider than the hand opens), "friction" (would slip), "contradicted"
+  /// (free space was seen where the surface should be). Approach
+  /// directions: "unreachable" (from behind or below). Hands: "support" (would enter the plane the
+  /// target stands on), "target" (the target itself), "collision" (occupied space or another
+  /// detection), "unknown" (unobserved space).
   std::map<std::string, int> rejected;
   /// One per detection that has a collision shape.
   std::vector<CollisionShape> shapes;
