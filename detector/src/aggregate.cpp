@@ -125,7 +125,7 @@ std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
   Surface surface;
   surface.local = normalisation_of(samples_, region);
   const FitPoints points = fit_points(samples_, region, surface.local, options_.fit_points);
-  const std::optional<FamilyFit> general = fit_family(points, Family::kGeneral, {}, kIterations);
+  const std::optional<FamilyFit> general = fit_family(points, Family::kGeneral, kIterations);
   if (!general) return std::nullopt;
   const double share =
       effective_share(samples_, region, surface.local.to_frame(general->posed.matrix()));
@@ -149,7 +149,7 @@ std::optional<Surface> Aggregation::as_plane(std::vector<int> region) const {
   Surface surface;
   surface.local = normalisation_of(samples_, region);
   const FitPoints points = fit_points(samples_, region, surface.local, options_.fit_points);
-  std::optional<FamilyFit> fit = fit_family(points, Family::kPlane, {}, kIterations);
+  std::optional<FamilyFit> fit = fit_family(points, Family::kPlane, kIterations);
   if (!fit) return std::nullopt;
   surface.Q = surface.local.to_frame(fit->posed.matrix()).normalized();
   surface.rms = surface.local.scale * std::sqrt(fit->rss / static_cast<double>(points.size()));

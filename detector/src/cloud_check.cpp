@@ -17,22 +17,20 @@ constexpr float kLargest = 1e9f;
 
 CloudCheck check_cloud(const PointCloud& cloud) {
   CloudCheck check;
+  for (const Eigen::Vector3f& p : cloud.points) check.finite += p.allFinite();
   std::vector<float> distance;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
   double looked = 0;
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / 5000);
-  std::size_t until_next = 0;
-  for (const Eigen::Vector3f& p : cloud.points) {
-    const bool look = until_next == 0;
-    until_next = look ? stride - 1 : until_next - 1;
+  for (std::size_t i = 0; i < cloud.points.size(); i += stride) {
+    const Eigen::Vector3d p = cloud.points[i].cast<double>();
     if (!p.allFinite()) continue;
-    if (check.finite++ == 0) origin = p.cast<double>();
-    if (!look) continue;
-    const Eigen::Vector3d x = p.cast<double>() - origin;
+    if (looked == 0) origin = p;
+    const Eigen::Vector3d x = p - origin;
     looked += 1, sum += x, square += x * x.transpose();
-    distance.push_back(static_cast<float>((p.cast<double>() - cloud.viewpoint).norm()));
+    distance.push_back(static_cast<float>((p - cloud.viewpoint).norm()));
   }
   if (check.finite < kLeastPoints) {
     check.warnings.push_back("only " + std::to_string(check.finite) +

@@ -7,10 +7,6 @@
 namespace quadrille {
 namespace {
 
-// A step in depth between neighbours of one surface: tan(75°) per cell, plus noise that grows
-// as the square of the depth.
-constexpr float kSteepest = 3.7f;
-constexpr float kNoisePerSquareMetre = 0.008f;
 // Depths that differ by this factor are layers, not the two ends of a slope.
 constexpr float kLayer = 1.05f;
 
@@ -21,17 +17,14 @@ struct Sums {
     least = std::min(least, t.z());
     most = std::max(most, t.z());
   }
+  void add(const Sums& other) {
+    n += other.n, u += other.u, v += other.v, w += other.w;
+    least = std::min(least, other.least);
+    most = std::max(most, other.most);
+  }
 };
 
 }  // namespace
-
-float continuous_step(const DepthCells& cells, float w) {
-  return kSteepest * cells.metric(w) + kNoisePerSquareMetre / (w * w);
-}
-
-bool continuous(const DepthCells& cells, float w_a, float w_b) {
-  return std::abs(1.0f / w_a - 1.0f / w_b) < continuous_step(cells, std::min(w_a, w_b));
-}
 
 DepthCells make_depth_cells(const Projection& projection, const PinholeImage& image, int pixels) {
   DepthCells cells;
@@ -41,13 +34,27 @@ DepthCells make_depth_cells(const Projection& projection, const PinholeImage& im
   cells.height = (image.height + pixels - 1) / pixels;
   const std::size_t size = static_cast<std::size_t>(cells.size());
   const float step = 1.0f / (image.pitch * static_cast<float>(pixels));
-  const auto cell_of = [&](const Eigen::Vector3f& t) {
-    const int i = std::clamp(static_cast<int>((t.x() - image.u0) * step), 0, cells.width - 1);
-    const int j = std::clamp(static_cast<int>((t.y() - image.v0) * step), 0, cells.height - 1);
-    return j * cells.width + i;
+  // No point lies before the image's corner.
+  const auto cell_of = [&, last_i = cells.width - 1, last_j = cells.height - 1,
+                        width = cells.width](const Eigen::Vector3f& t) {
+    const int i = std::min(static_cast<int>((t.x() - image.u0) * step), last_i);
+    const int j = std::min(static_cast<int>((t.y() - image.v0) * step), last_j);
+    return j * width + i;
   };
   std::vector<Sums> sums(size);
-  for (const Eigen::Vector3f& t : projection.uvw) sums[cell_of(t)].add(t);
+  // Consecutive points mostly share a cell: their sums stay in registers.
+  Sums run;
+  int cell = cell_of(projection.uvw.front());
+  for (const Eigen::Vector3f& t : projection.uvw) {
+    const int c = cell_of(t);
+    if (c != cell) {
+      sums[cell].add(run);
+      run = {};
+      cell = c;
+    }
+    run.add(t);
+  }
+  sums[cell].add(run);
 
   // Cells across a depth edge: keep the side, near or far of the middle, that has more points.
   std::vector<int> split(size, -1);
@@ -100,6 +107,7 @@ DepthCells coarser(const DepthCells& fine, const std::vector<char>& keep) {
   cells.u.assign(size, 0), cells.v.assign(size, 0), cells.w.assign(size, 0);
   for (int j = 0; j < cells.height; ++j) {
     for (int i = 0; i < cells.width; ++i) {
+      // In order of inverse depth.
       std::array<int, 4> child{};
       int n = 0;
       for (int b = 0; b < 2; ++b) {
@@ -107,13 +115,13 @@ DepthCells coarser(const DepthCells& fine, const std::vector<char>& keep) {
           const int x = 2 * i + a, y = 2 * j + b;
           if (x >= fine.width || y >= fine.height) continue;
           const int c = y * fine.width + x;
-          if (fine.count[c] > 0 && (keep.empty() || keep[c])) child[n++] = c;
+          if (fine.count[c] == 0 || !(keep.empty() || keep[c])) continue;
+          int k = n++;
+          for (; k > 0 && fine.w[child[k - 1]] > fine.w[c]; --k) child[k] = child[k - 1];
+          child[k] = c;
         }
       }
       if (n == 0) continue;
-      std::sort(child.begin(), child.begin() + n, [&](int a, int b) {
-        return fine.w[a] != fine.w[b] ? fine.w[a] < fine.w[b] : a < b;
-      });
       const float reference = fine.w[child[n / 2]];
       float u = 0, v = 0, w = 0, total = 0;
       for (int k = 0; k < n; ++k) {

@@ -86,7 +86,8 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
   coarsen();
   NoiseOptions glance = options.noise;
   glance.patches = std::min(glance.patches, kGlance);
-  if (measure_noise(cells, glance)[0].sigma(z) > options.noisiest_cell * cells[0].metric(1.0f / z)) {
+  if (measure_noise(cells, glance)[0].sigma(z) >
+      options.noisiest_cell * cells[0].metric(1.0f / z)) {
     cells[0] = std::move(cells[1]);
     coarsen();
   }

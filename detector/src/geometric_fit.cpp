@@ -64,8 +64,7 @@ struct Step {
 
   Vector solve(double damping) const {
     Square damped = A;
-    damped.diagonal().array() +=
-        damping * A.diagonal().array() + 1e-9 * A.diagonal().maxCoeff();
+    damped.diagonal().array() += damping * A.diagonal().array() + 1e-9 * A.diagonal().maxCoeff();
     return -damped.ldlt().solve(b);
   }
 };

@@ -20,7 +20,7 @@ constexpr double kSettled = 0.03;
 bool refit(const SurfaceSamples& samples, const GrowOptions& options, Candidate* candidate) {
   const Normalisation local = normalisation_of(samples, candidate->region);
   const FitPoints points = fit_points(samples, candidate->region, local, options.fit_points);
-  const std::optional<FamilyFit> general = fit_family(points, Family::kGeneral, {}, kIterations);
+  const std::optional<FamilyFit> general = fit_family(points, Family::kGeneral, kIterations);
   if (!general) return false;
   SelectionOptions selection_options;
   selection_options.effective_share = kEffectiveShare;

@@ -2,59 +2,90 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "quadrille/detector/initial_fits.hpp"
 
 namespace quadrille {
 namespace {
 
-/// Starts for one family; `known` are the fits so far, on which some build.
-std::vector<PosedQuadric> starts(const FitPoints& points, Family family,
-                                 const std::vector<FamilyFit>& known) {
-  std::vector<PosedQuadric> list;
-  const auto add = [&](const std::optional<PosedQuadric>& start) {
-    if (start) list.push_back(*start);
-  };
-  const auto add_known = [&](Family wanted, auto&& change) {
-    for (const FamilyFit& fit : known) {
-      if (fit.family == wanted) add(change(fit.posed));
+/// Closed-form starts for fits to the same points.
+class Starts {
+ public:
+  explicit Starts(const FitPoints& points) : points_(points) {}
+
+  /// Starts for one family; `known` are the fits so far, on which some build.
+  std::vector<PosedQuadric> of(Family family, const std::vector<FamilyFit>& known) {
+    std::vector<PosedQuadric> list;
+    const auto add = [&](const std::optional<PosedQuadric>& start) {
+      if (start) list.push_back(*start);
+    };
+    const auto add_known = [&](Family wanted, auto&& change) {
+      for (const FamilyFit& fit : known) {
+        if (fit.family == wanted) add(change(fit.posed));
+      }
+    };
+    const auto same = [](const PosedQuadric& q) { return std::optional(q); };
+    switch (family) {
+      case Family::kPlane:
+        add(initial_plane(points_));
+        break;
+      case Family::kSphere:
+        add(initial_sphere(points_));
+        break;
+      case Family::kCylinder:
+        add(initial_cylinder(points_));
+        if (revolution()) add(tangent_cylinder(*revolution()));
+        break;
+      case Family::kCone:
+        add(initial_cone(points_));
+        if (revolution()) add(tangent_cone(*revolution()));
+        break;
+      case Family::kRevolution:
+        add(revolution());
+        add_known(Family::kCone, same);
+        break;
+      case Family::kParaboloid:
+        add_known(Family::kRevolution, initial_paraboloid);
+        break;
+      case Family::kEllipticCylinder:
+        add_known(Family::kCylinder, [](const PosedQuadric& q) {
+          PosedQuadric unit = q;
+          unit.D /= -q.D(3, 3);
+          return std::optional(unit);
+        });
+        break;
+      case Family::kGeneral:
+        add(initial_general(points_));
+        break;
     }
-  };
-  const auto same = [](const PosedQuadric& q) { return std::optional(q); };
-  switch (family) {
-    case Family::kPlane:
-      add(initial_plane(points));
-      break;
-    case Family::kSphere:
-      add(initial_sphere(points));
-      break;
-    case Family::kCylinder:
-      add(initial_cylinder(points));
-      if (const auto round = initial_revolution(points)) add(tangent_cylinder(*round));
-      break;
-    case Family::kCone:
-      add(initial_cone(points));
-      if (const auto round = initial_revolution(points)) add(tangent_cone(*round));
-      break;
-    case Family::kRevolution:
-      add(initial_revolution(points));
-      add_known(Family::kCone, same);
-      break;
-    case Family::kParaboloid:
-      add_known(Family::kRevolution, [](const PosedQuadric& q) { return initial_paraboloid(q); });
-      break;
-    case Family::kEllipticCylinder:
-      add_known(Family::kCylinder, [](const PosedQuadric& q) {
-        PosedQuadric unit = q;
-        unit.D /= -q.D(3, 3);
-        return std::optional(unit);
-      });
-      break;
-    case Family::kGeneral:
-      add(initial_general(points));
-      break;
+    return list;
   }
-  return list;
+
+ private:
+  /// Three families start from it: it is computed once.
+  const std::optional<PosedQuadric>& revolution() {
+    if (!revolution_) revolution_ = initial_revolution(points_);
+    return *revolution_;
+  }
+
+  const FitPoints& points_;
+  std::optional<std::optional<PosedQuadric>> revolution_;
+};
+
+/// Refines the best of a family's starts.
+std::optional<FamilyFit> fit_from(Starts* starts, const FitPoints& points, Family family,
+                                  const std::vector<FamilyFit>& known, int iterations,
+                                  double wanted) {
+  const PosedQuadric* best = nullptr;
+  double least = 0.0;
+  const std::vector<PosedQuadric> list = starts->of(family, known);
+  for (const PosedQuadric& start : list) {
+    const double rss = list.size() > 1 ? sum_of_squares(points, start.matrix()) : 0.0;
+    if (!best || rss < least) best = &start, least = rss;
+  }
+  if (!best) return std::nullopt;
+  return refine(points, family, *best, iterations, wanted);
 }
 
 double effective_size(int size, const SelectionOptions& options) {
@@ -75,23 +106,15 @@ double bic(double rss, int size, int dof, const SelectionOptions& options) {
   return n * std::log(variance) + dof * std::log(n);
 }
 
-std::optional<FamilyFit> fit_family(const FitPoints& points, Family family,
-                                    const std::vector<FamilyFit>& known, int iterations,
-                                    double wanted) {
-  const PosedQuadric* best = nullptr;
-  double least = 0.0;
-  const std::vector<PosedQuadric> list = starts(points, family, known);
-  for (const PosedQuadric& start : list) {
-    const double rss = sum_of_squares(points, start.matrix());
-    if (!best || rss < least) best = &start, least = rss;
-  }
-  if (!best) return std::nullopt;
-  return refine(points, family, *best, iterations, wanted);
+std::optional<FamilyFit> fit_family(const FitPoints& points, Family family, int iterations) {
+  Starts starts(points);
+  return fit_from(&starts, points, family, {}, iterations, std::numeric_limits<double>::infinity());
 }
 
 Selection select_family(const FitPoints& points, std::span<const Family> families,
                         const FamilyFit& general, const SelectionOptions& options) {
   const int size = static_cast<int>(points.size());
+  Starts starts(points);
   Selection selection;
   selection.best = general;
   selection.bic = bic(general.rss, size, family_spec(Family::kGeneral).dof, options);
@@ -102,7 +125,7 @@ Selection select_family(const FitPoints& points, std::span<const Family> familie
     if (bic(0.95 * general.rss, size, dof, options) >= selection.bic) continue;
     const double wanted = rss_for(selection.bic, size, dof, options);
     std::optional<FamilyFit> fit =
-        fit_family(points, family, selection.fits, options.iterations, wanted);
+        fit_from(&starts, points, family, selection.fits, options.iterations, wanted);
     if (!fit) continue;
     const double value = bic(fit->rss, size, dof, options);
     if (value < selection.bic) {

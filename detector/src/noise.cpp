@@ -59,10 +59,12 @@ float patch_residual(const DepthCells& cells, const Patch& patch, double lost) {
   const int i = static_cast<int>((patch.u0 - cells.image.u0) / step);
   const int j = static_cast<int>((patch.v0 - cells.image.v0) / step);
   const int reach = std::max(1, static_cast<int>(1.0f / (patch.scale * step)));
+  // Of a fine level's many cells every second one, both ways, tells as much.
+  const int stride = reach > kLargestReach ? 2 : 1;
   double square = 0;
   int n = 0;
-  for (int y = std::max(0, j - reach); y <= std::min(cells.height - 1, j + reach); ++y) {
-    for (int x = std::max(0, i - reach); x <= std::min(cells.width - 1, i + reach); ++x) {
+  for (int y = std::max(0, j - reach); y <= std::min(cells.height - 1, j + reach); y += stride) {
+    for (int x = std::max(0, i - reach); x <= std::min(cells.width - 1, i + reach); x += stride) {
       const int c = y * cells.width + x;
       if ((x - i) * (x - i) + (y - j) * (y - j) > reach * reach || cells.count[c] == 0) continue;
       const float r = patch.residual(cells.u[c], cells.v[c], cells.w[c]);
@@ -109,7 +111,8 @@ NoiseModel fit_growth(std::vector<std::pair<float, float>> depth_residual, doubl
 }  // namespace
 
 float NoiseModel::sigma(float z) const {
-  return std::max(kLeastSigma, static_cast<float>(factor * std::pow(z, exponent)));
+  return std::max(kLeastSigma,
+                  static_cast<float>(factor * std::pow(z, static_cast<float>(exponent))));
 }
 
 std::vector<NoiseModel> measure_noise(std::span<const DepthCells> levels,

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <span>
 
 #include "vector_clones.hpp"
 
@@ -49,6 +51,9 @@ struct alignas(32) Chunk {
   }
 };
 
+/// Eight sums side by side: one AVX register, or two SSE ones.
+using Strands __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = float;
+
 struct alignas(32) Jacobian {
   float column[kColumns][kChunk];
 };
@@ -91,52 +96,69 @@ void differentiate(const Chunk& c, float least_slope, Jacobian* J) {
   }
 }
 
+/// Row a of JᵀJ, from the diagonal on. With `a` known the sums stay in registers.
+template <int a>
+inline __attribute__((always_inline)) void add_row(const Jacobian& J, int size, double* N) {
+  Strands sum[kColumns - a] = {};
+  for (int k = 0; k < size; k += kLanes) {
+    const Strands left = reinterpret_cast<const Strands&>(J.column[a][k]);
+    for (int b = a; b < kColumns; ++b)
+      sum[b - a] += left * reinterpret_cast<const Strands&>(J.column[b][k]);
+  }
+  for (int b = a; b < kColumns; ++b) {
+    const Strands& s = sum[b - a];
+    N[a * kColumns + b] += (s[0] + s[4]) + (s[1] + s[5]) + ((s[2] + s[6]) + (s[3] + s[7]));
+  }
+}
+
 /// Adds JᵀJ, upper triangle.
 QUADRILLE_VECTOR_CLONES
 void add_products(const Jacobian& J, int size, double* N) {
-  for (int a = 0; a < kColumns; ++a) {
-    for (int b = a; b < kColumns; ++b) {
-      const float* left = J.column[a];
-      const float* right = J.column[b];
-      float lane[kLanes] = {};
-      for (int k = 0; k < size; k += kLanes) {
-        for (int l = 0; l < kLanes; ++l) lane[l] += left[k + l] * right[k + l];
-      }
-      N[a * kColumns + b] += (lane[0] + lane[4]) + (lane[1] + lane[5]) +
-                             ((lane[2] + lane[6]) + (lane[3] + lane[7]));
-    }
-  }
+  add_row<0>(J, size, N), add_row<1>(J, size, N), add_row<2>(J, size, N);
+  add_row<3>(J, size, N), add_row<4>(J, size, N), add_row<5>(J, size, N);
+  add_row<6>(J, size, N), add_row<7>(J, size, N), add_row<8>(J, size, N);
+  add_row<9>(J, size, N), add_row<10>(J, size, N);
 }
 
 void clear_beyond(int size, Jacobian* J) {
   for (auto& column : J->column) std::fill(column + size, column + kChunk, 0.0f);
 }
 
-float least_slope(const FitPoints& points, const Coefficients& q) {
-  const int n = static_cast<int>(points.size());
-  Chunk chunk;
-  double sum = 0;
-  for (int first = 0; first < n; first += kChunk) {
-    chunk.load(points, first);
-    evaluate(q, &chunk);
-    sum += Eigen::Map<const Eigen::ArrayXf>(chunk.slope, chunk.size).sum();
+/// The points in chunks, with f and its gradient.
+class Evaluation {
+ public:
+  Evaluation(const FitPoints& points, const Eigen::Matrix4d& Q)
+      : size_(static_cast<std::size_t>((points.size() + kChunk - 1) / kChunk)),
+        chunks_(std::make_unique_for_overwrite<Chunk[]>(size_)) {
+    const Coefficients q(Q);
+    double slopes = 0;
+    for (std::size_t i = 0; i < size_; ++i) {
+      Chunk& chunk = chunks_[i];
+      chunk.load(points, static_cast<int>(i) * kChunk);
+      evaluate(q, &chunk);
+      slopes += Eigen::Map<const Eigen::ArrayXf>(chunk.slope, chunk.size).sum();
+    }
+    const double n = std::max(1.0, static_cast<double>(points.size()));
+    least_slope_ = std::max(1e-20f, kWeakGradient * static_cast<float>(slopes / n));
   }
-  return std::max(1e-20f, kWeakGradient * static_cast<float>(sum / std::max(1, n)));
-}
+  std::span<const Chunk> chunks() const { return {chunks_.get(), size_}; }
+  float least_slope() const { return least_slope_; }
+
+ private:
+  std::size_t size_;
+  std::unique_ptr<Chunk[]> chunks_;
+  float least_slope_;
+};
 
 }  // namespace
 
 Eigen::Matrix<double, 11, 11> normal_equations(const FitPoints& points, const Eigen::Matrix4d& Q) {
-  const Coefficients q(Q);
-  const float least = least_slope(points, q);
+  const Evaluation evaluation(points, Q);
   Eigen::Matrix<double, 11, 11, Eigen::RowMajor> N;
   N.setZero();
-  Chunk chunk;
   Jacobian J;
-  for (int first = 0; first < points.size(); first += kChunk) {
-    chunk.load(points, first);
-    evaluate(q, &chunk);
-    differentiate(chunk, least, &J);
+  for (const Chunk& chunk : evaluation.chunks()) {
+    differentiate(chunk, evaluation.least_slope(), &J);
     clear_beyond(chunk.size, &J);
     add_products(J, chunk.size, N.data());
   }
@@ -144,16 +166,12 @@ Eigen::Matrix<double, 11, 11> normal_equations(const FitPoints& points, const Ei
 }
 
 double sum_of_squares(const FitPoints& points, const Eigen::Matrix4d& Q) {
-  const Coefficients q(Q);
-  const float least = least_slope(points, q);
-  Chunk chunk;
+  const Evaluation evaluation(points, Q);
   double sum = 0;
-  for (int first = 0; first < points.size(); first += kChunk) {
-    chunk.load(points, first);
-    evaluate(q, &chunk);
+  for (const Chunk& chunk : evaluation.chunks()) {
     const auto f = Eigen::Map<const Eigen::ArrayXf>(chunk.f, chunk.size);
     const auto slope = Eigen::Map<const Eigen::ArrayXf>(chunk.slope, chunk.size);
-    sum += 0.25 * static_cast<double>((f / slope.max(least)).square().sum());
+    sum += 0.25 * static_cast<double>((f / slope.max(evaluation.least_slope())).square().sum());
   }
   return sum;
 }

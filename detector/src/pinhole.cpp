@@ -103,19 +103,23 @@ std::optional<Projection> project(const PointCloud& cloud) {
   projection.X_VC = *X_VC;
   projection.uvw.reserve(cloud.points.size());
   const bool turned = !X_VC->matrix().isIdentity(0.0f);
-  std::size_t finite = 0;
+  std::size_t unseen = 0;
   for (const Eigen::Vector3f& p : cloud.points) {
     const Eigen::Vector3f q = turned ? Eigen::Vector3f(*X_VC * p) : p;
-    finite += q.allFinite();
-    if (!(q.z() > 1e-4f)) continue;  // also drops NaN
     const float w = 1.0f / q.z();
     const Eigen::Vector3f t(q.x() * w, q.y() * w, w);
-    if (std::abs(t.x()) < kWidestTangent && std::abs(t.y()) < kWidestTangent) {
+    // Also false for NaN and for what is infinitely far.
+    if (w > 0.0f && w < 1e4f && std::abs(t.x()) < kWidestTangent &&
+        std::abs(t.y()) < kWidestTangent) {
       projection.uvw.push_back(t);
+      projection.low = projection.low.min(t.head<2>().array());
+      projection.high = projection.high.max(t.head<2>().array());
+    } else {
+      unseen += q.allFinite();
     }
   }
   const std::size_t seen = projection.uvw.size();
-  if (seen < kLeastPoints || finite - seen > finite / 50) return std::nullopt;
+  if (seen < kLeastPoints || unseen > (seen + unseen) / 50) return std::nullopt;
   return projection;
 }
 
@@ -124,20 +128,15 @@ std::optional<PinholeImage> find_image(const Projection& projection) {
   const std::optional<float> ordered = pitch_from_order(uvw);
   PinholeImage image;
   image.pitch = ordered ? *ordered : pitch_from_density(uvw);
-  Eigen::Vector3f low = uvw[0], high = uvw[0];
-  for (const Eigen::Vector3f& t : uvw) {
-    low = low.cwiseMin(t);
-    high = high.cwiseMax(t);
-  }
   // Pixel centres stand at half steps from the corner.
   const auto corner = [&](int axis) {
     const float phase = phase_of(uvw, axis, image.pitch) - 0.5f;
-    return (std::floor(low[axis] / image.pitch - phase) + phase) * image.pitch;
+    return (std::floor(projection.low[axis] / image.pitch - phase) + phase) * image.pitch;
   };
   image.u0 = corner(0);
   image.v0 = corner(1);
-  const double width = (high.x() - image.u0) / image.pitch + 1.0;
-  const double height = (high.y() - image.v0) / image.pitch + 1.0;
+  const double width = (projection.high.x() - image.u0) / image.pitch + 1.0;
+  const double height = (projection.high.y() - image.v0) / image.pitch + 1.0;
   if (!(width * height < kMostPixels) ||
       static_cast<double>(uvw.size()) < kLeastFilled * width * height) {
     return std::nullopt;

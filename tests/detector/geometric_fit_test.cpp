@@ -92,7 +92,7 @@ TEST_CASE("a fit never leaves more than its start and a general one no more than
   for (const FamilyExample& example : family_examples()) {
     const ExamplePoints data = make_points(example, 400, 0.02, random);
     const auto restricted = refine(data.points, example.family, data.truth, 20);
-    const auto general = fit_family(data.points, Family::kGeneral, {}, 30);
+    const auto general = fit_family(data.points, Family::kGeneral, 30);
     CAPTURE(example.name);
     REQUIRE(restricted);
     REQUIRE(general);

@@ -16,7 +16,7 @@ constexpr std::array kAll = {
     Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder};
 
 std::optional<Selection> select(const FitPoints& points, const SelectionOptions& options) {
-  const auto general = fit_family(points, Family::kGeneral, {}, 15);
+  const auto general = fit_family(points, Family::kGeneral, 15);
   if (!general) return std::nullopt;
   return select_family(points, kAll, *general, options);
 }
@@ -81,6 +81,6 @@ TEST_CASE("fewer independent measurements argue for simpler types", "[selection]
 TEST_CASE("too few points have no fit", "[selection][degenerate]") {
   RandomStream random(54, 0);
   const FitPoints points = make_points(family_examples()[1], 3, 0.0, random).points;
-  CHECK_FALSE(fit_family(points, Family::kGeneral, {}, 5));
-  CHECK_FALSE(fit_family(points, Family::kSphere, {}, 5));
+  CHECK_FALSE(fit_family(points, Family::kGeneral, 5));
+  CHECK_FALSE(fit_family(points, Family::kSphere, 5));
 }

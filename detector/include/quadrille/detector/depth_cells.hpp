@@ -1,6 +1,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -14,6 +17,9 @@ struct Projection {
   Eigen::Isometry3f X_VC = Eigen::Isometry3f::Identity();
   /// Per point ahead: tangents u = x/z and v = y/z, and inverse depth w = 1/z [1/m].
   std::vector<Eigen::Vector3f> uvw;
+  /// Least and greatest u and v of them.
+  Eigen::Array2f low = Eigen::Array2f::Constant(std::numeric_limits<float>::max());
+  Eigen::Array2f high = -low;
 };
 
 /// Projects the finite points; nullopt if the cloud is too small or does not lie ahead of its
@@ -54,11 +60,17 @@ struct DepthCells {
 };
 
 /// Largest step in depth between neighbouring cells of one surface at inverse depth w [m]: that of
-/// a surface seen at 75°, and the noise.
-float continuous_step(const DepthCells& cells, float w);
+/// a surface seen at 75°, and the noise, which grows as the square of the depth.
+inline float continuous_step(const DepthCells& cells, float w) {
+  constexpr float kSteepest = 3.7f, kNoisePerSquareMetre = 0.008f;
+  return kSteepest * cells.metric(w) + kNoisePerSquareMetre / (w * w);
+}
 
 /// True if neighbouring cells of the given inverse depths may belong to one surface.
-bool continuous(const DepthCells& cells, float w_a, float w_b);
+inline bool continuous(const DepthCells& cells, float w_a, float w_b) {
+  // |1/w_a - 1/w_b| against the step of the farther one.
+  return std::abs(w_b - w_a) < continuous_step(cells, std::min(w_a, w_b)) * (w_a * w_b);
+}
 
 /// Averages the points over cells of the given number of pixels; a cell across a depth edge keeps
 /// the side with more points.

@@ -27,12 +27,9 @@ struct Selection {
 /// BIC of a fit to `size` points.
 double bic(double rss, int size, int dof, const SelectionOptions& options);
 
-/// The best fit of one family from its closed-form starts; nullopt if there is none.
-/// @param known  fits of other families, on which some starts build
-/// @param wanted  sum of squares of interest; see refine()
-std::optional<FamilyFit> fit_family(const FitPoints& points, Family family,
-                                    const std::vector<FamilyFit>& known, int iterations,
-                                    double wanted = std::numeric_limits<double>::infinity());
+/// The best fit of one family from its own closed-form starts; nullopt if there is none, as for
+/// the paraboloid and the elliptic cylinder, which start from other families' fits.
+std::optional<FamilyFit> fit_family(const FitPoints& points, Family family, int iterations);
 
 /// Fits the families and selects one.
 /// @param general  the fit of the general family: no other fits better, which spares most fits
