@@ -212,7 +212,8 @@ void Aggregation::join(Surface* surface) {
       std::vector<int> all = other.region;
       all.insert(all.end(), surface->region.begin(), surface->region.end());
       std::optional<Surface> joint = fitted(std::move(all));
-      joined = joint && joint->rms < kJointRms * std::max(surface->rms, other.rms) &&
+      joined = joint && is_flat(*joint) == is_flat(other) && !is_thin(*joint) &&
+               joint->rms < kJointRms * std::max(surface->rms, other.rms) &&
                bic_of(*joint, surface->effective_size + other.effective_size) <
                    bic_of(*surface, surface->effective_size) + bic_of(other, other.effective_size);
       if (joined) {

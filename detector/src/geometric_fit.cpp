@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "normal_equations.hpp"
+#include "quadrille/detector/normal_equations.hpp"
 #include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {

@@ -1,4 +1,4 @@
-#include "normal_equations.hpp"
+#include "quadrille/detector/normal_equations.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "quadrille/detector/options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -35,6 +36,9 @@ void DetectorOptions::check() const {
   require_within("inlier.least_cosine", inlier.least_cosine, -1.0, 1.0);
   if (search.radii.empty()) throw std::invalid_argument("search.radii: must not be empty");
   for (const double radius : search.radii) require_within("search.radii", radius, 0.5, 1000.0);
+  if (!std::is_sorted(search.radii.begin(), search.radii.end())) {
+    throw std::invalid_argument("search.radii: must ascend");
+  }
   require_within("search.bases", search.bases, 1, 10000);
   require_within("search.voters", search.voters, 16, 100000);
   require_within("search.least_support", search.least_support, 0.0, 1.0);

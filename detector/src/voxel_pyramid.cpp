@@ -15,7 +15,6 @@ namespace {
 constexpr int kNeighbours = 8;
 // Radii of normals and of neighbours, in cells.
 constexpr float kNormalReach = 2.6f, kPlaneReach = 1.9f, kNextReach = 1.9f;
-constexpr int kNoisePatches = 300;
 constexpr std::size_t kLeastPoints = 50;
 // Voxel coordinates are packed into 21 bits each.
 constexpr std::int64_t kMostVoxels = (1 << 20) - 1;
@@ -126,7 +125,8 @@ bool plane_of(const std::vector<Eigen::Vector3f>& points, const std::vector<int>
 }
 
 /// Residual of a quadratic height over the plane of the neighbourhood; negative if it has too few.
-float quadratic_residual(const std::vector<Eigen::Vector3f>& points, const std::vector<int>& list) {
+float quadratic_residual(const std::vector<Eigen::Vector3f>& points, const std::vector<int>& list,
+                         float radius) {
   Eigen::Vector3f mean, normal;
   if (list.size() < 18 || !plane_of(points, list, &mean, &normal)) return -1.0f;
   const Eigen::Vector3f e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
@@ -134,7 +134,7 @@ float quadratic_residual(const std::vector<Eigen::Vector3f>& points, const std::
   Eigen::Matrix<double, 6, 1> b = Eigen::Matrix<double, 6, 1>::Zero();
   double hh = 0;
   for (const int i : list) {
-    const Eigen::Vector3f d = (points[i] - mean) * 30.0f;
+    const Eigen::Vector3f d = (points[i] - mean) / radius;
     const double s = d.dot(e1), t = d.dot(e2), h = d.dot(normal);
     Eigen::Matrix<double, 6, 1> row;
     row << 1, s, t, s * s, s * t, t * t;
@@ -144,25 +144,24 @@ float quadratic_residual(const std::vector<Eigen::Vector3f>& points, const std::
   }
   const Eigen::Matrix<double, 6, 1> a = A.ldlt().solve(b);
   const double rss = std::max(0.0, hh - a.dot(b));
-  return static_cast<float>(std::sqrt(rss / static_cast<double>(list.size() - 6)) / 30.0);
+  return radius * static_cast<float>(std::sqrt(rss / static_cast<double>(list.size() - 6)));
 }
 
 class VoxelPyramid : public CellPyramid {
  public:
-  VoxelPyramid(const PointCloud& cloud, const SamplingOptions& options)
+  VoxelPyramid(const PointCloud& cloud, float edge, const NoiseOptions& noise)
       : eye_(cloud.viewpoint.cast<float>()) {
     std::vector<Eigen::Vector3f> points;
     for (const Eigen::Vector3f& p : cloud.points) {
       if (p.allFinite()) points.push_back(p);
     }
     std::vector<int> of_point;
-    levels_[0] = voxels_of(points, std::vector<int>(points.size(), 1),
-                           static_cast<float>(options.cell), &of_point);
+    levels_[0] = voxels_of(points, std::vector<int>(points.size(), 1), edge, &of_point);
     for (int l = 1; l < kLevels; ++l) {
       VoxelLevel& finer = levels_[l - 1];
       levels_[l] = voxels_of(finer.mean, finer.count, 2 * finer.edge, &finer.parent);
     }
-    measure(options.noise);
+    measure(noise);
   }
 
   int size(int level) const override { return static_cast<int>(levels_[level].mean.size()); }
@@ -200,9 +199,9 @@ class VoxelPyramid : public CellPyramid {
       const Neighbours neighbours(points);
       const float radius = std::max(static_cast<float>(options.radius), 3.0f * levels_[l].edge);
       std::vector<float> residual;
-      const std::size_t stride = std::max<std::size_t>(1, points.size() / kNoisePatches);
+      const std::size_t stride = std::max<std::size_t>(1, points.size() / options.patches);
       for (std::size_t i = 0; i < points.size(); i += stride) {
-        const float r = quadratic_residual(points, neighbours.within(points[i], radius));
+        const float r = quadratic_residual(points, neighbours.within(points[i], radius), radius);
         if (r >= 0) residual.push_back(r);
       }
       if (residual.size() < 8) continue;
@@ -269,7 +268,12 @@ std::unique_ptr<CellPyramid> make_voxel_pyramid(const PointCloud& cloud,
   const auto finite = std::count_if(cloud.points.begin(), cloud.points.end(),
                                     [](const Eigen::Vector3f& p) { return p.allFinite(); });
   if (static_cast<std::size_t>(finite) < kLeastPoints) return nullptr;
-  return std::make_unique<VoxelPyramid>(cloud, options);
+  const float edge = static_cast<float>(options.cell);
+  auto pyramid = std::make_unique<VoxelPyramid>(cloud, edge, options.noise);
+  if (pyramid->sigma(0) > static_cast<float>(options.noisiest_cell) * edge) {
+    pyramid = std::make_unique<VoxelPyramid>(cloud, 2 * edge, options.noise);
+  }
+  return pyramid;
 }
 
 std::unique_ptr<CellPyramid> make_pyramid(const PointCloud& cloud, const SamplingOptions& options) {

@@ -81,6 +81,9 @@ TEST_CASE("infinities and absurd counts are refused as well", "[options][hostile
   options = {};
   options.search.bases = 0;
   CHECK(complaint(options).starts_with("search.bases = 0"));
+  options = {};
+  options.search.radii = {10.0, 5.0};
+  CHECK(complaint(options) == "search.radii: must ascend");
 }
 
 TEST_CASE("a visit reaches each scalar setting", "[options]") {
