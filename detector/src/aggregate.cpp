@@ -11,8 +11,8 @@ namespace quadrille {
 namespace {
 
 constexpr std::array kFamilies = {
-    Family::kPlane,      Family::kSphere,     Family::kCylinder,        Family::kCone,
-    Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder};
+    Family::kPlane,      Family::kSphere,     Family::kCylinder,         Family::kCone,
+    Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder, Family::kParabolic};
 constexpr int kIterations = 6;
 // A candidate whose own fit is less credible than this is not worth a better one.
 constexpr double kHopeless = 0.2;
@@ -171,8 +171,13 @@ bool Aggregation::is_thin(const Surface& surface) const {
   const CanonicalForm form = canonical_form(Quadric(surface.fit.posed.matrix()), 1e-7);
   if (is_imaginary(form.type)) return true;
   const double least = 3.0 * mean_sigma(samples_, surface.region) / surface.local.scale;
+  const bool paraboloid = form.type == QuadricType::kEllipticParaboloid ||
+                          form.type == QuadricType::kHyperbolicParaboloid;
   return std::any_of(form.dimensions.begin(), form.dimensions.end(), [&](const auto& dimension) {
-    return dimension.second < (is_angle(dimension.first) ? 0.02 : least);
+    const auto& [name, value] = dimension;
+    // A paraboloid x² = 4 f z is 2 √f wide at the distance one, the size of the region.
+    if (paraboloid) return 2.0 * std::sqrt(value) < least;
+    return value < (is_angle(name) ? 0.02 : least);
   });
 }
 

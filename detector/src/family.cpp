@@ -30,6 +30,7 @@ std::array<FamilySpec, kFamilyCount> make_specs() {
       {"paraboloid", {unit(2, 3)}, {tx, ty, tz, rx, ry}, 6},
       {"revolution", {unit(2, 2), unit(2, 3), unit(3, 3)}, {tx, ty, rx, ry}, 7},
       {"elliptic_cylinder", {unit(0, 0), unit(0, 1), unit(1, 1)}, {tx, ty, rx, ry}, 7},
+      {"parabolic", {unit(0, 0), unit(0, 1), unit(1, 1)}, {tx, ty, tz, rx, ry}, 8},
       {"general", all_units(), {}, 9},
   }};
 }

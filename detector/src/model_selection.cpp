@@ -49,9 +49,18 @@ class Starts {
         add_known(Family::kRevolution, initial_paraboloid);
         break;
       case Family::kEllipticCylinder:
+        add_known(Family::kGeneral, nearest_cylindrical);
         add_known(Family::kCylinder, [](const PosedQuadric& q) {
           PosedQuadric unit = q;
           unit.D /= -q.D(3, 3);
+          return std::optional(unit);
+        });
+        break;
+      case Family::kParabolic:
+        add_known(Family::kGeneral, nearest_parabolic);
+        add_known(Family::kParaboloid, [](const PosedQuadric& q) {
+          PosedQuadric unit = q;
+          unit.D /= q.D(2, 3);
           return std::optional(unit);
         });
         break;

@@ -12,8 +12,8 @@ using namespace quadrille::test;
 namespace {
 
 constexpr std::array kAll = {
-    Family::kPlane,      Family::kSphere,     Family::kCylinder,        Family::kCone,
-    Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder};
+    Family::kPlane,      Family::kSphere,     Family::kCylinder,         Family::kCone,
+    Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder, Family::kParabolic};
 
 std::optional<Selection> select(const FitPoints& points, const SelectionOptions& options) {
   const auto general = fit_family(points, Family::kGeneral, 15);

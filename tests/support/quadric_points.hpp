@@ -62,6 +62,8 @@ struct FamilyExample {
 
 inline std::vector<FamilyExample> family_examples() {
   Eigen::Matrix4d plane = Eigen::Matrix4d::Zero(), paraboloid = diagonal(1, 1, 0, 0);
+  Eigen::Matrix4d elliptic = diagonal(1, 2, 0, 0);
+  elliptic(2, 3) = elliptic(3, 2) = -0.4;
   plane(2, 3) = plane(3, 2) = 0.5;
   paraboloid(2, 3) = paraboloid(3, 2) = -0.4;
   return {
@@ -71,6 +73,7 @@ inline std::vector<FamilyExample> family_examples() {
       {Family::kCone, "cone", diagonal(1, 1, -0.36, 0), 0.3},
       {Family::kParaboloid, "paraboloid", paraboloid},
       {Family::kRevolution, "hyperboloid of revolution", diagonal(1, 1, -0.6, -0.3)},
+      {Family::kParabolic, "elliptic paraboloid", elliptic},
       {Family::kEllipticCylinder, "elliptic cylinder", diagonal(1, 3, 0, -0.8)},
       {Family::kGeneral, "ellipsoid", diagonal(1, 1.8, 3, -1)},
   };

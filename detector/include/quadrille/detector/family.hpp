@@ -15,10 +15,11 @@ enum class Family {
   kParaboloid,        ///< 6, of revolution
   kRevolution,        ///< 7: any quadric of revolution, x² + y² + c z² + 2 i z + j = 0
   kEllipticCylinder,  ///< 7: any central cylinder over a conic
+  kParabolic,         ///< 8: any elliptic or hyperbolic paraboloid
   kGeneral,           ///< 9
 };
 
-inline constexpr int kFamilyCount = 8;
+inline constexpr int kFamilyCount = 9;
 
 /// What may change in a family: the canonical matrix D of Q = X⁻ᵀ D X⁻¹ by a sum of the shapes,
 /// and the pose X by the motions.

@@ -25,6 +25,11 @@ std::optional<PosedQuadric> initial_paraboloid(const PosedQuadric& revolution);
 /// Cone and cylinder that touch a surface of revolution where the points are, at z = 0.
 std::optional<PosedQuadric> tangent_cone(const PosedQuadric& revolution);
 std::optional<PosedQuadric> tangent_cylinder(const PosedQuadric& revolution);
+/// Any quadric with the least eigenvalue of its upper left 3x3 block set to zero, about its vertex:
+/// λ₁x² + λ₂y² + 2z = 0.
+std::optional<PosedQuadric> nearest_parabolic(const PosedQuadric& general);
+/// The same about its axis, and without a linear part along it: λ₁x² + λ₂y² - 1 = 0.
+std::optional<PosedQuadric> nearest_cylindrical(const PosedQuadric& general);
 /// Taubin's fit: generalised eigenvalue problem of the scatter of v and of its gradient
 /// (Taubin, PAMI 1991).
 std::optional<PosedQuadric> initial_general(const FitPoints& points);
