@@ -24,28 +24,32 @@ struct Sums {
   }
 };
 
-}  // namespace
+/// The cell that a projected point falls into; none lies before the image's corner.
+struct CellIndex {
+  float u0, v0, step;
+  int width, last_i, last_j;
 
-DepthCells make_depth_cells(const Projection& projection, const PinholeImage& image, int pixels) {
-  DepthCells cells;
-  cells.image = image;
-  cells.pixels = pixels;
-  cells.width = (image.width + pixels - 1) / pixels;
-  cells.height = (image.height + pixels - 1) / pixels;
-  const std::size_t size = static_cast<std::size_t>(cells.size());
-  const float step = 1.0f / (image.pitch * static_cast<float>(pixels));
-  // No point lies before the image's corner.
-  const auto cell_of = [&, last_i = cells.width - 1, last_j = cells.height - 1,
-                        width = cells.width](const Eigen::Vector3f& t) {
-    const int i = std::min(static_cast<int>((t.x() - image.u0) * step), last_i);
-    const int j = std::min(static_cast<int>((t.y() - image.v0) * step), last_j);
+  CellIndex(const DepthCells& cells)
+      : u0(cells.image.u0),
+        v0(cells.image.v0),
+        step(1.0f / (cells.image.pitch * static_cast<float>(cells.pixels))),
+        width(cells.width),
+        last_i(cells.width - 1),
+        last_j(cells.height - 1) {}
+  int operator()(const Eigen::Vector3f& t) const {
+    const int i = std::min(static_cast<int>((t.x() - u0) * step), last_i);
+    const int j = std::min(static_cast<int>((t.y() - v0) * step), last_j);
     return j * width + i;
-  };
-  std::vector<Sums> sums(size);
+  }
+};
+
+std::vector<Sums> sum_up(const std::vector<Eigen::Vector3f>& uvw, const CellIndex& cell_of,
+                         int size) {
+  std::vector<Sums> sums(static_cast<std::size_t>(size));
   // Consecutive points mostly share a cell: their sums stay in registers.
   Sums run;
-  int cell = cell_of(projection.uvw.front());
-  for (const Eigen::Vector3f& t : projection.uvw) {
+  int cell = cell_of(uvw.front());
+  for (const Eigen::Vector3f& t : uvw) {
     const int c = cell_of(t);
     if (c != cell) {
       sums[cell].add(run);
@@ -55,37 +59,55 @@ DepthCells make_depth_cells(const Projection& projection, const PinholeImage& im
     run.add(t);
   }
   sums[cell].add(run);
+  return sums;
+}
 
-  // Cells across a depth edge: keep the side, near or far of the middle, that has more points.
-  std::vector<int> split(size, -1);
+/// Of cells across a depth edge, keeps the side, near or far of the middle, that has more points.
+/// @return the share of the filled cells that have layers
+double keep_larger_sides(const std::vector<Eigen::Vector3f>& uvw, const CellIndex& cell_of,
+                         const DepthCells& cells, std::vector<Sums>* sums) {
+  std::vector<int> split(sums->size(), -1);
   std::vector<std::array<Sums, 2>> sides;
   std::vector<float> middle;
   int filled = 0;
-  for (std::size_t c = 0; c < size; ++c) {
-    filled += sums[c].n > 1;
-    if (sums[c].n < 2 || continuous(cells, sums[c].least, sums[c].most)) continue;
+  for (std::size_t c = 0; c < split.size(); ++c) {
+    const Sums& sum = (*sums)[c];
+    filled += sum.n > 1;
+    if (sum.n < 2 || continuous(cells, sum.least, sum.most)) continue;
     split[c] = static_cast<int>(sides.size());
     sides.emplace_back();
-    middle.push_back(0.5f * (sums[c].least + sums[c].most));
+    middle.push_back(0.5f * (sum.least + sum.most));
+  }
+  if (sides.empty()) return 0.0;
+  for (const Eigen::Vector3f& t : uvw) {
+    const int s = split[cell_of(t)];
+    if (s >= 0) sides[s][t.z() > middle[s]].add(t);
   }
   int layered = 0;
-  if (!sides.empty()) {
-    for (const Eigen::Vector3f& t : projection.uvw) {
-      const int s = split[cell_of(t)];
-      if (s >= 0) sides[s][t.z() > middle[s]].add(t);
-    }
-    for (std::size_t c = 0; c < size; ++c) {
-      if (split[c] < 0) continue;
-      const auto& [far, near] = sides[split[c]];
-      layered += near.n > 1 && far.n > 1 && near.w / near.n > kLayer * far.w / far.n;
-      sums[c] = near.n >= far.n ? near : far;
-    }
+  for (std::size_t c = 0; c < split.size(); ++c) {
+    if (split[c] < 0) continue;
+    const auto& [far, near] = sides[split[c]];
+    layered += near.n > 1 && far.n > 1 && near.w / near.n > kLayer * far.w / far.n;
+    (*sums)[c] = near.n >= far.n ? near : far;
   }
-  cells.layered = filled ? static_cast<double>(layered) / filled : 0.0;
+  return filled ? static_cast<double>(layered) / filled : 0.0;
+}
 
-  cells.count.resize(size);
-  cells.u.resize(size), cells.v.resize(size), cells.w.resize(size);
-  for (std::size_t c = 0; c < size; ++c) {
+}  // namespace
+
+DepthCells make_depth_cells(const Projection& projection, const PinholeImage& image, int pixels) {
+  DepthCells cells;
+  cells.image = image;
+  cells.pixels = pixels;
+  cells.width = (image.width + pixels - 1) / pixels;
+  cells.height = (image.height + pixels - 1) / pixels;
+  const CellIndex cell_of(cells);
+  std::vector<Sums> sums = sum_up(projection.uvw, cell_of, cells.size());
+  cells.layered = keep_larger_sides(projection.uvw, cell_of, cells, &sums);
+
+  cells.count.resize(sums.size());
+  cells.u.resize(sums.size()), cells.v.resize(sums.size()), cells.w.resize(sums.size());
+  for (std::size_t c = 0; c < sums.size(); ++c) {
     const float n = sums[c].n;
     cells.count[c] = static_cast<int>(n);
     if (n == 0) continue;

@@ -103,7 +103,7 @@ std::optional<FamilyFit> refine(const FitPoints& points, Family family, const Po
   if (!N.allFinite()) return std::nullopt;
   fit.rss = N(10, 10);
   Step step(spec, fit.posed, N);
-  double damping = 1e-3;
+  double damping = 1e-3;  // Levenberg and Marquardt's, relative to the diagonal
   for (int i = 0; i < iterations; ++i) {
     const Vector change = step.solve(damping);
     if (!change.allFinite()) break;

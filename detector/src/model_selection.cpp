@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "quadrille/detector/initial_fits.hpp"
+#include "quadrille/detector/normal_equations.hpp"
 
 namespace quadrille {
 namespace {

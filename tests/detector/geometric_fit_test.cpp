@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "quadrille/detector/model_selection.hpp"
+#include "quadrille/detector/normal_equations.hpp"
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"
 

@@ -50,9 +50,6 @@ struct FamilyFit {
 PosedQuadric moved(Family family, PosedQuadric quadric,
                    const Eigen::Ref<const Eigen::VectorXd>& step);
 
-/// Sum of squared first-order distances of the points.
-double sum_of_squares(const FitPoints& points, const Eigen::Matrix4d& Q);
-
 /// Least squares of the first-order distance within a family, from a start, by
 /// Levenberg-Marquardt. Residuals and their derivatives are taken in the space of q, where they
 /// are the same for all families, and projected onto the family's tangent space dq/dθ.
