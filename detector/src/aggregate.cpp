@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "quadrille/detector/canonical.hpp"
@@ -10,9 +9,6 @@
 namespace quadrille {
 namespace {
 
-constexpr std::array kFamilies = {
-    Family::kPlane,      Family::kSphere,     Family::kCylinder,         Family::kCone,
-    Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder, Family::kParabolic};
 constexpr int kIterations = 6;
 // A candidate whose own fit is less credible than this is not worth a better one.
 constexpr double kHopeless = 0.2;
@@ -116,7 +112,11 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
   if (plane && static_cast<int>(surface->region.size()) < options_.least_plane_samples) {
     return std::nullopt;
   }
-  if (!plane && surface->confidence < least) return std::nullopt;
+  if (!plane &&
+      (surface->confidence < least ||
+       surface->rms > options_.largest_residual * mean_sigma(samples_, surface->region))) {
+    return std::nullopt;
+  }
   join(&*surface);
   return surface;
 }
@@ -135,7 +135,7 @@ std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
   SelectionOptions selection_options;
   selection_options.iterations = kIterations;
   selection_options.effective_share = surface.effective_size / static_cast<double>(points.size());
-  Selection selection = select_family(points, kFamilies, *general, selection_options);
+  Selection selection = select_family(points, options_.families, *general, selection_options);
   surface.Q = surface.local.to_frame(selection.best.posed.matrix()).normalized();
   surface.rms =
       surface.local.scale * std::sqrt(selection.best.rss / static_cast<double>(points.size()));

@@ -17,7 +17,10 @@ constexpr float kLargest = 1e9f;
 
 CloudCheck check_cloud(const PointCloud& cloud) {
   CloudCheck check;
-  for (const Eigen::Vector3f& p : cloud.points) check.finite += p.allFinite();
+  for (const Eigen::Vector3f& p : cloud.points) {
+    const float sum = p.x() + p.y() + p.z();
+    check.finite += sum - sum == 0.0f;  // false for NaN and infinity
+  }
   std::vector<float> distance;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d square = Eigen::Matrix3d::Zero();

@@ -29,7 +29,7 @@ struct CellIndex {
   float u0, v0, step;
   int width, last_i, last_j;
 
-  CellIndex(const DepthCells& cells)
+  explicit CellIndex(const DepthCells& cells)
       : u0(cells.image.u0),
         v0(cells.image.v0),
         step(1.0f / (cells.image.pitch * static_cast<float>(cells.pixels))),
@@ -43,20 +43,23 @@ struct CellIndex {
   }
 };
 
+/// Sums of the points of each cell; of_point gets the cell of each point.
 std::vector<Sums> sum_up(const std::vector<Eigen::Vector3f>& uvw, const CellIndex& cell_of,
-                         int size) {
+                         int size, std::vector<int>* of_point) {
   std::vector<Sums> sums(static_cast<std::size_t>(size));
+  of_point->resize(uvw.size());
   // Consecutive points mostly share a cell: their sums stay in registers.
   Sums run;
   int cell = cell_of(uvw.front());
-  for (const Eigen::Vector3f& t : uvw) {
-    const int c = cell_of(t);
+  for (std::size_t k = 0; k < uvw.size(); ++k) {
+    const int c = cell_of(uvw[k]);
+    (*of_point)[k] = c;
     if (c != cell) {
       sums[cell].add(run);
       run = {};
       cell = c;
     }
-    run.add(t);
+    run.add(uvw[k]);
   }
   sums[cell].add(run);
   return sums;
@@ -64,7 +67,7 @@ std::vector<Sums> sum_up(const std::vector<Eigen::Vector3f>& uvw, const CellInde
 
 /// Of cells across a depth edge, keeps the side, near or far of the middle, that has more points.
 /// @return the share of the filled cells that have layers
-double keep_larger_sides(const std::vector<Eigen::Vector3f>& uvw, const CellIndex& cell_of,
+double keep_larger_sides(const std::vector<Eigen::Vector3f>& uvw, const std::vector<int>& of_point,
                          const DepthCells& cells, std::vector<Sums>* sums) {
   std::vector<int> split(sums->size(), -1);
   std::vector<std::array<Sums, 2>> sides;
@@ -79,9 +82,9 @@ double keep_larger_sides(const std::vector<Eigen::Vector3f>& uvw, const CellInde
     middle.push_back(0.5f * (sum.least + sum.most));
   }
   if (sides.empty()) return 0.0;
-  for (const Eigen::Vector3f& t : uvw) {
-    const int s = split[cell_of(t)];
-    if (s >= 0) sides[s][t.z() > middle[s]].add(t);
+  for (std::size_t k = 0; k < uvw.size(); ++k) {
+    const int s = split[of_point[k]];
+    if (s >= 0) sides[s][uvw[k].z() > middle[s]].add(uvw[k]);
   }
   int layered = 0;
   for (std::size_t c = 0; c < split.size(); ++c) {
@@ -101,9 +104,9 @@ DepthCells make_depth_cells(const Projection& projection, const PinholeImage& im
   cells.pixels = pixels;
   cells.width = (image.width + pixels - 1) / pixels;
   cells.height = (image.height + pixels - 1) / pixels;
-  const CellIndex cell_of(cells);
-  std::vector<Sums> sums = sum_up(projection.uvw, cell_of, cells.size());
-  cells.layered = keep_larger_sides(projection.uvw, cell_of, cells, &sums);
+  std::vector<int> of_point;
+  std::vector<Sums> sums = sum_up(projection.uvw, CellIndex(cells), cells.size(), &of_point);
+  cells.layered = keep_larger_sides(projection.uvw, of_point, cells, &sums);
 
   cells.count.resize(sums.size());
   cells.u.resize(sums.size()), cells.v.resize(sums.size()), cells.w.resize(sums.size());

@@ -71,10 +71,14 @@ float near_depth(const Projection& projection) {
 
 std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
                                                 const SamplingOptions& options) {
-  const std::optional<Projection> projection = project(cloud);
+  const std::optional<Projection> projection = project(cloud, options.stride);
   if (!projection) return nullptr;
-  const std::optional<PinholeImage> image = find_image(*projection);
+  std::optional<PinholeImage> image = find_image(*projection);
   if (!image) return nullptr;
+  // The cells are a whole number of pixels; those of the camera part them finer than ours.
+  image->pitch /= static_cast<float>(options.stride);
+  image->width *= options.stride;
+  image->height *= options.stride;
   const float z = near_depth(*projection);
   const double pixels = std::clamp(options.cell / (image->pitch * z), 1.0, 1.0 * kMostPixels);
   std::array<DepthCells, kLevels> cells;

@@ -1,6 +1,5 @@
 #include "quadrille/detector/grow.hpp"
 
-#include <array>
 #include <cmath>
 
 #include "quadrille/detector/model_selection.hpp"
@@ -8,8 +7,6 @@
 namespace quadrille {
 namespace {
 
-constexpr std::array kFamilies = {Family::kPlane, Family::kSphere, Family::kCylinder, Family::kCone,
-                                  Family::kRevolution};
 constexpr int kIterations = 4;
 // While a region grows, its samples' correlation is not worth measuring.
 constexpr double kEffectiveShare = 0.1;
@@ -20,14 +17,18 @@ constexpr double kSettled = 0.03;
 bool refit(const SurfaceSamples& samples, const GrowOptions& options, Candidate* candidate) {
   const Normalisation local = normalisation_of(samples, candidate->region);
   const FitPoints points = fit_points(samples, candidate->region, local, options.fit_points);
-  const std::optional<FamilyFit> general = fit_family(points, Family::kGeneral, kIterations);
-  if (!general) return false;
-  SelectionOptions selection_options;
-  selection_options.effective_share = kEffectiveShare;
-  const FamilyFit best = select_family(points, kFamilies, *general, selection_options).best;
-  candidate->Q = local.to_frame(best.posed.matrix()).normalized();
-  candidate->family = best.family;
-  candidate->rms = local.scale * std::sqrt(best.rss / static_cast<double>(points.size()));
+  const bool one = options.families.size() == 1;
+  std::optional<FamilyFit> best =
+      fit_family(points, one ? options.families[0] : Family::kGeneral, kIterations);
+  if (!best) return false;
+  if (!one) {
+    SelectionOptions selection_options;
+    selection_options.effective_share = kEffectiveShare;
+    best = select_family(points, options.families, *best, selection_options).best;
+  }
+  candidate->Q = local.to_frame(best->posed.matrix()).normalized();
+  candidate->family = best->family;
+  candidate->rms = local.scale * std::sqrt(best->rss / static_cast<double>(points.size()));
   return true;
 }
 

@@ -23,6 +23,7 @@ void DetectorOptions::check() const {
   require_within("threads", threads, 1, 256);
   require_within("sampling.cell", sampling.cell, 1e-5, 10.0);
   require_within("sampling.noisiest_cell", sampling.noisiest_cell, 0.01, 100.0);
+  require_within("sampling.stride", sampling.stride, 1, 100);
   require_within("sampling.noise.radius", sampling.noise.radius, 1e-4, 10.0);
   require_within("sampling.noise.quantile", sampling.noise.quantile, 0.0, 1.0);
   require_within("sampling.noise.patches", sampling.noise.patches, 1, 1000000);
@@ -51,6 +52,7 @@ void DetectorOptions::check() const {
   require_within("aggregate.least_confidence", aggregate.least_confidence, 0.0, 1.0);
   require_within("aggregate.least_confidence_early", aggregate.least_confidence_early, 0.0, 1.0);
   require_within("aggregate.largest_residual_early", aggregate.largest_residual_early, 0.0, 100.0);
+  require_within("aggregate.largest_residual", aggregate.largest_residual, 0.0, 1000.0);
   require_within("aggregate.least_spread", aggregate.least_spread, 0.0, M_PI);
   require_within("aggregate.largest_residual_plane", aggregate.largest_residual_plane, 0.0, 100.0);
   require_within("aggregate.fit_points", aggregate.fit_points, 16, 1000000);

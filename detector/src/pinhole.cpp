@@ -95,29 +95,34 @@ float phase_of(const std::vector<Eigen::Vector3f>& uvw, int axis, float pitch) {
 
 }  // namespace
 
-std::optional<Projection> project(const PointCloud& cloud) {
+std::optional<Projection> project(const PointCloud& cloud, int stride) {
   if (cloud.points.size() < kLeastPoints) return std::nullopt;
   const std::optional<Eigen::Isometry3f> X_VC = view_frame(cloud);
   if (!X_VC) return std::nullopt;
   Projection projection;
   projection.X_VC = *X_VC;
-  projection.uvw.reserve(cloud.points.size());
   const bool turned = !X_VC->matrix().isIdentity(0.0f);
-  std::size_t unseen = 0;
-  for (const Eigen::Vector3f& p : cloud.points) {
+  const std::size_t step = static_cast<std::size_t>(stride);
+  projection.uvw.resize(cloud.points.size() / step + 1);
+  std::size_t n = 0, unseen = 0;
+  float low_u = kWidestTangent, high_u = -low_u, low_v = low_u, high_v = -low_u;
+  for (std::size_t i = 0; i < cloud.points.size(); i += step) {
+    const Eigen::Vector3f& p = cloud.points[i];
     const Eigen::Vector3f q = turned ? Eigen::Vector3f(*X_VC * p) : p;
     const float w = 1.0f / q.z();
-    const Eigen::Vector3f t(q.x() * w, q.y() * w, w);
+    const float u = q.x() * w, v = q.y() * w;
     // Also false for NaN and for what is infinitely far.
-    if (w > 0.0f && w < 1e4f && std::abs(t.x()) < kWidestTangent &&
-        std::abs(t.y()) < kWidestTangent) {
-      projection.uvw.push_back(t);
-      projection.low = projection.low.min(t.head<2>().array());
-      projection.high = projection.high.max(t.head<2>().array());
+    if (w > 0.0f && w < 1e4f && std::abs(u) < kWidestTangent && std::abs(v) < kWidestTangent) {
+      projection.uvw[n++] = {u, v, w};
+      low_u = std::min(low_u, u), high_u = std::max(high_u, u);
+      low_v = std::min(low_v, v), high_v = std::max(high_v, v);
     } else {
       unseen += q.allFinite();
     }
   }
+  projection.uvw.resize(n);
+  projection.low = {low_u, low_v};
+  projection.high = {high_u, high_v};
   const std::size_t seen = projection.uvw.size();
   if (seen < kLeastPoints || unseen > (seen + unseen) / 50) return std::nullopt;
   return projection;

@@ -1,20 +1,15 @@
 #include "quadrille/detector/search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <optional>
 
-#include "quadrille/detector/basis.hpp"
 #include "quadrille/detector/random.hpp"
-#include "quadrille/detector/vote.hpp"
 
 namespace quadrille {
 namespace {
 
-// A basis further than this from lying on one quadric is not worth a vote; see inconsistency().
-constexpr double kMostInconsistent = 0.6;
 constexpr int kLeastSupport = 8;
 
 /// Samples connected to the seed within a ball.
@@ -119,15 +114,8 @@ class Searcher {
     vote_options.least_cosine = inlier_.least_cosine;
     Hypothesis best;
     for (int trial = 0; trial < options_.bases; ++trial) {
-      std::array<OrientedPoint, 3> basis;
-      for (OrientedPoint& point : basis) {
-        const int k = random.below(n);
-        point = {voters.point(k), voters.normal(k)};
-      }
-      const std::optional<Pencil> pencil = make_pencil(basis);
-      if (!pencil || inconsistency(basis) > kMostInconsistent) continue;
-      for (const VotePeak& peak : vote(*pencil, voters, vote_options)) {
-        const Eigen::Matrix4d Q = pencil->at(peak.lambda);
+      for (const Eigen::Matrix4d& Q :
+           draw_hypotheses(options_.basis, voters, vote_options, random)) {
         const int support =
             count_support(voters, Q, limit, static_cast<float>(inlier_.least_cosine));
         if (support > best.support) best = {local.to_frame(Q), support};

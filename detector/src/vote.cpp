@@ -1,7 +1,8 @@
 #include "quadrille/detector/vote.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "quadrille/detector/vote_histogram.hpp"
 
 namespace quadrille {
 
@@ -24,37 +25,13 @@ std::vector<VotePeak> vote(const Pencil& pencil, const FitPoints& voters,
   const Eigen::ArrayXf cosine = (ax * voters.nx + ay * voters.ny + az * voters.nz) /
                                 (ax.square() + ay.square() + az.square()).sqrt();
 
-  std::vector<float> histogram(options.bins, 0.0f);
-  const float per_bin = static_cast<float>(options.bins / M_PI);
+  VoteHistogram histogram(options);
   for (Eigen::Index i = 0; i < voters.size(); ++i) {
-    if (!(std::abs(h[i]) > options.least_height && cosine[i] > options.least_cosine)) continue;
-    const float theta = std::atan(lambda[i] / static_cast<float>(options.lambda_scale));
-    const float position = (theta + static_cast<float>(M_PI_2)) * per_bin;
-    ++histogram[std::clamp(static_cast<int>(position), 0, options.bins - 1)];
+    if (std::abs(h[i]) > options.least_height && cosine[i] > options.least_cosine) {
+      histogram.add(lambda[i]);
+    }
   }
-
-  // Kernel density with a triangular kernel of two bins; the range is no circle: its ends are the
-  // doubled data plane, approached from two sides.
-  std::vector<VotePeak> peaks;
-  const auto at = [&](int i) { return i < 0 || i >= options.bins ? 0.0f : histogram[i]; };
-  std::vector<float> density(options.bins);
-  for (int i = 0; i < options.bins; ++i) {
-    density[i] = at(i - 2) + 2 * at(i - 1) + 3 * at(i) + 2 * at(i + 1) + at(i + 2);
-  }
-  for (int i = 0; i < options.bins; ++i) {
-    const float left = i ? density[i - 1] : -1.0f;
-    const float right = i + 1 < options.bins ? density[i + 1] : -1.0f;
-    if (density[i] <= 0 || density[i] < left || density[i] <= right) continue;
-    // Mean over the kernel's core, finer than a bin.
-    const float mass = at(i - 1) + at(i) + at(i + 1);
-    const float shift = mass > 0 ? (at(i + 1) - at(i - 1)) / mass : 0.0f;
-    const double theta = (i + 0.5 + shift) / per_bin - M_PI_2;
-    peaks.push_back({options.lambda_scale * std::tan(theta), density[i] / 9.0});
-  }
-  std::stable_sort(peaks.begin(), peaks.end(),
-                   [](const VotePeak& a, const VotePeak& b) { return a.votes > b.votes; });
-  if (static_cast<int>(peaks.size()) > options.peaks) peaks.resize(options.peaks);
-  return peaks;
+  return histogram.peaks();
 }
 
 }  // namespace quadrille

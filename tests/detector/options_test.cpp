@@ -90,13 +90,13 @@ TEST_CASE("a visit reaches each scalar setting", "[options]") {
   // A new field stops these lines from compiling until it is listed here, and visited.
   DetectorOptions o;
   auto& [seed, threads, only, sampling, planes, inlier, search, aggregate] = o;
-  auto& [cell, noisiest_cell, noise] = sampling;
+  auto& [cell, noisiest_cell, stride, noise] = sampling;
   auto& [noise_radius, quantile, patches] = noise;
   auto& [p1, p2, p3, p4, p5] = planes;
   auto& [i1, i2, i3] = inlier;
-  auto& [radii, s1, s2, s3, grow] = search;
-  auto& [g1, g2, g3] = grow;
-  auto& [a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12] = aggregate;
+  auto& [basis, radii, s1, s2, s3, grow] = search;
+  auto& [grow_families, g1, g2, g3] = grow;
+  auto& [families, a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13] = aggregate;
   const std::set<const void*> scalars = {&seed,         &threads,  &cell,    &noisiest_cell,
                                          &noise_radius, &quantile, &patches, &p1,
                                          &p2,           &p3,       &p4,      &p5,
@@ -105,8 +105,10 @@ TEST_CASE("a visit reaches each scalar setting", "[options]") {
                                          &g3,           &a1,       &a2,      &a3,
                                          &a4,           &a5,       &a6,      &a7,
                                          &a8,           &a9,       &a10,     &a11,
-                                         &a12};
+                                         &a12,          &a13,      &stride};
   CHECK(visit(o).fields == scalars);
   CHECK(only.empty());
   CHECK(radii.size() == 3);
+  CHECK(basis == BasisKind::kThreePoints);
+  CHECK(families.size() > grow_families.size());
 }

@@ -10,13 +10,21 @@
 
 namespace quadrille {
 
+/// When a surface is accepted, and how it is fitted.
 struct AggregateOptions {
+  /// Families that a surface's fit chooses from, beside the general one.
+  std::vector<Family> families = {
+      Family::kPlane,      Family::kSphere,     Family::kCylinder,         Family::kCone,
+      Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder, Family::kParabolic};
   /// Share of a candidate's samples that no better one has claimed.
   double least_open = 0.5;
   /// Samples of a surface at least, and of a plane that was not found before.
   int least_samples = 30, least_plane_samples = 60;
   /// Least confidence of a curved surface; see evidence.hpp.
   double least_confidence = 0.4;
+  /// Largest rms of a curved surface, in multiples of the noise: real objects are quadrics only
+  /// nearly.
+  double largest_residual = 100.0;
   /// Least spread of the normals of a curved surface [rad]: less is a plane, or anything.
   double least_spread = 0.35;
   /// Least confidence for candidates of the coarser levels, which claim their samples before the

@@ -13,6 +13,7 @@ namespace quadrille {
 /// noise and objects differ tenfold in size.
 inline constexpr int kLevels = 3;
 
+/// How the points are averaged.
 struct SamplingOptions {
   /// Edge of the finest cells [m], at the depth of the nearer third of the points: about a tenth
   /// of the smallest object.
@@ -20,6 +21,8 @@ struct SamplingOptions {
   /// Noise of a finest cell's mean, in cells, above which the cells are doubled: smaller ones
   /// would show the noise and not the surface.
   double noisiest_cell = 0.8;
+  /// Takes every so many-th point of a depth image.
+  int stride = 1;
   NoiseOptions noise;
 };
 

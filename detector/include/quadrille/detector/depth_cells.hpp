@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,13 +17,13 @@ struct Projection {
   /// Per point ahead: tangents u = x/z and v = y/z, and inverse depth w = 1/z [1/m].
   std::vector<Eigen::Vector3f> uvw;
   /// Least and greatest u and v of them.
-  Eigen::Array2f low = Eigen::Array2f::Constant(std::numeric_limits<float>::max());
-  Eigen::Array2f high = -low;
+  Eigen::Array2f low = Eigen::Array2f::Zero(), high = Eigen::Array2f::Zero();
 };
 
 /// Projects the finite points; nullopt if the cloud is too small or does not lie ahead of its
 /// viewpoint within a pinhole's field of view.
-std::optional<Projection> project(const PointCloud& cloud);
+/// @param stride  takes every so many-th point; its pixels are so much wider
+std::optional<Projection> project(const PointCloud& cloud, int stride = 1);
 
 /// The image that a projection fills.
 struct PinholeImage {

@@ -22,6 +22,9 @@ struct Candidate {
 };
 
 struct GrowOptions {
+  /// Families that a refit chooses from; a single one is fitted without a choice.
+  std::vector<Family> families = {Family::kPlane, Family::kSphere, Family::kCylinder, Family::kCone,
+                                  Family::kRevolution};
   /// Samples that a candidate has at least.
   int least_samples = 25;
   /// Rounds of growing and refitting.

@@ -40,6 +40,7 @@ void visit_options(Options& o, Visitor&& visit) {
   visit("threads", o.threads);
   visit("sampling.cell", o.sampling.cell);
   visit("sampling.noisiest_cell", o.sampling.noisiest_cell);
+  visit("sampling.stride", o.sampling.stride);
   visit("sampling.noise.radius", o.sampling.noise.radius);
   visit("sampling.noise.quantile", o.sampling.noise.quantile);
   visit("sampling.noise.patches", o.sampling.noise.patches);
@@ -63,6 +64,7 @@ void visit_options(Options& o, Visitor&& visit) {
   visit("aggregate.least_confidence", o.aggregate.least_confidence);
   visit("aggregate.least_confidence_early", o.aggregate.least_confidence_early);
   visit("aggregate.largest_residual_early", o.aggregate.largest_residual_early);
+  visit("aggregate.largest_residual", o.aggregate.largest_residual);
   visit("aggregate.least_spread", o.aggregate.least_spread);
   visit("aggregate.largest_residual_plane", o.aggregate.largest_residual_plane);
   visit("aggregate.fit_points", o.aggregate.fit_points);

@@ -4,12 +4,15 @@
 #include <vector>
 
 #include "quadrille/detector/grow.hpp"
+#include "quadrille/detector/hypotheses.hpp"
 #include "quadrille/detector/region.hpp"
 #include "quadrille/detector/surface_samples.hpp"
 
 namespace quadrille {
 
 struct SearchOptions {
+  /// How hypotheses are drawn.
+  BasisKind basis = BasisKind::kThreePoints;
   /// Radii of the neighbourhoods that bases are drawn from, in cells.
   std::vector<double> radii = {5.0, 9.0, 15.0};
   /// Bases per seed and radius.

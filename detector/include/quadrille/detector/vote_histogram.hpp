@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "quadrille/detector/vote.hpp"
+
+namespace quadrille {
+
+/// Votes for one parameter in (−∞, ∞), binned over θ = atan(λ / λ₀) (paper, "Quantizing λ").
+class VoteHistogram {
+ public:
+  explicit VoteHistogram(const VoteOptions& options);
+
+  void add(float lambda);
+  /// The highest local maxima after smoothing with a triangular kernel of two bins (kernel density
+  /// estimation), highest first. The range is no circle: its ends are approached from two sides.
+  std::vector<VotePeak> peaks() const;
+
+ private:
+  VoteOptions options_;
+  float per_bin_;
+  std::vector<float> count_;
+};
+
+}  // namespace quadrille

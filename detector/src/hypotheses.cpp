@@ -1,0 +1,98 @@
+#include "quadrille/detector/hypotheses.hpp"
+
+#include <Eigen/QR>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "quadrille/detector/basis.hpp"
+#include "quadrille/detector/quadric.hpp"
+#include "quadrille/detector/sphere_vote.hpp"
+
+namespace quadrille {
+namespace {
+
+// A basis further than this from lying on one quadric is not worth a vote; see inconsistency().
+constexpr double kMostInconsistent = 0.6;
+
+OrientedPoint draw(const FitPoints& voters, RandomStream& random) {
+  const int k = random.below(static_cast<int>(voters.size()));
+  return {voters.point(k), voters.normal(k)};
+}
+
+std::optional<Pencil> draw_pencil(const FitPoints& voters, RandomStream& random) {
+  std::array<OrientedPoint, 3> basis;
+  for (OrientedPoint& point : basis) point = draw(voters, random);
+  std::optional<Pencil> pencil = make_pencil(basis);
+  if (pencil && inconsistency(basis) > kMostInconsistent) pencil.reset();
+  return pencil;
+}
+
+std::vector<Eigen::Matrix4d> through_three(const FitPoints& voters, const VoteOptions& options,
+                                           RandomStream& random) {
+  std::vector<Eigen::Matrix4d> list;
+  if (const std::optional<Pencil> pencil = draw_pencil(voters, random)) {
+    for (const VotePeak& peak : vote(*pencil, voters, options)) {
+      list.push_back(pencil->at(peak.lambda));
+    }
+  }
+  return list;
+}
+
+std::vector<Eigen::Matrix4d> through_four(const FitPoints& voters, const VoteOptions& options,
+                                          RandomStream& random) {
+  const std::optional<Pencil> pencil = draw_pencil(voters, random);
+  const Eigen::Vector4d x = draw(voters, random).x.homogeneous();
+  if (!pencil) return {};
+  const double height = pencil->plane.dot(x);
+  if (!(std::abs(height) > options.least_height)) return {};
+  return {pencil->at(-x.dot(pencil->Q0 * x) / (height * height))};
+}
+
+/// The null vector of nine rows vᵀ, its gradient on the side of most of the nine normals.
+std::vector<Eigen::Matrix4d> through_nine(const FitPoints& voters, RandomStream& random) {
+  std::array<OrientedPoint, 9> basis;
+  Eigen::Matrix<double, 10, 9> rows;
+  for (int i = 0; i < 9; ++i) {
+    basis[i] = draw(voters, random);
+    const double x = basis[i].x.x(), y = basis[i].x.y(), z = basis[i].x.z();
+    rows.col(i) << x * x, y * y, z * z, 2 * x * y, 2 * x * z, 2 * y * z, 2 * x, 2 * y, 2 * z, 1;
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 10, 9>> qr(rows);
+  if (qr.rank() < 9) return {};
+  const Eigen::Matrix<double, 10, 10> basis_of_rows = qr.householderQ();
+  Quadric Q(Eigen::Matrix<double, 10, 1>(basis_of_rows.col(9)));
+  double side = 0;
+  for (const OrientedPoint& p : basis) side += Q.gradient(p.x).normalized().dot(p.n);
+  if (side < 0) Q = Q.flipped();
+  return {Q.matrix()};
+}
+
+std::vector<Eigen::Matrix4d> spheres_through_one(const FitPoints& voters,
+                                                 const VoteOptions& options, RandomStream& random) {
+  const OrientedPoint basis = draw(voters, random);
+  std::vector<Eigen::Matrix4d> list;
+  for (const VotePeak& peak : vote_curvature(basis, voters, options)) {
+    list.push_back(tangent_sphere(basis, peak.lambda));
+  }
+  return list;
+}
+
+}  // namespace
+
+std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& voters,
+                                             const VoteOptions& options, RandomStream& random) {
+  switch (kind) {
+    case BasisKind::kThreePoints:
+      return through_three(voters, options, random);
+    case BasisKind::kFourPoints:
+      return through_four(voters, options, random);
+    case BasisKind::kNinePoints:
+      return through_nine(voters, random);
+    case BasisKind::kSphere:
+      return spheres_through_one(voters, options, random);
+  }
+  return {};
+}
+
+}  // namespace quadrille

@@ -1,0 +1,51 @@
+#include "quadrille/detector/vote_histogram.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace quadrille {
+namespace {
+
+constexpr double kHalfTurn = std::numbers::pi, kQuarterTurn = std::numbers::pi / 2;
+
+}  // namespace
+
+VoteHistogram::VoteHistogram(const VoteOptions& options)
+    : options_(options),
+      per_bin_(static_cast<float>(options.bins / kHalfTurn)),
+      count_(static_cast<std::size_t>(options.bins), 0.0f) {}
+
+void VoteHistogram::add(float lambda) {
+  const float theta = std::atan(lambda / static_cast<float>(options_.lambda_scale));
+  const float position = (theta + static_cast<float>(kQuarterTurn)) * per_bin_;
+  ++count_[static_cast<std::size_t>(std::clamp(static_cast<int>(position), 0, options_.bins - 1))];
+}
+
+std::vector<VotePeak> VoteHistogram::peaks() const {
+  const int bins = options_.bins;
+  const auto at = [&](int i) { return i < 0 || i >= bins ? 0.0f : count_[i]; };
+  std::vector<float> density(static_cast<std::size_t>(bins));
+  for (int i = 0; i < bins; ++i) {
+    density[i] = at(i - 2) + 2 * at(i - 1) + 3 * at(i) + 2 * at(i + 1) + at(i + 2);
+  }
+  std::vector<VotePeak> peaks;
+  for (int i = 0; i < bins; ++i) {
+    const float left = i ? density[i - 1] : -1.0f;
+    const float right = i + 1 < bins ? density[i + 1] : -1.0f;
+    if (density[i] <= 0 || density[i] < left || density[i] <= right) continue;
+    // Mean over the kernel's core, finer than a bin.
+    const float mass = at(i - 1) + at(i) + at(i + 1);
+    const float shift = mass > 0 ? (at(i + 1) - at(i - 1)) / mass : 0.0f;
+    const double theta = (i + 0.5 + shift) / per_bin_ - kQuarterTurn;
+    peaks.push_back({options_.lambda_scale * std::tan(theta), density[i] / 9.0});
+  }
+  std::stable_sort(peaks.begin(), peaks.end(),
+                   [](const VotePeak& a, const VotePeak& b) { return a.votes > b.votes; });
+  if (static_cast<int>(peaks.size()) > options_.peaks) {
+    peaks.resize(static_cast<std::size_t>(options_.peaks));
+  }
+  return peaks;
+}
+
+}  // namespace quadrille

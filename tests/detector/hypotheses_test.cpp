@@ -1,0 +1,74 @@
+#include "quadrille/detector/hypotheses.hpp"
+
+#include <cmath>
+
+#include "quadrille/detector/quadric.hpp"
+#include "support/catch.hpp"
+#include "support/quadric_points.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+/// Mean |distance| of the points, and mean cosine between gradients and normals.
+std::pair<double, double> agreement(const Eigen::Matrix4d& matrix, const FitPoints& points) {
+  const Quadric Q(matrix);
+  double distance = 0, cosine = 0;
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    distance += std::abs(Q.distance(points.point(i)));
+    cosine += Q.gradient(points.point(i)).normalized().dot(points.normal(i));
+  }
+  const double n = static_cast<double>(points.size());
+  return {distance / n, cosine / n};
+}
+
+/// The best of some draws.
+std::pair<double, double> best_of(BasisKind kind, int draws, const FitPoints& points,
+                                  RandomStream& random) {
+  std::pair<double, double> best(1e9, 0.0);
+  for (int k = 0; k < draws; ++k) {
+    for (const Eigen::Matrix4d& Q : draw_hypotheses(kind, points, VoteOptions(), random)) {
+      best = std::min(best, agreement(Q, points));
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+TEST_CASE("every kind of basis finds an exact sphere, on the side of its normals", "[hypotheses]") {
+  RandomStream random(97, 0);
+  const FitPoints points = to_fit_points(points_on(diagonal(1, 1, 1, -0.81), 150, 0.0, random));
+  for (const BasisKind kind : {BasisKind::kThreePoints, BasisKind::kFourPoints,
+                               BasisKind::kNinePoints, BasisKind::kSphere}) {
+    CAPTURE(static_cast<int>(kind));
+    const auto [distance, cosine] = best_of(kind, 20, points, random);
+    CHECK(distance < 0.02);
+    CHECK(cosine > 0.99);
+  }
+}
+
+TEST_CASE("general bases find any quadric", "[hypotheses]") {
+  RandomStream random(98, 0);
+  for (const FamilyExample& example : family_examples()) {
+    if (example.family == Family::kPlane) continue;
+    const FitPoints points = to_fit_points(points_on(example.D, 200, example.low, random));
+    for (const BasisKind kind :
+         {BasisKind::kThreePoints, BasisKind::kFourPoints, BasisKind::kNinePoints}) {
+      CAPTURE(example.name, static_cast<int>(kind));
+      CHECK(best_of(kind, 40, points, random).first < 0.05);
+    }
+  }
+}
+
+TEST_CASE("coinciding points draw no hypothesis", "[hypotheses][hostile]") {
+  FitPoints points(20);
+  points.x.setConstant(0.1f), points.y.setConstant(0.2f), points.z.setConstant(0.3f);
+  points.nx.setConstant(1.0f), points.ny.setZero(), points.nz.setZero();
+  RandomStream random(99, 0);
+  for (const BasisKind kind : {BasisKind::kThreePoints, BasisKind::kFourPoints,
+                               BasisKind::kNinePoints, BasisKind::kSphere}) {
+    CHECK(draw_hypotheses(kind, points, VoteOptions(), random).empty());
+  }
+}
