@@ -38,6 +38,7 @@ void run(const PlanArguments& arguments) {
   const std::vector<Detection> detections = bus::as_received(result.detections);
   const GraspPlan plan = plan_grasps(input.cloud, detections, gripper, options);
   json.write(io::plan_json(input.info, result, plan));
+  json.finish();
   if (!json.owns_stdout()) print(detection_table(input.info, result) + grasp_table(plan));
   print_warnings(input.info.input, result.warnings);
   print_warnings(input.info.input, plan.warnings);
