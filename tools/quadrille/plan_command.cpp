@@ -47,7 +47,7 @@ void run(const PlanArguments& arguments) {
   json.write(io::plan_json(input.info, result, plan));
   json.finish();
   if (!json.owns_stdout())
-    print(detection_table(input.info, result) + grasp_table(plan));
+    print(detection_table(input.info, result) + grasp_table(plan, options.unknown));
   print_warnings(input.info.input, result.warnings);
   print_warnings(input.info.input, plan.warnings);
   if (arguments.picture.empty()) return;
