@@ -1,5 +1,6 @@
 // Detects the quadrics of a cloud: a ball of 5 cm radius that floats before a wall.
 #include <cmath>
+#include <iomanip>
 #include <iostream>
 
 #include "quadrille/detector/detector.hpp"
@@ -28,6 +29,7 @@ quadrille::PointCloud ball_before_wall() {
 int main() {
   const quadrille::DetectionResult result = quadrille::detect(ball_before_wall());
 
+  std::cout << std::fixed << std::setprecision(4);
   for (const quadrille::Detection& found : result.detections) {
     std::cout << found.id << ' ' << to_string(found.type) << ", score " << found.score << ", "
               << found.inliers << " points, at " << found.X_CQ.translation().transpose() << " m";

@@ -1,6 +1,7 @@
 // Plans grasps on a known quadric, without a detector: an upright can of 3 cm radius before the
 // camera, in otherwise empty space.
 #include <cmath>
+#include <iomanip>
 #include <iostream>
 
 #include "quadrille/grasping/plan.hpp"
@@ -46,6 +47,7 @@ int main() {
   const quadrille::GraspPlan plan =
       quadrille::plan_grasps(view_of(target), {target}, quadrille::franka_hand(), options);
 
+  std::cout << std::fixed << std::setprecision(3);
   for (const quadrille::Grasp& grasp : plan.grasps) {
     std::cout << "score " << grasp.score << ": close to " << 1000.0 * grasp.width << " mm at "
               << grasp.X_CG.translation().transpose() << " m, approaching along "

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <lcm/lcm-cpp.hpp>
 #include <lcmtypes/drake/lcmt_point_cloud.hpp>
+#include <string>
 #include <vector>
 
 // The near half of a ball of 5 cm radius, 60 cm before the camera: x, y, z of each point [m].
@@ -43,9 +44,13 @@ drake::lcmt_point_cloud to_message(const std::vector<float>& xyz) {
 }
 
 int main(int argc, char** argv) {
-  lcm::LCM lcm(argc > 1 ? argv[1] : "");  // "" is $LCM_DEFAULT_URL
+  const std::string url = argc > 1 ? argv[1] : "";  // "" is $LCM_DEFAULT_URL
+  lcm::LCM lcm(url);
   if (!lcm.good()) {
-    std::cerr << "no LCM: is there a multicast route? (ip route add 224.0.0.0/4 dev lo)\n";
+    std::cerr << "LCM cannot open " << (url.empty() ? "its default address" : url) << '\n';
+    if (url.empty() || url.starts_with("udpm:")) {
+      std::cerr << "is there a multicast route? (ip route add 224.0.0.0/4 dev lo)\n";
+    }
     return 1;
   }
   const drake::lcmt_point_cloud message = to_message(half_ball());

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <lcm/lcm-cpp.hpp>
 #include <lcmtypes/quadrille/grasps_t.hpp>
+#include <string>
 
 struct Printer {
   static constexpr std::size_t kShown = 5;
@@ -33,9 +34,13 @@ struct Printer {
 };
 
 int main(int argc, char** argv) {
-  lcm::LCM lcm(argc > 1 ? argv[1] : "");  // "" is $LCM_DEFAULT_URL
+  const std::string url = argc > 1 ? argv[1] : "";  // "" is $LCM_DEFAULT_URL
+  lcm::LCM lcm(url);
   if (!lcm.good()) {
-    std::cerr << "no LCM: is there a multicast route? (ip route add 224.0.0.0/4 dev lo)\n";
+    std::cerr << "LCM cannot open " << (url.empty() ? "its default address" : url) << '\n';
+    if (url.empty() || url.starts_with("udpm:")) {
+      std::cerr << "is there a multicast route? (ip route add 224.0.0.0/4 dev lo)\n";
+    }
     return 1;
   }
   Printer printer;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <nanoflann.hpp>
+#include <tuple>
+#include <utility>
 
 #include "quadrille/detector/cell_pyramid.hpp"
 #include "quadrille/detector/parallel.hpp"
@@ -67,6 +69,16 @@ VoxelLevel voxels_of(const std::vector<Eigen::Vector3f>& points, const std::vect
   return level;
 }
 
+// Release 1.5.0 of nanoflann renamed its search parameters and gave its results a type of their
+// own; Debian 12 still has 1.4.
+#if NANOFLANN_VERSION >= 0x150
+using SearchParameters = nanoflann::SearchParameters;
+using Neighbour = nanoflann::ResultItem<std::uint32_t, float>;
+#else
+using SearchParameters = nanoflann::SearchParams;
+using Neighbour = std::pair<std::uint32_t, float>;
+#endif
+
 /// Neighbour search over positions.
 class Neighbours {
  public:
@@ -75,10 +87,11 @@ class Neighbours {
 
   /// Indices within the radius, nearest first; equal distances by index.
   std::vector<int> within(const Eigen::Vector3f& p, float radius) const {
-    std::vector<std::pair<std::uint32_t, float>> found;
-    nanoflann::SearchParams params;
+    std::vector<Neighbour> found;
+    SearchParameters params;
     params.sorted = false;
-    tree_.radiusSearch(p.data(), radius * radius, found, params);
+    // The count that it returns must not be ignored as of some later release.
+    std::ignore = tree_.radiusSearch(p.data(), radius * radius, found, params);
     std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
       return a.second != b.second ? a.second < b.second : a.first < b.first;
     });

@@ -1,6 +1,6 @@
 #include "command_line.hpp"
 
-#include "config.hpp"
+#include "io/config.hpp"
 
 namespace quadrille {
 
@@ -13,12 +13,12 @@ CommandLine::CommandLine(CLI::App& app) {
   add_channel_option(app, "--occupancy-channel", settings_.occupancy_channel, "occupancy");
   add_channel_option(app, "--status-channel", settings_.status_channel, "status");
   planner_.add_to(app, "franka");
-  app.add_option("--config", config_, "Settings of the planner (TOML)")->type_name("FILE");
+  app.add_option("--config", config_, "Settings (TOML)")->type_name("FILE");
 }
 
 PlannerSettings CommandLine::settings() const {
   PlannerSettings settings = settings_;
-  if (!config_.empty()) settings.plan = load_plan_options(config_);
+  if (!config_.empty()) settings.plan = io::load_settings(config_).planner;
   settings.plan.unknown = planner_.unknown.value_or(settings.plan.unknown);
   settings.gripper = planner_.gripper();
   return settings;

@@ -14,6 +14,8 @@ namespace {
 constexpr double kNearest = 0.02;
 // Beyond 70° off its axis a pinhole has no use.
 constexpr double kWidest = 2.7;
+// Above what find_pixel_grid() allows: a last check before memory is taken.
+constexpr double kMostPixels = 2e7;
 
 bool in_front(const Eigen::Vector3d& p_V) {
   return p_V.z() > kNearest && std::abs(p_V.x()) < kWidest * p_V.z() &&
@@ -74,8 +76,10 @@ void DepthView::choose_grid(const PointCloud& cloud) {
   const double u0 = std::round(first.x()), v0 = std::round(first.y());
   cu_ = -grid.phase.x() / pitch_u_ - u0;
   cv_ = -grid.phase.y() / pitch_v_ - v0;
-  width_ = static_cast<int>(std::round(last.x()) - u0) + 1;
-  height_ = static_cast<int>(std::round(last.y()) - v0) + 1;
+  const double width = std::round(last.x()) - u0 + 1.0, height = std::round(last.y()) - v0 + 1.0;
+  if (!(width * height < kMostPixels)) return;
+  width_ = static_cast<int>(width);
+  height_ = static_cast<int>(height);
 }
 
 void DepthView::project(const PointCloud& cloud) {

@@ -11,6 +11,8 @@ namespace quadrille {
 namespace {
 
 constexpr double kMostPixels = 4e6;
+// No camera has finer pixels; steps below this are rounding, not a grid.
+constexpr double kFinestPitch = 1e-5;
 
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -48,7 +50,8 @@ std::optional<PixelGrid> regular_grid(const std::vector<Eigen::Vector2d>& tangen
   grid.pitch = {median(along), median(across)};
   for (int axis = 0; axis < 2; ++axis) {
     const Comb found = comb(tangents, axis, grid.pitch[axis]);
-    if (found.concentration < 0.8) return std::nullopt;
+    // Also refuses a pitch so small that the comb is not a number.
+    if (!(found.concentration >= 0.8)) return std::nullopt;
     grid.phase[axis] = found.phase;
   }
   return grid;
@@ -76,16 +79,23 @@ PixelGrid density_grid(const std::vector<Eigen::Vector2d>& tangents,
   return grid;
 }
 
+double count_pixels(const PixelGrid& grid, const Eigen::AlignedBox2d& bounds) {
+  return (bounds.sizes().cwiseQuotient(grid.pitch) + Eigen::Vector2d::Ones()).prod();
+}
+
 }  // namespace
 
 PixelGrid find_pixel_grid(const std::vector<Eigen::Vector2d>& tangents,
                           const Eigen::AlignedBox2d& bounds) {
   PixelGrid grid = regular_grid(tangents, bounds).value_or(density_grid(tangents, bounds));
-  const Eigen::Vector2d cells = bounds.sizes().cwiseQuotient(grid.pitch) + Eigen::Vector2d::Ones();
-  if (cells.prod() > kMostPixels) {
-    grid.pitch *= std::sqrt(cells.prod() / kMostPixels);
-    grid.phase = bounds.min();
+  const Eigen::Vector2d found = grid.pitch;
+  grid.pitch = found.cwiseMax(kFinestPitch);
+  // An axis that is down to one pixel shrinks no further, so that one step may not be enough.
+  for (double excess = count_pixels(grid, bounds) / kMostPixels; excess > 1.0;
+       excess = count_pixels(grid, bounds) / kMostPixels) {
+    grid.pitch *= std::max(std::sqrt(excess), 1.01);
   }
+  if (grid.pitch != found) grid.phase = bounds.min();
   return grid;
 }
 

@@ -81,6 +81,7 @@ class Planner {
         shape_of_.push_back(i);
       } else {
         ++plan_.rejected["no_shape"];
+        warn("quadric " + std::to_string(d.id) + " has no collision shape: " + why);
       }
     }
   }

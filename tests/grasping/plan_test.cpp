@@ -271,3 +271,13 @@ TEST_CASE("each target keeps its best grasp when only few are asked for", "[plan
   CHECK(plan.grasps.size() == 2);
   CHECK(targets(plan).size() == 2);
 }
+
+TEST_CASE("a detection without a shape is counted, and a warning says why", "[plan]") {
+  Detection flat = table_detection(7);
+  flat.extent_Q = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  flat.dimensions.clear();
+  const GraspPlan plan = plan_grasps(render({}), {flat}, franka_hand());
+  CHECK(plan.rejected.at("no_shape") == 1);
+  REQUIRE(plan.warnings.size() == 1);
+  CHECK(plan.warnings[0] == "quadric 7 has no collision shape: plane has no finite, positive size");
+}

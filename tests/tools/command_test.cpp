@@ -114,11 +114,103 @@ TEST_CASE("wrong usage ends the command with 2", "[command]") {
   CHECK(only.code == 2);
   CHECK(contains(only.err, "'cube'"));
   CHECK(contains(only.err, "elliptic_cylinder"));
-  CHECK(contains(run_quadrille("nonsense").err, "give one of the commands detect, plan"));
+  CHECK(contains(run_quadrille("nonsense").err,
+                 "unknown command 'nonsense'; give one of the commands detect, plan"));
+  CHECK(contains(run_quadrille("").err, "quadrille: give one of the commands detect, plan"));
   CHECK(contains(run_quadrille("plan " + cloud).err, "see quadrille plan --help"));
   CHECK(run_quadrille("--version").out.starts_with("quadrille "));
   CHECK(run_quadrille("--help").code == 0);
   CHECK(run_quadrille("detect --help").code == 0);
+}
+
+TEST_CASE("seeds, rates and types that cannot be meant are wrong usage", "[command]") {
+  const TempFolder folder;
+  const std::string cloud = folder.write("a.ply", ply_of({"1 2 3"}));
+  const auto check_usage = [](const std::string& arguments, const std::string& part) {
+    const Run run = run_quadrille(arguments);
+    INFO(arguments << "\n" << run.err);
+    CHECK(run.code == 2);
+    CHECK(lines_of(run.err) == 1);
+    CHECK(contains(run.err, part));
+  };
+  for (const std::string seed : {"-1", "1.5", "1x", "99999999999999999999"}) {
+    const std::string part = "'" + seed + "' is no whole number from 0 to 18446744073709551615";
+    check_usage("detect --seed=" + seed + " " + cloud, part);
+    check_usage("scene --seed=" + seed + " " + folder.path("s.ply"), part);
+  }
+  CHECK(run_quadrille("detect --seed 18446744073709551615 " + cloud).code == 0);
+  for (const std::string rate : {"0", "-1", "1e9", "nan", "fast"}) {
+    check_usage("log " + folder.path("o.lcm") + " " + cloud + " --rate=" + rate,
+                "'" + rate + "' is no number from 0.001 to 10000; see");
+  }
+  CHECK_FALSE(contains(run_quadrille("log --help").out, "0.001000"));
+  for (const std::string type : {"imaginary_cone", "coincident_planes"}) {
+    check_usage("detect --only sphere," + type + " " + cloud,
+                "type '" + type + "' is never found; the types are sphere, ellipsoid, cylinder");
+  }
+  CHECK_FALSE(contains(run_quadrille("detect --only cube " + cloud).err, "imaginary"));
+}
+
+TEST_CASE("a run that fails leaves outputs as they were", "[command][hostile]") {
+  const TempFolder folder;
+  const std::string good = folder.write("good.ply", ply_of({"1 2 3"}));
+  const std::string missing = folder.path("missing.ply");
+  const std::string out = folder.write("kept", "kept");
+  for (const std::string& arguments : std::vector<std::string>{
+           "log " + out + " " + good + " " + missing, "detect " + missing + " --json " + out,
+           "plan --gripper franka " + missing + " --json " + out}) {
+    check_failure(run_quadrille(arguments), "missing.ply: no such file");
+    CHECK(test::content_of(out) == "kept");
+  }
+  CHECK(run_quadrille("detect " + good + " " + missing + " --json " + out).code == 1);
+  CHECK(test::content_of(out) == "kept");
+  check_failure(run_quadrille("log " + folder.path("new.lcm") + " " + good + " " + missing),
+                "missing.ply");
+  // Nothing is left beside them either.
+  const auto files = std::filesystem::directory_iterator(std::filesystem::path(out).parent_path());
+  CHECK(std::distance(begin(files), end(files)) == 2);
+}
+
+TEST_CASE("outputs go through links and into what is no regular file", "[command]") {
+  const TempFolder folder;
+  const std::string cloud = folder.write("a.ply", ply_of({"1 2 3"}));
+  const std::string real = folder.write("real.json", "old");
+  std::filesystem::create_symlink(real, folder.path("link.json"));
+  REQUIRE(run_quadrille("detect " + cloud + " --json " + folder.path("link.json")).code == 0);
+  CHECK(std::filesystem::is_symlink(folder.path("link.json")));
+  CHECK(json::parse(test::content_of(real))["input"] == cloud);
+  const Run null = run_quadrille("detect " + cloud + " --json /dev/null");
+  INFO(null.err);
+  CHECK(null.code == 0);
+  CHECK(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST_CASE("plan takes the planner's settings from the same file as the detector's", "[command]") {
+  const TempFolder folder;
+  const std::string cloud = folder.write("a.ply", ply_of({"1 2 3"}));
+  const std::string plan = "plan --gripper franka " + cloud + " --config ";
+  CHECK(
+      run_quadrille(plan + folder.write("c.toml", "seed = 2\n[planner]\napproach = 0.1\n")).code ==
+      0);
+  check_failure(run_quadrille(plan + folder.write("d.toml", "[planner]\napproach = 9\n")),
+                "approach must lie in 0 to 1 m");
+}
+
+TEST_CASE("a plan without grasps says why and what to try", "[command]") {
+  const TempFolder folder;
+  const Run none =
+      run_quadrille("plan --gripper franka " + folder.write("a.ply", ply_of({"1 2 3"})));
+  CHECK(contains(none.out, "no grasps found\n  no curved quadric was found to grasp; try"));
+  const std::string scene = folder.path("s.ply");
+  REQUIRE(run_quadrille("scene --family tabletop --seed 3 " + scene).code == 0);
+  // This hand closes on nothing that is wider than a millimetre.
+  const std::string tiny = folder.write(
+      "tiny.toml",
+      "max_opening = 0.001\nmin_opening = 0.0\nfinger = [0.02, 0.015, 0.05]\nfinger_front = "
+      "0.01\npad = [0.02, 0.02]\npalm = [0.06, 0.2, 0.06]\nmax_force = 70\n");
+  const Run narrow = run_quadrille("plan --gripper " + tiny + " " + scene);
+  INFO(narrow.out << narrow.err);
+  CHECK(contains(narrow.out, "wider than the gripper's opening"));
 }
 
 TEST_CASE("a wrong configuration or gripper file ends the command with 1", "[command][hostile]") {

@@ -13,7 +13,7 @@ namespace {
 std::string config_error(const std::string& text) {
   const test::TempFolder folder;
   const std::string path = folder.write("c.toml", text);
-  const std::string error = error_of([&] { io::load_detector_options(path); });
+  const std::string error = error_of([&] { io::load_settings(path); });
   if (!error.empty()) CHECK(error.find(path) == 0);
   return error;
 }
@@ -32,7 +32,7 @@ std::string gripper_error(const std::string& text) {
 TEST_CASE("a configuration sets what it names and leaves the rest", "[config]") {
   const test::TempFolder folder;
   const DetectorOptions options =
-      io::load_detector_options(folder.write("c.toml", "# mine\nseed = 42\n"));
+      io::load_settings(folder.write("c.toml", "# mine\nseed = 42\n")).detector;
   CHECK(options.seed == 42);
   CHECK(options.threads == DetectorOptions().threads);
 }
@@ -40,7 +40,7 @@ TEST_CASE("a configuration sets what it names and leaves the rest", "[config]") 
 TEST_CASE("the printed defaults read back as the defaults", "[config]") {
   const test::TempFolder folder;
   DetectorOptions back =
-      io::load_detector_options(folder.write("c.toml", io::default_detector_config()));
+      io::load_settings(folder.write("c.toml", io::default_detector_config())).detector;
   DetectorOptions defaults;
   std::vector<double> a, b;
   visit_options(back, [&](const char*, auto& field) { a.push_back(static_cast<double>(field)); });
@@ -61,7 +61,7 @@ TEST_CASE("a wrong configuration is refused with its key and line", "[config][ho
   CHECK(contains(config_error("seed = true\n"), "'seed'"));
   CHECK(contains(config_error("threads = 0\n"), "threads"));
   CHECK(contains(config_error("seed = 1\nseed = \n"), "line 2"));
-  CHECK(contains(error_of([] { io::load_detector_options("/no/such.toml"); }), "no such file"));
+  CHECK(contains(error_of([] { io::load_settings("/no/such.toml"); }), "no such file"));
 }
 
 TEST_CASE("a gripper is read from its file", "[gripper]") {
@@ -84,4 +84,37 @@ TEST_CASE("a wrong gripper file is refused with its key", "[gripper][hostile]") 
   std::string two = kGripper;
   two.replace(two.find("[0.02, 0.015, 0.05]"), 19, "[0.02, 0.015]");
   CHECK(contains(gripper_error(two), "line 4: key 'finger'"));
+}
+
+TEST_CASE("one configuration holds the settings of the detector and of the planner", "[config]") {
+  const test::TempFolder folder;
+  const io::Settings settings = io::load_settings(
+      folder.write("c.toml",
+                   "seed = 5\n[planner]\nunknown = \"free\"\nresolution = 0.004\nfriction = 0.4\n"
+                   "approach = 0.08\npad_margin = 0.001\nbaseline = 0\nwall_least = 0.001\n"
+                   "wall_most = 0.005\n[planes]\nsigmas = 2.5\n"));
+  CHECK(settings.detector.seed == 5);
+  CHECK(settings.detector.planes.sigmas == 2.5);
+  CHECK(settings.planner.unknown == UnknownPolicy::kFree);
+  CHECK(settings.planner.resolution == 0.004);
+  CHECK(settings.planner.friction == 0.4);
+  CHECK(settings.planner.approach == 0.08);
+  CHECK(settings.planner.pad_margin == 0.001);
+  CHECK(settings.planner.baseline == 0.0);
+  CHECK(settings.planner.wall_least == 0.001);
+  CHECK(settings.planner.wall_most == 0.005);
+  CHECK(settings.planner.max_grasps == PlanOptions().max_grasps);
+}
+
+TEST_CASE("a wrong setting of the planner is refused with its line or field", "[config][hostile]") {
+  CHECK(contains(config_error("[planner]\nnonsense = 1\n"), "line 2: unknown key 'planner.non"));
+  CHECK(contains(config_error("approach = 0.1\n"), "unknown key 'approach'; the keys are"));
+  CHECK(contains(config_error("[planner]\napproach = \"far\"\n"), "must be a number"));
+  CHECK(contains(config_error("[planner]\nmax_grasps = 1.5\n"), "must be an integer"));
+  CHECK(contains(config_error("[planner]\nunknown = \"maybe\"\n"), "target-shadow or free"));
+  CHECK(contains(config_error("[planner]\napproach = -1.0\n"), "approach must lie in"));
+  CHECK(contains(config_error("[planner]\nbaseline = 2\n"), "baseline must lie in 0 to 1 m"));
+  CHECK(contains(config_error("[planner]\nbaseline = nan\n"), "baseline must lie in 0 to 1 m"));
+  CHECK(contains(config_error("[planner]\nwall_most = 0.06\n"), "wall_most must lie in"));
+  CHECK(contains(config_error("[planner]\nwall_least = 0.009\n"), "in this order"));
 }

@@ -132,6 +132,27 @@ TEST_CASE("grasps change a picture", "[picture]") {
   CHECK(image.at(contact.x(), contact.y()).isApprox(Color(1.0f, 0.25f, 0.2f), 0.01f));
 }
 
+TEST_CASE("a plan without grasps is told in red", "[picture]") {
+  const PointCloud cloud = ball_before_wall();
+  GraspPlan none, one;
+  one.grasps.resize(1);
+  one.grasps[0].target = -1;
+  const Gripper gripper;
+  const auto reddest = [&](const GraspPlan& plan) {
+    const Image image = draw_picture({"ball.ply", cloud, {}, &plan, &gripper}, 1280);
+    float most = 0.0f;
+    for (int row = image.height() - 25; row < image.height(); ++row) {
+      for (int column = 0; column < image.width(); ++column) {
+        const Color& c = image.at(column, row);
+        most = std::max(most, c.x() - std::max(c.y(), c.z()));
+      }
+    }
+    return most;
+  };
+  CHECK(reddest(none) > 0.5f);
+  CHECK(reddest(one) < 0.05f);
+}
+
 TEST_CASE("pictures of strange clouds are drawn without harm", "[picture][hostile]") {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   PointCloud cloud;

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <vector>
 
+#include "cli/seed_option.hpp"
 #include "io/config.hpp"
 
 namespace quadrille {
@@ -18,17 +19,25 @@ std::vector<QuadricType> types_of(const std::string& list) {
   return types;
 }
 
-/// Empty if all names of the list are types, else what is wrong.
+/// False for what no points can show: imaginary quadrics, and a plane doubled onto itself, which is
+/// reported as a plane.
+bool is_reported(QuadricType type) {
+  return !is_imaginary(type) && type != QuadricType::kCoincidentPlanes;
+}
+
+/// Empty if all names of the list are types that can be found, else what is wrong.
 std::string check_types(const std::string& list) {
   std::istringstream in(list);
   int count = 0;
   for (std::string name; std::getline(in, name, ','); ++count) {
-    if (quadric_type_from_string(name)) continue;
+    const auto type = quadric_type_from_string(name);
+    if (type && is_reported(*type)) continue;
     std::string all;
-    for (const QuadricType type : all_quadric_types()) {
-      if (!is_imaginary(type)) all += (all.empty() ? "" : ", ") + std::string(to_string(type));
+    for (const QuadricType one : all_quadric_types()) {
+      if (is_reported(one)) all += (all.empty() ? "" : ", ") + std::string(to_string(one));
     }
-    return "unknown type '" + name + "'; the types are " + all;
+    return (type ? "type '" + name + "' is never found" : "unknown type '" + name + "'") +
+           "; the types are " + all;
   }
   return count > 0 ? "" : "names no type";
 }
@@ -36,18 +45,18 @@ std::string check_types(const std::string& list) {
 }  // namespace
 
 void DetectorArguments::add_to(CLI::App& command) {
-  command.add_option("--config", config, "Settings of the detector (TOML)")->type_name("FILE");
+  command.add_option("--config", config, "Settings (TOML)")->type_name("FILE");
   command.add_option("--only", only, "Report only these types, separated by commas")
       ->type_name("TYPE,...")
       ->check(CLI::Validator(check_types, ""));
-  command.add_option("--seed", seed, "Chooses the random stream")->type_name("N");
+  add_seed_option(command, seed, "the random stream");
   command.add_option("--threads", threads, "Threads to use; never changes the result")
       ->type_name("N")
       ->check(CLI::Range(1, 256));
 }
 
 DetectorOptions DetectorArguments::options() const {
-  DetectorOptions options = config.empty() ? DetectorOptions() : io::load_detector_options(config);
+  DetectorOptions options = config.empty() ? DetectorOptions() : io::load_settings(config).detector;
   if (seed) options.seed = *seed;
   if (threads) options.threads = *threads;
   if (!only.empty()) options.only = types_of(only);

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <string>
+#include <vector>
 
 namespace quadrille {
 namespace {
@@ -13,7 +15,10 @@ std::string find_missing_command(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands({})) {
     all += (all.empty() ? "" : ", ") + command->get_name();
   }
-  return all.empty() || !app.get_subcommands().empty() ? "" : "give one of the commands " + all;
+  if (all.empty() || !app.get_subcommands().empty()) return "";
+  const std::vector<std::string> words = app.remaining();
+  return (words.empty() ? "" : "unknown command '" + words.front() + "'; ") +
+         "give one of the commands " + all;
 }
 
 /// One line on what is wrong, and where to read on.

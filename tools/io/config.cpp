@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "io/toml_file.hpp"
+#include "io/unknown_policy.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -20,6 +21,10 @@ bool assign(const toml::node& node, Field* field) {
     const auto value = node.value_exact<bool>();
     if (value) *field = *value;
     return value.has_value();
+  } else if constexpr (std::is_same_v<Field, UnknownPolicy>) {
+    const auto policy = unknown_policy_from_string(node.value_or(std::string_view{}));
+    if (policy) *field = *policy;
+    return policy.has_value();
   } else if constexpr (std::is_floating_point_v<Field>) {
     if (!node.is_number()) return false;
     *field = *node.value<double>();
@@ -35,6 +40,7 @@ bool assign(const toml::node& node, Field* field) {
 template <class Field>
 const char* expected() {
   if (std::is_same_v<Field, bool>) return "true or false";
+  if (std::is_same_v<Field, UnknownPolicy>) return "obstacle, target-shadow or free";
   if (std::is_floating_point_v<Field>) return "a number";
   return std::is_unsigned_v<Field> ? "a non-negative integer" : "an integer";
 }
@@ -55,13 +61,28 @@ void refuse_unknown(const toml::table& table, const std::string& prefix,
   }
 }
 
+/// Calls visit(name, field) for each of the planner's settings, as visit_options() does for the
+/// detector's.
+template <class Visitor>
+void visit_plan_options(PlanOptions& o, Visitor&& visit) {
+  visit("planner.unknown", o.unknown);
+  visit("planner.resolution", o.resolution);
+  visit("planner.friction", o.friction);
+  visit("planner.approach", o.approach);
+  visit("planner.pad_margin", o.pad_margin);
+  visit("planner.baseline", o.baseline);
+  visit("planner.wall_least", o.wall_least);
+  visit("planner.wall_most", o.wall_most);
+  visit("planner.max_grasps", o.max_grasps);
+}
+
 }  // namespace
 
-DetectorOptions load_detector_options(const std::string& path) {
+Settings load_settings(const std::string& path) {
   const toml::table table = read_toml(path);
-  DetectorOptions options;
+  Settings settings;
   std::set<std::string> known;
-  visit_options(options, [&](const char* name, auto& field) {
+  const auto read = [&](const char* name, auto& field) {
     using Field = std::remove_reference_t<decltype(field)>;
     known.insert(name);
     const toml::node_view<const toml::node> node = table.at_path(name);
@@ -69,14 +90,17 @@ DetectorOptions load_detector_options(const std::string& path) {
       throw FileError(path, line_of(*node.node()),
                       fmt::format("key '{}' must be {}", name, expected<Field>()));
     }
-  });
+  };
+  visit_options(settings.detector, read);
+  visit_plan_options(settings.planner, read);
   refuse_unknown(table, "", known, path);
   try {
-    options.check();
+    settings.detector.check();
+    settings.planner.check();
   } catch (const std::invalid_argument& error) {
     throw FileError(path, "", error.what());
   }
-  return options;
+  return settings;
 }
 
 std::string default_detector_config() {

@@ -3,15 +3,25 @@
 #include <string>
 
 #include "quadrille/detector/options.hpp"
+#include "quadrille/grasping/plan.hpp"
 
 namespace quadrille::io {
 
-/// Reads the detector's settings from a TOML file; what the file leaves out keeps its default.
+/// What a configuration file sets.
+struct Settings {
+  DetectorOptions detector;
+  PlanOptions planner;
+};
+
+/// Reads the settings of a TOML file, which all programs share: each takes its own part of them.
+/// The detector's keys are those of visit_options(); the planner's stand in the table [planner]:
+/// unknown, resolution [m], friction, approach [m], pad_margin [m], baseline [m], wall_least and
+/// wall_most [m], max_grasps. What the file leaves out keeps its default.
 /// @throws FileError naming line and key if the file is missing or no TOML, if a key is unknown, or
 ///         if a value has the wrong type or is out of range
-DetectorOptions load_detector_options(const std::string& path);
+Settings load_settings(const std::string& path);
 
-/// The defaults as a commented TOML file, from which load_detector_options reads them back.
+/// The detector's defaults as a commented TOML file, from which load_settings reads them back.
 std::string default_detector_config();
 
 }  // namespace quadrille::io

@@ -16,7 +16,7 @@ CloudLogOptions checked(const CloudLogOptions& options) {
 }  // namespace
 
 void CloudLogOptions::check() const {
-  if (!(rate >= 0.001 && rate <= 10000.0)) {
+  if (!(rate >= kLeastRate && rate <= kLargestRate)) {
     throw std::invalid_argument("rate = " + std::to_string(rate) +
                                 ": must lie between 0.001 and 10000");
   }

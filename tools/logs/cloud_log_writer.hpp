@@ -9,6 +9,9 @@
 
 namespace quadrille::logs {
 
+/// Rates that a log may have [Hz].
+inline constexpr double kLeastRate = 0.001, kLargestRate = 10000;
+
 /// How clouds are written to a log.
 struct CloudLogOptions {
   /// Clouds per second of the log's own time [Hz].

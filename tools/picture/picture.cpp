@@ -19,7 +19,8 @@ namespace quadrille {
 namespace {
 
 constexpr int kScale = 2, kLegendHeight = 30, kPad = 4, kLine = kTextHeight * kScale + kPad;
-const Color kBackground(0.09f, 0.1f, 0.12f), kPaper(0.0f, 0.0f, 0.0f), kWhite(1.0f, 1.0f, 1.0f);
+const Color kBackground(0.09f, 0.1f, 0.12f), kPaper(0.0f, 0.0f, 0.0f), kWhite(1.0f, 1.0f, 1.0f),
+    kAlarm(1.0f, 0.3f, 0.25f);
 
 const Color& color_of(std::size_t index) {
   static const std::array<Color, 8> kColors = {
@@ -73,11 +74,12 @@ std::string legend_of(const PictureContent& content) {
       fmt::format("{}   {} points   {} curved, {} flat in {:.1f} ms",
                   std::filesystem::path(content.title).filename().string(),
                   content.result.points_finite, curved, flat, content.result.total_ms);
-  if (content.plan != nullptr) {
-    text += fmt::format("   {} grasps in {:.0f} ms", content.plan->grasps.size(),
-                        content.plan->total_ms);
-  }
-  return text;
+  return text + "   ";
+}
+
+std::string summary_of(const GraspPlan& plan) {
+  const std::string count = plan.grasps.empty() ? "no" : std::to_string(plan.grasps.size());
+  return fmt::format("{} grasps in {:.0f} ms", count, plan.total_ms);
 }
 
 /// Flat ones first, so that tints of tables do not dull the rest.
@@ -92,7 +94,8 @@ std::vector<Label> draw_detections(const DetectionResult& result, const std::vec
       ++index;
       const auto anchor = draw_quadric(detection, color, depth, view, image);
       if (anchor)
-        labels.push_back({io::name_of(detection), io::short_label(detection), color, *anchor});
+        labels.push_back({fmt::format("{} {:.2f}", io::name_of(detection), detection.score),
+                          io::short_label(detection), color, *anchor});
     }
   }
   return labels;
@@ -109,7 +112,13 @@ int legend_height(std::size_t labels, int width) {
 void draw_legend(const PictureContent& content, const std::vector<Label>& labels, int top,
                  Image* image) {
   draw_rectangle(0, top, image->width(), image->height() - top, kPaper, 1.0f, image);
-  draw_text(legend_of(content), 10, top + 8, kScale, kWhite, image);
+  const std::string legend = legend_of(content);
+  draw_text(legend, 10, top + 8, kScale, kWhite, image);
+  if (content.plan != nullptr) {
+    const int left = 10 + static_cast<int>(legend.size()) * kTextWidth * kScale;
+    draw_text(summary_of(*content.plan), left, top + 8, kScale,
+              content.plan->grasps.empty() ? kAlarm : kWhite, image);
+  }
   const int columns = count_columns(image->width());
   for (int i = 0; i < static_cast<int>(labels.size()); ++i) {
     const Label& label = labels[static_cast<std::size_t>(i)];

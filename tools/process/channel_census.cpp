@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 namespace quadrille {
 namespace {
 
@@ -23,8 +25,10 @@ std::vector<std::string> ChannelCensus::find_missing(const std::vector<InChannel
   std::vector<std::string> lines;
   for (const InChannel& channel : wanted) {
     if (events_.count(channel.name) > 0) continue;
-    lines.push_back(fmt::format("no event on {}; the log holds {}; name the channel with {}",
-                                channel.name, list(events_), channel.option));
+    std::string line = fmt::format("no event on {}; the log holds {}", channel.name, list(events_));
+    // Where there is nothing, another name helps no more.
+    if (!events_.empty()) line += "; name the channel with " + channel.option;
+    lines.push_back(std::move(line));
   }
   return lines;
 }

@@ -42,7 +42,7 @@ class Node {
   virtual std::optional<Job> receive(const std::string& channel,
                                      std::span<const std::byte> bytes) = 0;
 
-  /// Publishes the status.
+  /// Publishes the status. For a thread of its own, also while a job is done.
   /// @param superseded  jobs dropped for a newer one
   /// @param warnings    what is wrong with the transport
   virtual void publish_status(std::int64_t superseded,

@@ -17,6 +17,8 @@ void run_process(const std::string& name, const ProcessArguments& arguments,
 void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node);
 
 /// Works through a log: every event in order, none skipped.
+/// @throws std::runtime_error if a log cannot be used, a job failed, or a signal stopped it before
+///   the end of the log
 void run_on_log(const ProcessArguments& arguments, const NodeMaker& make_node);
 
 }  // namespace quadrille

@@ -1,6 +1,10 @@
 #include <spdlog/spdlog.h>
 
+#include <chrono>
+#include <thread>
+
 #include "process/run.hpp"
+#include "process/worker.hpp"
 #include "quadrille/bus/connection.hpp"
 #include "quadrille/bus/mailbox.hpp"
 #include "quadrille/bus/receiver.hpp"
@@ -13,9 +17,10 @@ namespace {
 
 void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox, Node& node) {
   bus::Ticker status_tick(std::chrono::seconds(1));
+  const Worker worker(mailbox, node);
   bus::Receiver receiver(connection);
   while (!bus::stop_requested()) {
-    if (const auto job = mailbox.take(std::chrono::milliseconds(100))) node.work(*job);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
     receiver.check();
     if (status_tick.due()) node.publish_status(mailbox.superseded(), connection.warnings());
   }

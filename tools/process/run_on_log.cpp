@@ -7,6 +7,7 @@
 #include "process/run.hpp"
 #include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/replay.hpp"
+#include "quadrille/bus/stop.hpp"
 
 namespace quadrille {
 namespace {
@@ -17,6 +18,16 @@ std::vector<std::string> find_warnings(const bus::LogSurvey& survey, const Chann
   if (survey.defect) warnings.push_back(*survey.defect);
   for (std::string& oddity : node.find_oddities()) warnings.push_back(std::move(oddity));
   return warnings;
+}
+
+/// What to tell of a replay that was stopped before its end; empty if it was not.
+std::string describe_stop(std::int64_t done, const bus::LogSurvey& survey,
+                          const ProcessArguments& arguments) {
+  if (!bus::stop_requested() || done >= survey.events) return "";
+  return fmt::format(
+      "{}: stopped before the end of the log, after {} of {} events; {} holds only "
+      "what came of these",
+      arguments.in_log, done, survey.events, arguments.out_log);
 }
 
 }  // namespace
@@ -32,20 +43,27 @@ void run_on_log(const ProcessArguments& arguments, const NodeMaker& make_node) {
     out.write(utime, channel, bytes);
   });
   ChannelCensus census;
+  std::int64_t done = 0;
   const auto on_event = [&](const bus::LogReader::Event& event) {
+    ++done;
     utime = event.utime;
     census.add(event.channel);
     if (arguments.copy_input) out.write(event.utime, event.channel, event.bytes);
     if (const auto job = node->receive(event.channel, event.bytes)) node->work(*job);
   };
   const bus::LogSurvey survey = bus::replay_log(arguments.in_log, on_event);
-  std::vector<std::string> warnings = find_warnings(survey, census, *node);
+  const std::string stopped = describe_stop(done, survey, arguments);
+  // What is missing from half a log tells nothing of the log.
+  std::vector<std::string> warnings =
+      stopped.empty() ? find_warnings(survey, census, *node) : std::vector<std::string>{};
   for (std::string& warning : warnings) {
     warning = arguments.in_log + ": " + warning;
     spdlog::warn("{}", warning);
   }
+  if (!stopped.empty()) warnings.push_back(stopped);
   node->publish_status(0, warnings);
   out.flush();
+  if (!stopped.empty()) throw std::runtime_error(stopped);
   spdlog::info("{}: {}", arguments.in_log, node->summary());
   if (node->failed() == 0) return;
   throw std::runtime_error(fmt::format("{}: {} of its clouds failed; the records above say why",

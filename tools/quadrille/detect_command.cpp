@@ -39,6 +39,7 @@ void run(const DetectArguments& arguments) {
     });
     print_warnings(path, warnings);
   }
+  json.finish();
 }
 
 }  // namespace

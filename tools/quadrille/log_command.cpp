@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -12,6 +13,7 @@
 #include "cli/process_arguments.hpp"
 #include "io/cloud_file.hpp"
 #include "io/describe.hpp"
+#include "io/new_file.hpp"
 #include "logs/cloud_log_writer.hpp"
 
 namespace quadrille {
@@ -23,19 +25,31 @@ struct LogArguments {
   logs::CloudLogOptions options;
 };
 
+/// Empty if a text is a rate that a log can have, else what is wrong with it.
+std::string check_rate(const std::string& text) {
+  double rate = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, rate);
+  const bool fit =
+      error == std::errc{} && rest == end && rate >= logs::kLeastRate && rate <= logs::kLargestRate;
+  return fit ? ""
+             : fmt::format("'{}' is no number from {} to {}", text, logs::kLeastRate,
+                           logs::kLargestRate);
+}
+
 void run(const LogArguments& arguments) {
-  // A bad input must not leave an empty log, so the first one is read before the log is made.
-  PointCloud cloud = io::read_cloud(arguments.inputs.front());
-  logs::CloudLogWriter writer(arguments.out, arguments.options);
-  for (std::size_t i = 0; i < arguments.inputs.size(); ++i) {
-    if (i > 0) cloud = io::read_cloud(arguments.inputs[i]);
+  io::NewFile file(arguments.out);
+  logs::CloudLogWriter writer(file.path(), arguments.options);
+  for (const std::string& input : arguments.inputs) {
+    const PointCloud cloud = io::read_cloud(input);
     if (!cloud.viewpoint.isZero(0.0)) {
       fmt::print(stderr, "{}: LCM clouds have no viewpoint; readers will assume the origin\n",
-                 arguments.inputs[i]);
+                 input);
     }
     writer.write(cloud);
   }
   writer.flush();
+  file.commit();
   const auto clouds = static_cast<std::size_t>(writer.clouds());
   fmt::print("{}: {}, {:.1f} MB, on {} at {} Hz\n", arguments.out, io::count_of(clouds, "cloud"),
              static_cast<double>(writer.bytes()) * 1e-6, arguments.options.channel,
@@ -50,7 +64,7 @@ void add_log_command(CLI::App& app) {
   command->add_option("OUT", arguments->out, "The log to write (.lcm)")->required();
   command->add_option("INPUT", arguments->inputs, "Clouds (.ply, .pcd), in order")->required();
   command->add_option("--rate", arguments->options.rate, "Clouds per second")
-      ->check(CLI::Range(0.001, 10000.0))
+      ->check(CLI::Validator(check_rate, ""))
       ->type_name("HZ");
   add_channel_option(*command, "--channel", arguments->options.channel, "clouds");
   Choices<bus::CloudFormat> formats;

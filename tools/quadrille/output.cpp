@@ -13,8 +13,8 @@ namespace quadrille {
 
 JsonLines::JsonLines(const std::string& path) : path_(path) {
   if (path_.empty() || owns_stdout()) return;
-  file_.open(path_, std::ios::trunc);
-  if (!file_) throw io::FileError(path_, "", "cannot be created; check the folder");
+  new_file_.emplace(path_);
+  file_.open(new_file_->path(), std::ios::trunc);
 }
 
 void JsonLines::write(const io::Json& json) {
@@ -24,6 +24,13 @@ void JsonLines::write(const io::Json& json) {
   if (owns_stdout()) return print(line);
   file_ << line << std::flush;
   if (!file_) throw io::FileError(path_, "", "cannot be written; check the space left");
+}
+
+void JsonLines::finish() {
+  if (!new_file_) return;
+  file_.close();
+  if (!file_) throw io::FileError(path_, "", "cannot be written; check the space left");
+  new_file_->commit();
 }
 
 std::string PicturePaths::next(const std::string& input) {

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/json.hpp"
+#include "io/new_file.hpp"
 
 namespace quadrille {
 
-/// Writes JSON objects, one a line, to a file or, for "-", to stdout.
+/// Writes JSON objects, one a line, to a file, which appears once it is whole, or, for "-", to
+/// stdout.
 class JsonLines {
  public:
   /// An empty path writes nothing.
@@ -21,8 +24,13 @@ class JsonLines {
   /// @throws io::FileError if the line cannot be written
   void write(const io::Json& json);
 
+  /// Puts the file in its place; without this call nothing is left behind.
+  /// @throws io::FileError if that fails
+  void finish();
+
  private:
   std::string path_;
+  std::optional<io::NewFile> new_file_;
   std::ofstream file_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "cli/detector_arguments.hpp"
 #include "cli/planner_arguments.hpp"
+#include "io/config.hpp"
 #include "picture/picture.hpp"
 #include "picture/png.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -25,11 +26,17 @@ struct PlanArguments {
   PlannerArguments planner;
 };
 
+PlanOptions plan_options(const PlanArguments& arguments) {
+  const std::string& config = arguments.detector.config;
+  PlanOptions options = config.empty() ? PlanOptions() : io::load_settings(config).planner;
+  options.unknown = arguments.planner.unknown.value_or(options.unknown);
+  return options;
+}
+
 void run(const PlanArguments& arguments) {
   const DetectorOptions detector_options = arguments.detector.options();
   const Gripper gripper = arguments.planner.gripper();
-  PlanOptions options;
-  options.unknown = arguments.planner.unknown.value_or(options.unknown);
+  const PlanOptions options = plan_options(arguments);
   JsonLines json(arguments.json);
   const auto [input, warnings] = read_single_cloud(arguments.input);
   print_warnings(arguments.input, warnings);
@@ -38,7 +45,9 @@ void run(const PlanArguments& arguments) {
   const std::vector<Detection> detections = bus::as_received(result.detections);
   const GraspPlan plan = plan_grasps(input.cloud, detections, gripper, options);
   json.write(io::plan_json(input.info, result, plan));
-  if (!json.owns_stdout()) print(detection_table(input.info, result) + grasp_table(plan));
+  json.finish();
+  if (!json.owns_stdout())
+    print(detection_table(input.info, result) + grasp_table(plan, options.unknown));
   print_warnings(input.info.input, result.warnings);
   print_warnings(input.info.input, plan.warnings);
   if (arguments.picture.empty()) return;

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/choice_option.hpp"
+#include "cli/seed_option.hpp"
 #include "io/describe.hpp"
 #include "quadrille/output.hpp"
 #include "scene/scene.hpp"
@@ -51,7 +52,7 @@ void add_scene_command(CLI::App& app) {
           ""));
   add_choice_option(*command, "--family", arguments->options.family, families(),
                     "How hard the scene is");
-  command->add_option("--seed", arguments->options.seed, "Chooses the scene")->type_name("N");
+  add_seed_option(*command, arguments->options.seed, "the scene");
   command->add_flag("--labels", arguments->labels,
                     "Also write the surface and the true normal of each point");
   command->callback([arguments] { run(*arguments); });

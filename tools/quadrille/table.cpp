@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/describe.hpp"
+#include "quadrille/advice.hpp"
 
 namespace quadrille {
 
@@ -23,10 +24,10 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
   return text;
 }
 
-std::string grasp_table(const GraspPlan& plan) {
+std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown) {
   std::string text;
   if (plan.grasps.empty()) {
-    text = "  no grasps found\n";
+    text = "  no grasps found\n  " + explain_no_grasps(plan, unknown) + "\n";
   } else {
     text = fmt::format("  {:>6} {:>5} {:>8} {:>8} {:>8} {:>7}        {}\n", "target", "score",
                        "width/mm", "friction", "epsilon", "free/mm", "position/m");

@@ -11,7 +11,8 @@ namespace quadrille {
 /// The detections of one cloud for people, a line each.
 std::string detection_table(const io::InputInfo& input, const DetectionResult& result);
 
-/// The grasps of one cloud for people, a line each, with what was refused and why.
-std::string grasp_table(const GraspPlan& plan);
+/// The grasps of one cloud for people, a line each, with what was refused and why; if there are
+/// none, also with what to try.
+std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown);
 
 }  // namespace quadrille

@@ -1,7 +1,7 @@
 #include "quadrille/bus/connection.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <charconv>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -13,13 +13,25 @@
 namespace quadrille::bus {
 namespace {
 
+/// @throws std::invalid_argument if the text is no number of bytes from 1 to the largest int
+int parse_buffer_size(const std::string& text) {
+  int bytes = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, bytes);
+  if (error != std::errc{} || rest != end || bytes <= 0) {
+    throw std::invalid_argument("recv_buf_size = '" + text +
+                                "' in the LCM address: must be a number of bytes from 1 to " +
+                                std::to_string(std::numeric_limits<int>::max()));
+  }
+  return bytes;
+}
+
 /// Has the address ask for a large receive buffer if it asks for none.
 /// @return what is wrong with the buffer that the kernel grants
 std::optional<std::string> set_receive_buffer(Url* url) {
   const auto named = url->arguments.find("recv_buf_size");
   const bool is_named = named != url->arguments.end();
-  const int asked = is_named ? std::atoi(named->second.c_str()) : kReceiveBufferBytes;
-  if (asked <= 0) throw std::invalid_argument("recv_buf_size: must be a number of bytes");
+  const int asked = is_named ? parse_buffer_size(named->second) : kReceiveBufferBytes;
   const int granted = granted_receive_buffer(asked);
   // LCM would complain if it asked for more; the same complaint with a cure is ours.
   if (!is_named) url->arguments["recv_buf_size"] = std::to_string(granted);

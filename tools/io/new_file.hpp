@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+
+namespace quadrille::io {
+
+/// A file that appears only once it is whole: it is written under a name of its own beside the
+/// target, which stays as it is until commit(). What is no regular file, such as a pipe or
+/// /dev/stdout, is written to directly.
+class NewFile {
+ public:
+  /// Makes the file to write to.
+  /// @throws FileError naming the target if it cannot be created
+  explicit NewFile(const std::string& target);
+  NewFile(const NewFile&) = delete;
+  NewFile& operator=(const NewFile&) = delete;
+  /// Removes what was not committed.
+  ~NewFile();
+
+  /// Where to write.
+  const std::string& path() const { return path_; }
+
+  /// Puts what was written, flushed or closed before, in the target's place.
+  /// @throws FileError naming the target if that fails
+  void commit();
+
+ private:
+  std::string target_, path_;
+  bool committed_ = false;
+};
+
+}  // namespace quadrille::io

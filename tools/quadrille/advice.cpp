@@ -1,0 +1,68 @@
+#include "quadrille/advice.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace quadrille {
+namespace {
+
+struct Advice {
+  std::string_view reason, text;
+};
+
+constexpr std::array<Advice, 11> kAdvice = {{
+    {"no_shape",
+     "the quadrics that were found bound no solid; try a view that shows more of the objects"},
+    {"seen_from_inside",
+     "only the insides of hollow things were seen; try a view that shows their rims"},
+    {"unmeasured", "the rims were not measured; try a closer view, or one from higher up"},
+    {"width",
+     "most are wider than the gripper's opening, or thinner than it closes; try another --gripper"},
+    {"friction",
+     "most would slip; if the pads grip better than assumed, set friction under [planner] in "
+     "--config FILE"},
+    {"contradicted",
+     "the camera saw through most of the surfaces to be touched, so the fits are poor there; try "
+     "a closer view"},
+    {"unreachable",
+     "most can only be approached from behind or below; try a view from the side on which the "
+     "gripper is to be"},
+    {"support",
+     "most candidates end in the plane that the object stands on; try a --gripper with slimmer "
+     "fingers, or raise the object"},
+    {"target",
+     "most candidates touch the object before they close; try a --gripper that opens wider or has "
+     "longer fingers"},
+    {"collision",
+     "most candidates end in other things; clear the space around, try a slimmer --gripper, or a "
+     "shorter approach under [planner] in --config FILE"},
+    {"unknown", "most candidates end in space the camera has not seen; "},
+}};
+
+std::string_view cure_of_unknown(UnknownPolicy unknown) {
+  return unknown == UnknownPolicy::kObstacle
+             ? "try --unknown target-shadow, or add views"
+             : "try --unknown free if nothing else can be there, or add views";
+}
+
+}  // namespace
+
+std::string explain_no_grasps(const GraspPlan& plan, UnknownPolicy unknown) {
+  const auto main =
+      std::max_element(plan.rejected.begin(), plan.rejected.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (main == plan.rejected.end() || main->second == 0) {
+    return "no curved quadric was found to grasp; try a closer view, or one that shows more of the "
+           "objects";
+  }
+  for (const auto& [reason, text] : kAdvice) {
+    if (reason != main->first) continue;
+    std::string line(text);
+    if (reason == "unknown") line += cure_of_unknown(unknown);
+    return line;
+  }
+  return "most candidates are refused as '" + main->first + "'";
+}
+
+}  // namespace quadrille
