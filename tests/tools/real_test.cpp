@@ -89,21 +89,15 @@ TEST_CASE("the ball of a real sequence is found in each frame, mostly with its r
   CHECK(3 * right >= 2 * static_cast<int>(frames.size()));
 }
 
-TEST_CASE("boxes alone give nothing curved of a size that a hand could hold", "[command][real]") {
+TEST_CASE("boxes alone give nothing curved", "[command][real]") {
   const auto data = test::data_folder();
   if (!data) return;
-  constexpr double kLargestHeld = 0.3;
   const json result = detect(*data / "data/real/d10_negative_boxes.ply");
   int planes = 0;
   for (const json& d : result["detections"]) {
     planes += d["type"] == "plane";
-    if (d["type"] == "plane" || d["score"] < 0.5) continue;
     INFO(d.dump(1));
-    double largest = 0.0;
-    for (const auto& [name, value] : d["dimensions"].items()) {
-      if (name.find("angle") == std::string::npos) largest = std::max(largest, value.get<double>());
-    }
-    CHECK(largest > kLargestHeld);
+    CHECK(d["type"] == "plane");
   }
   CHECK(planes >= 3);
 }

@@ -26,7 +26,7 @@ struct AggregateOptions {
   /// nearly.
   double largest_residual = 100.0;
   /// Least spread of the normals of a curved surface [rad]: less is a plane, or anything.
-  double least_spread = 0.35;
+  double least_spread = 0.4;
   /// Least confidence for candidates of the coarser levels, which claim their samples before the
   /// finer ones are searched, and their largest rms in multiples of the noise.
   double least_confidence_early = 0.8, largest_residual_early = 1.3;
