@@ -75,6 +75,10 @@ Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options
         search(tree.level(l), open_samples(tree, l, aggregation.claimed()), options.search,
                options.inlier, options.seed + static_cast<std::uint64_t>(l));
     for (Candidate& c : candidates) c = on_finest(std::move(c), tree, l, options.inlier);
+    if (options.agglomerate.enabled) {
+      candidates =
+          agglomerate(std::move(candidates), tree.finest(), options.inlier, options.agglomerate);
+    }
     clock->end("search");
     aggregation.offer(std::move(candidates), l > 0);
     clock->end("aggregate");

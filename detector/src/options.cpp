@@ -46,6 +46,9 @@ void DetectorOptions::check() const {
   require_within("search.grow.least_samples", search.grow.least_samples, 9, 1000000);
   require_within("search.grow.rounds", search.grow.rounds, 1, 1000);
   require_within("search.grow.fit_points", search.grow.fit_points, 16, 1000000);
+  require_within("agglomerate.largest_difference", agglomerate.largest_difference, 0.0, 10.0);
+  require_within("agglomerate.largest_close", agglomerate.largest_close, 0.0, 1000.0);
+  require_within("agglomerate.largest_far", agglomerate.largest_far, 0.0, 1.0);
   require_within("aggregate.least_open", aggregate.least_open, 0.0, 1.0);
   require_within("aggregate.least_samples", aggregate.least_samples, 9, 1000000);
   require_within("aggregate.least_plane_samples", aggregate.least_plane_samples, 9, 1000000);

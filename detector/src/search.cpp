@@ -110,6 +110,7 @@ class Searcher {
         local.scale);
     const int n = static_cast<int>(voters.size());
     VoteOptions vote_options;
+    vote_options.quantisation = options_.quantisation;
     vote_options.least_height = std::max(0.1, 2.0 * limit);
     vote_options.least_cosine = inlier_.least_cosine;
     Hypothesis best;

@@ -1,25 +1,17 @@
 #include "quadrille/detector/vote_histogram.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 namespace quadrille {
-namespace {
-
-constexpr double kHalfTurn = std::numbers::pi, kQuarterTurn = std::numbers::pi / 2;
-
-}  // namespace
 
 VoteHistogram::VoteHistogram(const VoteOptions& options)
-    : options_(options),
-      per_bin_(static_cast<float>(options.bins / kHalfTurn)),
-      count_(static_cast<std::size_t>(options.bins), 0.0f) {}
+    : options_(options), count_(static_cast<std::size_t>(options.bins), 0.0f) {}
 
 void VoteHistogram::add(float lambda) {
-  const float theta = std::atan(lambda / static_cast<float>(options_.lambda_scale));
-  const float position = (theta + static_cast<float>(kQuarterTurn)) * per_bin_;
-  ++count_[static_cast<std::size_t>(std::clamp(static_cast<int>(position), 0, options_.bins - 1))];
+  const float place =
+      place_of(options_.quantisation, lambda, static_cast<float>(options_.lambda_scale));
+  const int bin = static_cast<int>(place * static_cast<float>(options_.bins));
+  ++count_[static_cast<std::size_t>(std::clamp(bin, 0, options_.bins - 1))];
 }
 
 std::vector<VotePeak> VoteHistogram::peaks() const {
@@ -37,8 +29,11 @@ std::vector<VotePeak> VoteHistogram::peaks() const {
     // Mean over the kernel's core, finer than a bin.
     const float mass = at(i - 1) + at(i) + at(i + 1);
     const float shift = mass > 0 ? (at(i + 1) - at(i - 1)) / mass : 0.0f;
-    const double theta = (i + 0.5 + shift) / per_bin_ - kQuarterTurn;
-    peaks.push_back({options_.lambda_scale * std::tan(theta), density[i] / 9.0});
+    const float place = (static_cast<float>(i) + 0.5f + shift) / static_cast<float>(bins);
+    const float within = std::clamp(place, 1e-4f, 1.0f - 1e-4f);
+    peaks.push_back(
+        {lambda_at(options_.quantisation, within, static_cast<float>(options_.lambda_scale)),
+         density[i] / 9.0});
   }
   std::stable_sort(peaks.begin(), peaks.end(),
                    [](const VotePeak& a, const VotePeak& b) { return a.votes > b.votes; });

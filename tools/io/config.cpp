@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include "io/toml_file.hpp"
 #include "io/unknown_policy.hpp"
@@ -14,10 +17,56 @@
 namespace quadrille::io {
 namespace {
 
+/// Words for the values of a choice.
+template <class Choice>
+struct Words;
+template <>
+struct Words<BasisKind> {
+  static constexpr std::array<std::pair<std::string_view, BasisKind>, 4> kList = {
+      {{"three_points", BasisKind::kThreePoints},
+       {"four_points", BasisKind::kFourPoints},
+       {"nine_points", BasisKind::kNinePoints},
+       {"sphere", BasisKind::kSphere}}};
+};
+template <>
+struct Words<Quantisation> {
+  static constexpr std::array<std::pair<std::string_view, Quantisation>, 2> kList = {
+      {{"arctangent", Quantisation::kArctangent}, {"measured", Quantisation::kMeasured}}};
+};
+
+template <class Field>
+concept Choice = requires {
+  Words<Field>::kList;
+};
+
+template <Choice Field>
+std::string words() {
+  std::string list;
+  for (const auto& [word, value] : Words<Field>::kList) {
+    list += (list.empty() ? "" : ", ") + std::string(word);
+  }
+  return list;
+}
+
+template <Choice Field>
+std::string_view word_of(Field field) {
+  for (const auto& [word, value] : Words<Field>::kList) {
+    if (value == field) return word;
+  }
+  return "";
+}
+
 /// Sets a field from a node; false if the node's type or range does not suit it.
 template <class Field>
 bool assign(const toml::node& node, Field* field) {
-  if constexpr (std::is_same_v<Field, bool>) {
+  if constexpr (Choice<Field>) {
+    for (const auto& [word, value] : Words<Field>::kList) {
+      if (node.value_or(std::string_view{}) != word) continue;
+      *field = value;
+      return true;
+    }
+    return false;
+  } else if constexpr (std::is_same_v<Field, bool>) {
     const auto value = node.value_exact<bool>();
     if (value) *field = *value;
     return value.has_value();
@@ -38,7 +87,8 @@ bool assign(const toml::node& node, Field* field) {
 }
 
 template <class Field>
-const char* expected() {
+std::string expected() {
+  if constexpr (Choice<Field>) return "one of " + words<Field>();
   if (std::is_same_v<Field, bool>) return "true or false";
   if (std::is_same_v<Field, UnknownPolicy>) return "obstacle, target-shadow or free";
   if (std::is_floating_point_v<Field>) return "a number";
@@ -108,7 +158,9 @@ std::string default_detector_config() {
   DetectorOptions options;
   visit_options(options, [&](const char* name, auto& field) {
     using Field = std::remove_reference_t<decltype(field)>;
-    if constexpr (std::is_floating_point_v<Field>) {
+    if constexpr (Choice<Field>) {
+      text += fmt::format("{} = \"{}\"\n", name, word_of(field));
+    } else if constexpr (std::is_floating_point_v<Field>) {
       text += fmt::format("{} = {:#}\n", name, field);
     } else {
       text += fmt::format("{} = {}\n", name, field);

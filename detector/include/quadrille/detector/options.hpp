@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "quadrille/detector/agglomerate.hpp"
 #include "quadrille/detector/aggregate.hpp"
 #include "quadrille/detector/cell_pyramid.hpp"
 #include "quadrille/detector/planes.hpp"
@@ -25,6 +26,7 @@ struct DetectorOptions {
   /// When a sample lies on a quadric, for search and aggregation.
   InlierTest inlier;
   SearchOptions search;
+  AgglomerateOptions agglomerate;
   AggregateOptions aggregate;
 
   /// @throws std::invalid_argument naming the field that is out of range
@@ -32,8 +34,8 @@ struct DetectorOptions {
 };
 
 /// Calls visit(name, field) for each scalar setting, in the order of the configuration file.
-/// A name is the dotted TOML key, such as "planes.sigmas"; a field is double, int or
-/// std::uint64_t. Lists (only, search.radii) are left out.
+/// A name is the dotted TOML key, such as "planes.sigmas"; a field is double, int, bool,
+/// std::uint64_t, BasisKind or Quantisation. Lists (only, radii, families) are left out.
 template <class Options, class Visitor>
 void visit_options(Options& o, Visitor&& visit) {
   visit("seed", o.seed);
@@ -52,12 +54,18 @@ void visit_options(Options& o, Visitor&& visit) {
   visit("inlier.sigmas", o.inlier.sigmas);
   visit("inlier.cells", o.inlier.cells);
   visit("inlier.least_cosine", o.inlier.least_cosine);
+  visit("search.basis", o.search.basis);
+  visit("search.quantisation", o.search.quantisation);
   visit("search.bases", o.search.bases);
   visit("search.voters", o.search.voters);
   visit("search.least_support", o.search.least_support);
   visit("search.grow.least_samples", o.search.grow.least_samples);
   visit("search.grow.rounds", o.search.grow.rounds);
   visit("search.grow.fit_points", o.search.grow.fit_points);
+  visit("agglomerate.enabled", o.agglomerate.enabled);
+  visit("agglomerate.largest_difference", o.agglomerate.largest_difference);
+  visit("agglomerate.largest_close", o.agglomerate.largest_close);
+  visit("agglomerate.largest_far", o.agglomerate.largest_far);
   visit("aggregate.least_open", o.aggregate.least_open);
   visit("aggregate.least_samples", o.aggregate.least_samples);
   visit("aggregate.least_plane_samples", o.aggregate.least_plane_samples);

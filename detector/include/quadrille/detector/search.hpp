@@ -13,6 +13,7 @@ namespace quadrille {
 struct SearchOptions {
   /// How hypotheses are drawn.
   BasisKind basis = BasisKind::kThreePoints;
+  Quantisation quantisation = Quantisation::kArctangent;
   /// Radii of the neighbourhoods that bases are drawn from, in cells.
   std::vector<double> radii = {5.0, 9.0, 15.0};
   /// Bases per seed and radius.

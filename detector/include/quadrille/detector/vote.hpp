@@ -5,11 +5,14 @@
 
 #include "quadrille/detector/basis.hpp"
 #include "quadrille/detector/geometric_fit.hpp"
+#include "quadrille/detector/quantisation.hpp"
 
 namespace quadrille {
 
+/// How votes are cast and counted.
 struct VoteOptions {
-  /// Bins over θ = atan(λ / λ₀) in (−π/2, π/2).
+  Quantisation quantisation = Quantisation::kArctangent;
+  /// Bins over the places of λ.
   int bins = 48;
   /// λ₀: the curvature [1/unit] that falls into the middle of a half axis.
   double lambda_scale = 1.0;
@@ -29,7 +32,7 @@ struct VotePeak {
 };
 
 /// Local voting along the null space (paper, theorem 3 and "Quantizing λ"): each point x votes for
-/// λ = −f₀(x) / z(x)², if there the gradient agrees with its normal; the histogram over θ is
+/// λ = −f₀(x) / z(x)², if there the gradient agrees with its normal; the histogram is
 /// smoothed (KDE) and its highest peaks are returned, highest first.
 std::vector<VotePeak> vote(const Pencil& pencil, const FitPoints& voters,
                            const VoteOptions& options);

@@ -6,7 +6,7 @@
 
 namespace quadrille {
 
-/// Votes for one parameter in (−∞, ∞), binned over θ = atan(λ / λ₀) (paper, "Quantizing λ").
+/// Votes for one parameter in (−∞, ∞), binned by its place (see quantisation.hpp).
 class VoteHistogram {
  public:
   explicit VoteHistogram(const VoteOptions& options);
@@ -18,7 +18,6 @@ class VoteHistogram {
 
  private:
   VoteOptions options_;
-  float per_bin_;
   std::vector<float> count_;
 };
 
