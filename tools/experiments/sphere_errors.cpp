@@ -52,7 +52,8 @@ Report report_errors(const std::map<std::string, std::vector<SphereError>>& grou
                "centre: median error", "90 %"},
               {}};
   report.data.columns = {"set", "found", "radius_error", "centre_error"};
-  Plot plot{"Distribution of the errors", "error [% of the radius]", "share of the found", {}};
+  Plot plot{
+      "Distribution of the errors", "error [% of the radius]", "share of the found", {}, true};
   for (const auto& [name, errors] : groups) {
     double sum = 0.0;
     for (const SphereError& error : errors) {
