@@ -57,6 +57,8 @@ TEST_CASE("tables have a cell a column, in Markdown and CSV", "[experiment][tabl
   table.add({"1", "x,\"y\""});
   CHECK(to_csv(table) == "a,b\n1,\"x,\"\"y\"\"\"\n");
   CHECK(to_markdown(table) == "## t\n\n| a | b |\n| --- | --- |\n| 1 | x,\"y\" |\n");
+  // A bar within a cell ends no cell.
+  CHECK(to_markdown({"", {"|a|"}, {}}) == "| \\|a\\| |\n| --- |\n");
   CHECK_THROWS_AS(table.add({"1"}), std::invalid_argument);
 }
 

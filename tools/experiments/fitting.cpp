@@ -18,9 +18,6 @@ namespace {
 
 constexpr std::array kLevels = {0.0, 0.01, 0.02, 0.03, 0.04, 0.05};
 constexpr int kNeighbours = 16;
-// Estimated normals say little that the points do not, and are bent with the surface: the
-// likelihood fit counts each for this part. Chosen on seed 1; seed 2 bears it out.
-constexpr double kPointsPerNormal = 4.0 * kNeighbours;
 // Errors below this are rounding: exact fits of exact data are equally good.
 constexpr double kExact = 1e-6;
 
@@ -61,8 +58,9 @@ std::vector<Contender> contenders_for(QuadricType type, Normals mode) {
   std::vector<Contender> all = contenders(type);
   for (Contender& contender : all) {
     if (mode != Normals::kEstimated || contender.name != "likelihood") continue;
+    // It is told how many points a normal comes from.
     contender.fit = [](const OrientedPoints& points) {
-      return fit_likelihood(points, {.points_per_normal = kPointsPerNormal});
+      return fit_likelihood(points, {.points_per_normal = kNeighbours});
     };
   }
   return all;
