@@ -2,6 +2,7 @@
 
 #include "cli/run_program.hpp"
 #include "quadrille/detect_command.hpp"
+#include "quadrille/experiment_command.hpp"
 #include "quadrille/log_command.hpp"
 #include "quadrille/plan_command.hpp"
 #include "quadrille/scene_command.hpp"
@@ -13,6 +14,7 @@ int main(int argc, char** argv) {
   quadrille::add_plan_command(app);
   quadrille::add_scene_command(app);
   quadrille::add_log_command(app);
+  quadrille::add_experiment_command(app);
   // The commands do their work while they are parsed.
   return quadrille::run_program(app, argc, argv, [] {});
 }

@@ -1,0 +1,168 @@
+#include <cmath>
+
+#include "experiments/fit_errors.hpp"
+#include "experiments/measure.hpp"
+#include "experiments/neighbourhood.hpp"
+#include "experiments/plot.hpp"
+#include "experiments/random_quadric.hpp"
+#include "experiments/sphere_errors.hpp"
+#include "experiments/table.hpp"
+#include "quadrille/detector/fits/taubin_fit.hpp"
+#include "support/catch.hpp"
+#include "tools/support_files.hpp"
+#include "tools/well_formed.hpp"
+
+using namespace quadrille;
+using namespace quadrille::experiments;
+using test::contains;
+
+TEST_CASE("ticks are round numbers within the axis", "[experiment][plot]") {
+  CHECK(ticks(0.0, 5.0, false) == std::vector<double>{0, 1, 2, 3, 4, 5});
+  CHECK(ticks(-0.5, 0.5, false).size() == 5);
+  CHECK(ticks(1e-3, 1e2, true).size() == 6);
+  CHECK(ticks(1e-3, 1e2, true).front() == Approx(1e-3));
+  // Less than a decade has linear ticks.
+  CHECK(ticks(2.0, 8.0, true).size() >= 2);
+  for (const double value : ticks(-1.0, 1.0, false)) CHECK(std::signbit(value) == (value < 0));
+}
+
+TEST_CASE("a plot is an SVG document with a path for each line", "[experiment][plot]") {
+  const Plot plot{
+      "a < b & c", "x", "y", {{"one", {{0, 1}, {1, 2}}}, {"two", {{0, 2}, {1, 1}}, true}}};
+  const std::string svg = to_svg({plot, plot});
+  CHECK(test::is_well_formed(svg));
+  CHECK(contains(svg, "a &lt; b &amp; c"));
+  CHECK(test::count(svg, ">one</text>") == 2);
+  CHECK(test::count(svg, "stroke-dasharray") == 4);
+  // Corners of the axes: left bottom and right top.
+  CHECK(contains(svg, "M70.0 330.0L550.0 30.0"));
+}
+
+TEST_CASE("a logarithmic plot leaves out what has no logarithm", "[experiment][plot]") {
+  Plot plot{"t",  "x", "y", {{"a", {{0, 1}, {1, 0}, {10, std::nan("")}, {10, 10}, {100, 1000}}}},
+            true, true};
+  const std::string svg = to_svg({plot});
+  CHECK(test::is_well_formed(svg));
+  CHECK(contains(svg, "M70.0 330.0L550.0 30.0"));
+  CHECK_FALSE(contains(svg, "nan"));
+  CHECK_FALSE(contains(svg, "inf"));
+  plot.lines = {{"empty", {}}};
+  CHECK(test::is_well_formed(to_svg({plot})));
+  plot.lines = {{"one", {{3, 3}}}};
+  CHECK_FALSE(contains(to_svg({plot}), "nan"));
+}
+
+TEST_CASE("tables have a cell a column, in Markdown and CSV", "[experiment][table]") {
+  Table table{"t", {"a", "b"}, {}};
+  table.add({"1", "x,\"y\""});
+  CHECK(to_csv(table) == "a,b\n1,\"x,\"\"y\"\"\"\n");
+  CHECK(to_markdown(table) == "## t\n\n| a | b |\n| --- | --- |\n| 1 | x,\"y\" |\n");
+  // A bar within a cell ends no cell.
+  CHECK(to_markdown({"", {"|a|"}, {}}) == "| \\|a\\| |\n| --- |\n");
+  CHECK_THROWS_AS(table.add({"1"}), std::invalid_argument);
+}
+
+TEST_CASE("quantiles are interpolated", "[experiment]") {
+  CHECK(quantile({3, 1, 2}, 0.5) == 2);
+  CHECK(quantile({0, 10}, 0.25) == Approx(2.5));
+  CHECK(quantile({4}, 1.0) == 4);
+  CHECK_THROWS_AS(quantile({}, 0.5), std::invalid_argument);
+}
+
+TEST_CASE("samples lie on the quadric within the unit ball with its gradients",
+          "[experiment][sample]") {
+  for (int k = 0; k < kCurvedTypes; ++k) {
+    RandomStream random(1, static_cast<std::uint64_t>(k));
+    const Quadric Q = random_quadric(curved_type(k), random);
+    const OrientedPoints points = sample(Q, 200, random);
+    CAPTURE(to_string(curved_type(k)));
+    CHECK(canonical_form(Q).type == curved_type(k));
+    for (Eigen::Index i = 0; i < points.size(); ++i) {
+      CHECK(std::abs(Q.value(points.points.col(i))) < 1e-9);
+      CHECK(points.points.col(i).norm() <= 1.0);
+      CHECK(points.normals.col(i).dot(Q.gradient(points.points.col(i)).normalized()) ==
+            Approx(1.0));
+    }
+  }
+}
+
+TEST_CASE("samples of a sphere are uniform by area", "[experiment][sample]") {
+  RandomStream random(2, 0);
+  const Quadric sphere =
+      from_canonical({QuadricType::kSphere, Eigen::Isometry3d::Identity(), {{"radius", 0.8}}});
+  const OrientedPoints points = sample(sphere, 20000, random);
+  // Archimedes: each coordinate is uniform, so its mean square is r² / 3 and that of |z| is r / 2.
+  CHECK(points.points.row(2).cwiseAbs().mean() == Approx(0.4).epsilon(0.02));
+  CHECK(points.points.row(0).squaredNorm() / 20000 == Approx(0.64 / 3).epsilon(0.03));
+  const Quadric far = Quadric(Eigen::Matrix4d(Eigen::Vector4d(1, 1, 1, -9).asDiagonal()));
+  CHECK_THROWS_AS(sample(far, 10, random), std::invalid_argument);
+}
+
+TEST_CASE("noise has the deviation that is asked for", "[experiment][sample]") {
+  RandomStream random(3, 0);
+  const OrientedPoints exact = sample(random_quadric(QuadricType::kSphere, random), 5000, random);
+  OrientedPoints data = exact;
+  add_point_noise(&data, 0.03, random);
+  CHECK(std::sqrt((data.points - exact.points).squaredNorm() / 15000) ==
+        Approx(0.03).epsilon(0.03));
+  add_normal_noise(&data, 0.05, random);
+  CHECK(std::sqrt((data.normals - exact.normals).squaredNorm() / 10000) ==
+        Approx(0.05).epsilon(0.05));
+  CHECK(data.normals.colwise().norm().maxCoeff() == Approx(1.0));
+  OrientedPoints estimated = exact;
+  estimate_normals(&estimated, 12);
+  CHECK((estimated.normals - exact.normals).colwise().norm().mean() < 0.05);
+}
+
+TEST_CASE("fit errors are those of a sphere that is too large", "[experiment]") {
+  RandomStream random(4, 0);
+  const auto sphere = [](double r) {
+    return from_canonical({QuadricType::kSphere, Eigen::Isometry3d::Identity(), {{"radius", r}}});
+  };
+  const OrientedPoints points = sample(sphere(0.5), 100, random);
+  const FitErrors none = errors_of(std::nullopt, sphere(0.5), points, 1.0);
+  CHECK((none.point == 1.0 && none.angle == 1.0 && none.gradient == 1.0));
+  const FitErrors exact = errors_of(sphere(0.5), sphere(0.5), points, 1.0);
+  CHECK(exact.point < 1e-9);
+  const FitErrors large = errors_of(sphere(0.6), sphere(0.5), points, 2.0);
+  CHECK(large.point == Approx(0.05));
+  CHECK(large.angle == Approx(0.0).margin(1e-9));
+  CHECK(large.gradient == Approx(0.0).margin(1e-9));
+  CHECK(errors_of(sphere(0.5).flipped(), sphere(0.5), points, 1.0).angle == Approx(2.0));
+}
+
+TEST_CASE("a neighbourhood has its share of outliers and knows when it is found", "[experiment]") {
+  RandomStream random(5, 0);
+  const Neighbourhood n = random_neighbourhood({.outliers = 0.4}, random);
+  CHECK(n.points.size() == 300);
+  CHECK(n.truth.size() == 180);
+  CHECK(n.voters.size() == 300);
+  CHECK(n.truth.points.colwise().norm().maxCoeff() <= 1.0);
+  // From noise-free points any exact fit finds the quadric again.
+  const Quadric Q = *fit_taubin(n.truth);
+  const Quadric signed_Q = oriented(Q, n.truth);
+  CHECK(is_found(signed_Q, n, 1e-3));
+  CHECK_FALSE(is_found(signed_Q.flipped(), n, 1e-3));
+  const int support = count_support(n.voters, signed_Q.matrix(), 0.04, 0.85);
+  CHECK(support >= 170);
+  CHECK(support <= 240);
+}
+
+TEST_CASE("a detection matches the known sphere that it is nearest to", "[experiment]") {
+  DetectionResult result;
+  result.detections.resize(3);
+  result.detections[0].type = QuadricType::kCylinder;
+  result.detections[1].type = QuadricType::kSphere;
+  result.detections[1].dimensions = {{"radius", 0.11, 0.0}};
+  result.detections[1].X_CQ.translation() << 0.01, 0, 1;
+  result.detections[2] = result.detections[1];
+  result.detections[2].X_CQ.translation() << 0.05, 0, 1;
+  const SphereError error = match(result, {{0, 0, 1}, 0.1});
+  REQUIRE(error.found);
+  CHECK(error.radius == Approx(0.1));
+  CHECK(error.centre == Approx(0.1));
+  CHECK_FALSE(match(result, {{0, 0, 2}, 0.1}).found);
+  const Report report = report_errors({{"a", {error, {}}}, {"none", {{}}}});
+  CHECK(report.tables.front().rows.size() == 2);
+  CHECK(contains(report.findings.front(), "1 of 2 found"));
+}

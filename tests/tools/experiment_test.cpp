@@ -1,0 +1,186 @@
+#include "experiments/experiment.hpp"
+
+#include <cstdlib>
+
+#include "support/catch.hpp"
+#include "support/data.hpp"
+#include "tools/support_files.hpp"
+#include "tools/well_formed.hpp"
+
+using namespace quadrille;
+using namespace quadrille::experiments;
+using test::contains;
+using test::run_quadrille;
+using test::TempFolder;
+
+namespace {
+
+Report run_quick(std::string_view name, std::uint64_t seed = 1) {
+  Settings settings;
+  settings.quick = true;
+  settings.seed = seed;
+  double last = 0.0;
+  settings.progress = [&](double share) {
+    CHECK(share <= 1.0 + 1e-9);
+    last = share;
+  };
+  const Report report = find_experiment(name)->run(settings);
+  CHECK(last > 0.2);
+  CHECK_FALSE(report.findings.empty());
+  CHECK(test::is_well_formed(to_svg(report.plots)));
+  for (const auto& row : report.data.rows) CHECK(row.size() == report.data.columns.size());
+  return report;
+}
+
+double value_of(const std::string& cell) { return std::stod(cell); }
+
+/// The rows whose first cells are these.
+std::vector<std::vector<std::string>> rows_of(const Table& table,
+                                              const std::vector<std::string>& start) {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& row : table.rows) {
+    if (std::equal(start.begin(), start.end(), row.begin())) rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("exact points give exact fits, and the likelihood fit is best under noise",
+          "[experiment][paper:fig5]") {
+  const Report report = run_quick("fitting");
+  for (const char* fit : {"full", "taubin", "tangent", "first_order_distance",
+                          "orthogonal_distance", "likelihood", "pd_0", "pd_3"}) {
+    for (const char* measure : {"point", "angle", "gradient"}) {
+      CAPTURE(fit, measure);
+      const auto rows = rows_of(report.data, {measure, fit, "exact", "0"});
+      REQUIRE(rows.size() == 1);
+      CHECK(value_of(rows.front()[4]) < (measure == std::string("gradient") ? 1e-4 : 1e-6));
+    }
+  }
+  for (const char* normals : {"exact", "noisy"}) {
+    const auto rows = rows_of(report.tables.front(), {normals});
+    CHECK(rows.size() == 6);
+    for (const auto& row : rows) CHECK(row.back() == "yes");
+  }
+  // Error grows with noise, and time with points.
+  for (const char* fit : {"taubin", "likelihood", "full"}) {
+    const auto rows = rows_of(report.data, {"point", fit, "exact"});
+    CHECK(value_of(rows[1][4]) < value_of(rows[5][4]));
+    const auto times = rows_of(report.data, {"time_us", fit});
+    CHECK(value_of(times.front()[4]) < value_of(times.back()[4]));
+  }
+}
+
+TEST_CASE("the closed form is ten times faster than SVD and finds the same", "[experiment]") {
+  const Report report = run_quick("minimal");
+  const auto closed = rows_of(report.data, {"closed form (make_pencil, λ)"});
+  REQUIRE(closed.size() == 1);
+  CHECK(value_of(closed.front()[2]) > 10.0);
+  for (const auto& row : report.data.rows) {
+    CAPTURE(row.front());
+    CHECK(value_of(row[3]) < 1e-9);
+  }
+}
+
+TEST_CASE("λ is as often positive as negative, and near to atan's distribution",
+          "[experiment][paper:theorem3]") {
+  const Report report = run_quick("lambda");
+  const auto rows = rows_of(report.tables.front(), {"on the quadric"});
+  REQUIRE(rows.size() == 2);
+  CHECK(std::abs(value_of(rows[0][1])) < 0.1);
+  CHECK(value_of(rows[1][6]) < 0.1);
+  CHECK(value_of(rows[1][6]) < value_of(rows[0][6]));
+  CHECK(contains(report.findings[1], "at most 2 values"));
+  // Quantiles rise with their shares.
+  const auto quantiles = rows_of(report.data, {"same"});
+  for (std::size_t k = 1; k < quantiles.size(); ++k) {
+    CHECK(value_of(quantiles[k - 1][2]) <= value_of(quantiles[k][2]));
+  }
+}
+
+TEST_CASE("three points with a vote find more in clutter than four or nine", "[experiment]") {
+  const Report report = run_quick("basis");
+  const auto found = [&](const std::string& sampler) {
+    const auto rows = rows_of(report.data, {"0.4", sampler});
+    REQUIRE_FALSE(rows.empty());
+    return value_of(rows.back()[4]);
+  };
+  const double three = found("3 points, vote, consistency test");
+  CHECK(three > 0.5);
+  CHECK(three >= found("4 points, compact"));
+  CHECK(three >= found("9 points, Taubin"));
+  const auto rows = rows_of(report.tables[2], {"0 %"});
+  CHECK(rows.size() == 5);
+}
+
+TEST_CASE("spheres of generated scenes are measured to a few per cent", "[experiment]") {
+  const Report report = run_quick("spheres");
+  int found = 0;
+  for (const auto& row : report.data.rows) {
+    if (row[1] != "1") continue;
+    ++found;
+    CHECK(std::abs(value_of(row[2])) < 0.2);
+  }
+  CHECK(found >= 3);
+}
+
+TEST_CASE("the ball of the real sequence is measured to a few per cent", "[experiment][real]") {
+  const auto data = test::data_folder();
+  if (!data) return;
+  ::setenv("QUADRILLE_DATA", data->c_str(), 1);
+  const Report report = run_quick("sequence");
+  REQUIRE(report.data.rows.size() == 3);
+  for (const auto& row : report.data.rows) {
+    CHECK(row[1] == "1");
+    CHECK(std::abs(value_of(row[2])) < 0.1);
+    CHECK(value_of(row[3]) < 0.2);
+  }
+}
+
+TEST_CASE("without a name the command lists the experiments, and an unknown one is wrong usage",
+          "[experiment][command]") {
+  const auto list = run_quadrille("experiment");
+  CHECK(list.code == 0);
+  for (const Experiment& experiment : all_experiments()) {
+    CHECK(contains(list.out, "\n" + std::string(experiment.name) + " ") |
+          list.out.starts_with(std::string(experiment.name) + " "));
+  }
+  CHECK(test::lines_of(list.out) == static_cast<int>(all_experiments().size()));
+  const auto unknown = run_quadrille("experiment nonsense");
+  CHECK(unknown.code == 2);
+  CHECK(test::lines_of(unknown.err) == 1);
+  CHECK(contains(unknown.err, "'nonsense' is none of: fitting, minimal, lambda"));
+}
+
+TEST_CASE("an experiment writes a page, numbers and a plot, the same each time",
+          "[experiment][command][determinism]") {
+  const TempFolder folder;
+  const std::string one = folder.path("one"), two = folder.path("a/two");
+  const auto run = run_quadrille("experiment lambda --quick --seed 5 --out '" + one + "'");
+  CHECK(run.code == 0);
+  CHECK(run.err.empty());
+  CHECK(run_quadrille("experiment lambda --quick --seed 5 --out '" + two + "'").code == 0);
+  const std::string page = test::content_of(one + "/lambda.md");
+  CHECK(contains(page, "`quadrille experiment lambda --seed 5 --quick`"));
+  CHECK(test::content_of(one + "/lambda.csv").starts_with("voter,share,lambda"));
+  CHECK(test::is_well_formed(test::content_of(one + "/lambda.svg")));
+  for (const char* file : {"/lambda.md", "/lambda.csv", "/lambda.svg"}) {
+    CHECK(test::content_of(one + file) == test::content_of(two + file));
+  }
+}
+
+TEST_CASE("an experiment that cannot be written or has no scans says so",
+          "[experiment][command][hostile]") {
+  const TempFolder folder;
+  const std::string file = folder.write("file", "x");
+  test::check_failure(run_quadrille("experiment lambda --quick --out '" + file + "/b'"), "file");
+  const char* before = std::getenv("QUADRILLE_DATA");
+  const std::string data = before ? before : "";
+  ::setenv("QUADRILLE_DATA", folder.path("none").c_str(), 1);
+  const auto run = run_quadrille("experiment sequence --out '" + folder.path("o") + "'");
+  before ? ::setenv("QUADRILLE_DATA", data.c_str(), 1) : ::unsetenv("QUADRILLE_DATA");
+  CHECK(run.code == 0);
+  CHECK(contains(run.out, "Not run: no real scans"));
+  CHECK(contains(test::content_of(folder.path("o/sequence.md")), "Not run"));
+}

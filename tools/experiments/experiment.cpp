@@ -1,0 +1,44 @@
+#include "experiments/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include "experiments/experiments.hpp"
+
+namespace quadrille::experiments {
+
+const std::vector<Experiment>& all_experiments() {
+  static const std::vector<Experiment> all = {
+      {"fitting", "errors and time of all fits under noise (figure 5)", run_fitting},
+      {"minimal", "time of the minimal solve against SVD of the 12x10 system (theorem 3)",
+       run_minimal},
+      {"lambda", "the distribution of the null-space parameter beside atan (figure 4b)",
+       run_lambda},
+      {"basis", "3, 4 and 9 points a basis in contaminated neighbourhoods (figure 6b)", run_basis},
+      {"spheres", "errors of spheres in generated scenes (figure 6c)", run_spheres},
+      {"sequence", "errors of a ball in a sequence of real scans (figure 6c, table 1)",
+       run_sequence},
+  };
+  return all;
+}
+
+const Experiment* find_experiment(std::string_view name) {
+  for (const Experiment& experiment : all_experiments()) {
+    if (experiment.name == name) return &experiment;
+  }
+  return nullptr;
+}
+
+std::string to_markdown(const Report& report, const Experiment& experiment,
+                        const Settings& settings, std::string_view version) {
+  const std::string command = fmt::format("quadrille experiment {} --seed {}{}", experiment.name,
+                                          settings.seed, settings.quick ? " --quick" : "");
+  std::string text = fmt::format("# {}: {}\n\n", experiment.name, experiment.about);
+  text += fmt::format("quadrille {}, seed {}: `{}`. ", version, settings.seed, command);
+  text += "Times depend on the machine; all else is the same each time.\n\n";
+  if (!report.plots.empty()) text += fmt::format("![{0}]({0}.svg)\n\n", experiment.name);
+  for (const std::string& finding : report.findings) text += "- " + finding + "\n";
+  for (const Table& table : report.tables) text += "\n" + to_markdown(table);
+  return text;
+}
+
+}  // namespace quadrille::experiments

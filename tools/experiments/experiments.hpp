@@ -1,0 +1,30 @@
+#pragma once
+
+#include "experiments/experiment.hpp"
+
+namespace quadrille::experiments {
+
+/// Fits under noise of 0 to 5 % of the size: 10 quadrics of random types and sizes, 20 fits each,
+/// every contender (paper, figure 5 A, C, D), and time against the number of points (E).
+Report run_fitting(const Settings& settings);
+
+/// Time of one minimal solve, one thread, median over many repetitions: the closed forms against
+/// decompositions of the paper's 12x10 system.
+Report run_minimal(const Settings& settings);
+
+/// λ of 2.5 million triplets with a fourth point on random quadrics: density and distribution
+/// beside atan's, and the measured inverse distribution.
+Report run_lambda(const Settings& settings);
+
+/// RANSAC in neighbourhoods with 0 to 60 % outliers: bases and time until 95 % of the
+/// neighbourhoods have the quadric, with 3, 4 and 9 points a basis.
+Report run_basis(const Settings& settings);
+
+/// Errors of radius and centre of the spheres that detect() finds in generated scenes.
+Report run_spheres(const Settings& settings);
+
+/// Errors of radius and centre on a sequence of real scans, $QUADRILLE_DATA or ../shared; without
+/// the scans one finding that says so.
+Report run_sequence(const Settings& settings);
+
+}  // namespace quadrille::experiments

@@ -1,0 +1,150 @@
+#include "experiments/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+namespace quadrille::experiments {
+namespace {
+
+constexpr double kLeft = 70, kTop = 30, kWidth = 480, kHeight = 300, kPanel = 390, kLegend = 240;
+constexpr std::array kColours = {"#1f77b4", "#d62728", "#2ca02c", "#ff7f0e", "#9467bd", "#8c564b",
+                                 "#e377c2", "#7f7f7f", "#bcbd22", "#17becf", "#000000"};
+
+/// One axis: which values it shows, and where.
+struct Axis {
+  bool logarithmic;
+  double from, length;
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+
+  bool shows(double value) const { return std::isfinite(value) && (!logarithmic || value > 0); }
+  double scaled(double value) const { return logarithmic ? std::log10(value) : value; }
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  void finish() {
+    if (!(low <= high)) low = high = 1.0;
+    if (low == high) {
+      const double margin = low == 0.0 ? 1.0 : 0.5 * std::abs(low);
+      low -= margin, high += margin;
+    }
+  }
+  double place(double value) const {
+    return from + length * (scaled(value) - scaled(low)) / (scaled(high) - scaled(low));
+  }
+};
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    result += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  }
+  return result;
+}
+
+std::string label(double x, double y, const std::string& anchor, const std::string& text,
+                  const std::string& more = "") {
+  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"{}>{}</text>\n", x, y,
+                     anchor, more, escaped(text));
+}
+
+std::string line(double x1, double y1, double x2, double y2, const std::string& style) {
+  return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" {}/>\n", x1, y1, x2, y2, style);
+}
+
+std::string style_of(const Series& series, std::size_t index) {
+  // After all colours, the same again with dots.
+  const char* dash = series.dashed ? " stroke-dasharray=\"6 3\"" : "";
+  if (index >= kColours.size()) dash = " stroke-dasharray=\"2 2\"";
+  return fmt::format("stroke=\"{}\" stroke-width=\"1.6\" fill=\"none\"{}",
+                     kColours[index % kColours.size()], dash);
+}
+
+std::string frame(const Plot& plot, const Axis& x, const Axis& y, double top) {
+  const std::string grid = "stroke=\"#ddd\" fill=\"none\"";
+  const double bottom = top + kHeight;
+  std::string svg;
+  for (const double value : ticks(x.low, x.high, plot.log_x)) {
+    svg += line(x.place(value), top, x.place(value), bottom, grid);
+    svg += label(x.place(value), bottom + 16, "middle", fmt::format("{:.3g}", value));
+  }
+  for (const double value : ticks(y.low, y.high, plot.log_y)) {
+    svg += line(kLeft, y.place(value), kLeft + kWidth, y.place(value), grid);
+    svg += label(kLeft - 6, y.place(value) + 4, "end", fmt::format("{:.3g}", value));
+  }
+  svg += fmt::format("<path d=\"M{0} {1}H{2}V{3}H{0}Z\" stroke=\"#000\" fill=\"none\"/>\n", kLeft,
+                     top, kLeft + kWidth, bottom);
+  const double middle = kLeft + kWidth / 2, half = top + kHeight / 2;
+  svg += label(middle, top - 10, "middle", plot.title, " font-weight=\"bold\"");
+  svg += label(middle, bottom + 34, "middle", plot.x_label);
+  return svg + label(14, half, "middle", plot.y_label,
+                     fmt::format(" transform=\"rotate(-90 14 {})\"", half));
+}
+
+std::string panel(const Plot& plot, double top) {
+  Axis x{plot.log_x, kLeft, kWidth}, y{plot.log_y, top + kHeight, -kHeight};
+  const auto shown = [&](const auto& p) { return x.shows(p.first) && y.shows(p.second); };
+  for (const Series& series : plot.lines) {
+    for (const auto& p : series.points) {
+      if (shown(p)) x.include(p.first), y.include(p.second);
+    }
+  }
+  x.finish(), y.finish();
+  std::string svg = frame(plot, x, y, top);
+  for (std::size_t i = 0; i < plot.lines.size(); ++i) {
+    const std::string style = style_of(plot.lines[i], i);
+    std::string path;
+    for (const auto& p : plot.lines[i].points) {
+      if (!shown(p)) continue;
+      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x.place(p.first),
+                          y.place(p.second));
+    }
+    if (!path.empty()) svg += fmt::format("<path d=\"{}\" {}/>\n", path, style);
+    const double at = kLeft + kWidth + 12, height = top + 10 + 16 * static_cast<double>(i);
+    svg += line(at, height, at + 24, height, style);
+    svg += label(at + 30, height + 4, "start", plot.lines[i].name);
+  }
+  return svg;
+}
+
+}  // namespace
+
+std::vector<double> ticks(double low, double high, bool logarithmic) {
+  std::vector<double> result;
+  if (logarithmic) {
+    const double first = std::ceil(std::log10(low) - 1e-9),
+                 last = std::floor(std::log10(high) + 1e-9);
+    const double every = std::max(1.0, std::ceil((last - first) / 8.0));
+    for (double k = first; k <= last; k += every) result.push_back(std::pow(10.0, k));
+    if (result.size() >= 2) return result;
+    result.clear();
+  }
+  const double rough = (high - low) / 5.0, power = std::pow(10.0, std::floor(std::log10(rough)));
+  const double share = rough / power;
+  const double step = power * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
+  for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
+    result.push_back(k * step + 0.0);  // No negative zero.
+  }
+  return result;
+}
+
+std::string to_svg(const std::vector<Plot>& plots) {
+  const double width = kLeft + kWidth + kLegend;
+  const double height = kPanel * static_cast<double>(plots.size());
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
+      "{1}\" font-family=\"sans-serif\" font-size=\"12\">\n<path d=\"M0 0H{0}V{1}H0Z\" "
+      "fill=\"#fff\"/>\n",
+      width, height);
+  for (std::size_t i = 0; i < plots.size(); ++i) {
+    svg += panel(plots[i], kTop + kPanel * static_cast<double>(i));
+  }
+  return svg + "</svg>\n";
+}
+
+}  // namespace quadrille::experiments

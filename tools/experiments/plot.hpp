@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace quadrille::experiments {
+
+/// A line of a plot.
+struct Series {
+  std::string name;
+  std::vector<std::pair<double, double>> points;
+  bool dashed = false;
+};
+
+/// A line plot with two axes.
+struct Plot {
+  std::string title, x_label, y_label;
+  std::vector<Series> lines;
+  bool log_x = false, log_y = false;
+};
+
+/// Tick values of an axis from low to high: 1, 2 or 5 times a power of ten, and on a logarithmic
+/// axis the powers of ten, or more where there are fewer than two.
+std::vector<double> ticks(double low, double high, bool logarithmic);
+
+/// The plots below each other as one SVG document, each with its legend on the right.
+///
+/// Points that are not finite, or not positive on a logarithmic axis, are left out.
+std::string to_svg(const std::vector<Plot>& plots);
+
+}  // namespace quadrille::experiments
