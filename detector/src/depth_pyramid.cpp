@@ -90,12 +90,13 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
   coarsen();
   NoiseOptions glance = options.noise;
   glance.patches = std::min(glance.patches, kGlance);
-  if (measure_noise(cells, glance)[0].sigma(z) >
-      options.noisiest_cell * cells[0].metric(1.0f / z)) {
+  std::vector<NoiseModel> noise = measure_noise(cells, glance);
+  const bool noisy = noise[0].sigma(z) > options.noisiest_cell * cells[0].metric(1.0f / z);
+  if (noisy) {
     cells[0] = std::move(cells[1]);
     coarsen();
   }
-  std::vector<NoiseModel> noise = measure_noise(cells, options.noise);
+  if (noisy || glance.patches < options.noise.patches) noise = measure_noise(cells, options.noise);
   return std::make_unique<DepthPyramid>(projection->X_VC.inverse(), std::move(cells),
                                         std::move(noise));
 }

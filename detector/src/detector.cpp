@@ -92,7 +92,7 @@ DetectorOptions for_spheres(DetectorOptions options) {
   // Four parameters need no fine cells, few points, and few votes.
   options.sampling.cell *= 2.0;
   options.sampling.stride *= 4;
-  options.sampling.noise.patches = std::min(options.sampling.noise.patches, 150);
+  options.sampling.noise.patches = std::min(options.sampling.noise.patches, 100);
   options.search.basis = BasisKind::kSphere;
   options.search.bases = std::min(options.search.bases, 3);
   options.search.voters = std::min(options.search.voters, 64);

@@ -47,7 +47,7 @@ CanonicalForm ellipsoid() { return curved_forms()[1]; }
 }  // namespace
 
 TEST_CASE("the compact system has the rank 4, 7, 9, 10 for 1, 2, 3, 4 points",
-          "[theorem][paper:eq4]") {
+          "[theorem][paper:eq5]") {
   RandomStream random(21, 0);
   const int expected[] = {4, 7, 9, 10, 10};
   for (const CanonicalForm& form : curved_forms()) {
@@ -60,7 +60,7 @@ TEST_CASE("the compact system has the rank 4, 7, 9, 10 for 1, 2, 3, 4 points",
 }
 
 TEST_CASE("the full system leaves 7, 4, 2, 1 solutions for 1, 2, 3, 4 points of a quadric",
-          "[theorem][paper:eq3]") {
+          "[theorem][paper:eq4]") {
   // Its rank is 4, 8, 11, 13 of N + 10 columns: the printed 4, 7, 9, 10 are the compact system's,
   // whose homogeneous solutions are one fewer as its scale is fixed.
   RandomStream random(22, 0);

@@ -36,8 +36,8 @@ std::string to_markdown(const Report& report, const Experiment& experiment,
   text += fmt::format("quadrille {}, seed {}: `{}`. ", version, settings.seed, command);
   text += "Times depend on the machine; all else is the same each time.\n\n";
   if (!report.plots.empty()) text += fmt::format("![{0}]({0}.svg)\n\n", experiment.name);
-  for (const std::string& finding : report.findings) text += "- " + finding + "\n";
-  for (const Table& table : report.tables) text += "\n" + to_markdown(table);
+  for (const std::string& finding : report.findings) text += fmt::format("- {}\n", finding);
+  for (const Table& table : report.tables) text += fmt::format("\n{}", to_markdown(table));
   return text;
 }
 

@@ -26,8 +26,12 @@ std::string markdown_line(const std::vector<std::string>& cells) {
 
 std::string csv_line(const std::vector<std::string>& cells) {
   std::string line;
-  for (const std::string& cell : cells) line += (line.empty() ? "" : ",") + quoted(cell);
-  return line + "\n";
+  for (const std::string& cell : cells) {
+    if (!line.empty()) line += ',';
+    line += quoted(cell);
+  }
+  line += '\n';
+  return line;
 }
 
 }  // namespace

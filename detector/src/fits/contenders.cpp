@@ -27,8 +27,8 @@ Contender primal_dual(std::string_view name, const PrimalDual& kind) {
 
 std::vector<Contender> contenders(QuadricType type) {
   return {
-      {"full", "paper, eq. 3", 4, false, false, [](Points p) { return fit_full(p); }},
-      {"compact", "paper, eq. 4", 4, false, false, [](Points p) { return fit_compact(p); }},
+      {"full", "paper, eq. 4", 4, false, false, [](Points p) { return fit_full(p); }},
+      {"compact", "paper, eq. 5", 4, false, false, [](Points p) { return fit_compact(p); }},
       {"three_and_one", "paper, theorem 3", 4, true, false,
        [](Points p) { return fit_three_and_one(p); }},
       primal_dual("pd_0", kPrimalDual[0]),
@@ -47,7 +47,7 @@ std::vector<Contender> contenders(QuadricType type) {
        [](Points p) { return fit_first_order_distance(p); }},
       {"orthogonal_distance", "Gauss-Newton", 9, false, false,
        [](Points p) { return fit_orthogonal_distance(p); }},
-      {"tangent", "eq. 3 without its scales", 4, false, true,
+      {"tangent", "eq. 4 without its scales", 4, false, true,
        [](Points p) { return fit_tangent(p); }},
       {"likelihood", "points and normals", 4, false, true,
        [](Points p) { return fit_likelihood(p); }},

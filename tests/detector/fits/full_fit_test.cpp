@@ -12,7 +12,7 @@ using quadrille::test::difference;
 using quadrille::test::sample;
 
 TEST_CASE("the secular equation gives the singular vector of the printed matrix",
-          "[fits][paper:eq3]") {
+          "[fits][paper:eq4]") {
   RandomStream random(61, 0);
   for (const double weight : {1.0, 0.3}) {
     for (const CanonicalForm& form : curved_forms()) {
@@ -30,7 +30,7 @@ TEST_CASE("the secular equation gives the singular vector of the printed matrix"
   }
 }
 
-TEST_CASE("the scales of exact data are the lengths of the gradients", "[fits][paper:eq3]") {
+TEST_CASE("the scales of exact data are the lengths of the gradients", "[fits][paper:eq4]") {
   RandomStream random(62, 0);
   const auto s = sample(curved_forms()[1], 20, random, true);
   const auto fit = solve_full_system(s.points);

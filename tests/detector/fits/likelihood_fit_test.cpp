@@ -45,7 +45,7 @@ TEST_CASE("the noise of points and normals is found with the quadric", "[fits][l
 }
 
 TEST_CASE("the likelihood fit beats every other fit in points and angles at each level of noise",
-          "[fits][likelihood][paper:fig4]") {
+          "[fits][likelihood][paper:fig5]") {
   const std::vector<int> which = {0, 1, 2, 3, 6, 7, 8};
   for (const double noise : {0.02, 0.06, 0.1}) {
     std::vector<Error> sums(contenders(QuadricType::kSphere).size());

@@ -9,7 +9,7 @@ namespace quadrille {
 using Vector10d = Eigen::Matrix<double, 10, 1>;
 
 /// A quadric f(x) = [x 1] Q [x 1]ᵀ = Ax² + By² + Cz² + 2Dxy + 2Exz + 2Fyz + 2Gx + 2Hy + 2Iz + J
-/// (paper, eq. 1 and 2). Known only up to scale; which sign the gradient has is the user's choice.
+/// (paper, eq. 1 to 3). Known only up to scale; which sign the gradient has is the user's choice.
 class Quadric {
  public:
   Quadric() = default;

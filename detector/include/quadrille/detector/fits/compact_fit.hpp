@@ -12,7 +12,7 @@ struct CompactFitOptions {
   double weight = 1.0;
 };
 
-/// Least squares of the compact system with one common gradient scale (paper, eq. 4): exact where
+/// Least squares of the compact system with one common gradient scale (paper, eq. 5): exact where
 /// the normals have the lengths of the gradients, as all have on spheres and circular cylinders.
 ///
 /// Over many points with unit normals this is Tasdizen's gradient-one fit without its ridge, as

@@ -18,7 +18,7 @@ struct FullFit {
   Eigen::VectorXd alpha;
 };
 
-/// Least squares of the full system with a scale per normal (paper, eq. 3): the singular vector of
+/// Least squares of the full system with a scale per normal (paper, eq. 4): the singular vector of
 /// A′ with the least singular value σ.
 ///
 /// A′ is never built: (S − B Bᵀ w⁴ / (w² − μ)) q = μ q with μ = σ² follows by eliminating α, and

@@ -11,7 +11,7 @@ struct TangentFitOptions {
   double weight = 1.0;
 };
 
-/// The full system with its scales eliminated (paper, eq. 3 with αᵢ = nᵢ·∇f): least squares of
+/// The full system with its scales eliminated (paper, eq. 4 with αᵢ = nᵢ·∇f): least squares of
 /// f(xᵢ) = 0 and of both tangent constraints t·∇f(xᵢ) = 0, under Taubin's constraint that the
 /// squared gradient has mean 1. The constraint makes residuals lengths and angles; that on |q| of
 /// fit_full() makes nothing of the kind, which is why that one destabilises under noise.
