@@ -60,6 +60,24 @@ void set_extent(Body& body, const Detection& d) {
   body.z_max = d.extent_Q.max().z();
 }
 
+// The sheet that was seen, as that of z ≥ c; false if both were.
+bool fill_sheet(Body& body, const Detection& d) {
+  body.profile = Profile::kSheet;
+  body.a = dimension(d, 0);
+  body.b = dimension(d, 1);
+  body.c = dimension(d, 2);
+  if (body.z_max <= 0.0) {
+    body.X_CQ.linear().col(1) *= -1.0;
+    body.X_CQ.linear().col(2) *= -1.0;
+    std::swap(body.z_min, body.z_max);
+    body.z_min *= -1.0;
+    body.z_max *= -1.0;
+  }
+  if (!(body.z_min > 0.0)) return false;
+  body.z_min = std::max(body.z_min, body.c);
+  return body.z_max > body.z_min;
+}
+
 bool fill_profile(Body& body, const Detection& d) {
   set_extent(body, d);
   switch (d.type) {
@@ -97,6 +115,8 @@ bool fill_profile(Body& body, const Detection& d) {
       body.b = dimension(d, 1);
       body.c = dimension(d, 2);
       return true;
+    case QuadricType::kHyperboloidTwoSheets:
+      return fill_sheet(body, d);
     case QuadricType::kParallelPlanes:
       body.profile = Profile::kBox;
       body.a = 0.5 * d.extent_Q.sizes().x();
@@ -126,6 +146,8 @@ double Body::scale(double z) const {
       return std::sqrt(std::max(z, 0.0));
     case Profile::kHyperbola:
       return std::sqrt(1.0 + z * z / (c * c));
+    case Profile::kSheet:
+      return std::sqrt(std::max(0.0, z * z / (c * c) - 1.0));
     case Profile::kEllipse:
       return std::sqrt(std::max(0.0, 1.0 - z * z / (c * c)));
     default:
@@ -141,6 +163,7 @@ double Body::slope(double z) const {
     case Profile::kRoot:
       return 0.5 / s;
     case Profile::kHyperbola:
+    case Profile::kSheet:
       return z / (c * c * s);
     case Profile::kEllipse:
       return -z / (c * c * s);
@@ -156,7 +179,9 @@ double Body::width_std(const Eigen::Vector3d& d_Q, double z) const {
   const double h = std::sqrt(semi.cwiseAbs2().dot(squared));
   double sum = semi.cwiseProduct(squared).dot(std) / std::max(h, 1e-9);
   if (!round) sum *= scale(z);
-  if (profile == Profile::kHyperbola) sum += h * z * z / (c * c * c * scale(z)) * std.z();
+  if (profile == Profile::kHyperbola || profile == Profile::kSheet) {
+    sum += h * z * z / (c * c * c * std::max(scale(z), 1e-9)) * std.z();
+  }
   return std::min(sum, kMostStd);
 }
 

@@ -144,6 +144,10 @@ Diagonal quadric(const Body& body) {
     case Profile::kHyperbola:
       q.M.z() = -1.0 / (body.c * body.c);
       break;
+    case Profile::kSheet:
+      q.M.z() = -1.0 / (body.c * body.c);
+      q.k = 1.0;
+      break;
     case Profile::kEllipse:
       q.M.z() = 1.0 / (body.c * body.c);
       break;

@@ -188,7 +188,8 @@ std::optional<Shell> find_shell(const Body& body, bool seen_inside, const PointC
   }
   const Shell shell{body, seen_inside, wall};
   if (open_at_top(shell, view)) return shell;
-  if (body.profile == Profile::kRoot) return std::nullopt;
+  // A vertex is no mouth.
+  if (body.profile == Profile::kRoot || body.profile == Profile::kSheet) return std::nullopt;
   const Shell other{turned(body), seen_inside, wall};
   if (open_at_top(other, view)) return other;
   return std::nullopt;

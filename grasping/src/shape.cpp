@@ -114,11 +114,11 @@ CollisionShape ring_shape(const Body& body, const std::vector<Ring>& rings) {
 
 // Rings whose chords lie outside the profile: for a bulging one each is grown by the sagitta.
 std::vector<Ring> enclosing_rings(const Body& body) {
-  const bool bulges = body.profile == Profile::kRoot;
+  const bool bulges = body.profile == Profile::kRoot || body.profile == Profile::kSheet;
   const int steps = bulges ? 6 : 1;
   std::vector<Ring> rings;
   for (int i = 0; i <= steps; ++i) {
-    // Quadratic spacing: √z bends most at its vertex.
+    // Quadratic spacing: bulging profiles bend most at their vertex.
     const double u = bulges ? static_cast<double>(i * i) / (steps * steps) : i;
     const double z = body.z_min + u * (body.z_max - body.z_min);
     rings.push_back({z, body.scale(z)});

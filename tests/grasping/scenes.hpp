@@ -155,6 +155,10 @@ inline std::vector<Detection> solid_detections() {
            {0.025, 0.022, 0.04}),
       make(QuadricType::kHyperboloidOneSheet, {0.025, 0.02, 0.04}, {-0.035, -0.03, -0.04},
            {0.035, 0.03, 0.04}),
+      make(QuadricType::kHyperboloidTwoSheets, {0.009, 0.008, 0.03}, {-0.03, -0.03, 0.03},
+           {0.03, 0.03, 0.09}),
+      make(QuadricType::kHyperboloidTwoSheets, {0.01, 0.01, 0.025}, {-0.03, -0.03, -0.09},
+           {0.03, 0.03, -0.04}),
       make(QuadricType::kParallelPlanes, {0.05}, {-0.03, -0.04, -0.025}, {0.03, 0.04, 0.025}),
   };
 }

@@ -21,6 +21,7 @@ struct Body {
     kLinear,     ///< cones: s = |z|
     kRoot,       ///< elliptic paraboloids: s = √z
     kHyperbola,  ///< hyperboloids of one sheet: s = √(1 + z²/c²)
+    kSheet,      ///< one of a hyperboloid's two sheets: s = √(z²/c² − 1) for z ≥ c
     kEllipse,    ///< ellipsoids: s = √(1 − z²/c²)
     kBox,        ///< parallel planes, between their extents
   };
@@ -29,7 +30,7 @@ struct Body {
   Eigen::Isometry3d X_CQ = Eigen::Isometry3d::Identity();
   /// Semi-axes at s = 1 [m]; for kLinear tangents of the half angles; for kRoot in √m.
   double a = 0.0, b = 0.0;
-  /// Third semi-axis of kHyperbola and kEllipse [m].
+  /// Third semi-axis of kHyperbola, kSheet and kEllipse [m].
   double c = 0.0;
   double z_min = 0.0, z_max = 0.0;
   /// Standard deviations of a, b and c, in their units.
