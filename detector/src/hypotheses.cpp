@@ -95,4 +95,19 @@ std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& vo
   return {};
 }
 
+int count_support(const FitPoints& p, const Eigen::Matrix4d& matrix, float distance,
+                  float least_cosine) {
+  const Eigen::Matrix4f Q = matrix.cast<float>();
+  const Eigen::ArrayXf gx = Q(0, 0) * p.x + Q(0, 1) * p.y + Q(0, 2) * p.z + Q(0, 3);
+  const Eigen::ArrayXf gy = Q(0, 1) * p.x + Q(1, 1) * p.y + Q(1, 2) * p.z + Q(1, 3);
+  const Eigen::ArrayXf gz = Q(0, 2) * p.x + Q(1, 2) * p.y + Q(2, 2) * p.z + Q(2, 3);
+  const Eigen::ArrayXf f =
+      gx * p.x + gy * p.y + gz * p.z + Q(0, 3) * p.x + Q(1, 3) * p.y + Q(2, 3) * p.z + Q(3, 3);
+  // g is half the gradient.
+  const Eigen::ArrayXf slope = (gx.square() + gy.square() + gz.square()).sqrt();
+  return static_cast<int>((f.abs() <= 2.0f * distance * slope &&
+                           gx * p.nx + gy * p.ny + gz * p.nz >= least_cosine * slope)
+                              .count());
+}
+
 }  // namespace quadrille

@@ -32,21 +32,6 @@ struct Hypothesis {
   int support = 0;
 };
 
-/// Inliers among the neighbourhood's points, by distance and signed normal.
-int count_support(const FitPoints& p, const Eigen::Matrix4d& matrix, float limit,
-                  float least_cosine) {
-  const Eigen::Matrix4f Q = matrix.cast<float>();
-  const Eigen::ArrayXf gx = Q(0, 0) * p.x + Q(0, 1) * p.y + Q(0, 2) * p.z + Q(0, 3);
-  const Eigen::ArrayXf gy = Q(0, 1) * p.x + Q(1, 1) * p.y + Q(1, 2) * p.z + Q(1, 3);
-  const Eigen::ArrayXf gz = Q(0, 2) * p.x + Q(1, 2) * p.y + Q(2, 2) * p.z + Q(2, 3);
-  const Eigen::ArrayXf f =
-      gx * p.x + gy * p.y + gz * p.z + Q(0, 3) * p.x + Q(1, 3) * p.y + Q(2, 3) * p.z + Q(3, 3);
-  const Eigen::ArrayXf slope = (gx.square() + gy.square() + gz.square()).sqrt();
-  return static_cast<int>(
-      (f.abs() <= 2.0f * limit * slope && gx * p.nx + gy * p.ny + gz * p.nz >= least_cosine * slope)
-          .count());
-}
-
 class Searcher {
  public:
   Searcher(const SurfaceSamples& samples, std::vector<char> open, const SearchOptions& options,

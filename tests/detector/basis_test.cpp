@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "detector/fits/examples.hpp"
 #include "quadrille/detector/canonical.hpp"
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"
@@ -13,35 +14,13 @@ using quadrille::make_pencil;
 using quadrille::OrientedPoint;
 using quadrille::Pencil;
 using quadrille::Quadric;
-using quadrille::QuadricType;
 using quadrille::RandomStream;
+using quadrille::test::curved_forms;
 using quadrille::test::difference;
 using quadrille::test::points_on;
 using quadrille::test::random_pose;
 
 namespace {
-
-/// One quadric of each real type that is no plane.
-std::vector<CanonicalForm> curved_types() {
-  using T = QuadricType;
-  const Eigen::Isometry3d I = Eigen::Isometry3d::Identity();
-  return {
-      {T::kSphere, I, {{"radius", 0.9}}},
-      {T::kEllipsoid, I, {{"a", 1.1}, {"b", 0.8}, {"c", 0.6}}},
-      {T::kCylinder, I, {{"radius", 0.6}}},
-      {T::kEllipticCylinder, I, {{"a", 0.9}, {"b", 0.5}}},
-      {T::kCone, I, {{"half_angle", 0.5}}},
-      {T::kEllipticCone, I, {{"half_angle_a", 0.6}, {"half_angle_b", 0.4}}},
-      {T::kEllipticParaboloid, I, {{"focal_a", 0.4}, {"focal_b", 0.2}}},
-      {T::kHyperbolicParaboloid, I, {{"focal_a", 0.4}, {"focal_b", 0.2}}},
-      {T::kHyperboloidOneSheet, I, {{"a", 0.6}, {"b", 0.5}, {"c", 0.9}}},
-      {T::kHyperboloidTwoSheets, I, {{"a", 0.6}, {"b", 0.5}, {"c", 0.5}}},
-      {T::kHyperbolicCylinder, I, {{"a", 0.5}, {"b", 0.5}}},
-      {T::kParabolicCylinder, I, {{"focal", 0.3}}},
-      {T::kParallelPlanes, I, {{"distance", 0.8}}},
-      {T::kIntersectingPlanes, I, {{"angle", 0.9}}},
-  };
-}
 
 struct Trial {
   Quadric Q;
@@ -77,7 +56,7 @@ Trial make_trial(const CanonicalForm& form, RandomStream& random) {
 TEST_CASE("a quadric of any type is recovered from three oriented points and one position",
           "[basis][law][paper:theorem3]") {
   RandomStream random(11, 0);
-  for (const CanonicalForm& form : curved_types()) {
+  for (const CanonicalForm& form : curved_forms()) {
     CAPTURE(to_string(form.type));
     for (int k = 0; k < 20; ++k) {
       const Trial trial = make_trial(form, random);
@@ -92,7 +71,7 @@ TEST_CASE("a quadric of any type is recovered from three oriented points and one
 TEST_CASE("each quadric of the pencil passes through the three points with their gradients",
           "[basis][paper:theorem1]") {
   RandomStream random(12, 0);
-  for (const CanonicalForm& form : curved_types()) {
+  for (const CanonicalForm& form : curved_forms()) {
     const Trial trial = make_trial(form, random);
     for (const double lambda : {-3.0, 0.0, 0.7}) {
       const Quadric Q(trial.pencil.at(lambda));
@@ -107,7 +86,7 @@ TEST_CASE("each quadric of the pencil passes through the three points with their
 TEST_CASE("the data plane squared is the free direction of the pencil and vanishes there",
           "[basis][paper:theorem1]") {
   RandomStream random(13, 0);
-  const Trial trial = make_trial(curved_types()[1], random);
+  const Trial trial = make_trial(curved_forms()[1], random);
   const Eigen::Matrix4d direction = trial.pencil.at(2.5) - trial.pencil.at(1.5);
   CHECK(direction.isApprox(trial.pencil.plane * trial.pencil.plane.transpose(), 1e-12));
   CHECK(trial.pencil.plane.head<3>().norm() == Approx(1.0));
@@ -120,7 +99,7 @@ TEST_CASE("the data plane squared is the free direction of the pencil and vanish
 
 TEST_CASE("three unit normals of one quadric of any type are consistent", "[basis]") {
   RandomStream random(14, 0);
-  for (const CanonicalForm& form : curved_types()) {
+  for (const CanonicalForm& form : curved_forms()) {
     CAPTURE(to_string(form.type));
     for (int k = 0; k < 20; ++k) {
       Trial trial = make_trial(form, random);

@@ -72,3 +72,15 @@ TEST_CASE("coinciding points draw no hypothesis", "[hypotheses][hostile]") {
     CHECK(draw_hypotheses(kind, points, VoteOptions(), random).empty());
   }
 }
+
+TEST_CASE("support counts the points that lie near a quadric, on the side of its normals",
+          "[hypotheses]") {
+  RandomStream random(100, 0);
+  const Eigen::Matrix4d sphere = diagonal(1, 1, 1, -1);
+  std::vector<OrientedPoint> points = points_on(sphere, 60, -2.0, random);
+  for (int k = 0; k < 20; ++k) points[k].x *= 1.1;
+  for (int k = 20; k < 30; ++k) points[k].n *= -1.0;
+  CHECK(count_support(to_fit_points(points), sphere, 0.05f, 0.9f) == 30);
+  CHECK(count_support(to_fit_points(points), sphere, 0.2f, 0.9f) == 50);
+  CHECK(count_support(to_fit_points(points), sphere, 0.2f, -2.0f) == 60);
+}

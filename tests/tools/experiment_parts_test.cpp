@@ -8,6 +8,7 @@
 #include "experiments/sphere_errors.hpp"
 #include "experiments/table.hpp"
 #include "quadrille/detector/fits/taubin_fit.hpp"
+#include "quadrille/detector/hypotheses.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 #include "tools/well_formed.hpp"

@@ -12,6 +12,7 @@
 #include "experiments/neighbourhood.hpp"
 #include "quadrille/detector/fits/compact_fit.hpp"
 #include "quadrille/detector/fits/taubin_fit.hpp"
+#include "quadrille/detector/hypotheses.hpp"
 #include "quadrille/detector/vote.hpp"
 
 namespace quadrille::experiments {
@@ -123,7 +124,8 @@ Trace search_in(const Neighbourhood& from, const Sampler& sampler, int bases,
       sampler.draw(from, voters, random, &hypotheses);
       for (const Quadric& Q : hypotheses) {
         ++trace.hypotheses;
-        const int support = count_support(from.voters, Q.matrix(), kInlier, kLeastCosine);
+        const int support = count_support(from.voters, Q.matrix(), static_cast<float>(kInlier),
+                                          static_cast<float>(kLeastCosine));
         if (support > most) most = support, best.emplace_back(basis, Q);
       }
     }

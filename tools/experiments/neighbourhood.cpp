@@ -86,22 +86,6 @@ Neighbourhood random_neighbourhood(const NeighbourhoodOptions& options, RandomSt
   return result;
 }
 
-int count_support(const FitPoints& p, const Eigen::Matrix4d& matrix, double distance,
-                  double least_cosine) {
-  const Eigen::Matrix4f Q = matrix.cast<float>();
-  const Eigen::ArrayXf gx = Q(0, 0) * p.x + Q(0, 1) * p.y + Q(0, 2) * p.z + Q(0, 3);
-  const Eigen::ArrayXf gy = Q(0, 1) * p.x + Q(1, 1) * p.y + Q(1, 2) * p.z + Q(1, 3);
-  const Eigen::ArrayXf gz = Q(0, 2) * p.x + Q(1, 2) * p.y + Q(2, 2) * p.z + Q(2, 3);
-  const Eigen::ArrayXf f =
-      gx * p.x + gy * p.y + gz * p.z + Q(0, 3) * p.x + Q(1, 3) * p.y + Q(2, 3) * p.z + Q(3, 3);
-  const Eigen::ArrayXf slope = (gx.square() + gy.square() + gz.square()).sqrt();
-  // g is half the gradient.
-  return static_cast<int>(
-      (f.abs() <= 2.0f * static_cast<float>(distance) * slope &&
-       gx * p.nx + gy * p.ny + gz * p.nz >= static_cast<float>(least_cosine) * slope)
-          .count());
-}
-
 bool is_found(const Quadric& Q, const Neighbourhood& neighbourhood, double distance) {
   const OrientedPoints& truth = neighbourhood.truth;
   Eigen::Index on = 0;

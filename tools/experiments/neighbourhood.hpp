@@ -29,11 +29,6 @@ struct NeighbourhoodOptions {
 
 Neighbourhood random_neighbourhood(const NeighbourhoodOptions& options, RandomStream& random);
 
-/// How many points are within `distance` of a quadric with a normal along its gradient, to a
-/// cosine.
-int count_support(const FitPoints& points, const Eigen::Matrix4d& Q, double distance,
-                  double least_cosine);
-
 /// True if the quadric runs along the true surface of a neighbourhood: nine tenths of it within
 /// `distance`, with its normals to 0.9.
 bool is_found(const Quadric& Q, const Neighbourhood& neighbourhood, double distance);

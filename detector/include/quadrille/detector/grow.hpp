@@ -21,6 +21,7 @@ struct Candidate {
   double rms = 0.0;
 };
 
+/// How far and how often a hypothesis is grown.
 struct GrowOptions {
   /// Families that a refit chooses from; a single one is fitted without a choice.
   std::vector<Family> families = {Family::kPlane, Family::kSphere, Family::kCylinder, Family::kCone,

@@ -23,4 +23,13 @@ enum class BasisKind {
 std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& voters,
                                              const VoteOptions& options, RandomStream& random);
 
+/// How many of the voters lie within a distance of a quadric, first order, with the normal of its
+/// gradient.
+/// @param Q             symmetric 4x4 matrix in the coordinates of the voters, its gradient on the
+///                      side of the normals
+/// @param distance      in the unit of the voters
+/// @param least_cosine  between normal and gradient
+int count_support(const FitPoints& voters, const Eigen::Matrix4d& Q, float distance,
+                  float least_cosine);
+
 }  // namespace quadrille

@@ -28,7 +28,7 @@ struct Selection {
 double bic(double rss, int size, int dof, const SelectionOptions& options);
 
 /// The best fit of one family from its own closed-form starts; nullopt if there is none, as for
-/// the paraboloid and the elliptic cylinder, which start from other families' fits.
+/// the paraboloids and the elliptic cylinder, which start from other families' fits.
 std::optional<FamilyFit> fit_family(const FitPoints& points, Family family, int iterations);
 
 /// Fits the families and selects one.

@@ -18,7 +18,8 @@ struct DetectorOptions {
   std::uint64_t seed = 1;
   /// Threads to use; never changes the result.
   int threads = 1;
-  /// Report only these types; empty means all.
+  /// Report only these types; empty means all. The sphere alone takes the paper's type-specific
+  /// path, which sets search, families and the density of the points itself.
   std::vector<QuadricType> only;
 
   SamplingOptions sampling;

@@ -10,6 +10,7 @@
 
 namespace quadrille {
 
+/// Where hypotheses are looked for, and how many.
 struct SearchOptions {
   /// How hypotheses are drawn.
   BasisKind basis = BasisKind::kThreePoints;
@@ -25,8 +26,9 @@ struct SearchOptions {
   GrowOptions grow;
 };
 
-/// RANSAC over three-point bases with a vote in each (paper, section 4): seeds are drawn from the
-/// samples that nothing explains yet; the best hypothesis of a seed is grown and refitted.
+/// RANSAC over bases of the chosen kind, by default three points with a vote (paper, section 4):
+/// seeds are drawn from the samples that nothing explains yet; the best hypothesis of a seed is
+/// grown and refitted.
 /// @param open  per sample, zero to leave it out
 std::vector<Candidate> search(const SurfaceSamples& samples, std::vector<char> open,
                               const SearchOptions& options, const InlierTest& inlier,
