@@ -12,16 +12,19 @@ constexpr int kIterations = 4;
 constexpr double kEffectiveShare = 0.1;
 // A round that changes the region by less than this share is the last.
 constexpr double kSettled = 0.03;
+// A family is chosen anew when the region has grown or shrunk by this factor.
+constexpr double kOutgrown = 1.25;
 
-/// Fits a region in place; false if it has no fit.
-bool refit(const SurfaceSamples& samples, const GrowOptions& options, Candidate* candidate) {
+/// Fits a region in place, by the family it has or the one that explains it best; false if it has
+/// no fit.
+bool refit(const SurfaceSamples& samples, const GrowOptions& options, bool select,
+           Candidate* candidate) {
   const Normalisation local = normalisation_of(samples, candidate->region);
   const FitPoints points = fit_points(samples, candidate->region, local, options.fit_points);
-  const bool one = options.families.size() == 1;
   std::optional<FamilyFit> best =
-      fit_family(points, one ? options.families[0] : Family::kGeneral, kIterations);
+      fit_family(points, select ? Family::kGeneral : candidate->family, kIterations);
   if (!best) return false;
-  if (!one) {
+  if (select) {
     SelectionOptions selection_options;
     selection_options.effective_share = kEffectiveShare;
     best = select_family(points, options.families, *best, selection_options).best;
@@ -43,8 +46,15 @@ std::optional<Candidate> grow(const SurfaceSamples& samples, const Quadric& hypo
   const auto enough = [&] {
     return static_cast<int>(candidate.region.size()) >= options.least_samples;
   };
+  const bool choice = options.families.size() > 1;
+  if (!choice) candidate.family = options.families[0];
+  double chosen_at = 0.0;  // size of the region that the family was chosen for
   for (int round = 0; round < options.rounds; ++round) {
-    if (!enough() || !refit(samples, options, &candidate)) return std::nullopt;
+    if (!enough()) return std::nullopt;
+    const double now = static_cast<double>(candidate.region.size());
+    const bool select = choice && (now > kOutgrown * chosen_at || now * kOutgrown < chosen_at);
+    if (select) chosen_at = now;
+    if (!refit(samples, options, select, &candidate)) return std::nullopt;
     std::vector<int> next = connected_inliers(samples, candidate.region, candidate.Q, inlier, free);
     const double size = static_cast<double>(candidate.region.size());
     const bool settled = std::abs(static_cast<double>(next.size()) - size) < kSettled * size;
