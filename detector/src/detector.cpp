@@ -104,9 +104,9 @@ DetectorOptions for_spheres(DetectorOptions options) {
   return options;
 }
 
-bool wanted(const Detection& detection, const DetectorOptions& options) {
+bool wanted(QuadricType type, const DetectorOptions& options) {
   return options.only.empty() ||
-         std::find(options.only.begin(), options.only.end(), detection.type) != options.only.end();
+         std::find(options.only.begin(), options.only.end(), type) != options.only.end();
 }
 
 /// Best score first, of equal ones the larger.
@@ -150,19 +150,24 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& given) {
   clock.end("samples");
 
   const Aggregation aggregation = find_surfaces(tree, options, &clock);
-  for (const Surface& surface : aggregation.surfaces()) {
-    const auto part = [&](const PlaneRegion& plane) {
-      return is_part_of(surface, tree.finest(), plane);
-    };
-    if (surface.fit.family == Family::kPlane && std::any_of(planes.begin(), planes.end(), part)) {
-      continue;
-    }
+  const auto report = [&](const Surface& surface) {
+    const bool flat = surface.fit.family == Family::kPlane;
+    if (flat && is_part_of(surface, tree.finest(), planes)) return;
     result.detections.push_back(measure(surface, tree.finest(), cloud.viewpoint));
+  };
+  for (const Surface& surface : aggregation.surfaces()) report(surface);
+  // The faces of boxes and the caps of cans have too few coarse samples, and among the finest ones
+  // too much passes for flat before the curved surfaces have theirs.
+  if (wanted(QuadricType::kPlane, options)) {
+    for (const PlaneRegion& plane :
+         find_planes(tree.finest(), options.planes, aggregation.claimed())) {
+      report(plane_surface(tree.finest(), plane));
+    }
   }
   for (const PlaneRegion& plane : planes) {
     result.detections.push_back(measure(plane_surface(coarse, plane), coarse, cloud.viewpoint));
   }
-  std::erase_if(result.detections, [&](const Detection& d) { return !wanted(d, options); });
+  std::erase_if(result.detections, [&](const Detection& d) { return !wanted(d.type, options); });
   rank(&result.detections);
   clock.end("measure");
   result.total_ms = clock.total();

@@ -27,6 +27,17 @@ std::vector<std::vector<int>> planes_near(const CellPyramid& pyramid, const Surf
   return near;
 }
 
+/// True if most of a flat surface lies on the plane.
+bool lies_on(const Surface& flat, const SurfaceSamples& samples, const PlaneRegion& plane) {
+  const Eigen::Vector3d n = plane.plane.head<3>();
+  if (std::abs(flat.Q.gradient(flat.local.centre).normalized().dot(n)) < kPartCosine) return false;
+  const auto on = std::count_if(flat.region.begin(), flat.region.end(), [&](int i) {
+    const double d = plane.plane.dot(samples.raw[i].cast<double>().homogeneous());
+    return std::abs(d) < kPartSigmas * samples.sigma[i];
+  });
+  return static_cast<double>(on) > kPartShare * static_cast<double>(flat.region.size());
+}
+
 }  // namespace
 
 std::vector<char> cells_off_planes(const CellPyramid& pyramid, const SurfaceSamples& coarse,
@@ -47,11 +58,11 @@ std::vector<char> cells_off_planes(const CellPyramid& pyramid, const SurfaceSamp
   return keep;
 }
 
-Surface plane_surface(const SurfaceSamples& coarse, const PlaneRegion& plane) {
+Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane) {
   Surface surface;
   surface.region = plane.samples;
-  surface.local = normalisation_of(coarse, surface.region);
-  const FitPoints points = fit_points(coarse, surface.region, surface.local, 1000);
+  surface.local = normalisation_of(samples, surface.region);
+  const FitPoints points = fit_points(samples, surface.region, surface.local, 1000);
   PosedQuadric start;
   if (const auto initial = initial_plane(points)) start = *initial;
   if (auto fit = refine(points, Family::kPlane, start, 2)) surface.fit = std::move(*fit);
@@ -62,14 +73,10 @@ Surface plane_surface(const SurfaceSamples& coarse, const PlaneRegion& plane) {
   return surface;
 }
 
-bool is_part_of(const Surface& flat, const SurfaceSamples& samples, const PlaneRegion& plane) {
-  const Eigen::Vector3d n = plane.plane.head<3>();
-  if (std::abs(flat.Q.gradient(flat.local.centre).normalized().dot(n)) < kPartCosine) return false;
-  const auto on = std::count_if(flat.region.begin(), flat.region.end(), [&](int i) {
-    const double d = plane.plane.dot(samples.raw[i].cast<double>().homogeneous());
-    return std::abs(d) < kPartSigmas * samples.sigma[i];
-  });
-  return static_cast<double>(on) > kPartShare * static_cast<double>(flat.region.size());
+bool is_part_of(const Surface& flat, const SurfaceSamples& samples,
+                const std::vector<PlaneRegion>& planes) {
+  return std::any_of(planes.begin(), planes.end(),
+                     [&](const PlaneRegion& plane) { return lies_on(flat, samples, plane); });
 }
 
 }  // namespace quadrille

@@ -129,7 +129,8 @@ std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
 
 }  // namespace
 
-std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options) {
+std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options,
+                                     const std::vector<char>& claimed) {
   const std::vector<float> flat = flatness(samples);
   std::vector<int> seeds(static_cast<std::size_t>(samples.size()));
   std::iota(seeds.begin(), seeds.end(), 0);
@@ -138,9 +139,10 @@ std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneO
 
   std::vector<PlaneRegion> planes;
   // 0 free, otherwise the number of the attempt that took it.
-  std::vector<int> taken(static_cast<std::size_t>(samples.size()), 0);
+  std::vector<int> taken(claimed.begin(), claimed.end());
+  taken.resize(static_cast<std::size_t>(samples.size()), 0);
   std::vector<char> bent(taken.size(), 0);
-  int attempt = 0;
+  int attempt = 1;
   for (const int seed : seeds) {
     if (flat[seed] < least_cosine) break;
     if (taken[seed] || bent[seed]) continue;

@@ -49,6 +49,17 @@ TEST_CASE("planes are detections: the table and the top of the box", "[detector]
   CHECK(has_plane(scene.X_CBox * Eigen::Vector3d(0, 0, 0.05), 0.14, 0.12));
 }
 
+TEST_CASE("an upright face of the box is a plane, small as it is", "[detector]") {
+  const TableScene scene;
+  const auto& list = table_result().detections;
+  CHECK(std::any_of(list.begin(), list.end(), [&](const Detection& d) {
+    const Eigen::Vector3d normal_B = scene.X_CBox.linear().transpose() * d.X_CQ.linear().col(2);
+    const Eigen::Vector3d p_B = scene.X_CBox.inverse() * d.X_CQ.translation();
+    return d.type == QuadricType::kPlane && normal_B.head<2>().cwiseAbs().maxCoeff() > 0.99 &&
+           p_B.cwiseAbs().maxCoeff() < 0.08;
+  }));
+}
+
 TEST_CASE("gradients point to the side that the camera saw", "[detector]") {
   for (const Detection& d : table_result().detections) {
     const Eigen::Vector3d centre = d.X_CQ.translation();

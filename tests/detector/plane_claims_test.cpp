@@ -65,7 +65,7 @@ TEST_CASE("a flat piece near a plane and parallel to it is part of it, another i
   const Surface flat = plane_surface(samples, region_of(samples, {1, 0, 0, 0}));
   const auto part_of = [&](double angle, double offset) {
     const PlaneRegion plane{{std::cos(angle), std::sin(angle), 0.0, offset}, {}};
-    return is_part_of(flat, samples, plane);
+    return is_part_of(flat, samples, {plane});
   };
   CHECK(part_of(0.0, 0.0));
   CHECK(part_of(0.0, 0.003));

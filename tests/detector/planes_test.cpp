@@ -72,3 +72,13 @@ TEST_CASE("a plane has the least number of samples, or is none", "[planes]") {
 TEST_CASE("no samples, no planes", "[planes][degenerate]") {
   CHECK(find_planes(plane_grid(0, 0, 0.01, 0.0, 1), {}).empty());
 }
+
+TEST_CASE("samples that another surface holds belong to no plane", "[planes]") {
+  const SurfaceSamples samples = edge_grid(0.0005);
+  std::vector<char> claimed(static_cast<std::size_t>(samples.size()));
+  for (int i = 0; i < samples.size(); ++i) claimed[i] = samples.n[i].y() > 0.7f;
+  const auto planes = find_planes(samples, {}, claimed);
+  REQUIRE(planes.size() == 1);
+  for (const int i : planes[0].samples) CHECK_FALSE(claimed[i]);
+  CHECK(planes[0].samples.size() > 380);
+}

@@ -16,10 +16,12 @@ std::vector<char> cells_off_planes(const CellPyramid& pyramid, const SurfaceSamp
                                    const std::vector<PlaneRegion>& planes, double sigmas);
 
 /// A plane as a surface, so that it is measured like all others.
-Surface plane_surface(const SurfaceSamples& coarse, const PlaneRegion& plane);
+/// @param samples  the samples that the plane was found on
+Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane);
 
-/// True if most of a flat surface lies within a few sigma of the plane and parallel to it: a strip
-/// of table or wall that waves in the noise had cut off.
-bool is_part_of(const Surface& flat, const SurfaceSamples& samples, const PlaneRegion& plane);
+/// True if most of a flat surface lies within a few sigma of one of the planes and parallel to it:
+/// a strip of table or wall that waves in the noise had cut off.
+bool is_part_of(const Surface& flat, const SurfaceSamples& samples,
+                const std::vector<PlaneRegion>& planes);
 
 }  // namespace quadrille

@@ -29,6 +29,8 @@ struct PlaneRegion {
 
 /// Grows planes over neighbours from the flattest seeds (type-specific fit: one oriented point
 /// determines a plane, paper, table of minimal cases).
-std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options);
+/// @param claimed  per sample, nonzero to leave it out; empty for none
+std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options,
+                                     const std::vector<char>& claimed = {});
 
 }  // namespace quadrille
