@@ -13,14 +13,28 @@ constexpr float kFarthest = 50.0f;
 // Larger coordinates are no measurement; their squares would overflow single precision.
 constexpr float kLargest = 1e9f;
 
+std::size_t count_finite(const std::vector<Eigen::Vector3f>& points) {
+  // x - x is zero unless x is NaN or infinite. Most runs are finite as a whole.
+  constexpr std::size_t kRun = 16;
+  using Run = Eigen::Map<const Eigen::Array<float, 3 * kRun, 1>>;
+  std::size_t finite = 0, start = 0;
+  for (; start + kRun <= points.size(); start += kRun) {
+    const Run run(points[start].data());
+    if ((run - run).sum() == 0.0f) {
+      finite += kRun;
+      continue;
+    }
+    for (std::size_t i = start; i < start + kRun; ++i) finite += points[i].allFinite();
+  }
+  for (; start < points.size(); ++start) finite += points[start].allFinite();
+  return finite;
+}
+
 }  // namespace
 
 CloudCheck check_cloud(const PointCloud& cloud) {
   CloudCheck check;
-  for (const Eigen::Vector3f& p : cloud.points) {
-    const float sum = p.x() + p.y() + p.z();
-    check.finite += sum - sum == 0.0f;  // false for NaN and infinity
-  }
+  check.finite = count_finite(cloud.points);
   std::vector<float> distance;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d square = Eigen::Matrix3d::Zero();

@@ -10,15 +10,20 @@ namespace {
 // Depths that differ by this factor are layers, not the two ends of a slope.
 constexpr float kLayer = 1.05f;
 
+/// Sums of (u, v, w, 1) and the extremes of w.
 struct Sums {
-  float n = 0, u = 0, v = 0, w = 0, least = 1e30f, most = 0;
-  void add(const Eigen::Vector3f& t) {
-    n += 1, u += t.x(), v += t.y(), w += t.z();
+  Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+  float least = 1e30f, most = 0;
+
+  float n() const { return sum[3]; }
+  float w() const { return sum[2] / sum[3]; }
+  void add(const Eigen::Vector4f& t) {
+    sum += t;
     least = std::min(least, t.z());
     most = std::max(most, t.z());
   }
   void add(const Sums& other) {
-    n += other.n, u += other.u, v += other.v, w += other.w;
+    sum += other.sum;
     least = std::min(least, other.least);
     most = std::max(most, other.most);
   }
@@ -36,7 +41,7 @@ struct CellIndex {
         width(cells.width),
         last_i(cells.width - 1),
         last_j(cells.height - 1) {}
-  int operator()(const Eigen::Vector3f& t) const {
+  int operator()(const Eigen::Vector4f& t) const {
     const int i = std::min(static_cast<int>((t.x() - u0) * step), last_i);
     const int j = std::min(static_cast<int>((t.y() - v0) * step), last_j);
     return j * width + i;
@@ -44,7 +49,7 @@ struct CellIndex {
 };
 
 /// Sums of the points of each cell; of_point gets the cell of each point.
-std::vector<Sums> sum_up(const std::vector<Eigen::Vector3f>& uvw, const CellIndex& cell_of,
+std::vector<Sums> sum_up(const std::vector<Eigen::Vector4f>& uvw, const CellIndex& cell_of,
                          int size, std::vector<int>* of_point) {
   std::vector<Sums> sums(static_cast<std::size_t>(size));
   of_point->resize(uvw.size());
@@ -67,7 +72,7 @@ std::vector<Sums> sum_up(const std::vector<Eigen::Vector3f>& uvw, const CellInde
 
 /// Of cells across a depth edge, keeps the side, near or far of the middle, that has more points.
 /// @return the share of the filled cells that have layers
-double keep_larger_sides(const std::vector<Eigen::Vector3f>& uvw, const std::vector<int>& of_point,
+double keep_larger_sides(const std::vector<Eigen::Vector4f>& uvw, const std::vector<int>& of_point,
                          const DepthCells& cells, std::vector<Sums>* sums) {
   std::vector<int> split(sums->size(), -1);
   std::vector<std::array<Sums, 2>> sides;
@@ -75,8 +80,8 @@ double keep_larger_sides(const std::vector<Eigen::Vector3f>& uvw, const std::vec
   int filled = 0;
   for (std::size_t c = 0; c < split.size(); ++c) {
     const Sums& sum = (*sums)[c];
-    filled += sum.n > 1;
-    if (sum.n < 2 || continuous(cells, sum.least, sum.most)) continue;
+    filled += sum.n() > 1;
+    if (sum.n() < 2 || continuous(cells, sum.least, sum.most)) continue;
     split[c] = static_cast<int>(sides.size());
     sides.emplace_back();
     middle.push_back(0.5f * (sum.least + sum.most));
@@ -90,8 +95,8 @@ double keep_larger_sides(const std::vector<Eigen::Vector3f>& uvw, const std::vec
   for (std::size_t c = 0; c < split.size(); ++c) {
     if (split[c] < 0) continue;
     const auto& [far, near] = sides[split[c]];
-    layered += near.n > 1 && far.n > 1 && near.w / near.n > kLayer * far.w / far.n;
-    (*sums)[c] = near.n >= far.n ? near : far;
+    layered += near.n() > 1 && far.n() > 1 && near.w() > kLayer * far.w();
+    (*sums)[c] = near.n() >= far.n() ? near : far;
   }
   return filled ? static_cast<double>(layered) / filled : 0.0;
 }
@@ -111,12 +116,12 @@ DepthCells make_depth_cells(const Projection& projection, const PinholeImage& im
   cells.count.resize(sums.size());
   cells.u.resize(sums.size()), cells.v.resize(sums.size()), cells.w.resize(sums.size());
   for (std::size_t c = 0; c < sums.size(); ++c) {
-    const float n = sums[c].n;
-    cells.count[c] = static_cast<int>(n);
-    if (n == 0) continue;
-    cells.u[c] = sums[c].u / n;
-    cells.v[c] = sums[c].v / n;
-    cells.w[c] = sums[c].w / n;
+    const Eigen::Vector4f& sum = sums[c].sum;
+    cells.count[c] = static_cast<int>(sum[3]);
+    if (sum[3] == 0) continue;
+    cells.u[c] = sum[0] / sum[3];
+    cells.v[c] = sum[1] / sum[3];
+    cells.w[c] = sum[2] / sum[3];
   }
   return cells;
 }

@@ -18,17 +18,25 @@ constexpr int kGlance = 100;
 // Half windows of the regressions, in cells.
 constexpr int kPlaneReach = 1, kReach = 2;
 
+std::vector<int> parents_of(const DepthCells& fine, const DepthCells& coarse) {
+  std::vector<int> parents;
+  parents.reserve(fine.count.size());
+  for (int j = 0; j < fine.height; ++j) {
+    for (int i = 0; i < fine.width; ++i) parents.push_back((j / 2) * coarse.width + i / 2);
+  }
+  return parents;
+}
+
 class DepthPyramid : public CellPyramid {
  public:
   DepthPyramid(const Eigen::Isometry3f& X_CV, std::array<DepthCells, kLevels> cells,
                std::vector<NoiseModel> noise)
-      : X_CV_(X_CV), cells_(std::move(cells)), noise_(std::move(noise)) {}
+      : X_CV_(X_CV), cells_(std::move(cells)), noise_(std::move(noise)) {
+    for (int l = 0; l + 1 < kLevels; ++l) parents_[l] = parents_of(cells_[l], cells_[l + 1]);
+  }
 
   int size(int level) const override { return cells_[level].size(); }
-  int parent(int level, int cell) const override {
-    const int width = cells_[level].width;
-    return (cell / width / 2) * cells_[level + 1].width + (cell % width) / 2;
-  }
+  const std::vector<int>& parents(int level) const override { return parents_[level]; }
   int count(int cell) const override { return cells_[0].count[cell]; }
   Eigen::Vector3f mean(int cell) const override { return X_CV_ * cells_[0].position_V(cell); }
   float sigma(int cell) const override { return noise_[0].sigma(1.0f / cells_[0].w[cell]); }
@@ -54,6 +62,7 @@ class DepthPyramid : public CellPyramid {
   Eigen::Isometry3f X_CV_;
   std::array<DepthCells, kLevels> cells_;
   std::vector<NoiseModel> noise_;
+  std::array<std::vector<int>, kLevels - 1> parents_;
 };
 
 /// Depth that a third of the points are nearer than.

@@ -91,7 +91,7 @@ Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options
 DetectorOptions for_spheres(DetectorOptions options) {
   // Four parameters need no fine cells, few points, and few votes.
   options.sampling.cell *= 2.0;
-  options.sampling.stride *= 4;
+  options.sampling.stride *= 6;
   options.sampling.noise.patches = std::min(options.sampling.noise.patches, 100);
   options.search.basis = BasisKind::kSphere;
   options.search.bases = std::min(options.search.bases, 3);
@@ -107,6 +107,33 @@ DetectorOptions for_spheres(DetectorOptions options) {
 bool wanted(QuadricType type, const DetectorOptions& options) {
   return options.only.empty() ||
          std::find(options.only.begin(), options.only.end(), type) != options.only.end();
+}
+
+/// Measures the curved surfaces and the planes, and of the samples that both leave the planes.
+std::vector<Detection> measure_all(const Aggregation& aggregation,
+                                   const std::vector<PlaneRegion>& planes,
+                                   const SurfaceSamples& coarse, const SurfaceSamples& finest,
+                                   const DetectorOptions& options,
+                                   const Eigen::Vector3d& viewpoint) {
+  std::vector<Detection> detections;
+  const auto report = [&](const Surface& surface) {
+    const bool flat = surface.fit.family == Family::kPlane;
+    if (flat && is_part_of(surface, finest, planes)) return;
+    detections.push_back(measure(surface, finest, viewpoint));
+  };
+  for (const Surface& surface : aggregation.surfaces()) report(surface);
+  if (wanted(QuadricType::kPlane, options)) {
+    for (const PlaneRegion& plane : planes) {
+      detections.push_back(measure(plane_surface(coarse, plane), coarse, viewpoint));
+    }
+    // The faces of boxes and the caps of cans have too few coarse samples, and among the finest
+    // ones too much passes for flat before the curved surfaces have theirs.
+    for (const PlaneRegion& plane : find_planes(finest, options.planes, aggregation.claimed())) {
+      report(plane_surface(finest, plane));
+    }
+  }
+  std::erase_if(detections, [&](const Detection& d) { return !wanted(d.type, options); });
+  return detections;
 }
 
 /// Best score first, of equal ones the larger.
@@ -150,24 +177,8 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& given) {
   clock.end("samples");
 
   const Aggregation aggregation = find_surfaces(tree, options, &clock);
-  const auto report = [&](const Surface& surface) {
-    const bool flat = surface.fit.family == Family::kPlane;
-    if (flat && is_part_of(surface, tree.finest(), planes)) return;
-    result.detections.push_back(measure(surface, tree.finest(), cloud.viewpoint));
-  };
-  for (const Surface& surface : aggregation.surfaces()) report(surface);
-  // The faces of boxes and the caps of cans have too few coarse samples, and among the finest ones
-  // too much passes for flat before the curved surfaces have theirs.
-  if (wanted(QuadricType::kPlane, options)) {
-    for (const PlaneRegion& plane :
-         find_planes(tree.finest(), options.planes, aggregation.claimed())) {
-      report(plane_surface(tree.finest(), plane));
-    }
-  }
-  for (const PlaneRegion& plane : planes) {
-    result.detections.push_back(measure(plane_surface(coarse, plane), coarse, cloud.viewpoint));
-  }
-  std::erase_if(result.detections, [&](const Detection& d) { return !wanted(d.type, options); });
+  result.detections =
+      measure_all(aggregation, planes, coarse, tree.finest(), options, cloud.viewpoint);
   rank(&result.detections);
   clock.end("measure");
   result.total_ms = clock.total();

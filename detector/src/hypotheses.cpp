@@ -15,6 +15,9 @@ namespace {
 // A basis further than this from lying on one quadric is not worth a vote; see inconsistency().
 constexpr double kMostInconsistent = 0.6;
 
+// Curvature below which a neighbourhood, of size one, passes for a plane.
+constexpr double kFlattest = 0.2;
+
 OrientedPoint draw(const FitPoints& voters, RandomStream& random) {
   const int k = random.below(static_cast<int>(voters.size()));
   return {voters.point(k), voters.normal(k)};
@@ -73,6 +76,7 @@ std::vector<Eigen::Matrix4d> spheres_through_one(const FitPoints& voters,
   const OrientedPoint basis = draw(voters, random);
   std::vector<Eigen::Matrix4d> list;
   for (const VotePeak& peak : vote_curvature(basis, voters, options)) {
+    if (std::abs(peak.lambda) < kFlattest) continue;
     list.push_back(tangent_sphere(basis, peak.lambda));
   }
   return list;

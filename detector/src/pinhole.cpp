@@ -45,7 +45,7 @@ float median(std::vector<float>& values) {
 }
 
 /// Pixel pitch of a cloud in row order: the usual step between consecutive points of one row.
-std::optional<float> pitch_from_order(const std::vector<Eigen::Vector3f>& uvw) {
+std::optional<float> pitch_from_order(const std::vector<Eigen::Vector4f>& uvw) {
   std::vector<float> steps;
   const std::size_t stride = std::max<std::size_t>(1, uvw.size() / 20000);
   std::size_t looked = 0;
@@ -65,14 +65,14 @@ std::optional<float> pitch_from_order(const std::vector<Eigen::Vector3f>& uvw) {
 }
 
 /// Pixel pitch from the density of points over the part of the image that they cover.
-float pitch_from_density(const std::vector<Eigen::Vector3f>& uvw) {
+float pitch_from_density(const std::vector<Eigen::Vector4f>& uvw) {
   constexpr int kBlocks = 512;
   const float step = 2 * kWidestTangent / kBlocks;
   std::vector<int> histogram(kBlocks * kBlocks, 0);
   const auto bin = [&](float t) {
     return std::clamp(static_cast<int>((t + kWidestTangent) / step), 0, kBlocks - 1);
   };
-  for (const Eigen::Vector3f& t : uvw) ++histogram[bin(t.y()) * kBlocks + bin(t.x())];
+  for (const Eigen::Vector4f& t : uvw) ++histogram[bin(t.y()) * kBlocks + bin(t.x())];
   std::vector<float> counts;
   for (const int n : histogram) {
     if (n > 0) counts.push_back(static_cast<float>(n));
@@ -81,16 +81,17 @@ float pitch_from_density(const std::vector<Eigen::Vector3f>& uvw) {
 }
 
 /// Offset of the pixel centres within [0, 1) of a pixel, as a circular mean.
-float phase_of(const std::vector<Eigen::Vector3f>& uvw, int axis, float pitch) {
-  double c = 0, s = 0;
+float phase_of(const std::vector<Eigen::Vector4f>& uvw, int axis, float pitch) {
+  float c = 0, s = 0;
   const std::size_t stride = std::max<std::size_t>(1, uvw.size() / 5000);
   for (std::size_t i = 0; i < uvw.size(); i += stride) {
-    const double a = 2 * M_PI * static_cast<double>(uvw[i][axis]) / pitch;
+    const float pixels = uvw[i][axis] / pitch;
+    const float a = static_cast<float>(2 * M_PI) * (pixels - std::floor(pixels));
     c += std::cos(a);
     s += std::sin(a);
   }
-  const double turn = std::atan2(s, c) / (2 * M_PI);
-  return static_cast<float>(turn - std::floor(turn));
+  const float turn = std::atan2(s, c) / static_cast<float>(2 * M_PI);
+  return turn - std::floor(turn);
 }
 
 }  // namespace
@@ -113,7 +114,7 @@ std::optional<Projection> project(const PointCloud& cloud, int stride) {
     const float u = q.x() * w, v = q.y() * w;
     // Also false for NaN and for what is infinitely far.
     if (w > 0.0f && w < 1e4f && std::abs(u) < kWidestTangent && std::abs(v) < kWidestTangent) {
-      projection.uvw[n++] = {u, v, w};
+      projection.uvw[n++] = {u, v, w, 1.0f};
       low_u = std::min(low_u, u), high_u = std::max(high_u, u);
       low_v = std::min(low_v, v), high_v = std::max(high_v, v);
     } else {
@@ -129,7 +130,7 @@ std::optional<Projection> project(const PointCloud& cloud, int stride) {
 }
 
 std::optional<PinholeImage> find_image(const Projection& projection) {
-  const std::vector<Eigen::Vector3f>& uvw = projection.uvw;
+  const std::vector<Eigen::Vector4f>& uvw = projection.uvw;
   const std::optional<float> ordered = pitch_from_order(uvw);
   PinholeImage image;
   image.pitch = ordered ? *ordered : pitch_from_density(uvw);

@@ -24,7 +24,7 @@ SampleTree::SampleTree(const CellPyramid& pyramid, std::vector<SurfaceSamples> l
       if (l == 1) finest_.n[k] = (levels_[0].n[k] + levels_[1].n[above]).normalized();
     }
     if (l + 1 < kLevels) {
-      for (int& c : cell) c = pyramid.parent(l, c);
+      for (int& c : cell) c = pyramid.parents(l)[c];
     }
   }
 }

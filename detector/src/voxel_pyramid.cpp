@@ -178,7 +178,7 @@ class VoxelPyramid : public CellPyramid {
   }
 
   int size(int level) const override { return static_cast<int>(levels_[level].mean.size()); }
-  int parent(int level, int cell) const override { return levels_[level].parent[cell]; }
+  const std::vector<int>& parents(int level) const override { return levels_[level].parent; }
   int count(int cell) const override { return levels_[0].count[cell]; }
   Eigen::Vector3f mean(int cell) const override { return levels_[0].mean[cell]; }
   float sigma(int) const override { return sigma_[0]; }

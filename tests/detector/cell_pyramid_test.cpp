@@ -43,8 +43,8 @@ void check_pyramid(const CellPyramid& pyramid, std::size_t points) {
   for (int l = 0; l + 1 < kLevels; ++l) {
     CHECK(pyramid.size(l + 1) < pyramid.size(l));
     for (int c = 0; c < pyramid.size(l); ++c) {
-      REQUIRE(pyramid.parent(l, c) >= 0);
-      REQUIRE(pyramid.parent(l, c) < pyramid.size(l + 1));
+      REQUIRE(pyramid.parents(l)[c] >= 0);
+      REQUIRE(pyramid.parents(l)[c] < pyramid.size(l + 1));
     }
   }
   const std::vector<char> keep(static_cast<std::size_t>(pyramid.size(0)), 1);

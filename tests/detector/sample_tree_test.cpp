@@ -36,7 +36,7 @@ TEST_CASE("a finest sample lies under one sample of each level, that of its cell
       for (const int k : tree.under(l, i)) {
         CHECK(seen.insert(k).second);
         int cell = tree.level(0).source[k];
-        for (int m = 0; m < l; ++m) cell = pyramid->parent(m, cell);
+        for (int m = 0; m < l; ++m) cell = pyramid->parents(m)[cell];
         REQUIRE(cell == tree.level(l).source[i]);
       }
     }

@@ -33,8 +33,8 @@ class CellPyramid {
 
   /// Cells of a level, empty ones included; level 0 is the finest.
   virtual int size(int level) const = 0;
-  /// The cell of the next coarser level that holds a cell.
-  virtual int parent(int level, int cell) const = 0;
+  /// Per cell of a level but the coarsest, the cell of the next coarser level that holds it.
+  virtual const std::vector<int>& parents(int level) const = 0;
   /// Points in a finest cell, their mean in frame C [m], and its noise [m].
   virtual int count(int cell) const = 0;
   virtual Eigen::Vector3f mean(int cell) const = 0;

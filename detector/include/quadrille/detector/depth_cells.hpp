@@ -14,8 +14,9 @@ namespace quadrille {
 struct Projection {
   /// Frame V: origin at the viewpoint, z into the scene.
   Eigen::Isometry3f X_VC = Eigen::Isometry3f::Identity();
-  /// Per point ahead: tangents u = x/z and v = y/z, and inverse depth w = 1/z [1/m].
-  std::vector<Eigen::Vector3f> uvw;
+  /// Per point ahead: tangents u = x/z and v = y/z, inverse depth w = 1/z [1/m], and 1, so that
+  /// sums count.
+  std::vector<Eigen::Vector4f> uvw;
   /// Least and greatest u and v of them.
   Eigen::Array2f low = Eigen::Array2f::Zero(), high = Eigen::Array2f::Zero();
 };
