@@ -16,7 +16,7 @@ Patch wall(double z) { return rectangle(translation(0, 0, z), 1e3, 1e3); }
 /// A projection of points with these tangents and inverse depths.
 Projection projection_of(const std::vector<Eigen::Vector3f>& uvw) {
   Projection projection;
-  projection.uvw = uvw;
+  for (const Eigen::Vector3f& t : uvw) projection.uvw.push_back(t.homogeneous());
   return projection;
 }
 
@@ -72,7 +72,7 @@ TEST_CASE("a cloud in another frame is seen from its viewpoint along its mean di
   CHECK((projection->X_VC * cloud.viewpoint.cast<float>()).norm() < 1e-5f);
   const Eigen::Vector3d axis = X.linear().col(2);
   CHECK((projection->X_VC.linear() * axis.cast<float>()).z() > 0.9999f);
-  for (const Eigen::Vector3f& t : projection->uvw) REQUIRE(t.z() == Approx(1.0).epsilon(1e-3));
+  for (const Eigen::Vector4f& t : projection->uvw) REQUIRE(t.z() == Approx(1.0).epsilon(1e-3));
 }
 
 TEST_CASE("points all around the viewpoint or too few of them are no single view",
