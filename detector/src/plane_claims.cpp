@@ -44,16 +44,14 @@ std::vector<char> cells_off_planes(const CellPyramid& pyramid, const SurfaceSamp
                                    const std::vector<PlaneRegion>& planes, double sigmas) {
   const std::vector<std::vector<int>> near = planes_near(pyramid, coarse, planes);
   std::vector<char> keep(static_cast<std::size_t>(pyramid.size(0)), 1);
-  // Within a coarsest cell the noise hardly differs: that of its first cell serves for all.
-  std::vector<double> limit(near.size(), 0.0);
   for (int c = 0; c < pyramid.size(0); ++c) {
     int above = c;
     for (int l = 0; l + 1 < kLevels; ++l) above = pyramid.parents(l)[above];
     if (near[above].empty() || pyramid.count(c) == 0) continue;
-    if (limit[above] == 0.0) limit[above] = sigmas * pyramid.sigma(c);
     const Eigen::Vector4d x = pyramid.mean(c).cast<double>().homogeneous();
+    const double limit = sigmas * pyramid.sigma(c);
     for (const int k : near[above]) {
-      if (std::abs(planes[k].plane.dot(x)) < limit[above]) keep[c] = 0;
+      if (std::abs(planes[k].plane.dot(x)) < limit) keep[c] = 0;
     }
   }
   return keep;
