@@ -114,6 +114,26 @@ TEST_CASE("three points with a vote find more in clutter than four or nine", "[e
   CHECK(rows.size() == 5);
 }
 
+TEST_CASE("cells as large as the bodies find less than the default ones, and take less time",
+          "[experiment]") {
+  const Report report = run_quick("sampling");
+  for (const char* family : {"medium", "hard"}) {
+    for (const char* way : {"3 points, vote", "4 points", "9 points"}) {
+      CAPTURE(family, way);
+      const auto fine = rows_of(report.data, {family, "0.0036", "5", way});
+      const auto coarse = rows_of(report.data, {family, "0.0144", "5", way});
+      REQUIRE((fine.size() == 1 && coarse.size() == 1));
+      const double known = value_of(fine[0][4]), found = value_of(fine[0][5]);
+      CHECK(known >= 6);
+      CHECK(found >= 0.6 * known);
+      CHECK(found <= known);
+      CHECK(value_of(coarse[0][5]) < found);
+      CHECK(value_of(coarse[0][8]) < value_of(fine[0][8]));
+    }
+  }
+  CHECK(rows_of(report.data, {"medium", "0.0036", "1"}).size() == 3);
+}
+
 TEST_CASE("spheres of generated scenes are measured to a few per cent", "[experiment]") {
   const Report report = run_quick("spheres");
   int found = 0;
@@ -123,6 +143,13 @@ TEST_CASE("spheres of generated scenes are measured to a few per cent", "[experi
     CHECK(std::abs(value_of(row[2])) < 0.2);
   }
   CHECK(found >= 3);
+  REQUIRE(report.tables.size() == 2);
+  for (const auto& row : report.tables[1].rows) {
+    CAPTURE(row[0]);
+    CHECK(row[1] == "3");
+    CHECK(value_of(row[2]) > value_of(row[3]));
+    CHECK(value_of(row[4]) == Approx(value_of(row[2]) / value_of(row[3])).epsilon(0.01));
+  }
 }
 
 TEST_CASE("the ball of the real sequence is measured to a few per cent", "[experiment][real]") {

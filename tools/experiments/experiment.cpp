@@ -14,7 +14,10 @@ const std::vector<Experiment>& all_experiments() {
       {"lambda", "the distribution of the null-space parameter beside atan (figure 4b)",
        run_lambda},
       {"basis", "3, 4 and 9 points a basis in contaminated neighbourhoods (figure 6b)", run_basis},
-      {"spheres", "errors of spheres in generated scenes (figure 6c)", run_spheres},
+      {"sampling", "3, 4 and 9 points in the whole detector over the sampling rate (figure 6b)",
+       run_sampling},
+      {"spheres", "errors of spheres in generated scenes, time of spheres alone (figure 6c)",
+       run_spheres},
       {"sequence", "errors of a ball in a sequence of real scans (figure 6c, table 1)",
        run_sequence},
   };

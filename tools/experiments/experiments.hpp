@@ -20,7 +20,12 @@ Report run_lambda(const Settings& settings);
 /// neighbourhoods have the quadric, with 3, 4 and 9 points a basis.
 Report run_basis(const Settings& settings);
 
-/// Errors of radius and centre of the spheres that detect() finds in generated scenes.
+/// The whole detector with 3, 4 and 9 points a basis over the sampling rate and over the number of
+/// bases, in generated scenes: share found and time.
+Report run_sampling(const Settings& settings);
+
+/// Errors of radius and centre of the spheres that detect() finds in generated scenes, and the time
+/// of the search for spheres alone beside that for all types.
 Report run_spheres(const Settings& settings);
 
 /// Errors of radius and centre on a sequence of real scans, $QUADRILLE_DATA or ../shared; without
