@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "experiments/cylinder_match.hpp"
 #include "experiments/fit_errors.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/neighbourhood.hpp"
@@ -197,4 +198,30 @@ TEST_CASE("the truth scores itself as all found, and nothing else does", "[exper
   CHECK(truth.score(shifted).found == 0);
   CHECK(truth.score({}).recall() == 0.0);
   CHECK(truth.score({}).precision() == 1.0);
+}
+
+TEST_CASE("a cylinder is found when axis and radius agree, and counts once", "[experiment]") {
+  DetectionResult result;
+  result.detections.resize(1);
+  Detection& found = result.detections[0];
+  found.type = QuadricType::kCylinder;
+  found.dimensions = {{"radius", 0.0205, 0.0}, {"length", 0.05, 0.0}};
+  found.X_CQ.translation() << 0.0, 0.003, 0.54;
+  const KnownCylinder truth{{0, 0, 0.5}, {0, 0, -1}, 0.02};
+  const auto is_found = [&] { return found_cylinders(result, {truth}).front() != 0; };
+  CHECK(is_found());
+  CHECK(found_cylinders(result, {truth, truth}) == std::vector<char>{1, 0});
+  const Detection good = found;
+  found.dimensions[0].value = 0.0225;
+  CHECK_FALSE(is_found());
+  found = good;
+  found.X_CQ.translation().y() = 0.0045;
+  CHECK_FALSE(is_found());
+  found = good;
+  found.X_CQ.linear() = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  found.X_CQ.translation() << 0.0, 0.0, 0.5;
+  CHECK_FALSE(is_found());
+  found = good;
+  found.type = QuadricType::kEllipticCylinder;
+  CHECK_FALSE(is_found());
 }

@@ -152,6 +152,20 @@ TEST_CASE("spheres of generated scenes are measured to a few per cent", "[experi
   }
 }
 
+TEST_CASE("cylinders of generated bins are found", "[experiment][bin]") {
+  const Report report = run_quick("cylinders");
+  REQUIRE(report.data.rows.size() == 9);
+  for (const auto& row : report.data.rows) {
+    CAPTURE(row[0], row[1]);
+    const double known = value_of(row[2]), exact = value_of(row[3]), any = value_of(row[4]);
+    CHECK(known >= 6);
+    CHECK(known <= value_of(row[0]));
+    CHECK(exact >= 0.4 * known);
+    CHECK(any <= known);
+    CHECK(value_of(row[6]) <= value_of(row[5]));
+  }
+}
+
 TEST_CASE("the ball of the real sequence is measured to a few per cent", "[experiment][real]") {
   const auto data = test::data_folder();
   if (!data) return;

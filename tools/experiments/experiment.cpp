@@ -18,6 +18,7 @@ const std::vector<Experiment>& all_experiments() {
        run_sampling},
       {"spheres", "errors of spheres in generated scenes, time of spheres alone (figure 6c)",
        run_spheres},
+      {"cylinders", "cylinders in clutter: generated bins (after table 2)", run_cylinders},
       {"sequence", "errors of a ball in a sequence of real scans (figure 6c, table 1)",
        run_sequence},
   };

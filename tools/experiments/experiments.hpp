@@ -28,6 +28,9 @@ Report run_sampling(const Settings& settings);
 /// of the search for spheres alone beside that for all types.
 Report run_spheres(const Settings& settings);
 
+/// Bins of equal cylinders lying on each other: share found over clutter and noise.
+Report run_cylinders(const Settings& settings);
+
 /// Errors of radius and centre on a sequence of real scans, $QUADRILLE_DATA or ../shared; without
 /// the scans one finding that says so.
 Report run_sequence(const Settings& settings);

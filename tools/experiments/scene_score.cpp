@@ -23,12 +23,12 @@ std::vector<int> thinned(const std::vector<int>& all, std::size_t most) {
 }
 
 KnownSurface known_surface(const scene::Scene& made, const scene::Surface& surface,
-                           const Eigen::Isometry3d& X_CS, int id) {
+                           const Eigen::Isometry3d& X_CS, int id, double factor) {
   KnownSurface known;
+  known.id = id;
   known.curved = surface.curved;
   known.pixels = made.ideal.visible[static_cast<std::size_t>(id)];
-  const double noise =
-      scene::depth_noise(scene::traits_of(made.options.family).noise, X_CS.translation().z());
+  const double noise = scene::depth_noise(factor, X_CS.translation().z());
   const double size = surface.box_S.sizes().maxCoeff();
   known.tolerance = std::max(2.0 * noise, std::min(0.02 * size, 0.01));
   const Eigen::Array3d flush = 0.5 * surface.box_S.sizes().array();
@@ -84,37 +84,46 @@ SceneScore& SceneScore::operator+=(const SceneScore& other) {
   return *this;
 }
 
-SceneTruth::SceneTruth(const scene::Scene& made) : view_(made.view) {
+SceneTruth::SceneTruth(const scene::Scene& made, double noise) : view_(made.view) {
   int id = 0;
   for (const scene::Body& body : made.layout.bodies) {
     for (std::size_t part = 0; part < body.surfaces.size(); ++part, ++id) {
       const Eigen::Isometry3d X_CS = made.layout.X_CW * body.X_WB * body.X_BS[part];
-      KnownSurface known = known_surface(made, body.surfaces[part], X_CS, id);
+      KnownSurface known = known_surface(made, body.surfaces[part], X_CS, id, noise);
       if (static_cast<int>(known.own.size()) >= kLeastPoints) surfaces_.push_back(std::move(known));
     }
   }
 }
 
-SceneScore SceneTruth::score(const DetectionResult& result) const {
+std::vector<int> SceneTruth::matches(const DetectionResult& result) const {
   std::vector<char> taken(surfaces_.size(), 0);
-  SceneScore sum;
+  std::vector<int> ids;
   for (const Detection& detection : result.detections) {
-    if (detection.type == QuadricType::kPlane) continue;
-    ++sum.detected;
     std::size_t best = 0;
     double most = 0.0;
     for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-      const double share = taken[k] ? 0.0 : coverage(view_, surfaces_[k], detection.Q_C);
+      const bool free = !taken[k] && surfaces_[k].curved == (detection.type != QuadricType::kPlane);
+      const double share = free ? coverage(view_, surfaces_[k], detection.Q_C) : 0.0;
       if (share > most) most = share, best = k;
     }
-    if (most == 0.0) continue;
-    taken[best] = 1;
-    ++sum.right;
+    ids.push_back(most > 0.0 ? surfaces_[best].id : -1);
+    if (most > 0.0) taken[best] = 1;
   }
-  for (std::size_t k = 0; k < surfaces_.size(); ++k) {
-    if (!surfaces_[k].curved || surfaces_[k].pixels < kLeastPixels) continue;
+  return ids;
+}
+
+SceneScore SceneTruth::score(const DetectionResult& result) const {
+  const std::vector<int> ids = matches(result);
+  SceneScore sum;
+  for (std::size_t d = 0; d < ids.size(); ++d) {
+    if (result.detections[d].type == QuadricType::kPlane) continue;
+    ++sum.detected;
+    sum.right += ids[d] >= 0;
+  }
+  for (const KnownSurface& known : surfaces_) {
+    if (!known.curved || known.pixels < kLeastPixels) continue;
     ++sum.known;
-    sum.found += taken[k];
+    sum.found += std::count(ids.begin(), ids.end(), known.id) > 0;
   }
   return sum;
 }
