@@ -8,12 +8,15 @@
 #include "quadrille/detector/basis.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/sphere_vote.hpp"
+#include "quadrille/detector/web_vote.hpp"
 
 namespace quadrille {
 namespace {
 
 // A basis further than this from lying on one quadric is not worth a vote; see inconsistency().
 constexpr double kMostInconsistent = 0.6;
+// Normals of samples are known to about this [rad].
+constexpr double kNormalNoise = 0.05;
 
 OrientedPoint draw(const FitPoints& voters, RandomStream& random) {
   const int k = random.below(static_cast<int>(voters.size()));
@@ -68,6 +71,16 @@ std::vector<Eigen::Matrix4d> through_nine(const FitPoints& voters, RandomStream&
   return {Q.matrix()};
 }
 
+std::vector<Eigen::Matrix4d> through_two(const FitPoints& voters, const VoteOptions& options,
+                                         RandomStream& random) {
+  const OrientedPoint first = draw(voters, random), second = draw(voters, random);
+  std::vector<Eigen::Matrix4d> list;
+  if (const std::optional<Web> web = make_web({first, second}, kNormalNoise)) {
+    for (const WebPeak& peak : vote(*web, voters, options)) list.push_back(web->at(peak.lambda));
+  }
+  return list;
+}
+
 std::vector<Eigen::Matrix4d> spheres_through_one(const FitPoints& voters,
                                                  const VoteOptions& options, RandomStream& random) {
   const OrientedPoint basis = draw(voters, random);
@@ -89,6 +102,8 @@ std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& vo
       return through_four(voters, options, random);
     case BasisKind::kNinePoints:
       return through_nine(voters, random);
+    case BasisKind::kTwoPoints:
+      return through_two(voters, options, random);
     case BasisKind::kSphere:
       return spheres_through_one(voters, options, random);
   }

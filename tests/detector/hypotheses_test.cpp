@@ -41,7 +41,7 @@ TEST_CASE("every kind of basis finds an exact sphere, on the side of its normals
   RandomStream random(97, 0);
   const FitPoints points = to_fit_points(points_on(diagonal(1, 1, 1, -0.81), 150, 0.0, random));
   for (const BasisKind kind : {BasisKind::kThreePoints, BasisKind::kFourPoints,
-                               BasisKind::kNinePoints, BasisKind::kSphere}) {
+                               BasisKind::kNinePoints, BasisKind::kTwoPoints, BasisKind::kSphere}) {
     CAPTURE(static_cast<int>(kind));
     const auto [distance, cosine] = best_of(kind, 20, points, random);
     CHECK(distance < 0.02);
@@ -54,8 +54,8 @@ TEST_CASE("general bases find any quadric", "[hypotheses]") {
   for (const FamilyExample& example : family_examples()) {
     if (example.family == Family::kPlane) continue;
     const FitPoints points = to_fit_points(points_on(example.D, 200, example.low, random));
-    for (const BasisKind kind :
-         {BasisKind::kThreePoints, BasisKind::kFourPoints, BasisKind::kNinePoints}) {
+    for (const BasisKind kind : {BasisKind::kThreePoints, BasisKind::kFourPoints,
+                                 BasisKind::kNinePoints, BasisKind::kTwoPoints}) {
       CAPTURE(example.name, static_cast<int>(kind));
       CHECK(best_of(kind, 40, points, random).first < 0.05);
     }
@@ -68,7 +68,7 @@ TEST_CASE("coinciding points draw no hypothesis", "[hypotheses][hostile]") {
   points.nx.setConstant(1.0f), points.ny.setZero(), points.nz.setZero();
   RandomStream random(99, 0);
   for (const BasisKind kind : {BasisKind::kThreePoints, BasisKind::kFourPoints,
-                               BasisKind::kNinePoints, BasisKind::kSphere}) {
+                               BasisKind::kNinePoints, BasisKind::kTwoPoints, BasisKind::kSphere}) {
     CHECK(draw_hypotheses(kind, points, VoteOptions(), random).empty());
   }
 }

@@ -108,17 +108,18 @@ TEST_CASE("three points with a vote find more in clutter than four or nine", "[e
   };
   const double three = found("3 points, vote, consistency test");
   CHECK(three > 0.5);
+  CHECK(found("2 points, vote in 3 dimensions") > 0.5);
   CHECK(three >= found("4 points, compact"));
   CHECK(three >= found("9 points, Taubin"));
   const auto rows = rows_of(report.tables[2], {"0 %"});
-  CHECK(rows.size() == 5);
+  CHECK(rows.size() == 6);
 }
 
 TEST_CASE("cells as large as the bodies find less than the default ones, and take less time",
           "[experiment]") {
   const Report report = run_quick("sampling");
   for (const char* family : {"medium", "hard"}) {
-    for (const char* way : {"3 points, vote", "4 points", "9 points"}) {
+    for (const char* way : {"2 points, vote", "3 points, vote", "4 points", "9 points"}) {
       CAPTURE(family, way);
       const auto fine = rows_of(report.data, {family, "0.0036", "5", way});
       const auto coarse = rows_of(report.data, {family, "0.0144", "5", way});
@@ -131,7 +132,7 @@ TEST_CASE("cells as large as the bodies find less than the default ones, and tak
       CHECK(value_of(coarse[0][8]) < value_of(fine[0][8]));
     }
   }
-  CHECK(rows_of(report.data, {"medium", "0.0036", "1"}).size() == 3);
+  CHECK(rows_of(report.data, {"medium", "0.0036", "1"}).size() == 4);
 }
 
 TEST_CASE("spheres of generated scenes are measured to a few per cent", "[experiment]") {

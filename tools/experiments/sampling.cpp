@@ -16,7 +16,8 @@ struct Way {
   const char* name;
   BasisKind basis;
 };
-constexpr Way kWays[] = {{"3 points, vote", BasisKind::kThreePoints},
+constexpr Way kWays[] = {{"2 points, vote", BasisKind::kTwoPoints},
+                         {"3 points, vote", BasisKind::kThreePoints},
                          {"4 points", BasisKind::kFourPoints},
                          {"9 points", BasisKind::kNinePoints}};
 

@@ -14,6 +14,7 @@ enum class BasisKind {
   kThreePoints,  ///< three oriented points and a vote along their null space (paper, section 4)
   kFourPoints,   ///< a fourth point fixes λ (paper, theorem 3)
   kNinePoints,   ///< nine points without normals
+  kTwoPoints,    ///< two oriented points and a vote in three dimensions (paper, figure 2b)
   kSphere,       ///< one oriented point and a vote for the radius (paper, figure 2b)
 };
 
