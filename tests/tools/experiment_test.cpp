@@ -135,6 +135,29 @@ TEST_CASE("cells as large as the bodies find less than the default ones, and tak
   CHECK(rows_of(report.data, {"medium", "0.0036", "1"}).size() == 4);
 }
 
+TEST_CASE("triplets repeat more often with more bases, and count only with the hash",
+          "[experiment]") {
+  const Report report = run_quick("triplets");
+  for (const char* family : {"medium", "hard"}) {
+    std::vector<double> shares;
+    for (const char* bases : {"5", "50"}) {
+      CAPTURE(family, bases);
+      const auto without = rows_of(report.data, {family, bases, "plain"});
+      const auto with = rows_of(report.data, {family, bases, "hashed"});
+      const auto single = rows_of(report.data, {family, bases, "one radius"});
+      REQUIRE(single.size() == 1);
+      CHECK(value_of(single[0][4]) < value_of(with[0][4]));
+      REQUIRE((without.size() == 1 && with.size() == 1));
+      CHECK(value_of(without[0][3]) + value_of(without[0][4]) == 0);
+      CHECK(value_of(with[0][3]) > 100);
+      shares.push_back(value_of(with[0][4]) / value_of(with[0][3]));
+      CHECK(std::abs(value_of(with[0][7]) - value_of(without[0][7])) <= 3);
+    }
+    CHECK(shares[0] < shares[1]);
+    CHECK(shares[1] < 0.5);
+  }
+}
+
 TEST_CASE("spheres of generated scenes are measured to a few per cent", "[experiment]") {
   const Report report = run_quick("spheres");
   int found = 0;

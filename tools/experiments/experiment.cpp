@@ -17,6 +17,7 @@ const std::vector<Experiment>& all_experiments() {
        run_basis},
       {"sampling", "2, 3, 4 and 9 points in the whole detector over the sampling rate (figure 6b)",
        run_sampling},
+      {"triplets", "how often the search draws a basis again (section 5)", run_triplets},
       {"spheres", "errors of spheres in generated scenes, time of spheres alone (figure 6c)",
        run_spheres},
       {"cylinders", "cylinders in clutter: generated bins (after table 2)", run_cylinders},

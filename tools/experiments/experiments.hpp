@@ -24,6 +24,9 @@ Report run_basis(const Settings& settings);
 /// of bases, in generated scenes: share found and time.
 Report run_sampling(const Settings& settings);
 
+/// Repeated triplets in the search, and what it costs and helps to hash them.
+Report run_triplets(const Settings& settings);
+
 /// Errors of radius and centre of the spheres that detect() finds in generated scenes, and the time
 /// of the search for spheres alone beside that for all types.
 Report run_spheres(const Settings& settings);
