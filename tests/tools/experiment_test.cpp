@@ -208,8 +208,7 @@ TEST_CASE("without a name the command lists the experiments, and an unknown one 
   const auto list = run_quadrille("experiment");
   CHECK(list.code == 0);
   for (const Experiment& experiment : all_experiments()) {
-    CHECK(contains(list.out, "\n" + std::string(experiment.name) + " ") |
-          list.out.starts_with(std::string(experiment.name) + " "));
+    CHECK(contains("\n" + list.out, std::string("\n").append(experiment.name).append(" ")));
   }
   CHECK(test::lines_of(list.out) == static_cast<int>(all_experiments().size()));
   const auto unknown = run_quadrille("experiment nonsense");
