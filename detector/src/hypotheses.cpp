@@ -8,33 +8,48 @@
 #include "quadrille/detector/basis.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/sphere_vote.hpp"
+#include "quadrille/detector/web_vote.hpp"
 
 namespace quadrille {
 namespace {
 
 // A basis further than this from lying on one quadric is not worth a vote; see inconsistency().
 constexpr double kMostInconsistent = 0.6;
+// Normals of samples are known to about this [rad].
+constexpr double kNormalNoise = 0.05;
+
+int draw_index(const FitPoints& voters, RandomStream& random) {
+  return random.below(static_cast<int>(voters.size()));
+}
 
 // Curvature below which a neighbourhood, of size one, passes for a plane.
 constexpr double kFlattest = 0.2;
 
 OrientedPoint draw(const FitPoints& voters, RandomStream& random) {
-  const int k = random.below(static_cast<int>(voters.size()));
+  const int k = draw_index(voters, random);
   return {voters.point(k), voters.normal(k)};
 }
 
-std::optional<Pencil> draw_pencil(const FitPoints& voters, RandomStream& random) {
+std::optional<Pencil> draw_pencil(const FitPoints& voters, RandomStream& random,
+                                  BasisMemory* memory = nullptr) {
   std::array<OrientedPoint, 3> basis;
-  for (OrientedPoint& point : basis) point = draw(voters, random);
+  std::array<int, 3> which;
+  for (std::size_t i = 0; i < 3; ++i) {
+    which[i] = draw_index(voters, random);
+    basis[i] = {voters.point(which[i]), voters.normal(which[i])};
+  }
   std::optional<Pencil> pencil = make_pencil(basis);
   if (pencil && inconsistency(basis) > kMostInconsistent) pencil.reset();
+  if (!pencil || !memory) return pencil;
+  for (int& index : which) index = memory->sample_of_voter[static_cast<std::size_t>(index)];
+  if (!memory->triplets.insert(which)) pencil.reset();
   return pencil;
 }
 
 std::vector<Eigen::Matrix4d> through_three(const FitPoints& voters, const VoteOptions& options,
-                                           RandomStream& random) {
+                                           RandomStream& random, BasisMemory* memory) {
   std::vector<Eigen::Matrix4d> list;
-  if (const std::optional<Pencil> pencil = draw_pencil(voters, random)) {
+  if (const std::optional<Pencil> pencil = draw_pencil(voters, random, memory)) {
     for (const VotePeak& peak : vote(*pencil, voters, options)) {
       list.push_back(pencil->at(peak.lambda));
     }
@@ -71,6 +86,16 @@ std::vector<Eigen::Matrix4d> through_nine(const FitPoints& voters, RandomStream&
   return {Q.matrix()};
 }
 
+std::vector<Eigen::Matrix4d> through_two(const FitPoints& voters, const VoteOptions& options,
+                                         RandomStream& random) {
+  const OrientedPoint first = draw(voters, random), second = draw(voters, random);
+  std::vector<Eigen::Matrix4d> list;
+  if (const std::optional<Web> web = make_web({first, second}, kNormalNoise)) {
+    for (const WebPeak& peak : vote(*web, voters, options)) list.push_back(web->at(peak.lambda));
+  }
+  return list;
+}
+
 std::vector<Eigen::Matrix4d> spheres_through_one(const FitPoints& voters,
                                                  const VoteOptions& options, RandomStream& random) {
   const OrientedPoint basis = draw(voters, random);
@@ -85,14 +110,17 @@ std::vector<Eigen::Matrix4d> spheres_through_one(const FitPoints& voters,
 }  // namespace
 
 std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& voters,
-                                             const VoteOptions& options, RandomStream& random) {
+                                             const VoteOptions& options, RandomStream& random,
+                                             BasisMemory* memory) {
   switch (kind) {
     case BasisKind::kThreePoints:
-      return through_three(voters, options, random);
+      return through_three(voters, options, random, memory);
     case BasisKind::kFourPoints:
       return through_four(voters, options, random);
     case BasisKind::kNinePoints:
       return through_nine(voters, random);
+    case BasisKind::kTwoPoints:
+      return through_two(voters, options, random);
     case BasisKind::kSphere:
       return spheres_through_one(voters, options, random);
   }

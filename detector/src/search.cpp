@@ -64,6 +64,8 @@ class Searcher {
     return candidates;
   }
 
+  TripletCounts counts() const { return {memory_.triplets.size(), memory_.triplets.repeats()}; }
+
  private:
   void retire(int seed) {
     open_[seed] = 0;
@@ -89,7 +91,11 @@ class Searcher {
   std::optional<Hypothesis> best_hypothesis(int seed, const std::vector<int>& around) {
     RandomStream random(seed_, 1 + static_cast<std::uint64_t>(seed));
     const Normalisation local = normalisation_of(samples_, around);
-    FitPoints voters = fit_points(samples_, around, local, options_.voters);
+    const std::vector<int> chosen =
+        spread_evenly(around, static_cast<std::size_t>(options_.voters));
+    const FitPoints voters = fit_points(samples_, chosen, local, options_.voters);
+    BasisMemory* const memory = options_.hash_triplets ? &memory_ : nullptr;
+    if (memory) memory->sample_of_voter = chosen;
     const float limit = static_cast<float>(
         (inlier_.sigmas * samples_.sigma[seed] + inlier_.cells * samples_.cell[seed]) /
         local.scale);
@@ -101,7 +107,7 @@ class Searcher {
     Hypothesis best;
     for (int trial = 0; trial < options_.bases; ++trial) {
       for (const Eigen::Matrix4d& Q :
-           draw_hypotheses(options_.basis, voters, vote_options, random)) {
+           draw_hypotheses(options_.basis, voters, vote_options, random, memory)) {
         const int support =
             count_support(voters, Q, limit, static_cast<float>(inlier_.least_cosine));
         if (support > best.support) best = {local.to_frame(Q), support};
@@ -122,14 +128,18 @@ class Searcher {
   std::vector<char> open_;
   std::vector<int> stamp_;
   int mark_ = 0;
+  BasisMemory memory_;
 };
 
 }  // namespace
 
 std::vector<Candidate> search(const SurfaceSamples& samples, std::vector<char> open,
                               const SearchOptions& options, const InlierTest& inlier,
-                              std::uint64_t seed) {
-  return Searcher(samples, std::move(open), options, inlier, seed).run();
+                              std::uint64_t seed, TripletCounts* counts) {
+  Searcher searcher(samples, std::move(open), options, inlier, seed);
+  std::vector<Candidate> candidates = searcher.run();
+  if (counts) *counts = searcher.counts();
+  return candidates;
 }
 
 }  // namespace quadrille

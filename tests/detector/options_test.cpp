@@ -65,7 +65,7 @@ TEST_CASE("each setting out of range is refused by its name", "[options][hostile
     DetectorOptions options;
     if (!break_field(&options, name)) {
       CHECK(std::set<std::string>{"seed", "search.basis", "search.quantisation",
-                                  "agglomerate.enabled"}
+                                  "search.hash_triplets", "agglomerate.enabled"}
                 .contains(name));
       continue;
     }
@@ -96,51 +96,21 @@ TEST_CASE("a visit reaches each scalar setting", "[options]") {
   auto& [noise_radius, quantile, patches] = noise;
   auto& [p1, p2, p3, p4, p5] = planes;
   auto& [i1, i2, i3] = inlier;
-  auto& [basis, quantisation, radii, s1, s2, s3, grow] = search;
+  auto& [basis, quantisation, radii, s1, s2, hash, s3, grow] = search;
   auto& [enabled, c1, c2, c3] = agglomerate;
   auto& [grow_families, g1, g2, g3] = grow;
   auto& [families, a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13] = aggregate;
-  const std::set<const void*> scalars = {&seed,
-                                         &threads,
-                                         &cell,
-                                         &noisiest_cell,
-                                         &noise_radius,
-                                         &quantile,
-                                         &patches,
-                                         &p1,
-                                         &p2,
-                                         &p3,
-                                         &p4,
-                                         &p5,
-                                         &i1,
-                                         &i2,
-                                         &i3,
-                                         &s1,
-                                         &s2,
-                                         &s3,
-                                         &g1,
-                                         &g2,
-                                         &g3,
-                                         &a1,
-                                         &a2,
-                                         &a3,
-                                         &a4,
-                                         &a5,
-                                         &a6,
-                                         &a7,
-                                         &a8,
-                                         &a9,
-                                         &a10,
-                                         &a11,
-                                         &a12,
-                                         &a13,
-                                         &stride,
-                                         &basis,
-                                         &quantisation,
-                                         &enabled,
-                                         &c1,
-                                         &c2,
-                                         &c3};
+  const std::set<const void*> scalars = {&seed,         &threads,  &cell,    &noisiest_cell,
+                                         &noise_radius, &quantile, &patches, &p1,
+                                         &p2,           &p3,       &p4,      &p5,
+                                         &i1,           &i2,       &i3,      &s1,
+                                         &s2,           &s3,       &g1,      &g2,
+                                         &g3,           &a1,       &a2,      &a3,
+                                         &a4,           &a5,       &a6,      &a7,
+                                         &a8,           &a9,       &a10,     &a11,
+                                         &a12,          &a13,      &stride,  &basis,
+                                         &quantisation, &hash,     &enabled, &c1,
+                                         &c2,           &c3};
   CHECK(visit(o).fields == scalars);
   CHECK(only.empty());
   CHECK(radii.size() == 3);

@@ -49,6 +49,20 @@ TEST_CASE("the printed defaults read back as the defaults", "[config]") {
   CHECK(a == b);
 }
 
+TEST_CASE("each kind of basis has its word, and others are refused with the list", "[config]") {
+  const test::TempFolder folder;
+  const auto basis = [&](const std::string& word) {
+    return io::load_settings(folder.write("c.toml", "[search]\nbasis = \"" + word + "\"\n"))
+        .detector.search.basis;
+  };
+  CHECK(basis("two_points") == BasisKind::kTwoPoints);
+  CHECK(basis("three_points") == BasisKind::kThreePoints);
+  CHECK(basis("four_points") == BasisKind::kFourPoints);
+  CHECK(basis("nine_points") == BasisKind::kNinePoints);
+  CHECK(basis("sphere") == BasisKind::kSphere);
+  CHECK(contains(config_error("[search]\nbasis = \"five_points\"\n"), "two_points, sphere"));
+}
+
 TEST_CASE("a wrong configuration is refused with its key and line", "[config][hostile]") {
   const std::string unknown = config_error("seed = 1\n\nnonsense = 3\n");
   CHECK(contains(unknown, "line 3"));

@@ -1,10 +1,12 @@
 #include <cmath>
 
+#include "experiments/cylinder_match.hpp"
 #include "experiments/fit_errors.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/neighbourhood.hpp"
 #include "experiments/plot.hpp"
 #include "experiments/random_quadric.hpp"
+#include "experiments/scene_score.hpp"
 #include "experiments/sphere_errors.hpp"
 #include "experiments/table.hpp"
 #include "quadrille/detector/fits/taubin_fit.hpp"
@@ -166,4 +168,60 @@ TEST_CASE("a detection matches the known sphere that it is nearest to", "[experi
   const Report report = report_errors({{"a", {error, {}}}, {"none", {{}}}});
   CHECK(report.tables.front().rows.size() == 2);
   CHECK(contains(report.findings.front(), "1 of 2 found"));
+}
+
+TEST_CASE("the truth scores itself as all found, and nothing else does", "[experiment][scene]") {
+  const scene::Scene made = scene::make_scene({scene::Family::kMedium, 3});
+  const SceneTruth truth(made);
+  DetectionResult exact;
+  for (const scene::Body& body : made.layout.bodies) {
+    for (std::size_t part = 0; part < body.surfaces.size(); ++part) {
+      if (!body.surfaces[part].curved) continue;
+      Detection detection;
+      detection.type = QuadricType::kEllipsoid;
+      detection.Q_C =
+          body.surfaces[part].Q_S.transformed(made.layout.X_CW * body.X_WB * body.X_BS[part]);
+      exact.detections.push_back(detection);
+    }
+  }
+  const SceneScore all = truth.score(exact);
+  CHECK(all.known >= 3);
+  CHECK(all.recall() == 1.0);
+  CHECK(all.precision() == 1.0);
+  // A second detection of the same surface is one too many.
+  exact.detections.push_back(exact.detections.front());
+  CHECK(truth.score(exact).right == all.right);
+  DetectionResult shifted = exact;
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.translation() << 0.05, 0.05, 0.05;
+  for (Detection& detection : shifted.detections) detection.Q_C = detection.Q_C.transformed(X);
+  CHECK(truth.score(shifted).found == 0);
+  CHECK(truth.score({}).recall() == 0.0);
+  CHECK(truth.score({}).precision() == 1.0);
+}
+
+TEST_CASE("a cylinder is found when axis and radius agree, and counts once", "[experiment]") {
+  DetectionResult result;
+  result.detections.resize(1);
+  Detection& found = result.detections[0];
+  found.type = QuadricType::kCylinder;
+  found.dimensions = {{"radius", 0.0205, 0.0}, {"length", 0.05, 0.0}};
+  found.X_CQ.translation() << 0.0, 0.003, 0.54;
+  const KnownCylinder truth{{0, 0, 0.5}, {0, 0, -1}, 0.02};
+  const auto is_found = [&] { return found_cylinders(result, {truth}).front() != 0; };
+  CHECK(is_found());
+  CHECK(found_cylinders(result, {truth, truth}) == std::vector<char>{1, 0});
+  const Detection good = found;
+  found.dimensions[0].value = 0.0225;
+  CHECK_FALSE(is_found());
+  found = good;
+  found.X_CQ.translation().y() = 0.0045;
+  CHECK_FALSE(is_found());
+  found = good;
+  found.X_CQ.linear() = Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitX()).toRotationMatrix();
+  found.X_CQ.translation() << 0.0, 0.0, 0.5;
+  CHECK_FALSE(is_found());
+  found = good;
+  found.type = QuadricType::kEllipticCylinder;
+  CHECK_FALSE(is_found());
 }

@@ -108,10 +108,54 @@ TEST_CASE("three points with a vote find more in clutter than four or nine", "[e
   };
   const double three = found("3 points, vote, consistency test");
   CHECK(three > 0.5);
+  CHECK(found("2 points, vote in 3 dimensions") > 0.5);
   CHECK(three >= found("4 points, compact"));
   CHECK(three >= found("9 points, Taubin"));
   const auto rows = rows_of(report.tables[2], {"0 %"});
-  CHECK(rows.size() == 5);
+  CHECK(rows.size() == 6);
+}
+
+TEST_CASE("cells as large as the bodies find less than the default ones, and take less time",
+          "[experiment]") {
+  const Report report = run_quick("sampling");
+  for (const char* family : {"medium", "hard"}) {
+    for (const char* way : {"2 points, vote", "3 points, vote", "4 points", "9 points"}) {
+      CAPTURE(family, way);
+      const auto fine = rows_of(report.data, {family, "0.0036", "5", way});
+      const auto coarse = rows_of(report.data, {family, "0.0144", "5", way});
+      REQUIRE((fine.size() == 1 && coarse.size() == 1));
+      const double known = value_of(fine[0][4]), found = value_of(fine[0][5]);
+      CHECK(known >= 6);
+      CHECK(found >= 0.6 * known);
+      CHECK(found <= known);
+      CHECK(value_of(coarse[0][5]) < found);
+      CHECK(value_of(coarse[0][8]) < value_of(fine[0][8]));
+    }
+  }
+  CHECK(rows_of(report.data, {"medium", "0.0036", "1"}).size() == 4);
+}
+
+TEST_CASE("triplets repeat more often with more bases, and count only with the hash",
+          "[experiment]") {
+  const Report report = run_quick("triplets");
+  for (const char* family : {"medium", "hard"}) {
+    std::vector<double> shares;
+    for (const char* bases : {"5", "50"}) {
+      CAPTURE(family, bases);
+      const auto without = rows_of(report.data, {family, bases, "plain"});
+      const auto with = rows_of(report.data, {family, bases, "hashed"});
+      const auto single = rows_of(report.data, {family, bases, "one radius"});
+      REQUIRE(single.size() == 1);
+      CHECK(value_of(single[0][4]) < value_of(with[0][4]));
+      REQUIRE((without.size() == 1 && with.size() == 1));
+      CHECK(value_of(without[0][3]) + value_of(without[0][4]) == 0);
+      CHECK(value_of(with[0][3]) > 100);
+      shares.push_back(value_of(with[0][4]) / value_of(with[0][3]));
+      CHECK(std::abs(value_of(with[0][7]) - value_of(without[0][7])) <= 3);
+    }
+    CHECK(shares[0] < shares[1]);
+    CHECK(shares[1] < 0.5);
+  }
 }
 
 TEST_CASE("spheres of generated scenes are measured to a few per cent", "[experiment]") {
@@ -123,6 +167,27 @@ TEST_CASE("spheres of generated scenes are measured to a few per cent", "[experi
     CHECK(std::abs(value_of(row[2])) < 0.2);
   }
   CHECK(found >= 3);
+  REQUIRE(report.tables.size() == 2);
+  for (const auto& row : report.tables[1].rows) {
+    CAPTURE(row[0]);
+    CHECK(row[1] == "3");
+    CHECK(value_of(row[2]) > value_of(row[3]));
+    CHECK(value_of(row[4]) == Approx(value_of(row[2]) / value_of(row[3])).epsilon(0.01));
+  }
+}
+
+TEST_CASE("cylinders of generated bins are found", "[experiment][bin]") {
+  const Report report = run_quick("cylinders");
+  REQUIRE(report.data.rows.size() == 9);
+  for (const auto& row : report.data.rows) {
+    CAPTURE(row[0], row[1]);
+    const double known = value_of(row[2]), exact = value_of(row[3]), any = value_of(row[4]);
+    CHECK(known >= 6);
+    CHECK(known <= value_of(row[0]));
+    CHECK(exact >= 0.4 * known);
+    CHECK(any <= known);
+    CHECK(value_of(row[6]) <= value_of(row[5]));
+  }
 }
 
 TEST_CASE("the ball of the real sequence is measured to a few per cent", "[experiment][real]") {
@@ -143,8 +208,7 @@ TEST_CASE("without a name the command lists the experiments, and an unknown one 
   const auto list = run_quadrille("experiment");
   CHECK(list.code == 0);
   for (const Experiment& experiment : all_experiments()) {
-    CHECK(contains(list.out, "\n" + std::string(experiment.name) + " ") |
-          list.out.starts_with(std::string(experiment.name) + " "));
+    CHECK(contains("\n" + list.out, std::string("\n").append(experiment.name).append(" ")));
   }
   CHECK(test::lines_of(list.out) == static_cast<int>(all_experiments().size()));
   const auto unknown = run_quadrille("experiment nonsense");

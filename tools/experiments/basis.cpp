@@ -1,91 +1,22 @@
-#include "quadrille/detector/basis.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
 #include "experiments/experiments.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/neighbourhood.hpp"
-#include "quadrille/detector/fits/compact_fit.hpp"
-#include "quadrille/detector/fits/taubin_fit.hpp"
+#include "experiments/samplers.hpp"
 #include "quadrille/detector/hypotheses.hpp"
-#include "quadrille/detector/vote.hpp"
 
 namespace quadrille::experiments {
 namespace {
 
 // In radii of the neighbourhood: of a hypothesis's inliers, and of a quadric that counts as found.
 constexpr double kInlier = 0.03, kFound = 0.06;
-constexpr double kLeastCosine = 0.85;
-// As in search.cpp.
-constexpr double kMostInconsistent = 0.6;
 constexpr Eigen::Index kVoters = 100;
 constexpr double kWanted = 0.95;
-constexpr const char* kThree = "3 points, vote, consistency test";
-
-/// Turns random points of a neighbourhood into hypotheses.
-struct Sampler {
-  std::string name;
-  std::function<void(const Neighbourhood&, const FitPoints& voters, RandomStream&,
-                     std::vector<Quadric>*)>
-      draw;
-};
-
-OrientedPoints random_tuple(const Neighbourhood& from, int count, RandomStream& random) {
-  OrientedPoints tuple(count);
-  for (int i = 0; i < count; ++i) {
-    const int k = random.below(static_cast<int>(from.points.size()));
-    tuple.points.col(i) = from.points.points.col(k);
-    tuple.normals.col(i) = from.points.normals.col(k);
-  }
-  return tuple;
-}
-
-void vote_with_three(const Neighbourhood& from, const FitPoints& voters, bool check,
-                     RandomStream& random, std::vector<Quadric>* hypotheses) {
-  std::array<OrientedPoint, 3> basis;
-  for (OrientedPoint& point : basis) {
-    point = from.points.at(random.below(static_cast<int>(from.points.size())));
-  }
-  const auto pencil = make_pencil(basis);
-  if (!pencil || (check && inconsistency(basis) > kMostInconsistent)) return;
-  VoteOptions options;
-  options.least_height = 0.1;
-  options.least_cosine = kLeastCosine;
-  for (const VotePeak& peak : vote(*pencil, voters, options)) {
-    hypotheses->emplace_back(pencil->at(peak.lambda));
-  }
-}
-
-template <class Fit>
-Sampler tuple_sampler(const std::string& name, int count, Fit fit) {
-  return {name, [count, fit](const Neighbourhood& from, const FitPoints&, RandomStream& random,
-                             std::vector<Quadric>* hypotheses) {
-            const auto Q = fit(random_tuple(from, count, random));
-            if (Q) hypotheses->push_back(*Q);
-          }};
-}
-
-std::vector<Sampler> all_samplers() {
-  using P = const OrientedPoints&;
-  const auto three = [](bool check) {
-    return [check](const Neighbourhood& from, const FitPoints& voters, RandomStream& random,
-                   std::vector<Quadric>* hypotheses) {
-      vote_with_three(from, voters, check, random, hypotheses);
-    };
-  };
-  return {
-      {kThree, three(true)},
-      {"3 points, vote", three(false)},
-      tuple_sampler("4 points, compact", 4, [](P p) { return fit_compact(p); }),
-      tuple_sampler("4 points, closed form", 4, [](P p) { return fit_three_and_one(p); }),
-      tuple_sampler("9 points, Taubin", 9, [](P p) { return fit_taubin(p); }),
-  };
-}
 
 /// RANSAC in one neighbourhood.
 struct Trace {
@@ -125,7 +56,7 @@ Trace search_in(const Neighbourhood& from, const Sampler& sampler, int bases,
       for (const Quadric& Q : hypotheses) {
         ++trace.hypotheses;
         const int support = count_support(from.voters, Q.matrix(), static_cast<float>(kInlier),
-                                          static_cast<float>(kLeastCosine));
+                                          static_cast<float>(kSamplerCosine));
         if (support > most) most = support, best.emplace_back(basis, Q);
       }
     }
@@ -212,7 +143,7 @@ Table comparison(const std::vector<Outcome>& all, const std::vector<double>& sha
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
   for (const double wanted : {0.8, kWanted}) {
     for (const double share : shares) {
-      const Outcome* three = find_outcome(all, kThree, share);
+      const Outcome* three = find_outcome(all, kThreeName, share);
       const Outcome* four = find_outcome(all, other, share);
       const double recall = std::min({wanted, three->last_rate(), four->last_rate()});
       const double gain = four->time_to(recall) / three->time_to(recall);

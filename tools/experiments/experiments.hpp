@@ -17,11 +17,22 @@ Report run_minimal(const Settings& settings);
 Report run_lambda(const Settings& settings);
 
 /// RANSAC in neighbourhoods with 0 to 60 % outliers: bases and time until 95 % of the
-/// neighbourhoods have the quadric, with 3, 4 and 9 points a basis.
+/// neighbourhoods have the quadric, with 2, 3, 4 and 9 points a basis.
 Report run_basis(const Settings& settings);
 
-/// Errors of radius and centre of the spheres that detect() finds in generated scenes.
+/// The whole detector with 2, 3, 4 and 9 points a basis over the sampling rate and over the number
+/// of bases, in generated scenes: share found and time.
+Report run_sampling(const Settings& settings);
+
+/// Repeated triplets in the search, and what it costs and helps to hash them.
+Report run_triplets(const Settings& settings);
+
+/// Errors of radius and centre of the spheres that detect() finds in generated scenes, and the time
+/// of the search for spheres alone beside that for all types.
 Report run_spheres(const Settings& settings);
+
+/// Bins of equal cylinders lying on each other: share found over clutter and noise.
+Report run_cylinders(const Settings& settings);
 
 /// Errors of radius and centre on a sequence of real scans, $QUADRILLE_DATA or ../shared; without
 /// the scans one finding that says so.

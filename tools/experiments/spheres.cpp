@@ -1,14 +1,14 @@
+#include <fmt/format.h>
+
 #include "experiments/experiments.hpp"
+#include "experiments/measure.hpp"
+#include "experiments/scene_score.hpp"
 #include "experiments/sphere_errors.hpp"
 #include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/detector.hpp"
-#include "scene/scene.hpp"
 
 namespace quadrille::experiments {
 namespace {
-
-// Fewer pixels are a sphere that is all but hidden.
-constexpr int kLeastPixels = 300;
 
 std::vector<KnownSphere> spheres_of(const scene::Scene& made) {
   std::vector<KnownSphere> spheres;
@@ -25,11 +25,48 @@ std::vector<KnownSphere> spheres_of(const scene::Scene& made) {
   return spheres;
 }
 
-PointCloud cloud_of(const scene::Scene& made) {
-  PointCloud cloud;
-  cloud.points = made.view.points;
-  cloud.read = cloud.points.size();
-  return cloud;
+/// One of the two searches over the scenes of a family.
+struct Search {
+  DetectorOptions options;
+  std::vector<SphereError> errors;
+  /// Processor time of each scene [ms].
+  std::vector<double> times;
+
+  void run(const PointCloud& cloud, const std::vector<KnownSphere>& spheres) {
+    DetectionResult result;
+    times.push_back(1e-3 * microseconds([&] { result = detect(cloud, options); }));
+    for (const KnownSphere& truth : spheres) errors.push_back(match(result, truth));
+  }
+  std::string found() const {
+    std::ptrdiff_t count = 0;
+    for (const SphereError& error : errors) count += error.found;
+    return fmt::format("{} of {}", count, errors.size());
+  }
+};
+
+/// The search for all types, and that for spheres alone.
+struct Searches {
+  Search all, alone;
+};
+
+void report_times(const std::map<std::string, Searches>& families, Report* report) {
+  Table table{"Time of the search for spheres alone, one thread, median over the scenes",
+              {"set", "scenes", "all types [ms]", "spheres alone [ms]", "times faster",
+               "found: all types", "found: spheres alone"},
+              {}};
+  Search every;
+  std::vector<double> all;
+  for (const auto& [name, s] : families) {
+    const double slow = quantile(s.all.times, 0.5), fast = quantile(s.alone.times, 0.5);
+    table.add({name, fmt::format("{}", s.all.times.size()), number(slow), number(fast),
+               number(slow / fast), s.all.found(), s.alone.found()});
+    all.insert(all.end(), s.all.times.begin(), s.all.times.end());
+    every.times.insert(every.times.end(), s.alone.times.begin(), s.alone.times.end());
+  }
+  report->findings.push_back(fmt::format(
+      "The search for spheres alone takes {} ms in the median of {} scenes, that for all types {}.",
+      number(quantile(every.times, 0.5)), every.times.size(), number(quantile(all, 0.5))));
+  report->tables.push_back(table);
 }
 
 }  // namespace
@@ -40,21 +77,27 @@ Report run_spheres(const Settings& settings) {
       {"easy", scene::Family::kEasy},
       {"medium", scene::Family::kMedium},
       {"hard", scene::Family::kHard}};
-  std::map<std::string, std::vector<SphereError>> groups;
+  std::map<std::string, Searches> searches;
   double done = 0.0;
   for (const auto& [name, family] : families) {
+    Searches& both = searches[name];
+    both.alone.options.only = {QuadricType::kSphere};
     for (int k = 0; k < scenes; ++k) {
       const scene::Scene made =
           scene::make_scene({family, settings.seed * 1000 + static_cast<std::uint64_t>(k)});
-      const std::vector<KnownSphere> spheres = spheres_of(made);
-      if (!spheres.empty()) {
-        const DetectionResult result = detect(cloud_of(made));
-        for (const KnownSphere& truth : spheres) groups[name].push_back(match(result, truth));
+      for (Search* search : {&both.all, &both.alone}) {
+        search->run(cloud_of(made), spheres_of(made));
       }
       settings.progress(++done / (scenes * static_cast<double>(families.size())));
     }
   }
-  return report_errors(groups);
+  std::map<std::string, std::vector<SphereError>> groups;
+  for (const auto& [name, both] : searches) {
+    if (!both.all.errors.empty()) groups[name] = both.all.errors;
+  }
+  Report report = report_errors(groups);
+  report_times(searches, &report);
+  return report;
 }
 
 }  // namespace quadrille::experiments

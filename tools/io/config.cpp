@@ -22,10 +22,11 @@ template <class Choice>
 struct Words;
 template <>
 struct Words<BasisKind> {
-  static constexpr std::array<std::pair<std::string_view, BasisKind>, 4> kList = {
+  static constexpr std::array<std::pair<std::string_view, BasisKind>, 5> kList = {
       {{"three_points", BasisKind::kThreePoints},
        {"four_points", BasisKind::kFourPoints},
        {"nine_points", BasisKind::kNinePoints},
+       {"two_points", BasisKind::kTwoPoints},
        {"sphere", BasisKind::kSphere}}};
 };
 template <>

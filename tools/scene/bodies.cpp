@@ -221,6 +221,21 @@ Body random_box(double scale, Random* random) {
   return body;
 }
 
+Body make_cylinder(double radius, double length) { return tin(radius, radius, length, true); }
+
+Body make_tray(double half_x, double half_y, double height) {
+  Body body{"tray", {}, {}, Isometry3d::Identity(), std::sqrt(half_x * half_x + half_y * half_y)};
+  for (const double side : {-1.0, 1.0}) {
+    Isometry3d X = shifted({side * half_x, 0, height / 2});
+    X.linear() << Vector3d::UnitY(), Vector3d::UnitZ(), Vector3d::UnitX();
+    add(&body, rectangle("face", half_y, height / 2), X);
+    X = shifted({0, side * half_y, height / 2});
+    X.linear() << Vector3d::UnitZ(), Vector3d::UnitX(), Vector3d::UnitY();
+    add(&body, rectangle("face", height / 2, half_x), X);
+  }
+  return body;
+}
+
 Body make_table(double half_x, double half_y) {
   Body body{"table", {}, {}, Isometry3d::Identity(), 0.0};
   add(&body, rectangle("table", half_x, half_y), Isometry3d::Identity());

@@ -5,6 +5,7 @@
 
 #include "quadrille/detector/geometric_fit.hpp"
 #include "quadrille/detector/random.hpp"
+#include "quadrille/detector/triplet_set.hpp"
 #include "quadrille/detector/vote.hpp"
 
 namespace quadrille {
@@ -14,14 +15,25 @@ enum class BasisKind {
   kThreePoints,  ///< three oriented points and a vote along their null space (paper, section 4)
   kFourPoints,   ///< a fourth point fixes λ (paper, theorem 3)
   kNinePoints,   ///< nine points without normals
+  kTwoPoints,    ///< two oriented points and a vote in three dimensions (paper, figure 2b)
   kSphere,       ///< one oriented point and a vote for the radius (paper, figure 2b)
+};
+
+/// The bases of three points that were voted on, so that none is twice.
+struct BasisMemory {
+  TripletSet triplets;
+  /// The sample that each voter is.
+  std::vector<int> sample_of_voter;
 };
 
 /// Quadrics through one random basis, as symmetric 4x4 matrices in the coordinates of the voters,
 /// gradients on the side of the normals; none if the basis is degenerate.
 /// @param voters  oriented points of a neighbourhood, normalised; at least one
+/// @param memory  refuses a basis of three points that it knows, and learns the others; null for
+///                none. The other kinds of bases do without.
 std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& voters,
-                                             const VoteOptions& options, RandomStream& random);
+                                             const VoteOptions& options, RandomStream& random,
+                                             BasisMemory* memory = nullptr);
 
 /// How many of the voters lie within a distance of a quadric, first order, with the normal of its
 /// gradient.

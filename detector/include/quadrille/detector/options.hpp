@@ -59,6 +59,7 @@ void visit_options(Options& o, Visitor&& visit) {
   visit("search.quantisation", o.search.quantisation);
   visit("search.bases", o.search.bases);
   visit("search.voters", o.search.voters);
+  visit("search.hash_triplets", o.search.hash_triplets);
   visit("search.least_support", o.search.least_support);
   visit("search.grow.least_samples", o.search.grow.least_samples);
   visit("search.grow.rounds", o.search.grow.rounds);
