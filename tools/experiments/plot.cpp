@@ -104,6 +104,11 @@ std::string panel(const Plot& plot, double top) {
       path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x.place(p.first),
                           y.place(p.second));
     }
+    for (const auto& p : plot.lines[i].points) {
+      if (!plot.lines[i].marked || !shown(p)) continue;
+      svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" {}/>\n", x.place(p.first),
+                         y.place(p.second), style);
+    }
     if (!path.empty()) svg += fmt::format("<path d=\"{}\" {}/>\n", path, style);
     const double at = kLeft + kWidth + 12, height = top + 10 + 16 * static_cast<double>(i);
     svg += line(at, height, at + 24, height, style);

@@ -11,6 +11,8 @@ struct Series {
   std::string name;
   std::vector<std::pair<double, double>> points;
   bool dashed = false;
+  /// Each point as a dot, too.
+  bool marked = false;
 };
 
 /// A line plot with two axes.
