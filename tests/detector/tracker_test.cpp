@@ -137,6 +137,49 @@ TEST_CASE("one that takes the place of another of other size is new", "[track]")
   CHECK(tracks[3] == std::vector<int>{2});
 }
 
+TEST_CASE("of two that are alike, each stays where it is", "[track]") {
+  const auto tracks = track(6, [](int k) {
+    Frame frame = {test::exact_ball({0, 0, 1}, 0.05), test::exact_ball({0.12, 0, 1}, 0.05)};
+    if (k % 2) std::swap(frame[0], frame[1]);
+    return frame;
+  });
+  CHECK(tracks[4] == std::vector<int>{1, 2});
+  CHECK(tracks[5] == std::vector<int>{2, 1});
+}
+
+TEST_CASE("a surface of other shape in the same place is new", "[track]") {
+  const auto tracks = track(4, [](int k) {
+    return Frame{k < 2 ? test::exact_plane({0, 0, 0.9}, 0.2, 0.2)
+                       : test::exact_cylinder({0, 0, 1}, 0.1, 0.2)};
+  });
+  CHECK(tracks[1] == std::vector<int>{1});
+  CHECK(tracks[3] == std::vector<int>{2});
+}
+
+TEST_CASE("dimensions tell apart what the little that is seen does not", "[track]") {
+  // Caps so small that both spheres fit both; they change places between two frames.
+  const auto cap = [](double x, double radius) {
+    Detection ball = test::exact_ball({x, 0, 0.9 + radius}, radius);
+    ball.extent_Q = {Vector3d(-0.01, -0.01, 0.9 * radius), Vector3d(0.01, 0.01, radius)};
+    return ball;
+  };
+  const auto tracks = track(2, [&](int k) {
+    const double x = k == 0 ? 0.0 : 0.03;
+    return Frame{cap(x, 0.05), cap(0.03 - x, 0.1)};
+  });
+  CHECK(tracks[1] == std::vector<int>{1, 2});
+}
+
+TEST_CASE("what was just seen goes before what may be anywhere by now", "[track]") {
+  const auto tracks = track(12, [](int k) {
+    Frame frame = {test::exact_ball({k < 11 ? 0.0 : 0.02, 0, 1}, 0.05)};
+    if (k < 5) frame.push_back(test::exact_ball({0.12, 0, 1}, 0.05));
+    return frame;
+  });
+  CHECK(tracks[4] == std::vector<int>{1, 2});
+  CHECK(tracks[11] == std::vector<int>{1});
+}
+
 TEST_CASE("a moving camera keeps the ids of what is at rest if its poses are given", "[track]") {
   for (const bool with_poses : {true, false}) {
     Tracker tracker;
