@@ -8,7 +8,7 @@ namespace quadrille {
 namespace {
 
 // Lines through the extent, on each side of the grid.
-constexpr int kLines = 8;
+constexpr int kLines = 6;
 
 /// Where the line o + t d meets the quadric; roots of a double contact come once.
 std::vector<double> roots_on_line(const Quadric& Q, const Eigen::Vector3d& o,
@@ -70,15 +70,16 @@ void add_meetings(const SeenPatch& patch, const SeenPatch& other, const Eigen::V
   const double largest = std::max(patch.size, other.size);
   for (std::size_t i = 0; i < patch.points_W.size(); ++i) {
     const Eigen::Vector3d x = patch.points_W[i] + sign * shift_W;
-    const Eigen::Vector3d g = other.Q_W.gradient(x);
+    const Eigen::Vector4d h = other.Q_W.matrix() * x.homogeneous();
+    const double length = h.head<3>().norm();
     Meeting meeting;
     meeting.outside = std::sqrt(box.squaredExteriorDistance(other.X_QW * x));
-    if (g.norm() > 0.0) {
-      meeting.distance = std::clamp(other.Q_W.distance(x), -largest, largest);
-      meeting.slope = sign * g.normalized();
-      meeting.cosine = g.normalized().dot(patch.normals_W[i]);
-    } else {
-      meeting.distance = largest;
+    meeting.distance = largest;
+    if (length > 0.0) {
+      const Eigen::Vector3d n = h.head<3>() / length;
+      meeting.distance = std::clamp(0.5 * x.homogeneous().dot(h) / length, -largest, largest);
+      meeting.slope = sign * n;
+      meeting.cosine = n.dot(patch.normals_W[i]);
     }
     meetings->push_back(meeting);
   }
@@ -92,6 +93,7 @@ struct Meetings {
 
 Meetings meet(const SeenPatch& from, const SeenPatch& to, const Eigen::Vector3d& shift_W) {
   Meetings meetings;
+  meetings.list.reserve(from.points_W.size() + to.points_W.size());
   add_meetings(from, to, shift_W, 1.0, &meetings.list);
   meetings.count = meetings.list.size();
   add_meetings(to, from, shift_W, -1.0, &meetings.list);
@@ -125,7 +127,7 @@ Eigen::Vector3d find_shift(const SeenPatch& from, const SeenPatch& to) {
     const Eigen::Vector3d next = H.ldlt().solve(b);
     const double change = (next - shift).norm();
     shift = next;
-    if (change < 1e-4 * size) break;
+    if (change < 1e-3 * size) break;
   }
   return shift;
 }

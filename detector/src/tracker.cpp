@@ -128,7 +128,7 @@ Tracker::Pairing Tracker::compare(const Track& track, const Detection& detection
   const double most = squared(options_.gate);
   // The part that was seen may have changed by as much as it is large.
   const double reach = options_.gate * std::sqrt(variance) + track.patch.size + patch.size;
-  if ((patch.centre_W - track.patch.centre_W).norm() > 2.0 * reach) return {};
+  if ((patch.centre_W - track.patch.centre_W).norm() > reach) return {};
   const PatchMatch match = match_patches(track.patch, patch);
   const double place = match.shift_W.squaredNorm() / std::max(variance, 1e-12);
   if (!(place < most)) return {};
