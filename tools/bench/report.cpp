@@ -67,10 +67,12 @@ nlohmann::ordered_json to_json(const std::vector<Row>& rows) {
 std::vector<Plot> plots_of(const std::vector<Row>& rows) {
   std::vector<Plot> plots;
   for (const Row& row : rows) {
+    if (!std::isfinite(row.recall())) continue;
     const std::string title =
         fmt::format("{}, {}", row.family, row.counted.empty() ? "all quadrics" : "spheres alone");
     if (plots.empty() || plots.back().title != title) {
       plots.push_back({title, "median wall time of a frame [ms]", "recall", {}, true});
+      plots.back().least_y_range = {0.0, 1.0};
     }
     plots.back().lines.push_back(
         {row.contender, {{quantile(row.wall_ms, 0.5), row.recall()}}, false, true});
