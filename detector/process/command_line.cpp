@@ -1,5 +1,7 @@
 #include "command_line.hpp"
 
+#include <CLI/Error.hpp>
+
 namespace quadrille {
 
 CommandLine::CommandLine(CLI::App& app) {
@@ -7,6 +9,8 @@ CommandLine::CommandLine(CLI::App& app) {
   add_channel_option(app, "--in-channel", settings_.in_channel, "clouds");
   add_channel_option(app, "--out-channel", settings_.out_channel, "quadrics");
   add_channel_option(app, "--status-channel", settings_.status_channel, "status");
+  add_channel_option(app, "--pose-channel", settings_.pose_channel,
+                     "camera's poses (bot_core.pose_t), to track while it moves");
   detector_.add_to(app);
 }
 
@@ -14,6 +18,10 @@ DetectorSettings CommandLine::settings() const {
   DetectorSettings settings = settings_;
   settings.detector = detector_.options();
   settings.detector.check();
+  settings.track = detector_.track_options();
+  if (settings.pose_channel == settings.in_channel) {
+    throw CLI::ValidationError("--pose-channel", "must not be the channel of the clouds");
+  }
   return settings;
 }
 

@@ -16,15 +16,37 @@ namespace quadrille {
 DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publish)
     : settings_(settings),
       publish_(std::move(publish)),
-      dropped_before_(bus::count_dropped_datagrams()) {}
+      dropped_before_(bus::count_dropped_datagrams()),
+      tracker_(settings.track) {}
 
 std::vector<InChannel> DetectorNode::in_channels() const {
-  return {{"--in-channel", settings_.in_channel}};
+  std::vector<InChannel> channels = {{"--in-channel", settings_.in_channel}};
+  if (!settings_.pose_channel.empty()) {
+    channels.push_back({"--pose-channel", settings_.pose_channel});
+  }
+  return channels;
 }
 
 std::optional<Job> DetectorNode::receive(const std::string& channel,
                                          std::span<const std::byte> bytes) {
-  if (channel != settings_.in_channel) return std::nullopt;
+  if (channel == settings_.in_channel) return receive_cloud(channel, bytes);
+  if (channel == settings_.pose_channel) receive_pose(channel, bytes);
+  return std::nullopt;
+}
+
+void DetectorNode::receive_pose(const std::string& channel, std::span<const std::byte> bytes) {
+  const bus::Decoded<bus::PoseMessage> decoded = bus::decode_pose(bytes);
+  const std::lock_guard lock(mutex_);
+  ++poses_;
+  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
+    refusals_.add(channel, *rejection);
+  } else {
+    pose_history_.add(std::get<bus::PoseMessage>(decoded));
+  }
+}
+
+std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
+                                               std::span<const std::byte> bytes) {
   const TimePoint now = std::chrono::steady_clock::now();
   bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(bytes);
   const std::lock_guard lock(mutex_);
@@ -37,11 +59,19 @@ std::optional<Job> DetectorNode::receive(const std::string& channel,
   ++counts_.decoded;
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
   const std::int64_t utime = cloud.utime;
-  return Job{utime, [this, cloud = std::move(cloud), now] { detect_and_publish(cloud, now); }};
+  // Chosen now, and not when the work begins, by when more poses may have come than in a replay.
+  std::optional<Eigen::Isometry3d> X_WC = Eigen::Isometry3d::Identity();
+  if (!settings_.pose_channel.empty()) X_WC = pose_history_.at(utime);
+  if (!X_WC) ++clouds_without_pose_;
+  return Job{utime,
+             [this, cloud = std::move(cloud), X_WC, now] { detect_and_publish(cloud, X_WC, now); }};
 }
 
-void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud, TimePoint received) {
-  const DetectionResult result = detect(cloud.cloud, settings_.detector);
+void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud,
+                                      const std::optional<Eigen::Isometry3d>& X_WC,
+                                      TimePoint received) {
+  DetectionResult result = detect(cloud.cloud, settings_.detector);
+  if (X_WC) tracker_.update(cloud.utime, *X_WC, &result.detections);
   const auto bytes = bus::encode(bus::to_message(cloud, result));
   publish_(settings_.out_channel, bytes);
   const double latency = bus::ms_since(received);
@@ -82,8 +112,17 @@ detector_status_t DetectorNode::make_status() const {
 
 std::string DetectorNode::summary() const {
   const std::lock_guard lock(mutex_);
-  return fmt::format("clouds in: {}, {}; quadrics out: {}", counts_.received,
+  const std::string poses =
+      settings_.pose_channel.empty() ? "" : fmt::format("poses in: {}, ", poses_);
+  return fmt::format("clouds in: {}, {}{}; quadrics out: {}", counts_.received, poses,
                      describe(refusals_.counts()), detections_);
+}
+
+std::vector<std::string> DetectorNode::find_oddities() const {
+  const std::lock_guard lock(mutex_);
+  if (poses_ == 0 || clouds_without_pose_ == 0) return {};
+  return {fmt::format("{} of {} clouds are older than all poses before them and were not tracked",
+                      clouds_without_pose_, counts_.decoded)};
 }
 
 }  // namespace quadrille

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "pose_history.hpp"
 #include "process/node.hpp"
 #include "process/refusals.hpp"
 #include "quadrille/bus/cloud_message.hpp"
@@ -17,7 +18,7 @@
 
 namespace quadrille {
 
-/// Finds the quadrics of the clouds of one channel.
+/// Finds the quadrics of the clouds of one channel, and tracks them.
 class DetectorNode : public Node {
  public:
   DetectorNode(const DetectorSettings& settings, bus::Publish publish);
@@ -26,20 +27,28 @@ class DetectorNode : public Node {
   std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
   void publish_status(std::int64_t superseded, const std::vector<std::string>& warnings) override;
   std::string summary() const override;
+  std::vector<std::string> find_oddities() const override;
 
  private:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  void detect_and_publish(const bus::CloudMessage& cloud, TimePoint received);
+  std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
+  void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
+  void detect_and_publish(const bus::CloudMessage& cloud,
+                          const std::optional<Eigen::Isometry3d>& X_WC, TimePoint received);
   detector_status_t make_status() const;
 
   const DetectorSettings settings_;
   const bus::Publish publish_;
   const std::int64_t dropped_before_;
 
+  /// For the working thread.
+  Tracker tracker_;
+
   mutable std::mutex mutex_;
   detector_status_t counts_{};
-  std::int64_t detections_ = 0;
+  std::int64_t detections_ = 0, poses_ = 0, clouds_without_pose_ = 0;
+  PoseHistory pose_history_;
   Refusals refusals_;
   bus::Durations latencies_, detection_times_;
 };

@@ -4,6 +4,7 @@
 
 #include "cli/process_arguments.hpp"
 #include "quadrille/detector/options.hpp"
+#include "quadrille/detector/tracker.hpp"
 
 namespace quadrille {
 
@@ -13,7 +14,10 @@ struct DetectorSettings {
   std::string in_channel = "POINT_CLOUD";
   std::string out_channel = "QUADRICS";
   std::string status_channel = "QUADRILLE_DETECTOR_STATUS";
+  /// Carries the camera's poses; empty for a camera at rest.
+  std::string pose_channel;
   DetectorOptions detector;
+  TrackOptions track;
 };
 
 }  // namespace quadrille

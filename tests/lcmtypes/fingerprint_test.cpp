@@ -1,6 +1,7 @@
 #include <cstdint>
 #include <lcmtypes/bot_core/pointcloud2_t.hpp>
 #include <lcmtypes/bot_core/pointcloud_t.hpp>
+#include <lcmtypes/bot_core/pose_t.hpp>
 #include <lcmtypes/drake/lcmt_point_cloud.hpp>
 
 #include "support/catch.hpp"
@@ -13,4 +14,5 @@ TEST_CASE("the input types have the fingerprints of those that drivers publish",
   CHECK(bits(bot_core::pointcloud2_t::getHash()) == 0x0bcd5ce4bf5a1b4au);
   CHECK(bits(bot_core::pointfield_t::getHash()) == 0xb24e10825e0b476du);
   CHECK(bits(bot_core::pointcloud_t::getHash()) == 0x0d89dc76eb295069u);
+  CHECK(bits(bot_core::pose_t::getHash()) == 0x2e16efb052b0105eu);
 }

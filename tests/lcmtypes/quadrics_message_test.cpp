@@ -31,6 +31,7 @@ TEST_CASE("detections survive their message", "[bus][quadrics]") {
     CHECK(b.extent_Q.min() == a.extent_Q.min());
     CHECK(b.extent_Q.max() == a.extent_Q.max());
     CHECK(b.seen == a.seen);
+    CHECK(b.track == 7);
   }
 }
 

@@ -52,6 +52,7 @@ inline DetectionResult make_result() {
   cylinder.dimensions = {{"radius", 0.04, 0.0002}, {"length", 0.1, 0.001}};
   cylinder.extent_Q = {Eigen::Vector3d(-0.04, -0.04, -0.05), Eigen::Vector3d(0.04, 0.04, 0.05)};
   cylinder.seen = 0.4;
+  cylinder.track = 7;
   Detection plane = cylinder;
   plane.id = 2;
   plane.type = QuadricType::kPlane;

@@ -42,6 +42,9 @@ TEST_CASE("the printed defaults read back as the defaults", "[config]") {
   DetectorOptions back =
       io::load_settings(folder.write("c.toml", io::default_detector_config())).detector;
   DetectorOptions defaults;
+  const TrackOptions track =
+      io::load_settings(folder.write("c.toml", io::default_detector_config())).track;
+  CHECK(track.forget_after == TrackOptions().forget_after);
   std::vector<double> a, b;
   visit_options(back, [&](const char*, auto& field) { a.push_back(static_cast<double>(field)); });
   visit_options(defaults,

@@ -62,6 +62,13 @@ TEST_CASE("the JSON of a detection has the promised keys, types and digits", "[j
   CHECK(d["extent"]["max"] == io::Json({1.0, 2.0, 3.0}));
 }
 
+TEST_CASE("only a detection that is tracked has a track in JSON", "[json][track]") {
+  Detection d = example_detection();
+  CHECK_FALSE(io::to_json(d).contains("track"));
+  d.track = 12;
+  CHECK(io::to_json(d)["track"] == 12);
+}
+
 TEST_CASE("a quaternion in JSON is w x y z and turns as the pose does", "[json]") {
   const Detection d = example_detection();
   const io::Json q = io::to_json(d.X_CQ)["quaternion"];

@@ -53,7 +53,7 @@ TEST_CASE("clouds through a log give what their files give, in all message types
           "[command][log][determinism]") {
   const test::TempFolder folder;
   const std::string clouds = make_scene(folder, 3) + " " + make_scene(folder, 4);
-  const std::vector<json> expected = detect(clouds);
+  const std::vector<json> expected = detect("--track " + clouds);
   REQUIRE(expected.size() == 2);
   REQUIRE(expected[0]["detections"].size() >= 2);
   for (const char* type : {"drake", "pointcloud2", "pointcloud"}) {
@@ -67,12 +67,42 @@ TEST_CASE("the number of threads never changes the result, from a file or a log"
   const test::TempFolder folder;
   const std::string cloud = make_scene(folder, 5);
   const std::string log = make_log(folder, cloud);
-  const std::vector<json> expected = detect("--threads 1 " + cloud);
+  const std::vector<json> expected = detect("--track --threads 1 " + cloud);
   REQUIRE(expected[0]["detections"].size() >= 2);
   for (const char* threads : {"--threads 2 ", "--threads 5 "}) {
-    CHECK(detect(threads + cloud) == expected);
+    CHECK(detect(threads + ("--track " + cloud)) == expected);
     CHECK(detect(threads + log) == expected);
   }
+}
+
+TEST_CASE("clouds of a log have tracks, and files if they are successive views",
+          "[command][log][track]") {
+  const test::TempFolder folder;
+  const std::string cloud = make_scene(folder, 3);
+  const std::string twice = cloud + " " + cloud;
+  for (const json& apart : detect(twice)) {
+    for (const json& d : apart["detections"]) CHECK_FALSE(d.contains("track"));
+  }
+  const std::string log = make_log(folder, twice);
+  const std::vector<json> tracked = detect(log);
+  REQUIRE(tracked.size() == 2);
+  REQUIRE(tracked[0]["detections"].size() >= 2);
+  for (const json& d : tracked[0]["detections"]) CHECK(d["track"] == d["id"]);
+  CHECK(tracked[0]["detections"] == tracked[1]["detections"]);
+  // A log of its own is a sequence of its own.
+  CHECK(detect(log + " " + log)[2] == tracked[0]);
+  CHECK(contains(run_quadrille("detect " + log).out, "id  track  type"));
+  CHECK_FALSE(contains(run_quadrille("detect " + cloud).out, "track"));
+}
+
+TEST_CASE("tracking is set up, and switched off, by the configuration", "[command][log][track]") {
+  const test::TempFolder folder;
+  const std::string cloud = make_scene(folder, 3);
+  const std::string off = folder.write("off.toml", "[track]\nenabled = false\n");
+  const json first = detect("--track --config " + off + " " + cloud)[0]["detections"][0];
+  CHECK_FALSE(first.contains("track"));
+  const std::string wrong = folder.write("wrong.toml", "[track]\ngate = 0\n");
+  check_failure(run_quadrille("detect --config " + wrong + " " + cloud), "track.gate");
 }
 
 TEST_CASE("the clouds of a log are named by their number", "[command][log]") {

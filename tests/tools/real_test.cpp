@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
 
 #include "support/catch.hpp"
 #include "support/data.hpp"
@@ -87,6 +89,35 @@ TEST_CASE("the ball of a real sequence is found in each frame, mostly with its r
   REQUIRE(frames.size() >= 10);
   // From one side, a noisy ball can also be told as an ellipsoid.
   CHECK(3 * right >= 2 * static_cast<int>(frames.size()));
+}
+
+TEST_CASE("the ball of a real sequence has one track in all frames", "[command][real][track]") {
+  const auto data = test::data_folder();
+  if (!data) return;
+  const json manifest = json::parse(test::content_of((*data / "data/real/manifest.json").string()));
+  const json frames = scene_named(manifest, "d11_seq_ball_cam3")["frames"];
+  std::string files;
+  for (const json& frame : frames) {
+    files += " '" + (*data / "data/real" / frame["file"].get<std::string>()).string() + "'";
+  }
+  const Run run = run_quadrille("detect --track --json -" + files);
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  std::istringstream lines(run.out);
+  std::set<int> tracks;
+  std::size_t found = 0;
+  for (const json& frame : frames) {
+    std::string line;
+    REQUIRE(std::getline(lines, line));
+    const json result = json::parse(line);
+    for (const json& d : result["detections"]) {
+      if (!covers(d, frame["objects"][0])) continue;
+      tracks.insert(d["track"].get<int>());
+      ++found;
+    }
+  }
+  CHECK(found == frames.size());
+  CHECK(tracks.size() == 1);
 }
 
 TEST_CASE("boxes alone give nothing curved", "[command][real]") {

@@ -63,4 +63,8 @@ DetectorOptions DetectorArguments::options() const {
   return options;
 }
 
+TrackOptions DetectorArguments::track_options() const {
+  return config.empty() ? TrackOptions() : io::load_settings(config).track;
+}
+
 }  // namespace quadrille

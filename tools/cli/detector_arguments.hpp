@@ -6,6 +6,7 @@
 #include <string>
 
 #include "quadrille/detector/options.hpp"
+#include "quadrille/detector/tracker.hpp"
 
 namespace quadrille {
 
@@ -20,6 +21,9 @@ struct DetectorArguments {
   /// The settings of the file, overruled by those of the command line.
   /// @throws io::FileError if the file is wrong
   DetectorOptions options() const;
+  /// The settings of the tracker, from the file.
+  /// @throws io::FileError if the file is wrong
+  TrackOptions track_options() const;
 };
 
 }  // namespace quadrille

@@ -94,6 +94,7 @@ std::string panel(const Plot& plot, double top) {
       if (shown(p)) x.include(p.first), y.include(p.second);
     }
   }
+  for (const double value : plot.least_y_range) y.include(value);
   x.finish(), y.finish();
   std::string svg = frame(plot, x, y, top);
   for (std::size_t i = 0; i < plot.lines.size(); ++i) {
@@ -103,6 +104,11 @@ std::string panel(const Plot& plot, double top) {
       if (!shown(p)) continue;
       path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x.place(p.first),
                           y.place(p.second));
+    }
+    for (const auto& p : plot.lines[i].points) {
+      if (!plot.lines[i].marked || !shown(p)) continue;
+      svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n",
+                         x.place(p.first), y.place(p.second), kColours[i % kColours.size()]);
     }
     if (!path.empty()) svg += fmt::format("<path d=\"{}\" {}/>\n", path, style);
     const double at = kLeft + kWidth + 12, height = top + 10 + 16 * static_cast<double>(i);

@@ -11,6 +11,8 @@ struct Series {
   std::string name;
   std::vector<std::pair<double, double>> points;
   bool dashed = false;
+  /// Each point as a dot, too.
+  bool marked = false;
 };
 
 /// A line plot with two axes.
@@ -18,6 +20,8 @@ struct Plot {
   std::string title, x_label, y_label;
   std::vector<Series> lines;
   bool log_x = false, log_y = false;
+  /// What the vertical axis shows in any case, from the least to the greatest; empty: the points.
+  std::vector<double> least_y_range = {};
 };
 
 /// Tick values of an axis from low to high: 1, 2 or 5 times a power of ten, and on a logarithmic

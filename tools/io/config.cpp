@@ -143,10 +143,12 @@ Settings load_settings(const std::string& path) {
     }
   };
   visit_options(settings.detector, read);
+  visit_track_options(settings.track, read);
   visit_plan_options(settings.planner, read);
   refuse_unknown(table, "", known, path);
   try {
     settings.detector.check();
+    settings.track.check();
     settings.planner.check();
   } catch (const std::invalid_argument& error) {
     throw FileError(path, "", error.what());
@@ -157,7 +159,8 @@ Settings load_settings(const std::string& path) {
 std::string default_detector_config() {
   std::string text = "# Settings of the detector, with their defaults.\n";
   DetectorOptions options;
-  visit_options(options, [&](const char* name, auto& field) {
+  TrackOptions track;
+  const auto print = [&](const char* name, auto& field) {
     using Field = std::remove_reference_t<decltype(field)>;
     if constexpr (Choice<Field>) {
       text += fmt::format("{} = \"{}\"\n", name, word_of(field));
@@ -166,7 +169,9 @@ std::string default_detector_config() {
     } else {
       text += fmt::format("{} = {}\n", name, field);
     }
-  });
+  };
+  visit_options(options, print);
+  visit_track_options(track, print);
   return text;
 }
 

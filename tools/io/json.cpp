@@ -40,17 +40,19 @@ Json to_json(const Detection& detection) {
     dimensions[dimension.name] = dimension.value;
     deviations[dimension.name] = dimension.std;
   }
-  return {{"id", detection.id},
-          {"type", std::string(to_string(detection.type))},
-          {"q", array_of(detection.Q_C.coefficients())},
-          {"score", detection.score},
-          {"inliers", detection.inliers},
-          {"rms", detection.rms},
-          {"pose", to_json(detection.X_CQ)},
-          {"dimensions", dimensions},
-          {"extent", extent_of(detection.extent_Q)},
-          {"std", deviations},
-          {"seen", detection.seen}};
+  Json json = {{"id", detection.id},
+               {"type", std::string(to_string(detection.type))},
+               {"q", array_of(detection.Q_C.coefficients())},
+               {"score", detection.score},
+               {"inliers", detection.inliers},
+               {"rms", detection.rms},
+               {"pose", to_json(detection.X_CQ)},
+               {"dimensions", dimensions},
+               {"extent", extent_of(detection.extent_Q)},
+               {"std", deviations},
+               {"seen", detection.seen}};
+  if (detection.track > 0) json["track"] = detection.track;
+  return json;
 }
 
 Json to_json(const Grasp& grasp) {

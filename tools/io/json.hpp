@@ -26,7 +26,8 @@ struct InputInfo {
 /// {"position": [3] [m], "quaternion": [w, x, y, z]}, with w >= 0.
 Json to_json(const Eigen::Isometry3d& X);
 
-/// One detection. Numbers keep all their digits; one that is not finite becomes null.
+/// One detection, with "track" if it has one. Numbers keep all their digits; one that is not finite
+/// becomes null.
 Json to_json(const Detection& detection);
 
 /// One grasp.

@@ -1,14 +1,18 @@
 #include "quadrille/detect_command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/detector_arguments.hpp"
 #include "picture/picture.hpp"
 #include "picture/png.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/tracker.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/output.hpp"
 #include "quadrille/picture_option.hpp"
@@ -20,7 +24,31 @@ namespace {
 struct DetectArguments {
   std::vector<std::string> inputs;
   std::string json, picture;
+  bool track = false;
   DetectorArguments detector;
+};
+
+/// Tracks the clouds of each source: of a channel of a log, or of all the files.
+class Tracking {
+ public:
+  explicit Tracking(const DetectArguments& arguments)
+      : options_(arguments.detector.track_options()), files_too_(arguments.track) {}
+
+  void add_to(const InputCloud& input, const std::string& path,
+              std::vector<Detection>* detections) {
+    const bool logged = !input.channel.empty();
+    if (!logged && !files_too_) return;
+    // Files have no time; `quadrille log` would give them this one.
+    const std::int64_t utime = logged ? input.utime : 100000 * ++files_;
+    auto [tracker, is_new] = trackers_.try_emplace({logged ? path : "", input.channel}, options_);
+    tracker->second.update(utime, Eigen::Isometry3d::Identity(), detections);
+  }
+
+ private:
+  TrackOptions options_;
+  bool files_too_;
+  std::int64_t files_ = 0;
+  std::map<std::pair<std::string, std::string>, Tracker> trackers_;
 };
 
 void run(const DetectArguments& arguments) {
@@ -28,9 +56,11 @@ void run(const DetectArguments& arguments) {
   const bool several = arguments.inputs.size() > 1 || is_log(arguments.inputs.front());
   PicturePaths pictures(arguments.picture, several);
   JsonLines json(arguments.json);
+  Tracking tracking(arguments);
   for (const std::string& path : arguments.inputs) {
     const auto warnings = for_each_cloud(path, [&](const InputCloud& input) {
-      const DetectionResult result = detect(input.cloud, options);
+      DetectionResult result = detect(input.cloud, options);
+      tracking.add_to(input, path, &result.detections);
       json.write(io::detect_json(input.info, result));
       if (!json.owns_stdout()) print(detection_table(input.info, result));
       print_warnings(input.info.input, result.warnings);
@@ -50,6 +80,8 @@ void add_detect_command(CLI::App& app) {
   command->add_option("INPUT", arguments->inputs, "Clouds: .ply, .pcd or an LCM log")->required();
   command->add_option("--json", arguments->json, "Write JSON, an object a line; - is stdout")
       ->type_name("FILE|-");
+  command->add_flag("--track", arguments->track,
+                    "Take files for successive views of a camera at rest; logs always are");
   add_picture_option(*command, arguments->picture, "the cloud and the quadrics");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });

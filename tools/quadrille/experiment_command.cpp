@@ -1,10 +1,8 @@
 #include "quadrille/experiment_command.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -12,6 +10,7 @@
 #include "experiments/experiment.hpp"
 #include "io/file_bytes.hpp"
 #include "quadrille/output.hpp"
+#include "quadrille/progress_line.hpp"
 
 namespace quadrille {
 namespace {
@@ -28,26 +27,6 @@ void list_experiments() {
     print(fmt::format("{:<10} {}\n", experiment.name, experiment.about));
   }
 }
-
-/// A line on a terminal that shows how far it is; nothing elsewhere.
-class ProgressLine {
- public:
-  ~ProgressLine() {
-    if (shown_ >= 0) std::fputs("\r\033[K", stderr);
-  }
-  void show(double share) {
-    const int percent = static_cast<int>(100.0 * share);
-    if (percent == shown_ || !isatty(STDERR_FILENO)) return;
-    shown_ = percent;
-    const int filled = percent / 4;
-    std::fputs(
-        fmt::format("\r[{:=>{}}{:>{}}] {:3} %", "", filled, "", 25 - filled, percent).c_str(),
-        stderr);
-  }
-
- private:
-  int shown_ = -1;
-};
 
 void run(ExperimentArguments arguments) {
   if (arguments.name.empty()) return list_experiments();

@@ -33,6 +33,8 @@ std::optional<InputCloud> read_logged_cloud(logs::CloudLogReader& reader, const 
   input.cloud = std::move(logged->message.cloud);
   input.info = {path + "#" + std::to_string(number), input.cloud.frame, input.cloud.read,
                 bus::ms_since(start)};
+  input.channel = logged->channel;
+  input.utime = logged->message.utime;
   return input;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,6 +14,9 @@ namespace quadrille {
 struct InputCloud {
   io::InputInfo info;
   PointCloud cloud;
+  /// For clouds of a log: the channel, and the time of capture [us].
+  std::string channel;
+  std::int64_t utime = 0;
 };
 
 /// The only cloud of an input, with what is wrong with the input.

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/run_program.hpp"
+#include "quadrille/bench_command.hpp"
 #include "quadrille/detect_command.hpp"
 #include "quadrille/experiment_command.hpp"
 #include "quadrille/log_command.hpp"
@@ -15,6 +16,7 @@ int main(int argc, char** argv) {
   quadrille::add_scene_command(app);
   quadrille::add_log_command(app);
   quadrille::add_experiment_command(app);
+  quadrille::add_bench_command(app);
   // The commands do their work while they are parsed.
   return quadrille::run_program(app, argc, argv, [] {});
 }

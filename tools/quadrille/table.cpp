@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/describe.hpp"
 #include "quadrille/advice.hpp"
 
@@ -12,14 +14,17 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
       "{}: {} points, {} finite, {} used; read {:.1f} ms, detect {:.1f} ms\n", input.input,
       input.points_read, result.points_finite, result.points_used, input.read_ms, result.total_ms);
   if (result.detections.empty()) return text + "  no quadrics found\n";
-  text += fmt::format("  {:>3}  {:<22} {:>5} {:>8} {:>7} {:>5}  {:^23}  {}\n", "id", "type",
-                      "score", "inliers", "rms/mm", "seen", "position/m", "dimensions");
+  const bool tracked = std::any_of(result.detections.begin(), result.detections.end(),
+                                   [](const Detection& detection) { return detection.track > 0; });
+  text += fmt::format("  {:>3}  {}{:<22} {:>5} {:>8} {:>7} {:>5}  {:^23}  {}\n", "id",
+                      tracked ? "track  " : "", "type", "score", "inliers", "rms/mm", "seen",
+                      "position/m", "dimensions");
   for (const Detection& d : result.detections) {
     const Eigen::Vector3d p = d.X_CQ.translation();
     text += fmt::format(
-        "  {:>3}  {:<22} {:>5.2f} {:>8} {:>7.2f} {:>5.2f}  {:>7.3f} {:>7.3f} {:>7.3f}  {}\n", d.id,
-        to_string(d.type), d.score, d.inliers, 1000.0 * d.rms, d.seen, p.x(), p.y(), p.z(),
-        io::describe_dimensions(d));
+        "  {:>3}  {}{:<22} {:>5.2f} {:>8} {:>7.2f} {:>5.2f}  {:>7.3f} {:>7.3f} {:>7.3f}  {}\n",
+        d.id, tracked ? fmt::format("{:>5}  ", d.track) : "", to_string(d.type), d.score, d.inliers,
+        1000.0 * d.rms, d.seen, p.x(), p.y(), p.z(), io::describe_dimensions(d));
   }
   return text;
 }

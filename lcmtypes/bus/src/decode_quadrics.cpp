@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxNameBytes = 256;
 /// Fixed members of a quadric, and of a dimension, with empty strings.
-constexpr std::size_t kLeastQuadricBytes = 225, kLeastDimensionBytes = 21, kLeastStringBytes = 5;
+constexpr std::size_t kLeastQuadricBytes = 229, kLeastDimensionBytes = 21, kLeastStringBytes = 5;
 
 void check_finite(ByteReader& reader, const char* member, int count) {
   for (int i = 0; i < count; ++i) reader.read_finite(member);
@@ -46,6 +46,7 @@ void check_quadric(ByteReader& reader) {
   }
   check_finite(reader, "extent", 6);
   check_finite(reader, "seen", 1);
+  reader.read_int32("track");
 }
 
 /// Walks over all members; afterwards the generated decoder can allocate no more than a small
@@ -82,6 +83,7 @@ Detection to_detection(const quadric_t& m) {
   detection.extent_Q = Eigen::AlignedBox3d(Eigen::Vector3d(m.extent_min),  //
                                            Eigen::Vector3d(m.extent_max));
   detection.seen = m.seen;
+  detection.track = m.track;
   return detection;
 }
 

@@ -44,6 +44,7 @@ quadric_t to_message(const Detection& detection) {
   copy(detection.extent_Q.min(), m.extent_min);
   copy(detection.extent_Q.max(), m.extent_max);
   m.seen = detection.seen;
+  m.track = detection.track;
   return m;
 }
 

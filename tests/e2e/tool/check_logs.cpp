@@ -13,6 +13,7 @@
 #include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/tracker.hpp"
 #include "tool.hpp"
 
 namespace quadrille::e2e {
@@ -131,9 +132,15 @@ void check_quadrics(const std::string& log) {
   const auto quadrics = read_channel(log, "QUADRICS");
   expect_equal(static_cast<long>(clouds.size()), kClouds, log + ": clouds");
   expect_equal(static_cast<long>(quadrics.size()), kClouds, log + ": quadrics");
+  Tracker tracker;
   for (const auto& [utime, bytes] : clouds) {
     const auto cloud = std::get<bus::CloudMessage>(bus::decode_cloud(bytes));
-    const auto wanted = bus::encode(bus::to_message(cloud, detect(cloud.cloud)));
+    DetectionResult result = detect(cloud.cloud);
+    tracker.update(utime, Eigen::Isometry3d::Identity(), &result.detections);
+    for (const Detection& detection : result.detections) {
+      expect(detection.track > 0 && detection.track <= 2, log + ": more tracks than surfaces");
+    }
+    const auto wanted = bus::encode(bus::to_message(cloud, result));
     expect(quadrics.at(utime) == wanted, log + ": other quadrics than detect() finds");
   }
 }

@@ -26,7 +26,8 @@ std::map<std::string, long> expected_rejections(const std::string& channel);
 /// Writes FOLDER/clouds.lcm, and FOLDER/hostile.lcm with garbage between the same clouds.
 void make_logs(const std::string& folder);
 
-/// Checks that the quadrics of a log are those that detect() finds in its clouds.
+/// Checks that the quadrics of a log are those that detect() finds in its clouds, tracked: a ball
+/// and a wall.
 void check_quadrics(const std::string& log);
 
 /// Checks that each message of a channel of the one log has equal bytes in the other, and that none

@@ -4,11 +4,13 @@
 #include <cstring>
 #include <lcmtypes/bot_core/pointcloud2_t.hpp>
 #include <lcmtypes/bot_core/pointcloud_t.hpp>
+#include <lcmtypes/bot_core/pose_t.hpp>
 #include <lcmtypes/drake/lcmt_point_cloud.hpp>
 #include <vector>
 
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/pose_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 
 namespace {
@@ -17,9 +19,9 @@ using namespace quadrille;
 
 /// The first byte chooses a fingerprint, so that the fuzzer need not guess one.
 std::vector<std::byte> make_message(const std::uint8_t* data, std::size_t size) {
-  const std::array<std::int64_t, 4> fingerprints = {
+  const std::array<std::int64_t, 5> fingerprints = {
       drake::lcmt_point_cloud::getHash(), bot_core::pointcloud2_t::getHash(),
-      bot_core::pointcloud_t::getHash(), quadrics_t::getHash()};
+      bot_core::pointcloud_t::getHash(), quadrics_t::getHash(), bot_core::pose_t::getHash()};
   auto fingerprint = static_cast<std::uint64_t>(fingerprints[data[0] % fingerprints.size()]);
   std::vector<std::byte> message(8 + size - 1);
   for (int i = 7; i >= 0; --i, fingerprint >>= 8) {
@@ -44,6 +46,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     DetectionResult result;
     result.detections = accepted->detections;
     bus::encode(bus::to_message(bus::CloudMessage{}, result));
+  }
+  const auto pose = bus::decode_pose(message);
+  if (const auto* accepted = std::get_if<bus::PoseMessage>(&pose)) {
+    if (!accepted->X_WC.matrix().allFinite()) std::abort();
   }
   return 0;
 }

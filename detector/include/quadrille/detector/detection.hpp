@@ -45,6 +45,9 @@ struct Detection {
   Eigen::AlignedBox3d extent_Q;
   /// Share of the surface within the extent that was observed, 0 to 1.
   double seen = 0.0;
+  /// 1, 2, …: the same for one surface in all clouds of a sequence (see Tracker); 0 where nothing
+  /// was tracked.
+  int track = 0;
 };
 
 /// Wall time of one stage of a computation.

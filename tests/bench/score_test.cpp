@@ -1,0 +1,139 @@
+#include "bench/score.hpp"
+
+#include <limits>
+
+#include "bench/matching.hpp"
+#include "known_frame.hpp"
+#include "support/catch.hpp"
+
+namespace quadrille::bench {
+namespace {
+
+using test::ball_at;
+using test::kBallRadius;
+using test::wall_at;
+
+FrameScore score_of(const std::vector<Quadric>& findings, const std::string& only = "") {
+  static const Frame frame = test::make_known_frame();
+  std::vector<Found> found;
+  for (const Quadric& Q : findings) found.push_back({Q, 1.0});
+  return score(frame, found, only);
+}
+
+TEST_CASE("the truth itself scores full marks", "[bench][score]") {
+  const FrameScore s = score_of({ball_at(0, kBallRadius), wall_at(1.5)});
+  CHECK(s.wanted == 1);
+  CHECK(s.found == 1);
+  CHECK(s.wrong == 0);
+  CHECK(s.planes_wanted == 1);
+  CHECK(s.planes_found == 1);
+  CHECK(s.planes_right == 1);
+  CHECK(s.planes_wrong == 0);
+  REQUIRE(s.width_errors.size() == 1);
+  CHECK(s.width_errors[0] < 1e-9);
+  CHECK(s.widths_right == 1);
+}
+
+TEST_CASE("nothing found is nothing wrong", "[bench][score]") {
+  const FrameScore s = score_of({});
+  CHECK(s.wanted == 1);
+  CHECK(s.found + s.wrong + s.planes_found + s.planes_wrong == 0);
+}
+
+TEST_CASE("a sphere that misses the ball is wrong, one within the noise is right",
+          "[bench][score]") {
+  CHECK(score_of({ball_at(0.02, kBallRadius)}).found == 0);
+  CHECK(score_of({ball_at(0.02, kBallRadius)}).wrong == 1);
+  CHECK(score_of({ball_at(0.002, kBallRadius)}).found == 1);
+}
+
+TEST_CASE("the width is that across the line of sight", "[bench][score]") {
+  // The same front, but 3 mm larger: the front is off by the tolerance at most.
+  const Quadric larger =
+      from_canonical({QuadricType::kSphere, test::translation(0, 0, 1.003), {{"radius", 0.103}}});
+  const FrameScore s = score_of({larger});
+  REQUIRE(s.found == 1);
+  CHECK(s.width_errors[0] == Approx(0.03).margin(0.002));
+  CHECK(s.widths_right == 1);
+}
+
+TEST_CASE("a finding can be right where it was seen and of the wrong width", "[bench][score]") {
+  Frame frame = test::make_known_frame();
+  const double sigma = frame.surfaces[0].sigma = 0.008;
+  const Quadric wider =
+      from_canonical({QuadricType::kSphere, test::translation(0, 0, 1.018), {{"radius", 0.118}}});
+  const FrameScore s = score(frame, {{wider, 1.0}});
+  REQUIRE(s.found == 1);
+  CHECK(s.width_errors[0] > 0.1);
+  CHECK(s.width_errors[0] * 2.0 * kBallRadius > sigma);
+  CHECK(s.widths_right == 0);
+}
+
+TEST_CASE("of two findings of one surface one is wrong", "[bench][score]") {
+  const FrameScore s = score_of({ball_at(0, kBallRadius), ball_at(0.001, kBallRadius)});
+  CHECK(s.found == 1);
+  CHECK(s.wrong == 1);
+}
+
+TEST_CASE("what is hardly seen need not be found, and may be", "[bench][score]") {
+  const FrameScore s = score_of({ball_at(0.5, kBallRadius)});
+  CHECK(s.wanted == 1);
+  CHECK(s.found == 0);
+  CHECK(s.wrong == 0);
+}
+
+TEST_CASE("if one type alone counts, the others need not be found, and may be", "[bench][score]") {
+  CHECK(score_of({ball_at(0, kBallRadius)}, "sphere").found == 1);
+  const FrameScore s = score_of({ball_at(0, kBallRadius)}, "cylinder");
+  CHECK(s.wanted == 0);
+  CHECK(s.wrong == 0);
+}
+
+TEST_CASE("flat findings are judged against planes, whatever they are called", "[bench][score]") {
+  const FrameScore off = score_of({wall_at(1.3)});
+  CHECK(off.planes_found == 0);
+  CHECK(off.planes_wrong == 1);
+  CHECK(off.wrong == 0);
+  // A sphere of 300 m is the wall.
+  const Quadric huge =
+      from_canonical({QuadricType::kSphere, test::translation(0, 0, 301.5), {{"radius", 300.0}}});
+  CHECK(score_of({huge}).planes_found == 1);
+  CHECK(score_of({huge}).wrong == 0);
+}
+
+TEST_CASE("a quadric through much more than the surface does not find it", "[bench][score]") {
+  // What is now half a ball and half something else, cut through the middle.
+  Frame frame = test::make_known_frame();
+  for (std::size_t i = 0; i < frame.labels.size(); ++i) {
+    if (frame.labels[i] == 0 && frame.cloud.points[i].x() > -0.01f) frame.labels[i] = 7;
+  }
+  const FrameScore s = score(frame, {{ball_at(0, kBallRadius), 1.0}});
+  CHECK(s.found == 0);
+  CHECK(s.wrong == 1);
+}
+
+TEST_CASE("findings beyond the hundred best, and such as are none, are wrong",
+          "[bench][score][hostile]") {
+  const Frame frame = test::make_known_frame();
+  std::vector<Found> found(120, Found{ball_at(3, 0.1), 0.5});
+  // The best score is read first, wherever it stands.
+  found.push_back({ball_at(0, kBallRadius), 0.9});
+  const FrameScore s = score(frame, found);
+  CHECK(s.found == 1);
+  CHECK(s.wrong == 120);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Found> broken = {
+      {Quadric(), 1.0}, {Quadric(Eigen::Matrix4d(Eigen::Matrix4d::Constant(nan))), 1.0}};
+  CHECK(score(frame, broken).wrong == 2);
+}
+
+TEST_CASE("as many are matched as can be, the better pairs first", "[bench][score]") {
+  using Pairs = std::map<int, int>;
+  // Finding 0 would take surface 0, which is all that finding 1 has.
+  CHECK(match_most({{0, {{0, 0.9}, {1, 0.7}}}, {1, {{0, 0.8}}}}) == Pairs{{0, 1}, {1, 0}});
+  CHECK(match_most({{0, {{0, 0.7}}}, {1, {{0, 0.8}}}}) == Pairs{{0, 1}});
+  CHECK(match_most({}).empty());
+}
+
+}  // namespace
+}  // namespace quadrille::bench

@@ -1,0 +1,131 @@
+#include "node.hpp"
+
+#include <CLI/CLI.hpp>
+#include <lcmtypes/bot_core/pose_t.hpp>
+#include <set>
+
+#include "command_line.hpp"
+#include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+#include "support/catch.hpp"
+#include "support/depth_camera.hpp"
+
+namespace quadrille {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+/// A detector process whose messages are kept.
+struct Process {
+  explicit Process(const DetectorSettings& settings)
+      : node(settings, [this](const std::string& channel, std::span<const std::byte> bytes) {
+          if (channel == "QUADRICS") published.emplace_back(bytes.begin(), bytes.end());
+        }) {}
+
+  void take(const std::string& channel, const Bytes& bytes) {
+    if (const auto job = node.receive(channel, bytes)) node.work(*job);
+  }
+
+  /// The tracks of the last message.
+  std::set<int> tracks() const {
+    std::set<int> found;
+    const auto decoded = bus::decode_quadrics(published.back());
+    for (const Detection& d : std::get<bus::QuadricsMessage>(decoded).detections) {
+      found.insert(d.track);
+    }
+    return found;
+  }
+
+  std::vector<Bytes> published;
+  DetectorNode node;
+};
+
+Bytes encode_pose(std::int64_t utime, const Eigen::Isometry3d& X_WC) {
+  bot_core::pose_t m{};
+  m.utime = utime;
+  Eigen::Map<Eigen::Vector3d>(m.pos) = X_WC.translation();
+  const Eigen::Quaterniond q(X_WC.linear());
+  m.orientation[0] = q.w(), m.orientation[1] = q.x(), m.orientation[2] = q.y();
+  m.orientation[3] = q.z();
+  return bus::encode(m);
+}
+
+/// A ball before a wall, both at rest in W, as a camera at X_WC sees them.
+Bytes encode_view(std::int64_t utime, const Eigen::Isometry3d& X_WC) {
+  const Eigen::Isometry3d X_CW = X_WC.inverse();
+  bus::CloudMessage message{utime, 0, {}};
+  message.cloud = test::render({test::sphere(X_CW * test::translation(0, 0, 0.9), 0.1),
+                                test::rectangle(X_CW * test::translation(0, 0, 1.4), 9, 9)},
+                               {160, 120, 1.0 / 150.0});
+  return bus::encode_cloud(message, bus::CloudFormat::kDrake);
+}
+
+DetectorSettings settings_with_poses() {
+  DetectorSettings settings;
+  settings.pose_channel = "CAMERA";
+  return settings;
+}
+
+// Each step is more than the ball is wide.
+Eigen::Isometry3d camera_at(int frame) {
+  return test::translation(frame % 2 ? 0.3 : -0.3, 0.02 * frame, 0.0);
+}
+
+TEST_CASE("with its poses, a camera that jumps about keeps the tracks of what is at rest",
+          "[process][track][pose]") {
+  Process process(settings_with_poses()), blind{DetectorSettings{}};
+  bool lost = false;
+  for (int frame = 0; frame < 5; ++frame) {
+    const std::int64_t utime = 100000 * (frame + 1);
+    process.take("CAMERA", encode_pose(utime - 3, camera_at(frame)));
+    // Newer than the cloud, and wrong for it.
+    process.take("CAMERA", encode_pose(utime + 1, camera_at(frame + 1)));
+    process.take("POINT_CLOUD", encode_view(utime, camera_at(frame)));
+    blind.take("POINT_CLOUD", encode_view(utime, camera_at(frame)));
+    CHECK(process.tracks() == std::set<int>{1, 2});
+    lost = lost || blind.tracks() != std::set<int>{1, 2};
+  }
+  CHECK(process.node.find_oddities().empty());
+  CHECK(lost);
+}
+
+TEST_CASE("clouds before the first pose are not tracked, and the log's end says so",
+          "[process][track][pose]") {
+  Process process(settings_with_poses());
+  process.take("POINT_CLOUD", encode_view(100000, camera_at(0)));
+  CHECK(process.tracks() == std::set<int>{0});
+  process.take("CAMERA", encode_pose(150000, camera_at(0)));
+  process.take("POINT_CLOUD", encode_view(200000, camera_at(0)));
+  CHECK(process.tracks() == std::set<int>{1, 2});
+  REQUIRE(process.node.find_oddities().size() == 1);
+  CHECK(process.node.find_oddities()[0].find("1 of 2 clouds") == 0);
+}
+
+TEST_CASE("a log that is played again gets the same tracks again", "[process][track]") {
+  Process process{DetectorSettings{}};
+  for (int pass = 0; pass < 2; ++pass) {
+    for (const std::int64_t utime : {100000, 200000}) {
+      process.take("POINT_CLOUD", encode_view(utime, camera_at(0)));
+    }
+  }
+  REQUIRE(process.published.size() == 4);
+  CHECK(process.published[2] == process.published[0]);
+  CHECK(process.published[3] == process.published[1]);
+}
+
+TEST_CASE("a pose that is garbage is refused and counted", "[process][pose][hostile]") {
+  Process process(settings_with_poses());
+  process.take("CAMERA", Bytes(50));
+  CHECK(process.node.summary().find("poses in: 1, 1 refused (unknown_type 1)") !=
+        std::string::npos);
+}
+
+TEST_CASE("clouds and poses cannot come on one channel", "[process][pose]") {
+  CLI::App app;
+  const CommandLine command_line(app);
+  app.parse("--pose-channel POINT_CLOUD");
+  CHECK_THROWS_AS(command_line.settings(), CLI::ParseError);
+}
+
+}  // namespace
+}  // namespace quadrille

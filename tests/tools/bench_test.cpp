@@ -1,0 +1,83 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "support/catch.hpp"
+#include "tools/support_files.hpp"
+#include "tools/well_formed.hpp"
+
+using namespace quadrille;
+using nlohmann::json;
+using test::contains;
+using test::Run;
+using test::run_quadrille;
+
+namespace {
+
+/// What the benchmark says of all surfaces, without the times.
+json rows_of(const std::string& folder) {
+  json rows = json::array();
+  for (json row : json::parse(test::content_of(folder + "/bench.json"))) {
+    CHECK(row["wall_ms"] > 0.0);
+    CHECK(row["cpu_ms"] > 0.0);
+    row.erase("wall_ms");
+    row.erase("cpu_ms");
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+}  // namespace
+
+TEST_CASE("the benchmark writes one table in all forms, and a plot", "[command][bench]") {
+  const test::TempFolder folder;
+  const Run run = run_quadrille(
+      "bench --scenes 2 --family easy,medium --contender quadrille,quadrille-sphere,plain-nine "
+      "--out " +
+      folder.path(""));
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  const json rows = rows_of(folder.path(""));
+  // Two families: all surfaces for two contenders, spheres for three.
+  REQUIRE(rows.size() == 10);
+  CHECK(rows[0]["family"] == "easy");
+  CHECK(rows[0]["counted"] == "all");
+  CHECK(rows[0]["contender"] == "quadrille");
+  CHECK(rows[0]["frames"] == 2);
+  CHECK(rows[0]["surfaces"] >= 2);
+  CHECK(rows[0]["recall"] == 1.0);
+  CHECK(rows[0]["precision"] > 0.5);
+  CHECK(rows[9]["counted"] == "sphere");
+  const std::string csv = test::content_of(folder.path("bench.csv"));
+  CHECK(std::count(csv.begin(), csv.end(), '\n') == 11);
+  const std::string svg = test::content_of(folder.path("bench.svg"));
+  CHECK(test::is_well_formed(svg));
+  CHECK(contains(svg, "<circle"));
+  const std::string page = test::content_of(folder.path("bench.md"));
+  CHECK(contains(page, "--scenes 2 --seed 1000 --contender quadrille,quadrille-sphere,plain-nine"));
+  CHECK(contains(page, "| medium | sphere | plain-nine |"));
+  CHECK(contains(run.out, "| easy | all | quadrille |"));
+}
+
+TEST_CASE("scenes from files are judged as scenes made at once", "[command][bench]") {
+  const test::TempFolder folder;
+  const std::string cloud = folder.path("a.ply");
+  REQUIRE(run_quadrille("scene --family medium --seed 1000 --labels " + cloud).code == 0);
+  const std::string only = " --contender quadrille --out ";
+  REQUIRE(run_quadrille("bench " + cloud + only + folder.path("files")).code == 0);
+  REQUIRE(run_quadrille("bench --scenes 1 --family medium" + only + folder.path("made")).code == 0);
+  CHECK(rows_of(folder.path("files")) == rows_of(folder.path("made")));
+}
+
+TEST_CASE("what the benchmark cannot use ends with one line", "[command][bench][hostile]") {
+  const test::TempFolder folder;
+  const std::string cloud = folder.path("a.ply");
+  REQUIRE(run_quadrille("scene --family easy " + cloud).code == 0);
+  const std::string only = " --contender quadrille --out " + folder.path("");
+  test::check_failure(run_quadrille("bench " + cloud + only), "a.labels: no such file");
+  folder.write("a.labels", "12");
+  test::check_failure(run_quadrille("bench " + cloud + only), "not one entry per point");
+  folder.write("a.truth.json", "{}");
+  test::check_failure(run_quadrille("bench " + cloud + only), "no truth of a scene");
+  CHECK(run_quadrille("bench --contender nobody").code == 2);
+  CHECK(contains(run_quadrille("bench --list").out, "plain-nine"));
+}

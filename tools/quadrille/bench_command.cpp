@@ -1,0 +1,139 @@
+#include "quadrille/bench_command.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bench/bench.hpp"
+#include "bench/report.hpp"
+#include "cli/seed_option.hpp"
+#include "io/file_bytes.hpp"
+#include "quadrille/output.hpp"
+#include "quadrille/progress_line.hpp"
+
+namespace quadrille {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct BenchArguments {
+  std::vector<std::string> families = {"easy", "medium", "hard"}, contenders;
+  std::string out = ".";
+  bool list = false;
+  bench::BenchOptions options;
+};
+
+const std::map<std::string, scene::Family>& families() {
+  static const std::map<std::string, scene::Family> all = {{"easy", scene::Family::kEasy},
+                                                           {"medium", scene::Family::kMedium},
+                                                           {"hard", scene::Family::kHard},
+                                                           {"tabletop", scene::Family::kTabletop}};
+  return all;
+}
+
+/// The peers' programs stand beside this one.
+std::vector<bench::Contender> all_contenders() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  return bench::all_contenders(error ? "." : self.parent_path().string());
+}
+
+std::vector<bench::Contender> chosen(const std::vector<std::string>& names) {
+  std::vector<bench::Contender> contenders = all_contenders();
+  if (names.empty()) return contenders;
+  std::erase_if(contenders, [&](const bench::Contender& contender) {
+    return std::find(names.begin(), names.end(), contender.name) == names.end();
+  });
+  return contenders;
+}
+
+std::string command_of(const BenchArguments& arguments) {
+  std::string command = "quadrille bench";
+  for (const std::string& cloud : arguments.options.clouds) command += " " + cloud;
+  if (arguments.options.clouds.empty()) {
+    command += fmt::format(" --family {} --scenes {} --seed {}", fmt::join(arguments.families, ","),
+                           arguments.options.scenes, arguments.options.seed);
+  }
+  if (!arguments.contenders.empty()) {
+    command += fmt::format(" --contender {}", fmt::join(arguments.contenders, ","));
+  }
+  return command;
+}
+
+void list_contenders() {
+  for (const bench::Contender& contender : all_contenders()) {
+    print(fmt::format("{:<16} {}{}\n", contender.name, contender.about,
+                      contender.absent.empty() ? "" : " (" + contender.absent + ")"));
+  }
+}
+
+void run(BenchArguments arguments) {
+  if (arguments.list) return list_contenders();
+  arguments.options.families.clear();
+  for (const std::string& name : arguments.families) {
+    arguments.options.families.push_back(families().at(name));
+  }
+  const std::vector<bench::Contender> contenders = chosen(arguments.contenders);
+  for (const bench::Contender& contender : contenders) {
+    if (contender.absent.empty()) continue;
+    print_warnings("bench", {"without " + contender.name + ": " + contender.absent});
+  }
+  fs::create_directories(arguments.out);
+  std::vector<bench::Row> rows;
+  {
+    ProgressLine line;
+    arguments.options.progress = [&](double share) { line.show(share); };
+    rows = bench::run_bench(contenders, arguments.options);
+  }
+  const std::string path = (fs::path(arguments.out) / "bench").string();
+  io::write_file(path + ".md",
+                 bench::to_markdown(rows, contenders, command_of(arguments), QUADRILLE_VERSION));
+  io::write_file(path + ".csv", experiments::to_csv(bench::to_table(rows)));
+  io::write_file(path + ".json", bench::to_json(rows).dump(1) + "\n");
+  io::write_file(path + ".svg", experiments::to_svg(bench::plots_of(rows)));
+  print(to_markdown(bench::to_table(rows)));
+  print(fmt::format("{0}.md, {0}.csv, {0}.json, {0}.svg\n", path));
+}
+
+std::string check_contender(const std::string& name) {
+  std::string names;
+  for (const bench::Contender& contender : all_contenders()) {
+    if (contender.name == name) return "";
+    names += (names.empty() ? "" : ", ") + contender.name;
+  }
+  return "'" + name + "' is none of: " + names;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& app) {
+  auto arguments = std::make_shared<BenchArguments>();
+  CLI::App* command =
+      app.add_subcommand("bench", "Compare the detector with its variants, baselines and peers");
+  command->add_option("CLOUD", arguments->options.clouds,
+                      "Clouds of quadrille scene --labels, instead of new scenes");
+  command->add_option("--family", arguments->families, "Families of scenes")
+      ->delimiter(',')
+      ->check(CLI::IsMember(families()))
+      ->type_name("NAME,...");
+  command->add_option("--scenes", arguments->options.scenes, "Scenes of each family")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  add_seed_option(*command, arguments->options.seed, "the first scene of each family");
+  command->add_option("--contender", arguments->contenders, "Only these; see --list")
+      ->delimiter(',')
+      ->check(CLI::Validator(check_contender, ""))
+      ->type_name("NAME,...");
+  command->add_flag("--list", arguments->list, "Only list the contenders");
+  command->add_option("--out", arguments->out, "Folder for bench.md, .csv, .json and .svg")
+      ->type_name("FOLDER");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace quadrille

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace quadrille {
+
+/// Adds `bench [CLOUD…]`: compares the detector with its variants, with plain baselines and with
+/// the peers that are there, and writes bench.md, bench.csv, bench.json and bench.svg.
+void add_bench_command(CLI::App& app);
+
+}  // namespace quadrille
