@@ -74,11 +74,15 @@ class Searcher {
 
   /// Tries neighbourhoods from the largest: what most of a large one agrees on needs no small one.
   std::optional<Candidate> try_seed(int seed) {
+    std::size_t last = 0;
     for (auto radius = options_.radii.rbegin(); radius != options_.radii.rend(); ++radius) {
       const std::vector<int> around =
           neighbourhood(samples_, seed, static_cast<float>(*radius) * samples_.cell[seed], open_,
                         &stamp_, ++mark_);
       if (static_cast<int>(around.size()) < options_.grow.least_samples / 2) return std::nullopt;
+      // The same samples would be tried with the same bases.
+      if (around.size() == last) continue;
+      last = around.size();
       const std::optional<Hypothesis> hypothesis = best_hypothesis(seed, around);
       if (!hypothesis) continue;
       std::optional<Candidate> grown =

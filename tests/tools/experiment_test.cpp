@@ -146,13 +146,14 @@ TEST_CASE("triplets repeat more often with more bases, and count only with the h
       const auto with = rows_of(report.data, {family, bases, "hashed"});
       const auto single = rows_of(report.data, {family, bases, "one radius"});
       REQUIRE(single.size() == 1);
-      CHECK(value_of(single[0][4]) < value_of(with[0][4]));
+      CHECK(value_of(single[0][4]) <= value_of(with[0][4]));
       REQUIRE((without.size() == 1 && with.size() == 1));
       CHECK(value_of(without[0][3]) + value_of(without[0][4]) == 0);
       CHECK(value_of(with[0][3]) > 100);
       shares.push_back(value_of(with[0][4]) / value_of(with[0][3]));
       CHECK(std::abs(value_of(with[0][7]) - value_of(without[0][7])) <= 3);
     }
+    CHECK(shares[1] > 0.01);
     CHECK(shares[0] < shares[1]);
     CHECK(shares[1] < 0.5);
   }
