@@ -94,8 +94,8 @@ DetectorOptions for_spheres(DetectorOptions options) {
   options.sampling.stride *= 6;
   options.sampling.noise.patches = std::min(options.sampling.noise.patches, 100);
   options.search.basis = BasisKind::kSphere;
-  options.search.bases = std::min(options.search.bases, 3);
-  options.search.voters = std::min(options.search.voters, 64);
+  options.search.bases = std::min(options.search.bases, 2);
+  options.search.voters = std::min(options.search.voters, 48);
   options.search.radii = {5.0, 10.0};
   options.search.grow.rounds = std::min(options.search.grow.rounds, 3);
   options.search.grow.families = {Family::kSphere};

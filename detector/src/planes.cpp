@@ -5,7 +5,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <optional>
+#include <utility>
 
 namespace quadrille {
 namespace {
@@ -35,17 +36,24 @@ struct PlaneSums {
   }
 };
 
-/// How well the neighbours' normals agree with a sample's own: their mean cosine.
-std::vector<float> flatness(const SurfaceSamples& samples) {
-  std::vector<float> flat(static_cast<std::size_t>(samples.size()), -1.0f);
+/// Samples to start from, the flattest first: those with whose normals their neighbours' agree
+/// within the angle [rad].
+std::vector<int> flat_seeds(const SurfaceSamples& samples, double angle,
+                            const std::vector<char>& claimed) {
+  const float least_cosine = static_cast<float>(std::cos(angle));
+  std::vector<std::pair<float, int>> flat;
   for (int i = 0; i < samples.size(); ++i) {
     const auto around = samples.neighbours_of(i);
-    if (around.size() < 5) continue;
+    if (around.size() < 5 || (!claimed.empty() && claimed[i])) continue;
     float sum = 0;
     for (const int j : around) sum += samples.n[i].dot(samples.n[j]);
-    flat[i] = sum / static_cast<float>(around.size());
+    const float mean = sum / static_cast<float>(around.size());
+    if (mean >= least_cosine) flat.emplace_back(-mean, i);
   }
-  return flat;
+  std::sort(flat.begin(), flat.end());
+  std::vector<int> seeds;
+  for (const auto& [key, i] : flat) seeds.push_back(i);
+  return seeds;
 }
 
 /// Curvature of a quadratic fit over the plane where it bends most, and its standard deviation
@@ -127,61 +135,69 @@ std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
   return joined;
 }
 
+/// The plane through a seed and its free neighbours; nullopt if they are too few.
+std::optional<Eigen::Vector4d> plane_at(const SurfaceSamples& samples, int seed,
+                                        const std::vector<int>& taken) {
+  PlaneSums sums;
+  sums.add(samples.raw[seed]);
+  for (const int j : samples.neighbours_of(seed)) {
+    if (!taken[j]) sums.add(samples.raw[j]);
+  }
+  if (sums.n < 4) return std::nullopt;
+  return sums.plane(samples.n[seed]);
+}
+
+/// Grows a plane over neighbours that are free, near it and parallel to it, and marks them with the
+/// number of the attempt.
+PlaneRegion grow_plane(const SurfaceSamples& samples, const PlaneOptions& options, int seed,
+                       const Eigen::Vector4d& start, int attempt, std::vector<int>* taken) {
+  const float least_cosine = static_cast<float>(std::cos(options.angle));
+  const float sigmas = static_cast<float>(options.sigmas);
+  PlaneRegion region{start, {seed}};
+  PlaneSums sums;
+  sums.add(samples.raw[seed]);
+  Eigen::Vector4f P = start.cast<float>();
+  std::size_t refit_at = 12;
+  for (std::size_t k = 0; k < region.samples.size(); ++k) {
+    for (const int j : samples.neighbours_of(region.samples[k])) {
+      if ((*taken)[j]) continue;
+      const float distance = P.dot(samples.raw[j].homogeneous());
+      const float limit = sigmas * samples.sigma[j] + 0.05f * samples.cell[j];
+      if (std::abs(distance) > limit || P.head<3>().dot(samples.n[j]) < least_cosine) continue;
+      (*taken)[j] = attempt;
+      region.samples.push_back(j);
+      sums.add(samples.raw[j]);
+    }
+    if (region.samples.size() >= refit_at) {
+      P = sums.plane(samples.n[seed]).cast<float>();
+      refit_at = region.samples.size() * 2;
+    }
+  }
+  if (sums.n >= 4) region.plane = sums.plane(samples.n[seed]);
+  return region;
+}
+
 }  // namespace
 
 std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options,
                                      const std::vector<char>& claimed) {
-  const std::vector<float> flat = flatness(samples);
-  std::vector<int> seeds(static_cast<std::size_t>(samples.size()));
-  std::iota(seeds.begin(), seeds.end(), 0);
-  std::stable_sort(seeds.begin(), seeds.end(), [&](int a, int b) { return flat[a] > flat[b]; });
-  const float least_cosine = static_cast<float>(std::cos(options.angle));
-
   std::vector<PlaneRegion> planes;
   // 0 free, otherwise the number of the attempt that took it.
   std::vector<int> taken(claimed.begin(), claimed.end());
   taken.resize(static_cast<std::size_t>(samples.size()), 0);
   std::vector<char> bent(taken.size(), 0);
   int attempt = 1;
-  for (const int seed : seeds) {
-    if (flat[seed] < least_cosine) break;
+  for (const int seed : flat_seeds(samples, options.angle, claimed)) {
     if (taken[seed] || bent[seed]) continue;
-    ++attempt;
-    PlaneSums sums;
-    std::vector<int> members = {seed};
-    taken[seed] = attempt;
-    sums.add(samples.raw[seed]);
-    for (const int j : samples.neighbours_of(seed)) {
-      if (!taken[j]) sums.add(samples.raw[j]);
-    }
-    if (sums.n < 4) continue;
-    const Eigen::Vector3f towards = samples.n[seed];
-    Eigen::Vector4d plane = sums.plane(towards);
-    sums = PlaneSums();
-    sums.add(samples.raw[seed]);
-    std::size_t refit_at = 12;
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      for (const int j : samples.neighbours_of(members[k])) {
-        if (taken[j]) continue;
-        const Eigen::Vector3f m = plane.head<3>().cast<float>();
-        const double distance = plane.head<3>().dot(samples.raw[j].cast<double>()) + plane[3];
-        const double limit = options.sigmas * samples.sigma[j] + 0.05 * samples.cell[j];
-        if (std::abs(distance) > limit || m.dot(samples.n[j]) < least_cosine) continue;
-        taken[j] = attempt;
-        members.push_back(j);
-        sums.add(samples.raw[j]);
-      }
-      if (members.size() >= refit_at) {
-        plane = sums.plane(towards);
-        refit_at = members.size() * 2;
-      }
-    }
-    PlaneRegion region{sums.n >= 4 ? sums.plane(towards) : plane, members};
-    if (static_cast<int>(members.size()) < options.least_samples) {
-      for (const int i : members) taken[i] = i == seed ? attempt : 0;
+    taken[seed] = ++attempt;
+    const std::optional<Eigen::Vector4d> start = plane_at(samples, seed, taken);
+    if (!start) continue;
+    PlaneRegion region = grow_plane(samples, options, seed, *start, attempt, &taken);
+    if (static_cast<int>(region.samples.size()) < options.least_samples) {
+      for (const int i : region.samples) taken[i] = i == seed ? attempt : 0;
     } else if (may_bend(samples, region, options)) {
       // Smaller pieces of a bent surface would pass for planes: no seed among them.
-      for (const int i : members) {
+      for (const int i : region.samples) {
         taken[i] = 0;
         bent[i] = 1;
       }
