@@ -29,9 +29,13 @@ std::vector<int> parents_of(const DepthCells& fine, const DepthCells& coarse) {
 
 class DepthPyramid : public CellPyramid {
  public:
+  /// @param z  depth at which the levels' noise is compared [m]
   DepthPyramid(const Eigen::Isometry3f& X_CV, std::array<DepthCells, kLevels> cells,
-               std::vector<NoiseModel> noise)
-      : X_CV_(X_CV), cells_(std::move(cells)), noise_(std::move(noise)) {
+               std::vector<NoiseModel> noise, float z)
+      : X_CV_(X_CV),
+        cells_(std::move(cells)),
+        noise_(std::move(noise)),
+        common_noise_(common_share(noise_.front().sigma(z), noise_.back().sigma(z))) {
     for (int l = 0; l + 1 < kLevels; ++l) parents_[l] = parents_of(cells_[l], cells_[l + 1]);
   }
 
@@ -54,6 +58,7 @@ class DepthPyramid : public CellPyramid {
     parallel_for(kLevels, threads, [&](int l) {
       levels[l] = l == 0 ? make_depth_samples(cells_[0], keep, noise_[0], X_CV_, kReach)
                          : make_depth_samples(rest[l], {}, noise_[l], X_CV_, kReach);
+      levels[l].common_noise = common_noise_;
     });
     return levels;
   }
@@ -62,6 +67,7 @@ class DepthPyramid : public CellPyramid {
   Eigen::Isometry3f X_CV_;
   std::array<DepthCells, kLevels> cells_;
   std::vector<NoiseModel> noise_;
+  double common_noise_;
   std::array<std::vector<int>, kLevels - 1> parents_;
 };
 
@@ -107,7 +113,7 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
   }
   if (noisy || glance.patches < options.noise.patches) noise = measure_noise(cells, options.noise);
   return std::make_unique<DepthPyramid>(projection->X_VC.inverse(), std::move(cells),
-                                        std::move(noise));
+                                        std::move(noise), z);
 }
 
 }  // namespace quadrille

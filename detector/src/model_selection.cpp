@@ -105,14 +105,15 @@ double effective_size(int size, const SelectionOptions& options) {
 /// The inverse of bic(): the sum of squares with which a fit reaches it.
 double rss_for(double bic, int size, int dof, const SelectionOptions& options) {
   const double n = effective_size(size, options);
-  return size * std::exp((bic - dof * std::log(n)) / n);
+  const double variance = std::exp((bic - dof * std::log(n)) / n);
+  return size * std::max(0.0, variance - options.common_noise * options.common_noise);
 }
 
 }  // namespace
 
 double bic(double rss, int size, int dof, const SelectionOptions& options) {
   const double n = effective_size(size, options);
-  const double variance = rss / size + 1e-18;
+  const double variance = rss / size + options.common_noise * options.common_noise + 1e-18;
   return n * std::log(variance) + dof * std::log(n);
 }
 

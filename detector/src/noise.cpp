@@ -108,7 +108,15 @@ NoiseModel fit_growth(std::vector<std::pair<float, float>> depth_residual, doubl
   return model;
 }
 
+// What white noise leaves on the third level, with what little clutter adds to its quarter.
+constexpr double kWhite = 0.35;
+
 }  // namespace
+
+double common_share(double finest_sigma, double coarsest_sigma) {
+  const double ratio = std::clamp(coarsest_sigma / finest_sigma, kWhite, 1.0);
+  return std::sqrt(ratio * ratio - kWhite * kWhite);
+}
 
 float NoiseModel::sigma(float z) const {
   return std::max(kLeastSigma,

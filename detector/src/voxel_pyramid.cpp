@@ -200,7 +200,10 @@ class VoxelPyramid : public CellPyramid {
       for (const int b : balance) kept[l].push_back(b > 0);
     }
     std::vector<SurfaceSamples> result(kLevels);
-    parallel_for(kLevels, threads, [&](int l) { result[l] = make(l, kept[l], kNormalReach); });
+    parallel_for(kLevels, threads, [&](int l) {
+      result[l] = make(l, kept[l], kNormalReach);
+      result[l].common_noise = common_share(sigma_.front(), sigma_.back());
+    });
     return result;
   }
 

@@ -53,6 +53,17 @@ TEST_CASE("BIC is n ln(rss / N) + k ln n with the effective size n", "[selection
   CHECK(bic(4.0 * factor * 1.001, 1000, 7, options) > bic(4.0, 1000, 6, options));
 }
 
+TEST_CASE("what lies within the common noise earns no parameter", "[selection]") {
+  SelectionOptions options;
+  options.effective_share = 0.1;
+  options.common_noise = 0.1;
+  CHECK(bic(4.0, 1000, 6, options) == Approx(100 * std::log(0.014) + 6 * std::log(100.0)));
+  // A residual of half the size is worth a parameter without the common noise, but not with it.
+  CHECK(bic(0.4, 1000, 7, options) > bic(0.8, 1000, 6, options));
+  options.common_noise = 0.0;
+  CHECK(bic(0.4, 1000, 7, options) < bic(0.8, 1000, 6, options));
+}
+
 TEST_CASE("the selected fit has the least BIC of all that were tried", "[selection]") {
   RandomStream random(52, 0);
   for (const FamilyExample& example : family_examples()) {

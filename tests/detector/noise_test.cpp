@@ -54,6 +54,18 @@ TEST_CASE("averages of four pixels have half the noise, and of sixteen a quarter
   CHECK(models[2].sigma(1.2f) == Approx(0.25 * 0.004 * 1.44).epsilon(0.12));
 }
 
+TEST_CASE("white noise has nothing in common, and what does not average out is all in common",
+          "[noise]") {
+  CHECK(common_share(0.002, 0.0005) == 0.0);
+  CHECK(common_share(0.002, 0.002) == Approx(0.94).margin(0.01));
+  CHECK(common_share(0.002, 0.004) == common_share(0.002, 0.002));
+  CHECK(common_share(0.002, 0.0012) > 0.4);
+  Camera camera;
+  camera.noise = 0.004;
+  const auto models = noise_of({slope()}, camera, 0.5);
+  CHECK(common_share(models[0].sigma(1.2f), models[2].sigma(1.2f)) < 0.1);
+}
+
 TEST_CASE("curved surfaces do not count as noise", "[noise]") {
   Camera camera;
   camera.noise = 0.001;

@@ -11,12 +11,16 @@ namespace quadrille {
 struct SelectionOptions {
   /// Independent measurements per point: neighbours share their noise.
   double effective_share = 0.25;
+  /// Standard deviation of the noise that all points have in common, in their unit: a residual
+  /// below it earns no credit.
+  double common_noise = 0.0;
   /// Steps of the geometric fit.
   int iterations = 6;
 };
 
-/// The fit that the Bayesian information criterion prefers, n ln(rss / n) + k ln n with n the
-/// effective sample size and k the degrees of freedom: the simplest type that explains the points.
+/// The fit that the Bayesian information criterion prefers, n ln(rss / N + c²) + k ln n with N
+/// points, n the effective sample size, k the degrees of freedom and c the common noise: the
+/// simplest type that explains the points.
 struct Selection {
   FamilyFit best;
   double bic = 0.0;

@@ -33,4 +33,9 @@ struct NoiseOptions {
 std::vector<NoiseModel> measure_noise(std::span<const DepthCells> levels,
                                       const NoiseOptions& options);
 
+/// Share of a finest cell's noise that its neighbourhood has in common, 0 to 1, from the noise of
+/// the finest and of the coarsest level. White noise falls by half from level to level, so that
+/// next to nothing is left; the waves of a real sensor stay, and bend whole surfaces.
+double common_share(double finest_sigma, double coarsest_sigma);
+
 }  // namespace quadrille

@@ -25,6 +25,8 @@ struct SurfaceSamples {
   std::vector<int> source;
   /// Neighbours of sample i: neighbours[first[i]] … neighbours[first[i + 1] - 1].
   std::vector<int> first, neighbours;
+  /// Share of the finest samples' sigma that neighbours have in common; see common_share().
+  double common_noise = 0.0;
 
   int size() const { return static_cast<int>(p.size()); }
   std::span<const int> neighbours_of(int i) const {
