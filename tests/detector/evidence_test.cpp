@@ -47,6 +47,24 @@ TEST_CASE("a whole surface has no smooth border, a piece cut out of one has", "[
   CHECK(collect_evidence(samples, lower, cylinder_quadric()).smooth_border > 0.15);
 }
 
+TEST_CASE("border, edge and thickness are those of the closed form", "[evidence]") {
+  const SurfaceSamples samples = cylinder_grid(21, 30, kRadius, 0.004, 0.0, 1);
+  const Evidence whole = collect_evidence(samples, all_of(samples), cylinder_quadric());
+  CHECK(whole.open_border == 0.0);
+  CHECK(whole.depth_edge == Approx(1.0 - 19.0 * 28.0 / (21.0 * 30.0)));
+  // Cut off at row 20: one row of 21 has neighbours outside.
+  std::vector<int> lower;
+  for (const int i : all_of(samples)) {
+    if (i / 21 < 20) lower.push_back(i);
+  }
+  CHECK(collect_evidence(samples, lower, cylinder_quadric()).open_border == Approx(1.0 / 20.0));
+  // Angles fill ±1 evenly: R cos a is the depth, and the length is along.
+  const double a = 10 * 0.004 / kRadius, c = std::sin(a) / a;
+  const double across = kRadius * std::sqrt(0.5 + 0.25 * std::sin(2 * a) / a - c * c);
+  const double along = 30 * 0.004 / std::sqrt(12.0);
+  CHECK(whole.thickness == Approx(across / along).epsilon(0.1));
+}
+
 TEST_CASE("two planes explain a box edge, but not a cylinder", "[evidence]") {
   const SurfaceSamples round = cylinder_grid(25, 40, kRadius, 0.004, 0.0005, 3);
   const Evidence cylinder = collect_evidence(round, all_of(round), cylinder_quadric());
@@ -75,6 +93,9 @@ TEST_CASE("confidence lies in (0, 1) and moves with each piece of evidence", "[e
   };
   CHECK(changed(&Evidence::log_count, 1.0) > base);
   CHECK(changed(&Evidence::smooth_border, 0.1) < base);
+  CHECK(changed(&Evidence::open_border, 0.1) < base);
+  CHECK(changed(&Evidence::depth_edge, 0.1) < base);
+  CHECK(changed(&Evidence::thickness, 0.1) < base);
   CHECK(changed(&Evidence::two_planes, 1.0) > base);
   CHECK(confidence(e, 9) < base);
 }

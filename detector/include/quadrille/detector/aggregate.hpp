@@ -21,7 +21,7 @@ struct AggregateOptions {
   /// Samples of a surface at least, and of a plane that was not found before.
   int least_samples = 30, least_plane_samples = 60;
   /// Least confidence of a curved surface; see evidence.hpp.
-  double least_confidence = 0.4;
+  double least_confidence = 0.45;
   /// Largest rms of a curved surface, in multiples of the noise: real objects are quadrics only
   /// nearly.
   double largest_residual = 100.0;

@@ -18,6 +18,11 @@ struct Evidence {
   /// Share of the region's border where the surface goes on smoothly into samples that are no
   /// inliers, 0 to 1: a patch cut out of something else has such a border, an object has none.
   double smooth_border = 0.0;
+  /// Share of the samples that have a neighbour outside the region, and of those at a depth edge,
+  /// with fewer than eight neighbours: a scrap is all border.
+  double open_border = 0.0, depth_edge = 0.0;
+  /// Standard deviation of the positions across the region over that along it.
+  double thickness = 0.0;
   /// log(rss of the best two planes / rss of the quadric): a box edge really is a rank-2 quadric,
   /// and a curved one explains it no better than two planes do.
   double two_planes = 0.0;
