@@ -101,6 +101,8 @@ DetectorOptions for_spheres(DetectorOptions options) {
   options.search.grow.families = {Family::kSphere};
   options.aggregate.families = {Family::kSphere};
   options.aggregate.largest_residual = 1.6;
+  // Of wider cells more lie at an edge.
+  options.aggregate.least_confidence = std::min(options.aggregate.least_confidence, 0.3);
   return options;
 }
 
