@@ -70,6 +70,7 @@ void TrackOptions::check() const {
   require(speed >= 0.0 && speed <= 1e3, "track.speed: must lie between 0 and 1000 m/s");
   require(acceleration >= 0.0 && acceleration <= 1e3,
           "track.acceleration: must lie between 0 and 1000 m/s2");
+  require(pose_age >= 0.0 && pose_age <= 1e6, "track.pose_age: must lie between 0 and 1e6 s");
 }
 
 /// A track and a detection.
