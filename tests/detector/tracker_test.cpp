@@ -256,6 +256,44 @@ TEST_CASE("times and detections that make no sense are borne", "[track][hostile]
   }
 }
 
+TEST_CASE("a stream of ever new surfaces does not make the tracker remember ever more",
+          "[track][hostile]") {
+  // Time that stands still lets no track grow old.
+  const auto last_of_first = [](int strangers) {
+    Tracker tracker;
+    const auto show = [&](Frame frame) {
+      tracker.update(1, Eigen::Isometry3d::Identity(), &frame);
+      return frame.back().track;
+    };
+    CHECK(show({test::exact_ball({0, 0, 1}, 0.1)}) == 1);
+    for (int k = 0; k < strangers; k += 20) {
+      Frame frame;
+      for (int i = 1; i <= 20; ++i) frame.push_back(test::exact_ball({3.0 * (k + i), 0, 1}, 0.1));
+      CHECK(show(frame) == k + 21);
+    }
+    return show({test::exact_ball({0, 0, 1}, 0.1)});
+  };
+  CHECK(last_of_first(200) == 1);
+  CHECK(last_of_first(400) == 402);
+}
+
+TEST_CASE("patches of one plane that lie far apart are two, however wide the gate", "[track]") {
+  TrackOptions options;
+  options.gate = 20.0;
+  const auto last_at = [&](double x) {
+    return track(
+               6,
+               [&](int k) {
+                 return Frame{k < 5 ? test::exact_plane({0, 0, 1.5}, 1.0, 1.0)
+                                    : test::exact_plane({x, 0, 1.5}, 0.1, 0.1)};
+               },
+               options)
+        .back();
+  };
+  CHECK(last_at(0.4) == std::vector<int>{1});
+  CHECK(last_at(1.9) == std::vector<int>{2});
+}
+
 TEST_CASE("options of the tracker out of range are refused by name", "[track][options]") {
   const auto error_of = [](const char* name, double value) -> std::string {
     TrackOptions options;
