@@ -17,7 +17,9 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
     : settings_(settings),
       publish_(std::move(publish)),
       dropped_before_(bus::count_dropped_datagrams()),
-      tracker_(settings.track) {}
+      tracker_(settings.track) {
+  for (const std::string& warning : settings.warnings) spdlog::warn("{}", warning);
+}
 
 std::vector<InChannel> DetectorNode::in_channels() const {
   std::vector<InChannel> channels = {{"--in-channel", settings_.in_channel}};

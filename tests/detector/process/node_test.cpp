@@ -14,6 +14,7 @@
 #include "quadrille/bus/quadrics_message.hpp"
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
+#include "support/temp_folder.hpp"
 
 namespace quadrille {
 namespace {
@@ -178,6 +179,17 @@ TEST_CASE("a pose that is garbage is refused and counted", "[process][pose][host
   process.take("CAMERA", Bytes(50));
   CHECK(process.node.summary().find("poses in: 1, 1 refused (unknown_type 1)") !=
         std::string::npos);
+}
+
+TEST_CASE("settings that the search for spheres alone does not heed are named", "[process]") {
+  const test::TempFolder folder;
+  CLI::App app;
+  const CommandLine command_line(app);
+  const std::string config = folder.write("c.toml", "search.basis = \"three_points\"\n");
+  app.parse("--only sphere --config " + config);
+  const std::vector<std::string> warnings = command_line.settings().warnings;
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find(config + ": --only sphere sets search") == 0);
 }
 
 TEST_CASE("clouds and poses cannot come on one channel", "[process][pose]") {
