@@ -19,6 +19,9 @@ DetectorSettings CommandLine::settings() const {
   settings.detector = detector_.options();
   settings.detector.check();
   settings.track = detector_.track_options();
+  for (const std::string& warning : detector_.warnings()) {
+    settings.warnings.push_back(detector_.config + ": " + warning);
+  }
   if (settings.pose_channel == settings.in_channel) {
     throw CLI::ValidationError("--pose-channel", "must not be the channel of the clouds");
   }

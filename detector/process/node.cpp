@@ -17,7 +17,9 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
     : settings_(settings),
       publish_(std::move(publish)),
       dropped_before_(bus::count_dropped_datagrams()),
-      tracker_(settings.track) {}
+      tracker_(settings.track) {
+  for (const std::string& warning : settings.warnings) spdlog::warn("{}", warning);
+}
 
 std::vector<InChannel> DetectorNode::in_channels() const {
   std::vector<InChannel> channels = {{"--in-channel", settings_.in_channel}};
@@ -60,11 +62,31 @@ std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
   const std::int64_t utime = cloud.utime;
   // Chosen now, and not when the work begins, by when more poses may have come than in a replay.
-  std::optional<Eigen::Isometry3d> X_WC = Eigen::Isometry3d::Identity();
-  if (!settings_.pose_channel.empty()) X_WC = pose_history_.at(utime);
-  if (!X_WC) ++clouds_without_pose_;
+  const std::optional<Eigen::Isometry3d> X_WC = choose_pose(utime);
   return Job{utime,
              [this, cloud = std::move(cloud), X_WC, now] { detect_and_publish(cloud, X_WC, now); }};
+}
+
+/// The camera's pose in the fixed frame for a cloud; nullopt, counted and logged, if there is none
+/// that is fresh enough.
+std::optional<Eigen::Isometry3d> DetectorNode::choose_pose(std::int64_t utime) {
+  const std::string& channel = settings_.pose_channel;
+  if (channel.empty() || !settings_.track.enabled) return Eigen::Isometry3d::Identity();
+  const std::optional<bus::PoseMessage> pose = pose_history_.at(utime);
+  if (!pose) {
+    untracked_.add(channel, utime, PoseLack::kNoPose,
+                   pose_history_.empty()
+                       ? "no pose has come; is --pose-channel right, and does anyone send on it?"
+                       : "all poses kept are newer; do both senders use one clock?");
+    return std::nullopt;
+  }
+  // Times of hostile messages may lie further apart than integers reach.
+  const double age = 1e-6 * (static_cast<double>(utime) - static_cast<double>(pose->utime));
+  if (age <= settings_.track.pose_age) return pose->X_WC;
+  untracked_.add(channel, utime, PoseLack::kOldPose,
+                 fmt::format("the newest pose is {:.1f} s older, more than track.pose_age = {:g} s",
+                             age, settings_.track.pose_age));
+  return std::nullopt;
 }
 
 void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud,
@@ -102,6 +124,8 @@ detector_status_t DetectorNode::make_status() const {
   status.failed = failed();
   status.rejected = bus::to_message(refusals_.counts());
   status.num_rejected = static_cast<std::int32_t>(status.rejected.size());
+  status.untracked = untracked_.to_message();
+  status.num_untracked = static_cast<std::int32_t>(status.untracked.size());
   set_latency(latencies_.summary(), &status);
   const bus::DurationSummary detection = detection_times_.summary();
   status.detect_p50 = detection.p50;
@@ -120,9 +144,11 @@ std::string DetectorNode::summary() const {
 
 std::vector<std::string> DetectorNode::find_oddities() const {
   const std::lock_guard lock(mutex_);
-  if (poses_ == 0 || clouds_without_pose_ == 0) return {};
-  return {fmt::format("{} of {} clouds are older than all poses before them and were not tracked",
-                      clouds_without_pose_, counts_.decoded)};
+  // A channel without a message is told of with the others.
+  if (poses_ == 0 || untracked_.total() == 0) return {};
+  return {
+      fmt::format("{} of {} clouds had no pose of at most {:g} s before them and were not tracked",
+                  untracked_.total(), counts_.decoded, settings_.track.pose_age)};
 }
 
 }  // namespace quadrille

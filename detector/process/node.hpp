@@ -15,6 +15,7 @@
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/durations.hpp"
 #include "settings.hpp"
+#include "untracked.hpp"
 
 namespace quadrille {
 
@@ -34,6 +35,7 @@ class DetectorNode : public Node {
 
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
+  std::optional<Eigen::Isometry3d> choose_pose(std::int64_t utime);
   void detect_and_publish(const bus::CloudMessage& cloud,
                           const std::optional<Eigen::Isometry3d>& X_WC, TimePoint received);
   detector_status_t make_status() const;
@@ -47,9 +49,10 @@ class DetectorNode : public Node {
 
   mutable std::mutex mutex_;
   detector_status_t counts_{};
-  std::int64_t detections_ = 0, poses_ = 0, clouds_without_pose_ = 0;
+  std::int64_t detections_ = 0, poses_ = 0;
   PoseHistory pose_history_;
   Refusals refusals_;
+  Untracked untracked_;
   bus::Durations latencies_, detection_times_;
 };
 

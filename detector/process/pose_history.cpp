@@ -10,12 +10,12 @@ void PoseHistory::add(const bus::PoseMessage& pose) {
   if (poses_.size() > most_) poses_.pop_front();
 }
 
-std::optional<Eigen::Isometry3d> PoseHistory::at(std::int64_t utime) const {
+std::optional<bus::PoseMessage> PoseHistory::at(std::int64_t utime) const {
   const auto later =
       std::upper_bound(poses_.begin(), poses_.end(), utime,
                        [](std::int64_t time, const auto& pose) { return time < pose.utime; });
   if (later == poses_.begin()) return std::nullopt;
-  return std::prev(later)->X_WC;
+  return *std::prev(later);
 }
 
 }  // namespace quadrille

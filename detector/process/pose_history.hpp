@@ -20,7 +20,9 @@ class PoseHistory {
 
   /// The newest pose that is not newer than that time; nullopt if there is none. What is not known
   /// yet has no part in it, so that a replay gives what was given live.
-  std::optional<Eigen::Isometry3d> at(std::int64_t utime) const;
+  std::optional<bus::PoseMessage> at(std::int64_t utime) const;
+
+  bool empty() const { return poses_.empty(); }
 
  private:
   std::size_t most_;

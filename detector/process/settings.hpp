@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/process_arguments.hpp"
 #include "quadrille/detector/options.hpp"
@@ -18,6 +19,8 @@ struct DetectorSettings {
   std::string pose_channel;
   DetectorOptions detector;
   TrackOptions track;
+  /// What of the configuration is not heeded, to be logged.
+  std::vector<std::string> warnings;
 };
 
 }  // namespace quadrille

@@ -86,26 +86,6 @@ Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options
   return aggregation;
 }
 
-/// Settings for the paper's type-specific path: a sphere's hypothesis needs one point and no null
-/// space, and its growth and its fit no choice among families.
-DetectorOptions for_spheres(DetectorOptions options) {
-  // Four parameters need no fine cells, few points, and few votes.
-  options.sampling.cell *= 2.0;
-  options.sampling.stride *= 6;
-  options.sampling.noise.patches = std::min(options.sampling.noise.patches, 100);
-  options.search.basis = BasisKind::kSphere;
-  options.search.bases = std::min(options.search.bases, 2);
-  options.search.voters = std::min(options.search.voters, 48);
-  options.search.radii = {5.0, 10.0};
-  options.search.grow.rounds = std::min(options.search.grow.rounds, 3);
-  options.search.grow.families = {Family::kSphere};
-  options.aggregate.families = {Family::kSphere};
-  options.aggregate.largest_residual = 1.6;
-  // Of wider cells more lie at an edge.
-  options.aggregate.least_confidence = std::min(options.aggregate.least_confidence, 0.3);
-  return options;
-}
-
 bool wanted(QuadricType type, const DetectorOptions& options) {
   return options.only.empty() ||
          std::find(options.only.begin(), options.only.end(), type) != options.only.end();
@@ -150,10 +130,31 @@ void rank(std::vector<Detection>* detections) {
 
 }  // namespace
 
+bool seeks_spheres_alone(const DetectorOptions& options) {
+  return options.only == std::vector{QuadricType::kSphere};
+}
+
+DetectorOptions sphere_options(DetectorOptions options) {
+  // Four parameters need no fine cells, few points, and few votes.
+  options.sampling.cell *= 2.0;
+  options.sampling.stride *= 6;
+  options.sampling.noise.patches = std::min(options.sampling.noise.patches, 100);
+  options.search.basis = BasisKind::kSphere;
+  options.search.bases = std::min(options.search.bases, 2);
+  options.search.voters = std::min(options.search.voters, 48);
+  options.search.radii = {5.0, 10.0};
+  options.search.grow.rounds = std::min(options.search.grow.rounds, 3);
+  options.search.grow.families = {Family::kSphere};
+  options.aggregate.families = {Family::kSphere};
+  options.aggregate.largest_residual = 1.6;
+  // Of wider cells more lie at an edge.
+  options.aggregate.least_confidence = std::min(options.aggregate.least_confidence, 0.3);
+  return options;
+}
+
 DetectionResult detect(const PointCloud& cloud, const DetectorOptions& given) {
   given.check();
-  const bool only_spheres = given.only == std::vector{QuadricType::kSphere};
-  const DetectorOptions options = only_spheres ? for_spheres(given) : given;
+  const DetectorOptions options = seeks_spheres_alone(given) ? sphere_options(given) : given;
   DetectionResult result;
   StageClock clock(&result);
   const CloudCheck check = check_cloud(cloud);

@@ -182,7 +182,7 @@ PlaneRegion grow_plane(const SurfaceSamples& samples, const PlaneOptions& option
 std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options,
                                      const std::vector<char>& claimed) {
   std::vector<PlaneRegion> planes;
-  // 0 free, otherwise the number of the attempt that took it.
+  // 0 free, 1 claimed, otherwise the number of the attempt that took it.
   std::vector<int> taken(claimed.begin(), claimed.end());
   taken.resize(static_cast<std::size_t>(samples.size()), 0);
   std::vector<char> bent(taken.size(), 0);

@@ -70,6 +70,7 @@ void TrackOptions::check() const {
   require(speed >= 0.0 && speed <= 1e3, "track.speed: must lie between 0 and 1000 m/s");
   require(acceleration >= 0.0 && acceleration <= 1e3,
           "track.acceleration: must lie between 0 and 1000 m/s2");
+  require(pose_age >= 0.0 && pose_age <= 1e6, "track.pose_age: must lie between 0 and 1e6 s");
 }
 
 /// A track and a detection.
@@ -126,7 +127,8 @@ Tracker::Pairing Tracker::compare(const Track& track, const Detection& detection
                           track.velocity_variance * t * t +
                           squared(0.5 * options_.acceleration * t * t);
   const double most = squared(options_.gate);
-  // The part that was seen may have changed by as much as it is large.
+  // What lies farther off is another, though a plane that slides in itself has no shift. The part
+  // that was seen may have changed by as much as it is large.
   const double reach = options_.gate * std::sqrt(variance) + track.patch.size + patch.size;
   if ((patch.centre_W - track.patch.centre_W).norm() > reach) return {};
   const PatchMatch match = match_patches(track.patch, patch);

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/peer_program.hpp"
-#include "bench/plain_ransac.hpp"
 #include "known_frame.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
@@ -48,17 +47,6 @@ TEST_CASE("quadrille, its variants and the baselines find a ball before a wall",
     CHECK(s.widths_right == 1);
     if (contender.only.empty()) CHECK(s.planes_found == 1);
   }
-}
-
-TEST_CASE("a baseline finds the same each time", "[bench][contender][determinism]") {
-  const Frame frame = test::make_known_frame();
-  const auto first = plain_ransac(frame.cloud.points, {});
-  const auto again = plain_ransac(frame.cloud.points, {});
-  REQUIRE(first.size() == again.size());
-  for (std::size_t i = 0; i < first.size(); ++i) {
-    CHECK(first[i].Q_C.matrix() == again[i].Q_C.matrix());
-  }
-  CHECK(plain_ransac({}, {}).empty());
 }
 
 TEST_CASE("a peer that is not built is absent, with what mends it", "[bench][contender]") {

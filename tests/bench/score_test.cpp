@@ -2,7 +2,6 @@
 
 #include <limits>
 
-#include "bench/matching.hpp"
 #include "known_frame.hpp"
 #include "support/catch.hpp"
 
@@ -125,14 +124,6 @@ TEST_CASE("findings beyond the hundred best, and such as are none, are wrong",
   const std::vector<Found> broken = {
       {Quadric(), 1.0}, {Quadric(Eigen::Matrix4d(Eigen::Matrix4d::Constant(nan))), 1.0}};
   CHECK(score(frame, broken).wrong == 2);
-}
-
-TEST_CASE("as many are matched as can be, the better pairs first", "[bench][score]") {
-  using Pairs = std::map<int, int>;
-  // Finding 0 would take surface 0, which is all that finding 1 has.
-  CHECK(match_most({{0, {{0, 0.9}, {1, 0.7}}}, {1, {{0, 0.8}}}}) == Pairs{{0, 1}, {1, 0}});
-  CHECK(match_most({{0, {{0, 0.7}}}, {1, {{0, 0.8}}}}) == Pairs{{0, 1}});
-  CHECK(match_most({}).empty());
 }
 
 }  // namespace

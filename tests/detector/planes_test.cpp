@@ -73,6 +73,23 @@ TEST_CASE("no samples, no planes", "[planes][degenerate]") {
   CHECK(find_planes(plane_grid(0, 0, 0.01, 0.0, 1), {}).empty());
 }
 
+TEST_CASE("samples that another surface holds do not tilt a plane's start", "[planes]") {
+  // Every free sample has one claimed neighbour, which stands out.
+  SurfaceSamples samples = plane_grid(30, 30, 0.01, 0.0005, 7);
+  std::vector<char> claimed(static_cast<std::size_t>(samples.size()));
+  for (int row = 1; row < 30; row += 3) {
+    for (int column = 1; column < 30; column += 3) {
+      const int i = row * 30 + column;
+      claimed[i] = 1;
+      samples.raw[i].x() += 0.05f;
+    }
+  }
+  const auto planes = find_planes(samples, {}, claimed);
+  REQUIRE(planes.size() == 1);
+  CHECK(planes[0].samples.size() == 800);
+  CHECK(planes[0].plane.x() > 0.9999);
+}
+
 TEST_CASE("samples that another surface holds belong to no plane", "[planes]") {
   const SurfaceSamples samples = edge_grid(0.0005);
   std::vector<char> claimed(static_cast<std::size_t>(samples.size()));

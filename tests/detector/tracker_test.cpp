@@ -1,11 +1,7 @@
 #include "quadrille/detector/tracker.hpp"
 
 #include <functional>
-#include <limits>
 #include <set>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 
 #include "quadrille/detector/random.hpp"
 #include "support/catch.hpp"
@@ -242,40 +238,21 @@ TEST_CASE("without tracking no detection has a track", "[track]") {
             1, [](int) { return Frame{table()}; }, options)[0] == std::vector<int>{0});
 }
 
-TEST_CASE("times and detections that make no sense are borne", "[track][hostile]") {
-  Tracker tracker;
-  using Limits = std::numeric_limits<std::int64_t>;
-  for (const std::int64_t utime : {Limits::min(), Limits::max(), std::int64_t{0}, Limits::max()}) {
-    Frame frame = {table(), Detection(), test::exact_ball({0, 0, 1}, 1e-9)};
-    frame[0].rms = std::numeric_limits<double>::quiet_NaN();
-    frame[2].dimensions[0].std = std::numeric_limits<double>::infinity();
-    tracker.update(utime, Eigen::Isometry3d::Identity(), &frame);
-    std::set<int> ids;
-    for (const Detection& d : frame) ids.insert(d.track);
-    CHECK(ids.size() == 3);
-  }
-}
-
-TEST_CASE("options of the tracker out of range are refused by name", "[track][options]") {
-  const auto error_of = [](const char* name, double value) -> std::string {
-    TrackOptions options;
-    visit_track_options(options, [&](std::string_view field, auto& setting) {
-      if (field == name) setting = value;
-    });
-    try {
-      const Tracker tracker(options);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+TEST_CASE("patches of one plane that lie far apart are two, however wide the gate", "[track]") {
+  TrackOptions options;
+  options.gate = 20.0;
+  const auto last_at = [&](double x) {
+    return track(
+               6,
+               [&](int k) {
+                 return Frame{k < 5 ? test::exact_plane({0, 0, 1.5}, 1.0, 1.0)
+                                    : test::exact_plane({x, 0, 1.5}, 0.1, 0.1)};
+               },
+               options)
+        .back();
   };
-  for (const char* name :
-       {"track.gate", "track.forget_after", "track.speed", "track.acceleration"}) {
-    INFO(name);
-    CHECK(error_of(name, 1.0) == "");
-    CHECK(error_of(name, -1.0).find(name) == 0);
-    CHECK(error_of(name, std::numeric_limits<double>::quiet_NaN()).find(name) == 0);
-  }
+  CHECK(last_at(0.4) == std::vector<int>{1});
+  CHECK(last_at(1.9) == std::vector<int>{2});
 }
 
 }  // namespace

@@ -37,10 +37,12 @@ double distance_to(const WebLine& line, const Eigen::Vector3d& lambda) {
 
 TEST_CASE("every member of a web passes through its basis with the normals", "[web][paper:eq6]") {
   RandomStream random(111, 0);
+  int families = 0;
   for (const FamilyExample& example : family_examples()) {
     const auto points = points_on(example.D, 2, example.low, random);
     const auto web = make_web({points[0], points[1]}, 0.0);
     if (!web) continue;
+    ++families;
     for (int k = 0; k < 4; ++k) {
       const Quadric Q(web->at(Eigen::Vector3d(gaussian(random), gaussian(random), k)));
       CAPTURE(example.name, k);
@@ -50,6 +52,7 @@ TEST_CASE("every member of a web passes through its basis with the normals", "[w
       }
     }
   }
+  CHECK(families == 9);
 }
 
 TEST_CASE("three further dimensions exhaust the quadrics through two oriented points",

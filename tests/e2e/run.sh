@@ -125,6 +125,8 @@ check_channels() {
     "$detector" --in-channel CAMERA --in-log "$work/clouds.lcm" --out-log "$work/o.lcm"
   expect_exit 0 "clouds in: 0, none refused; quadrics out: 0" \
     "$detector" --in-channel CAMERA --in-log "$work/clouds.lcm" --out-log "$work/o.lcm"
+  expect_exit 0 "CAMREA: cloud 500000 is not tracked: no pose has come; is --pose-channel right" \
+    "$detector" --pose-channel CAMREA --in-log "$work/clouds.lcm" --out-log "$work/o.lcm"
   expect_exit 0 "no event on QUADRICS; the log holds POINT_CLOUD (6)" \
     "$planner" --in-log "$work/clouds.lcm" --out-log "$work/o.lcm"
   expect_exit 0 "clouds in: 6, none refused; messages of quadrics in: 6, none refused; pairs: 6;" \

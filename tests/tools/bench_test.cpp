@@ -47,6 +47,10 @@ TEST_CASE("the benchmark writes one table in all forms, and a plot", "[command][
   CHECK(rows[0]["recall"] == 1.0);
   CHECK(rows[0]["precision"] > 0.5);
   CHECK(rows[9]["counted"] == "sphere");
+  for (const json& row : rows) {
+    const bool others = row["counted"] == "sphere" && row["contender"] != "quadrille-sphere";
+    CHECK((row["precision"].is_null() && row["wrong"].is_null()) == others);
+  }
   const std::string csv = test::content_of(folder.path("bench.csv"));
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 11);
   const std::string svg = test::content_of(folder.path("bench.svg"));
@@ -73,7 +77,17 @@ TEST_CASE("what the benchmark cannot use ends with one line", "[command][bench][
   const std::string cloud = folder.path("a.ply");
   REQUIRE(run_quadrille("scene --family easy " + cloud).code == 0);
   const std::string only = " --contender quadrille --out " + folder.path("");
-  test::check_failure(run_quadrille("bench " + cloud + only), "a.labels: no such file");
+  test::check_failure(run_quadrille("bench " + cloud + only),
+                      "a.labels: no such file; `quadrille scene --labels` makes");
+  folder.write("scan.ply", test::content_of(cloud));
+  test::check_failure(run_quadrille("bench " + folder.path("scan.ply") + only),
+                      "scan.truth.json: no such file; `quadrille scene --labels` makes");
+  for (const std::string option : {"--family easy", "--scenes 3", "--seed 4"}) {
+    const Run run = run_quadrille("bench " + cloud + " " + option + only);
+    INFO(run.err);
+    CHECK(run.code == 2);
+    CHECK(contains(run.err, "CLOUD excludes " + option.substr(0, option.find(' '))));
+  }
   folder.write("a.labels", "12");
   test::check_failure(run_quadrille("bench " + cloud + only), "not one entry per point");
   folder.write("a.truth.json", "{}");

@@ -123,6 +123,26 @@ TEST_CASE("wrong usage ends the command with 2", "[command]") {
   CHECK(run_quadrille("detect --help").code == 0);
 }
 
+TEST_CASE("settings that the search for spheres alone does not heed are named", "[command]") {
+  const TempFolder folder;
+  const std::string cloud = folder.write("a.ply", ply_of({"1 2 3"}));
+  const std::string config =
+      folder.write("c.toml", "search.basis = \"three_points\"\nsearch.voters = 20\n");
+  const std::string part = config +
+                           ": warning: --only sphere sets search, families and density itself; "
+                           "not as given: search.basis\n";
+  CHECK(contains(run_quadrille("detect --only sphere --config " + config + " " + cloud).err, part));
+  for (const std::string types : {"", "--only sphere,cone "}) {
+    const std::string err =
+        run_quadrille("detect " + types + "--config " + config + " " + cloud).err;
+    CHECK_FALSE(contains(err, "not as given"));
+  }
+  const std::string suits = folder.write("d.toml", "search.basis = \"sphere\"\n");
+  CHECK_FALSE(contains(run_quadrille("detect --only sphere --config " + suits + " " + cloud).err,
+                       "not as given"));
+  CHECK_FALSE(contains(run_quadrille("detect --only sphere " + cloud).err, "not as given"));
+}
+
 TEST_CASE("seeds, rates and types that cannot be meant are wrong usage", "[command]") {
   const TempFolder folder;
   const std::string cloud = folder.write("a.ply", ply_of({"1 2 3"}));

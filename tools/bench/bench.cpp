@@ -35,6 +35,7 @@ class Rows {
     row.family = frame.family;
     row.contender = who.name;
     row.counted = counted;
+    row.finds_others = !counted.empty() && who.only.empty();
     ++row.frames;
     FrameScore one = score(frame, outcome.findings, counted);
     // Planes are no concern of who looks for one type.
@@ -70,7 +71,9 @@ void run_on(const Frame& frame, int family, const std::vector<Contender>& conten
 
 double Row::recall() const { return ratio(total.found, total.wanted); }
 
-double Row::precision() const { return ratio(total.found, total.found + total.wrong); }
+double Row::precision() const {
+  return finds_others ? std::nan("") : ratio(total.found, total.found + total.wrong);
+}
 
 double Row::right_width() const {
   return ratio(total.widths_right, static_cast<int>(total.width_errors.size()));

@@ -26,6 +26,8 @@ struct Row {
   std::string family, contender;
   /// The type of the surfaces that were counted; empty for all. Planes go with all.
   std::string counted;
+  /// The contender also looks for types that are not counted: that it found others is no mistake.
+  bool finds_others = false;
   int frames = 0;
   /// Sums over the frames, and all width errors.
   FrameScore total;
@@ -33,6 +35,8 @@ struct Row {
   std::vector<double> wall_ms, cpu_ms;
 
   double recall() const;
+  /// Undefined (NaN) if the contender finds others, for nothing tells which of its wrong findings
+  /// were meant for the type that is counted.
   double precision() const;
   /// Share of the found surfaces with the right width, and the median error of the widths.
   double right_width() const;

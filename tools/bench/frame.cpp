@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstring>
+#include <filesystem>
 
 #include "io/cloud_file.hpp"
 #include "io/file_bytes.hpp"
@@ -60,9 +61,19 @@ void clean(Frame* frame) {
   frame->normals.resize(kept);
 }
 
+/// A file beside a cloud.
+std::vector<std::byte> read_companion(const std::string& path) {
+  if (!std::filesystem::exists(path)) {
+    throw io::FileError(path, "",
+                        "no such file; `quadrille scene --labels` makes clouds with all that is "
+                        "known of them");
+  }
+  return io::read_file(path);
+}
+
 template <class Element>
 std::vector<Element> read_elements(const std::string& path, std::size_t count) {
-  const std::vector<std::byte> bytes = io::read_file(path);
+  const std::vector<std::byte> bytes = read_companion(path);
   if (bytes.size() != count * sizeof(Element)) {
     throw io::FileError(path, "", "has not one entry per point of the cloud; make both anew");
   }
@@ -90,7 +101,7 @@ Frame read_frame(const std::string& ply_path) {
   frame.name = ply_path;
   frame.cloud = io::read_cloud(ply_path);
   const std::string truth = scene::truth_path(ply_path);
-  const std::vector<std::byte> bytes = io::read_file(truth);
+  const std::vector<std::byte> bytes = read_companion(truth);
   const char* text = reinterpret_cast<const char*>(bytes.data());
   try {
     take_truth(ordered_json::parse(text, text + bytes.size()), &frame);

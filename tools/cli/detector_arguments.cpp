@@ -1,11 +1,14 @@
 #include "cli/detector_arguments.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <map>
 #include <sstream>
-#include <vector>
 
 #include "cli/seed_option.hpp"
 #include "io/config.hpp"
+#include "quadrille/detector/detector.hpp"
 
 namespace quadrille {
 namespace {
@@ -42,6 +45,20 @@ std::string check_types(const std::string& list) {
   return count > 0 ? "" : "names no type";
 }
 
+/// The settings that the search for spheres alone changes, of those that a file gives.
+std::vector<std::string> overruled_for_spheres(const io::Settings& settings) {
+  std::vector<std::string> names;
+  std::map<std::string, double> before;
+  DetectorOptions given = settings.detector, used = sphere_options(given);
+  visit_options(given,
+                [&](const char* name, auto& field) { before[name] = static_cast<double>(field); });
+  visit_options(used, [&](const char* name, auto& field) {
+    const bool changed = static_cast<double>(field) != before[name];
+    if (changed && settings.given.count(name)) names.emplace_back(name);
+  });
+  return names;
+}
+
 }  // namespace
 
 void DetectorArguments::add_to(CLI::App& command) {
@@ -65,6 +82,14 @@ DetectorOptions DetectorArguments::options() const {
 
 TrackOptions DetectorArguments::track_options() const {
   return config.empty() ? TrackOptions() : io::load_settings(config).track;
+}
+
+std::vector<std::string> DetectorArguments::warnings() const {
+  if (config.empty() || !seeks_spheres_alone(options())) return {};
+  const std::vector<std::string> names = overruled_for_spheres(io::load_settings(config));
+  if (names.empty()) return {};
+  return {fmt::format("--only sphere sets search, families and density itself; not as given: {}",
+                      fmt::join(names, ", "))};
 }
 
 }  // namespace quadrille

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/tracker.hpp"
@@ -24,6 +25,9 @@ struct DetectorArguments {
   /// The settings of the tracker, from the file.
   /// @throws io::FileError if the file is wrong
   TrackOptions track_options() const;
+  /// What of the file is not heeded, one line each.
+  /// @throws io::FileError if the file is wrong
+  std::vector<std::string> warnings() const;
 };
 
 }  // namespace quadrille

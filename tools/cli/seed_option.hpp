@@ -23,8 +23,8 @@ inline std::string check_seed(const std::string& text) {
 /// @param seed  gets the number; must outlive the app
 /// @param what  what the seed chooses, such as "the scene"
 template <class Seed>
-void add_seed_option(CLI::App& app, Seed& seed, const std::string& what) {
-  app.add_option("--seed", seed, "Chooses " + what)
+CLI::Option* add_seed_option(CLI::App& app, Seed& seed, const std::string& what) {
+  return app.add_option("--seed", seed, "Chooses " + what)
       ->type_name("N")
       ->check(CLI::Validator(check_seed, ""));
 }

@@ -137,6 +137,7 @@ Settings load_settings(const std::string& path) {
     using Field = std::remove_reference_t<decltype(field)>;
     known.insert(name);
     const toml::node_view<const toml::node> node = table.at_path(name);
+    if (node) settings.given.insert(name);
     if (node && !assign(*node.node(), &field)) {
       throw FileError(path, line_of(*node.node()),
                       fmt::format("key '{}' must be {}", name, expected<Field>()));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "quadrille/detector/options.hpp"
@@ -13,6 +14,8 @@ struct Settings {
   DetectorOptions detector;
   TrackOptions track;
   PlanOptions planner;
+  /// The keys that it gives, such as "search.basis".
+  std::set<std::string> given;
 };
 
 /// Reads the settings of a TOML file, which all programs share: each takes its own part of them.

@@ -116,16 +116,20 @@ void add_bench_command(CLI::App& app) {
   auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command =
       app.add_subcommand("bench", "Compare the detector with its variants, baselines and peers");
-  command->add_option("CLOUD", arguments->options.clouds,
-                      "Clouds of quadrille scene --labels, instead of new scenes");
+  CLI::Option* const clouds =
+      command->add_option("CLOUD", arguments->options.clouds,
+                          "Clouds of quadrille scene --labels, instead of new scenes");
   command->add_option("--family", arguments->families, "Families of scenes")
       ->delimiter(',')
       ->check(CLI::IsMember(families()))
-      ->type_name("NAME,...");
+      ->type_name("NAME,...")
+      ->excludes(clouds);
   command->add_option("--scenes", arguments->options.scenes, "Scenes of each family")
       ->check(CLI::Range(1, 100000))
-      ->capture_default_str();
-  add_seed_option(*command, arguments->options.seed, "the first scene of each family");
+      ->capture_default_str()
+      ->excludes(clouds);
+  add_seed_option(*command, arguments->options.seed, "the first scene of each family")
+      ->excludes(clouds);
   command->add_option("--contender", arguments->contenders, "Only these; see --list")
       ->delimiter(',')
       ->check(CLI::Validator(check_contender, ""))

@@ -53,6 +53,7 @@ class Tracking {
 
 void run(const DetectArguments& arguments) {
   const DetectorOptions options = arguments.detector.options();
+  print_warnings(arguments.detector.config, arguments.detector.warnings());
   const bool several = arguments.inputs.size() > 1 || is_log(arguments.inputs.front());
   PicturePaths pictures(arguments.picture, several);
   JsonLines json(arguments.json);

@@ -35,6 +35,7 @@ PlanOptions plan_options(const PlanArguments& arguments) {
 
 void run(const PlanArguments& arguments) {
   const DetectorOptions detector_options = arguments.detector.options();
+  print_warnings(arguments.detector.config, arguments.detector.warnings());
   const Gripper gripper = arguments.planner.gripper();
   const PlanOptions options = plan_options(arguments);
   JsonLines json(arguments.json);

@@ -10,8 +10,8 @@ bus::PoseMessage pose_at(std::int64_t utime) {
 }
 
 double x_at(const PoseHistory& history, std::int64_t utime) {
-  const auto X_WC = history.at(utime);
-  return X_WC ? X_WC->translation().x() : -1.0;
+  const auto pose = history.at(utime);
+  return pose ? pose->X_WC.translation().x() : -1.0;
 }
 
 TEST_CASE("the pose of a cloud is the newest that is not newer", "[process][pose]") {

@@ -160,6 +160,7 @@ BENCHMARK(hypotheses_of_neighbourhood)
     ->Arg(static_cast<int>(BasisKind::kThreePoints))
     ->Arg(static_cast<int>(BasisKind::kFourPoints))
     ->Arg(static_cast<int>(BasisKind::kNinePoints))
+    ->Arg(static_cast<int>(BasisKind::kTwoPoints))
     ->Arg(static_cast<int>(BasisKind::kSphere));
 
 void grow_from_truth(benchmark::State& state) {

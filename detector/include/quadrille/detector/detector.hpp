@@ -6,6 +6,14 @@
 
 namespace quadrille {
 
+/// True if the options ask for spheres and nothing else, for which detect() takes the paper's
+/// type-specific path.
+bool seeks_spheres_alone(const DetectorOptions& options);
+
+/// The options with which that path works: a sphere's hypothesis needs one point and no null space,
+/// and its growth and its fit no choice among families.
+DetectorOptions sphere_options(DetectorOptions options);
+
 /// Detects the quadrics of one cloud by the method of Birdal et al., CVPR 2018.
 ///
 /// The same cloud, options and seed give the same bits, whatever the thread count.

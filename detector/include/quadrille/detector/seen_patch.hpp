@@ -23,6 +23,10 @@ struct SeenPatch {
   double rms = 0.0;
 };
 
+/// Where the line o + t d crosses a quadric, as values of t, none, one or two. Where it touches it
+/// and stays on one side, or lies in it, it crosses nothing.
+std::vector<double> crossings(const Quadric& Q, const Eigen::Vector3d& o, const Eigen::Vector3d& d);
+
 /// The patch of a detection.
 /// @param X_WC  pose of the detection's frame in the fixed one
 SeenPatch seen_patch(const Detection& detection, const Eigen::Isometry3d& X_WC);

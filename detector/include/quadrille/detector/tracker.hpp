@@ -20,6 +20,9 @@ struct TrackOptions {
   double speed = 0.5;
   /// Standard deviation of the acceleration, of hands that move things and so on [m/s²].
   double acceleration = 1.0;
+  /// Largest age of a camera's pose beside the cloud, where poses come as messages of their own
+  /// [s]; what is older counts as none. The Tracker itself takes whatever pose it is given.
+  double pose_age = 1.0;
 
   /// @throws std::invalid_argument naming the field that is out of range
   void check() const;
@@ -33,6 +36,7 @@ void visit_track_options(Options& o, Visitor&& visit) {
   visit("track.forget_after", o.forget_after);
   visit("track.speed", o.speed);
   visit("track.acceleration", o.acceleration);
+  visit("track.pose_age", o.pose_age);
 }
 
 /// Gives the detections of successive clouds ids that last: one surface, one id, through frames in
