@@ -37,8 +37,44 @@ TEST_CASE("a plot is an SVG document with a path for each line", "[experiment][p
   CHECK(contains(svg, "a &lt; b &amp; c"));
   CHECK(test::count(svg, ">one</text>") == 2);
   CHECK(test::count(svg, "stroke-dasharray") == 4);
-  // Corners of the axes: left bottom and right top.
-  CHECK(contains(svg, "M70.0 330.0L550.0 30.0"));
+  // From left bottom to right top of the frame, but for its margin.
+  CHECK(contains(svg, "M89.2 318.0L530.8 42.0"));
+}
+
+TEST_CASE("a line of which one point can be drawn is a dot", "[experiment][plot]") {
+  Plot plot{"t", "x", "y", {}, true, true};
+  plot.lines = {{"one", {{3, 3}}},
+                {"one of three", {{1, 0}, {10, 5}, {20, std::nan("")}}},
+                {"two", {{1, 1}, {100, 100}}},
+                {"none", {{1, 0}}}};
+  const std::string one_path = to_svg({{"", "", "", {plot.lines[2]}, true, true}});
+  const std::string svg = to_svg({plot});
+  CHECK(test::count(svg, "<circle") == 2);
+  CHECK(test::count(one_path, "<circle") == 0);
+  CHECK(test::count(svg, "stroke-width=\"1.6\"") == 1 + 4);
+  plot.lines[2].marked = true;
+  CHECK(test::count(to_svg({plot}), "<circle") == 4);
+}
+
+TEST_CASE("one way has one colour in all plots of a document", "[experiment][plot]") {
+  const std::vector<std::pair<double, double>> points = {{0, 0}, {1, 1}};
+  const Plot first{"", "", "", {{"a", points}, {"b, easy", points, false, false, "b"}}};
+  const Plot second{"", "", "", {{"b, hard", points, true, false, "b"}, {"c", points}}};
+  const std::string svg = to_svg({first, second});
+  // Each line and its place in the legend.
+  CHECK(test::count(svg, "#1f77b4") == 2);
+  CHECK(test::count(svg, "#d62728") == 4);
+  CHECK(test::count(svg, "#2ca02c") == 2);
+}
+
+TEST_CASE("ticks are written out", "[experiment][plot]") {
+  const std::string svg =
+      to_svg({{"", "", "", {{"a", {{0, 0.001}, {5000, 100000}}}}, false, true}});
+  for (const char* tick : {">0<", ">1000<", ">5000<", ">0.001<", ">0.1<", ">100000<"}) {
+    CAPTURE(tick);
+    CHECK(contains(svg, tick));
+  }
+  CHECK_FALSE(contains(svg, "e+"));
 }
 
 TEST_CASE("a logarithmic plot leaves out what has no logarithm", "[experiment][plot]") {
@@ -46,7 +82,7 @@ TEST_CASE("a logarithmic plot leaves out what has no logarithm", "[experiment][p
             true, true};
   const std::string svg = to_svg({plot});
   CHECK(test::is_well_formed(svg));
-  CHECK(contains(svg, "M70.0 330.0L550.0 30.0"));
+  CHECK(contains(svg, "M89.2 318.0L530.8 42.0"));
   CHECK_FALSE(contains(svg, "nan"));
   CHECK_FALSE(contains(svg, "inf"));
   plot.lines = {{"empty", {}}};

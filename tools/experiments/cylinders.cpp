@@ -99,7 +99,7 @@ Report report_of(const std::vector<Outcome>& outcomes, int bins) {
               {}};
   report.data.columns = {"cylinders", "noise",    "known", "exact",
                          "any",       "detected", "right", "median_ms"};
-  Plot plot{"Cylinders found", "cylinders a bin", "share", {}};
+  Plot plot{"Cylinders found", "cylinders a bin", "share", {}, false, false, {0.0, 1.0}};
   int known = 0, exact = 0, any = 0;
   const double height = scene::BinOptions().height;
   for (const Outcome& o : outcomes) {
@@ -114,7 +114,8 @@ Report report_of(const std::vector<Outcome>& outcomes, int bins) {
   for (const double noise : kNoises) {
     const std::string name =
         fmt::format("noise {:.2g} mm", 1e3 * scene::depth_noise(noise, height));
-    Series right{name + ", axis and radius", {}}, covered{name + ", any quadric", {}, true};
+    Series right{name + ", axis and radius", {}, false, false, name},
+        covered{name + ", any quadric", {}, true, false, name};
     for (const Outcome& o : outcomes) {
       if (o.noise != noise || !o.known) continue;
       right.points.emplace_back(o.cylinders, static_cast<double>(o.exact) / o.known);

@@ -112,6 +112,7 @@ std::vector<Series> lines_of(const std::vector<Setting>& settings, bool (*belong
   for (const scene::Family family : kFamilies) {
     for (const Way& way : kWays) {
       Series line{fmt::format("{}, {}", way.name, scene::traits_of(family).name), {}};
+      line.way = way.name;
       line.dashed = family != kFamilies[0];
       for (const Setting& s : settings) {
         if (belongs(s) && s.is(way.name, family)) line.points.push_back(point(s));
@@ -131,12 +132,22 @@ std::vector<Plot> plots_of(const std::vector<Setting>& settings) {
     return std::pair(s.median_search(), s.score.recall());
   };
   return {
-      {"Found over the sampling", "cell [mm]", "recall",
-       lines_of(settings, has_default_bases, recall), true, false},
+      {"Found over the sampling",
+       "cell [mm]",
+       "recall",
+       lines_of(settings, has_default_bases, recall),
+       true,
+       false,
+       {0.0, 1.0}},
       {"Time over the sampling", "cell [mm]", "search, median [ms]",
        lines_of(settings, has_default_bases, time), true, true},
-      {"Found over time, at the default cell", "search, median [ms]", "recall",
-       lines_of(settings, has_default_cell, trade), true, false},
+      {"Found over time, at the default cell",
+       "search, median [ms]",
+       "recall",
+       lines_of(settings, has_default_cell, trade),
+       true,
+       false,
+       {0.0, 1.0}},
   };
 }
 

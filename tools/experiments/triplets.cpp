@@ -106,7 +106,7 @@ Table data_of(const std::vector<Group>& groups) {
 
 Report report_of(const std::vector<Group>& groups, int scenes) {
   Report report;
-  Plot plot{"Repeated triplets", "bases a seed", "repeated [%]", {}, true, true};
+  Plot plot{"Repeated triplets", "bases a seed", "repeated [%]", {}, true, false, {0.0}};
   for (const Group& group : groups) {
     const std::string family = scene::traits_of(group.plain.family).name;
     const int bases = group.plain.options.search.bases;
@@ -115,8 +115,8 @@ Report report_of(const std::vector<Group>& groups, int scenes) {
         "{}.",
         family, bases, percent(group.hashed.repeated()), percent(group.single.repeated())));
     if (plot.lines.empty() || !plot.lines.back().name.starts_with(family)) {
-      plot.lines.push_back({family + ", three radii", {}});
-      plot.lines.push_back({family + ", one radius", {}, true});
+      plot.lines.push_back({family + ", three radii", {}, false, false, family});
+      plot.lines.push_back({family + ", one radius", {}, true, false, family});
     }
     (plot.lines.end() - 2)->points.emplace_back(bases, 100.0 * group.hashed.repeated());
     plot.lines.back().points.emplace_back(bases, 100.0 * group.single.repeated());
