@@ -2,11 +2,11 @@
 
 #include "experiments/cylinder_match.hpp"
 #include "experiments/fit_errors.hpp"
+#include "experiments/generated_scenes.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/neighbourhood.hpp"
 #include "experiments/plot.hpp"
 #include "experiments/random_quadric.hpp"
-#include "experiments/scene_score.hpp"
 #include "experiments/sphere_errors.hpp"
 #include "experiments/table.hpp"
 #include "quadrille/detector/fits/taubin_fit.hpp"
@@ -206,34 +206,23 @@ TEST_CASE("a detection matches the known sphere that it is nearest to", "[experi
   CHECK(contains(report.findings.front(), "1 of 2 found"));
 }
 
-TEST_CASE("the truth scores itself as all found, and nothing else does", "[experiment][scene]") {
-  const scene::Scene made = scene::make_scene({scene::Family::kMedium, 3});
-  const SceneTruth truth(made);
-  DetectionResult exact;
-  for (const scene::Body& body : made.layout.bodies) {
-    for (std::size_t part = 0; part < body.surfaces.size(); ++part) {
-      if (!body.surfaces[part].curved) continue;
-      Detection detection;
-      detection.type = QuadricType::kEllipsoid;
-      detection.Q_C =
-          body.surfaces[part].Q_S.transformed(made.layout.X_CW * body.X_WB * body.X_BS[part]);
-      exact.detections.push_back(detection);
-    }
-  }
-  const SceneScore all = truth.score(exact);
-  CHECK(all.known >= 3);
-  CHECK(all.recall() == 1.0);
-  CHECK(all.precision() == 1.0);
-  // A second detection of the same surface is one too many.
-  exact.detections.push_back(exact.detections.front());
-  CHECK(truth.score(exact).right == all.right);
-  DetectionResult shifted = exact;
-  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-  X.translation() << 0.05, 0.05, 0.05;
-  for (Detection& detection : shifted.detections) detection.Q_C = detection.Q_C.transformed(X);
-  CHECK(truth.score(shifted).found == 0);
-  CHECK(truth.score({}).recall() == 0.0);
-  CHECK(truth.score({}).precision() == 1.0);
+TEST_CASE("each scene of each family is worked on, those of another seed are others",
+          "[experiment][scene]") {
+  std::vector<std::pair<scene::Family, std::uint64_t>> worked;
+  std::vector<double> shares;
+  Settings settings;
+  settings.seed = 3;
+  settings.progress = [&](double share) { shares.push_back(share); };
+  for_each_scene({scene::Family::kEasy, scene::Family::kHard}, 2, settings,
+                 [&](const scene::Scene& made) {
+                   CHECK_FALSE(made.view.points.empty());
+                   worked.emplace_back(made.options.family, made.options.seed);
+                 });
+  CHECK(worked == decltype(worked){{scene::Family::kEasy, 3000},
+                                   {scene::Family::kEasy, 3001},
+                                   {scene::Family::kHard, 3000},
+                                   {scene::Family::kHard, 3001}});
+  CHECK(shares == std::vector<double>{0.25, 0.5, 0.75, 1.0});
 }
 
 TEST_CASE("a cylinder is found when axis and radius agree, and counts once", "[experiment]") {

@@ -32,13 +32,8 @@ struct Row {
   /// One a frame [ms].
   std::vector<double> wall_ms, cpu_ms;
 
-  double recall() const;
-  double precision() const;
-  /// Share of the found surfaces with the right width, and the median error of the widths.
-  double right_width() const;
+  /// Median of the relative errors of the widths; NaN if there are none.
   double width_error() const;
-  double plane_recall() const;
-  double plane_precision() const;
 };
 
 /// Has each contender that is not absent work on each frame. All surfaces are counted, but for
