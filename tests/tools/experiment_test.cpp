@@ -270,6 +270,7 @@ TEST_CASE("a folder that cannot be written to is named before any work",
     };
     test::check_failure(run(file), "file: cannot be made a folder");
     test::check_failure(run(file + "/b"), "; give --out another one");
+    test::check_failure(run(folder.path(std::string(300, 'x'))), "; give --out another one");
     test::check_failure(run(""), "--out: is empty; give a folder");
     // There even root makes no files.
     test::check_failure(run("/proc"), "; check the folder and its permissions");
@@ -297,6 +298,12 @@ TEST_CASE("a sequence without scans, or with a broken list of them, is a failure
     CHECK(std::filesystem::is_empty(folder.path("o")));
   };
   check("no real scans; set QUADRILLE_DATA to a folder with data/real");
+  {
+    const std::string name(300, 'x');
+    const EnvironmentVariable too_long("QUADRILLE_DATA", folder.path(name));
+    test::check_failure(run_quadrille("experiment sequence --out '" + folder.path("o") + "'"),
+                        name + "/data/real/manifest.json: no real scans");
+  }
   const std::string scan = R"({"scenes":[{"kind":"sequence","name":"b",)";
   const std::string radius = R"("radius_over_sequence":{"median":0.1},)";
   for (const std::string& text :

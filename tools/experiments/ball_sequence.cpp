@@ -44,7 +44,9 @@ fs::path real_scans() {
 
 std::vector<BallSequence> read_sequences(const fs::path& folder) {
   const std::string path = (folder / "manifest.json").string();
-  if (!fs::exists(path)) throw io::FileError(path, "", std::string("no real scans") + kCure);
+  std::error_code ignored;
+  if (!fs::exists(path, ignored))
+    throw io::FileError(path, "", std::string("no real scans") + kCure);
   const std::vector<std::byte> bytes = io::read_file(path);
   const char* text = reinterpret_cast<const char*>(bytes.data());
   std::vector<BallSequence> sequences;

@@ -14,8 +14,8 @@ OutputFolder::OutputFolder(const std::string& folder, const std::vector<std::str
   if (folder.empty()) throw io::FileError("--out", "", "is empty; give a folder, such as .");
   std::error_code error;
   fs::create_directories(folder, error);
-  if (!fs::is_directory(folder)) {
-    const std::string why = error ? " (" + error.message() + ")" : "";
+  const std::string why = error ? " (" + error.message() + ")" : "";
+  if (!fs::is_directory(folder, error)) {
     throw io::FileError(folder, "", "cannot be made a folder" + why + "; give --out another one");
   }
   // What a file is written to goes away with this object.
