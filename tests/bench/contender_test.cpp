@@ -4,8 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/peer_program.hpp"
-#include "known_frame.hpp"
+#include "bench/plain_ransac.hpp"
 #include "support/catch.hpp"
+#include "support/known_frame.hpp"
 #include "support/temp_folder.hpp"
 
 namespace quadrille::bench {
@@ -23,7 +24,7 @@ FrameScore score_of(const Contender& contender, const Frame& frame) {
   const Outcome outcome = contender.run(frame);
   CHECK(outcome.wall_ms > 0.0);
   CHECK(outcome.cpu_ms > 0.0);
-  return score(frame, outcome.findings, contender.only);
+  return scoring::score(frame, outcome.findings, contender.only);
 }
 
 /// A peer's program that is a script.
@@ -67,7 +68,7 @@ TEST_CASE("a peer's program gets the cloud and its family, and is heard", "[benc
   const Outcome outcome = peer.run(frame);
   CHECK(outcome.wall_ms == 5.0);
   CHECK(outcome.cpu_ms == 4.0);
-  CHECK(score(frame, outcome.findings).found == 1);
+  CHECK(scoring::score(frame, outcome.findings).found == 1);
 }
 
 TEST_CASE("a peer's program that fails is named", "[bench][contender][hostile]") {

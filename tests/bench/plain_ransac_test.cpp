@@ -1,10 +1,13 @@
 #include "bench/plain_ransac.hpp"
 
-#include "known_frame.hpp"
 #include "support/catch.hpp"
+#include "support/known_frame.hpp"
 
 namespace quadrille::bench {
 namespace {
+
+using scoring::Frame;
+using scoring::FrameScore;
 
 TEST_CASE("a baseline finds the same each time", "[bench][determinism]") {
   const Frame frame = test::make_known_frame();
@@ -24,7 +27,7 @@ TEST_CASE("a baseline finds planes even without trials, and nothing where nothin
   options.rounds = 0;
   const auto planes = plain_ransac(test::make_known_frame().cloud.points, options);
   REQUIRE(planes.size() == 1);
-  const FrameScore s = score(test::make_known_frame(), planes);
+  const FrameScore s = scoring::score(test::make_known_frame(), planes);
   CHECK(s.planes_found == 1);
   CHECK(s.found == 0);
 }

@@ -73,7 +73,7 @@ TEST_CASE("each quadric of the pencil passes through the three points with their
   RandomStream random(12, 0);
   for (const CanonicalForm& form : curved_forms()) {
     const Trial trial = make_trial(form, random);
-    for (const double lambda : {-3.0, 0.0, 0.7}) {
+    for (const double lambda : {-75.0, -3.0, 0.0, 0.7, 75.0}) {
       const Quadric Q(trial.pencil.at(lambda));
       for (const OrientedPoint& point : trial.basis) {
         CHECK(std::abs(Q.value(point.x)) < 1e-10);

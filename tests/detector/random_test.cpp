@@ -32,7 +32,7 @@ TEST_CASE("integers below n are in range and equally frequent", "[random]") {
   for (int i = 0; i < 1000; ++i) CHECK(wide.below(2147483647) >= 0);
 }
 
-TEST_CASE("reals are in [0, 1) with the mean and variance of the uniform distribution",
+TEST_CASE("reals are from 0 up to 1 with the mean and variance of the uniform distribution",
           "[random]") {
   RandomStream random(4, 0);
   double sum = 0, square = 0;

@@ -2,11 +2,11 @@
 
 #include "experiments/cylinder_match.hpp"
 #include "experiments/fit_errors.hpp"
+#include "experiments/generated_scenes.hpp"
 #include "experiments/measure.hpp"
 #include "experiments/neighbourhood.hpp"
 #include "experiments/plot.hpp"
 #include "experiments/random_quadric.hpp"
-#include "experiments/scene_score.hpp"
 #include "experiments/sphere_errors.hpp"
 #include "experiments/table.hpp"
 #include "quadrille/detector/fits/taubin_fit.hpp"
@@ -37,8 +37,44 @@ TEST_CASE("a plot is an SVG document with a path for each line", "[experiment][p
   CHECK(contains(svg, "a &lt; b &amp; c"));
   CHECK(test::count(svg, ">one</text>") == 2);
   CHECK(test::count(svg, "stroke-dasharray") == 4);
-  // Corners of the axes: left bottom and right top.
-  CHECK(contains(svg, "M70.0 330.0L550.0 30.0"));
+  // From left bottom to right top of the frame, but for its margin.
+  CHECK(contains(svg, "M89.2 318.0L530.8 42.0"));
+}
+
+TEST_CASE("a line of which one point can be drawn is a dot", "[experiment][plot]") {
+  Plot plot{"t", "x", "y", {}, true, true};
+  plot.lines = {{"one", {{3, 3}}},
+                {"one of three", {{1, 0}, {10, 5}, {20, std::nan("")}}},
+                {"two", {{1, 1}, {100, 100}}},
+                {"none", {{1, 0}}}};
+  const std::string one_path = to_svg({{"", "", "", {plot.lines[2]}, true, true}});
+  const std::string svg = to_svg({plot});
+  CHECK(test::count(svg, "<circle") == 2);
+  CHECK(test::count(one_path, "<circle") == 0);
+  CHECK(test::count(svg, "stroke-width=\"1.6\"") == 1 + 4);
+  plot.lines[2].marked = true;
+  CHECK(test::count(to_svg({plot}), "<circle") == 4);
+}
+
+TEST_CASE("one way has one colour in all plots of a document", "[experiment][plot]") {
+  const std::vector<std::pair<double, double>> points = {{0, 0}, {1, 1}};
+  const Plot first{"", "", "", {{"a", points}, {"b, easy", points, false, false, "b"}}};
+  const Plot second{"", "", "", {{"b, hard", points, true, false, "b"}, {"c", points}}};
+  const std::string svg = to_svg({first, second});
+  // Each line and its place in the legend.
+  CHECK(test::count(svg, "#1f77b4") == 2);
+  CHECK(test::count(svg, "#d62728") == 4);
+  CHECK(test::count(svg, "#2ca02c") == 2);
+}
+
+TEST_CASE("ticks are written out", "[experiment][plot]") {
+  const std::string svg =
+      to_svg({{"", "", "", {{"a", {{0, 0.001}, {5000, 100000}}}}, false, true}});
+  for (const char* tick : {">0<", ">1000<", ">5000<", ">0.001<", ">0.1<", ">100000<"}) {
+    CAPTURE(tick);
+    CHECK(contains(svg, tick));
+  }
+  CHECK_FALSE(contains(svg, "e+"));
 }
 
 TEST_CASE("a logarithmic plot leaves out what has no logarithm", "[experiment][plot]") {
@@ -46,7 +82,7 @@ TEST_CASE("a logarithmic plot leaves out what has no logarithm", "[experiment][p
             true, true};
   const std::string svg = to_svg({plot});
   CHECK(test::is_well_formed(svg));
-  CHECK(contains(svg, "M70.0 330.0L550.0 30.0"));
+  CHECK(contains(svg, "M89.2 318.0L530.8 42.0"));
   CHECK_FALSE(contains(svg, "nan"));
   CHECK_FALSE(contains(svg, "inf"));
   plot.lines = {{"empty", {}}};
@@ -170,34 +206,23 @@ TEST_CASE("a detection matches the known sphere that it is nearest to", "[experi
   CHECK(contains(report.findings.front(), "1 of 2 found"));
 }
 
-TEST_CASE("the truth scores itself as all found, and nothing else does", "[experiment][scene]") {
-  const scene::Scene made = scene::make_scene({scene::Family::kMedium, 3});
-  const SceneTruth truth(made);
-  DetectionResult exact;
-  for (const scene::Body& body : made.layout.bodies) {
-    for (std::size_t part = 0; part < body.surfaces.size(); ++part) {
-      if (!body.surfaces[part].curved) continue;
-      Detection detection;
-      detection.type = QuadricType::kEllipsoid;
-      detection.Q_C =
-          body.surfaces[part].Q_S.transformed(made.layout.X_CW * body.X_WB * body.X_BS[part]);
-      exact.detections.push_back(detection);
-    }
-  }
-  const SceneScore all = truth.score(exact);
-  CHECK(all.known >= 3);
-  CHECK(all.recall() == 1.0);
-  CHECK(all.precision() == 1.0);
-  // A second detection of the same surface is one too many.
-  exact.detections.push_back(exact.detections.front());
-  CHECK(truth.score(exact).right == all.right);
-  DetectionResult shifted = exact;
-  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-  X.translation() << 0.05, 0.05, 0.05;
-  for (Detection& detection : shifted.detections) detection.Q_C = detection.Q_C.transformed(X);
-  CHECK(truth.score(shifted).found == 0);
-  CHECK(truth.score({}).recall() == 0.0);
-  CHECK(truth.score({}).precision() == 1.0);
+TEST_CASE("each scene of each family is worked on, those of another seed are others",
+          "[experiment][scene]") {
+  std::vector<std::pair<scene::Family, std::uint64_t>> worked;
+  std::vector<double> shares;
+  Settings settings;
+  settings.seed = 3;
+  settings.progress = [&](double share) { shares.push_back(share); };
+  for_each_scene({scene::Family::kEasy, scene::Family::kHard}, 2, settings,
+                 [&](const scene::Scene& made) {
+                   CHECK_FALSE(made.view.points.empty());
+                   worked.emplace_back(made.options.family, made.options.seed);
+                 });
+  CHECK(worked == decltype(worked){{scene::Family::kEasy, 3000},
+                                   {scene::Family::kEasy, 3001},
+                                   {scene::Family::kHard, 3000},
+                                   {scene::Family::kHard, 3001}});
+  CHECK(shares == std::vector<double>{0.25, 0.5, 0.75, 1.0});
 }
 
 TEST_CASE("a cylinder is found when axis and radius agree, and counts once", "[experiment]") {

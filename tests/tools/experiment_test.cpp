@@ -1,17 +1,14 @@
 #include "experiments/experiment.hpp"
 
-#include <cstdlib>
-
 #include "support/catch.hpp"
 #include "support/data.hpp"
+#include "support/environment_variable.hpp"
 #include "tools/support_files.hpp"
 #include "tools/well_formed.hpp"
 
 using namespace quadrille;
 using namespace quadrille::experiments;
 using test::contains;
-using test::run_quadrille;
-using test::TempFolder;
 
 namespace {
 
@@ -61,7 +58,9 @@ TEST_CASE("exact points give exact fits, and the likelihood fit is best under no
   for (const char* normals : {"exact", "noisy"}) {
     const auto rows = rows_of(report.tables.front(), {normals});
     CHECK(rows.size() == 6);
-    for (const auto& row : rows) CHECK(row.back() == "yes");
+    for (const auto& row : rows) {
+      CHECK(row.back() == (row[1] == "0" ? "equal to rounding" : "yes"));
+    }
   }
   // Error grows with noise, and time with points.
   for (const char* fit : {"taubin", "likelihood", "full"}) {
@@ -129,7 +128,7 @@ TEST_CASE("cells as large as the bodies find less than the default ones, and tak
       CHECK(found >= 0.6 * known);
       CHECK(found <= known);
       CHECK(value_of(coarse[0][5]) < found);
-      CHECK(value_of(coarse[0][8]) < value_of(fine[0][8]));
+      CHECK(value_of(coarse[0][7]) < value_of(fine[0][7]));
     }
   }
   CHECK(rows_of(report.data, {"medium", "0.0036", "1"}).size() == 4);
@@ -187,14 +186,14 @@ TEST_CASE("cylinders of generated bins are found", "[experiment][bin]") {
     CHECK(known <= value_of(row[0]));
     CHECK(exact >= 0.4 * known);
     CHECK(any <= known);
-    CHECK(value_of(row[6]) <= value_of(row[5]));
+    CHECK(value_of(row[5]) <= 0.2 * any);
   }
 }
 
 TEST_CASE("the ball of the real sequence is measured to a few per cent", "[experiment][real]") {
   const auto data = test::data_folder();
   if (!data) return;
-  ::setenv("QUADRILLE_DATA", data->c_str(), 1);
+  const test::EnvironmentVariable there("QUADRILLE_DATA", data->string());
   const Report report = run_quick("sequence");
   REQUIRE(report.data.rows.size() == 3);
   for (const auto& row : report.data.rows) {
@@ -202,50 +201,4 @@ TEST_CASE("the ball of the real sequence is measured to a few per cent", "[exper
     CHECK(std::abs(value_of(row[2])) < 0.1);
     CHECK(value_of(row[3]) < 0.2);
   }
-}
-
-TEST_CASE("without a name the command lists the experiments, and an unknown one is wrong usage",
-          "[experiment][command]") {
-  const auto list = run_quadrille("experiment");
-  CHECK(list.code == 0);
-  for (const Experiment& experiment : all_experiments()) {
-    CHECK(contains("\n" + list.out, std::string("\n").append(experiment.name).append(" ")));
-  }
-  CHECK(test::lines_of(list.out) == static_cast<int>(all_experiments().size()));
-  const auto unknown = run_quadrille("experiment nonsense");
-  CHECK(unknown.code == 2);
-  CHECK(test::lines_of(unknown.err) == 1);
-  CHECK(contains(unknown.err, "'nonsense' is none of: fitting, minimal, lambda"));
-}
-
-TEST_CASE("an experiment writes a page, numbers and a plot, the same each time",
-          "[experiment][command][determinism]") {
-  const TempFolder folder;
-  const std::string one = folder.path("one"), two = folder.path("a/two");
-  const auto run = run_quadrille("experiment lambda --quick --seed 5 --out '" + one + "'");
-  CHECK(run.code == 0);
-  CHECK(run.err.empty());
-  CHECK(run_quadrille("experiment lambda --quick --seed 5 --out '" + two + "'").code == 0);
-  const std::string page = test::content_of(one + "/lambda.md");
-  CHECK(contains(page, "`quadrille experiment lambda --seed 5 --quick`"));
-  CHECK(test::content_of(one + "/lambda.csv").starts_with("voter,share,lambda"));
-  CHECK(test::is_well_formed(test::content_of(one + "/lambda.svg")));
-  for (const char* file : {"/lambda.md", "/lambda.csv", "/lambda.svg"}) {
-    CHECK(test::content_of(one + file) == test::content_of(two + file));
-  }
-}
-
-TEST_CASE("an experiment that cannot be written or has no scans says so",
-          "[experiment][command][hostile]") {
-  const TempFolder folder;
-  const std::string file = folder.write("file", "x");
-  test::check_failure(run_quadrille("experiment lambda --quick --out '" + file + "/b'"), "file");
-  const char* before = std::getenv("QUADRILLE_DATA");
-  const std::string data = before ? before : "";
-  ::setenv("QUADRILLE_DATA", folder.path("none").c_str(), 1);
-  const auto run = run_quadrille("experiment sequence --out '" + folder.path("o") + "'");
-  before ? ::setenv("QUADRILLE_DATA", data.c_str(), 1) : ::unsetenv("QUADRILLE_DATA");
-  CHECK(run.code == 0);
-  CHECK(contains(run.out, "Not run: no real scans"));
-  CHECK(contains(test::content_of(folder.path("o/sequence.md")), "Not run"));
 }

@@ -9,23 +9,6 @@
 namespace quadrille::bench {
 namespace {
 
-double ratio(int part, int whole) {
-  return whole > 0 ? static_cast<double>(part) / whole : std::nan("");
-}
-
-void add(const FrameScore& score, FrameScore* total) {
-  total->wanted += score.wanted;
-  total->found += score.found;
-  total->wrong += score.wrong;
-  total->planes_wanted += score.planes_wanted;
-  total->planes_found += score.planes_found;
-  total->planes_right += score.planes_right;
-  total->planes_wrong += score.planes_wrong;
-  total->widths_right += score.widths_right;
-  total->width_errors.insert(total->width_errors.end(), score.width_errors.begin(),
-                             score.width_errors.end());
-}
-
 /// The rows in the order of the families, of what is counted, and of the contenders.
 class Rows {
  public:
@@ -37,12 +20,12 @@ class Rows {
     row.counted = counted;
     row.finds_others = !counted.empty() && who.only.empty();
     ++row.frames;
-    FrameScore one = score(frame, outcome.findings, counted);
+    FrameScore one = scoring::score(frame, outcome.findings, counted);
     // Planes are no concern of who looks for one type.
     if (!counted.empty()) {
       one.planes_wanted = one.planes_found = one.planes_right = one.planes_wrong = 0;
     }
-    bench::add(one, &row.total);
+    row.total += one;
     row.wall_ms.push_back(outcome.wall_ms);
     row.cpu_ms.push_back(outcome.cpu_ms);
   }
@@ -69,24 +52,10 @@ void run_on(const Frame& frame, int family, const std::vector<Contender>& conten
 
 }  // namespace
 
-double Row::recall() const { return ratio(total.found, total.wanted); }
-
-double Row::precision() const {
-  return finds_others ? std::nan("") : ratio(total.found, total.found + total.wrong);
-}
-
-double Row::right_width() const {
-  return ratio(total.widths_right, static_cast<int>(total.width_errors.size()));
-}
+double Row::precision() const { return finds_others ? std::nan("") : total.precision(); }
 
 double Row::width_error() const {
   return total.width_errors.empty() ? std::nan("") : experiments::quantile(total.width_errors, 0.5);
-}
-
-double Row::plane_recall() const { return ratio(total.planes_found, total.planes_wanted); }
-
-double Row::plane_precision() const {
-  return ratio(total.planes_right, total.planes_right + total.planes_wrong);
 }
 
 std::vector<Row> run_bench(const std::vector<Contender>& contenders, const BenchOptions& options) {
@@ -95,7 +64,7 @@ std::vector<Row> run_bench(const std::vector<Contender>& contenders, const Bench
   if (!options.clouds.empty()) {
     std::map<std::string, int> families;
     for (const std::string& path : options.clouds) {
-      const Frame frame = read_frame(path);
+      const Frame frame = scoring::read_frame(path);
       const int next = static_cast<int>(families.size());
       run_on(frame, families.emplace(frame.family, next).first->second, contenders, &rows);
       options.progress(++done / static_cast<double>(options.clouds.size()));
@@ -105,7 +74,7 @@ std::vector<Row> run_bench(const std::vector<Contender>& contenders, const Bench
   for (int family = 0; family < static_cast<int>(options.families.size()); ++family) {
     for (int k = 0; k < options.scenes; ++k) {
       const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
-      const Frame frame = frame_of(scene::make_scene({options.families[family], seed}));
+      const Frame frame = scoring::frame_of(scene::make_scene({options.families[family], seed}));
       run_on(frame, family, contenders, &rows);
       options.progress(++done / (options.scenes * static_cast<double>(options.families.size())));
     }

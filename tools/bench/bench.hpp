@@ -34,15 +34,11 @@ struct Row {
   /// One a frame [ms].
   std::vector<double> wall_ms, cpu_ms;
 
-  double recall() const;
   /// Undefined (NaN) if the contender finds others, for nothing tells which of its wrong findings
   /// were meant for the type that is counted.
   double precision() const;
-  /// Share of the found surfaces with the right width, and the median error of the widths.
-  double right_width() const;
+  /// Median of the relative errors of the widths; NaN if there are none.
   double width_error() const;
-  double plane_recall() const;
-  double plane_precision() const;
 };
 
 /// Has each contender that is not absent work on each frame. All surfaces are counted, but for

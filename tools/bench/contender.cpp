@@ -15,7 +15,7 @@ Outcome run_quadrille(const Frame& frame, const DetectorOptions& options) {
   const Stopwatch stopwatch;
   const DetectionResult result = detect(frame.cloud, options);
   Outcome outcome{{}, stopwatch.wall_ms(), stopwatch.cpu_ms()};
-  for (const Detection& d : result.detections) outcome.findings.push_back({d.Q_C, d.score});
+  outcome.findings = scoring::findings_of(result);
   return outcome;
 }
 

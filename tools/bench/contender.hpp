@@ -4,10 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "bench/frame.hpp"
-#include "bench/score.hpp"
+#include "scoring/frame.hpp"
+#include "scoring/score.hpp"
 
 namespace quadrille::bench {
+
+using scoring::Found;
+using scoring::Frame;
+using scoring::FrameScore;
 
 /// What a contender made of a frame, with its time from the decoded cloud to the findings.
 struct Outcome {

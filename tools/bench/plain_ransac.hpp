@@ -4,9 +4,11 @@
 #include <vector>
 
 #include "bench/oriented_cloud.hpp"
-#include "bench/score.hpp"
+#include "scoring/score.hpp"
 
 namespace quadrille::bench {
+
+using scoring::Found;
 
 /// What a plain RANSAC draws.
 enum class PlainBasis {

@@ -35,9 +35,11 @@ Table to_table(const std::vector<Row>& rows) {
               {}};
   for (const Row& row : rows) {
     table.add({row.family, counted_name(row), row.contender, fmt::format("{}", row.frames),
-               fmt::format("{}", row.total.wanted), percent(row.recall()), percent(row.precision()),
-               percent(row.right_width()), percent(row.width_error()), percent(row.plane_recall()),
-               percent(row.plane_precision()), fmt::format("{:.1f}", quantile(row.wall_ms, 0.5)),
+               fmt::format("{}", row.total.wanted), percent(row.total.recall()),
+               percent(row.precision()), percent(row.total.right_width()),
+               percent(row.width_error()), percent(row.total.plane_recall()),
+               percent(row.total.plane_precision()),
+               fmt::format("{:.1f}", quantile(row.wall_ms, 0.5)),
                fmt::format("{:.1f}", quantile(row.cpu_ms, 0.5))});
   }
   return table;
@@ -53,12 +55,12 @@ nlohmann::ordered_json to_json(const std::vector<Row>& rows) {
                     {"surfaces", row.total.wanted},
                     {"found", row.total.found},
                     {"wrong", row.finds_others ? ordered_json() : ordered_json(row.total.wrong)},
-                    {"recall", number(row.recall())},
+                    {"recall", number(row.total.recall())},
                     {"precision", number(row.precision())},
-                    {"right_width", number(row.right_width())},
+                    {"right_width", number(row.total.right_width())},
                     {"width_error", number(row.width_error())},
-                    {"plane_recall", number(row.plane_recall())},
-                    {"plane_precision", number(row.plane_precision())},
+                    {"plane_recall", number(row.total.plane_recall())},
+                    {"plane_precision", number(row.total.plane_precision())},
                     {"wall_ms", quantile(row.wall_ms, 0.5)},
                     {"cpu_ms", quantile(row.cpu_ms, 0.5)}});
   }
@@ -68,7 +70,7 @@ nlohmann::ordered_json to_json(const std::vector<Row>& rows) {
 std::vector<Plot> plots_of(const std::vector<Row>& rows) {
   std::vector<Plot> plots;
   for (const Row& row : rows) {
-    if (!std::isfinite(row.recall())) continue;
+    if (!std::isfinite(row.total.recall())) continue;
     const std::string title =
         fmt::format("{}, {}", row.family, row.counted.empty() ? "all quadrics" : "spheres alone");
     if (plots.empty() || plots.back().title != title) {
@@ -76,7 +78,7 @@ std::vector<Plot> plots_of(const std::vector<Row>& rows) {
       plots.back().least_y_range = {0.0, 1.0};
     }
     plots.back().lines.push_back(
-        {row.contender, {{quantile(row.wall_ms, 0.5), row.recall()}}, false, true});
+        {row.contender, {{quantile(row.wall_ms, 0.5), row.total.recall()}}, false, true});
   }
   return plots;
 }

@@ -173,7 +173,8 @@ Plot time_plot(const std::vector<Outcome>& all, const std::vector<Sampler>& samp
 }
 
 Plot rate_plot(const std::vector<Outcome>& all, double outliers) {
-  Plot plot{"Found, with " + percent(outliers) + " outliers", "µs", "share", {}, true};
+  Plot plot{
+      "Found, with " + percent(outliers) + " outliers", "µs", "share", {}, true, false, {0.0, 1.0}};
   for (const Outcome& outcome : all) {
     if (outcome.outliers != outliers) continue;
     plot.lines.push_back({outcome.name, {}});

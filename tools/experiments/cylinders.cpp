@@ -4,10 +4,11 @@
 
 #include "experiments/cylinder_match.hpp"
 #include "experiments/experiments.hpp"
+#include "experiments/generated_scenes.hpp"
 #include "experiments/measure.hpp"
-#include "experiments/scene_score.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "scene/bin.hpp"
+#include "scoring/score.hpp"
 
 namespace quadrille::experiments {
 namespace {
@@ -44,30 +45,37 @@ std::vector<Target> targets_of(const scene::Scene& made) {
 
 /// What is found at one clutter and noise.
 struct Outcome {
-  int cylinders, known = 0;
+  int cylinders;
   double noise;
-  /// With axis and radius of a cylinder, and with a quadric of any curved type.
-  int exact = 0, any = 0;
-  SceneScore score;
+  /// Found with axis and radius of a cylinder; the score has those found with any quadric.
+  int exact = 0;
+  scoring::FrameScore score;
   std::vector<double> times;
 };
+
+/// The bin with its own noise, where the targets alone have to be found.
+scoring::Frame frame_of(const scene::Scene& made, const std::vector<Target>& targets,
+                        double noise) {
+  scoring::Frame frame = scoring::frame_of(made);
+  frame.noise = noise;
+  for (scoring::TrueSurface& surface : frame.surfaces) {
+    surface.sigma = scene::depth_noise(noise, surface.X_CS.translation().z());
+    if (!surface.curved) continue;
+    surface.evaluate = std::any_of(targets.begin(), targets.end(),
+                                   [&](const Target& t) { return t.id == surface.id; });
+  }
+  return frame;
+}
 
 void run(const scene::Scene& made, Outcome* outcome) {
   const std::vector<Target> targets = targets_of(made);
   std::vector<KnownCylinder> known;
   for (const Target& target : targets) known.push_back(target.cylinder);
-  const PointCloud cloud = cloud_of(made);
+  const scoring::Frame frame = frame_of(made, targets, outcome->noise);
   DetectionResult result;
-  outcome->times.push_back(1e-3 * microseconds([&] { result = detect(cloud); }));
-  const SceneTruth truth(made, outcome->noise);
-  const std::vector<int> ids = truth.matches(result);
-  const std::vector<char> found = found_cylinders(result, known);
-  for (std::size_t k = 0; k < targets.size(); ++k) {
-    ++outcome->known;
-    outcome->exact += found[k];
-    outcome->any += std::count(ids.begin(), ids.end(), targets[k].id) > 0;
-  }
-  outcome->score += truth.score(result);
+  outcome->times.push_back(1e-3 * microseconds([&] { result = detect(frame.cloud); }));
+  for (const char found : found_cylinders(result, known)) outcome->exact += found;
+  outcome->score += scoring::score(frame, scoring::findings_of(result));
 }
 
 scene::Scene make_bin(int cylinders, std::uint64_t seed) {
@@ -97,28 +105,29 @@ Report report_of(const std::vector<Outcome>& outcomes, int bins) {
               {"cylinders a bin", "noise [mm]", "asked for", "axis and radius right", "any quadric",
                "precision", "detection [ms]"},
               {}};
-  report.data.columns = {"cylinders", "noise",    "known", "exact",
-                         "any",       "detected", "right", "median_ms"};
-  Plot plot{"Cylinders found", "cylinders a bin", "share", {}};
+  report.data.columns = {"cylinders", "noise", "known", "exact", "any", "wrong", "median_ms"};
+  Plot plot{"Cylinders found", "cylinders a bin", "share", {}, false, false, {0.0, 1.0}};
   int known = 0, exact = 0, any = 0;
   const double height = scene::BinOptions().height;
   for (const Outcome& o : outcomes) {
     const double ms = quantile(o.times, 0.5);
-    known += o.known, exact += o.exact, any += o.any;
+    known += o.score.wanted, exact += o.exact, any += o.score.found;
     table.add({number(o.cylinders), number(1e3 * scene::depth_noise(o.noise, height)),
-               number(o.known), percent(o.exact, o.known), percent(o.any, o.known),
-               fmt::format("{:.3f}", o.score.precision()), number(ms)});
-    report.data.add({number(o.cylinders), number(o.noise), number(o.known), number(o.exact),
-                     number(o.any), number(o.score.detected), number(o.score.right), number(ms)});
+               number(o.score.wanted), percent(o.exact, o.score.wanted),
+               percent(o.score.found, o.score.wanted), fmt::format("{:.3f}", o.score.precision()),
+               number(ms)});
+    report.data.add({number(o.cylinders), number(o.noise), number(o.score.wanted), number(o.exact),
+                     number(o.score.found), number(o.score.wrong), number(ms)});
   }
   for (const double noise : kNoises) {
     const std::string name =
         fmt::format("noise {:.2g} mm", 1e3 * scene::depth_noise(noise, height));
-    Series right{name + ", axis and radius", {}}, covered{name + ", any quadric", {}, true};
+    Series right{name + ", axis and radius", {}, false, false, name},
+        covered{name + ", any quadric", {}, true, false, name};
     for (const Outcome& o : outcomes) {
-      if (o.noise != noise || !o.known) continue;
-      right.points.emplace_back(o.cylinders, static_cast<double>(o.exact) / o.known);
-      covered.points.emplace_back(o.cylinders, static_cast<double>(o.any) / o.known);
+      if (o.noise != noise || !o.score.wanted) continue;
+      right.points.emplace_back(o.cylinders, static_cast<double>(o.exact) / o.score.wanted);
+      covered.points.emplace_back(o.cylinders, static_cast<double>(o.score.found) / o.score.wanted);
     }
     plot.lines.push_back(right);
     plot.lines.push_back(covered);

@@ -19,7 +19,7 @@ namespace {
 constexpr std::array kLevels = {0.0, 0.01, 0.02, 0.03, 0.04, 0.05};
 constexpr int kNeighbours = 16;
 // Errors below this are rounding: exact fits of exact data are equally good.
-constexpr double kExact = 1e-6;
+constexpr double kExact = 1e-9;
 
 /// Where the normals come from.
 enum class Normals { kExact, kNoisy, kEstimated };
@@ -116,7 +116,21 @@ std::size_t best_baseline(const std::vector<Contender>& all, const Means& means,
   return best;
 }
 
+bool is_rounding(const FitErrors& ours, double point, double angle) {
+  return std::max({ours.point, ours.angle, point, angle}) < kExact;
+}
+
 bool no_worse(double ours, double theirs) { return ours <= theirs || ours < kExact; }
+
+/// What the comparison says of one mode, from the levels that ours is not best at and those at
+/// which all are equal.
+std::string verdict(Normals mode, const std::string& lost, const std::string& equal) {
+  std::string text = describe(mode) + ": the likelihood fit ";
+  text += lost.empty() ? "is best in point and angle error at every level of noise"
+                       : "is not best in both errors at σ =" + lost;
+  if (!equal.empty()) text += "; at σ =" + equal + " it and the best are equal to rounding";
+  return text + ".";
+}
 
 /// One line a mode and level: our fit beside the best of all others.
 Table comparison(const std::vector<Contender>& all, const std::vector<Row>& rows,
@@ -126,23 +140,26 @@ Table comparison(const std::vector<Contender>& all, const std::vector<Row>& rows
                "best baseline", "which", "ours is best in both"},
               {}};
   const std::size_t ours = static_cast<std::size_t>(find_contender(all, "likelihood") - all.data());
-  std::map<Normals, std::string> lost;
+  std::map<Normals, std::string> lost, equal;
   for (const Row& row : rows) {
     const FitErrors& mine = row.means[ours];
     const std::size_t p = best_baseline(all, row.means, &FitErrors::point);
     const std::size_t a = best_baseline(all, row.means, &FitErrors::angle);
     const bool won =
         no_worse(mine.point, row.means[p].point) && no_worse(mine.angle, row.means[a].angle);
-    if (!won) lost[row.mode] += fmt::format(" {:g} %", 100.0 * row.level);
+    const bool rounding = is_rounding(mine, row.means[p].point, row.means[a].angle);
+    const std::string level = fmt::format(" {:g} %", 100.0 * row.level);
+    if (!won) lost[row.mode] += level;
+    if (rounding) equal[row.mode] += level;
     table.add({name_of(row.mode), fmt::format("{:g}", 100.0 * row.level), number(mine.point),
                number(row.means[p].point), std::string(all[p].name), number(mine.angle),
-               number(row.means[a].angle), std::string(all[a].name), won ? "yes" : "no"});
+               number(row.means[a].angle), std::string(all[a].name),
+               rounding ? "equal to rounding"
+               : won    ? "yes"
+                        : "no"});
   }
   for (const Normals mode : kModes) {
-    findings->push_back(fmt::format("{}: the likelihood fit {}.", describe(mode),
-                                    lost[mode].empty()
-                                        ? "is best in point and angle error at every level of noise"
-                                        : "is not best in both errors at σ =" + lost[mode]));
+    findings->push_back(verdict(mode, lost[mode], equal[mode]));
   }
   return table;
 }

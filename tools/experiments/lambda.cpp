@@ -17,6 +17,7 @@ namespace {
 constexpr double kLeastHeight = 0.05;
 constexpr int kPerQuadric = 50;
 constexpr int kBins = 48;
+constexpr const char* kOwnVoter = "voter on the quadric";
 
 /// The paper's solution space of one basis: p is the least solution, μ a unit vector.
 struct Space {
@@ -165,7 +166,7 @@ Plot density_plot(const std::vector<double>& same, const std::vector<double>& ot
     }
     plot.lines.push_back(line);
   };
-  measured("voter on the quadric", same);
+  measured(kOwnVoter, same);
   measured("voter on another", other);
   const auto expected = [&](const std::string& name, double s) {
     Series line{name, {}, true};
@@ -181,8 +182,8 @@ Plot density_plot(const std::vector<double>& same, const std::vector<double>& ot
 
 Plot inverse_plot(const std::vector<double>& same, double scale) {
   Plot plot{"Bins by the measured distribution and by atan", "λ", "place of the bin, 0 to 1", {}};
-  Series measured{"measured distribution", {}}, one{"atan, λ₀ = 1", {}, true},
-      fitted{"atan, λ₀ = median |λ|", {}, true};
+  Series measured{"measured distribution", {}, false, false, kOwnVoter},
+      one{"atan, λ₀ = 1", {}, true}, fitted{"atan, λ₀ = median |λ|", {}, true};
   for (int k = 2; k <= 98; ++k) {
     const double x = quantile_of_sorted(same, k / 100.0);
     if (std::abs(x) > 8.0 * scale) continue;

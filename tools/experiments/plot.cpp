@@ -7,11 +7,14 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
 
 namespace quadrille::experiments {
 namespace {
 
 constexpr double kLeft = 70, kTop = 30, kWidth = 480, kHeight = 300, kPanel = 390, kLegend = 240;
+/// Free space between the frame and what is drawn, in lengths of the axis.
+constexpr double kMargin = 0.04;
 constexpr std::array kColours = {"#1f77b4", "#d62728", "#2ca02c", "#ff7f0e", "#9467bd", "#8c564b",
                                  "#e377c2", "#7f7f7f", "#bcbd22", "#17becf", "#000000"};
 
@@ -23,6 +26,7 @@ struct Axis {
 
   bool shows(double value) const { return std::isfinite(value) && (!logarithmic || value > 0); }
   double scaled(double value) const { return logarithmic ? std::log10(value) : value; }
+  double unscaled(double value) const { return logarithmic ? std::pow(10.0, value) : value; }
   void include(double value) {
     low = std::min(low, value);
     high = std::max(high, value);
@@ -33,6 +37,9 @@ struct Axis {
       const double margin = low == 0.0 ? 1.0 : 0.5 * std::abs(low);
       low -= margin, high += margin;
     }
+    const double first = scaled(low), last = scaled(high);
+    const double margin = (last - first) * kMargin / (1.0 - 2.0 * kMargin);
+    low = unscaled(first - margin), high = unscaled(last + margin);
   }
   double place(double value) const {
     return from + length * (scaled(value) - scaled(low)) / (scaled(high) - scaled(low));
@@ -57,13 +64,31 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
   return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" {}/>\n", x1, y1, x2, y2, style);
 }
 
+/// The number of each way's colour.
+using Colours = std::map<std::string, std::size_t>;
+
+const std::string& way_of(const Series& series) {
+  return series.way.empty() ? series.name : series.way;
+}
+
+Colours colours_of(const std::vector<Plot>& plots) {
+  Colours colours;
+  for (const Plot& plot : plots) {
+    for (const Series& series : plot.lines) colours.emplace(way_of(series), colours.size());
+  }
+  return colours;
+}
+
+std::string colour_of(std::size_t index) { return kColours[index % kColours.size()]; }
+
 std::string style_of(const Series& series, std::size_t index) {
   // After all colours, the same again with dots.
   const char* dash = series.dashed ? " stroke-dasharray=\"6 3\"" : "";
   if (index >= kColours.size()) dash = " stroke-dasharray=\"2 2\"";
-  return fmt::format("stroke=\"{}\" stroke-width=\"1.6\" fill=\"none\"{}",
-                     kColours[index % kColours.size()], dash);
+  return fmt::format("stroke=\"{}\" stroke-width=\"1.6\" fill=\"none\"{}", colour_of(index), dash);
 }
+
+std::string tick_label(double value) { return fmt::format("{:.7g}", value); }
 
 std::string frame(const Plot& plot, const Axis& x, const Axis& y, double top) {
   const std::string grid = "stroke=\"#ddd\" fill=\"none\"";
@@ -71,11 +96,11 @@ std::string frame(const Plot& plot, const Axis& x, const Axis& y, double top) {
   std::string svg;
   for (const double value : ticks(x.low, x.high, plot.log_x)) {
     svg += line(x.place(value), top, x.place(value), bottom, grid);
-    svg += label(x.place(value), bottom + 16, "middle", fmt::format("{:.3g}", value));
+    svg += label(x.place(value), bottom + 16, "middle", tick_label(value));
   }
   for (const double value : ticks(y.low, y.high, plot.log_y)) {
     svg += line(kLeft, y.place(value), kLeft + kWidth, y.place(value), grid);
-    svg += label(kLeft - 6, y.place(value) + 4, "end", fmt::format("{:.3g}", value));
+    svg += label(kLeft - 6, y.place(value) + 4, "end", tick_label(value));
   }
   svg += fmt::format("<path d=\"M{0} {1}H{2}V{3}H{0}Z\" stroke=\"#000\" fill=\"none\"/>\n", kLeft,
                      top, kLeft + kWidth, bottom);
@@ -86,34 +111,48 @@ std::string frame(const Plot& plot, const Axis& x, const Axis& y, double top) {
                      fmt::format(" transform=\"rotate(-90 14 {})\"", half));
 }
 
-std::string panel(const Plot& plot, double top) {
+/// The points on paper, those that the axes show.
+std::vector<std::pair<double, double>> placed(const Series& series, const Axis& x, const Axis& y) {
+  std::vector<std::pair<double, double>> points;
+  for (const auto& p : series.points) {
+    if (x.shows(p.first) && y.shows(p.second))
+      points.emplace_back(x.place(p.first), y.place(p.second));
+  }
+  return points;
+}
+
+std::string curve(const Series& series, const Axis& x, const Axis& y, std::size_t colour) {
+  const auto points = placed(series, x, y);
+  std::string svg, path;
+  for (const auto& [at_x, at_y] : points) {
+    path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", at_x, at_y);
+    if (!series.marked && points.size() > 1) continue;
+    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", at_x, at_y,
+                       colour_of(colour));
+  }
+  // A path of one point would not be seen.
+  if (points.size() < 2) return svg;
+  return svg + fmt::format("<path d=\"{}\" {}/>\n", path, style_of(series, colour));
+}
+
+std::string panel(const Plot& plot, double top, const Colours& colours) {
   Axis x{plot.log_x, kLeft, kWidth}, y{plot.log_y, top + kHeight, -kHeight};
-  const auto shown = [&](const auto& p) { return x.shows(p.first) && y.shows(p.second); };
   for (const Series& series : plot.lines) {
     for (const auto& p : series.points) {
-      if (shown(p)) x.include(p.first), y.include(p.second);
+      if (x.shows(p.first) && y.shows(p.second)) x.include(p.first), y.include(p.second);
     }
   }
   for (const double value : plot.least_y_range) y.include(value);
   x.finish(), y.finish();
   std::string svg = frame(plot, x, y, top);
-  for (std::size_t i = 0; i < plot.lines.size(); ++i) {
-    const std::string style = style_of(plot.lines[i], i);
-    std::string path;
-    for (const auto& p : plot.lines[i].points) {
-      if (!shown(p)) continue;
-      path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", x.place(p.first),
-                          y.place(p.second));
-    }
-    for (const auto& p : plot.lines[i].points) {
-      if (!plot.lines[i].marked || !shown(p)) continue;
-      svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n",
-                         x.place(p.first), y.place(p.second), kColours[i % kColours.size()]);
-    }
-    if (!path.empty()) svg += fmt::format("<path d=\"{}\" {}/>\n", path, style);
-    const double at = kLeft + kWidth + 12, height = top + 10 + 16 * static_cast<double>(i);
-    svg += line(at, height, at + 24, height, style);
-    svg += label(at + 30, height + 4, "start", plot.lines[i].name);
+  double height = top + 10;
+  for (const Series& series : plot.lines) {
+    const std::size_t colour = colours.at(way_of(series));
+    svg += curve(series, x, y, colour);
+    const double at = kLeft + kWidth + 12;
+    svg += line(at, height, at + 24, height, style_of(series, colour));
+    svg += label(at + 30, height + 4, "start", series.name);
+    height += 16;
   }
   return svg;
 }
@@ -147,8 +186,9 @@ std::string to_svg(const std::vector<Plot>& plots) {
       "{1}\" font-family=\"sans-serif\" font-size=\"12\">\n<path d=\"M0 0H{0}V{1}H0Z\" "
       "fill=\"#fff\"/>\n",
       width, height);
+  const Colours colours = colours_of(plots);
   for (std::size_t i = 0; i < plots.size(); ++i) {
-    svg += panel(plots[i], kTop + kPanel * static_cast<double>(i));
+    svg += panel(plots[i], kTop + kPanel * static_cast<double>(i), colours);
   }
   return svg + "</svg>\n";
 }

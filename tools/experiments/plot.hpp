@@ -11,8 +11,10 @@ struct Series {
   std::string name;
   std::vector<std::pair<double, double>> points;
   bool dashed = false;
-  /// Each point as a dot, too.
+  /// Each point as a dot, too; a single one always is.
   bool marked = false;
+  /// Lines of one way have one colour in all plots of a document; empty: the name.
+  std::string way = {};
 };
 
 /// A line plot with two axes.

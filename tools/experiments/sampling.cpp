@@ -5,9 +5,10 @@
 #include <tuple>
 
 #include "experiments/experiments.hpp"
+#include "experiments/generated_scenes.hpp"
 #include "experiments/measure.hpp"
-#include "experiments/scene_score.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "scoring/score.hpp"
 
 namespace quadrille::experiments {
 namespace {
@@ -21,14 +22,14 @@ constexpr Way kWays[] = {{"2 points, vote", BasisKind::kTwoPoints},
                          {"4 points", BasisKind::kFourPoints},
                          {"9 points", BasisKind::kNinePoints}};
 
-constexpr scene::Family kFamilies[] = {scene::Family::kMedium, scene::Family::kHard};
+const std::vector<scene::Family> kFamilies = {scene::Family::kMedium, scene::Family::kHard};
 
 /// One setting of the detector, and what it makes of all scenes of a family.
 struct Setting {
   const char* name;
   scene::Family family;
   DetectorOptions options;
-  SceneScore score;
+  scoring::FrameScore score;
   /// For each scene, processor time of the detection and wall time of its search [ms].
   std::vector<double> total, search;
 
@@ -46,10 +47,10 @@ double stage_time(const DetectionResult& result, std::string_view stage) {
   return 0.0;
 }
 
-void run(const PointCloud& cloud, const SceneTruth& truth, Setting* setting) {
+void run(const scoring::Frame& frame, Setting* setting) {
   DetectionResult result;
-  const double us = microseconds([&] { result = detect(cloud, setting->options); });
-  setting->score += truth.score(result);
+  const double us = microseconds([&] { result = detect(frame.cloud, setting->options); });
+  setting->score += scoring::score(frame, scoring::findings_of(result));
   setting->total.push_back(1e-3 * us);
   setting->search.push_back(stage_time(result, "search"));
 }
@@ -112,6 +113,7 @@ std::vector<Series> lines_of(const std::vector<Setting>& settings, bool (*belong
   for (const scene::Family family : kFamilies) {
     for (const Way& way : kWays) {
       Series line{fmt::format("{}, {}", way.name, scene::traits_of(family).name), {}};
+      line.way = way.name;
       line.dashed = family != kFamilies[0];
       for (const Setting& s : settings) {
         if (belongs(s) && s.is(way.name, family)) line.points.push_back(point(s));
@@ -131,12 +133,22 @@ std::vector<Plot> plots_of(const std::vector<Setting>& settings) {
     return std::pair(s.median_search(), s.score.recall());
   };
   return {
-      {"Found over the sampling", "cell [mm]", "recall",
-       lines_of(settings, has_default_bases, recall), true, false},
+      {"Found over the sampling",
+       "cell [mm]",
+       "recall",
+       lines_of(settings, has_default_bases, recall),
+       true,
+       false,
+       {0.0, 1.0}},
       {"Time over the sampling", "cell [mm]", "search, median [ms]",
        lines_of(settings, has_default_bases, time), true, true},
-      {"Found over time, at the default cell", "search, median [ms]", "recall",
-       lines_of(settings, has_default_cell, trade), true, false},
+      {"Found over time, at the default cell",
+       "search, median [ms]",
+       "recall",
+       lines_of(settings, has_default_cell, trade),
+       true,
+       false,
+       {0.0, 1.0}},
   };
 }
 
@@ -168,22 +180,22 @@ Report report_of(const std::vector<Setting>& all, int scenes) {
     const auto one =
         std::find_if(all.begin(), all.end(), [&](const Setting& s) { return s.family == family; });
     report.findings.push_back(fmt::format(
-        "{} {} scenes with {} curved surfaces of {} pixels and more; time is the median over the "
+        "{} {} scenes with {} curved surfaces of which enough is seen; time is the median over the "
         "scenes, on one thread.",
-        scenes, scene::traits_of(family).name, one->score.known, kLeastPixels));
+        scenes, scene::traits_of(family).name, one->score.wanted));
     report.findings.push_back(fastest(all, family, 0.95));
   }
   report.tables = {table_of("Over the sampling", all, has_default_bases),
                    table_of("Over the bases a seed", all, has_default_cell)};
-  report.data = {"",
-                 {"family", "cell_m", "bases", "way", "known", "found", "detected", "right",
-                  "total_ms", "search_ms"},
-                 {}};
+  report.data = {
+      "",
+      {"family", "cell_m", "bases", "way", "known", "found", "wrong", "total_ms", "search_ms"},
+      {}};
   for (const Setting& s : all) {
     report.data.add({scene::traits_of(s.family).name, number(s.options.sampling.cell),
-                     number(s.options.search.bases), s.name, number(s.score.known),
-                     number(s.score.found), number(s.score.detected), number(s.score.right),
-                     number(s.median_total()), number(s.median_search())});
+                     number(s.options.search.bases), s.name, number(s.score.wanted),
+                     number(s.score.found), number(s.score.wrong), number(s.median_total()),
+                     number(s.median_search())});
   }
   report.plots = plots_of(all);
   return report;
@@ -194,19 +206,16 @@ Report report_of(const std::vector<Setting>& all, int scenes) {
 Report run_sampling(const Settings& settings) {
   const int scenes = settings.quick ? 2 : 16;
   std::vector<Setting> all;
-  double done = 0.0;
   for (const scene::Family family : kFamilies) {
-    std::vector<Setting> some = all_settings(family, settings.quick);
-    for (int k = 0; k < scenes; ++k) {
-      const scene::Scene made =
-          scene::make_scene({family, settings.seed * 1000 + static_cast<std::uint64_t>(k)});
-      const PointCloud cloud = cloud_of(made);
-      const SceneTruth truth(made);
-      for (Setting& setting : some) run(cloud, truth, &setting);
-      settings.progress(++done / (scenes * static_cast<double>(std::size(kFamilies))));
-    }
+    const std::vector<Setting> some = all_settings(family, settings.quick);
     all.insert(all.end(), some.begin(), some.end());
   }
+  for_each_scene(kFamilies, scenes, settings, [&](const scene::Scene& made) {
+    const scoring::Frame frame = scoring::frame_of(made);
+    for (Setting& setting : all) {
+      if (setting.family == made.options.family) run(frame, &setting);
+    }
+  });
   return report_of(all, scenes);
 }
 

@@ -20,8 +20,9 @@ std::vector<double> sizes_of(const std::vector<SphereError>& errors, double Sphe
 
 std::string percent(double share) { return fmt::format("{:.2f} %", 100.0 * share); }
 
-Series distribution(const std::string& name, const std::vector<double>& sizes, bool dashed) {
-  Series line{name, {}, dashed};
+Series distribution(const std::string& set, const std::string& measure,
+                    const std::vector<double>& sizes, bool dashed) {
+  Series line{set + ", " + measure, {}, dashed, false, set};
   for (double share = 0.0; share <= 1.001; share += 0.05) {
     line.points.emplace_back(100.0 * quantile(sizes, std::min(1.0, share)), share);
   }
@@ -74,8 +75,8 @@ Report report_errors(const std::map<std::string, std::vector<SphereError>>& grou
     report.findings.push_back(fmt::format(
         "{}: {} of {} found; median error of the radius {}, of the centre {}.", name, radius.size(),
         errors.size(), percent(quantile(radius, 0.5)), percent(quantile(centre, 0.5))));
-    plot.lines.push_back(distribution(name + ", radius", radius, false));
-    plot.lines.push_back(distribution(name + ", centre", centre, true));
+    plot.lines.push_back(distribution(name, "radius", radius, false));
+    plot.lines.push_back(distribution(name, "centre", centre, true));
   }
   report.tables = {table};
   report.plots = {plot};

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
 #include "experiments/experiments.hpp"
+#include "experiments/generated_scenes.hpp"
 #include "experiments/measure.hpp"
-#include "experiments/scene_score.hpp"
 #include "experiments/sphere_errors.hpp"
 #include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "scoring/frame.hpp"
 
 namespace quadrille::experiments {
 namespace {
@@ -73,24 +74,16 @@ void report_times(const std::map<std::string, Searches>& families, Report* repor
 
 Report run_spheres(const Settings& settings) {
   const int scenes = settings.quick ? 3 : 100;
-  const std::vector<std::pair<std::string, scene::Family>> families = {
-      {"easy", scene::Family::kEasy},
-      {"medium", scene::Family::kMedium},
-      {"hard", scene::Family::kHard}};
   std::map<std::string, Searches> searches;
-  double done = 0.0;
-  for (const auto& [name, family] : families) {
-    Searches& both = searches[name];
-    both.alone.options.only = {QuadricType::kSphere};
-    for (int k = 0; k < scenes; ++k) {
-      const scene::Scene made =
-          scene::make_scene({family, settings.seed * 1000 + static_cast<std::uint64_t>(k)});
-      for (Search* search : {&both.all, &both.alone}) {
-        search->run(cloud_of(made), spheres_of(made));
-      }
-      settings.progress(++done / (scenes * static_cast<double>(families.size())));
-    }
-  }
+  for_each_scene({scene::Family::kEasy, scene::Family::kMedium, scene::Family::kHard}, scenes,
+                 settings, [&](const scene::Scene& made) {
+                   Searches& both = searches[scene::traits_of(made.options.family).name];
+                   both.alone.options.only = {QuadricType::kSphere};
+                   const PointCloud cloud = scoring::frame_of(made).cloud;
+                   for (Search* search : {&both.all, &both.alone}) {
+                     search->run(cloud, spheres_of(made));
+                   }
+                 });
   std::map<std::string, std::vector<SphereError>> groups;
   for (const auto& [name, both] : searches) {
     if (!both.all.errors.empty()) groups[name] = both.all.errors;

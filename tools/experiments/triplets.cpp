@@ -1,11 +1,12 @@
 #include <fmt/format.h>
 
 #include "experiments/experiments.hpp"
+#include "experiments/generated_scenes.hpp"
 #include "experiments/measure.hpp"
-#include "experiments/scene_score.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/plane_claims.hpp"
 #include "quadrille/detector/sample_tree.hpp"
+#include "scoring/score.hpp"
 
 namespace quadrille::experiments {
 namespace {
@@ -26,7 +27,7 @@ struct Setting {
   TripletCounts counts;
   /// Processor time of the search over all levels, each scene [ms].
   std::vector<double> times;
-  SceneScore score;
+  scoring::FrameScore score;
 
   double repeated() const {
     const auto all = counts.voted + counts.repeated;
@@ -34,8 +35,7 @@ struct Setting {
   }
 };
 
-void run(const PointCloud& cloud, const SampleTree& tree, const SceneTruth& truth,
-         Setting* setting) {
+void run(const scoring::Frame& frame, const SampleTree& tree, Setting* setting) {
   const DetectorOptions& options = setting->options;
   setting->times.push_back(
       1e-3 * microseconds([&] {
@@ -48,7 +48,7 @@ void run(const PointCloud& cloud, const SampleTree& tree, const SceneTruth& trut
           setting->counts.repeated += counts.repeated;
         }
       }));
-  setting->score += truth.score(detect(cloud, options));
+  setting->score += scoring::score(frame, scoring::findings_of(detect(frame.cloud, options)));
 }
 
 /// The same number of bases without the hash, with it, and with it in the largest neighbourhood of
@@ -98,7 +98,7 @@ Table data_of(const std::vector<Group>& groups) {
                                   {"one radius", &group.single}}) {
       data.add({scene::traits_of(s->family).name, number(s->options.search.bases), name,
                 fmt::format("{}", s->counts.voted), fmt::format("{}", s->counts.repeated),
-                number(quantile(s->times, 0.5)), number(s->score.known), number(s->score.found)});
+                number(quantile(s->times, 0.5)), number(s->score.wanted), number(s->score.found)});
     }
   }
   return data;
@@ -106,7 +106,7 @@ Table data_of(const std::vector<Group>& groups) {
 
 Report report_of(const std::vector<Group>& groups, int scenes) {
   Report report;
-  Plot plot{"Repeated triplets", "bases a seed", "repeated [%]", {}, true, true};
+  Plot plot{"Repeated triplets", "bases a seed", "repeated [%]", {}, true, false, {0.0}};
   for (const Group& group : groups) {
     const std::string family = scene::traits_of(group.plain.family).name;
     const int bases = group.plain.options.search.bases;
@@ -115,8 +115,8 @@ Report report_of(const std::vector<Group>& groups, int scenes) {
         "{}.",
         family, bases, percent(group.hashed.repeated()), percent(group.single.repeated())));
     if (plot.lines.empty() || !plot.lines.back().name.starts_with(family)) {
-      plot.lines.push_back({family + ", three radii", {}});
-      plot.lines.push_back({family + ", one radius", {}, true});
+      plot.lines.push_back({family + ", three radii", {}, false, false, family});
+      plot.lines.push_back({family + ", one radius", {}, true, false, family});
     }
     (plot.lines.end() - 2)->points.emplace_back(bases, 100.0 * group.hashed.repeated());
     plot.lines.back().points.emplace_back(bases, 100.0 * group.single.repeated());
@@ -131,25 +131,22 @@ Report report_of(const std::vector<Group>& groups, int scenes) {
 
 Report run_triplets(const Settings& settings) {
   const int scenes = settings.quick ? 2 : 12;
+  const std::vector<scene::Family> families = {scene::Family::kMedium, scene::Family::kHard};
   std::vector<Group> all;
-  double done = 0.0;
-  for (const scene::Family family : {scene::Family::kMedium, scene::Family::kHard}) {
-    std::vector<Group> groups = all_groups(family, settings.quick);
-    for (int k = 0; k < scenes; ++k) {
-      const scene::Scene made =
-          scene::make_scene({family, settings.seed * 1000 + static_cast<std::uint64_t>(k)});
-      const PointCloud cloud = cloud_of(made);
-      const SampleTree tree = samples_of(cloud, {});
-      const SceneTruth truth(made);
-      for (Group& group : groups) {
-        for (Setting* setting : {&group.plain, &group.hashed, &group.single}) {
-          run(cloud, tree, truth, setting);
-        }
-        settings.progress(++done / (2.0 * scenes * static_cast<double>(groups.size())));
-      }
-    }
+  for (const scene::Family family : families) {
+    const std::vector<Group> groups = all_groups(family, settings.quick);
     all.insert(all.end(), groups.begin(), groups.end());
   }
+  for_each_scene(families, scenes, settings, [&](const scene::Scene& made) {
+    const scoring::Frame frame = scoring::frame_of(made);
+    const SampleTree tree = samples_of(frame.cloud, {});
+    for (Group& group : all) {
+      if (group.plain.family != made.options.family) continue;
+      for (Setting* setting : {&group.plain, &group.hashed, &group.single}) {
+        run(frame, tree, setting);
+      }
+    }
+  });
   return report_of(all, scenes);
 }
 

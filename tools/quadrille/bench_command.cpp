@@ -13,8 +13,8 @@
 #include "bench/bench.hpp"
 #include "bench/report.hpp"
 #include "cli/seed_option.hpp"
-#include "io/file_bytes.hpp"
 #include "quadrille/output.hpp"
+#include "quadrille/output_folder.hpp"
 #include "quadrille/progress_line.hpp"
 
 namespace quadrille {
@@ -84,21 +84,20 @@ void run(BenchArguments arguments) {
     if (contender.absent.empty()) continue;
     print_warnings("bench", {"without " + contender.name + ": " + contender.absent});
   }
-  fs::create_directories(arguments.out);
+  const OutputFolder files(arguments.out, {"bench.md", "bench.csv", "bench.json", "bench.svg"});
   std::vector<bench::Row> rows;
   {
     ProgressLine line;
     arguments.options.progress = [&](double share) { line.show(share); };
     rows = bench::run_bench(contenders, arguments.options);
   }
-  const std::string path = (fs::path(arguments.out) / "bench").string();
-  io::write_file(path + ".md",
-                 bench::to_markdown(rows, contenders, command_of(arguments), QUADRILLE_VERSION));
-  io::write_file(path + ".csv", experiments::to_csv(bench::to_table(rows)));
-  io::write_file(path + ".json", bench::to_json(rows).dump(1) + "\n");
-  io::write_file(path + ".svg", experiments::to_svg(bench::plots_of(rows)));
+  files.write("bench.md",
+              bench::to_markdown(rows, contenders, command_of(arguments), QUADRILLE_VERSION));
+  files.write("bench.csv", experiments::to_csv(bench::to_table(rows)));
+  files.write("bench.json", bench::to_json(rows).dump(1) + "\n");
+  files.write("bench.svg", experiments::to_svg(bench::plots_of(rows)));
   print(to_markdown(bench::to_table(rows)));
-  print(fmt::format("{0}.md, {0}.csv, {0}.json, {0}.svg\n", path));
+  print(files.list() + "\n");
 }
 
 std::string check_contender(const std::string& name) {

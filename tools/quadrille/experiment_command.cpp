@@ -3,19 +3,17 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
 #include <string>
 
+#include "cli/seed_option.hpp"
 #include "experiments/experiment.hpp"
-#include "io/file_bytes.hpp"
 #include "quadrille/output.hpp"
+#include "quadrille/output_folder.hpp"
 #include "quadrille/progress_line.hpp"
 
 namespace quadrille {
 namespace {
-
-namespace fs = std::filesystem;
 
 struct ExperimentArguments {
   std::string name, out = ".";
@@ -31,20 +29,20 @@ void list_experiments() {
 void run(ExperimentArguments arguments) {
   if (arguments.name.empty()) return list_experiments();
   const experiments::Experiment& experiment = *experiments::find_experiment(arguments.name);
-  fs::create_directories(arguments.out);
+  const std::string name = arguments.name;
+  const OutputFolder files(arguments.out, {name + ".md", name + ".csv", name + ".svg"});
   experiments::Report report;
   {
     ProgressLine line;
     arguments.settings.progress = [&](double share) { line.show(share); };
     report = experiment.run(arguments.settings);
   }
-  const std::string path = (fs::path(arguments.out) / arguments.name).string();
-  io::write_file(path + ".md", experiments::to_markdown(report, experiment, arguments.settings,
-                                                        QUADRILLE_VERSION));
-  io::write_file(path + ".csv", experiments::to_csv(report.data));
-  io::write_file(path + ".svg", experiments::to_svg(report.plots));
+  files.write(name + ".md",
+              experiments::to_markdown(report, experiment, arguments.settings, QUADRILLE_VERSION));
+  files.write(name + ".csv", experiments::to_csv(report.data));
+  files.write(name + ".svg", experiments::to_svg(report.plots));
   for (const std::string& finding : report.findings) print(finding + "\n");
-  print(fmt::format("{0}.md, {0}.csv, {0}.svg\n", path));
+  print(files.list() + "\n");
 }
 
 std::string check_name(const std::string& name) {
@@ -65,8 +63,7 @@ void add_experiment_command(CLI::App& app) {
   command->add_option("NAME", arguments->name, "Which one")->check(CLI::Validator(check_name, ""));
   command->add_option("--out", arguments->out, "Folder for NAME.md, NAME.csv and NAME.svg")
       ->type_name("FOLDER");
-  command->add_option("--seed", arguments->settings.seed, "Chooses the random numbers")
-      ->type_name("N");
+  add_seed_option(*command, arguments->settings.seed, "the random numbers");
   command->add_flag("--quick", arguments->settings.quick, "Little work, to see that it runs");
   command->callback([arguments] { run(*arguments); });
 }

@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "bench/frame.hpp"
 #include "quadrille/detector/basis.hpp"
 #include "quadrille/detector/depth_cells.hpp"
 #include "quadrille/detector/depth_samples.hpp"
@@ -19,15 +18,16 @@
 #include "quadrille/detector/normal_equations.hpp"
 #include "quadrille/detector/region.hpp"
 #include "quadrille/detector/vote.hpp"
+#include "scoring/frame.hpp"
 
 namespace quadrille {
 namespace {
 
 constexpr int kPixels = 2, kReach = 2;
 
-const bench::Frame& scene_frame() {
-  static const bench::Frame frame =
-      bench::frame_of(scene::make_scene({scene::Family::kMedium, 1000}));
+const scoring::Frame& scene_frame() {
+  static const scoring::Frame frame =
+      scoring::frame_of(scene::make_scene({scene::Family::kMedium, 1000}));
   return frame;
 }
 

@@ -5,9 +5,11 @@
 #include <vector>
 
 #include "bench/oriented_cloud.hpp"
-#include "bench/score.hpp"
+#include "scoring/score.hpp"
 
 namespace quadrille::bench {
+
+using scoring::Found;
 
 /// A plane n·x + d = 0.
 Found found_plane(const Eigen::Vector3d& n, double d, double score);

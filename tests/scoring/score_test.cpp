@@ -1,11 +1,12 @@
-#include "bench/score.hpp"
+#include "scoring/score.hpp"
 
+#include <cmath>
 #include <limits>
 
-#include "known_frame.hpp"
 #include "support/catch.hpp"
+#include "support/known_frame.hpp"
 
-namespace quadrille::bench {
+namespace quadrille::scoring {
 namespace {
 
 using test::ball_at;
@@ -19,7 +20,7 @@ FrameScore score_of(const std::vector<Quadric>& findings, const std::string& onl
   return score(frame, found, only);
 }
 
-TEST_CASE("the truth itself scores full marks", "[bench][score]") {
+TEST_CASE("the truth itself scores full marks", "[scoring][score]") {
   const FrameScore s = score_of({ball_at(0, kBallRadius), wall_at(1.5)});
   CHECK(s.wanted == 1);
   CHECK(s.found == 1);
@@ -33,20 +34,20 @@ TEST_CASE("the truth itself scores full marks", "[bench][score]") {
   CHECK(s.widths_right == 1);
 }
 
-TEST_CASE("nothing found is nothing wrong", "[bench][score]") {
+TEST_CASE("nothing found is nothing wrong", "[scoring][score]") {
   const FrameScore s = score_of({});
   CHECK(s.wanted == 1);
   CHECK(s.found + s.wrong + s.planes_found + s.planes_wrong == 0);
 }
 
 TEST_CASE("a sphere that misses the ball is wrong, one within the noise is right",
-          "[bench][score]") {
+          "[scoring][score]") {
   CHECK(score_of({ball_at(0.02, kBallRadius)}).found == 0);
   CHECK(score_of({ball_at(0.02, kBallRadius)}).wrong == 1);
   CHECK(score_of({ball_at(0.002, kBallRadius)}).found == 1);
 }
 
-TEST_CASE("the width is that across the line of sight", "[bench][score]") {
+TEST_CASE("the width is that across the line of sight", "[scoring][score]") {
   // The same front, but 3 mm larger: the front is off by the tolerance at most.
   const Quadric larger =
       from_canonical({QuadricType::kSphere, test::translation(0, 0, 1.003), {{"radius", 0.103}}});
@@ -56,7 +57,7 @@ TEST_CASE("the width is that across the line of sight", "[bench][score]") {
   CHECK(s.widths_right == 1);
 }
 
-TEST_CASE("a finding can be right where it was seen and of the wrong width", "[bench][score]") {
+TEST_CASE("a finding can be right where it was seen and of the wrong width", "[scoring][score]") {
   Frame frame = test::make_known_frame();
   const double sigma = frame.surfaces[0].sigma = 0.008;
   const Quadric wider =
@@ -68,27 +69,28 @@ TEST_CASE("a finding can be right where it was seen and of the wrong width", "[b
   CHECK(s.widths_right == 0);
 }
 
-TEST_CASE("of two findings of one surface one is wrong", "[bench][score]") {
+TEST_CASE("of two findings of one surface one is wrong", "[scoring][score]") {
   const FrameScore s = score_of({ball_at(0, kBallRadius), ball_at(0.001, kBallRadius)});
   CHECK(s.found == 1);
   CHECK(s.wrong == 1);
 }
 
-TEST_CASE("what is hardly seen need not be found, and may be", "[bench][score]") {
+TEST_CASE("what is hardly seen need not be found, and may be", "[scoring][score]") {
   const FrameScore s = score_of({ball_at(0.5, kBallRadius)});
   CHECK(s.wanted == 1);
   CHECK(s.found == 0);
   CHECK(s.wrong == 0);
 }
 
-TEST_CASE("if one type alone counts, the others need not be found, and may be", "[bench][score]") {
+TEST_CASE("if one type alone counts, the others need not be found, and may be",
+          "[scoring][score]") {
   CHECK(score_of({ball_at(0, kBallRadius)}, "sphere").found == 1);
   const FrameScore s = score_of({ball_at(0, kBallRadius)}, "cylinder");
   CHECK(s.wanted == 0);
   CHECK(s.wrong == 0);
 }
 
-TEST_CASE("flat findings are judged against planes, whatever they are called", "[bench][score]") {
+TEST_CASE("flat findings are judged against planes, whatever they are called", "[scoring][score]") {
   const FrameScore off = score_of({wall_at(1.3)});
   CHECK(off.planes_found == 0);
   CHECK(off.planes_wrong == 1);
@@ -100,7 +102,7 @@ TEST_CASE("flat findings are judged against planes, whatever they are called", "
   CHECK(score_of({huge}).wrong == 0);
 }
 
-TEST_CASE("a quadric through much more than the surface does not find it", "[bench][score]") {
+TEST_CASE("a quadric through much more than the surface does not find it", "[scoring][score]") {
   // What is now half a ball and half something else, cut through the middle.
   Frame frame = test::make_known_frame();
   for (std::size_t i = 0; i < frame.labels.size(); ++i) {
@@ -112,7 +114,7 @@ TEST_CASE("a quadric through much more than the surface does not find it", "[ben
 }
 
 TEST_CASE("findings beyond the hundred best, and such as are none, are wrong",
-          "[bench][score][hostile]") {
+          "[scoring][score][hostile]") {
   const Frame frame = test::make_known_frame();
   std::vector<Found> found(120, Found{ball_at(3, 0.1), 0.5});
   // The best score is read first, wherever it stands.
@@ -126,5 +128,37 @@ TEST_CASE("findings beyond the hundred best, and such as are none, are wrong",
   CHECK(score(frame, broken).wrong == 2);
 }
 
+TEST_CASE("the truth of a generated scene scores itself as all found", "[scoring][score]") {
+  const Frame frame = frame_of(scene::make_scene({scene::Family::kMedium, 3}));
+  std::vector<Found> exact, shifted;
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.translation() << 0.05, 0.05, 0.05;
+  for (const TrueSurface& surface : frame.surfaces) {
+    if (!surface.curved) continue;
+    exact.push_back({surface.Q_C, 1.0});
+    shifted.push_back({surface.Q_C.transformed(X), 1.0});
+  }
+  const FrameScore all = score(frame, exact);
+  CHECK(all.wanted >= 3);
+  CHECK(all.recall() == 1.0);
+  CHECK(all.precision() == 1.0);
+  CHECK(score(frame, shifted).found == 0);
+}
+
+TEST_CASE("scores add up, and nothing has no share", "[scoring][score]") {
+  FrameScore sum;
+  CHECK(std::isnan(sum.recall()));
+  CHECK(std::isnan(sum.precision()));
+  sum += score_of({ball_at(0, kBallRadius), wall_at(1.5)});
+  sum += score_of({ball_at(0.02, kBallRadius), wall_at(1.3)});
+  CHECK(sum.wanted == 2);
+  CHECK(sum.recall() == 0.5);
+  CHECK(sum.precision() == 0.5);
+  CHECK(sum.plane_recall() == 0.5);
+  CHECK(sum.plane_precision() == 0.5);
+  CHECK(sum.right_width() == 1.0);
+  CHECK(sum.width_errors.size() == 1);
+}
+
 }  // namespace
-}  // namespace quadrille::bench
+}  // namespace quadrille::scoring

@@ -1,4 +1,4 @@
-#include "bench/score.hpp"
+#include "scoring/score.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -7,9 +7,9 @@
 #include <numbers>
 #include <optional>
 
-#include "bench/matching.hpp"
+#include "scoring/matching.hpp"
 
-namespace quadrille::bench {
+namespace quadrille::scoring {
 namespace {
 
 constexpr double kCover = 0.6, kPurity = 0.5;
@@ -206,6 +206,12 @@ class Judge {
 
 }  // namespace
 
+std::vector<Found> findings_of(const DetectionResult& result) {
+  std::vector<Found> findings;
+  for (const Detection& d : result.detections) findings.push_back({d.Q_C, d.score});
+  return findings;
+}
+
 FrameScore score(const Frame& frame, std::vector<Found> findings, const std::string& only) {
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Found& a, const Found& b) { return a.score > b.score; });
@@ -224,4 +230,4 @@ FrameScore score(const Frame& frame, std::vector<Found> findings, const std::str
   return result;
 }
 
-}  // namespace quadrille::bench
+}  // namespace quadrille::scoring

@@ -1,4 +1,4 @@
-#include "bench/frame.hpp"
+#include "scoring/frame.hpp"
 
 #include <array>
 #include <cstring>
@@ -8,7 +8,7 @@
 #include "io/file_bytes.hpp"
 #include "scene/scene_files.hpp"
 
-namespace quadrille::bench {
+namespace quadrille::scoring {
 namespace {
 
 using nlohmann::ordered_json;
@@ -117,4 +117,4 @@ Frame read_frame(const std::string& ply_path) {
   return frame;
 }
 
-}  // namespace quadrille::bench
+}  // namespace quadrille::scoring

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-namespace quadrille::bench {
+namespace quadrille::scoring {
 
 /// For each finding the surfaces that it may be, with how well it covers them.
 using Candidates = std::map<int, std::map<int, double>>;
@@ -12,4 +12,4 @@ using Candidates = std::map<int, std::map<int, double>>;
 /// @return the finding of each surface that has one
 std::map<int, int> match_most(const Candidates& candidates);
 
-}  // namespace quadrille::bench
+}  // namespace quadrille::scoring

@@ -3,9 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "bench/frame.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "scoring/frame.hpp"
 
-namespace quadrille::bench {
+namespace quadrille::scoring {
 
 /// What a contender claims to have found.
 struct Found {
@@ -27,7 +28,20 @@ struct FrameScore {
   std::vector<double> width_errors;
   /// How many of these are right within 10 %, or 4 mm.
   int widths_right = 0;
+
+  FrameScore& operator+=(const FrameScore& other);
+
+  /// Shares of the wanted surfaces that were found, of the curved findings that are right, and of
+  /// the widths that are; then the same of planes. NaN where there is nothing to share.
+  double recall() const;
+  double precision() const;
+  double right_width() const;
+  double plane_recall() const;
+  double plane_precision() const;
 };
+
+/// What quadrille claims.
+std::vector<Found> findings_of(const DetectionResult& result);
 
 /// Judges findings.
 ///
@@ -41,4 +55,4 @@ struct FrameScore {
 /// @param only  count surfaces of this type alone, and let those of others pass; empty for all
 FrameScore score(const Frame& frame, std::vector<Found> findings, const std::string& only = "");
 
-}  // namespace quadrille::bench
+}  // namespace quadrille::scoring

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "bench/frame.hpp"
 #include "quadrille/detector/canonical.hpp"
+#include "scoring/frame.hpp"
 #include "support/depth_camera.hpp"
 
 namespace quadrille::test {
@@ -25,8 +25,8 @@ inline Quadric wall_at(double depth) {
 
 /// A ball of 10 cm (surface 0) before a wall (1), and half a metre to its side another ball (2)
 /// that is hardly seen, with half a millimetre of noise.
-inline bench::Frame make_known_frame() {
-  bench::Frame frame;
+inline scoring::Frame make_known_frame() {
+  scoring::Frame frame;
   frame.name = "known";
   frame.family = "easy";
   const std::vector<Patch> patches = {sphere(translation(0, 0, 1), kBallRadius),
@@ -36,7 +36,7 @@ inline bench::Frame make_known_frame() {
                                          ball_at(0.5, kBallRadius)};
   frame.cloud = render(patches, {640, 480, 1.0 / 600.0, 0.0005});
   for (int id = 0; id < 3; ++id) {
-    bench::TrueSurface surface;
+    scoring::TrueSurface surface;
     surface.id = id;
     surface.curved = id != 1;
     surface.type = id == 1 ? "wall" : "sphere";

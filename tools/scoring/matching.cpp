@@ -1,10 +1,10 @@
-#include "bench/matching.hpp"
+#include "scoring/matching.hpp"
 
 #include <algorithm>
 #include <set>
 #include <utility>
 
-namespace quadrille::bench {
+namespace quadrille::scoring {
 namespace {
 
 using Ranked = std::vector<std::pair<int, double>>;
@@ -48,4 +48,4 @@ std::map<int, int> match_most(const Candidates& candidates) {
   return finding_of;
 }
 
-}  // namespace quadrille::bench
+}  // namespace quadrille::scoring

@@ -1,15 +1,15 @@
-#include "bench/frame.hpp"
+#include "scoring/frame.hpp"
 
 #include <cmath>
 #include <map>
 
 #include "support/catch.hpp"
 
-namespace quadrille::bench {
+namespace quadrille::scoring {
 namespace {
 
 TEST_CASE("the points of a generated frame lie on the surfaces that they are labelled with",
-          "[bench][frame]") {
+          "[scoring][frame]") {
   const Frame frame = frame_of(scene::make_scene({scene::Family::kMedium, 1000}));
   CHECK(frame.name == "medium 1000");
   REQUIRE(frame.labels.size() == frame.cloud.points.size());
@@ -35,4 +35,4 @@ TEST_CASE("the points of a generated frame lie on the surfaces that they are lab
 }
 
 }  // namespace
-}  // namespace quadrille::bench
+}  // namespace quadrille::scoring

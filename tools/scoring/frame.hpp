@@ -9,7 +9,7 @@
 #include "quadrille/detector/quadric.hpp"
 #include "scene/scene.hpp"
 
-namespace quadrille::bench {
+namespace quadrille::scoring {
 
 /// A surface that is known to be in a cloud.
 struct TrueSurface {
@@ -47,4 +47,4 @@ Frame frame_of(const scene::Scene& scene);
 /// @throws std::runtime_error naming the file that is missing or wrong
 Frame read_frame(const std::string& ply_path);
 
-}  // namespace quadrille::bench
+}  // namespace quadrille::scoring

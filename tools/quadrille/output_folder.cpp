@@ -1,0 +1,41 @@
+#include "quadrille/output_folder.hpp"
+
+#include <filesystem>
+
+#include "io/file_bytes.hpp"
+#include "io/new_file.hpp"
+
+namespace quadrille {
+
+namespace fs = std::filesystem;
+
+OutputFolder::OutputFolder(const std::string& folder, const std::vector<std::string>& names)
+    : folder_(folder), names_(names) {
+  if (folder.empty()) throw io::FileError("--out", "", "is empty; give a folder, such as .");
+  std::error_code error;
+  fs::create_directories(folder, error);
+  const std::string why = error ? " (" + error.message() + ")" : "";
+  if (!fs::is_directory(folder, error)) {
+    throw io::FileError(folder, "", "cannot be made a folder" + why + "; give --out another one");
+  }
+  // What a file is written to goes away with this object.
+  for (const std::string& name : names) io::NewFile probe(path_of(name));
+}
+
+void OutputFolder::write(const std::string& name, const std::string& text) const {
+  io::NewFile file(path_of(name));
+  io::write_file(file.path(), text);
+  file.commit();
+}
+
+std::string OutputFolder::list() const {
+  std::string paths;
+  for (const std::string& name : names_) paths += (paths.empty() ? "" : ", ") + path_of(name);
+  return paths;
+}
+
+std::string OutputFolder::path_of(const std::string& name) const {
+  return (fs::path(folder_) / name).string();
+}
+
+}  // namespace quadrille
