@@ -34,9 +34,9 @@ struct GrowOptions {
   int fit_points = 128;
 };
 
-/// Grows a hypothesis over connected inliers and refits it, in turn, until it settles. Each refit
-/// selects the simplest family that explains the region: ten free coefficients from a small patch
-/// would lead the growth astray.
+/// Grows a hypothesis over connected inliers and refits it, in turn, until it settles. A
+/// refit selects the simplest family that explains the region, as ten free coefficients from a
+/// small patch would lead the growth astray, and keeps it until the region has outgrown the choice.
 /// @param start  samples to begin with
 /// @param free   per sample, zero to stay out of it
 /// @return nullopt if the region gets too small or has no fit
