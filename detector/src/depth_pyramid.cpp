@@ -106,7 +106,7 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
   NoiseOptions glance = options.noise;
   glance.patches = std::min(glance.patches, kGlance);
   std::vector<NoiseModel> noise = measure_noise(cells, glance);
-  const bool noisy = noise[0].sigma(z) > options.noisiest_cell * cells[0].metric(1.0f / z);
+  const bool noisy = noise.back().sigma(z) > options.noisiest_cell * cells[0].metric(1.0f / z);
   if (noisy) {
     cells[0] = std::move(cells[1]);
     coarsen();
