@@ -71,13 +71,19 @@ TEST_CASE("a single view becomes a pyramid of depth cells", "[pyramid]") {
   CHECK(make_pyramid(cloud, {})->size(0) == pyramid->size(0));
 }
 
-TEST_CASE("noise that outweighs the finest cells doubles them", "[pyramid]") {
+TEST_CASE("noise that outweighs the finest cells doubles them, unless means remove it",
+          "[pyramid]") {
   Camera camera;
   camera.noise = 0.006;
-  const auto pyramid =
-      make_depth_pyramid(render({rectangle(translation(0, 0, 1.0), 1e3, 1e3)}, camera), {});
-  REQUIRE(pyramid);
-  CHECK(pyramid->size(0) == 160 * 120);
+  PointCloud white = render({rectangle(translation(0, 0, 1.0), 1e3, 1e3)}, camera);
+  CHECK(make_depth_pyramid(white, {})->size(0) == 320 * 240);
+  // Waves as long as the means are wide: some 15 pixels.
+  PointCloud waves = render({rectangle(translation(0, 0, 1.0), 1e3, 1e3)});
+  for (Eigen::Vector3f& p : waves.points) {
+    const float u = p.x() / p.z(), v = p.y() / p.z();
+    p *= 1.0f + 0.01f * std::sin(120.0f * u) * std::sin(120.0f * v);
+  }
+  CHECK(make_depth_pyramid(waves, {})->size(0) == 160 * 120);
 }
 
 TEST_CASE("a cloud fused from two sides has no depth grid and becomes voxels", "[pyramid]") {

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+/// Sparse grid of cubic voxels with the mean of the points in each. Bricks of 4 x 4 x 4 voxels lie
+/// in a hash table; a word of 64 bits says which voxels of a brick hold points, and the bits before
+/// a voxel's own count its place among them. The voxels of a brick follow each other.
+class VoxelGrid {
+ public:
+  /// The voxels that the points fall into; points that are not finite are left out.
+  /// @param weight    points that each one stands for; empty for one each
+  /// @param edge      of a voxel [m]
+  /// @param of_point  if given, gets the voxel of each point; -1 if not finite
+  VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const int> weight, float edge,
+            std::vector<int>* of_point = nullptr);
+
+  int size() const { return static_cast<int>(mean_.size()); }
+  float edge() const { return edge_; }
+  /// Per voxel, the mean of its points [m].
+  const std::vector<Eigen::Vector3f>& mean() const { return mean_; }
+  /// Per voxel, how many they are.
+  const std::vector<int>& count() const { return count_; }
+
+ private:
+  friend class VoxelFinder;
+
+  struct Brick {
+    std::uint64_t key = 0, filled = 0;
+    /// Its voxels: first … first + size - 1.
+    int first = 0, size = 0;
+  };
+
+  /// Index of a voxel along an axis, shifted to be positive; far ones share the outermost.
+  std::uint32_t coordinate(float x) const {
+    // Coordinates take 21 bits.
+    constexpr double kFarthest = (1 << 20) - 1;
+    const double c = static_cast<double>(x) * inverse_;
+    return static_cast<std::uint32_t>(std::clamp(c, -kFarthest, kFarthest) + kFarthest);
+  }
+  std::size_t slot_of(std::uint64_t key) const {
+    return (key * 0x9e3779b97f4a7c15u >> 20) & (slots_.size() - 1);
+  }
+  /// Null if no point lies in it.
+  const Brick* find(std::uint64_t key) const;
+  int find_or_add(std::uint64_t key);
+  void rehash(std::size_t slots);
+
+  float edge_;
+  double inverse_;
+  std::vector<Brick> bricks_;
+  /// Open addressing: indices of bricks, -1 for none.
+  std::vector<int> slots_;
+  std::vector<Eigen::Vector3f> mean_;
+  std::vector<int> count_;
+};
+
+/// Finds the voxels around one point after another. The bricks around are gathered once for all
+/// points of a brick, so that going from voxel to voxel in their order is fast.
+class VoxelFinder {
+ public:
+  /// @param radius  of all balls [m]
+  /// @param keep    per voxel, zero to leave it out; empty means all
+  VoxelFinder(const VoxelGrid& grid, float radius, std::span<const char> keep = {});
+
+  /// Calls visit(voxel, offset of its mean from p, squared distance) for the voxels whose means lie
+  /// within the radius of p, in an order that depends on the grid and the brick of p alone.
+  template <class Visitor>
+  void visit(const Eigen::Vector3f& p, Visitor&& visitor) {
+    gather_around(p);
+    const std::size_t n = voxel_.size();
+    const float px = p.x(), py = p.y(), pz = p.z();
+    for (std::size_t k = 0; k < n; ++k) {
+      const float dx = x_[k] - px, dy = y_[k] - py, dz = z_[k] - pz;
+      distance_[k] = dx * dx + dy * dy + dz * dz;
+    }
+    // Without a branch: which voxels are hit is as good as random.
+    std::size_t hits = 0;
+    for (std::size_t k = 0; k < n; ++k) {
+      hit_[hits] = static_cast<int>(k);
+      hits += distance_[k] <= square_;
+    }
+    for (std::size_t h = 0; h < hits; ++h) {
+      const int k = hit_[h];
+      visitor(voxel_[k], Eigen::Vector3f(x_[k] - px, y_[k] - py, z_[k] - pz), distance_[k]);
+    }
+  }
+
+ private:
+  void gather_around(const Eigen::Vector3f& p);
+
+  const VoxelGrid& grid_;
+  std::span<const char> keep_;
+  float square_;
+  int reach_;
+  std::uint64_t home_;
+  /// The voxels of the bricks around the brick `home_`.
+  std::vector<int> voxel_, hit_;
+  std::vector<float> x_, y_, z_, distance_;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "quadrille/detector/noise.hpp"
+#include "quadrille/detector/surface_samples.hpp"
+#include "quadrille/detector/voxel_grid.hpp"
+
+namespace quadrille {
+
+/// Surface samples of a cloud from many sides: the plane through the voxels' means around each
+/// voxel by principal components, its normal turned towards the eye.
+/// @param keep   per voxel, zero to leave it out of everything
+/// @param sigma  noise of the voxels' means [m]
+/// @param eye    viewpoint in frame C [m]
+/// @param reach  radius of the neighbourhood, in voxels
+SurfaceSamples make_voxel_samples(const VoxelGrid& grid, const std::vector<char>& keep, float sigma,
+                                  const Eigen::Vector3f& eye, float reach);
+
+/// Noise of the voxels' means [m], as the residual of quadratic heights over planes: a quantile
+/// over patches spread over the grid. A millimetre if there are too few patches to tell.
+float measure_noise(const VoxelGrid& grid, const NoiseOptions& options);
+
+}  // namespace quadrille

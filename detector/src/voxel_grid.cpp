@@ -1,0 +1,123 @@
+#include "quadrille/detector/voxel_grid.hpp"
+
+#include <bit>
+#include <cmath>
+
+namespace quadrille {
+namespace {
+
+constexpr std::size_t kFewSlots = 64;
+constexpr std::uint64_t kNowhere = ~std::uint64_t{0};
+
+std::uint64_t key_of(std::uint32_t bx, std::uint32_t by, std::uint32_t bz) {
+  return bx | static_cast<std::uint64_t>(by) << 21 | static_cast<std::uint64_t>(bz) << 42;
+}
+
+}  // namespace
+
+void VoxelGrid::rehash(std::size_t slots) {
+  slots_.assign(slots, -1);
+  for (std::size_t b = 0; b < bricks_.size(); ++b) {
+    std::size_t slot = slot_of(bricks_[b].key);
+    while (slots_[slot] >= 0) slot = (slot + 1) & (slots - 1);
+    slots_[slot] = static_cast<int>(b);
+  }
+}
+
+const VoxelGrid::Brick* VoxelGrid::find(std::uint64_t key) const {
+  for (std::size_t slot = slot_of(key); slots_[slot] >= 0;
+       slot = (slot + 1) & (slots_.size() - 1)) {
+    if (bricks_[slots_[slot]].key == key) return &bricks_[slots_[slot]];
+  }
+  return nullptr;
+}
+
+int VoxelGrid::find_or_add(std::uint64_t key) {
+  std::size_t slot = slot_of(key);
+  for (; slots_[slot] >= 0; slot = (slot + 1) & (slots_.size() - 1)) {
+    if (bricks_[slots_[slot]].key == key) return slots_[slot];
+  }
+  const int brick = static_cast<int>(bricks_.size());
+  slots_[slot] = brick;
+  bricks_.push_back({key, 0, 0, 0});
+  if (2 * bricks_.size() > slots_.size()) rehash(2 * slots_.size());
+  return brick;
+}
+
+VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const int> weight,
+                     float edge, std::vector<int>* of_point)
+    : edge_(edge), inverse_(1.0 / static_cast<double>(edge)), slots_(kFewSlots, -1) {
+  // Per point its brick, then its voxel.
+  std::vector<int> place(points.size(), -1);
+  std::vector<unsigned char> bit(points.size());
+  std::uint64_t last_key = kNowhere;
+  int last = -1;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Eigen::Vector3f& p = points[k];
+    if (!p.allFinite()) continue;
+    const std::uint32_t x = coordinate(p.x()), y = coordinate(p.y()), z = coordinate(p.z());
+    const std::uint64_t key = key_of(x / 4, y / 4, z / 4);
+    if (key != last_key) {
+      last = find_or_add(key);
+      last_key = key;
+    }
+    place[k] = last;
+    bit[k] = static_cast<unsigned char>(x % 4 + 4 * (y % 4) + 16 * (z % 4));
+    bricks_[last].filled |= std::uint64_t{1} << bit[k];
+  }
+  int size = 0;
+  for (Brick& brick : bricks_) {
+    brick.first = size;
+    brick.size = std::popcount(brick.filled);
+    size += brick.size;
+  }
+  // In double precision: a cloud may lie far from the origin.
+  std::vector<Eigen::Vector3d> sum(static_cast<std::size_t>(size), Eigen::Vector3d::Zero());
+  count_.assign(sum.size(), 0);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (place[k] < 0) continue;
+    const Brick& brick = bricks_[place[k]];
+    const std::uint64_t before = (std::uint64_t{1} << bit[k]) - 1;
+    const int v = place[k] = brick.first + std::popcount(brick.filled & before);
+    const int w = weight.empty() ? 1 : weight[k];
+    sum[v] += w * points[k].cast<double>();
+    count_[v] += w;
+  }
+  mean_.reserve(sum.size());
+  for (std::size_t v = 0; v < sum.size(); ++v) mean_.push_back((sum[v] / count_[v]).cast<float>());
+  if (of_point) *of_point = std::move(place);
+}
+
+VoxelFinder::VoxelFinder(const VoxelGrid& grid, float radius, std::span<const char> keep)
+    : grid_(grid),
+      keep_(keep),
+      square_(radius * radius),
+      reach_(static_cast<int>(std::ceil(radius / (4 * grid.edge())))),
+      home_(kNowhere) {}
+
+void VoxelFinder::gather_around(const Eigen::Vector3f& p) {
+  const int x = static_cast<int>(grid_.coordinate(p.x()) / 4);
+  const int y = static_cast<int>(grid_.coordinate(p.y()) / 4);
+  const int z = static_cast<int>(grid_.coordinate(p.z()) / 4);
+  const std::uint64_t home = key_of(x, y, z);
+  if (home == home_) return;
+  home_ = home;
+  voxel_.clear(), x_.clear(), y_.clear(), z_.clear();
+  for (int k = std::max(0, z - reach_); k <= z + reach_; ++k) {
+    for (int j = std::max(0, y - reach_); j <= y + reach_; ++j) {
+      for (int i = std::max(0, x - reach_); i <= x + reach_; ++i) {
+        const VoxelGrid::Brick* const brick = grid_.find(key_of(i, j, k));
+        for (int v = brick ? brick->first : 0; brick && v < brick->first + brick->size; ++v) {
+          if (!keep_.empty() && !keep_[v]) continue;
+          const Eigen::Vector3f& mean = grid_.mean_[v];
+          voxel_.push_back(v), x_.push_back(mean.x()), y_.push_back(mean.y()),
+              z_.push_back(mean.z());
+        }
+      }
+    }
+  }
+  distance_.resize(voxel_.size());
+  hit_.resize(voxel_.size());
+}
+
+}  // namespace quadrille
