@@ -33,6 +33,12 @@ double support(const SurfaceSamples& samples, const Candidate& candidate, const 
   return sum;
 }
 
+Eigen::AlignedBox3f box_of(const SurfaceSamples& samples, const std::vector<int>& region) {
+  Eigen::AlignedBox3f box;
+  for (const int i : region) box.extend(samples.raw[i]);
+  return box;
+}
+
 double mean_sigma(const SurfaceSamples& samples, const std::vector<int>& region) {
   double sum = 0;
   for (const int i : region) sum += samples.sigma[i];
@@ -43,13 +49,19 @@ double mean_sigma(const SurfaceSamples& samples, const std::vector<int>& region)
 
 Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,
                          const InlierTest& inlier)
-    : samples_(samples), options_(options), inlier_(inlier), claimed_(samples.p.size(), 0) {}
+    : samples_(samples),
+      options_(options),
+      inlier_(inlier),
+      buckets_(samples),
+      claimed_(samples.p.size(), 0) {}
 
 void Aggregation::offer(std::vector<Candidate> candidates, bool early) {
   for (Candidate& c : candidates) pending_.push_back(std::move(c));
   std::vector<double> value;
+  std::vector<Eigen::AlignedBox3f> box;
   for (const Candidate& c : pending_) {
     value.push_back(support(samples_, c, inlier_, claimed_));
+    box.push_back(box_of(samples_, c.region));
   }
   std::vector<Candidate> later;
   while (true) {
@@ -63,9 +75,11 @@ void Aggregation::offer(std::vector<Candidate> candidates, bool early) {
       continue;
     }
     for (const int i : surface->region) claimed_[i] = 1;
+    const Eigen::AlignedBox3f claim = box_of(samples_, surface->region);
     surfaces_.push_back(std::move(*surface));
     for (std::size_t c = 0; c < pending_.size(); ++c) {
-      if (value[c] > 0) value[c] = support(samples_, pending_[c], inlier_, claimed_);
+      if (value[c] > 0 && box[c].intersects(claim))
+        value[c] = support(samples_, pending_[c], inlier_, claimed_);
     }
   }
   pending_ = std::move(later);
@@ -260,7 +274,7 @@ std::vector<int> Aggregation::further(const Surface& surface) const {
   test.sigmas *= options_.claim;
   const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
   std::vector<int> more;
-  for (int i = 0; i < samples_.size(); ++i) {
+  for (const int i : buckets_.near(centre, reach)) {
     if (claimed_[i] || inside[i] || (samples_.raw[i] - centre).squaredNorm() > reach * reach) {
       continue;
     }

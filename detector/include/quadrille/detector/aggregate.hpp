@@ -6,6 +6,7 @@
 #include "quadrille/detector/evidence.hpp"
 #include "quadrille/detector/model_selection.hpp"
 #include "quadrille/detector/region.hpp"
+#include "quadrille/detector/sample_buckets.hpp"
 #include "quadrille/detector/search.hpp"
 
 namespace quadrille {
@@ -87,6 +88,7 @@ class Aggregation {
   const SurfaceSamples& samples_;
   AggregateOptions options_;
   InlierTest inlier_;
+  SampleBuckets buckets_;
   std::vector<char> claimed_;
   std::vector<Candidate> pending_;
   std::vector<Surface> surfaces_;
