@@ -32,6 +32,17 @@ const VoxelGrid::Brick* VoxelGrid::find(std::uint64_t key) const {
   return nullptr;
 }
 
+Eigen::AlignedBox3f VoxelGrid::box_of_brick(int bx, int by, int bz, float margin) const {
+  const Eigen::Vector3d first =
+      Eigen::Vector3d(bx, by, bz) * 4.0 - Eigen::Vector3d::Constant(kFarthest);
+  const double edge = edge_;
+  // A voxel's share wider, for points that rounding has put on the other side.
+  const Eigen::Vector3d wider = Eigen::Vector3d::Constant(margin + 0.01 * edge);
+  return {
+      Eigen::Vector3f((first * edge - wider).cast<float>()),
+      Eigen::Vector3f(((first.array() + 4.0) * edge).matrix().cast<float>() + wider.cast<float>())};
+}
+
 int VoxelGrid::find_or_add(std::uint64_t key) {
   std::size_t slot = slot_of(key);
   for (; slots_[slot] >= 0; slot = (slot + 1) & (slots_.size() - 1)) {
@@ -91,7 +102,7 @@ VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const in
 VoxelFinder::VoxelFinder(const VoxelGrid& grid, float radius, std::span<const char> keep)
     : grid_(grid),
       keep_(keep),
-      square_(radius * radius),
+      radius_(radius),
       reach_(static_cast<int>(std::ceil(radius / (4 * grid.edge())))),
       home_(kNowhere) {}
 
@@ -103,6 +114,7 @@ void VoxelFinder::gather_around(const Eigen::Vector3f& p) {
   if (home == home_) return;
   home_ = home;
   voxel_.clear(), x_.clear(), y_.clear(), z_.clear();
+  const Eigen::AlignedBox3f reachable = grid_.box_of_brick(x, y, z, radius_);
   for (int k = std::max(0, z - reach_); k <= z + reach_; ++k) {
     for (int j = std::max(0, y - reach_); j <= y + reach_; ++j) {
       for (int i = std::max(0, x - reach_); i <= x + reach_; ++i) {
@@ -110,6 +122,7 @@ void VoxelFinder::gather_around(const Eigen::Vector3f& p) {
         for (int v = brick ? brick->first : 0; brick && v < brick->first + brick->size; ++v) {
           if (!keep_.empty() && !keep_[v]) continue;
           const Eigen::Vector3f& mean = grid_.mean_[v];
+          if (!reachable.contains(mean)) continue;
           voxel_.push_back(v), x_.push_back(mean.x()), y_.push_back(mean.y()),
               z_.push_back(mean.z());
         }

@@ -19,18 +19,24 @@ constexpr std::size_t kLeastPatches = 8, kLeastInPatch = 18;
 struct PlaneSums {
   float n = 0;
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-  Eigen::Matrix3f square = Eigen::Matrix3f::Zero();
+  /// Sums of xx, yy, zz and of xy, yz, zx.
+  Eigen::Array3f squares = Eigen::Array3f::Zero(), products = Eigen::Array3f::Zero();
 
   void add(const Eigen::Vector3f& d) {
     n += 1;
     sum += d;
-    square += d * d.transpose();
+    squares += d.array().square();
+    products += d.array() * Eigen::Array3f(d.y(), d.z(), d.x());
   }
   /// Mean of the offsets, and the direction of their least spread.
   /// @return false if they are few or lie on a line
   bool solve(Eigen::Vector3f* mean, Eigen::Vector3f* normal) const {
     if (n < 4) return false;
     *mean = sum / n;
+    Eigen::Matrix3f square = squares.matrix().asDiagonal();
+    square(0, 1) = square(1, 0) = products[0];
+    square(1, 2) = square(2, 1) = products[1];
+    square(2, 0) = square(0, 2) = products[2];
     const Eigen::Matrix3d S = (square / n - *mean * mean->transpose()).cast<double>();
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
     eigen.computeDirect(S);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cstdint>
 #include <span>
@@ -36,10 +36,11 @@ class VoxelGrid {
     int first = 0, size = 0;
   };
 
+  // Coordinates take 21 bits.
+  static constexpr double kFarthest = (1 << 20) - 1;
+
   /// Index of a voxel along an axis, shifted to be positive; far ones share the outermost.
   std::uint32_t coordinate(float x) const {
-    // Coordinates take 21 bits.
-    constexpr double kFarthest = (1 << 20) - 1;
     const double c = static_cast<double>(x) * inverse_;
     return static_cast<std::uint32_t>(std::clamp(c, -kFarthest, kFarthest) + kFarthest);
   }
@@ -48,6 +49,8 @@ class VoxelGrid {
   }
   /// Null if no point lies in it.
   const Brick* find(std::uint64_t key) const;
+  /// Where points may lie that are no farther than the margin [m] from a brick.
+  Eigen::AlignedBox3f box_of_brick(int bx, int by, int bz, float margin) const;
   int find_or_add(std::uint64_t key);
   void rehash(std::size_t slots);
 
@@ -74,6 +77,7 @@ class VoxelFinder {
   void visit(const Eigen::Vector3f& p, Visitor&& visitor) {
     gather_around(p);
     const std::size_t n = voxel_.size();
+    const float square = radius_ * radius_;
     const float px = p.x(), py = p.y(), pz = p.z();
     for (std::size_t k = 0; k < n; ++k) {
       const float dx = x_[k] - px, dy = y_[k] - py, dz = z_[k] - pz;
@@ -83,7 +87,7 @@ class VoxelFinder {
     std::size_t hits = 0;
     for (std::size_t k = 0; k < n; ++k) {
       hit_[hits] = static_cast<int>(k);
-      hits += distance_[k] <= square_;
+      hits += distance_[k] <= square;
     }
     for (std::size_t h = 0; h < hits; ++h) {
       const int k = hit_[h];
@@ -96,7 +100,7 @@ class VoxelFinder {
 
   const VoxelGrid& grid_;
   std::span<const char> keep_;
-  float square_;
+  float radius_;
   int reach_;
   std::uint64_t home_;
   /// The voxels of the bricks around the brick `home_`.
