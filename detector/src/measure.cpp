@@ -15,6 +15,13 @@ constexpr double kTolerance = 1e-7;
 // Share of the samples beyond each end of the extent: stray ones do not stretch it.
 constexpr double kTrim = 0.004;
 constexpr int kAround = 24, kAlong = 8;
+// Variance of white noise in the fit for that of its residuals, as scenes with known truth show it:
+// rounded depths and mixed pixels are not quite white. Samples that a wave of common noise covers.
+constexpr double kWhite = 1.5, kWave = 64.0;
+// Points for the information of a family that was not fitted.
+constexpr int kPoints = 240;
+// At an edge the last cells are mixed or lost: deviation of an extent, in cells.
+constexpr double kEdgeCells = 3.0;
 
 /// Positions of the region in the canonical frame.
 std::vector<Eigen::Vector3d> canonical_points(const Surface& surface, const SurfaceSamples& samples,
@@ -109,31 +116,53 @@ double share_seen(const std::vector<Eigen::Vector3d>& points, const Eigen::Align
   return static_cast<double>(std::count(seen.begin(), seen.end(), true)) / (kAround * kAlong);
 }
 
-/// Covariance of a fit's parameters; directions that the data leave open are cut off.
-Eigen::MatrixXd covariance(const Surface& surface) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(surface.fit.information);
+/// Variance of an independent measurement by the residuals and what the fit averages over: white
+/// noise over its points, and the noise that neighbours have in common over waves.
+double variance_of_mean(const Surface& surface, double common_noise) {
+  const double n = surface.fit.points;
+  const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
+  const double waves = std::clamp(static_cast<double>(surface.region.size()) / kWave, 1.0, free);
+  const double common = common_noise * common_noise;
+  return surface.fit.rss / n * ((1.0 - common) * kWhite / free + common / waves);
+}
+
+/// Covariance of the parameters of a family at the surface's fit; directions that the data leave
+/// open are cut off.
+/// @param information  of the family's parameters for residuals of unit variance
+/// @param points       that the information sums over
+Eigen::MatrixXd covariance(const Eigen::MatrixXd& information, double points, double variance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
   const double largest = eigen.eigenvalues().tail<1>()[0];
   const Eigen::VectorXd inverse =
       eigen.eigenvalues().unaryExpr([&](double l) { return l > 1e-10 * largest ? 1.0 / l : 0.0; });
-  const double n = surface.fit.points;
-  const double dof = family_spec(surface.fit.family).dof;
-  const double independent = std::max(1.0, surface.effective_size - dof);
-  const double scale = surface.fit.rss / n * (n / independent);
-  return scale * eigen.eigenvectors() * inverse.asDiagonal() * eigen.eigenvectors().transpose();
+  return variance * points * eigen.eigenvectors() * inverse.asDiagonal() *
+         eigen.eigenvectors().transpose();
 }
 
 /// Standard deviations of the canonical dimensions, by finite differences over the parameters.
-std::vector<double> deviations(const Surface& surface, const CanonicalForm& form) {
+std::vector<double> deviations(const Surface& surface, const SurfaceSamples& samples,
+                               const CanonicalForm& form) {
   const std::size_t size = form.dimensions.size();
   std::vector<double> result(size, 0.0);
-  const Eigen::MatrixXd C = covariance(surface);
+  Family family = surface.fit.family;
+  Eigen::MatrixXd information = surface.fit.information;
+  double count = surface.fit.points;
+  // That an ellipsoid is one of revolution is mostly our choice and not the scene's.
+  if (form.type == QuadricType::kEllipsoid && family != Family::kGeneral) {
+    family = Family::kGeneral;
+    const FitPoints points = fit_points(samples, surface.region, surface.local, kPoints);
+    const std::optional<FamilyFit> at = refine(points, family, surface.fit.posed, 0);
+    if (at) information = at->information, count = at->points;
+  }
+  const Eigen::MatrixXd C =
+      covariance(information, count, variance_of_mean(surface, samples.common_noise));
   Eigen::MatrixXd J = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(size), C.rows());
   for (Eigen::Index k = 0; k < C.rows(); ++k) {
     const double h = std::max(1e-6, 1e-3 * std::sqrt(C(k, k)));
     Eigen::VectorXd step = Eigen::VectorXd::Zero(C.rows());
     step[k] = h;
-    const CanonicalForm other = canonical_form(
-        Quadric(moved(surface.fit.family, surface.fit.posed, step).matrix()), kTolerance);
+    const CanonicalForm other =
+        canonical_form(Quadric(moved(family, surface.fit.posed, step).matrix()), kTolerance);
     if (other.type != form.type) continue;
     for (std::size_t i = 0; i < size; ++i) {
       J(static_cast<Eigen::Index>(i), k) =
@@ -174,19 +203,19 @@ Detection measure(const Surface& surface, const SurfaceSamples& samples,
   d.extent_Q = trimmed_box(points);
   d.seen = share_seen(points, d.extent_Q, form.type);
 
-  const std::vector<double> std = deviations(surface, form);
+  const std::vector<double> std = deviations(surface, samples, form);
   for (std::size_t i = 0; i < form.dimensions.size(); ++i) {
     const auto& [name, value] = form.dimensions[i];
     const double unit = is_angle(name) ? 1.0 : surface.local.scale;
     d.dimensions.push_back({name, unit * value, unit * std[i]});
   }
   const Eigen::Vector3d size = d.extent_Q.sizes();
-  const double half_cell = 0.5 * static_cast<double>(cell);
+  const double edge = kEdgeCells * static_cast<double>(cell);
   if (d.type == QuadricType::kCylinder || d.type == QuadricType::kEllipticCylinder) {
-    d.dimensions.push_back({"length", size.z(), half_cell});
+    d.dimensions.push_back({"length", size.z(), edge});
   } else if (d.type == QuadricType::kPlane) {
-    d.dimensions.push_back({"width", size.x(), half_cell});
-    d.dimensions.push_back({"height", size.y(), half_cell});
+    d.dimensions.push_back({"width", size.x(), edge});
+    d.dimensions.push_back({"height", size.y(), edge});
   }
   return d;
 }
