@@ -76,11 +76,13 @@ class Planner {
     for (std::size_t i = 0; i < detections_.size(); ++i) {
       const Detection& d = detections_[i];
       std::string why;
-      if (std::optional<CollisionShape> shape = make_shape(d, &why)) {
-        plan_.shapes.push_back(*shape);
-        shape_of_.push_back(i);
-      } else {
+      const std::vector<CollisionShape> shapes = quadrille::make_shapes(d, &why);
+      plan_.shapes.insert(plan_.shapes.end(), shapes.begin(), shapes.end());
+      shape_of_.resize(plan_.shapes.size(), i);
+      if (shapes.empty() || (d.type != QuadricType::kPlane && !make_body(d))) {
         ++plan_.rejected["no_shape"];
+      }
+      if (shapes.empty()) {
         warn("quadric " + std::to_string(d.id) + " has no collision shape: " + why);
       }
     }
@@ -88,7 +90,7 @@ class Planner {
 
   void choose_targets() {
     for (const Detection& d : detections_) {
-      if (is_flat(d.type) && d.type != QuadricType::kParallelPlanes) continue;
+      if (d.type == QuadricType::kPlane) continue;
       const std::optional<Body> body = make_body(d);
       if (!body) continue;
       Target target{d.id, d.score, *body, supports_of(*body, detections_), {}, {}, true};

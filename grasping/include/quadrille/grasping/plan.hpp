@@ -78,7 +78,7 @@ struct PlanOptions {
 struct GraspPlan {
   /// Best first.
   std::vector<Grasp> grasps;
-  /// Refused, counted by reason. Detections: "no_shape" (their type bounds no solid),
+  /// Refused, counted by reason. Detections: "no_shape" (they bound no solid),
   /// "seen_from_inside" (a hollow whose rim was not seen). Contact lines: "unmeasured" (no points
   /// at the rim), "width" (wider than the hand opens), "friction" (would slip), "contradicted"
   /// (free space was seen where the surface should be). Approach
@@ -86,7 +86,7 @@ struct GraspPlan {
   /// target stands on), "target" (the target itself), "collision" (occupied space or another
   /// detection), "unknown" (unobserved space).
   std::map<std::string, int> rejected;
-  /// One per detection that has a collision shape.
+  /// Of all detections that have any, those of one detection in a row.
   std::vector<CollisionShape> shapes;
   /// Free and occupied space; unknown where the tree has no node.
   std::shared_ptr<octomap::OcTree> occupancy;
