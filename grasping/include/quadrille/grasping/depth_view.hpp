@@ -87,6 +87,8 @@ class DepthView {
   Eigen::Vector3d p_CV_ = Eigen::Vector3d::Zero();
   int width_ = 0, height_ = 0;
   double pitch_u_ = 1.0, pitch_v_ = 1.0, cu_ = 0.0, cv_ = 0.0;
+  /// Pixels per unit of the tangent.
+  double pixels_u_ = 1.0, pixels_v_ = 1.0;
   std::vector<float> depth_;
   /// For each pixel, whether its depth bounds what a gap may hide, not measured.
   std::vector<std::uint8_t> filled_;
