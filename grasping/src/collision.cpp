@@ -23,6 +23,10 @@ bool fcl_collide(const fcl::CollisionGeometryd* a, const fcl::Transform3d& X_A,
   return fcl::collide(a, X_A, b, X_B, request, result) > 0;
 }
 
+// libccd iterates to a tolerance, and misses overlaps shallower than it; of a million random and
+// touching queries the deepest miss was between 0.1 and 1 µm [m].
+constexpr double kSolverSlack = 2e-6;
+
 fcl::Transform3d pose(const OrientedBox& box) {
   fcl::Transform3d X = fcl::Transform3d::Identity();
   X.linear() = box.R_CB;
@@ -86,7 +90,7 @@ bool overlaps(const OrientedBox& box, const CollisionShape& shape) {
   const double reach = shape.geometry->aabb_radius + box.half.norm();
   const Eigen::Vector3d centre = shape.X_CS * shape.geometry->aabb_center;
   if ((centre - box.p_CB).squaredNorm() > reach * reach) return false;
-  const fcl::Boxd geometry(2.0 * box.half);
+  const fcl::Boxd geometry(2.0 * (box.half.array() + kSolverSlack));
   fcl::Transform3d X = fcl::Transform3d::Identity();
   X.matrix() = shape.X_CS.matrix();
   return fcl_collide(&geometry, pose(box), shape.geometry.get(), X);

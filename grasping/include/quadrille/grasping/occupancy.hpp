@@ -14,7 +14,7 @@ class OcTree;
 
 namespace quadrille {
 
-/// State of one voxel.
+/// State of one voxel, the stronger evidence last.
 enum class Voxel : std::uint8_t { kUnknown, kFree, kOccupied };
 
 /// Free, occupied and unknown space of a region, as one dense grid of voxels.
@@ -27,12 +27,26 @@ class OccupancyGrid {
   /// Voxels per edge of the blocks that the grid is made of.
   static constexpr int kBlock = 16;
 
+  /// Unknown space.
   /// @param region      space to map, in frame C [m]; grown to whole blocks
   /// @param resolution  voxel edge [m]
   /// @throws std::invalid_argument if the resolution is not positive or the region leaves OctoMap's
   ///         range of ±32768 voxels
+  OccupancyGrid(const Eigen::AlignedBox3d& region, double resolution);
+  /// What one view shows of it.
   OccupancyGrid(const PointCloud& cloud, const DepthView& view, const Eigen::AlignedBox3d& region,
                 double resolution);
+
+  /// Adds what another view of the same scene shows. What any view found occupied stays so; what
+  /// any saw through is free.
+  /// @param view  the view of that cloud
+  /// @throws std::invalid_argument if it is that of another one
+  void add(const PointCloud& cloud, const DepthView& view);
+  /// Adds a cloud without a single viewpoint: each point's voxel is occupied, those that the ray to
+  /// it passes are free. Without pixels it is not known what passes between the rays.
+  /// @param origins_C  for each point where its sensor stood [m]
+  /// @throws std::invalid_argument if there is not one for each point
+  void add_rays(const PointCloud& cloud, const std::vector<Eigen::Vector3d>& origins_C);
 
   double resolution() const { return resolution_; }
   /// Voxels along x, y and z; zero for an empty region.
@@ -61,8 +75,10 @@ class OccupancyGrid {
  private:
   void mark_free(const DepthView& view);
   void mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge);
-  void mark_occupied(const PointCloud& cloud, const DepthView& view);
-  void fill(const Eigen::Vector3i& low, int edge, Voxel state);
+  void mark_eight(const DepthView& view, const Eigen::Vector3i& low, const Eigen::Vector3d& p_V);
+  void mark_occupied(const PointCloud& cloud, const std::vector<std::uint8_t>& stray);
+  void fill_free(const Eigen::Vector3i& low, int edge);
+  void pass(const Eigen::Vector3d& from_C, const Eigen::Vector3d& to_C);
 
   double resolution_ = 0.0;
   Eigen::Vector3i corner_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
