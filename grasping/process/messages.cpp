@@ -97,13 +97,14 @@ collision_shapes_t make_shapes_message(const bus::CloudMessage& cloud, const Gra
   return m;
 }
 
-occupancy_t make_occupancy_message(const bus::CloudMessage& cloud, const GraspPlan& plan) {
+occupancy_t make_occupancy_message(const bus::CloudMessage& cloud, const OccupancyGrid* space) {
   auto m = make_stamped<occupancy_t>(cloud);
   m.resolution = 0.0;
   m.num_occupied = m.num_free = 0;
   m.data_size = 0;
-  if (!plan.occupancy) return m;
-  const octomap::OcTree& tree = *plan.occupancy;
+  if (!space) return m;
+  const std::shared_ptr<const octomap::OcTree> made = space->to_octree();
+  const octomap::OcTree& tree = *made;
   m.resolution = tree.getResolution();
   for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
     ++(tree.isNodeOccupied(*leaf) ? m.num_occupied : m.num_free);

@@ -98,6 +98,33 @@ ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks)
   if (!levels_[0].flags.empty()) refresh({Eigen::Vector3i::Zero(), grid.size().array() - 1});
 }
 
+ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
+  constexpr int kEdge = 1 << (kLevels - 1);
+  const Range range = voxels(region);
+  ObstacleMap map;
+  map.resolution_ = resolution_;
+  map.unknown_blocks_ = unknown_blocks_;
+  const Eigen::Vector3i low = range.first / kEdge * kEdge;
+  const Eigen::Vector3i size = ((range.second.array() + kEdge) / kEdge * kEdge).matrix() - low;
+  map.first_ = first_ + low;
+  map.corner_ = corner_ + resolution_ * low.cast<double>();
+  for (int n = 0; n < kLevels; ++n) {
+    const Level& from = levels_[n];
+    Level& to = map.levels_[n];
+    to.size = size.unaryExpr([&](int x) { return x >> n; });
+    to.flags.reserve(to.size.cast<std::size_t>().prod());
+    for (int k = 0; k < to.size.z(); ++k) {
+      for (int j = 0; j < to.size.y(); ++j) {
+        const auto row =
+            from.flags.begin() + static_cast<std::ptrdiff_t>(from.index(
+                                     low.x() >> n, (low.y() >> n) + j, (low.z() >> n) + k));
+        to.flags.insert(to.flags.end(), row, row + to.size.x());
+      }
+    }
+  }
+  return map;
+}
+
 void ObstacleMap::refresh(const Range& range) {
   Eigen::Vector3i low = range.first, high = range.second;
   if ((high.array() < 0).any()) return;
@@ -204,7 +231,7 @@ void ObstacleMap::clear_block(const OccupancyGrid& grid, const DepthView& view, 
   for (int n = 0; n < kEdge * kEdge * kEdge; ++n) {
     const int i = first.x() + n % kEdge, j = first.y() + n / kEdge % kEdge;
     const int k = first.z() + n / (kEdge * kEdge);
-    if (grid.at(i, j, k) != Voxel::kUnknown) continue;
+    if (grid.at(first_.x() + i, first_.y() + j, first_.z() + k) != Voxel::kUnknown) continue;
     const Eigen::Vector3d p_C = centre(i, j, k);
     if (!cone.meets(p_C, resolution_)) continue;
     if (view.hidden_only_by(p_C, 0.5 * resolution_, on_target)) {

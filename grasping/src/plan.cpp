@@ -40,6 +40,13 @@ bool graspable(const Body& body, const Gripper& gripper) {
   return body.bounds_Q().sizes().minCoeff() < gripper.max_opening * kWidthToOpening;
 }
 
+Eigen::AlignedBox3d around(const Body& body, double distance) {
+  Eigen::AlignedBox3d box = body.bounds_C();
+  box.min().array() -= distance;
+  box.max().array() += distance;
+  return box;
+}
+
 /// Composes the stages over one cloud.
 class Planner {
  public:
@@ -55,7 +62,6 @@ class Planner {
     if (!view_->valid()) warn("no point lies before the viewpoint: all space counts as unknown");
     stage("targets", [&] { choose_targets(); });
     stage("occupancy", [&] { map_space(); });
-    stage("octree", [&] { plan_.occupancy = grid_->to_octree(); });
     stage("grasps", [&] { plan_targets(); });
     select();
     plan_.total_ms = ms_since(start);
@@ -128,10 +134,7 @@ class Planner {
   void map_space() {
     Eigen::AlignedBox3d region;
     for (const Target& target : targets_) {
-      Eigen::AlignedBox3d box = target.body.bounds_C();
-      box.min().array() -= reach();
-      box.max().array() += reach();
-      region.extend(box);
+      region.extend(around(target.body, reach()));
     }
     double resolution = options_.resolution;
     if (!region.isEmpty()) {
@@ -141,15 +144,17 @@ class Planner {
         warn("the targets lie far apart: occupancy is mapped at a coarser resolution");
       }
     }
-    grid_.emplace(cloud_, *view_, region, resolution);
+    plan_.space = std::make_shared<const OccupancyGrid>(cloud_, *view_, region, resolution);
   }
 
   CollisionScene scene_of(const Target& target, const ObstacleMap& base) const {
-    CollisionScene scene{base, target.supports, {}, {}};
+    const Eigen::AlignedBox3d region = around(target.body, reach() + kFarthestClearance);
+    CollisionScene scene{base.within(region), target.supports, {}, {}};
     for (std::size_t n = 0; n < plan_.shapes.size(); ++n) {
       const Detection& d = detections_[shape_of_[n]];
-      if (d.id != target.id && !part_of(d, target.body))
+      if (d.id != target.id && !part_of(d, target.body) && may_reach(plan_.shapes[n], region)) {
         scene.neighbours.push_back(plan_.shapes[n]);
+      }
     }
     return scene;
   }
@@ -179,38 +184,37 @@ class Planner {
 
   // A voxel that reaches into the target has its centre within half its diagonal, plus the noise of
   // its points.
-  double carve_margin() const { return 0.5 * std::sqrt(3.0) * grid_->resolution() + kCarveNoise; }
+  double carve_margin() const {
+    return 0.5 * std::sqrt(3.0) * plan_.space->resolution() + kCarveNoise;
+  }
 
   bool holds_up(const Target& target, const Eigen::Vector3d& p_C) const {
     const auto near = [&](const SupportPlane& plane) {
-      return plane.distance(p_C) < 0.5 * grid_->resolution();
+      return plane.distance(p_C) < 0.5 * plan_.space->resolution();
     };
     return std::any_of(target.supports.begin(), target.supports.end(), near);
   }
 
   void clear_shadow(const Body& body, CollisionScene& scene) const {
     if (options_.unknown != UnknownPolicy::kTargetShadow) return;
-    Eigen::AlignedBox3d region = body.bounds_C();
-    region.min().array() -= reach();
-    region.max().array() += reach();
-    scene.map.clear_shadow(*grid_, *view_, body, region);
+    scene.map.clear_shadow(*plan_.space, *view_, body, around(body, reach()));
   }
 
   void plan_targets() {
     if (targets_.empty()) return;
-    const ObstacleMap base(*grid_, options_.unknown != UnknownPolicy::kFree);
+    const ObstacleMap base(*plan_.space, options_.unknown != UnknownPolicy::kFree);
     const auto keep = [&](const std::vector<Grasp>& grasps) {
       plan_.grasps.insert(plan_.grasps.end(), grasps.begin(), grasps.end());
     };
     for (const Target& target : targets_) {
       if (target.solid) {
         const CollisionScene scene = solid_scene(target, base);
-        TargetPlanner planner(target, gripper_, options_, *grid_, scene);
+        TargetPlanner planner(target, gripper_, options_, *plan_.space, scene);
         keep(planner.plan(cloud_.viewpoint, plan_.rejected));
       }
       if (target.shell) {
         const CollisionScene scene = shell_scene(target, base);
-        TargetPlanner planner(target, gripper_, options_, *grid_, scene);
+        TargetPlanner planner(target, gripper_, options_, *plan_.space, scene);
         keep(planner.plan_rim(cloud_.viewpoint, plan_.rejected));
       }
     }
@@ -238,7 +242,6 @@ class Planner {
   std::vector<Target> targets_;
   std::vector<std::size_t> shape_of_;
   std::optional<DepthView> view_;
-  std::optional<OccupancyGrid> grid_;
 };
 
 void demand(bool holds, const char* what) {

@@ -11,11 +11,8 @@
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/grasping/gripper.hpp"
+#include "quadrille/grasping/occupancy.hpp"
 #include "quadrille/grasping/shape.hpp"
-
-namespace octomap {
-class OcTree;
-}
 
 namespace quadrille {
 
@@ -88,8 +85,8 @@ struct GraspPlan {
   std::map<std::string, int> rejected;
   /// Of all detections that have any, those of one detection in a row.
   std::vector<CollisionShape> shapes;
-  /// Free and occupied space; unknown where the tree has no node.
-  std::shared_ptr<octomap::OcTree> occupancy;
+  /// Free, occupied and unknown space around the targets; to_octree() makes an OctoMap of it.
+  std::shared_ptr<const OccupancyGrid> space;
   std::vector<StageTime> timings;
   double total_ms = 0.0;
   std::vector<std::string> warnings;
