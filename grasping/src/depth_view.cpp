@@ -203,8 +203,9 @@ double DepthView::depth(int u, int v) const {
 }
 
 Eigen::Vector2i DepthView::pixel(const Eigen::Vector3d& p_V) const {
-  return {whole_below(p_V.x() / (p_V.z() * pitch_u_) + cu_ + 0.5),
-          whole_below(p_V.y() / (p_V.z() * pitch_v_) + cv_ + 0.5)};
+  const double inverse = 1.0 / p_V.z();
+  return {whole_below(p_V.x() * inverse * pixels_u_ + cu_ + 0.5),
+          whole_below(p_V.y() * inverse * pixels_v_ + cv_ + 0.5)};
 }
 
 DepthView::Span DepthView::span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const {

@@ -68,13 +68,18 @@ struct ObstacleMap::Query {
     }
   }
 
-  bool overlaps(const Eigen::Vector3d& centre, double h) const {
+  // False only if an axis of a face parts them: for cubes that are divided in any case.
+  bool may_overlap(const Eigen::Vector3d& centre, double h) const {
     const Eigen::Vector3d t = centre - p;
     const double g = h - kTouch;
     if ((t.cwiseAbs().array() >= reach.array() + g).any()) return false;
-    if (((R.transpose() * t).cwiseAbs().array() >= half.array() + g * face_spread.array()).any()) {
-      return false;
-    }
+    return ((R.transpose() * t).cwiseAbs().array() < half.array() + g * face_spread.array()).all();
+  }
+
+  bool overlaps(const Eigen::Vector3d& centre, double h) const {
+    if (!may_overlap(centre, h)) return false;
+    const Eigen::Vector3d t = centre - p;
+    const double g = h - kTouch;
     return ((edge_axes.transpose() * t).cwiseAbs().array() <
             edge_reach.array() + g * edge_spread.array() + 1e-12)
         .all();
@@ -191,8 +196,8 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, int i, int j, i
   const double h = 0.5 * resolution_ * (1 << level);
   const Eigen::Vector3d centre =
       corner_ + 2.0 * h * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
-  if (!query.overlaps(centre, h)) return 0;
-  if (level == 0 || flags & kAll) return flags;
+  if (level == 0 || flags & kAll) return query.overlaps(centre, h) ? flags : 0;
+  if (!query.may_overlap(centre, h)) return 0;
   for (int n = 0; n < 8; ++n) {
     const std::uint8_t hit =
         descend(query, level - 1, 2 * i + (n & 1), 2 * j + ((n >> 1) & 1), 2 * k + (n >> 2));

@@ -52,7 +52,8 @@ struct Target {
   std::vector<SweptHand> hands;
 };
 
-Target make_target(bool unknown_blocks) {
+// @param away  moves the hands from the target towards the sensor [m]
+Target make_target(bool unknown_blocks, double away) {
   Target target{{ObstacleMap(grid(), unknown_blocks), {}, {}, {}}, {}};
   const Gripper gripper = franka_hand();
   const Body* aim = nullptr;
@@ -88,8 +89,9 @@ Target make_target(bool unknown_blocks) {
   int refused = 0;
   for (const GraspCandidate& c : sample_approaches(lines, space, refused)) {
     const ContactLine& line = lines[static_cast<std::size_t>(c.line)];
-    target.hands.push_back(sweep_hand(gripper, grasp_pose(line, c.approach_C, 0.0),
-                                      line.opening + 0.01, line.width, 0.05));
+    Eigen::Isometry3d X_CG = grasp_pose(line, c.approach_C, 0.0);
+    X_CG.translation() += away * space.view_C;
+    target.hands.push_back(sweep_hand(gripper, X_CG, line.opening + 0.01, line.width, 0.05));
   }
   return target;
 }
@@ -120,7 +122,7 @@ void obstacles_of_grid(benchmark::State& state) {
 BENCHMARK(obstacles_of_grid)->Unit(benchmark::kMillisecond);
 
 void hands_checked(benchmark::State& state) {
-  const Target target = make_target(state.range(0) != 0);
+  const Target target = make_target(state.range(0) != 0, state.range(1) * 0.001);
   if (target.hands.empty()) return state.SkipWithError("the scene has no target");
   std::size_t free = 0;
   for (auto _ : state) {
@@ -132,7 +134,11 @@ void hands_checked(benchmark::State& state) {
   state.counters["hands"] = static_cast<double>(count);
   state.counters["free"] = static_cast<double>(free);
 }
-BENCHMARK(hands_checked)->ArgName("unknown_blocks")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+// At the target, where most hands are blocked, and in the open, where every test has to be made.
+BENCHMARK(hands_checked)
+    ->ArgNames({"unknown_blocks", "mm_away"})
+    ->ArgsProduct({{0, 1}, {0, 150, 300}})
+    ->Unit(benchmark::kMillisecond);
 
 void plan_of_scene(benchmark::State& state) {
   for (auto _ : state) {
