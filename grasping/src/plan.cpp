@@ -51,8 +51,12 @@ Eigen::AlignedBox3d around(const Body& body, double distance) {
 class Planner {
  public:
   Planner(const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
-          const PlanOptions& options)
-      : cloud_(cloud), detections_(detections), gripper_(gripper), options_(options) {}
+          const PlanOptions& options, const std::vector<PointCloud>& further)
+      : cloud_(cloud),
+        detections_(detections),
+        gripper_(gripper),
+        options_(options),
+        further_(further) {}
 
   GraspPlan plan() {
     const Clock::time_point start = Clock::now();
@@ -144,7 +148,11 @@ class Planner {
         warn("the targets lie far apart: occupancy is mapped at a coarser resolution");
       }
     }
-    plan_.space = std::make_shared<const OccupancyGrid>(cloud_, *view_, region, resolution);
+    const auto space = std::make_shared<OccupancyGrid>(cloud_, *view_, region, resolution);
+    for (const PointCloud& cloud : further_) {
+      space->add(cloud, DepthView(cloud, options_.baseline, options_.resolution));
+    }
+    plan_.space = space;
   }
 
   CollisionScene scene_of(const Target& target, const ObstacleMap& base) const {
@@ -238,6 +246,7 @@ class Planner {
   const std::vector<Detection>& detections_;
   const Gripper& gripper_;
   const PlanOptions& options_;
+  const std::vector<PointCloud>& further_;
   GraspPlan plan_;
   std::vector<Target> targets_;
   std::vector<std::size_t> shape_of_;
@@ -262,10 +271,11 @@ void PlanOptions::check() const {
 }
 
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
-                      const Gripper& gripper, const PlanOptions& options) {
+                      const Gripper& gripper, const PlanOptions& options,
+                      const std::vector<PointCloud>& further) {
   gripper.check();
   options.check();
-  return Planner(cloud, detections, gripper, options).plan();
+  return Planner(cloud, detections, gripper, options, further).plan();
 }
 
 }  // namespace quadrille

@@ -60,8 +60,7 @@ TEST_CASE("contacts lie on the target, between the pads, and hold with the frict
   }
 }
 
-TEST_CASE("what is too wide, or too thin, is refused by width and nothing else",
-          "[plan][target]") {
+TEST_CASE("what is too wide, or too thin, is refused by width and nothing else", "[plan][target]") {
   Gripper small = franka_hand();
   small.max_opening = 0.05;
   const GraspPlan wide = plan_ball(ball_on_table(0.0, 0.0, 0.03), small, all_free());

@@ -97,8 +97,11 @@ struct GraspPlan {
 /// Contacts follow in closed form from each quadric; the hand, swept along its approach and while
 /// it closes, is checked against the voxels, the planes and the shapes of all other detections, and
 /// its opened fingers and palm against the target's own body. Deterministic.
+/// @param further  more views of the same scene at rest, in the same frame C, each with its own
+///                 viewpoint: what they show free or occupied is so
 /// @throws std::invalid_argument if gripper or options are out of range
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
-                      const Gripper& gripper, const PlanOptions& options = {});
+                      const Gripper& gripper, const PlanOptions& options = {},
+                      const std::vector<PointCloud>& further = {});
 
 }  // namespace quadrille
