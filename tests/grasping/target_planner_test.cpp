@@ -97,3 +97,22 @@ TEST_CASE("unseen space is counted apart from what collides", "[plan][target]") 
   CHECK(bold.rejected.count("unknown") == 0);
   CHECK(bold.grasps.size() >= careful.grasps.size());
 }
+
+TEST_CASE("a further view frees what the first one did not see", "[plan]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  const std::vector<Detection> detections = {table_detection(), sphere_detection(ball)};
+  const Eigen::Isometry3d turn = Eigen::Translation3d(ball.p_C) *
+                                 Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX()) *
+                                 Eigen::Translation3d(-ball.p_C);
+  // The same ball from another place, where the table is another one.
+  PointCloud other = render({{turn.inverse() * ball.p_C, ball.radius}});
+  for (Eigen::Vector3f& p : other.points) p = turn.cast<float>() * p;
+  other.viewpoint = turn.translation();
+  const GraspPlan one = plan_grasps(render({ball}), detections, franka_hand());
+  const GraspPlan two = plan_grasps(render({ball}), detections, franka_hand(), {}, {other});
+  const auto count = [](const GraspPlan& plan, Voxel state) {
+    return std::count(plan.space->states().begin(), plan.space->states().end(), state);
+  };
+  CHECK(count(two, Voxel::kUnknown) < count(one, Voxel::kUnknown));
+  CHECK(count(two, Voxel::kOccupied) > count(one, Voxel::kOccupied));
+}

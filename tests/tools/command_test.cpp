@@ -297,19 +297,3 @@ TEST_CASE("scene writes the same cloud and truth for the same seed", "[command][
   CHECK(json::parse(run.out)["points"]["read"] == json::parse(truth)["points"]);
   check_failure(run_quadrille("scene " + folder.path("no/such/s.ply")), "cannot be written");
 }
-
-TEST_CASE("plan writes its map as OctoMap reads it, and fuses further views", "[command]") {
-  const TempFolder folder;
-  const std::string scene = folder.path("s.ply"), map = folder.path("s.bt");
-  REQUIRE(run_quadrille("scene --family tabletop --seed 3 " + scene).code == 0);
-  const std::string plan = "plan --gripper franka " + scene;
-  const Run run = run_quadrille(plan + " --map " + map);
-  INFO(run.err);
-  REQUIRE(run.code == 0);
-  CHECK(test::content_of(map).starts_with("# Octomap OcTree binary file\nid OcTree\n"));
-  // The same view again shows nothing new.
-  REQUIRE(run_quadrille(plan + " --view " + scene + " --map " + folder.path("t.bt")).code == 0);
-  CHECK(test::content_of(folder.path("t.bt")) == test::content_of(map));
-  check_failure(run_quadrille(plan + " --view " + folder.path("none.ply")), "none.ply");
-  check_failure(run_quadrille(plan + " --map " + folder.path("no/m.bt")), "m.bt");
-}
