@@ -102,9 +102,19 @@ Voxel OccupancyGrid::at(const Eigen::Vector3d& p_C) const {
 void OccupancyGrid::mark_free(const DepthView& view) {
   for (int k = 0; k < size_.z(); k += kBlock) {
     for (int j = 0; j < size_.y(); j += kBlock) {
-      for (int i = 0; i < size_.x(); i += kBlock) mark_free(view, {i, j, k}, kBlock);
+      for (int i = 0; i < size_.x(); i += kBlock) {
+        if (wanted({i, j, k})) mark_free(view, {i, j, k}, kBlock);
+      }
     }
   }
+}
+
+bool OccupancyGrid::wanted(const Eigen::Vector3i& block) const {
+  const Eigen::Vector3d low = (corner_ + block).cast<double>() * resolution_;
+  const Eigen::AlignedBox3d box(low, low + Eigen::Vector3d::Constant(kBlock * resolution_));
+  return boxes_C_.empty() ||
+         std::any_of(boxes_C_.begin(), boxes_C_.end(),
+                     [&](const Eigen::AlignedBox3d& wanted) { return wanted.intersects(box); });
 }
 
 // Top-down: a block of which the image tells at once that it is free or hidden is not divided.

@@ -137,8 +137,10 @@ class Planner {
 
   void map_space() {
     Eigen::AlignedBox3d region;
+    std::vector<Eigen::AlignedBox3d> boxes;
     for (const Target& target : targets_) {
       region.extend(around(target.body, reach()));
+      boxes.push_back(around(target.body, reach() + kFarthestClearance));
     }
     double resolution = options_.resolution;
     if (!region.isEmpty()) {
@@ -148,7 +150,9 @@ class Planner {
         warn("the targets lie far apart: occupancy is mapped at a coarser resolution");
       }
     }
-    const auto space = std::make_shared<OccupancyGrid>(cloud_, *view_, region, resolution);
+    const auto space = std::make_shared<OccupancyGrid>(region, resolution);
+    space->restrict_to(std::move(boxes));
+    space->add(cloud_, *view_);
     for (const PointCloud& cloud : further_) {
       space->add(cloud, DepthView(cloud, options_.baseline, options_.resolution));
     }

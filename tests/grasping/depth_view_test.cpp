@@ -78,6 +78,29 @@ TEST_CASE("eight boxes at once have the bounds of each, or wider ones", "[view]"
   CHECK(equal > 3500);
 }
 
+TEST_CASE("a map restricted to boxes is the same within them, and tells no free space beyond",
+          "[view][occupancy]") {
+  const Scene scene;
+  const Eigen::AlignedBox3d box(Eigen::Vector3d(-0.05, -0.04, 0.72),
+                                Eigen::Vector3d(0.0, 0.0, 0.8));
+  OccupancyGrid part(kRegion, kResolution);
+  part.restrict_to({box});
+  part.add(scene.cloud, scene.view);
+  int within = 0, left_out = 0;
+  const Eigen::Vector3i size = part.size();
+  for (int n = 0; n < size.prod(); ++n) {
+    const int i = n % size.x(), j = n / size.x() % size.y(), k = n / (size.x() * size.y());
+    const Voxel whole = scene.grid.at(i, j, k), here = part.at(i, j, k);
+    const bool inside = box.contains(part.centre(i, j, k));
+    if (inside) REQUIRE(here == whole);
+    if (here != whole) REQUIRE((whole == Voxel::kFree && here == Voxel::kUnknown));
+    within += inside;
+    left_out += here != whole;
+  }
+  CHECK(within > 1000);
+  CHECK(left_out > 1000);
+}
+
 TEST_CASE("what stands before a thing hides it, and only what holds() says is to blame", "[view]") {
   const Scene scene;
   const Ball& ball = scene.balls[0];

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "quadrille/detector/point_cloud.hpp"
@@ -37,6 +38,9 @@ class OccupancyGrid {
   OccupancyGrid(const PointCloud& cloud, const DepthView& view, const Eigen::AlignedBox3d& region,
                 double resolution);
 
+  /// Looks for free space only in blocks that meet one of these boxes from now on, to save time;
+  /// the others stay unknown but for the points in them.
+  void restrict_to(std::vector<Eigen::AlignedBox3d> boxes_C) { boxes_C_ = std::move(boxes_C); }
   /// Adds what another view of the same scene shows. What any view found occupied stays so; what
   /// any saw through is free.
   /// @param view  the view of that cloud
@@ -77,12 +81,15 @@ class OccupancyGrid {
   void mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge);
   void mark_eight(const DepthView& view, const Eigen::Vector3i& low, const Eigen::Vector3d& p_V);
   void mark_occupied(const PointCloud& cloud, const std::vector<std::uint8_t>& stray);
+  bool wanted(const Eigen::Vector3i& block) const;
   void fill_free(const Eigen::Vector3i& low, int edge);
   void pass(const Eigen::Vector3d& from_C, const Eigen::Vector3d& to_C);
 
   double resolution_ = 0.0;
   Eigen::Vector3i corner_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
   std::vector<Voxel> states_;
+  /// None: everywhere.
+  std::vector<Eigen::AlignedBox3d> boxes_C_;
 };
 
 }  // namespace quadrille
