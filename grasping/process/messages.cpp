@@ -3,10 +3,9 @@
 #include <octomap/OcTree.h>
 
 #include <algorithm>
-#include <sstream>
-#include <stdexcept>
 #include <string>
 
+#include "io/octree_bytes.hpp"
 #include "io/unknown_policy.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 
@@ -25,16 +24,6 @@ Message make_stamped(const bus::CloudMessage& cloud) {
 template <class Element>
 std::int32_t count(const std::vector<Element>& elements) {
   return static_cast<std::int32_t>(elements.size());
-}
-
-/// The content of a .bt file. OctoMap's own writeBinaryConst() prints to stderr.
-std::string write_octree(const octomap::OcTree& tree) {
-  std::ostringstream stream;
-  stream << "# Octomap OcTree binary file\nid " << tree.getTreeType() << "\nsize " << tree.size()
-         << "\nres " << tree.getResolution() << "\ndata\n";
-  tree.writeBinaryData(stream);
-  if (!stream) throw std::runtime_error("the octree cannot be written");
-  return stream.str();
 }
 
 }  // namespace
@@ -97,18 +86,19 @@ collision_shapes_t make_shapes_message(const bus::CloudMessage& cloud, const Gra
   return m;
 }
 
-occupancy_t make_occupancy_message(const bus::CloudMessage& cloud, const GraspPlan& plan) {
+occupancy_t make_occupancy_message(const bus::CloudMessage& cloud, const OccupancyGrid* space) {
   auto m = make_stamped<occupancy_t>(cloud);
   m.resolution = 0.0;
   m.num_occupied = m.num_free = 0;
   m.data_size = 0;
-  if (!plan.occupancy) return m;
-  const octomap::OcTree& tree = *plan.occupancy;
+  if (!space) return m;
+  const std::shared_ptr<const octomap::OcTree> made = space->to_octree();
+  const octomap::OcTree& tree = *made;
   m.resolution = tree.getResolution();
   for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
     ++(tree.isNodeOccupied(*leaf) ? m.num_occupied : m.num_free);
   }
-  const std::string bytes = write_octree(tree);
+  const std::string bytes = io::octree_bytes(tree);
   m.data.assign(bytes.begin(), bytes.end());
   m.data_size = count(m.data);
   return m;

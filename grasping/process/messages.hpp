@@ -22,8 +22,8 @@ grasps_t make_grasps_message(const bus::CloudMessage& cloud, const GraspPlan& pl
 /// The collision shapes of a plan, stamped likewise.
 collision_shapes_t make_shapes_message(const bus::CloudMessage& cloud, const GraspPlan& plan);
 
-/// The occupancy of a plan, stamped likewise; without data if the plan has none.
+/// The space of a plan as an OctoMap, stamped likewise; without data if the plan has none (null).
 /// @throws std::runtime_error if OctoMap cannot write the tree
-occupancy_t make_occupancy_message(const bus::CloudMessage& cloud, const GraspPlan& plan);
+occupancy_t make_occupancy_message(const bus::CloudMessage& cloud, const OccupancyGrid* space);
 
 }  // namespace quadrille

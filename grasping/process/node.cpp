@@ -68,7 +68,8 @@ void PlannerNode::plan_and_publish(const CloudAndQuadrics& pair) {
       publish(settings_.grasps_channel, make_grasps_message(*pair.cloud, plan, settings_));
   const double latency = bus::ms_since(pair.at);
   bytes += publish(settings_.shapes_channel, make_shapes_message(*pair.cloud, plan));
-  bytes += publish(settings_.occupancy_channel, make_occupancy_message(*pair.cloud, plan));
+  bytes +=
+      publish(settings_.occupancy_channel, make_occupancy_message(*pair.cloud, plan.space.get()));
   spdlog::debug("cloud {}: {} quadrics, {} grasps, {:.1f} ms", pair.cloud->utime,
                 pair.quadrics.detections.size(), plan.grasps.size(), latency);
   for (const std::string& warning : plan.warnings) {

@@ -23,6 +23,25 @@ bool fcl_collide(const fcl::CollisionGeometryd* a, const fcl::Transform3d& X_A,
   return fcl::collide(a, X_A, b, X_B, request, result) > 0;
 }
 
+// libccd iterates to a tolerance, and misses overlaps shallower than it; of a million random and
+// touching queries the deepest miss was between 0.1 and 1 µm [m].
+constexpr double kSolverSlack = 2e-6;
+
+// True if a face of the box, or of the box around the shape, parts them.
+bool apart(const OrientedBox& box, const CollisionShape& shape) {
+  const auto& bounds = shape.geometry->aabb_local;
+  const Eigen::Vector3d half_S = (0.5 * (bounds.max_ - bounds.min_)).array() + kSolverSlack;
+  const Eigen::Matrix3d R_SC = shape.X_CS.linear().transpose();
+  const Eigen::Vector3d t_S = R_SC * (box.p_CB - shape.X_CS * shape.geometry->aabb_center);
+  const double reach = shape.geometry->aabb_radius + kSolverSlack + box.half.norm();
+  if (t_S.squaredNorm() > reach * reach) return true;
+  const Eigen::Matrix3d R_SB = R_SC * box.R_CB, turned = R_SB.cwiseAbs();
+  return (t_S.cwiseAbs().array() > (half_S + turned * box.half).array()).any() ||
+         ((R_SB.transpose() * t_S).cwiseAbs().array() >
+          (box.half + turned.transpose() * half_S).array())
+             .any();
+}
+
 fcl::Transform3d pose(const OrientedBox& box) {
   fcl::Transform3d X = fcl::Transform3d::Identity();
   X.linear() = box.R_CB;
@@ -81,12 +100,13 @@ bool SupportPlane::meets(const OrientedBox& box, double margin) const {
   return extent_P.intersects(Eigen::AlignedBox2d(low, high));
 }
 
+bool may_reach(const CollisionShape& shape, const Eigen::AlignedBox3d& region_C) {
+  return !apart({Eigen::Matrix3d::Identity(), region_C.center(), 0.5 * region_C.sizes()}, shape);
+}
+
 bool overlaps(const OrientedBox& box, const CollisionShape& shape) {
-  if (!shape.geometry) return false;
-  const double reach = shape.geometry->aabb_radius + box.half.norm();
-  const Eigen::Vector3d centre = shape.X_CS * shape.geometry->aabb_center;
-  if ((centre - box.p_CB).squaredNorm() > reach * reach) return false;
-  const fcl::Boxd geometry(2.0 * box.half);
+  if (!shape.geometry || apart(box, shape)) return false;
+  const fcl::Boxd geometry(2.0 * (box.half.array() + kSolverSlack));
   fcl::Transform3d X = fcl::Transform3d::Identity();
   X.matrix() = shape.X_CS.matrix();
   return fcl_collide(&geometry, pose(box), shape.geometry.get(), X);
@@ -122,7 +142,7 @@ double CollisionScene::clearance(const SweptHand& hand) const {
     }
     return voxel_hit(boxes, map, r) != Hit::kNone || hits(boxes, neighbours, r);
   };
-  double free = 0.0, hit = 0.032;
+  double free = 0.0, hit = kFarthestClearance;
   if (!blocked(hit)) return hit;
   for (int step = 0; step < 5; ++step) {
     const double middle = 0.5 * (free + hit);

@@ -68,13 +68,18 @@ struct ObstacleMap::Query {
     }
   }
 
-  bool overlaps(const Eigen::Vector3d& centre, double h) const {
+  // False only if an axis of a face parts them: for cubes that are divided in any case.
+  bool may_overlap(const Eigen::Vector3d& centre, double h) const {
     const Eigen::Vector3d t = centre - p;
     const double g = h - kTouch;
     if ((t.cwiseAbs().array() >= reach.array() + g).any()) return false;
-    if (((R.transpose() * t).cwiseAbs().array() >= half.array() + g * face_spread.array()).any()) {
-      return false;
-    }
+    return ((R.transpose() * t).cwiseAbs().array() < half.array() + g * face_spread.array()).all();
+  }
+
+  bool overlaps(const Eigen::Vector3d& centre, double h) const {
+    if (!may_overlap(centre, h)) return false;
+    const Eigen::Vector3d t = centre - p;
+    const double g = h - kTouch;
     return ((edge_axes.transpose() * t).cwiseAbs().array() <
             edge_reach.array() + g * edge_spread.array() + 1e-12)
         .all();
@@ -96,6 +101,33 @@ ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks)
     levels_[n].flags.resize(levels_[n].size.cast<std::size_t>().prod());
   }
   if (!levels_[0].flags.empty()) refresh({Eigen::Vector3i::Zero(), grid.size().array() - 1});
+}
+
+ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
+  constexpr int kEdge = 1 << (kLevels - 1);
+  const Range range = voxels(region);
+  ObstacleMap map;
+  map.resolution_ = resolution_;
+  map.unknown_blocks_ = unknown_blocks_;
+  const Eigen::Vector3i low = range.first / kEdge * kEdge;
+  const Eigen::Vector3i size = ((range.second.array() + kEdge) / kEdge * kEdge).matrix() - low;
+  map.first_ = first_ + low;
+  map.corner_ = corner_ + resolution_ * low.cast<double>();
+  for (int n = 0; n < kLevels; ++n) {
+    const Level& from = levels_[n];
+    Level& to = map.levels_[n];
+    to.size = size.unaryExpr([&](int x) { return x >> n; });
+    to.flags.reserve(to.size.cast<std::size_t>().prod());
+    for (int k = 0; k < to.size.z(); ++k) {
+      for (int j = 0; j < to.size.y(); ++j) {
+        const auto row =
+            from.flags.begin() + static_cast<std::ptrdiff_t>(from.index(
+                                     low.x() >> n, (low.y() >> n) + j, (low.z() >> n) + k));
+        to.flags.insert(to.flags.end(), row, row + to.size.x());
+      }
+    }
+  }
+  return map;
 }
 
 void ObstacleMap::refresh(const Range& range) {
@@ -164,8 +196,8 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, int i, int j, i
   const double h = 0.5 * resolution_ * (1 << level);
   const Eigen::Vector3d centre =
       corner_ + 2.0 * h * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
-  if (!query.overlaps(centre, h)) return 0;
-  if (level == 0 || flags & kAll) return flags;
+  if (level == 0 || flags & kAll) return query.overlaps(centre, h) ? flags : 0;
+  if (!query.may_overlap(centre, h)) return 0;
   for (int n = 0; n < 8; ++n) {
     const std::uint8_t hit =
         descend(query, level - 1, 2 * i + (n & 1), 2 * j + ((n >> 1) & 1), 2 * k + (n >> 2));
@@ -204,7 +236,7 @@ void ObstacleMap::clear_block(const OccupancyGrid& grid, const DepthView& view, 
   for (int n = 0; n < kEdge * kEdge * kEdge; ++n) {
     const int i = first.x() + n % kEdge, j = first.y() + n / kEdge % kEdge;
     const int k = first.z() + n / (kEdge * kEdge);
-    if (grid.at(i, j, k) != Voxel::kUnknown) continue;
+    if (grid.at(first_.x() + i, first_.y() + j, first_.z() + k) != Voxel::kUnknown) continue;
     const Eigen::Vector3d p_C = centre(i, j, k);
     if (!cone.meets(p_C, resolution_)) continue;
     if (view.hidden_only_by(p_C, 0.5 * resolution_, on_target)) {

@@ -40,12 +40,23 @@ bool graspable(const Body& body, const Gripper& gripper) {
   return body.bounds_Q().sizes().minCoeff() < gripper.max_opening * kWidthToOpening;
 }
 
+Eigen::AlignedBox3d around(const Body& body, double distance) {
+  Eigen::AlignedBox3d box = body.bounds_C();
+  box.min().array() -= distance;
+  box.max().array() += distance;
+  return box;
+}
+
 /// Composes the stages over one cloud.
 class Planner {
  public:
   Planner(const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
-          const PlanOptions& options)
-      : cloud_(cloud), detections_(detections), gripper_(gripper), options_(options) {}
+          const PlanOptions& options, const std::vector<PointCloud>& further)
+      : cloud_(cloud),
+        detections_(detections),
+        gripper_(gripper),
+        options_(options),
+        further_(further) {}
 
   GraspPlan plan() {
     const Clock::time_point start = Clock::now();
@@ -55,7 +66,6 @@ class Planner {
     if (!view_->valid()) warn("no point lies before the viewpoint: all space counts as unknown");
     stage("targets", [&] { choose_targets(); });
     stage("occupancy", [&] { map_space(); });
-    stage("octree", [&] { plan_.occupancy = grid_->to_octree(); });
     stage("grasps", [&] { plan_targets(); });
     select();
     plan_.total_ms = ms_since(start);
@@ -76,11 +86,13 @@ class Planner {
     for (std::size_t i = 0; i < detections_.size(); ++i) {
       const Detection& d = detections_[i];
       std::string why;
-      if (std::optional<CollisionShape> shape = make_shape(d, &why)) {
-        plan_.shapes.push_back(*shape);
-        shape_of_.push_back(i);
-      } else {
+      const std::vector<CollisionShape> shapes = quadrille::make_shapes(d, &why);
+      plan_.shapes.insert(plan_.shapes.end(), shapes.begin(), shapes.end());
+      shape_of_.resize(plan_.shapes.size(), i);
+      if (shapes.empty() || (d.type != QuadricType::kPlane && !make_body(d))) {
         ++plan_.rejected["no_shape"];
+      }
+      if (shapes.empty()) {
         warn("quadric " + std::to_string(d.id) + " has no collision shape: " + why);
       }
     }
@@ -88,7 +100,7 @@ class Planner {
 
   void choose_targets() {
     for (const Detection& d : detections_) {
-      if (is_flat(d.type) && d.type != QuadricType::kParallelPlanes) continue;
+      if (d.type == QuadricType::kPlane) continue;
       const std::optional<Body> body = make_body(d);
       if (!body) continue;
       Target target{d.id, d.score, *body, supports_of(*body, detections_), {}, {}, true};
@@ -125,11 +137,10 @@ class Planner {
 
   void map_space() {
     Eigen::AlignedBox3d region;
+    std::vector<Eigen::AlignedBox3d> boxes;
     for (const Target& target : targets_) {
-      Eigen::AlignedBox3d box = target.body.bounds_C();
-      box.min().array() -= reach();
-      box.max().array() += reach();
-      region.extend(box);
+      region.extend(around(target.body, reach()));
+      boxes.push_back(around(target.body, reach() + kFarthestClearance));
     }
     double resolution = options_.resolution;
     if (!region.isEmpty()) {
@@ -139,15 +150,23 @@ class Planner {
         warn("the targets lie far apart: occupancy is mapped at a coarser resolution");
       }
     }
-    grid_.emplace(cloud_, *view_, region, resolution);
+    const auto space = std::make_shared<OccupancyGrid>(region, resolution);
+    space->restrict_to(std::move(boxes));
+    space->add(cloud_, *view_);
+    for (const PointCloud& cloud : further_) {
+      space->add(cloud, DepthView(cloud, options_.baseline, options_.resolution));
+    }
+    plan_.space = space;
   }
 
   CollisionScene scene_of(const Target& target, const ObstacleMap& base) const {
-    CollisionScene scene{base, target.supports, {}, {}};
+    const Eigen::AlignedBox3d region = around(target.body, reach() + kFarthestClearance);
+    CollisionScene scene{base.within(region), target.supports, {}, {}};
     for (std::size_t n = 0; n < plan_.shapes.size(); ++n) {
       const Detection& d = detections_[shape_of_[n]];
-      if (d.id != target.id && !part_of(d, target.body))
+      if (d.id != target.id && !part_of(d, target.body) && may_reach(plan_.shapes[n], region)) {
         scene.neighbours.push_back(plan_.shapes[n]);
+      }
     }
     return scene;
   }
@@ -177,38 +196,37 @@ class Planner {
 
   // A voxel that reaches into the target has its centre within half its diagonal, plus the noise of
   // its points.
-  double carve_margin() const { return 0.5 * std::sqrt(3.0) * grid_->resolution() + kCarveNoise; }
+  double carve_margin() const {
+    return 0.5 * std::sqrt(3.0) * plan_.space->resolution() + kCarveNoise;
+  }
 
   bool holds_up(const Target& target, const Eigen::Vector3d& p_C) const {
     const auto near = [&](const SupportPlane& plane) {
-      return plane.distance(p_C) < 0.5 * grid_->resolution();
+      return plane.distance(p_C) < 0.5 * plan_.space->resolution();
     };
     return std::any_of(target.supports.begin(), target.supports.end(), near);
   }
 
   void clear_shadow(const Body& body, CollisionScene& scene) const {
     if (options_.unknown != UnknownPolicy::kTargetShadow) return;
-    Eigen::AlignedBox3d region = body.bounds_C();
-    region.min().array() -= reach();
-    region.max().array() += reach();
-    scene.map.clear_shadow(*grid_, *view_, body, region);
+    scene.map.clear_shadow(*plan_.space, *view_, body, around(body, reach()));
   }
 
   void plan_targets() {
     if (targets_.empty()) return;
-    const ObstacleMap base(*grid_, options_.unknown != UnknownPolicy::kFree);
+    const ObstacleMap base(*plan_.space, options_.unknown != UnknownPolicy::kFree);
     const auto keep = [&](const std::vector<Grasp>& grasps) {
       plan_.grasps.insert(plan_.grasps.end(), grasps.begin(), grasps.end());
     };
     for (const Target& target : targets_) {
       if (target.solid) {
         const CollisionScene scene = solid_scene(target, base);
-        TargetPlanner planner(target, gripper_, options_, *grid_, scene);
+        TargetPlanner planner(target, gripper_, options_, *plan_.space, scene);
         keep(planner.plan(cloud_.viewpoint, plan_.rejected));
       }
       if (target.shell) {
         const CollisionScene scene = shell_scene(target, base);
-        TargetPlanner planner(target, gripper_, options_, *grid_, scene);
+        TargetPlanner planner(target, gripper_, options_, *plan_.space, scene);
         keep(planner.plan_rim(cloud_.viewpoint, plan_.rejected));
       }
     }
@@ -232,11 +250,11 @@ class Planner {
   const std::vector<Detection>& detections_;
   const Gripper& gripper_;
   const PlanOptions& options_;
+  const std::vector<PointCloud>& further_;
   GraspPlan plan_;
   std::vector<Target> targets_;
   std::vector<std::size_t> shape_of_;
   std::optional<DepthView> view_;
-  std::optional<OccupancyGrid> grid_;
 };
 
 void demand(bool holds, const char* what) {
@@ -257,10 +275,11 @@ void PlanOptions::check() const {
 }
 
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
-                      const Gripper& gripper, const PlanOptions& options) {
+                      const Gripper& gripper, const PlanOptions& options,
+                      const std::vector<PointCloud>& further) {
   gripper.check();
   options.check();
-  return Planner(cloud, detections, gripper, options).plan();
+  return Planner(cloud, detections, gripper, options, further).plan();
 }
 
 }  // namespace quadrille

@@ -83,6 +83,10 @@ bool cut_at_points(const PointCloud& cloud, Shell& shell) {
   return true;
 }
 
+Eigen::Vector3d middle(const ContactLine& line) {
+  return 0.5 * (line.contacts_C[0] + line.contacts_C[1]);
+}
+
 bool open_at_top(const Shell& shell, const DepthView& view) {
   const Body& body = shell.body;
   const double z = body.z_max - kBelowRim, s = body.scale(z);
@@ -211,9 +215,13 @@ std::vector<ContactLine> measured_lines(const Shell& shell, const std::vector<Co
   std::vector<std::pair<Eigen::Vector3d, double>> wall;
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
   const double lowest = shell.body.z_max - kBites[1] - kNearContact;
+  Eigen::AlignedBox3d near;  // all that counts for any line
+  for (const ContactLine& line : lines) near.extend(middle(line));
+  near.min().array() -= kNearContact;
+  near.max().array() += kNearContact;
   for (const Eigen::Vector3f& p : cloud.points) {
     const Eigen::Vector3d p_C = p.cast<double>();
-    if (!((X_QC * p_C).z() >= lowest) || !shell.in_wall(p_C, kOwn)) continue;
+    if (!near.contains(p_C) || !((X_QC * p_C).z() >= lowest) || !shell.in_wall(p_C, kOwn)) continue;
     const double off = shell.offset(p_C);
     wall.emplace_back(p_C, off - std::clamp(off, shell.inner(), shell.outer()));
   }
@@ -222,8 +230,7 @@ std::vector<ContactLine> measured_lines(const Shell& shell, const std::vector<Co
     int count = 0;
     double sum = 0.0;
     for (const auto& [p_C, beside] : wall) {
-      const Eigen::Vector3d middle = 0.5 * (line.contacts_C[0] + line.contacts_C[1]);
-      if ((p_C - middle).squaredNorm() > kNearContact * kNearContact) continue;
+      if ((p_C - middle(line)).squaredNorm() > kNearContact * kNearContact) continue;
       ++count;
       sum += beside * beside;
     }

@@ -1,8 +1,6 @@
 #include "quadrille/grasping/shape.hpp"
 
-#include <fcl/geometry/shape/box.h>
 #include <fcl/geometry/shape/cone.h>
-#include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/cylinder.h>
 #include <fcl/geometry/shape/ellipsoid.h>
 #include <fcl/geometry/shape/sphere.h>
@@ -11,18 +9,19 @@
 #include <cmath>
 #include <numbers>
 
+#include "patch.hpp"
+#include "polyhedron.hpp"
+
 namespace quadrille {
 
 namespace {
 
 using Profile = Body::Profile;
 
-constexpr int kSides = 24;
-
-// Cross-section of a polyhedron that holds a body: height, and the scale of its semi-axes.
-struct Ring {
-  double z, s;
-};
+// Tangents that a bulging profile is held in.
+constexpr int kTangents = 8;
+// What a waist's chords may leave [m].
+constexpr double kSagitta = 0.0002;
 
 CollisionShape placed(std::string kind, const Body& body, double z) {
   CollisionShape shape;
@@ -64,76 +63,57 @@ CollisionShape cone_shape(const Body& body) {
   return shape;
 }
 
-CollisionShape box_shape(const Eigen::Isometry3d& X_CQ, const Eigen::AlignedBox3d& box_Q) {
-  CollisionShape shape;
-  shape.kind = "box";
-  shape.X_CS = X_CQ;
-  shape.X_CS.translation() = X_CQ * Eigen::Vector3d(box_Q.center());
-  const Eigen::Vector3d sides = box_Q.sizes();
-  shape.dimensions = {sides.x(), sides.y(), sides.z()};
-  shape.geometry = std::make_shared<fcl::Boxd>(sides);
-  return shape;
-}
-
-void push_face(std::vector<int>& faces, std::initializer_list<int> corners) {
-  faces.push_back(static_cast<int>(corners.size()));
-  faces.insert(faces.end(), corners);
-}
-
-// Rings closed by flat ends; the polygons circumscribe the ellipses.
-CollisionShape ring_shape(const Body& body, const std::vector<Ring>& rings) {
-  const double middle = 0.5 * (rings.front().z + rings.back().z);
-  CollisionShape shape = placed("convex", body, middle);
-  const double outward = 1.0 / std::cos(std::numbers::pi / kSides);
-  for (const Ring& ring : rings) {
-    for (int k = 0; k < kSides; ++k) {
-      const double t = 2.0 * std::numbers::pi * k / kSides;
-      const double s = std::max(ring.s, 1e-6) * outward;
-      shape.vertices_S.emplace_back(body.a * s * std::cos(t), body.b * s * std::sin(t),
-                                    ring.z - middle);
-    }
-  }
-  const int last = kSides * (static_cast<int>(rings.size()) - 1);
-  for (int base = 0; base < last; base += kSides) {
-    for (int k = 0; k < kSides; ++k) {
-      const int n = (k + 1) % kSides;
-      push_face(shape.faces, {base + k, base + n, base + kSides + n});
-      push_face(shape.faces, {base + k, base + kSides + n, base + kSides + k});
-    }
-  }
-  for (const bool top : {false, true}) {
-    shape.faces.push_back(kSides);
-    for (int k = 0; k < kSides; ++k) shape.faces.push_back(top ? last + k : kSides - 1 - k);
-  }
-  shape.geometry = std::make_shared<fcl::Convexd>(
-      std::make_shared<const std::vector<Eigen::Vector3d>>(shape.vertices_S),
-      2 * kSides * (static_cast<int>(rings.size()) - 1) + 2,
-      std::make_shared<const std::vector<int>>(shape.faces));
-  return shape;
-}
-
-// Rings whose chords lie outside the profile: for a bulging one each is grown by the sagitta.
-std::vector<Ring> enclosing_rings(const Body& body) {
-  const bool bulges = body.profile == Profile::kRoot || body.profile == Profile::kSheet;
-  const int steps = bulges ? 6 : 1;
+// Rings of a bulging profile, from its tangents: each ring is where two neighbours of them meet, so
+// that all chords lie outside. Adds what they leave between at most to *excess.
+std::vector<Ring> tangent_rings(const Body& body, double* excess) {
+  const bool sheet = body.profile == Profile::kSheet;
+  // Parameter t of the profile: s = t, z = t²; of a sheet s = sinh t, z = c cosh t.
+  const auto parameter = [&](double z) {
+    return sheet ? std::acosh(std::max(1.0, z / body.c)) : std::sqrt(std::max(0.0, z));
+  };
+  const double first = parameter(body.z_min), step = (parameter(body.z_max) - first) / kTangents;
   std::vector<Ring> rings;
-  for (int i = 0; i <= steps; ++i) {
-    // Quadratic spacing: bulging profiles bend most at their vertex.
-    const double u = bulges ? static_cast<double>(i * i) / (steps * steps) : i;
-    const double z = body.z_min + u * (body.z_max - body.z_min);
-    rings.push_back({z, body.scale(z)});
+  if (first > 0.0) rings.push_back({body.z_min, body.scale(body.z_min)});
+  for (int i = 0; i < kTangents; ++i) {
+    const double t = first + (i + 0.5) * step, h = 0.5 * step;
+    const Ring ring = sheet
+                          ? Ring{body.c * std::cosh(t) / std::cosh(h), std::sinh(t) / std::cosh(h)}
+                          : Ring{t * t - h * h, t};
+    const double along = (sheet ? body.c * std::hypot(1.0, ring.s) : ring.s * ring.s) - ring.z;
+    const double across = std::max(body.a, body.b) * (ring.s - body.scale(ring.z));
+    *excess = std::max(*excess, std::min(along, across));
+    rings.push_back(ring);
   }
-  std::vector<double> extra(rings.size(), 0.0);
-  for (std::size_t i = 0; bulges && i + 1 < rings.size(); ++i) {
-    for (int k = 1; k < 8; ++k) {
-      const double u = k / 8.0;
-      const double z = rings[i].z + u * (rings[i + 1].z - rings[i].z);
-      const double sagitta = body.scale(z) - (1 - u) * rings[i].s - u * rings[i + 1].s;
-      for (const std::size_t j : {i, i + 1}) extra[j] = std::max(extra[j], sagitta);
-    }
-  }
-  for (std::size_t i = 0; i < rings.size(); ++i) rings[i].s += extra[i];
+  rings.push_back({body.z_max, body.scale(body.z_max)});
   return rings;
+}
+
+// A polyhedron around a convex body.
+CollisionShape polyhedron(const Body& body) {
+  const bool bulges = body.profile == Profile::kRoot || body.profile == Profile::kSheet;
+  if (!bulges) {
+    return make_rings(body,
+                      {{body.z_min, body.scale(body.z_min)}, {body.z_max, body.scale(body.z_max)}});
+  }
+  double excess = 0.0;
+  CollisionShape shape = make_rings(body, tangent_rings(body, &excess));
+  shape.excess += excess;
+  return shape;
+}
+
+// A hyperbola's chords lie outside it, by Δz²/8 times its largest second derivative, 1/c², at most.
+std::vector<CollisionShape> waisted(const Body& body) {
+  const double length = body.z_max - body.z_min, most = std::max(body.a, body.b);
+  const double wanted = length / body.c * std::sqrt(most / (8.0 * kSagitta));
+  const int count = static_cast<int>(std::clamp(std::ceil(wanted), 2.0, 16.0));
+  const double step = length / count;
+  std::vector<CollisionShape> pieces;
+  for (int i = 0; i < count; ++i) {
+    const double low = body.z_min + i * step, high = i + 1 < count ? low + step : body.z_max;
+    pieces.push_back(make_rings(body, {{low, body.scale(low)}, {high, body.scale(high)}}));
+    pieces.back().excess += most * step * step / (8.0 * body.c * body.c);
+  }
+  return pieces;
 }
 
 bool whole_cone(const Body& body) {
@@ -141,63 +121,36 @@ bool whole_cone(const Body& body) {
   return body.a == body.b && near < 1e-9;
 }
 
-CollisionShape body_shape(const Body& body) {
+CollisionShape convex_shape(const Body& body) {
   if (body.profile == Profile::kEllipse) return round_shape(body);
   if (body.profile == Profile::kConstant && body.a == body.b) return cylinder_shape(body);
   if (body.profile == Profile::kLinear && whole_cone(body)) return cone_shape(body);
-  if (body.profile == Profile::kBox) return box_shape(body.X_CQ, body.bounds_Q());
-  if (body.profile == Profile::kHyperbola) {
-    const double s = std::max(body.scale(body.z_min), body.scale(body.z_max));
-    return ring_shape(body, {{body.z_min, s}, {body.z_max, s}});
-  }
-  return ring_shape(body, enclosing_rings(body));
-}
-
-CollisionShape plane_shape(const Detection& d) {
-  Eigen::AlignedBox3d box = d.extent_Q;
-  const double thickness = std::clamp(0.25 * box.sizes().head<2>().minCoeff(), 0.01, 0.1);
-  box.max().z() = 0.0;
-  box.min().z() = -thickness;
-  return box_shape(d.X_CQ, box);
-}
-
-std::vector<CollisionShape> split(const Body& body) {
-  if (body.profile != Profile::kHyperbola) return {body_shape(body)};
-  constexpr int kPieces = 8;
-  std::vector<CollisionShape> pieces;
-  for (int i = 0; i < kPieces; ++i) {
-    const double step = (body.z_max - body.z_min) / kPieces;
-    const double z = body.z_min + i * step;
-    // A hyperbola's chords lie outside it.
-    pieces.push_back(ring_shape(body, {{z, body.scale(z)}, {z + step, body.scale(z + step)}}));
-  }
-  return pieces;
+  if (body.profile == Profile::kBox) return make_box(body.X_CQ, body.bounds_Q());
+  return polyhedron(body);
 }
 
 }  // namespace
 
-std::optional<CollisionShape> make_shape(const Detection& detection, std::string* why) {
-  std::optional<CollisionShape> shape;
-  if (detection.type == QuadricType::kPlane) {
-    const Eigen::Vector3d sides = detection.extent_Q.sizes();
-    if (detection.X_CQ.matrix().allFinite() && sides.allFinite() && sides.x() > 0.0 &&
-        sides.y() > 0.0) {
-      shape = plane_shape(detection);
-    } else if (why) {
-      *why = "plane has no finite, positive size";
-    }
-  } else if (const std::optional<Body> body = make_body(detection, why)) {
-    shape = body_shape(*body);
+std::vector<CollisionShape> make_shapes(const Detection& detection, std::string* why) {
+  std::vector<CollisionShape> shapes;
+  std::string reason;
+  if (const std::optional<Body> body = make_body(detection, &reason)) {
+    shapes = make_pieces(*body);
+  } else if (!is_imaginary(detection.type)) {
+    shapes = make_patch(detection, &reason);
   }
-  if (shape) {
-    shape->target = detection.id;
-    shape->geometry->computeLocalAABB();
+  if (shapes.empty() && why) *why = reason;
+  for (CollisionShape& shape : shapes) {
+    shape.target = detection.id;
+    shape.geometry->computeLocalAABB();
   }
-  return shape;
+  return shapes;
 }
 
 std::vector<CollisionShape> make_pieces(const Body& body) {
-  std::vector<CollisionShape> pieces = split(body);
+  std::vector<CollisionShape> pieces = body.profile == Profile::kHyperbola
+                                           ? waisted(body)
+                                           : std::vector<CollisionShape>{convex_shape(body)};
   for (CollisionShape& piece : pieces) piece.geometry->computeLocalAABB();
   return pieces;
 }

@@ -1,9 +1,9 @@
-#include <fcl/geometry/shape/convex.h>
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
+#include "polyhedron.hpp"
 #include "quadrille/grasping/rim.hpp"
 
 namespace quadrille {
@@ -14,24 +14,6 @@ constexpr int kSectors = 24;
 constexpr int kMostSlices = 8;
 // Height of a slice: the sagitta of a bowl of 70 mm over it is 0.2 mm [m].
 constexpr double kSlice = 0.01;
-
-// Corners 0 to 3 at the lower height, 4 to 7 at the upper; of each, inner then outer, at one angle
-// then at the other.
-CollisionShape block(const std::vector<Eigen::Vector3d>& corners, const Eigen::Isometry3d& X_CQ) {
-  CollisionShape shape;
-  shape.kind = "convex";
-  shape.X_CS = X_CQ;
-  shape.vertices_S = corners;
-  constexpr int kFaces[12][3] = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                                 {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
-  for (const auto& face : kFaces)
-    shape.faces.insert(shape.faces.end(), {3, face[0], face[1], face[2]});
-  shape.geometry = std::make_shared<fcl::Convexd>(
-      std::make_shared<const std::vector<Eigen::Vector3d>>(shape.vertices_S), 12,
-      std::make_shared<const std::vector<int>>(shape.faces));
-  shape.geometry->computeLocalAABB();
-  return shape;
-}
 
 // A cell of the wall between two angles and two heights.
 struct Cell {
@@ -64,14 +46,15 @@ double sagitta(const Shell& shell, const Cell& cell, double off, double side) {
 
 // The corners of the cell, moved out by the sagitta of either side, over the least cosine between
 // the normals of corners and middle that cells of 15° have.
-std::vector<Eigen::Vector3d> corners(const Shell& shell, const Cell& cell) {
+std::array<Eigen::Vector3d, 8> corners(const Shell& shell, const Cell& cell) {
   constexpr double kCosine = 0.95;
   const double low = shell.inner() - sagitta(shell, cell, shell.inner(), -1.0) / kCosine;
   const double high = shell.outer() + sagitta(shell, cell, shell.outer(), 1.0) / kCosine;
-  std::vector<Eigen::Vector3d> points;
+  std::array<Eigen::Vector3d, 8> points;
+  std::size_t n = 0;
   for (const double z : {cell.z0, cell.z1}) {
     for (const double angle : {cell.angle0, cell.angle1}) {
-      for (const double off : {low, high}) points.push_back(wall_point(shell, angle, z, off));
+      for (const double off : {low, high}) points[n++] = wall_point(shell, angle, z, off);
     }
   }
   return points;
@@ -91,7 +74,7 @@ std::vector<CollisionShape> make_wall(const Shell& shell) {
   for (int i = 0; i < slices; ++i) {
     const double z0 = body.z_min + height * i / slices, z1 = body.z_min + height * (i + 1) / slices;
     for (int k = 0; k < kSectors; ++k) {
-      pieces.push_back(block(corners(shell, {k * turn, (k + 1) * turn, z0, z1}), body.X_CQ));
+      pieces.push_back(make_block(corners(shell, {k * turn, (k + 1) * turn, z0, z1}), body.X_CQ));
     }
   }
   return pieces;

@@ -92,11 +92,11 @@ TEST_CASE("collision shapes keep their sizes, vertices and faces", "[planner][me
 }
 
 TEST_CASE("OctoMap reads the occupancy back: free, occupied and unknown", "[planner][messages]") {
-  GraspPlan plan;
-  plan.occupancy = std::make_shared<octomap::OcTree>(0.05);
-  plan.occupancy->updateNode(octomap::point3d(0.12f, 0.22f, 0.32f), true);
-  plan.occupancy->updateNode(octomap::point3d(0.12f, 0.22f, 0.92f), false);
-  const occupancy_t got = send(make_occupancy_message(make_cloud(), plan));
+  OccupancyGrid space({Eigen::Vector3d::Constant(0.01), Eigen::Vector3d::Constant(0.79)}, 0.05);
+  PointCloud cloud;
+  cloud.points = {{0.12f, 0.22f, 0.32f}};
+  space.add_rays(cloud, {{0.12, 0.22, 0.38}});
+  const occupancy_t got = send(make_occupancy_message(make_cloud(), &space));
   CHECK(got.resolution == 0.05);
   CHECK(got.num_occupied == 1);
   CHECK(got.num_free == 1);
@@ -105,7 +105,7 @@ TEST_CASE("OctoMap reads the occupancy back: free, occupied and unknown", "[plan
   REQUIRE(tree.readBinary(stream));
   CHECK(tree.getResolution() == 0.05);
   const auto* occupied = tree.search(0.12, 0.22, 0.32);
-  const auto* free = tree.search(0.12, 0.22, 0.92);
+  const auto* free = tree.search(0.12, 0.22, 0.37);
   REQUIRE(occupied);
   REQUIRE(free);
   CHECK(tree.isNodeOccupied(occupied));
@@ -113,8 +113,8 @@ TEST_CASE("OctoMap reads the occupancy back: free, occupied and unknown", "[plan
   CHECK(tree.search(1.0, 1.0, 1.0) == nullptr);
 }
 
-TEST_CASE("a plan without occupancy gives a message without data", "[planner][messages]") {
-  const occupancy_t got = send(make_occupancy_message(make_cloud(), {}));
+TEST_CASE("a plan without a map gives a message without data", "[planner][messages]") {
+  const occupancy_t got = send(make_occupancy_message(make_cloud(), nullptr));
   CHECK(got.data.empty());
   CHECK(got.num_free == 0);
 }

@@ -4,25 +4,127 @@
 
 #include <algorithm>
 
+#include "exact_overlap.hpp"
 #include "mapped_scene.hpp"
 #include "quadrille/grasping/collision.hpp"
+#include "random_box.hpp"
 #include "support/catch.hpp"
+#include "support/rounds.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
 
 namespace {
 
-OrientedBox random_box(std::mt19937& random) {
-  OrientedBox box;
-  box.R_CB = random_rotation(random);
-  box.p_CB =
-      random_point(random, {Eigen::Vector3d(-0.1, -0.1, 0.7), Eigen::Vector3d(0.1, 0.1, 0.9)});
-  for (int i = 0; i < 3; ++i) box.half[i] = uniform(random, 0.002, 0.03);
-  return box;
+const Eigen::AlignedBox3d kAround(Eigen::Vector3d(-0.1, -0.1, 0.7), Eigen::Vector3d(0.1, 0.1, 0.9));
+
+// A cube of a grid as a solid.
+CollisionShape cube(const Eigen::Vector3d& centre) {
+  CollisionShape shape;
+  shape.kind = "box";
+  shape.dimensions.assign(3, kResolution);
+  shape.X_CS.translation() = centre;
+  return shape;
+}
+
+bool meets(const OrientedBox& box, const CollisionShape& voxel) {
+  const double reach = box.half.norm() + kResolution;
+  if ((voxel.X_CS.translation() - box.p_CB).squaredNorm() > reach * reach) return false;
+  return ExactSolid(voxel).meets(box);
+}
+
+// The voxels around a box for which holds(state).
+template <class Holds>
+bool meets_any(const OrientedBox& box, const OccupancyGrid& grid, Holds&& holds) {
+  const Eigen::Array3d scale = Eigen::Array3d::Constant(1.0 / kResolution);
+  const auto voxel = [&](const Eigen::Vector3d& p) {
+    return Eigen::Vector3i((p.array() * scale).floor().cast<int>().matrix() - grid.corner());
+  };
+  const Eigen::Vector3i low = voxel(box.p_CB - box.reach()), high = voxel(box.p_CB + box.reach());
+  for (int k = low.z(); k <= high.z(); ++k) {
+    for (int j = low.y(); j <= high.y(); ++j) {
+      for (int i = low.x(); i <= high.x(); ++i) {
+        const bool outside = (Eigen::Array3i(i, j, k) < 0).any() ||
+                             (Eigen::Array3i(i, j, k) >= grid.size().array()).any();
+        if (!holds(outside ? Voxel::kUnknown : grid.at(i, j, k))) continue;
+        if (meets(box, cube(grid.centre(i, j, k)))) return true;
+      }
+    }
+  }
+  return false;
+}
+
+// Single voxels and small heaps of them, far between.
+PointCloud scattered(std::mt19937& random) {
+  PointCloud cloud;
+  for (int n = 0; n < 40; ++n) {
+    const Eigen::Vector3d p = random_point(random, kRegion);
+    const int heap = random() % 3 ? 1 : 3;
+    for (int m = 0; m < heap * heap * heap; ++m) {
+      const Eigen::Vector3d step(m % heap, m / heap % heap, m / heap / heap);
+      cloud.points.push_back((p + kResolution * step).cast<float>());
+    }
+  }
+  cloud.viewpoint.setConstant(std::nan(""));  // no view: nothing is free
+  return cloud;
 }
 
 }  // namespace
+
+TEST_CASE("no overlap of a box and a voxel is missed, nor one told that is none",
+          "[occupancy][collision]") {
+  std::mt19937 random(14);
+  int hits = 0;
+  for (int n = 0; n < 4 * rounds(); ++n) {
+    const PointCloud cloud = scattered(random);
+    const OccupancyGrid grid(cloud, DepthView(cloud), kRegion, kResolution);
+    const ObstacleMap map(grid, false);
+    const auto occupied = [](Voxel state) { return state == Voxel::kOccupied; };
+    const auto judge = [&](const OrientedBox& box) {
+      const bool hit = map.collides(box) != Hit::kNone;
+      hits += hit;
+      if (!hit) REQUIRE_FALSE(meets_any(box.inflated(-2e-9), grid, occupied));
+      if (hit) REQUIRE(meets_any(box.inflated(2e-9), grid, occupied));
+    };
+    for (int k = 0; k < 50; ++k) {
+      // A box that just touches one voxel, as far as others let it, a little more or less.
+      OrientedBox box = random_box(random, kRegion);
+      const Eigen::Vector3d p = cloud.points[random() % cloud.points.size()].cast<double>();
+      const CollisionShape voxel =
+          cube(((p / kResolution).array().floor() + 0.5).matrix() * kResolution);
+      box.p_CB = voxel.X_CS.translation();
+      const Eigen::Vector3d d = random() % 2 ? Eigen::Vector3d(random_rotation(random).col(0))
+                                             : Eigen::Vector3d::Unit(random() % 3);
+      const Eigen::Vector3d away = touching(ExactSolid(voxel), box, d) * d;
+      for (const double gap : {-1e-3, -1e-5, -1e-6, -1e-7, -1e-8, 1e-8, 1e-7, 1e-6, 1e-5, 1e-3}) {
+        judge({box.R_CB, box.p_CB + away + gap * d, box.half});
+      }
+      for (int m = 0; m < 10; ++m) judge(random_box(random, kRegion));
+    }
+  }
+  CHECK(hits > 500 * rounds());
+}
+
+TEST_CASE("unknown space, and all beyond the map, stops a box exactly if the policy says so",
+          "[occupancy][collision][policy]") {
+  const Scene scene;
+  const ObstacleMap map(scene.grid, true);
+  const auto blocks = [](Voxel state) { return state != Voxel::kFree; };
+  std::mt19937 random(15);
+  int hits = 0, misses = 0;
+  Eigen::AlignedBox3d region = kRegion;
+  region.max() += Eigen::Vector3d::Constant(0.02);
+  for (int n = 0; n < 1500 * rounds(); ++n) {
+    OrientedBox box = random_box(random, region);
+    box.half *= 0.4;
+    const bool hit = map.collides(box) != Hit::kNone;
+    ++(hit ? hits : misses);
+    if (!hit) REQUIRE_FALSE(meets_any(box.inflated(-2e-9), scene.grid, blocks));
+    if (hit) REQUIRE(meets_any(box.inflated(2e-9), scene.grid, blocks));
+  }
+  CHECK(hits > 100);
+  CHECK(misses > 100);
+}
 
 TEST_CASE("the box test agrees with FCL on the octree", "[occupancy][collision]") {
   const Scene scene;
@@ -32,7 +134,7 @@ TEST_CASE("the box test agrees with FCL on the octree", "[occupancy][collision]"
   std::mt19937 random(9);
   int hits = 0;
   for (int n = 0; n < 3000; ++n) {
-    const OrientedBox box = random_box(random);
+    const OrientedBox box = random_box(random, kAround);
     const bool hit = occupied.collides(box) != Hit::kNone;
     REQUIRE(hit == overlaps(box, tree));
     REQUIRE((blocked.collides(box) != Hit::kNone) == overlaps(box, solid));
@@ -77,7 +179,7 @@ TEST_CASE("no box that holds an occupied voxel's centre is told free", "[occupan
   }
   std::mt19937 random(10);
   for (int n = 0; n < 1000; ++n) {
-    const OrientedBox box = random_box(random);
+    const OrientedBox box = random_box(random, kAround);
     const bool holds = std::any_of(centres.begin(), centres.end(),
                                    [&](const Eigen::Vector3d& c) { return box.contains(c); });
     if (holds) REQUIRE(map.collides(box) == Hit::kOccupied);
@@ -94,7 +196,7 @@ TEST_CASE("policies are ordered: free space grows from obstacle to shadow to fre
   std::mt19937 random(11);
   int between = 0, above = 0;
   for (int n = 0; n < 4000; ++n) {
-    OrientedBox box = random_box(random);
+    OrientedBox box = random_box(random, kAround);
     box.half *= 0.3;
     const bool a = obstacle.collides(box) != Hit::kNone, b = shadow.collides(box) != Hit::kNone;
     const bool c = free.collides(box) != Hit::kNone;

@@ -6,6 +6,7 @@
 
 #include "mapped_scene.hpp"
 #include "quadrille/grasping/collision.hpp"
+#include "seen_space.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;
@@ -53,6 +54,39 @@ TEST_CASE("a voxel is free exactly if every ray through it passes", "[occupancy]
   }
   CHECK(free > 30);
   CHECK(hidden > 30);
+}
+
+TEST_CASE("no voxel is wrong against every ray of the image", "[occupancy]") {
+  const Scene scene;
+  const Wrong wrong = compare(scene.grid, scene.view);
+  CHECK(wrong.free == 0);
+  CHECK(wrong.unknown == 0);
+  CHECK(wrong.undecided < 300);  // rays along the diagonal of the image graze edges
+  CHECK(wrong.right_free > 20000);
+}
+
+TEST_CASE("nor is one with missing pixels, a turned camera or gaps that are filled",
+          "[occupancy]") {
+  Scene scene;
+  std::mt19937 random(12);
+  for (Eigen::Vector3f& p : scene.cloud.points) {
+    if (random() % 12 == 0) p.setConstant(std::nanf(""));
+  }
+  const bool turned = GENERATE(false, true);
+  const Eigen::Isometry3d X = turned ? random_pose(random) : Eigen::Isometry3d::Identity();
+  for (Eigen::Vector3f& p : scene.cloud.points) p = X.cast<float>() * p;
+  scene.cloud.viewpoint = X.translation();
+  Eigen::AlignedBox3d region;
+  for (int n = 0; n < 8; ++n) {
+    region.extend(X * kRegion.corner(static_cast<Eigen::AlignedBox3d::CornerType>(n)));
+  }
+  const DepthView view(scene.cloud, 0.09, kResolution);
+  const OccupancyGrid grid(scene.cloud, view, region, kResolution);
+  const Wrong wrong = compare(grid, view);
+  CHECK(wrong.free == 0);
+  CHECK(wrong.unknown == 0);
+  CHECK(wrong.undecided < 300);
+  CHECK(wrong.right_free > 10000);
 }
 
 TEST_CASE("voxels near surfaces are as conservative as those in the open", "[occupancy]") {
@@ -179,4 +213,80 @@ TEST_CASE("a region beyond the map's range is refused", "[occupancy][hostile]") 
   const Eigen::AlignedBox3d far(Eigen::Vector3d::Constant(1e6), Eigen::Vector3d::Constant(1e6 + 1));
   CHECK_THROWS_AS(OccupancyGrid(empty, view, far, 0.005), std::invalid_argument);
   CHECK_THROWS_AS(OccupancyGrid(empty, view, far, 0.0), std::invalid_argument);
+}
+
+TEST_CASE("two views fused are free where one is, and occupied where one is", "[occupancy][fuse]") {
+  const Scene scene;
+  Scene other;  // the same balls from the side
+  const Eigen::Isometry3d turn = Eigen::Translation3d(0, 0, 0.8) *
+                                 Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY()) *
+                                 Eigen::Translation3d(0, 0, -0.8);
+  std::vector<Ball> balls = scene.balls;
+  for (Ball& ball : balls) ball.p_C = turn.inverse() * ball.p_C;
+  other.cloud = render(balls);
+  for (Eigen::Vector3f& p : other.cloud.points) p = turn.cast<float>() * p;
+  other.cloud.viewpoint = turn.translation();
+  const DepthView view(other.cloud);
+  const OccupancyGrid alone(other.cloud, view, kRegion, kResolution);
+  const bool first = GENERATE(true, false);  // in either order
+  OccupancyGrid both(kRegion, kResolution);
+  if (first) both.add(scene.cloud, scene.view);
+  both.add(other.cloud, view);
+  if (!first) both.add(scene.cloud, scene.view);
+  int gained = 0;
+  for (std::size_t n = 0; n < both.states().size(); ++n) {
+    REQUIRE(both.states()[n] == std::max(scene.grid.states()[n], alone.states()[n]));
+    gained += both.states()[n] == Voxel::kFree && scene.grid.states()[n] == Voxel::kUnknown;
+  }
+  CHECK(gained > 500);
+  CHECK_THROWS_AS(both.add(scene.cloud, DepthView(PointCloud())), std::invalid_argument);
+}
+
+TEST_CASE("rays from many viewpoints free what they pass and occupy where they end",
+          "[occupancy][fuse]") {
+  std::mt19937 random(13);
+  PointCloud cloud;
+  std::vector<Eigen::Vector3d> origins;
+  const Eigen::AlignedBox3d around(Eigen::Vector3d(-0.3, -0.3, 0.5),
+                                   Eigen::Vector3d(0.3, 0.3, 1.1));
+  for (int n = 0; n < 60; ++n) {
+    cloud.points.push_back(random_point(random, n % 3 ? kRegion : around).cast<float>());
+    origins.push_back(n % 4 ? random_point(random, around)
+                            : Eigen::Vector3d(cloud.points[n].cast<double>() +
+                                              0.4 * Eigen::Vector3d::Unit(n % 3)));
+  }
+  OccupancyGrid grid(kRegion, kResolution);
+  grid.add_rays(cloud, origins);
+  const auto passed = [&](const Eigen::Vector3d& centre, double half) {
+    for (std::size_t n = 0; n < origins.size(); ++n) {
+      const Eigen::Vector3d way = cloud.points[n].cast<double>() - origins[n];
+      double enter = 0.0, leave = 1.0;
+      for (int i = 0; i < 3; ++i) {
+        const double a = (centre[i] - half - origins[n][i]) / way[i];
+        const double b = (centre[i] + half - origins[n][i]) / way[i];
+        if (way[i] == 0.0 && std::abs(origins[n][i] - centre[i]) > half) leave = -1.0;
+        if (way[i] == 0.0) continue;
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+      }
+      if (enter <= leave) return true;
+    }
+    return false;
+  };
+  int free = 0, occupied = 0;
+  for (int k = 0; k < grid.size().z(); ++k) {
+    for (int j = 0; j < grid.size().y(); ++j) {
+      for (int i = 0; i < grid.size().x(); ++i) {
+        const Eigen::Vector3d c = grid.centre(i, j, k);
+        const Voxel state = grid.at(i, j, k);
+        free += state == Voxel::kFree;
+        occupied += state == Voxel::kOccupied;
+        if (state == Voxel::kUnknown) REQUIRE_FALSE(passed(c, 0.5 * kResolution - 1e-9));
+        if (state != Voxel::kUnknown) REQUIRE(passed(c, 0.5 * kResolution + 1e-9));
+      }
+    }
+  }
+  CHECK(free > 1000);
+  CHECK(occupied > 30);
+  CHECK_THROWS_AS(grid.add_rays(cloud, {}), std::invalid_argument);
 }

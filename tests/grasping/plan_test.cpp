@@ -65,7 +65,7 @@ TEST_CASE("a ball on a table is grasped across its diameter", "[plan]") {
   CHECK(best.epsilon > 0.0);
   CHECK(((best.contacts_C[0] + best.contacts_C[1]) / 2 - ball.p_C).norm() < 1e-9);
   CHECK(best.X_CG.linear().determinant() == Approx(1.0));
-  CHECK(plan.occupancy->size() > 0);
+  CHECK(!plan.space->states().empty());
   CHECK(plan.shapes.size() == 2);
 }
 
@@ -202,7 +202,7 @@ TEST_CASE("without detections there is nothing to grasp and no failure", "[plan]
   const GraspPlan plan = plan_grasps(render({}), {}, franka_hand());
   CHECK(plan.grasps.empty());
   CHECK(plan.shapes.empty());
-  REQUIRE(plan.occupancy);
+  REQUIRE(plan.space);
   CHECK(plan.total_ms > 0.0);
 }
 

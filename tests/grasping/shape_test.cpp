@@ -1,11 +1,17 @@
 #include "quadrille/grasping/shape.hpp"
 
-#include <algorithm>
+#include <fcl/geometry/collision_geometry.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "clipped_surface.hpp"
 #include "quadrille/grasping/body.hpp"
 #include "quadrille/grasping/collision.hpp"
 #include "scenes.hpp"
 #include "support/catch.hpp"
+#include "support/rounds.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -20,6 +26,19 @@ OrientedBox random_box(std::mt19937& random, const Eigen::AlignedBox3d& around) 
   return box;
 }
 
+// Points all over a shape's inside, and its corners, in frame C.
+std::vector<Eigen::Vector3d> points_of(const CollisionShape& shape, std::mt19937& random) {
+  std::vector<Eigen::Vector3d> points;
+  for (const Eigen::Vector3d& v : shape.vertices_S) points.push_back(shape.X_CS * v);
+  const Eigen::Vector3d low = shape.geometry->aabb_local.min_;
+  const Eigen::AlignedBox3d box(low, Eigen::Vector3d(shape.geometry->aabb_local.max_));
+  for (int n = 0; n < 40; ++n) {
+    const Eigen::Vector3d p = shape.X_CS * random_point(random, box);
+    if (holds(shape, p)) points.push_back(p);
+  }
+  return points;
+}
+
 Eigen::AlignedBox3d grown(Eigen::AlignedBox3d box, double r) {
   box.min().array() -= r;
   box.max().array() += r;
@@ -28,21 +47,36 @@ Eigen::AlignedBox3d grown(Eigen::AlignedBox3d box, double r) {
 
 }  // namespace
 
-TEST_CASE("each solid's shape holds all points of its body", "[shape]") {
+TEST_CASE("each type's shapes hold all of the surface within its extent, and no more than they say",
+          "[shape]") {
   std::mt19937 random(1);
-  for (Detection d : solid_detections()) {
-    d.X_CQ = random_pose(random);
-    const Body body = make_body(d).value();
-    const CollisionShape shape = make_shape(d).value();
-    CAPTURE(to_string(d.type), shape.kind);
-    int inside = 0;
-    for (int n = 0; n < 2000; ++n) {
-      const Eigen::Vector3d p = random_point(random, body.bounds_C());
-      if (!body.contains(p, -1e-5)) continue;
-      ++inside;
-      REQUIRE(overlaps({Eigen::Matrix3d::Identity(), p, Eigen::Vector3d::Constant(1e-4)}, shape));
+  for (const QuadricType type : all_quadric_types()) {
+    if (is_imaginary(type)) continue;
+    int points = 0;
+    for (int n = 0; n < 12 * rounds(); ++n) {
+      ClippedSurface surface(type, random);
+      const std::vector<CollisionShape> shapes = make_shapes(surface.detection());
+      CAPTURE(to_string(type), n, shapes.size());
+      REQUIRE_FALSE(shapes.empty());
+      for (const Eigen::Vector3d& p : surface.sample(150)) {
+        ++points;
+        REQUIRE(std::any_of(shapes.begin(), shapes.end(),
+                            [&](const CollisionShape& shape) { return holds(shape, p); }));
+      }
+      for (const CollisionShape& shape : shapes) {
+        for (const Eigen::Vector3d& p : points_of(shape, random)) {
+          REQUIRE(surface.distance(p) <= shape.excess + 2e-9);
+        }
+      }
     }
-    CHECK(inside > 150);
+    CAPTURE(to_string(type));
+    CHECK(points > 300 * rounds());
+  }
+}
+
+TEST_CASE("polyhedra stand off by less than a millimetre from bodies of a hand's size", "[shape]") {
+  for (const Detection& d : solid_detections()) {
+    for (const CollisionShape& shape : make_shapes(d)) CHECK(shape.excess < 0.0006);
   }
 }
 
@@ -91,16 +125,16 @@ TEST_CASE("the pieces of a waisted body leave its waist open", "[shape]") {
     const OrientedBox beside{
         Eigen::Matrix3d::Identity(), {0.0295, 0, 0}, Eigen::Vector3d::Constant(0.002)};
     for (const CollisionShape& piece : make_pieces(body)) CHECK_FALSE(overlaps(beside, piece));
-    CHECK(overlaps(beside, make_shape(d).value()));
+    for (const CollisionShape& shape : make_shapes(d)) CHECK_FALSE(overlaps(beside, shape));
   }
 }
 
 TEST_CASE("round solids have native shapes in FCL's order", "[shape]") {
-  const CollisionShape sphere = make_shape(sphere_detection({{0, 0, 1}, 0.03})).value();
+  const CollisionShape sphere = make_shapes(sphere_detection({{0, 0, 1}, 0.03})).at(0);
   CHECK(sphere.kind == "sphere");
   CHECK(sphere.dimensions == std::vector<double>{0.03});
   const CollisionShape cylinder =
-      make_shape(cylinder_detection(Eigen::Isometry3d::Identity(), 0.02, 0.1, 7)).value();
+      make_shapes(cylinder_detection(Eigen::Isometry3d::Identity(), 0.02, 0.1, 7)).at(0);
   CHECK(cylinder.kind == "cylinder");
   CHECK(cylinder.dimensions == std::vector<double>{0.02, 0.1});
   CHECK(cylinder.target == 7);
@@ -108,7 +142,7 @@ TEST_CASE("round solids have native shapes in FCL's order", "[shape]") {
 
 TEST_CASE("a plane is a slab behind the side that was seen", "[shape]") {
   const Detection table = table_detection();
-  const CollisionShape slab = make_shape(table).value();
+  const CollisionShape slab = make_shapes(table).at(0);
   CHECK(slab.kind == "box");
   const auto at = [&](double z) {
     return OrientedBox{Eigen::Matrix3d::Identity(), table.X_CQ * Eigen::Vector3d(0.1, 0.1, z),
@@ -118,13 +152,14 @@ TEST_CASE("a plane is a slab behind the side that was seen", "[shape]") {
   CHECK_FALSE(overlaps(at(0.01), slab));
 }
 
-TEST_CASE("a type that bounds no solid gets a reason", "[shape]") {
+TEST_CASE("a detection without an extent, and an imaginary one, get a reason and no shape",
+          "[shape]") {
   for (const QuadricType type : all_quadric_types()) {
     Detection d;
     d.type = type;
     d.dimensions = {{"a", 0.03, 0}, {"b", 0.03, 0}, {"c", 0.03, 0}};
     std::string why;
-    const bool shaped = make_shape(d, &why).has_value();  // its extent is empty
+    const bool shaped = !make_shapes(d, &why).empty();  // its extent is empty
     const bool closed = type == QuadricType::kSphere || type == QuadricType::kEllipsoid;
     CAPTURE(to_string(type));
     CHECK(shaped == closed);
@@ -141,7 +176,7 @@ TEST_CASE("detections with impossible sizes have no body", "[shape][hostile]") {
       const auto body = make_body(d);
       CAPTURE(size, to_string(d.type));
       if (body) CHECK(body->bounds_Q().sizes().allFinite());
-      CHECK_NOTHROW(make_shape(d));
+      CHECK_NOTHROW(make_shapes(d));
     }
   }
 }

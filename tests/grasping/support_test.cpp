@@ -30,21 +30,3 @@ TEST_CASE("a support holds off what is below it only as far as it reaches",
   }
   CHECK(inside > 100);
 }
-
-TEST_CASE("a width is as uncertain as the semi-axes that its direction goes along", "[body]") {
-  Detection d = solid_detections()[1];
-  REQUIRE(d.type == QuadricType::kEllipsoid);
-  d.dimensions[2].std = 0.004;
-  const Body body = make_body(d).value();
-  CHECK(body.width_std(Eigen::Vector3d::UnitX(), 0.0) == Approx(0.0).margin(1e-12));
-  CHECK(body.width_std(Eigen::Vector3d::UnitZ(), 0.0) == Approx(0.004));
-  // Against the difference of two bodies, oblique.
-  const Eigen::Vector3d dir = Eigen::Vector3d(1, 2, 3).normalized();
-  const auto half = [&](double c) {
-    return Eigen::Vector3d(body.a, body.b, c).cwiseProduct(dir).norm();
-  };
-  const double slope = (half(body.c + 1e-6) - half(body.c - 1e-6)) / 2e-6;
-  CHECK(body.width_std(dir, 0.0) == Approx(0.004 * slope).epsilon(1e-4));
-  d.dimensions[2].std = std::numeric_limits<double>::infinity();
-  CHECK(make_body(d).value().width_std(Eigen::Vector3d::UnitZ(), 0.0) == Approx(0.01));
-}

@@ -1,12 +1,18 @@
 #include "quadrille/plan_command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fstream>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/detector_arguments.hpp"
 #include "cli/planner_arguments.hpp"
 #include "io/config.hpp"
+#include "io/file_bytes.hpp"
+#include "io/new_file.hpp"
+#include "io/octree_bytes.hpp"
 #include "picture/picture.hpp"
 #include "picture/png.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -21,7 +27,8 @@ namespace quadrille {
 namespace {
 
 struct PlanArguments {
-  std::string input, json, picture;
+  std::string input, json, picture, map;
+  std::vector<std::string> views;
   DetectorArguments detector;
   PlannerArguments planner;
 };
@@ -33,24 +40,46 @@ PlanOptions plan_options(const PlanArguments& arguments) {
   return options;
 }
 
+std::vector<PointCloud> read_views(const std::vector<std::string>& paths) {
+  std::vector<PointCloud> views;
+  for (const std::string& path : paths) {
+    const auto [view, warnings] = read_single_cloud(path);
+    print_warnings(path, warnings);
+    views.push_back(view.cloud);
+  }
+  return views;
+}
+
+void write_map(const std::string& path, const OccupancyGrid& space, io::NewFile& file) {
+  std::ofstream stream(file.path(), std::ios::binary);
+  stream << io::octree_bytes(*space.to_octree());
+  stream.close();
+  if (!stream) throw io::FileError(path, "", "cannot be written; check the space left");
+  file.commit();
+}
+
 void run(const PlanArguments& arguments) {
   const DetectorOptions detector_options = arguments.detector.options();
   print_warnings(arguments.detector.config, arguments.detector.warnings());
   const Gripper gripper = arguments.planner.gripper();
   const PlanOptions options = plan_options(arguments);
   JsonLines json(arguments.json);
+  std::optional<io::NewFile> map;
+  if (!arguments.map.empty()) map.emplace(arguments.map);
   const auto [input, warnings] = read_single_cloud(arguments.input);
   print_warnings(arguments.input, warnings);
   const DetectionResult result = detect(input.cloud, detector_options);
   // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(result.detections);
-  const GraspPlan plan = plan_grasps(input.cloud, detections, gripper, options);
+  const GraspPlan plan =
+      plan_grasps(input.cloud, detections, gripper, options, read_views(arguments.views));
   json.write(io::plan_json(input.info, result, plan));
   json.finish();
   if (!json.owns_stdout())
     print(detection_table(input.info, result) + grasp_table(plan, options.unknown));
   print_warnings(input.info.input, result.warnings);
   print_warnings(input.info.input, plan.warnings);
+  if (map) write_map(arguments.map, *plan.space, *map);
   if (arguments.picture.empty()) return;
   write_png(arguments.picture,
             draw_picture({input.info.input, input.cloud, result, &plan, &gripper}));
@@ -65,6 +94,10 @@ void add_plan_command(CLI::App& app) {
       ->required();
   arguments->planner.add_to(*command, "");
   command->add_option("--json", arguments->json, "Write JSON; - is stdout")->type_name("FILE|-");
+  command->add_option("--view", arguments->views, "More views of the same scene, in its frame")
+      ->type_name("CLOUD");
+  command->add_option("--map", arguments->map, "Write free and occupied space as an OctoMap")
+      ->type_name("FILE.bt");
   add_picture_option(*command, arguments->picture, "the cloud, the quadrics and the grasps");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });

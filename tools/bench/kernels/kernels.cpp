@@ -59,7 +59,7 @@ struct Patch {
 
 Patch find_patch() {
   Patch best;
-  for (const bench::TrueSurface& surface : scene_frame().surfaces) {
+  for (const scoring::TrueSurface& surface : scene_frame().surfaces) {
     if (!surface.curved) continue;
     const Eigen::Isometry3d X_SC = surface.X_CS.inverse();
     Patch patch{surface.Q_C, {}};

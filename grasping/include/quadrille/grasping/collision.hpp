@@ -25,6 +25,9 @@ struct SupportPlane {
   bool meets(const OrientedBox& box, double margin) const;
 };
 
+/// No clearance is looked for beyond this [m].
+inline constexpr double kFarthestClearance = 0.032;
+
 /// What stops a hand.
 enum class Obstruction {
   kSupport,    ///< a plane that the target stands on
@@ -51,11 +54,14 @@ struct CollisionScene {
   /// The same for the fingers and their closing.
   std::optional<Obstruction> finger_obstruction(const SweptHand& hand) const;
   /// How far the hand may be inflated before it runs into anything but the target, found by
-  /// bisection to within 1 mm and at most 32 mm [m].
+  /// bisection to within 1 mm and at most kFarthestClearance [m].
   double clearance(const SweptHand& hand) const;
 };
 
-/// True if the box and the shape overlap.
+/// False if the shape lies beside the region, for certain.
+bool may_reach(const CollisionShape& shape, const Eigen::AlignedBox3d& region_C);
+
+/// True if the box and the shape overlap, or are but some micrometres apart.
 bool overlaps(const OrientedBox& box, const CollisionShape& shape);
 
 /// FCL's own test of a box against the occupied cells of an octree: the reference for ObstacleMap.

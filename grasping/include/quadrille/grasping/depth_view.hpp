@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -35,6 +36,8 @@ class DepthView {
   const Eigen::Vector3d& p_CV() const { return p_CV_; }
   /// Point of frame C in frame V.
   Eigen::Vector3d to_view(const Eigen::Vector3d& p_C) const { return R_VC_ * (p_C - p_CV_); }
+  /// The axes of C as columns, in frame V.
+  const Eigen::Matrix3d& axes() const { return R_VC_; }
   /// Direction in C through the centre of pixel (u, v), of unit depth.
   Eigen::Vector3d ray_C(int u, int v) const {
     return R_VC_.transpose() * Eigen::Vector3d((u - cu_) * pitch_u_, (v - cv_) * pitch_v_, 1.0);
@@ -47,6 +50,9 @@ class DepthView {
   Eigen::Vector3d reach(double half) const { return half * spread_; }
   /// Bounds of the depth over all pixels whose rays may pass the box p_V ± reach.
   DepthRange range(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
+  /// The same for eight boxes at once, to within 1 µm of the depths asked about.
+  using EightPoints = Eigen::Array<float, 8, 3>;
+  std::array<DepthRange, 8> ranges(const EightPoints& p_V, const Eigen::Vector3d& reach) const;
   /// True if each pixel whose ray passes the cube measured something beyond it.
   bool sees_past(const Eigen::Vector3d& centre_C, double half) const;
   /// True if some of those pixels did not, and holds(p_C) of the point that each of these measured.
@@ -70,6 +76,7 @@ class DepthView {
   template <class Visitor>
   bool all_blockers(const Eigen::Vector3d& centre_C, double half, Visitor&& visit) const;
   Span span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
+  DepthRange range(const Span& span) const;
   /// Column of the nearer measured pixel at the ends of the gap at (u, v); -1 if there is none.
   int nearer_end_of_gap(int u, int v) const;
   bool measured(int u, int v) const {
@@ -87,6 +94,8 @@ class DepthView {
   Eigen::Vector3d p_CV_ = Eigen::Vector3d::Zero();
   int width_ = 0, height_ = 0;
   double pitch_u_ = 1.0, pitch_v_ = 1.0, cu_ = 0.0, cv_ = 0.0;
+  /// Pixels per unit of the tangent.
+  double pixels_u_ = 1.0, pixels_v_ = 1.0;
   std::vector<float> depth_;
   /// For each pixel, whether its depth bounds what a gap may hide, not measured.
   std::vector<std::uint8_t> filled_;

@@ -24,6 +24,10 @@ class ObstacleMap {
   /// @param unknown_blocks  unknown voxels, and all space outside the grid, are obstacles too
   ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks);
 
+  /// The same map of the blocks that the region meets: a copy to be carved at little cost. All
+  /// beyond them counts as outside.
+  ObstacleMap within(const Eigen::AlignedBox3d& region) const;
+
   /// What the box overlaps; touching without overlap is none. If it overlaps both kinds either may
   /// be told, always the same one for the same box.
   Hit collides(const OrientedBox& box) const;
@@ -60,8 +64,12 @@ class ObstacleMap {
                    const Cone& cone, const Eigen::Vector3i& first);
   void refresh(const Range& range);
 
-  double resolution_;
-  bool unknown_blocks_;
+  ObstacleMap() = default;
+
+  double resolution_ = 0.0;
+  bool unknown_blocks_ = false;
+  /// The voxel of the grid that this map begins with.
+  Eigen::Vector3i first_ = Eigen::Vector3i::Zero();
   Eigen::Vector3d corner_;
   std::array<Level, kLevels> levels_;
 };

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "quadrille/detector/point_cloud.hpp"
@@ -14,7 +15,7 @@ class OcTree;
 
 namespace quadrille {
 
-/// State of one voxel.
+/// State of one voxel, the stronger evidence last.
 enum class Voxel : std::uint8_t { kUnknown, kFree, kOccupied };
 
 /// Free, occupied and unknown space of a region, as one dense grid of voxels.
@@ -27,12 +28,29 @@ class OccupancyGrid {
   /// Voxels per edge of the blocks that the grid is made of.
   static constexpr int kBlock = 16;
 
+  /// Unknown space.
   /// @param region      space to map, in frame C [m]; grown to whole blocks
   /// @param resolution  voxel edge [m]
   /// @throws std::invalid_argument if the resolution is not positive or the region leaves OctoMap's
   ///         range of ±32768 voxels
+  OccupancyGrid(const Eigen::AlignedBox3d& region, double resolution);
+  /// What one view shows of it.
   OccupancyGrid(const PointCloud& cloud, const DepthView& view, const Eigen::AlignedBox3d& region,
                 double resolution);
+
+  /// Looks for free space only in blocks that meet one of these boxes from now on, to save time;
+  /// the others stay unknown but for the points in them.
+  void restrict_to(std::vector<Eigen::AlignedBox3d> boxes_C) { boxes_C_ = std::move(boxes_C); }
+  /// Adds what another view of the same scene shows. What any view found occupied stays so; what
+  /// any saw through is free.
+  /// @param view  the view of that cloud
+  /// @throws std::invalid_argument if it is that of another one
+  void add(const PointCloud& cloud, const DepthView& view);
+  /// Adds a cloud without a single viewpoint: each point's voxel is occupied, those that the ray to
+  /// it passes are free. Without pixels it is not known what passes between the rays.
+  /// @param origins_C  for each point where its sensor stood [m]
+  /// @throws std::invalid_argument if there is not one for each point
+  void add_rays(const PointCloud& cloud, const std::vector<Eigen::Vector3d>& origins_C);
 
   double resolution() const { return resolution_; }
   /// Voxels along x, y and z; zero for an empty region.
@@ -61,12 +79,17 @@ class OccupancyGrid {
  private:
   void mark_free(const DepthView& view);
   void mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge);
-  void mark_occupied(const PointCloud& cloud, const DepthView& view);
-  void fill(const Eigen::Vector3i& low, int edge, Voxel state);
+  void mark_eight(const DepthView& view, const Eigen::Vector3i& low, const Eigen::Vector3d& p_V);
+  void mark_occupied(const PointCloud& cloud, const std::vector<std::uint8_t>& stray);
+  bool wanted(const Eigen::Vector3i& block) const;
+  void fill_free(const Eigen::Vector3i& low, int edge);
+  void pass(const Eigen::Vector3d& from_C, const Eigen::Vector3d& to_C);
 
   double resolution_ = 0.0;
   Eigen::Vector3i corner_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
   std::vector<Voxel> states_;
+  /// None: everywhere.
+  std::vector<Eigen::AlignedBox3d> boxes_C_;
 };
 
 }  // namespace quadrille

@@ -11,11 +11,8 @@
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/grasping/gripper.hpp"
+#include "quadrille/grasping/occupancy.hpp"
 #include "quadrille/grasping/shape.hpp"
-
-namespace octomap {
-class OcTree;
-}
 
 namespace quadrille {
 
@@ -78,7 +75,7 @@ struct PlanOptions {
 struct GraspPlan {
   /// Best first.
   std::vector<Grasp> grasps;
-  /// Refused, counted by reason. Detections: "no_shape" (their type bounds no solid),
+  /// Refused, counted by reason. Detections: "no_shape" (they bound no solid),
   /// "seen_from_inside" (a hollow whose rim was not seen). Contact lines: "unmeasured" (no points
   /// at the rim), "width" (wider than the hand opens), "friction" (would slip), "contradicted"
   /// (free space was seen where the surface should be). Approach
@@ -86,10 +83,10 @@ struct GraspPlan {
   /// target stands on), "target" (the target itself), "collision" (occupied space or another
   /// detection), "unknown" (unobserved space).
   std::map<std::string, int> rejected;
-  /// One per detection that has a collision shape.
+  /// Of all detections that have any, those of one detection in a row.
   std::vector<CollisionShape> shapes;
-  /// Free and occupied space; unknown where the tree has no node.
-  std::shared_ptr<octomap::OcTree> occupancy;
+  /// Free, occupied and unknown space around the targets; to_octree() makes an OctoMap of it.
+  std::shared_ptr<const OccupancyGrid> space;
   std::vector<StageTime> timings;
   double total_ms = 0.0;
   std::vector<std::string> warnings;
@@ -100,8 +97,11 @@ struct GraspPlan {
 /// Contacts follow in closed form from each quadric; the hand, swept along its approach and while
 /// it closes, is checked against the voxels, the planes and the shapes of all other detections, and
 /// its opened fingers and palm against the target's own body. Deterministic.
+/// @param further  more views of the same scene at rest, in the same frame C, each with its own
+///                 viewpoint: what they show free or occupied is so
 /// @throws std::invalid_argument if gripper or options are out of range
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
-                      const Gripper& gripper, const PlanOptions& options = {});
+                      const Gripper& gripper, const PlanOptions& options = {},
+                      const std::vector<PointCloud>& further = {});
 
 }  // namespace quadrille

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +15,8 @@ class CollisionGeometry;
 
 namespace quadrille {
 
-/// A collision shape of one detection, clipped to the extent of its inliers.
+/// A convex collision shape of one detection, or of a part of it, clipped to the extent of its
+/// inliers.
 struct CollisionShape {
   /// Id of the detection.
   int target = 0;
@@ -30,17 +30,23 @@ struct CollisionShape {
   /// Vertices of a convex shape in frame S, and its faces as (count, indices …) [m].
   std::vector<Eigen::Vector3d> vertices_S;
   std::vector<int> faces;
+  /// No point of the shape lies farther than this from what it stands for: the solid, or the patch
+  /// of surface where the quadric bounds none [m]. 0 for exact shapes.
+  double excess = 0.0;
   std::shared_ptr<fcl::CollisionGeometry<double>> geometry;
 };
 
-/// The collision shape of a detection; nullopt if its type has none (the reason in *why).
+/// The collision shapes of a detection, which hold all of it within its extent; empty if its type
+/// has none (the reason in *why).
 ///
-/// Spheres, ellipsoids, circular cylinders and whole circular cones are exact. Frusta, elliptic
-/// cylinders and cones and paraboloids are polyhedra that hold the body; so are hyperboloids of one
-/// sheet, waist filled. A plane is a slab of 10 mm to 100 mm behind the side that was seen.
-std::optional<CollisionShape> make_shape(const Detection& detection, std::string* why = nullptr);
+/// Spheres, ellipsoids, circular cylinders, whole circular cones and parallel planes are exact.
+/// Frusta, elliptic cylinders and cones, paraboloids and sheets of hyperboloids are a polyhedron
+/// around the body; hyperboloids of one sheet a stack of them, waist left open. A plane is a slab
+/// of 10 mm to 100 mm behind the side that was seen, each half of two that meet one of 10 mm;
+/// hyperbolic paraboloids, hyperbolic and parabolic cylinders are blocks that reach 10 mm behind.
+std::vector<CollisionShape> make_shapes(const Detection& detection, std::string* why = nullptr);
 
-/// Convex shapes whose union is the body itself, waist left open: what a hand must stay out of.
+/// Convex shapes whose union holds the body: what a hand must stay out of.
 std::vector<CollisionShape> make_pieces(const Body& body);
 
 }  // namespace quadrille

@@ -1,0 +1,70 @@
+#include "quadrille/grasping/body.hpp"
+
+#include "clipped_surface.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+TEST_CASE("a body holds the surface that it was made of, and its box holds the body", "[body]") {
+  std::mt19937 random(51);
+  for (const QuadricType type : all_quadric_types()) {
+    for (int n = 0; n < 5 && !is_imaginary(type); ++n) {
+      ClippedSurface surface(type, random);
+      const std::optional<Body> body = make_body(surface.detection());
+      if (!body) continue;
+      CAPTURE(to_string(type), n);
+      for (const Eigen::Vector3d& p : surface.sample(100)) {
+        REQUIRE(body->contains(p, 1e-9));
+        Eigen::AlignedBox3d box = body->bounds_C();
+        box.min().array() -= 1e-9;
+        box.max().array() += 1e-9;
+        REQUIRE(box.contains(p));
+      }
+      CHECK(body->contains(body->centre_C()));
+    }
+  }
+}
+
+TEST_CASE("the slope of a profile is the derivative of its scale", "[body]") {
+  for (const Detection& d : solid_detections()) {
+    const Body body = make_body(d).value();
+    for (const double u : {0.2, 0.5, 0.8}) {
+      const double z = body.z_min + u * (body.z_max - body.z_min), h = 1e-7;
+      const double slope = (body.scale(z + h) - body.scale(z - h)) / (2.0 * h);
+      CAPTURE(to_string(d.type), u);
+      CHECK(body.slope(z) == Approx(slope).epsilon(1e-5).margin(1e-6));
+    }
+  }
+}
+
+TEST_CASE("only types that enclose something become bodies, and the reason says which do not",
+          "[body]") {
+  std::mt19937 random(52);
+  for (const QuadricType type :
+       {QuadricType::kHyperbolicParaboloid, QuadricType::kPlane, QuadricType::kHyperbolicCylinder,
+        QuadricType::kParabolicCylinder, QuadricType::kIntersectingPlanes,
+        QuadricType::kCoincidentPlanes}) {
+    std::string why;
+    CHECK_FALSE(make_body(ClippedSurface(type, random).detection(), &why));
+    CHECK(why == std::string(to_string(type)) + " bounds no solid");
+  }
+}
+
+TEST_CASE("a width is as uncertain as the semi-axes that its direction goes along", "[body]") {
+  Detection d = solid_detections()[1];
+  REQUIRE(d.type == QuadricType::kEllipsoid);
+  d.dimensions[2].std = 0.004;
+  const Body body = make_body(d).value();
+  CHECK(body.width_std(Eigen::Vector3d::UnitX(), 0.0) == Approx(0.0).margin(1e-12));
+  CHECK(body.width_std(Eigen::Vector3d::UnitZ(), 0.0) == Approx(0.004));
+  // Against the difference of two bodies, oblique.
+  const Eigen::Vector3d dir = Eigen::Vector3d(1, 2, 3).normalized();
+  const auto half = [&](double c) {
+    return Eigen::Vector3d(body.a, body.b, c).cwiseProduct(dir).norm();
+  };
+  const double slope = (half(body.c + 1e-6) - half(body.c - 1e-6)) / 2e-6;
+  CHECK(body.width_std(dir, 0.0) == Approx(0.004 * slope).epsilon(1e-4));
+  d.dimensions[2].std = std::numeric_limits<double>::infinity();
+  CHECK(make_body(d).value().width_std(Eigen::Vector3d::UnitZ(), 0.0) == Approx(0.01));
+}

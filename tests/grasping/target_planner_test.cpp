@@ -1,0 +1,118 @@
+// How the planner of one target behaves, through plan_grasps(): what it returns and what it counts.
+#include <algorithm>
+#include <cmath>
+
+#include "quadrille/grasping/plan.hpp"
+#include "scenes.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+GraspPlan plan_ball(const Ball& ball, const Gripper& gripper, PlanOptions options = {}) {
+  return plan_grasps(render({ball}), {table_detection(), sphere_detection(ball)}, gripper, options);
+}
+
+PlanOptions all_free() {
+  PlanOptions options;
+  options.unknown = UnknownPolicy::kFree;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("no two grasps of a target are alike", "[plan][target]") {
+  const GraspPlan plan = plan_ball(ball_on_table(0.0, 0.0, 0.03), franka_hand(), all_free());
+  REQUIRE(plan.grasps.size() > 3);
+  for (std::size_t i = 0; i < plan.grasps.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Grasp &a = plan.grasps[i], &b = plan.grasps[j];
+      const auto middle = [](const Grasp& g) -> Eigen::Vector3d {
+        return 0.5 * (g.contacts_C[0] + g.contacts_C[1]);
+      };
+      const bool near = (middle(a) - middle(b)).norm() < 0.011;
+      const bool same_way = a.X_CG.linear().col(2).dot(b.X_CG.linear().col(2)) > 0.95;
+      const bool same_pads = std::abs(a.X_CG.linear().col(1).dot(b.X_CG.linear().col(1))) > 0.95;
+      CHECK_FALSE((near && same_way && same_pads));
+    }
+  }
+}
+
+TEST_CASE("contacts lie on the target, between the pads, and hold with the friction there is",
+          "[plan][target]") {
+  const Ball ball = ball_on_table(0.02, 0.01, 0.03);
+  PlanOptions options = all_free();
+  options.friction = 0.4;
+  const GraspPlan plan = plan_ball(ball, franka_hand(), options);
+  REQUIRE_FALSE(plan.grasps.empty());
+  for (const Grasp& grasp : plan.grasps) {
+    CHECK(grasp.friction_needed <= 0.4);
+    CHECK(grasp.preshape <= franka_hand().max_opening + 1e-12);
+    CHECK(grasp.preshape > grasp.width);
+    for (int i = 0; i < 2; ++i) {
+      CHECK((grasp.contacts_C[i] - ball.p_C).norm() == Approx(ball.radius));
+      const Eigen::Vector3d p_G = grasp.X_CG.inverse() * grasp.contacts_C[i];
+      CHECK(p_G.y() == Approx((i == 0 ? 0.5 : -0.5) * grasp.width));
+      CHECK(std::abs(p_G.x()) < 0.5 * franka_hand().pad.x());
+    }
+  }
+}
+
+TEST_CASE("what is too wide, or too thin, is refused by width and nothing else", "[plan][target]") {
+  Gripper small = franka_hand();
+  small.max_opening = 0.05;
+  const GraspPlan wide = plan_ball(ball_on_table(0.0, 0.0, 0.03), small, all_free());
+  CHECK(wide.grasps.empty());
+  CHECK(wide.rejected.at("width") > 10);
+  CHECK(wide.rejected.count("collision") == 0);
+  Gripper thick = franka_hand();
+  thick.min_opening = 0.065;
+  const GraspPlan thin = plan_ball(ball_on_table(0.0, 0.0, 0.03), thick, all_free());
+  CHECK(thin.grasps.empty());
+  CHECK(thin.rejected.at("width") > 10);
+}
+
+TEST_CASE("a wall around the target is in the way of every hand", "[plan][target]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.02);
+  std::vector<Ball> all = {ball};
+  std::vector<Detection> detections = {table_detection(), sphere_detection(ball)};
+  for (int k = 0; k < 10; ++k) {
+    const double t = 2.0 * M_PI * k / 10;
+    all.push_back(ball_on_table(0.062 * std::cos(t), 0.062 * std::sin(t), 0.035));
+    detections.push_back(sphere_detection(all.back(), k + 2));
+  }
+  const GraspPlan plan = plan_grasps(render(all), detections, franka_hand(), all_free());
+  CHECK(std::none_of(plan.grasps.begin(), plan.grasps.end(),
+                     [](const Grasp& grasp) { return grasp.target == 1; }));
+  CHECK(plan.rejected.at("collision") > 100);
+}
+
+TEST_CASE("unseen space is counted apart from what collides", "[plan][target]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  const GraspPlan careful = plan_ball(ball, franka_hand());
+  const GraspPlan bold = plan_ball(ball, franka_hand(), all_free());
+  CHECK(careful.rejected.at("unknown") > 10);
+  CHECK(bold.rejected.count("unknown") == 0);
+  CHECK(bold.grasps.size() >= careful.grasps.size());
+}
+
+TEST_CASE("a further view frees what the first one did not see", "[plan]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  const std::vector<Detection> detections = {table_detection(), sphere_detection(ball)};
+  const Eigen::Isometry3d turn = Eigen::Translation3d(ball.p_C) *
+                                 Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitX()) *
+                                 Eigen::Translation3d(-ball.p_C);
+  // The same ball from another place, where the table is another one.
+  PointCloud other = render({{turn.inverse() * ball.p_C, ball.radius}});
+  for (Eigen::Vector3f& p : other.points) p = turn.cast<float>() * p;
+  other.viewpoint = turn.translation();
+  const GraspPlan one = plan_grasps(render({ball}), detections, franka_hand());
+  const GraspPlan two = plan_grasps(render({ball}), detections, franka_hand(), {}, {other});
+  const auto count = [](const GraspPlan& plan, Voxel state) {
+    return std::count(plan.space->states().begin(), plan.space->states().end(), state);
+  };
+  CHECK(count(two, Voxel::kUnknown) < count(one, Voxel::kUnknown));
+  CHECK(count(two, Voxel::kOccupied) > count(one, Voxel::kOccupied));
+}

@@ -1,0 +1,24 @@
+#include "support/catch.hpp"
+#include "tools/support_files.hpp"
+
+using namespace quadrille;
+using test::check_failure;
+using test::Run;
+using test::run_quadrille;
+using test::TempFolder;
+
+TEST_CASE("plan writes its map as OctoMap reads it, and fuses further views", "[command]") {
+  const TempFolder folder;
+  const std::string scene = folder.path("s.ply"), map = folder.path("s.bt");
+  REQUIRE(run_quadrille("scene --family tabletop --seed 3 " + scene).code == 0);
+  const std::string plan = "plan --gripper franka " + scene;
+  const Run run = run_quadrille(plan + " --map " + map);
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  CHECK(test::content_of(map).starts_with("# Octomap OcTree binary file\nid OcTree\n"));
+  // The same view again shows nothing new.
+  REQUIRE(run_quadrille(plan + " --view " + scene + " --map " + folder.path("t.bt")).code == 0);
+  CHECK(test::content_of(folder.path("t.bt")) == test::content_of(map));
+  check_failure(run_quadrille(plan + " --view " + folder.path("none.ply")), "none.ply");
+  check_failure(run_quadrille(plan + " --map " + folder.path("no/m.bt")), "m.bt");
+}

@@ -1,0 +1,17 @@
+#include "io/octree_bytes.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace quadrille::io {
+
+std::string octree_bytes(const octomap::OcTree& tree) {
+  std::ostringstream stream;
+  stream << "# Octomap OcTree binary file\nid " << tree.getTreeType() << "\nsize " << tree.size()
+         << "\nres " << tree.getResolution() << "\ndata\n";
+  tree.writeBinaryData(stream);
+  if (!stream) throw std::runtime_error("the octree cannot be written");
+  return stream.str();
+}
+
+}  // namespace quadrille::io
