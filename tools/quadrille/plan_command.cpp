@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 
+#include "cli/choice_option.hpp"
 #include "cli/detector_arguments.hpp"
 #include "cli/planner_arguments.hpp"
 #include "io/config.hpp"
@@ -11,6 +13,7 @@
 #include "picture/png.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/grasping/conventions.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/output.hpp"
@@ -24,7 +27,27 @@ struct PlanArguments {
   std::string input, json, picture;
   DetectorArguments detector;
   PlannerArguments planner;
+  std::optional<HandConvention> convention;
 };
+
+Choices<HandConvention> conventions() {
+  Choices<HandConvention> choices;
+  for (const HandConvention convention : kHandConventions) {
+    choices.emplace_back(std::string(to_string(convention)), convention);
+  }
+  return choices;
+}
+
+// Adds to each grasp the pose of the hand as other software names it.
+void add_hands(const GraspPlan& plan, const Gripper& gripper, HandConvention convention,
+               io::Json* json) {
+  for (std::size_t n = 0; n < plan.grasps.size(); ++n) {
+    const Grasp& grasp = plan.grasps[n];
+    io::Json hand = {{"convention", std::string(to_string(convention))}};
+    hand.update(io::to_json(hand_pose(convention, gripper, grasp.X_CG, grasp.width)));
+    (*json)["grasps"][n]["X_CH"] = hand;
+  }
+}
 
 PlanOptions plan_options(const PlanArguments& arguments) {
   const std::string& config = arguments.detector.config;
@@ -45,7 +68,9 @@ void run(const PlanArguments& arguments) {
   // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(result.detections);
   const GraspPlan plan = plan_grasps(input.cloud, detections, gripper, options);
-  json.write(io::plan_json(input.info, result, plan));
+  io::Json object = io::plan_json(input.info, result, plan);
+  if (arguments.convention) add_hands(plan, gripper, *arguments.convention, &object);
+  json.write(object);
   json.finish();
   if (!json.owns_stdout())
     print(detection_table(input.info, result) + grasp_table(plan, options.unknown));
@@ -65,6 +90,8 @@ void add_plan_command(CLI::App& app) {
       ->required();
   arguments->planner.add_to(*command, "");
   command->add_option("--json", arguments->json, "Write JSON; - is stdout")->type_name("FILE|-");
+  add_choice_option(*command, "--convention", arguments->convention, conventions(),
+                    "Add to each grasp's JSON the hand's pose X_CH as this software has it");
   add_picture_option(*command, arguments->picture, "the cloud, the quadrics and the grasps");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });
