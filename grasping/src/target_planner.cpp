@@ -19,6 +19,8 @@ const double kAlike = std::cos(20.0 * 3.14159265358979323846 / 180.0);
 constexpr double kFrictionShare = 0.85;
 // Standard deviations of a pad's distance to keep from the target: 95 % of truths.
 constexpr double kSigmas = 2.0;
+// Contacts nearer than this to the edge of a pad may lie beside it [m].
+constexpr double kOffEdge = 0.001;
 // How far the tips reach beyond a contact that only they hold [m].
 constexpr double kTipBeyond = 0.003;
 
@@ -69,6 +71,7 @@ std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
 
 std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C,
                                            std::map<std::string, int>& rejected) {
+  at_rim_ = true;
   std::vector<ContactLine> lines = target_.rim;
   std::erase_if(lines, [&](const ContactLine& line) { return !fits(line, rejected); });
   ApproachSpace space = approach_space(viewpoint_C);
@@ -159,18 +162,51 @@ void TargetPlanner::try_candidate(const ContactLine& line, const GraspCandidate&
   try_chords(line, candidate.approach_C, rejected);
 }
 
-// The tips a little beyond the contacts, then the pads' middle at them.
+// The tips as far beyond the contacts as the rim is before them, then the pads' middle at them.
 void TargetPlanner::try_rim(const ContactLine& line, const GraspCandidate& candidate,
                             std::map<std::string, int>& rejected) {
   if (resembles_accepted(line, candidate.approach_C)) return;
-  for (const double depth : {kTipBeyond - gripper_.finger_front, 0.0}) {
+  const Body& body = target_.shell->body;
+  const double bite = body.z_max - (body.X_CQ.inverse() * line.centre_C).z();
+  for (const double depth : {bite - gripper_.finger_front, 0.0}) {
     if (try_depth(line, candidate.approach_C, depth, rejected)) return;
   }
+}
+
+// True if both contacts lie on the pads or the fingers behind them, not past an edge or the tip.
+bool TargetPlanner::on_pads(const ContactLine& line, const Eigen::Isometry3d& X_CG) const {
+  const Eigen::Isometry3d X_GC = X_CG.inverse();
+  return std::all_of(line.contacts_C.begin(), line.contacts_C.end(), [&](const auto& p_C) {
+    const Eigen::Vector3d p_G = X_GC * p_C;
+    return std::abs(p_G.x()) <= 0.5 * gripper_.pad.x() - kOffEdge &&
+           p_G.z() <= gripper_.finger_front - kOffEdge;
+  });
+}
+
+// True if the fingers would meet the target behind their pads before these close on it.
+bool TargetPlanner::blocked_behind_pads(const ContactLine& line,
+                                        const Eigen::Isometry3d& X_CG) const {
+  const double back = -gripper_.reach(line.width), front = -0.5 * gripper_.pad.y();
+  const double x = 0.5 * gripper_.finger.x(), y = 0.5 * line.width + margin(line);
+  if (front - back < kOffEdge) return false;
+  for (const double side : {-1.0, 1.0}) {
+    const double far = side * (y + gripper_.finger.y());
+    const OrientedBox finger =
+        box_between(X_CG, {-x, std::min(side * y, far), back}, {x, std::max(side * y, far), front});
+    for (const CollisionShape& piece : scene_.target) {
+      if (overlaps(finger, piece)) return true;
+    }
+  }
+  return false;
 }
 
 bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C,
                               double depth, std::map<std::string, int>& rejected) {
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
+  if (!on_pads(line, X_CG)) {
+    ++rejected["friction"];
+    return false;
+  }
   const auto swept = [&](double preshape) {
     return sweep_hand(gripper_, X_CG, preshape, line.width, options_.approach);
   };
@@ -181,6 +217,10 @@ bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& ap
   };
   if (const auto what = scene_.palm_obstruction(swept(line.opening))) {
     refuse(*what);
+    return false;
+  }
+  if (!at_rim_ && blocked_behind_pads(line, X_CG)) {
+    refuse(Obstruction::kTarget);
     return false;
   }
   for (const double preshape : preshapes(line)) {

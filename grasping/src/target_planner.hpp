@@ -51,6 +51,8 @@ class TargetPlanner {
                std::map<std::string, int>& rejected);
   void try_candidate(const ContactLine& line, const GraspCandidate& candidate,
                      std::map<std::string, int>& rejected);
+  bool on_pads(const ContactLine& line, const Eigen::Isometry3d& X_CG) const;
+  bool blocked_behind_pads(const ContactLine& line, const Eigen::Isometry3d& X_CG) const;
   bool try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C, double depth,
                  std::map<std::string, int>& rejected);
   bool try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
@@ -64,6 +66,8 @@ class TargetPlanner {
   const PlanOptions& options_;
   const OccupancyGrid& grid_;
   const CollisionScene& scene_;
+  // Across a wall, whose thickness is not known, and no longer than the pads.
+  bool at_rim_ = false;
   int checks_ = 0;
   std::vector<Grasp> accepted_;
 };

@@ -32,9 +32,10 @@ struct TrialResult {
   bool touched = false;
   /// At the end it hung between both pads, within 30 mm of where they took hold of it.
   bool lifted = false;
-  /// From the first touch on: the farthest that the object's point between the pads moved along
-  /// them [m], and the largest angle that it turned in the hand [rad]. The way that both pads
-  /// push it to the middle is no slip.
+  /// How far the object's point between the pads has moved along them [m], and how far it has
+  /// turned in the hand [rad], since the first touch: the most of each while both pads have hold of
+  /// it. The way that one pad pushes it to the other is no slip, but what it turns meanwhile
+  /// counts.
   double slip = 0.0, rotation = 0.0;
   /// Lifted, with less than 5 mm of slip and 5° of rotation.
   bool held = false;

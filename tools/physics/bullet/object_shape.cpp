@@ -1,17 +1,15 @@
 #include "physics/bullet/object_shape.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "physics/bullet/section_shape.hpp"
+#include "physics/bullet/wall_shape.hpp"
 
 namespace quadrille::physics {
 namespace {
 
 using Eigen::Vector3d;
 
-// Plates around a wall, and along one that is bent: within 0.2 mm of it at 40 mm of radius.
-constexpr int kAround = 32, kBent = 8;
 // Frusta of a solid with a waist.
 constexpr int kFrusta = 16;
 
@@ -67,40 +65,6 @@ void add_frusta(const TrueBody& body, const Vector3d& centre_S, ObjectShape* sha
   }
 }
 
-// One plate: what lies within half the wall of the surface between two angles and two heights.
-std::unique_ptr<btCollisionShape> plate(const TrueBody& body, const Vector3d& centre_S,
-                                        const std::array<double, 2>& angles,
-                                        const std::array<double, 2>& heights) {
-  auto hull = std::make_unique<btConvexHullShape>();
-  hull->setMargin(0.0);
-  for (const double angle : angles) {
-    for (const double z : heights) {
-      const Vector3d p = body.point_S(angle, z) - centre_S, n = body.normal_S(angle, z);
-      hull->addPoint(scaled(Vector3d(p + 0.5 * body.wall * n)), false);
-      hull->addPoint(scaled(Vector3d(p - 0.5 * body.wall * n)), false);
-    }
-  }
-  hull->recalcLocalAabb();
-  return hull;
-}
-
-void add_wall(const TrueBody& body, const Vector3d& centre_S, ObjectShape* shape) {
-  const int rows = is_straight(body) ? 1 : kBent;
-  const double step = (body.z_max() - body.z_min()) / rows, turn = 2.0 * std::numbers::pi / kAround;
-  for (int row = 0; row < rows; ++row) {
-    const double z = body.z_min() + row * step;
-    for (int k = 0; k < kAround; ++k) {
-      add(shape, plate(body, centre_S, {k * turn, (k + 1) * turn}, {z, z + step}));
-    }
-  }
-  const double z_0 = body.z_min(), z_1 = body.z_max();
-  const auto floor = [&](double from, double to) {
-    add(shape, std::make_unique<SectionShape>(frustum(body, from, to), from, to, centre_S));
-  };
-  if (!body.open_low && body.scale(z_0) > 0.0) floor(z_0, z_0 + body.wall);
-  if (!body.open_high && body.scale(z_1) > 0.0) floor(z_1 - body.wall, z_1);
-}
-
 }  // namespace
 
 ObjectShape make_object_shape(const TrueBody& body, const Vector3d& centre_S) {
@@ -109,12 +73,12 @@ ObjectShape make_object_shape(const TrueBody& body, const Vector3d& centre_S) {
     shape.parts.push_back(convex(body, centre_S));
     return shape;
   }
-  shape.compound = std::make_unique<btCompoundShape>();
   if (body.wall > 0.0) {
-    add_wall(body, centre_S, &shape);
-  } else {
-    add_frusta(body, centre_S, &shape);
+    shape.parts.push_back(std::make_unique<WallShape>(body, centre_S));
+    return shape;
   }
+  shape.compound = std::make_unique<btCompoundShape>();
+  add_frusta(body, centre_S, &shape);
   return shape;
 }
 

@@ -18,7 +18,7 @@ struct ObjectShape {
 
 /// The shape of a true body about a point of its axis, in scaled units: Bullet's own box, sphere or
 /// cylinder; the exact support function of any other convex body; frusta on top of each other for a
-/// solid with a waist; and for a hollow one plates all around its wall, and its floor.
+/// solid with a waist; and for a hollow one its smooth wall.
 ObjectShape make_object_shape(const TrueBody& body, const Eigen::Vector3d& centre_S);
 
 }  // namespace quadrille::physics

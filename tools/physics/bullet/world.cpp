@@ -1,5 +1,7 @@
 #include "physics/bullet/world.hpp"
 
+#include "physics/bullet/wall_shape.hpp"
+
 namespace quadrille::physics {
 namespace {
 
@@ -13,6 +15,7 @@ World::World() {
   // Flat and straight contacts get all of their points at once.
   configuration_->setConvexConvexMultipointIterations(4, 4);
   dispatcher_ = std::make_unique<btCollisionDispatcher>(configuration_.get());
+  register_wall_contacts(dispatcher_.get());
   broadphase_ = std::make_unique<btDbvtBroadphase>();
   solver_ = std::make_unique<btSequentialImpulseConstraintSolver>();
   world_ = std::make_unique<btDiscreteDynamicsWorld>(dispatcher_.get(), broadphase_.get(),
