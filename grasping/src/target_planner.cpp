@@ -21,6 +21,8 @@ constexpr double kFrictionShare = 0.85;
 constexpr double kSigmas = 2.0;
 // Contacts nearer than this to the edge of a pad may lie beside it [m].
 constexpr double kOffEdge = 0.001;
+// What lies this near to a finger that closes flush does not stop it, whatever the rounding [m].
+constexpr double kFlush = 0.0003;
 // How far the tips reach beyond a contact that only they hold [m].
 constexpr double kTipBeyond = 0.003;
 
@@ -183,12 +185,11 @@ bool TargetPlanner::on_pads(const ContactLine& line, const Eigen::Isometry3d& X_
   });
 }
 
-// True if the fingers would meet the target behind their pads before these close on it.
-bool TargetPlanner::blocked_behind_pads(const ContactLine& line,
-                                        const Eigen::Isometry3d& X_CG) const {
-  const double back = -gripper_.reach(line.width), front = -0.5 * gripper_.pad.y();
-  const double x = 0.5 * gripper_.finger.x(), y = 0.5 * line.width + margin(line);
-  if (front - back < kOffEdge) return false;
+// True if the fingers would meet the target elsewhere, farther out than at the contacts, before
+// they reach these: where it widens behind the pads, or bulges beside a chord.
+bool TargetPlanner::meets_too_early(const ContactLine& line, const Eigen::Isometry3d& X_CG) const {
+  const double back = -gripper_.reach(line.width), front = gripper_.finger_front;
+  const double x = 0.5 * gripper_.finger.x(), y = 0.5 * line.width + margin(line) + kFlush;
   for (const double side : {-1.0, 1.0}) {
     const double far = side * (y + gripper_.finger.y());
     const OrientedBox finger =
@@ -219,7 +220,7 @@ bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& ap
     refuse(*what);
     return false;
   }
-  if (!at_rim_ && blocked_behind_pads(line, X_CG)) {
+  if (!at_rim_ && meets_too_early(line, X_CG)) {
     refuse(Obstruction::kTarget);
     return false;
   }
