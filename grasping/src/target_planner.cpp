@@ -21,10 +21,18 @@ constexpr double kFrictionShare = 0.85;
 constexpr double kSigmas = 2.0;
 // Contacts nearer than this to the edge of a pad may lie beside it [m].
 constexpr double kOffEdge = 0.001;
+// How much more one end of a chord may lean than the other: 10°.
+constexpr double kMostLopsided = 0.17;
 // What lies this near to a finger that closes flush does not stop it, whatever the rounding [m].
 constexpr double kFlush = 0.0003;
 // How far the tips reach beyond a contact that only they hold [m].
 constexpr double kTipBeyond = 0.003;
+
+// True if one side leans much more than the other: there the tips touch elsewhere than on the
+// chord.
+bool lopsided(const ContactLine& line, const Eigen::Vector3d& approach_C) {
+  return std::abs((line.normals_C[0] - line.normals_C[1]).dot(approach_C)) > kMostLopsided;
+}
 
 std::string reason(Obstruction what) {
   switch (what) {
@@ -244,7 +252,7 @@ bool TargetPlanner::try_chords(const ContactLine& line, const Eigen::Vector3d& a
   for (const double share : {0.2, 0.36}) {
     const Eigen::Vector3d p_C = line.centre_C - 0.5 * share * line.width * approach_C;
     std::optional<ContactLine> beside = chord(target_.body, p_C, line.closing_C);
-    if (!beside) continue;
+    if (!beside || lopsided(*beside, approach_C)) continue;
     beside->opening = line.opening;
     beside->std = line.std;
     if (usable(*beside, rejected) && try_depth(*beside, approach_C, depth, rejected)) return true;
@@ -266,6 +274,13 @@ Grasp TargetPlanner::describe(const ContactLine& line, const Eigen::Isometry3d& 
   return grasp;
 }
 
+// 1 if the pads cover a wall along its axis; less if they lie askew, where its bend twists it.
+double TargetPlanner::upright(const Grasp& grasp) const {
+  if (!at_rim_) return 1.0;
+  const double along = -grasp.X_CG.linear().col(2).dot(target_.shell->body.X_CQ.linear().col(2));
+  return std::clamp(2.0 * along - 1.0, 0.0, 1.0);
+}
+
 void TargetPlanner::rate(Grasp& grasp, const ContactLine& line) const {
   const double reach = 0.5 * target_.body.bounds_Q().sizes().maxCoeff();
   ContactModel model;
@@ -279,7 +294,7 @@ void TargetPlanner::rate(Grasp& grasp, const ContactLine& line) const {
   const int seen = observed(line.contacts_C[0]) + observed(line.contacts_C[1]);
   grasp.unknown_contact = seen < 2;
   ScoreTerms terms;
-  terms.friction = 1.0 - grasp.friction_needed / options_.friction;
+  terms.friction = (1.0 - grasp.friction_needed / options_.friction) * upright(grasp);
   terms.clearance = grasp.clearance / 0.01;
   terms.observed = 0.5 * seen;
   terms.room = 0.5 * (grasp.preshape - line.opening) / 0.005;

@@ -58,6 +58,7 @@ class TargetPlanner {
   bool try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
                   std::map<std::string, int>& rejected);
   Grasp describe(const ContactLine& line, const Eigen::Isometry3d& X_CG, double preshape) const;
+  double upright(const Grasp& grasp) const;
   void rate(Grasp& grasp, const ContactLine& line) const;
   double margin(const ContactLine& line) const;
 

@@ -38,10 +38,16 @@ TEST_CASE("the grasps of a plan come back from its JSON", "[physics]") {
   }
   io::InputInfo info;
   info.input = "scan.ply";
+  DetectionResult result;
+  result.detections.emplace_back();
+  result.detections[0].id = 7;
+  result.detections[0].Q_C = Quadric(Vector10d::Unit(2) * 3.0);
   const test::TempFolder folder;
-  const std::string path =
-      folder.write("p.json", io::plan_json(info, DetectionResult(), plan).dump());
+  const std::string path = folder.write("p.json", io::plan_json(info, result, plan).dump());
   const physics::PlanFile file = physics::read_plan(path);
+  REQUIRE(file.detections.size() == 1);
+  CHECK(file.detections[0].id == 7);
+  CHECK(file.detections[0].Q_C.coefficients()[2] == 3.0);
   CHECK(file.cloud == "scan.ply");
   REQUIRE(file.grasps.size() == plan.grasps.size());
   for (std::size_t i = 0; i < plan.grasps.size(); ++i) {
@@ -56,7 +62,7 @@ TEST_CASE("what is no plan is refused", "[physics][hostile]") {
   const std::string grasp =
       R"({"target": 1, "score": 1, "width": 0.1, "preshape": 0.1, "X_CG": {"position": [0, 0, 1], )";
   const auto plan = [&](const std::string& rest) {
-    return R"({"input": "a.ply", "grasps": [)" + grasp + rest + "]}";
+    return R"({"input": "a.ply", "detections": [], "grasps": [)" + grasp + rest + "]}";
   };
   CHECK(refusal(plan(R"("quaternion": [1, 0, 0, 0]}})")).empty());
   CHECK(refusal(plan(R"("quaternion": [0, 0, 0, 0]}})")).find("norm") != std::string::npos);

@@ -41,6 +41,18 @@ TEST_CASE("a wall's faces lie half its thickness on either side of the surface",
   }
 }
 
+TEST_CASE("a wall behind one side of the surface has its face there", "[physics]") {
+  TrueBody cup = hollow(test::cone(0.4, 0.05, 0.1), true);
+  const Vector3d p = cup.point_S(1.0, 0.08), n = cup.normal_S(1.0, 0.08);
+  cup.wall_at = -0.0015;
+  CHECK(wall_distance(cup, p).distance == Approx(0.0).margin(1e-9));
+  CHECK(wall_distance(cup, p).normal_S.dot(n) > 0.99);
+  CHECK(wall_distance(cup, p - 0.002 * n).distance < -0.0009);
+  cup.wall_at = 0.0015;
+  CHECK(wall_distance(cup, p).normal_S.dot(n) < -0.99);
+  CHECK(wall_distance(cup, p + 0.002 * n).distance < -0.0009);
+}
+
 TEST_CASE("a hollow body is open at its mouth and closed by its floor", "[physics]") {
   const TrueBody cup = hollow(test::cylinder(0.03, 0.03, 0.04), true);
   CHECK(wall_distance(cup, {0.0, 0.0, 0.02}).distance > 0.02);

@@ -85,6 +85,7 @@ TEST_CASE("what cannot be tried ends with one line, or as wrong usage", "[comman
   }
   check_failure(run_quadrille(hand + folder.path("none.ply")), "none.truth.json");
   check_failure(run_quadrille(hand + folder.write("p.json", "{}")), "p.json");
-  const std::string plan = R"({"input": ")" + folder.path("gone.ply") + R"(", "grasps": []})";
+  const std::string plan =
+      R"({"input": ")" + folder.path("gone.ply") + R"(", "detections": [], "grasps": []})";
   check_failure(run_quadrille(hand + folder.write("q.json", plan)), "gone.truth.json");
 }

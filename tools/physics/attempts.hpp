@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "physics/trial.hpp"
 #include "physics/true_scene.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "quadrille/grasping/plan.hpp"
 
 namespace quadrille::physics {
@@ -36,12 +38,20 @@ struct Attempt {
   TrialResult trial;
 };
 
-/// Tries the grasps of a plan, best first.
+/// The detections of a plan by id: of each its quadric, whose gradient points to the side that the
+/// sensor saw.
+using SeenQuadrics = std::map<int, Quadric>;
+
+SeenQuadrics seen_quadrics(const std::vector<Detection>& detections);
+
+/// Tries the grasps of a plan, best first. Generated vessels have no thickness; here the wall lies
+/// behind the side of the surface that the sensor saw of the target, as that of a real vessel does.
 /// @param only_first  only the best grasp of each target
 /// @param progress    called with the share that is done; may be empty
 /// @throws as try_grasp() does
-std::vector<Attempt> try_grasps(const std::vector<Grasp>& grasps, const TrueScene& scene,
-                                const Gripper& gripper, const TrialOptions& options,
-                                bool only_first, const std::function<void(double)>& progress);
+std::vector<Attempt> try_grasps(const std::vector<Grasp>& grasps, const SeenQuadrics& seen,
+                                const TrueScene& scene, const Gripper& gripper,
+                                const TrialOptions& options, bool only_first,
+                                const std::function<void(double)>& progress);
 
 }  // namespace quadrille::physics

@@ -1,6 +1,9 @@
 #include "physics/plan_file.hpp"
 
+#include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "io/file_bytes.hpp"
 
@@ -27,6 +30,14 @@ Grasp grasp_of(const json& object) {
   return grasp;
 }
 
+Detection detection_of(const json& object) {
+  const auto q = object.at("q").get<std::array<double, 10>>();
+  Detection detection;
+  detection.id = object.at("id");
+  detection.Q_C = Quadric(Vector10d(q.data()));
+  return detection;
+}
+
 }  // namespace
 
 PlanFile read_plan(const std::string& path) {
@@ -37,6 +48,9 @@ PlanFile read_plan(const std::string& path) {
     PlanFile plan;
     plan.cloud = object.at("input");
     for (const json& grasp : object.at("grasps")) plan.grasps.push_back(grasp_of(grasp));
+    for (const json& detection : object.at("detections")) {
+      plan.detections.push_back(detection_of(detection));
+    }
     return plan;
   } catch (const std::exception& error) {
     throw io::FileError(path, "",

@@ -12,6 +12,8 @@ struct PlanFile {
   /// Path of the cloud, as it was given to `quadrille plan`.
   std::string cloud;
   std::vector<Grasp> grasps;
+  /// Of the detections only id and quadric.
+  std::vector<Detection> detections;
 };
 
 /// @throws io::FileError naming the file if it is no such plan

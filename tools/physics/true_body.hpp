@@ -21,9 +21,11 @@ struct TrueBody {
   Eigen::Vector3d p = Eigen::Vector3d::Zero();
   /// Which flat ends are missing, at z_min and z_max.
   bool open_low = false, open_high = false;
-  /// Thickness of the wall of a body with an end that is open to above, half of it on either side
-  /// of the surface; 0 for what is solid, or hollow only from below [m].
+  /// Thickness of the wall of a body with an end that is open to above; 0 for what is solid, or
+  /// hollow only from below [m].
   double wall = 0.0;
+  /// Where the middle of the wall lies, outward from the surface [m].
+  double wall_at = 0.0;
 
   double z_min() const { return box_S.min().z(); }
   double z_max() const { return box_S.max().z(); }

@@ -25,7 +25,7 @@ WallDistance wall_distance(const TrueBody& body, const Vector3d& p_S) {
   // Of ρ − s(z).
   const Vector3d gradient(u / (body.a * rho), v / (body.b * rho),
                           -(0.5 * body.p[1] + body.p[2] * z) / s);
-  const double offset = (rho - s) / gradient.norm();
+  const double offset = (rho - s) / gradient.norm() - body.wall_at;
   const Vector3d outward = gradient.normalized();
   const WallDistance shell{std::abs(offset) - half, offset < 0.0 ? Vector3d(-outward) : outward};
   const WallDistance filled{offset - half, outward};

@@ -13,7 +13,7 @@ struct WallDistance {
   Eigen::Vector3d normal_S = Eigen::Vector3d::UnitZ();
 };
 
-/// To first order across the wall (f/|∇f| from its middle), exact past its rims and floors: a
+/// To first order across the wall (f/|∇f| from the surface), exact past its rims and floors: a
 /// smooth surface with smooth normals, as no set of flat pieces has.
 WallDistance wall_distance(const TrueBody& body, const Eigen::Vector3d& p_S);
 

@@ -46,31 +46,38 @@ Job job_of(const TryArguments& arguments) {
   return job;
 }
 
-std::vector<Grasp> plan_on(const std::string& path, const physics::TrueScene& truth,
-                           const TryArguments& arguments, const Job& job) {
+/// What is to be tried, and on what it was planned.
+struct Planned {
+  std::vector<Grasp> grasps;
+  physics::SeenQuadrics seen;
+};
+
+Planned plan_on(const std::string& path, const physics::TrueScene& truth,
+                const TryArguments& arguments, const Job& job) {
   const auto [input, warnings] = read_single_cloud(path);
   print_warnings(path, warnings);
   const std::vector<Detection> detections =
       arguments.exact ? truth.detections
                       : bus::as_received(detect(input.cloud, job.detector).detections);
-  return plan_grasps(input.cloud, detections, job.gripper, job.plan).grasps;
+  return {plan_grasps(input.cloud, detections, job.gripper, job.plan).grasps,
+          physics::seen_quadrics(detections)};
 }
 
 std::vector<physics::Attempt> attempts_on(const std::string& input, const TryArguments& arguments,
                                           const Job& job) {
   physics::TrueScene truth;
-  std::vector<Grasp> grasps;
+  Planned planned;
   if (input.ends_with(".json")) {
     const physics::PlanFile plan = physics::read_plan(input);
     truth = physics::read_true_scene(plan.cloud);
-    grasps = plan.grasps;
+    planned = {plan.grasps, physics::seen_quadrics(plan.detections)};
   } else {
     truth = physics::read_true_scene(input);
-    grasps = plan_on(input, truth, arguments, job);
+    planned = plan_on(input, truth, arguments, job);
   }
   ProgressLine line;
-  return physics::try_grasps(grasps, truth, job.gripper, arguments.trial, arguments.only_first,
-                             [&](double share) { line.show(share); });
+  return physics::try_grasps(planned.grasps, planned.seen, truth, job.gripper, arguments.trial,
+                             arguments.only_first, [&](double share) { line.show(share); });
 }
 
 void run(const TryArguments& arguments) {

@@ -102,7 +102,8 @@ std::vector<Contact> contacts_of(const WallShape& wall, const Eigen::Isometry3d&
     for (int k = 0; k < kRimPoints; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / kRimPoints;
       for (const double side : {-0.5, 0.5}) {
-        Vector3d p = body.point_S(angle, z) + side * body.wall * body.normal_S(angle, z);
+        Vector3d p =
+            body.point_S(angle, z) + (side * body.wall + body.wall_at) * body.normal_S(angle, z);
         p.z() = z;
         const double distance = n_S.dot(p) - constant;
         if (distance < kNear) near.push_back({p - distance * n_S, -n_S, distance});
@@ -181,7 +182,8 @@ WallShape::WallShape(TrueBody body, const Vector3d& centre_S)
 }
 
 void WallShape::getAabb(const btTransform& X, btVector3& low, btVector3& high) const {
-  const btVector3 wall = scaled(Vector3d(Vector3d::Constant(0.5 * body_.wall)));
+  const double beyond = 0.5 * body_.wall + std::abs(body_.wall_at);
+  const btVector3 wall = scaled(Vector3d(Vector3d::Constant(beyond)));
   btTransformAabb(scaled(Vector3d(body_.box_S.min() - centre_S_)) - wall,
                   scaled(Vector3d(body_.box_S.max() - centre_S_)) + wall, kMargin, X, low, high);
 }
