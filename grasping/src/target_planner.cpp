@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "closing.hpp"
 #include "quadrille/grasping/quality.hpp"
 
 namespace quadrille {
@@ -19,20 +20,8 @@ const double kAlike = std::cos(20.0 * 3.14159265358979323846 / 180.0);
 constexpr double kFrictionShare = 0.85;
 // Standard deviations of a pad's distance to keep from the target: 95 % of truths.
 constexpr double kSigmas = 2.0;
-// Contacts nearer than this to the edge of a pad may lie beside it [m].
-constexpr double kOffEdge = 0.001;
-// How much more one end of a chord may lean than the other: 10°.
-constexpr double kMostLopsided = 0.17;
-// What lies this near to a finger that closes flush does not stop it, whatever the rounding [m].
-constexpr double kFlush = 0.0003;
 // How far the tips reach beyond a contact that only they hold [m].
 constexpr double kTipBeyond = 0.003;
-
-// True if one side leans much more than the other: there the tips touch elsewhere than on the
-// chord.
-bool lopsided(const ContactLine& line, const Eigen::Vector3d& approach_C) {
-  return std::abs((line.normals_C[0] - line.normals_C[1]).dot(approach_C)) > kMostLopsided;
-}
 
 std::string reason(Obstruction what) {
   switch (what) {
@@ -183,36 +172,10 @@ void TargetPlanner::try_rim(const ContactLine& line, const GraspCandidate& candi
   }
 }
 
-// True if both contacts lie on the pads or the fingers behind them, not past an edge or the tip.
-bool TargetPlanner::on_pads(const ContactLine& line, const Eigen::Isometry3d& X_CG) const {
-  const Eigen::Isometry3d X_GC = X_CG.inverse();
-  return std::all_of(line.contacts_C.begin(), line.contacts_C.end(), [&](const auto& p_C) {
-    const Eigen::Vector3d p_G = X_GC * p_C;
-    return std::abs(p_G.x()) <= 0.5 * gripper_.pad.x() - kOffEdge &&
-           p_G.z() <= gripper_.finger_front - kOffEdge;
-  });
-}
-
-// True if the fingers would meet the target elsewhere, farther out than at the contacts, before
-// they reach these: where it widens behind the pads, or bulges beside a chord.
-bool TargetPlanner::meets_too_early(const ContactLine& line, const Eigen::Isometry3d& X_CG) const {
-  const double back = -gripper_.reach(line.width), front = gripper_.finger_front;
-  const double x = 0.5 * gripper_.finger.x(), y = 0.5 * line.width + margin(line) + kFlush;
-  for (const double side : {-1.0, 1.0}) {
-    const double far = side * (y + gripper_.finger.y());
-    const OrientedBox finger =
-        box_between(X_CG, {-x, std::min(side * y, far), back}, {x, std::max(side * y, far), front});
-    for (const CollisionShape& piece : scene_.target) {
-      if (overlaps(finger, piece)) return true;
-    }
-  }
-  return false;
-}
-
 bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C,
                               double depth, std::map<std::string, int>& rejected) {
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
-  if (!on_pads(line, X_CG)) {
+  if (!on_pads(line, X_CG, gripper_)) {
     ++rejected["friction"];
     return false;
   }
@@ -228,7 +191,7 @@ bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& ap
     refuse(*what);
     return false;
   }
-  if (!at_rim_ && meets_too_early(line, X_CG)) {
+  if (!at_rim_ && meets_too_early(line, X_CG, gripper_, scene_.target, margin(line))) {
     refuse(Obstruction::kTarget);
     return false;
   }

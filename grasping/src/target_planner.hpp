@@ -51,8 +51,6 @@ class TargetPlanner {
                std::map<std::string, int>& rejected);
   void try_candidate(const ContactLine& line, const GraspCandidate& candidate,
                      std::map<std::string, int>& rejected);
-  bool on_pads(const ContactLine& line, const Eigen::Isometry3d& X_CG) const;
-  bool meets_too_early(const ContactLine& line, const Eigen::Isometry3d& X_CG) const;
   bool try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C, double depth,
                  std::map<std::string, int>& rejected);
   bool try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,

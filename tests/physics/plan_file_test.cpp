@@ -41,7 +41,7 @@ TEST_CASE("the grasps of a plan come back from its JSON", "[physics]") {
   DetectionResult result;
   result.detections.emplace_back();
   result.detections[0].id = 7;
-  result.detections[0].Q_C = Quadric(Vector10d::Unit(2) * 3.0);
+  result.detections[0].Q_C = Quadric(Vector10d(3.0 * Vector10d::Unit(2)));
   const test::TempFolder folder;
   const std::string path = folder.write("p.json", io::plan_json(info, result, plan).dump());
   const physics::PlanFile file = physics::read_plan(path);
