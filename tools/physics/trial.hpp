@@ -47,11 +47,11 @@ std::string missing_physics();
 /// Closes the hand on an object, lifts it and shakes it, in Bullet at 1 kHz.
 ///
 /// In the hand's frame, where its motion is an acceleration of everything else: the pads close from
-/// the pre-shape with their force limited, coupled as in real hands; the object is weightless and
-/// slow until they hold it, for scenes have objects that lean and would fall; then come gravity,
-/// the lift by 80 mm at 2 m/s² and a shake of half of gravity along x, y and z. Pads resist
-/// twisting as discs of a quarter of their width do. Nothing but object, hand and table is there.
-/// The same input gives the same bits.
+/// the pre-shape with their force limited, coupled as in real hands. The object stands on the
+/// table; one that would fall over by itself, as some in generated scenes, is propped up until the
+/// pads hold it. Then come the lift by 80 mm at 2 m/s² and a shake of half of gravity along x, y
+/// and z. Pads resist twisting as discs of a quarter of their width in radius do. Nothing but
+/// object, hand and table is there. The same input gives the same bits.
 /// @param grasp  its X_CG, width and preshape count
 /// @param X_CT   the table's frame: z up, origin in its plane
 /// @throws std::invalid_argument if gripper or options are out of range
