@@ -8,9 +8,9 @@ namespace quadrille {
 
 namespace {
 
-// Cosines of the widest angles: 107° to the line of sight, 60° to straight down, 60° into a mouth;
+// Cosines of the widest angles: 107° to the line of sight, 60° to straight down, 45° into a mouth;
 // and never steeper up than 20°.
-constexpr double kFromView = -0.3, kFromAbove = 0.5, kIntoMouth = 0.5, kUpward = 0.35;
+constexpr double kFromView = -0.3, kFromAbove = 0.5, kIntoMouth = 0.7, kUpward = 0.35;
 
 bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space) {
   if (approach.dot(space.up_C) > kUpward) return false;

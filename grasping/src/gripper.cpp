@@ -1,5 +1,6 @@
 #include "quadrille/grasping/gripper.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -7,28 +8,94 @@ namespace quadrille {
 
 namespace {
 
+// No hand is larger; a number beyond it was meant in millimetres [m].
+constexpr double kLargest = 1.0;
+// What rounding may take from sizes that are meant to be equal [m].
+constexpr double kRounding = 1e-9;
+
 void demand(bool holds, const std::string& what) {
   if (!holds) throw std::invalid_argument("gripper: " + what);
 }
 
-bool positive(double x) { return std::isfinite(x) && x > 0.0; }
+void demand_size(const char* field, double x) {
+  demand(std::isfinite(x) && x > 0.0,
+         std::string(field) + " must be positive; measure it on the hand");
+  demand(x <= kLargest,
+         std::string(field) + " is more than 1 m; give sizes in metres, not millimetres");
+}
+
+template <class Sizes>
+void demand_sizes(const char* field, const Sizes& sizes) {
+  for (const double size : sizes) demand_size(field, size);
+}
+
+// Sine of the links' angle at an opening.
+double swing(const Gripper& hand, double opening) {
+  return std::sin(hand.link_angle) - (hand.max_opening - opening) / (2.0 * hand.link_length);
+}
+
+void check_openings(const Gripper& hand) {
+  demand_size("max_opening", hand.max_opening);
+  demand(hand.min_opening >= 0.0, "min_opening must not be negative; 0 is closed");
+  demand(hand.min_opening < hand.max_opening,
+         "min_opening must be smaller than max_opening; are the two swapped?");
+}
+
+void check_finger(const Gripper& hand) {
+  demand_sizes("finger", hand.finger);
+  demand_sizes("pad", hand.pad);
+  demand(hand.pad.x() <= hand.finger.x() + kRounding,
+         "pad is wider than finger along x; make pad[0] at most finger[0]");
+  demand(hand.pad.y() <= hand.finger.z() + kRounding,
+         "pad is longer than finger along z; make pad[1] at most finger[2]");
+  demand(hand.finger_front >= 0.0 && hand.finger_front < hand.finger.z(),
+         "finger_front must lie between 0 and the length of finger, finger[2]");
+  demand(0.5 * hand.pad.y() <= hand.finger_front + kRounding,
+         "pad reaches beyond the tip; make finger_front at least half of pad[1]");
+  demand(0.5 * hand.pad.y() <= hand.finger.z() - hand.finger_front + kRounding,
+         "pad reaches into the palm; make finger[2] at least finger_front plus half of pad[1]");
+}
+
+void check_links(const Gripper& hand) {
+  demand(hand.link_length >= 0.0 && hand.link_length <= kLargest,
+         "link_length must lie in 0 to 1 m; 0 is for fingers that slide straight");
+  demand(hand.link_angle >= 0.0 && hand.link_angle < 1.5,
+         "link_angle must lie in 0 to 1.5 rad; give radians, not degrees");
+  demand(hand.link_length > 0.0 || hand.link_angle == 0.0,
+         "link_length is missing beside link_angle; give both or neither");
+  demand(hand.link_length == 0.0 || swing(hand, hand.min_opening) > -1.0,
+         "link_length is too short to close to min_opening; make it longer");
+}
 
 }  // namespace
 
 void Gripper::check() const {
-  demand(positive(max_opening), "max_opening must be positive");
-  demand(min_opening >= 0.0 && min_opening < max_opening,
-         "min_opening must lie between 0 and max_opening");
-  for (int i = 0; i < 3; ++i) {
-    demand(positive(finger[i]), "finger must have positive sizes");
-    demand(positive(palm[i]), "palm must have positive sizes");
-  }
-  demand(positive(pad.x()) && pad.x() <= finger.x(), "pad must be no wider than finger along x");
-  demand(positive(pad.y()) && pad.y() <= finger.z(), "pad must be no longer than finger along z");
-  demand(finger_front >= 0.0 && finger_front < finger.z(),
-         "finger_front must lie between 0 and the length of finger");
-  demand(positive(max_force), "max_force must be positive");
+  check_openings(*this);
+  check_finger(*this);
+  demand_sizes("palm", palm);
+  demand(std::isfinite(max_force) && max_force > 0.0,
+         "max_force must be positive; give the closing force in newtons");
+  check_links(*this);
+  demand(tcp == 0.0 || tcp >= finger.z() - finger_front - kRounding,
+         "finger reaches farther back than tcp; make tcp at least finger[2] - finger_front");
+  demand(tcp <= kLargest, "tcp is more than 1 m; give sizes in metres, not millimetres");
 }
+
+double Gripper::extension(double opening) const {
+  if (link_length == 0.0) return 0.0;
+  const double s =
+      std::clamp(swing(*this, std::clamp(opening, min_opening, max_opening)), -1.0, 1.0);
+  return link_length * (std::sqrt(1.0 - s * s) - std::cos(link_angle));
+}
+
+double Gripper::most_extension(double narrow, double wide) const {
+  if (link_length == 0.0) return 0.0;
+  // Farthest where the links lie along the approach.
+  const double straight = max_opening - 2.0 * link_length * std::sin(link_angle);
+  return extension(std::clamp(straight, std::min(narrow, wide), std::max(narrow, wide)));
+}
+
+double Gripper::reach(double width) const { return finger.z() - finger_front + extension(width); }
 
 Gripper franka_hand() {
   Gripper hand;
@@ -40,6 +107,8 @@ Gripper franka_hand() {
   hand.pad = {0.0175, 0.018};
   hand.palm = {0.063, 0.204, 0.066};
   hand.max_force = 70.0;
+  // From panda_hand to panda_hand_tcp.
+  hand.tcp = 0.1034;
   return hand;
 }
 
@@ -52,6 +121,8 @@ Gripper schunk_wsg50() {
   hand.pad = {0.02, 0.02};
   hand.palm = {0.0495, 0.146, 0.0725};
   hand.max_force = 80.0;
+  // From the middle of the body, where Drake has the hand's frame.
+  hand.tcp = 0.5 * 0.0725 + 0.065;
   return hand;
 }
 

@@ -8,8 +8,11 @@ SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, doub
                      double width, double approach) {
   const double x = 0.5 * gripper.finger.x();
   const double thick = gripper.finger.y();
-  const double tip = gripper.finger_front;
-  const double back = tip - gripper.finger.z();
+  // The frame G is that of the closed hand. Fingers on links reach farther forward once closed; the
+  // tips may also draw back a little at the end.
+  const double back = -gripper.reach(width);
+  const double tip =
+      gripper.finger_front + gripper.most_extension(width, preshape) - gripper.extension(width);
   SweptHand hand;
   for (int i = 0; i < 2; ++i) {
     const double side = i == 0 ? 1.0 : -1.0;

@@ -131,7 +131,9 @@ class Planner {
 
   // How far the hand reaches from a target's surface.
   double reach() const {
-    const double back = gripper_.finger.z() + gripper_.palm.z() + options_.approach;
+    const double back = gripper_.finger.z() +
+                        gripper_.most_extension(gripper_.min_opening, gripper_.max_opening) +
+                        gripper_.palm.z() + options_.approach;
     return Eigen::Vector2d(back, 0.5 * gripper_.palm.head<2>().norm()).norm();
   }
 

@@ -25,8 +25,9 @@ constexpr double kUpright = 0.866;
 // stray ones beyond.
 constexpr double kOwn = 0.004, kStrayShare = 0.02;
 constexpr std::size_t kLeastPoints = 100;
-// How far below the rim the pads touch [m]: what holds, and what is seen from above.
-constexpr double kBites[] = {0.006, 0.010};
+// How far below the rim the middle of what the pads cover lies [m]: what holds, and what is seen
+// from above. The pads close along the wall's normal there: else they would turn a bent wall.
+constexpr double kBites[] = {0.0045, 0.0065};
 constexpr int kAround = 36;
 // Points within half a pad of a contact tell where the wall is there [m]; so few would be noise;
 // and no better than this is known what they tell [m].
@@ -129,11 +130,15 @@ ContactLine rim_line(const Shell& shell, double angle, double z, const Gripper& 
   const double low = shell.inner() - inside, high = shell.outer() + outside;
   ContactLine line;
   line.width = 0.5 * (shell.wall.least + shell.wall.most);
-  line.opening = high - low;
+  // Midway between the pads on a wall of mean thickness, so that neither pushes the vessel far; the
+  // opening holds the thickest wall on either side of it.
+  const double unseen = shell.wall.most - line.width;
+  const double middle = 0.5 * (low + high + (shell.seen_inside ? -unseen : unseen));
+  line.opening = 2.0 * std::max(high - middle, middle - low);
   line.std = body.width_std(n_Q, z);
   line.closing_C = body.X_CQ.linear() * n_Q;
   const auto at = [&](double off) -> Eigen::Vector3d { return body.X_CQ * (p_Q + off * n_Q); };
-  line.centre_C = at(0.5 * (low + high));
+  line.centre_C = at(middle);
   line.contacts_C = {at(shell.seen_inside ? line.width : 0.0),
                      at(shell.seen_inside ? 0.0 : -line.width)};
   line.normals_C = {line.closing_C, Eigen::Vector3d(-line.closing_C)};

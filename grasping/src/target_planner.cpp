@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "closing.hpp"
 #include "quadrille/grasping/quality.hpp"
 
 namespace quadrille {
@@ -69,6 +70,7 @@ std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
 
 std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C,
                                            std::map<std::string, int>& rejected) {
+  at_rim_ = true;
   std::vector<ContactLine> lines = target_.rim;
   std::erase_if(lines, [&](const ContactLine& line) { return !fits(line, rejected); });
   ApproachSpace space = approach_space(viewpoint_C);
@@ -159,11 +161,13 @@ void TargetPlanner::try_candidate(const ContactLine& line, const GraspCandidate&
   try_chords(line, candidate.approach_C, rejected);
 }
 
-// The tips a little beyond the contacts, then the pads' middle at them.
+// The tips as far beyond the contacts as the rim is before them, then the pads' middle at them.
 void TargetPlanner::try_rim(const ContactLine& line, const GraspCandidate& candidate,
                             std::map<std::string, int>& rejected) {
   if (resembles_accepted(line, candidate.approach_C)) return;
-  for (const double depth : {kTipBeyond - gripper_.finger_front, 0.0}) {
+  const Body& body = target_.shell->body;
+  const double bite = body.z_max - (body.X_CQ.inverse() * line.centre_C).z();
+  for (const double depth : {bite - gripper_.finger_front, 0.0}) {
     if (try_depth(line, candidate.approach_C, depth, rejected)) return;
   }
 }
@@ -171,6 +175,10 @@ void TargetPlanner::try_rim(const ContactLine& line, const GraspCandidate& candi
 bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C,
                               double depth, std::map<std::string, int>& rejected) {
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
+  if (!on_pads(line, X_CG, gripper_)) {
+    ++rejected["friction"];
+    return false;
+  }
   const auto swept = [&](double preshape) {
     return sweep_hand(gripper_, X_CG, preshape, line.width, options_.approach);
   };
@@ -181,6 +189,10 @@ bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& ap
   };
   if (const auto what = scene_.palm_obstruction(swept(line.opening))) {
     refuse(*what);
+    return false;
+  }
+  if (!at_rim_ && meets_too_early(line, X_CG, gripper_, scene_.target, margin(line))) {
+    refuse(Obstruction::kTarget);
     return false;
   }
   for (const double preshape : preshapes(line)) {
@@ -203,7 +215,7 @@ bool TargetPlanner::try_chords(const ContactLine& line, const Eigen::Vector3d& a
   for (const double share : {0.2, 0.36}) {
     const Eigen::Vector3d p_C = line.centre_C - 0.5 * share * line.width * approach_C;
     std::optional<ContactLine> beside = chord(target_.body, p_C, line.closing_C);
-    if (!beside) continue;
+    if (!beside || lopsided(*beside, approach_C)) continue;
     beside->opening = line.opening;
     beside->std = line.std;
     if (usable(*beside, rejected) && try_depth(*beside, approach_C, depth, rejected)) return true;
@@ -225,6 +237,13 @@ Grasp TargetPlanner::describe(const ContactLine& line, const Eigen::Isometry3d& 
   return grasp;
 }
 
+// 1 if the pads cover a wall along its axis; less if they lie askew, where its bend twists it.
+double TargetPlanner::upright(const Grasp& grasp) const {
+  if (!at_rim_) return 1.0;
+  const double along = -grasp.X_CG.linear().col(2).dot(target_.shell->body.X_CQ.linear().col(2));
+  return std::clamp(2.0 * along - 1.0, 0.0, 1.0);
+}
+
 void TargetPlanner::rate(Grasp& grasp, const ContactLine& line) const {
   const double reach = 0.5 * target_.body.bounds_Q().sizes().maxCoeff();
   ContactModel model;
@@ -238,7 +257,7 @@ void TargetPlanner::rate(Grasp& grasp, const ContactLine& line) const {
   const int seen = observed(line.contacts_C[0]) + observed(line.contacts_C[1]);
   grasp.unknown_contact = seen < 2;
   ScoreTerms terms;
-  terms.friction = 1.0 - grasp.friction_needed / options_.friction;
+  terms.friction = (1.0 - grasp.friction_needed / options_.friction) * upright(grasp);
   terms.clearance = grasp.clearance / 0.01;
   terms.observed = 0.5 * seen;
   terms.room = 0.5 * (grasp.preshape - line.opening) / 0.005;

@@ -56,6 +56,7 @@ class TargetPlanner {
   bool try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
                   std::map<std::string, int>& rejected);
   Grasp describe(const ContactLine& line, const Eigen::Isometry3d& X_CG, double preshape) const;
+  double upright(const Grasp& grasp) const;
   void rate(Grasp& grasp, const ContactLine& line) const;
   double margin(const ContactLine& line) const;
 
@@ -64,6 +65,8 @@ class TargetPlanner {
   const PlanOptions& options_;
   const OccupancyGrid& grid_;
   const CollisionScene& scene_;
+  // Across a wall, whose thickness is not known, and no longer than the pads.
+  bool at_rim_ = false;
   int checks_ = 0;
   std::vector<Grasp> accepted_;
 };

@@ -86,7 +86,11 @@ TEST_CASE("rim lines lie across the wall below the rim with room for its bend", 
       CHECK(seen.head<2>().norm() == Approx(r));
       CHECK(seen.z() < shell.body.z_max);
       CHECK(std::abs(line.closing_C.dot(kUp)) < 1e-9);
-      CHECK(line.opening == Approx(0.008 + r - std::sqrt(r * r - half * half)));
+      // A wall of 5 mm in the middle, and room for one of 8 mm on its unseen side.
+      const double bend = r - std::sqrt(r * r - half * half);
+      CHECK(line.opening == Approx(0.005 + bend + 2.0 * 0.003));
+      const double middle = (shell.body.X_CQ.inverse() * line.centre_C).head<2>().norm();
+      CHECK(middle == Approx(r + (inner ? 0.0025 : -0.0025) - 0.5 * bend));
     }
   }
 }

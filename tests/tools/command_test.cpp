@@ -1,3 +1,4 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "scene/scene_files.hpp"
@@ -231,6 +232,29 @@ TEST_CASE("a plan without grasps says why and what to try", "[command]") {
   const Run narrow = run_quadrille("plan --gripper " + tiny + " " + scene);
   INFO(narrow.out << narrow.err);
   CHECK(contains(narrow.out, "wider than the gripper's opening"));
+}
+
+TEST_CASE("a plan gives the hand's pose in another convention beside the grasp's", "[command]") {
+  const TempFolder folder;
+  const std::string scene = folder.path("s.ply");
+  REQUIRE(run_quadrille("scene --family tabletop --seed 3 " + scene).code == 0);
+  const std::string plan = "plan --json - --gripper ";
+  const json without = json::parse(run_quadrille(plan + "franka " + scene).out);
+  const json with = json::parse(run_quadrille(plan + "franka --convention moveit " + scene).out);
+  REQUIRE_FALSE(with["grasps"].empty());
+  CHECK_FALSE(without["grasps"][0].contains("X_CH"));
+  const json& hand = with["grasps"][0]["X_CH"];
+  CHECK(hand["convention"] == "moveit");
+  // The same orientation, 103.4 mm behind.
+  CHECK(hand["quaternion"] == with["grasps"][0]["X_CG"]["quaternion"]);
+  CHECK(with["grasps"][0]["X_CG"] == without["grasps"][0]["X_CG"]);
+  double square = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    const double p = hand["position"][i], q = with["grasps"][0]["X_CG"]["position"][i];
+    square += (p - q) * (p - q);
+  }
+  CHECK(std::sqrt(square) == Approx(0.1034));
+  CHECK(run_quadrille(plan + "franka --convention claw " + scene).code == 2);
 }
 
 TEST_CASE("a wrong configuration or gripper file ends the command with 1", "[command][hostile]") {

@@ -1,5 +1,7 @@
 #include "io/config.hpp"
 
+#include <stdexcept>
+
 #include "io/gripper_file.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
@@ -91,6 +93,36 @@ TEST_CASE("a gripper is read from its file", "[gripper]") {
   CHECK(gripper.palm == Eigen::Vector3d(0.06, 0.2, 0.06));
   CHECK(gripper.finger_front == 0.01);
   CHECK(gripper.max_force == 70.0);
+}
+
+TEST_CASE("the Robotiq hands are known by name, with links that close them", "[gripper]") {
+  const Gripper small = io::load_gripper("robotiq_2f85");
+  CHECK(small.max_opening == 0.085);
+  CHECK(small.extension(0.0) == Approx(0.0139).margin(3e-4));
+  const Gripper large = io::load_gripper("robotiq_2f140");
+  CHECK(large.max_opening == 0.1285);
+  CHECK(large.extension(0.0) == Approx(0.0237).margin(3e-4));
+  std::string unknown;
+  try {
+    io::load_gripper("claw");
+  } catch (const std::invalid_argument& error) {
+    unknown = error.what();
+  }
+  CHECK(contains(unknown, "known: franka, wsg50, robotiq_2f140, robotiq_2f85"));
+}
+
+TEST_CASE("a contradiction in a gripper file is one line with file, field and remedy",
+          "[gripper][hostile]") {
+  const test::TempFolder folder;
+  std::string text = kGripper;
+  text.replace(text.find("max_opening = 0.1"), 17, "max_opening = 0.0");
+  const std::string path = folder.write("g.toml", text);
+  const std::string error = error_of([&] { io::load_gripper(path); });
+  CHECK(contains(error, path));
+  CHECK(contains(error, "max_opening must be positive; measure it on the hand"));
+  CHECK_FALSE(contains(error, "\n"));
+  CHECK(contains(gripper_error(kGripper + "link_angle = 0.5\n"), "link_length is missing"));
+  CHECK(contains(gripper_error(kGripper + "tcp = \"far\"\n"), "'tcp' must be a number"));
 }
 
 TEST_CASE("a wrong gripper file is refused with its key", "[gripper][hostile]") {

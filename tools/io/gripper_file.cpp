@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
+#include "io/gripper_files.hpp"
 #include "io/toml_file.hpp"
 
 namespace quadrille::io {
@@ -12,9 +14,16 @@ namespace {
 /// Reads one key after the other and remembers which ones it knows.
 class GripperReader {
  public:
-  explicit GripperReader(const std::string& path) : path_(path), table_(read_toml(path)) {}
+  GripperReader(const std::string& path, toml::table table)
+      : path_(path), table_(std::move(table)) {}
 
   void read(const char* key, double* value) { *value = number(key, required(key)); }
+
+  /// Leaves the value alone where the key is missing.
+  void read_if_there(const char* key, double* value) {
+    known_.insert(key);
+    if (const toml::node* node = table_.get(key)) *value = number(key, *node);
+  }
 
   template <int Size>
   void read(const char* key, Eigen::Matrix<double, Size, 1>* value) {
@@ -63,10 +72,8 @@ class GripperReader {
   std::set<std::string> known_;
 };
 
-}  // namespace
-
-Gripper read_gripper(const std::string& path) {
-  GripperReader reader(path);
+Gripper gripper_from(toml::table table, const std::string& path) {
+  GripperReader reader(path, std::move(table));
   Gripper gripper;
   gripper.name = reader.read_name();
   reader.read("max_opening", &gripper.max_opening);
@@ -76,6 +83,9 @@ Gripper read_gripper(const std::string& path) {
   reader.read("pad", &gripper.pad);
   reader.read("palm", &gripper.palm);
   reader.read("max_force", &gripper.max_force);
+  reader.read_if_there("link_length", &gripper.link_length);
+  reader.read_if_there("link_angle", &gripper.link_angle);
+  reader.read_if_there("tcp", &gripper.tcp);
   reader.refuse_unknown();
   try {
     gripper.check();
@@ -85,9 +95,23 @@ Gripper read_gripper(const std::string& path) {
   return gripper;
 }
 
+}  // namespace
+
+Gripper read_gripper(const std::string& path) { return gripper_from(read_toml(path), path); }
+
 Gripper load_gripper(const std::string& name_or_path) {
   if (name_or_path.ends_with(".toml")) return read_gripper(name_or_path);
-  return gripper_by_name(name_or_path);
+  std::string names;
+  for (const GripperText& file : gripper_texts()) {
+    const std::string path = file.name + ".toml";
+    if (file.name == name_or_path) return gripper_from(parse_toml(file.toml, path), path);
+    names += ", " + file.name;
+  }
+  try {
+    return gripper_by_name(name_or_path);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(error.what() + names);
+  }
 }
 
 }  // namespace quadrille::io

@@ -7,11 +7,13 @@
 namespace quadrille::io {
 
 /// Reads a gripper from a TOML file whose keys are the fields of Gripper; all sizes in metres,
-/// vectors as arrays. `name` is optional, every other key is required.
-/// @throws FileError naming line and key
+/// vectors as arrays. `name`, `link_length`, `link_angle` and `tcp` are optional, every other key
+/// is required.
+/// @throws FileError naming line and key, or what contradicts what
 Gripper read_gripper(const std::string& path);
 
-/// A gripper by built-in name, or from a file if the text ends in ".toml".
+/// A gripper by built-in name (of the library or of a file in tools/grippers), or from a file if
+/// the text ends in ".toml".
 /// @throws FileError as above
 /// @throws std::invalid_argument if there is no gripper of that name; lists the names
 Gripper load_gripper(const std::string& name_or_path);

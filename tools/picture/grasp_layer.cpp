@@ -19,7 +19,7 @@ struct Stroke {
 void draw_hand(const Grasp& grasp, const Gripper& gripper, const View& view, const Stroke& stroke,
                Image* image) {
   const double half = std::max(grasp.preshape, grasp.width) / 2, tip = gripper.finger_front;
-  const double back = tip - gripper.finger.z(), wrist = back - gripper.palm.z();
+  const double back = -gripper.reach(grasp.width), wrist = back - gripper.palm.z();
   const double start = wrist - std::min(grasp.approach, 0.1);
   const auto line = [&](const Eigen::Vector3d& from_G, const Eigen::Vector3d& to_G) {
     const auto from = view.project(grasp.X_CG * from_G), to = view.project(grasp.X_CG * to_G);

@@ -7,12 +7,14 @@
 #include "quadrille/log_command.hpp"
 #include "quadrille/plan_command.hpp"
 #include "quadrille/scene_command.hpp"
+#include "quadrille/try_command.hpp"
 
 int main(int argc, char** argv) {
   CLI::App app("Finds quadrics in point clouds and plans grasps on them", "quadrille");
   app.require_subcommand(1);
   quadrille::add_detect_command(app);
   quadrille::add_plan_command(app);
+  quadrille::add_try_command(app);
   quadrille::add_scene_command(app);
   quadrille::add_log_command(app);
   quadrille::add_experiment_command(app);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/choice_option.hpp"
 #include "cli/detector_arguments.hpp"
 #include "cli/planner_arguments.hpp"
 #include "io/config.hpp"
@@ -17,6 +18,7 @@
 #include "picture/png.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/grasping/conventions.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/output.hpp"
@@ -31,7 +33,27 @@ struct PlanArguments {
   std::vector<std::string> views;
   DetectorArguments detector;
   PlannerArguments planner;
+  std::optional<HandConvention> convention;
 };
+
+Choices<HandConvention> conventions() {
+  Choices<HandConvention> choices;
+  for (const HandConvention convention : kHandConventions) {
+    choices.emplace_back(std::string(to_string(convention)), convention);
+  }
+  return choices;
+}
+
+// Adds to each grasp the pose of the hand as other software names it.
+void add_hands(const GraspPlan& plan, const Gripper& gripper, HandConvention convention,
+               io::Json* json) {
+  for (std::size_t n = 0; n < plan.grasps.size(); ++n) {
+    const Grasp& grasp = plan.grasps[n];
+    io::Json hand = {{"convention", std::string(to_string(convention))}};
+    hand.update(io::to_json(hand_pose(convention, gripper, grasp.X_CG, grasp.width)));
+    (*json)["grasps"][n]["X_CH"] = hand;
+  }
+}
 
 PlanOptions plan_options(const PlanArguments& arguments) {
   const std::string& config = arguments.detector.config;
@@ -73,7 +95,9 @@ void run(const PlanArguments& arguments) {
   const std::vector<Detection> detections = bus::as_received(result.detections);
   const GraspPlan plan =
       plan_grasps(input.cloud, detections, gripper, options, read_views(arguments.views));
-  json.write(io::plan_json(input.info, result, plan));
+  io::Json object = io::plan_json(input.info, result, plan);
+  if (arguments.convention) add_hands(plan, gripper, *arguments.convention, &object);
+  json.write(object);
   json.finish();
   if (!json.owns_stdout())
     print(detection_table(input.info, result) + grasp_table(plan, options.unknown));
@@ -98,6 +122,8 @@ void add_plan_command(CLI::App& app) {
       ->type_name("CLOUD");
   command->add_option("--map", arguments->map, "Write free and occupied space as an OctoMap")
       ->type_name("FILE.bt");
+  add_choice_option(*command, "--convention", arguments->convention, conventions(),
+                    "Add to each grasp's JSON the hand's pose X_CH as this software has it");
   add_picture_option(*command, arguments->picture, "the cloud, the quadrics and the grasps");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });

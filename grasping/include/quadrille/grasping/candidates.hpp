@@ -24,7 +24,7 @@ struct ApproachSpace {
   Eigen::Vector3d view_C = -Eigen::Vector3d::UnitZ();
   /// Unit normal of the plane that the target stands on; zero if none is known.
   Eigen::Vector3d up_C = Eigen::Vector3d::Zero();
-  /// Unit direction into the mouth of a shell, which the hand comes along within 60°; or zero.
+  /// Unit direction into the mouth of a shell, which the hand comes along within 45°; or zero.
   Eigen::Vector3d into_C = Eigen::Vector3d::Zero();
   /// Axes of the target's canonical frame, the reference where the view gives none.
   Eigen::Matrix3d axes_C = Eigen::Matrix3d::Identity();

@@ -12,7 +12,8 @@ struct Gripper {
   std::string name;
   /// Largest and smallest distance between the pads [m].
   double max_opening = 0.0, min_opening = 0.0;
-  /// One finger: its size along x, y (thickness) and z, from its back to its tip [m].
+  /// One finger: its size along x, y (thickness) and z, from its back to its tip, at the largest
+  /// opening [m].
   Eigen::Vector3d finger = Eigen::Vector3d::Zero();
   /// How far the tip lies before the origin of G along z [m].
   double finger_front = 0.0;
@@ -22,8 +23,23 @@ struct Gripper {
   Eigen::Vector3d palm = Eigen::Vector3d::Zero();
   /// Largest closing force [N].
   double max_force = 0.0;
+  /// Length of the links on which the fingers swing, each on a parallelogram so that the pads stay
+  /// parallel [m], and the angle of the links to the approach at the largest opening [rad]. Both 0:
+  /// the fingers slide straight.
+  double link_length = 0.0, link_angle = 0.0;
+  /// From the origin of the hand's own frame (of its link in a robot's description) to the origin
+  /// of G along the approach, at the largest opening [m]. 0: the frame lies at the palm's back.
+  double tcp = 0.0;
 
-  /// @throws std::invalid_argument naming the field that contradicts the others
+  /// How much farther from the palm the tips lie at an opening than at the largest one [m]: with L
+  /// and φ the links' length and angle, L(cos ψ − cos φ) where sin ψ = sin φ − (max − opening)/2L.
+  double extension(double opening) const;
+  /// Largest extension over all openings from `narrow` to `wide` [m].
+  double most_extension(double narrow, double wide) const;
+  /// From the palm's front to the origin of G, closed to a width [m].
+  double reach(double width) const;
+
+  /// @throws std::invalid_argument naming the field that contradicts the others, and the remedy
   void check() const;
 };
 

@@ -52,7 +52,8 @@ std::optional<Shell> find_shell(const Body& body, bool seen_inside, const PointC
                                 const WallThickness& wall);
 
 /// Contact lines across the wall, all around the rim, some millimetres below it: one pad inside,
-/// one outside, each clear of the thickest wall and of its bend within the finger's width.
+/// one outside, each clear of the thickest wall and of its bend within the finger's width, and
+/// midway between them a wall of mean thickness.
 std::vector<ContactLine> rim_lines(const Shell& shell, const Gripper& gripper);
 
 /// Those of the lines at which enough points of the wall were measured, with the deviation of these

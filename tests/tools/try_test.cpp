@@ -1,0 +1,91 @@
+#include <cmath>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "physics/trial.hpp"
+#include "support/catch.hpp"
+#include "tools/support_files.hpp"
+
+using namespace quadrille;
+using nlohmann::json;
+using test::check_failure;
+using test::contains;
+using test::Run;
+using test::run_quadrille;
+using test::TempFolder;
+
+namespace {
+
+bool has_physics() {
+  const std::string missing = physics::missing_physics();
+  if (!missing.empty()) std::cerr << "no physics: " << missing << "\n";
+  return missing.empty();
+}
+
+std::string make_scene(const TempFolder& folder) {
+  const std::string scene = folder.path("s.ply");
+  REQUIRE(run_quadrille("scene --family tabletop --seed 3 " + scene).code == 0);
+  return scene;
+}
+
+}  // namespace
+
+TEST_CASE("grasps of a scene are tried, and the same ones from the plan's file", "[command]") {
+  if (!has_physics()) return;
+  const TempFolder folder;
+  const std::string scene = make_scene(folder), hand = " --gripper franka ";
+  const Run table = run_quadrille("try --first" + hand + scene);
+  INFO(table.out << table.err);
+  REQUIRE(table.code == 0);
+  CHECK(contains(table.out, "turn/deg"));
+  CHECK(contains(table.out, "first of each target"));
+  const json direct = json::parse(run_quadrille("try --first --json -" + hand + scene).out);
+  REQUIRE_FALSE(direct["grasps"].empty());
+  for (const json& grasp : direct["grasps"]) {
+    CHECK(grasp["first"] == true);
+    const bool held = grasp["lifted"] && grasp["slip"] < 0.005 && grasp["rotation"] < 0.08727;
+    CHECK(grasp["held"] == held);
+    CHECK((grasp["outcome"] == "held") == held);
+  }
+  const std::string plan = folder.path("p.json");
+  REQUIRE(run_quadrille("plan --json " + plan + hand + scene).code == 0);
+  const json again = json::parse(run_quadrille("try --first --json -" + hand + plan).out);
+  REQUIRE(again["grasps"].size() == direct["grasps"].size());
+  for (std::size_t i = 0; i < again["grasps"].size(); ++i) {
+    // Poses come back from JSON to the last bit but one.
+    CHECK(again["grasps"][i]["object"] == direct["grasps"][i]["object"]);
+    CHECK(again["grasps"][i]["touched"] == direct["grasps"][i]["touched"]);
+  }
+  CHECK(json::parse(run_quadrille("try --first --json -" + hand + plan).out) == again);
+  const json slippery =
+      json::parse(run_quadrille("try --first --friction 0 --json -" + hand + plan).out);
+  CHECK(slippery["summary"]["first"]["held"] == 0);
+}
+
+TEST_CASE("grasps are tried on plans of the true quadrics", "[command]") {
+  if (!has_physics()) return;
+  const TempFolder folder;
+  const Run run =
+      run_quadrille("try --exact --first --json - --gripper wsg50 " + make_scene(folder));
+  REQUIRE(run.code == 0);
+  const json exact = json::parse(run.out);
+  REQUIRE(exact["summary"]["first"]["tried"] > 0);
+  CHECK(exact["summary"]["first"]["held"] > 0);
+  for (const json& grasp : exact["grasps"]) CHECK(grasp["object"] == grasp["target"]);
+}
+
+TEST_CASE("what cannot be tried ends with one line, or as wrong usage", "[command][hostile]") {
+  const TempFolder folder;
+  const std::string hand = "try --gripper franka ";
+  CHECK(run_quadrille("try " + folder.path("s.ply")).code == 2);
+  CHECK(run_quadrille(hand + "a.pcd").code == 2);
+  CHECK(run_quadrille(hand + "--friction -1 a.ply").code == 2);
+  if (!physics::missing_physics().empty()) {
+    return check_failure(run_quadrille(hand + "a.ply"), "libbullet-dev");
+  }
+  check_failure(run_quadrille(hand + folder.path("none.ply")), "none.truth.json");
+  check_failure(run_quadrille(hand + folder.write("p.json", "{}")), "p.json");
+  const std::string plan =
+      R"({"input": ")" + folder.path("gone.ply") + R"(", "detections": [], "grasps": []})";
+  check_failure(run_quadrille(hand + folder.write("q.json", plan)), "gone.truth.json");
+}

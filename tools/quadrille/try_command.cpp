@@ -1,0 +1,131 @@
+#include "quadrille/try_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cli/detector_arguments.hpp"
+#include "cli/planner_arguments.hpp"
+#include "io/config.hpp"
+#include "physics/attempts.hpp"
+#include "physics/plan_file.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/detector/detector.hpp"
+#include "quadrille/inputs.hpp"
+#include "quadrille/output.hpp"
+#include "quadrille/progress_line.hpp"
+#include "quadrille/try_table.hpp"
+
+namespace quadrille {
+namespace {
+
+struct TryArguments {
+  std::vector<std::string> inputs;
+  std::string json;
+  bool exact = false, only_first = false;
+  DetectorArguments detector;
+  PlannerArguments planner;
+  physics::TrialOptions trial;
+};
+
+/// What does not change from input to input.
+struct Job {
+  Gripper gripper;
+  DetectorOptions detector;
+  PlanOptions plan;
+};
+
+Job job_of(const TryArguments& arguments) {
+  Job job{arguments.planner.gripper(), arguments.detector.options(), {}};
+  print_warnings(arguments.detector.config, arguments.detector.warnings());
+  if (!arguments.detector.config.empty()) {
+    job.plan = io::load_settings(arguments.detector.config).planner;
+  }
+  job.plan.unknown = arguments.planner.unknown.value_or(job.plan.unknown);
+  return job;
+}
+
+/// What is to be tried, and on what it was planned.
+struct Planned {
+  std::vector<Grasp> grasps;
+  physics::SeenQuadrics seen;
+};
+
+Planned plan_on(const std::string& path, const physics::TrueScene& truth,
+                const TryArguments& arguments, const Job& job) {
+  const auto [input, warnings] = read_single_cloud(path);
+  print_warnings(path, warnings);
+  const std::vector<Detection> detections =
+      arguments.exact ? truth.detections
+                      : bus::as_received(detect(input.cloud, job.detector).detections);
+  return {plan_grasps(input.cloud, detections, job.gripper, job.plan).grasps,
+          physics::seen_quadrics(detections)};
+}
+
+std::vector<physics::Attempt> attempts_on(const std::string& input, const TryArguments& arguments,
+                                          const Job& job) {
+  physics::TrueScene truth;
+  Planned planned;
+  if (input.ends_with(".json")) {
+    const physics::PlanFile plan = physics::read_plan(input);
+    truth = physics::read_true_scene(plan.cloud);
+    planned = {plan.grasps, physics::seen_quadrics(plan.detections)};
+  } else {
+    truth = physics::read_true_scene(input);
+    planned = plan_on(input, truth, arguments, job);
+  }
+  ProgressLine line;
+  return physics::try_grasps(planned.grasps, planned.seen, truth, job.gripper, arguments.trial,
+                             arguments.only_first, [&](double share) { line.show(share); });
+}
+
+void run(const TryArguments& arguments) {
+  const std::string missing = physics::missing_physics();
+  if (!missing.empty()) throw std::runtime_error(missing);
+  const Job job = job_of(arguments);
+  JsonLines json(arguments.json);
+  std::vector<physics::Attempt> all;
+  for (const std::string& input : arguments.inputs) {
+    const std::vector<physics::Attempt> attempts = attempts_on(input, arguments, job);
+    json.write(attempts_json(input, attempts));
+    if (!json.owns_stdout()) print(attempt_table(input, attempts));
+    all.insert(all.end(), attempts.begin(), attempts.end());
+  }
+  json.finish();
+  if (!json.owns_stdout()) print(attempt_summary(all));
+}
+
+std::string check_input(const std::string& path) {
+  if (path.ends_with(".ply") || path.ends_with(".json")) return "";
+  return "'" + path + "' is neither a .ply cloud with its truth nor a plan in .json";
+}
+
+}  // namespace
+
+void add_try_command(CLI::App& app) {
+  auto arguments = std::make_shared<TryArguments>();
+  CLI::App* command =
+      app.add_subcommand("try", "Try planned grasps on the true objects of generated scenes");
+  command
+      ->add_option("INPUT", arguments->inputs,
+                   "Clouds of quadrille scene (.ply) to plan on, or plans (.json)")
+      ->required()
+      ->check(CLI::Validator(check_input, ""));
+  arguments->planner.add_to(*command, "");
+  command->add_flag("--exact", arguments->exact, "Plan on the true quadrics, not on detected ones");
+  command->add_flag("--first", arguments->only_first, "Only the best grasp of each target");
+  command->add_option("--friction", arguments->trial.friction, "Of pads and objects")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  command->add_option("--density", arguments->trial.density, "Of objects [kg/m3]")
+      ->check(CLI::Range(1.0, 30000.0))
+      ->capture_default_str();
+  command->add_option("--force", arguments->trial.force, "Closing force [N]; 0: the gripper's own")
+      ->check(CLI::Range(0.0, 10000.0));
+  command->add_option("--json", arguments->json, "Write JSON; - is stdout")->type_name("FILE|-");
+  arguments->detector.add_to(*command);
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace quadrille

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace quadrille {
+
+/// Adds `quadrille try` to the app.
+void add_try_command(CLI::App& app);
+
+}  // namespace quadrille

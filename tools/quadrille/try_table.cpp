@@ -1,0 +1,120 @@
+#include "quadrille/try_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numbers>
+
+namespace quadrille {
+namespace {
+
+using physics::Attempt;
+using physics::Outcome;
+
+/// How many ended in which way.
+struct Count {
+  int tried = 0;
+  std::map<Outcome, int> ends;
+
+  void add(const Attempt& attempt) {
+    ++ends[attempt.outcome];
+    tried += attempt.outcome != Outcome::kUntried;
+  }
+  int held() const {
+    const auto found = ends.find(Outcome::kHeld);
+    return found == ends.end() ? 0 : found->second;
+  }
+  std::string others() const {
+    std::string text;
+    for (const auto& [outcome, count] : ends) {
+      if (outcome != Outcome::kHeld) text += fmt::format(", {} {}", count, to_string(outcome));
+    }
+    return text;
+  }
+};
+
+std::string line_of(const std::string& name, const Count& count) {
+  const double share = count.tried > 0 ? 100.0 * count.held() / count.tried : 0.0;
+  return fmt::format("  {:<24} {:>4} of {:>4} held ({:.1f} %){}\n", name, count.held(), count.tried,
+                     share, count.others());
+}
+
+io::Json json_of(const Count& count) {
+  io::Json json = {{"tried", count.tried}, {"held", count.held()}};
+  for (const auto& [outcome, number] : count.ends) {
+    if (outcome != Outcome::kHeld) json[to_string(outcome)] = number;
+  }
+  return json;
+}
+
+/// All attempts, the first of each target, and these by type.
+struct Summary {
+  Count all, first;
+  std::map<std::string, Count> by_type;
+
+  explicit Summary(const std::vector<Attempt>& attempts) {
+    for (const Attempt& attempt : attempts) {
+      all.add(attempt);
+      if (!attempt.first) continue;
+      first.add(attempt);
+      by_type[attempt.type].add(attempt);
+    }
+  }
+};
+
+double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+// What is lost falls far; nobody needs to know how far.
+double shown(double millimetres) { return std::min(millimetres, 999.9); }
+
+}  // namespace
+
+std::string attempt_table(const std::string& input, const std::vector<Attempt>& attempts) {
+  std::string text = input + ":\n";
+  if (attempts.empty()) return text + "  no grasps to try\n";
+  text += fmt::format("  {:>6} {:>5} {:<22} {:>8} {:>7} {:>8}  {}\n", "target", "score", "object",
+                      "width/mm", "slip/mm", "turn/deg", "outcome");
+  for (const Attempt& a : attempts) {
+    text += fmt::format("  {:>6} {:>5.2f} {:<22} {:>8.1f} {:>7.1f} {:>8.1f}  {}{}\n", a.target,
+                        a.score, a.type, 1000.0 * a.width, shown(1000.0 * a.trial.slip),
+                        degrees(a.trial.rotation), to_string(a.outcome),
+                        a.first ? "" : " (not the target's first)");
+  }
+  return text;
+}
+
+std::string attempt_summary(const std::vector<Attempt>& attempts) {
+  const Summary summary(attempts);
+  std::string text =
+      "in all:\n" + line_of("grasps", summary.all) + line_of("first of each target", summary.first);
+  for (const auto& [type, count] : summary.by_type) text += line_of("- " + type, count);
+  return text;
+}
+
+io::Json attempts_json(const std::string& input, const std::vector<Attempt>& attempts) {
+  io::Json rows = io::Json::array();
+  for (const Attempt& a : attempts) {
+    rows.push_back({{"target", a.target},
+                    {"first", a.first},
+                    {"score", a.score},
+                    {"width", a.width},
+                    {"object", a.object},
+                    {"type", a.type},
+                    {"outcome", to_string(a.outcome)},
+                    {"touched", a.trial.touched},
+                    {"lifted", a.trial.lifted},
+                    {"slip", a.trial.slip},
+                    {"rotation", a.trial.rotation},
+                    {"held", a.trial.held}});
+  }
+  const Summary summary(attempts);
+  io::Json by_type = io::Json::object();
+  for (const auto& [type, count] : summary.by_type) by_type[type] = json_of(count);
+  return {{"input", input},
+          {"grasps", rows},
+          {"summary",
+           {{"all", json_of(summary.all)}, {"first", json_of(summary.first)}, {"types", by_type}}}};
+}
+
+}  // namespace quadrille

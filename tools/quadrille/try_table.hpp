@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/json.hpp"
+#include "physics/attempts.hpp"
+
+namespace quadrille {
+
+/// The attempts of one input for people, a line each.
+std::string attempt_table(const std::string& input, const std::vector<physics::Attempt>& attempts);
+
+/// Attempts summed up: all of them, the first of each target, and the first ones by type of object.
+std::string attempt_summary(const std::vector<physics::Attempt>& attempts);
+
+/// The attempts of one input, slip in metres, rotation in radians, with their summary.
+io::Json attempts_json(const std::string& input, const std::vector<physics::Attempt>& attempts);
+
+}  // namespace quadrille
