@@ -66,7 +66,7 @@ TEST_CASE("a single view becomes a pyramid of depth cells", "[pyramid]") {
   const auto pyramid = make_depth_pyramid(cloud, {});
   REQUIRE(pyramid);
   check_pyramid(*pyramid, cloud.points.size());
-  // 3.6 mm cells at 1 m are one pixel of 3.3 mm.
+  // 3.1 mm cells at 1 m are one pixel of 3.3 mm.
   CHECK(pyramid->size(0) == 320 * 240);
   CHECK(make_pyramid(cloud, {})->size(0) == pyramid->size(0));
 }
@@ -93,7 +93,7 @@ TEST_CASE("a cloud fused from two sides has no depth grid and becomes voxels", "
   REQUIRE(pyramid);
   check_pyramid(*pyramid, cloud.points.size());
   // About one voxel per cell face of the surface 4πr², and more where it runs across them.
-  const double faces = 4 * M_PI * kRadius * kRadius / (0.0036 * 0.0036);
+  const double faces = 4 * M_PI * kRadius * kRadius / (0.0031 * 0.0031);
   CHECK(pyramid->size(0) > faces);
   CHECK(pyramid->size(0) < 2.5 * faces);
 }

@@ -17,7 +17,7 @@ inline constexpr int kLevels = 3;
 struct SamplingOptions {
   /// Edge of the finest cells [m], at the depth of the nearer third of the points: about a tenth
   /// of the smallest object.
-  double cell = 0.0036;
+  double cell = 0.0031;
   /// Noise of a finest cell's mean, in cells, above which the cells are doubled: smaller ones
   /// would show the noise and not the surface.
   double noisiest_cell = 0.8;
