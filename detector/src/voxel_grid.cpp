@@ -7,11 +7,6 @@ namespace quadrille {
 namespace {
 
 constexpr std::size_t kFewSlots = 64;
-constexpr std::uint64_t kNowhere = ~std::uint64_t{0};
-
-std::uint64_t key_of(std::uint32_t bx, std::uint32_t by, std::uint32_t bz) {
-  return bx | static_cast<std::uint64_t>(by) << 21 | static_cast<std::uint64_t>(bz) << 42;
-}
 
 }  // namespace
 
@@ -97,40 +92,6 @@ VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const in
   mean_.reserve(sum.size());
   for (std::size_t v = 0; v < sum.size(); ++v) mean_.push_back((sum[v] / count_[v]).cast<float>());
   if (of_point) *of_point = std::move(place);
-}
-
-VoxelFinder::VoxelFinder(const VoxelGrid& grid, float radius, std::span<const char> keep)
-    : grid_(grid),
-      keep_(keep),
-      radius_(radius),
-      reach_(static_cast<int>(std::ceil(radius / (4 * grid.edge())))),
-      home_(kNowhere) {}
-
-void VoxelFinder::gather_around(const Eigen::Vector3f& p) {
-  const int x = static_cast<int>(grid_.coordinate(p.x()) / 4);
-  const int y = static_cast<int>(grid_.coordinate(p.y()) / 4);
-  const int z = static_cast<int>(grid_.coordinate(p.z()) / 4);
-  const std::uint64_t home = key_of(x, y, z);
-  if (home == home_) return;
-  home_ = home;
-  voxel_.clear(), x_.clear(), y_.clear(), z_.clear();
-  const Eigen::AlignedBox3f reachable = grid_.box_of_brick(x, y, z, radius_);
-  for (int k = std::max(0, z - reach_); k <= z + reach_; ++k) {
-    for (int j = std::max(0, y - reach_); j <= y + reach_; ++j) {
-      for (int i = std::max(0, x - reach_); i <= x + reach_; ++i) {
-        const VoxelGrid::Brick* const brick = grid_.find(key_of(i, j, k));
-        for (int v = brick ? brick->first : 0; brick && v < brick->first + brick->size; ++v) {
-          if (!keep_.empty() && !keep_[v]) continue;
-          const Eigen::Vector3f& mean = grid_.mean_[v];
-          if (!reachable.contains(mean)) continue;
-          voxel_.push_back(v), x_.push_back(mean.x()), y_.push_back(mean.y()),
-              z_.push_back(mean.z());
-        }
-      }
-    }
-  }
-  distance_.resize(voxel_.size());
-  hit_.resize(voxel_.size());
 }
 
 }  // namespace quadrille

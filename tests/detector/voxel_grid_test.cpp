@@ -74,26 +74,3 @@ TEST_CASE("weights count, and points that are not finite do not", "[voxel][degen
   CHECK(grid.mean()[0].x() == Approx(0.002f));
   CHECK(VoxelGrid({}, {}, kEdge).size() == 0);
 }
-
-TEST_CASE("the finder visits exactly the kept voxels of each ball", "[voxel]") {
-  const VoxelGrid grid(cube_of_points({-37.2f, 12.5f, 1.0f}, 5000), {}, kEdge);
-  std::vector<char> keep;
-  for (int v = 0; v < grid.size(); ++v) keep.push_back(v % 3 != 0);
-  for (const float radius : {0.019f, 0.026f, 0.095f}) {
-    VoxelFinder finder(grid, radius, keep);
-    for (int v = 0; v < grid.size(); v += 17) {
-      const Vector3f p = grid.mean()[v];
-      std::vector<int> found, truth;
-      finder.visit(p, [&](int other, const Vector3f& offset, float distance) {
-        found.push_back(other);
-        CHECK(offset == grid.mean()[other] - p);
-        CHECK(distance == Approx(offset.squaredNorm()));
-      });
-      for (int other = 0; other < grid.size(); ++other) {
-        if (keep[other] && (grid.mean()[other] - p).norm() <= radius) truth.push_back(other);
-      }
-      std::sort(found.begin(), found.end());
-      REQUIRE(found == truth);
-    }
-  }
-}
