@@ -14,7 +14,7 @@ constexpr double kNarrow = 0.05, kNarrowProduct = kNarrow / ((1 + kNarrow) * (1 
 // above the least one, and they spread alike in all directions.
 constexpr double kLine = 1e-3, kRound = 1e-6;
 constexpr int kSteps = 20;
-constexpr double kConverged = 1e-12;
+constexpr double kConverged = 1e-9;
 
 /// The least root of λ³ − λ² + bλ − c, whose roots are real and not negative: from zero Newton's
 /// steps climb to it and never past it.

@@ -1,12 +1,29 @@
 #include "quadrille/detector/voxel_grid.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <utility>
 
 namespace quadrille {
 namespace {
 
 constexpr std::size_t kFewSlots = 64;
+
+/// The lowest 21 bits with two zeros after each.
+std::uint64_t spread_bits(std::uint64_t x) {
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffff;
+  x = (x | x << 16) & 0x1f0000ff0000ff;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
+  return (x | x << 2) & 0x1249249249249249;
+}
+
+/// Place of a brick on a curve on which those near each other in space are near (Morton's).
+std::uint64_t curve_of(std::uint64_t key) {
+  return spread_bits(key) | spread_bits(key >> 21) << 1 | spread_bits(key >> 42) << 2;
+}
 
 }  // namespace
 
@@ -50,6 +67,22 @@ int VoxelGrid::find_or_add(std::uint64_t key) {
   return brick;
 }
 
+int VoxelGrid::number_voxels() {
+  std::vector<std::pair<std::uint64_t, int>> order;
+  order.reserve(bricks_.size());
+  for (std::size_t b = 0; b < bricks_.size(); ++b) {
+    order.emplace_back(curve_of(bricks_[b].key), static_cast<int>(b));
+  }
+  std::sort(order.begin(), order.end());
+  int size = 0;
+  for (const auto& [place, b] : order) {
+    bricks_[b].first = size;
+    bricks_[b].size = std::popcount(bricks_[b].filled);
+    size += bricks_[b].size;
+  }
+  return size;
+}
+
 VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const int> weight,
                      float edge, std::vector<int>* of_point)
     : edge_(edge), inverse_(1.0 / static_cast<double>(edge)), slots_(kFewSlots, -1) {
@@ -71,12 +104,7 @@ VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const in
     bit[k] = static_cast<unsigned char>(x % 4 + 4 * (y % 4) + 16 * (z % 4));
     bricks_[last].filled |= std::uint64_t{1} << bit[k];
   }
-  int size = 0;
-  for (Brick& brick : bricks_) {
-    brick.first = size;
-    brick.size = std::popcount(brick.filled);
-    size += brick.size;
-  }
+  const int size = number_voxels();
   // In double precision: a cloud may lie far from the origin.
   std::vector<Eigen::Vector3d> sum(static_cast<std::size_t>(size), Eigen::Vector3d::Zero());
   count_.assign(sum.size(), 0);

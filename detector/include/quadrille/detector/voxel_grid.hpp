@@ -10,7 +10,8 @@ namespace quadrille {
 
 /// Sparse grid of cubic voxels with the mean of the points in each. Bricks of 4 x 4 x 4 voxels lie
 /// in a hash table; a word of 64 bits says which voxels of a brick hold points, and the bits before
-/// a voxel's own count its place among them. The voxels of a brick follow each other.
+/// a voxel's own count its place among them. The voxels of a brick follow each other,
+/// and bricks that are near in space mostly are near in memory.
 class VoxelGrid {
  public:
   /// The voxels that the points fall into; points that are not finite are left out.
@@ -57,6 +58,8 @@ class VoxelGrid {
   Eigen::AlignedBox3f box_of_brick(int bx, int by, int bz, float margin) const;
   int find_or_add(std::uint64_t key);
   void rehash(std::size_t slots);
+  /// Numbers the voxels along a curve, whatever the order of the points. Returns their number.
+  int number_voxels();
 
   float edge_;
   double inverse_;
