@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 
 #include "quadrille/detector/plane_moments.hpp"
@@ -43,17 +44,45 @@ float quadratic_residual(const std::vector<Eigen::Vector3f>& points, float radiu
   return radius * static_cast<float>(std::sqrt(rss / static_cast<double>(points.size() - 6)));
 }
 
+SurfaceSamples room_for(std::ptrdiff_t count) {
+  SurfaceSamples samples;
+  const std::size_t size = static_cast<std::size_t>(count);
+  for (auto* list : {&samples.p, &samples.n, &samples.raw}) list->reserve(size);
+  for (auto* list : {&samples.sigma, &samples.cell}) list->reserve(size);
+  for (auto* list : {&samples.count, &samples.source}) list->reserve(size);
+  samples.first.reserve(size + 1);
+  samples.neighbours.reserve(size * kNeighbours);
+  return samples;
+}
+
+/// Turns neighbours from voxels into samples; voxels without a normal are nobody's neighbours.
+void name_samples(const std::vector<int>& sample_of, SurfaceSamples* samples) {
+  std::vector<int>& neighbours = samples->neighbours;
+  int begin = 0, kept = 0;
+  for (int i = 0; i < samples->size(); ++i) {
+    const int end = samples->first[i + 1];
+    for (int k = begin; k < end; ++k) {
+      const int sample = sample_of[neighbours[k]];
+      if (sample >= 0) neighbours[kept++] = sample;
+    }
+    samples->first[i + 1] = kept;
+    begin = end;
+  }
+  neighbours.resize(static_cast<std::size_t>(kept));
+}
+
 }  // namespace
 
 SurfaceSamples make_voxel_samples(const VoxelGrid& grid, const std::vector<char>& keep, float sigma,
                                   const Eigen::Vector3f& eye, float reach) {
   const float edge = grid.edge();
-  SurfaceSamples samples;
+  SurfaceSamples samples = room_for(std::count_if(keep.begin(), keep.end(), std::identity()));
   samples.first.push_back(0);
   std::vector<int> sample_of(static_cast<std::size_t>(grid.size()), -1);
   std::vector<int> nearest;
   VoxelFinder finder(grid, reach * edge, keep);
-  std::vector<int> voxels;  // the neighbours, before all samples are known
+  // Voxels at first, as long as not all samples are known.
+  std::vector<int>& neighbours = samples.neighbours;
   for (int v = 0; v < grid.size(); ++v) {
     if (!keep[v]) continue;
     const Eigen::Vector3f p = grid.mean()[v];
@@ -69,21 +98,11 @@ SurfaceSamples make_voxel_samples(const VoxelGrid& grid, const std::vector<char>
     samples.cell.push_back(edge);
     samples.count.push_back(grid.count()[v]);
     samples.source.push_back(v);
-    std::copy_if(nearest.begin(), nearest.end(), std::back_inserter(voxels),
+    std::copy_if(nearest.begin(), nearest.end(), std::back_inserter(neighbours),
                  [&](int other) { return other != v; });
-    samples.first.push_back(static_cast<int>(voxels.size()));
+    samples.first.push_back(static_cast<int>(neighbours.size()));
   }
-  // Voxels without a normal are nobody's neighbours.
-  int begin = 0;
-  for (int i = 0; i < samples.size(); ++i) {
-    const int end = samples.first[i + 1];
-    for (int k = begin; k < end; ++k) {
-      const int other = sample_of[voxels[k]];
-      if (other >= 0) samples.neighbours.push_back(other);
-    }
-    samples.first[i + 1] = static_cast<int>(samples.neighbours.size());
-    begin = end;
-  }
+  name_samples(sample_of, &samples);
   return samples;
 }
 
