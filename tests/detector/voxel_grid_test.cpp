@@ -74,3 +74,14 @@ TEST_CASE("weights count, and points that are not finite do not", "[voxel][degen
   CHECK(grid.mean()[0].x() == Approx(0.002f));
   CHECK(VoxelGrid({}, {}, kEdge).size() == 0);
 }
+
+TEST_CASE("voxels are numbered alike whatever the order of the points", "[voxel]") {
+  std::vector<Vector3f> points = cube_of_points({0.1f, -0.2f, 0.9f}, 3000);
+  std::vector<int> forward, backward;
+  const VoxelGrid grid(points, {}, kEdge, &forward);
+  std::reverse(points.begin(), points.end());
+  const VoxelGrid other(points, {}, kEdge, &backward);
+  std::reverse(backward.begin(), backward.end());
+  CHECK(forward == backward);
+  CHECK(grid.count() == other.count());
+}
