@@ -70,6 +70,11 @@ int sum_ball(const float* x, const float* y, const float* z, int size, Ball* bal
   return runs;
 }
 
+/// One or zero, without a branch.
+inline std::size_t is_between(float x, float low, float high) {
+  return std::size_t{x >= low} & std::size_t{x <= high};
+}
+
 /// For each number how many are smaller.
 QUADRILLE_VECTOR_CLONES
 void rank_all(const float* values, int size, int* rank) {
@@ -122,10 +127,8 @@ void VoxelFinder::gather_around(const Eigen::Vector3f& p) {
     for (int v = brick->first; v < brick->first + brick->size; ++v) {
       const Eigen::Vector3f& mean = grid_.mean_[v];
       voxel_[n] = v, x_[n] = mean.x(), y_[n] = mean.y(), z_[n] = mean.z();
-      n += static_cast<std::size_t>((keep_.empty() || keep_[v]) & (mean.x() >= low.x()) &
-                                    (mean.x() <= high.x()) & (mean.y() >= low.y()) &
-                                    (mean.y() <= high.y()) & (mean.z() >= low.z()) &
-                                    (mean.z() <= high.z()));
+      n += std::size_t{keep_.empty() || keep_[v]} & is_between(mean.x(), low.x(), high.x()) &
+           is_between(mean.y(), low.y(), high.y()) & is_between(mean.z(), low.z(), high.z());
     }
   }
   const std::size_t padded = (n + kLanes - 1) / kLanes * kLanes;
