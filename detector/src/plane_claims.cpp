@@ -1,6 +1,7 @@
 #include "quadrille/detector/plane_claims.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "quadrille/detector/initial_fits.hpp"
@@ -43,10 +44,13 @@ bool lies_on(const Surface& flat, const SurfaceSamples& samples, const PlaneRegi
 std::vector<char> cells_off_planes(const CellPyramid& pyramid, const SurfaceSamples& coarse,
                                    const std::vector<PlaneRegion>& planes, double sigmas) {
   const std::vector<std::vector<int>> near = planes_near(pyramid, coarse, planes);
-  std::vector<char> keep(static_cast<std::size_t>(pyramid.size(0)), 1);
-  for (int c = 0; c < pyramid.size(0); ++c) {
+  const int size = pyramid.size(0);
+  const std::array<const int*, kLevels - 1> parents = {pyramid.parents(0).data(),
+                                                       pyramid.parents(1).data()};
+  std::vector<char> keep(static_cast<std::size_t>(size), 1);
+  for (int c = 0; c < size; ++c) {
     int above = c;
-    for (int l = 0; l + 1 < kLevels; ++l) above = pyramid.parents(l)[above];
+    for (const int* parent : parents) above = parent[above];
     if (near[above].empty() || pyramid.count(c) == 0) continue;
     const Eigen::Vector4d x = pyramid.mean(c).cast<double>().homogeneous();
     const double limit = sigmas * pyramid.sigma(c);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "quadrille/detector/voxel_finder.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -33,9 +35,9 @@ std::vector<int> SampleBuckets::near(const Eigen::Vector3f& centre, float radius
   // A sample is no farther from the mean of its bucket than the bucket's diagonal.
   VoxelFinder finder(grid_, radius + 1.7321f * grid_.edge());
   std::vector<int> found;
-  finder.visit(centre, [&](int v, const Eigen::Vector3f&, float) {
+  for (const int v : finder.within(centre)) {
     found.insert(found.end(), list_.begin() + first_[v], list_.begin() + first_[v + 1]);
-  });
+  }
   std::sort(found.begin(), found.end());
   return found;
 }

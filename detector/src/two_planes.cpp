@@ -10,24 +10,44 @@ namespace {
 
 constexpr int kNormalRounds = 5, kDistanceRounds = 4;
 
-/// Least-squares plane of the samples on one side, relative to the origin; far away if they are
-/// too few.
-Eigen::Vector4d plane_of_side(const SurfaceSamples& samples, std::span<const int> region,
-                              const std::vector<char>& side, char wanted,
-                              const Eigen::Vector3d& origin) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+/// Sums over the samples on one side, for its plane by least squares.
+struct Side {
   double n = 0;
-  for (std::size_t r = 0; r < region.size(); ++r) {
-    if (side[r] != wanted) continue;
-    const Eigen::Vector3d x = samples.raw[region[r]].cast<double>() - origin;
-    n += 1, sum += x, square += x * x.transpose();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  /// The lower triangle alone counts.
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+
+  void add(const Eigen::Vector4d& x) {
+    n += 1;
+    sum += x.head<3>();
+    square(0, 0) += x[0] * x[0];
+    square(1, 0) += x[1] * x[0];
+    square(2, 0) += x[2] * x[0];
+    square(1, 1) += x[1] * x[1];
+    square(2, 1) += x[2] * x[1];
+    square(2, 2) += x[2] * x[2];
   }
-  if (n < 3) return {0, 0, 0, 1e3};
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-  eigen.computeDirect(square / n - sum * sum.transpose() / (n * n));
-  const Eigen::Vector3d m = eigen.eigenvectors().col(0);
-  return {m.x(), m.y(), m.z(), -m.dot(sum) / n};
+  /// Far away if the samples are too few.
+  Eigen::Vector4d plane() const {
+    if (n < 3) return {0, 0, 0, 1e3};
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+    const Eigen::Matrix3d full = square.selfadjointView<Eigen::Lower>();
+    eigen.computeDirect(full / n - sum * sum.transpose() / (n * n));
+    const Eigen::Vector3d m = eigen.eigenvectors().col(0);
+    return {m.x(), m.y(), m.z(), -m.dot(sum) / n};
+  }
+};
+
+/// The samples relative to an origin, homogeneous.
+std::vector<Eigen::Vector4d> positions_of(const SurfaceSamples& samples,
+                                          std::span<const int> region,
+                                          const Eigen::Vector3d& origin) {
+  std::vector<Eigen::Vector4d> positions;
+  positions.reserve(region.size());
+  for (const int i : region) {
+    positions.emplace_back((samples.raw[i].cast<double>() - origin).homogeneous());
+  }
+  return positions;
 }
 
 /// The normal farthest from a direction.
@@ -67,15 +87,18 @@ std::vector<char> part_by_normals(const SurfaceSamples& samples, std::span<const
 double two_planes_rss(const SurfaceSamples& samples, std::span<const int> region) {
   std::vector<char> side = part_by_normals(samples, region);
   // Near an edge the smoothed normals lie between the faces: from here on the distance decides.
-  const Eigen::Vector3d origin = samples.raw[region[0]].cast<double>();
+  const std::vector<Eigen::Vector4d> positions =
+      positions_of(samples, region, samples.raw[region[0]].cast<double>());
   double rss = 0;
   for (int round = 0; round < kDistanceRounds; ++round) {
-    const Eigen::Vector4d first = plane_of_side(samples, region, side, 0, origin);
-    const Eigen::Vector4d second = plane_of_side(samples, region, side, 1, origin);
+    std::array<Side, 2> sides;
+    for (std::size_t r = 0; r < region.size(); ++r) {
+      sides[static_cast<std::size_t>(side[r])].add(positions[r]);
+    }
+    const Eigen::Vector4d first = sides[0].plane(), second = sides[1].plane();
     rss = 0;
     for (std::size_t r = 0; r < region.size(); ++r) {
-      const Eigen::Vector4d x = (samples.raw[region[r]].cast<double>() - origin).homogeneous();
-      const double a = std::abs(first.dot(x)), b = std::abs(second.dot(x));
+      const double a = std::abs(first.dot(positions[r])), b = std::abs(second.dot(positions[r]));
       side[r] = b < a;
       rss += std::min(a * a, b * b);
     }

@@ -1,16 +1,40 @@
 #include "quadrille/detector/voxel_grid.hpp"
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace quadrille {
 namespace {
 
 constexpr std::size_t kFewSlots = 64;
-constexpr std::uint64_t kNowhere = ~std::uint64_t{0};
 
-std::uint64_t key_of(std::uint32_t bx, std::uint32_t by, std::uint32_t bz) {
-  return bx | static_cast<std::uint64_t>(by) << 21 | static_cast<std::uint64_t>(bz) << 42;
+/// Quicker than asking each number alone: x − x is zero unless x is infinite or none.
+bool is_finite(const Eigen::Vector3f& p) {
+  return (p.x() - p.x()) + (p.y() - p.y()) + (p.z() - p.z()) == 0.0f;
+}
+
+/// As std::popcount, which without an instruction of the machine is a call.
+int count_bits(std::uint64_t bits) {
+  bits -= bits >> 1 & 0x5555555555555555;
+  bits = (bits & 0x3333333333333333) + (bits >> 2 & 0x3333333333333333);
+  bits = (bits + (bits >> 4)) & 0x0f0f0f0f0f0f0f0f;
+  return static_cast<int>(bits * 0x0101010101010101 >> 56);
+}
+
+/// The lowest 21 bits with two zeros after each.
+std::uint64_t spread_bits(std::uint64_t x) {
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffff;
+  x = (x | x << 16) & 0x1f0000ff0000ff;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
+  return (x | x << 2) & 0x1249249249249249;
+}
+
+/// Place of a brick on a curve on which those near each other in space are near (Morton's).
+std::uint64_t curve_of(std::uint64_t key) {
+  return spread_bits(key) | spread_bits(key >> 21) << 1 | spread_bits(key >> 42) << 2;
 }
 
 }  // namespace
@@ -55,6 +79,22 @@ int VoxelGrid::find_or_add(std::uint64_t key) {
   return brick;
 }
 
+int VoxelGrid::number_voxels() {
+  std::vector<std::pair<std::uint64_t, int>> order;
+  order.reserve(bricks_.size());
+  for (std::size_t b = 0; b < bricks_.size(); ++b) {
+    order.emplace_back(curve_of(bricks_[b].key), static_cast<int>(b));
+  }
+  std::sort(order.begin(), order.end());
+  int size = 0;
+  for (const auto& [place, b] : order) {
+    bricks_[b].first = size;
+    bricks_[b].size = count_bits(bricks_[b].filled);
+    size += bricks_[b].size;
+  }
+  return size;
+}
+
 VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const int> weight,
                      float edge, std::vector<int>* of_point)
     : edge_(edge), inverse_(1.0 / static_cast<double>(edge)), slots_(kFewSlots, -1) {
@@ -65,7 +105,7 @@ VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const in
   int last = -1;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Eigen::Vector3f& p = points[k];
-    if (!p.allFinite()) continue;
+    if (!is_finite(p)) continue;
     const std::uint32_t x = coordinate(p.x()), y = coordinate(p.y()), z = coordinate(p.z());
     const std::uint64_t key = key_of(x / 4, y / 4, z / 4);
     if (key != last_key) {
@@ -76,12 +116,7 @@ VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const in
     bit[k] = static_cast<unsigned char>(x % 4 + 4 * (y % 4) + 16 * (z % 4));
     bricks_[last].filled |= std::uint64_t{1} << bit[k];
   }
-  int size = 0;
-  for (Brick& brick : bricks_) {
-    brick.first = size;
-    brick.size = std::popcount(brick.filled);
-    size += brick.size;
-  }
+  const int size = number_voxels();
   // In double precision: a cloud may lie far from the origin.
   std::vector<Eigen::Vector3d> sum(static_cast<std::size_t>(size), Eigen::Vector3d::Zero());
   count_.assign(sum.size(), 0);
@@ -89,7 +124,7 @@ VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const in
     if (place[k] < 0) continue;
     const Brick& brick = bricks_[place[k]];
     const std::uint64_t before = (std::uint64_t{1} << bit[k]) - 1;
-    const int v = place[k] = brick.first + std::popcount(brick.filled & before);
+    const int v = place[k] = brick.first + count_bits(brick.filled & before);
     const int w = weight.empty() ? 1 : weight[k];
     sum[v] += w * points[k].cast<double>();
     count_[v] += w;
@@ -97,40 +132,6 @@ VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const in
   mean_.reserve(sum.size());
   for (std::size_t v = 0; v < sum.size(); ++v) mean_.push_back((sum[v] / count_[v]).cast<float>());
   if (of_point) *of_point = std::move(place);
-}
-
-VoxelFinder::VoxelFinder(const VoxelGrid& grid, float radius, std::span<const char> keep)
-    : grid_(grid),
-      keep_(keep),
-      radius_(radius),
-      reach_(static_cast<int>(std::ceil(radius / (4 * grid.edge())))),
-      home_(kNowhere) {}
-
-void VoxelFinder::gather_around(const Eigen::Vector3f& p) {
-  const int x = static_cast<int>(grid_.coordinate(p.x()) / 4);
-  const int y = static_cast<int>(grid_.coordinate(p.y()) / 4);
-  const int z = static_cast<int>(grid_.coordinate(p.z()) / 4);
-  const std::uint64_t home = key_of(x, y, z);
-  if (home == home_) return;
-  home_ = home;
-  voxel_.clear(), x_.clear(), y_.clear(), z_.clear();
-  const Eigen::AlignedBox3f reachable = grid_.box_of_brick(x, y, z, radius_);
-  for (int k = std::max(0, z - reach_); k <= z + reach_; ++k) {
-    for (int j = std::max(0, y - reach_); j <= y + reach_; ++j) {
-      for (int i = std::max(0, x - reach_); i <= x + reach_; ++i) {
-        const VoxelGrid::Brick* const brick = grid_.find(key_of(i, j, k));
-        for (int v = brick ? brick->first : 0; brick && v < brick->first + brick->size; ++v) {
-          if (!keep_.empty() && !keep_[v]) continue;
-          const Eigen::Vector3f& mean = grid_.mean_[v];
-          if (!reachable.contains(mean)) continue;
-          voxel_.push_back(v), x_.push_back(mean.x()), y_.push_back(mean.y()),
-              z_.push_back(mean.z());
-        }
-      }
-    }
-  }
-  distance_.resize(voxel_.size());
-  hit_.resize(voxel_.size());
 }
 
 }  // namespace quadrille

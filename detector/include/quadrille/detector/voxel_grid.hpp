@@ -10,7 +10,8 @@ namespace quadrille {
 
 /// Sparse grid of cubic voxels with the mean of the points in each. Bricks of 4 x 4 x 4 voxels lie
 /// in a hash table; a word of 64 bits says which voxels of a brick hold points, and the bits before
-/// a voxel's own count its place among them. The voxels of a brick follow each other.
+/// a voxel's own count its place among them. The voxels of a brick follow each other,
+/// and bricks that are near in space mostly are near in memory.
 class VoxelGrid {
  public:
   /// The voxels that the points fall into; points that are not finite are left out.
@@ -36,6 +37,7 @@ class VoxelGrid {
     int first = 0, size = 0;
   };
 
+  static constexpr std::uint64_t kNowhere = ~std::uint64_t{0};
   // Coordinates take 21 bits.
   static constexpr double kFarthest = (1 << 20) - 1;
 
@@ -47,12 +49,17 @@ class VoxelGrid {
   std::size_t slot_of(std::uint64_t key) const {
     return (key * 0x9e3779b97f4a7c15u >> 20) & (slots_.size() - 1);
   }
+  static std::uint64_t key_of(std::uint32_t bx, std::uint32_t by, std::uint32_t bz) {
+    return bx | static_cast<std::uint64_t>(by) << 21 | static_cast<std::uint64_t>(bz) << 42;
+  }
   /// Null if no point lies in it.
   const Brick* find(std::uint64_t key) const;
   /// Where points may lie that are no farther than the margin [m] from a brick.
   Eigen::AlignedBox3f box_of_brick(int bx, int by, int bz, float margin) const;
   int find_or_add(std::uint64_t key);
   void rehash(std::size_t slots);
+  /// Numbers the voxels along a curve, whatever the order of the points. Returns their number.
+  int number_voxels();
 
   float edge_;
   double inverse_;
@@ -61,51 +68,6 @@ class VoxelGrid {
   std::vector<int> slots_;
   std::vector<Eigen::Vector3f> mean_;
   std::vector<int> count_;
-};
-
-/// Finds the voxels around one point after another. The bricks around are gathered once for all
-/// points of a brick, so that going from voxel to voxel in their order is fast.
-class VoxelFinder {
- public:
-  /// @param radius  of all balls [m]
-  /// @param keep    per voxel, zero to leave it out; empty means all
-  VoxelFinder(const VoxelGrid& grid, float radius, std::span<const char> keep = {});
-
-  /// Calls visit(voxel, offset of its mean from p, squared distance) for the voxels whose means lie
-  /// within the radius of p, in an order that depends on the grid and the brick of p alone.
-  template <class Visitor>
-  void visit(const Eigen::Vector3f& p, Visitor&& visitor) {
-    gather_around(p);
-    const std::size_t n = voxel_.size();
-    const float square = radius_ * radius_;
-    const float px = p.x(), py = p.y(), pz = p.z();
-    for (std::size_t k = 0; k < n; ++k) {
-      const float dx = x_[k] - px, dy = y_[k] - py, dz = z_[k] - pz;
-      distance_[k] = dx * dx + dy * dy + dz * dz;
-    }
-    // Without a branch: which voxels are hit is as good as random.
-    std::size_t hits = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      hit_[hits] = static_cast<int>(k);
-      hits += distance_[k] <= square;
-    }
-    for (std::size_t h = 0; h < hits; ++h) {
-      const int k = hit_[h];
-      visitor(voxel_[k], Eigen::Vector3f(x_[k] - px, y_[k] - py, z_[k] - pz), distance_[k]);
-    }
-  }
-
- private:
-  void gather_around(const Eigen::Vector3f& p);
-
-  const VoxelGrid& grid_;
-  std::span<const char> keep_;
-  float radius_;
-  int reach_;
-  std::uint64_t home_;
-  /// The voxels of the bricks around the brick `home_`.
-  std::vector<int> voxel_, hit_;
-  std::vector<float> x_, y_, z_, distance_;
 };
 
 }  // namespace quadrille
