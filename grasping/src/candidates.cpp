@@ -12,6 +12,9 @@ namespace {
 // and never steeper up than 20°.
 constexpr double kFromView = -0.3, kFromAbove = 0.5, kIntoMouth = 0.7, kUpward = 0.35;
 
+// The steepest approach of a line is sampled too if its sine is more than this.
+constexpr double kSteep = 0.5;
+
 bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space) {
   if (approach.dot(space.up_C) > kUpward) return false;
   if (!space.into_C.isZero() && approach.dot(space.into_C) < kIntoMouth) return false;
@@ -55,15 +58,19 @@ std::vector<GraspCandidate> sample_approaches(const std::vector<ContactLine>& li
     }
     first.normalize();
     const Eigen::Vector3d second = d.cross(first);
-    for (int k = 0; k < kDirections; ++k) {
-      const double t = 2.0 * std::numbers::pi * k / kDirections;
-      const Eigen::Vector3d approach = std::cos(t) * first + std::sin(t) * second;
+    const auto offer = [&](const Eigen::Vector3d& approach) {
       if (reachable(approach, space)) {
         candidates.push_back({static_cast<int>(n), approach, prior(lines[n], approach, space)});
       } else {
         ++refused;
       }
+    };
+    for (int k = 0; k < kDirections; ++k) {
+      const double t = 2.0 * std::numbers::pi * k / kDirections;
+      offer(std::cos(t) * first + std::sin(t) * second);
     }
+    const Eigen::Vector3d down = d * d.dot(space.up_C) - space.up_C;
+    if (down.norm() > kSteep) offer(down.normalized());
   }
   std::stable_sort(
       candidates.begin(), candidates.end(),

@@ -31,8 +31,8 @@ ContactLine placed(const Body& body, const Pair& pair) {
   return line;
 }
 
-// Angles in [0, π): even ones, and more around the direction across the line of sight.
-std::vector<double> cross_angles(const Eigen::Vector3d& view_Q) {
+// Angles in [0, π): even ones, more around the direction across the line of sight, and the level.
+std::vector<double> cross_angles(const Eigen::Vector3d& view_Q, const Eigen::Vector3d& up_Q) {
   std::vector<double> angles;
   constexpr int kEven = 8;
   for (int i = 0; i < kEven; ++i) angles.push_back(kPi * i / kEven);
@@ -42,6 +42,7 @@ std::vector<double> cross_angles(const Eigen::Vector3d& view_Q) {
       angles.push_back(across + turn * kPi / 180.0);
     }
   }
+  if (up_Q.head<2>().norm() > 0.1) angles.push_back(std::atan2(up_Q.y(), up_Q.x()) + 0.5 * kPi);
   return angles;
 }
 
@@ -56,9 +57,9 @@ std::vector<double> heights(const Body& body, const Gripper& gripper) {
 }
 
 void add_across(const Body& body, const Gripper& gripper, const Eigen::Vector3d& view_Q,
-                std::vector<ContactLine>& lines) {
+                const Eigen::Vector3d& up_Q, std::vector<ContactLine>& lines) {
   const double reach = 0.5 * gripper.pad.maxCoeff();
-  const std::vector<double> angles = cross_angles(view_Q);
+  const std::vector<double> angles = cross_angles(view_Q, up_Q);
   for (const double z : heights(body, gripper)) {
     const double s = body.scale(z);
     // Convex or concave, the profile is widest at an end of the pad or where it is flat.
@@ -90,7 +91,8 @@ void add_end_on(const Body& body, std::vector<ContactLine>& lines) {
 }
 
 // Directions over half a sphere: principal axes, a ring across the line of sight, an even spiral.
-std::vector<Eigen::Vector3d> sphere_directions(const Eigen::Vector3d& view_Q) {
+std::vector<Eigen::Vector3d> sphere_directions(const Eigen::Vector3d& view_Q,
+                                               const Eigen::Vector3d& up_Q) {
   std::vector<Eigen::Vector3d> directions = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
                                              Eigen::Vector3d::UnitZ()};
   const Eigen::Vector3d v = view_Q.norm() > 1e-9 ? Eigen::Vector3d(view_Q.normalized())
@@ -102,7 +104,15 @@ std::vector<Eigen::Vector3d> sphere_directions(const Eigen::Vector3d& view_Q) {
       directions.push_back((std::cos(t) * e + std::sin(t) * f + tilt * v).normalized());
     }
   }
-  constexpr int kSpiral = 40;
+  if (!up_Q.isZero()) {
+    const Eigen::Vector3d level = up_Q.unitOrthogonal(), other = up_Q.cross(level);
+    constexpr int kLevel = 24;
+    for (int i = 0; i < kLevel; ++i) {
+      const double t = kPi * i / kLevel;
+      directions.push_back(std::cos(t) * level + std::sin(t) * other);
+    }
+  }
+  constexpr int kSpiral = 100;
   for (int i = 0; i < kSpiral; ++i) {
     const double z = (i + 0.5) / kSpiral, r = std::sqrt(1.0 - z * z);
     const double t = i * kPi * (3.0 - std::sqrt(5.0));
@@ -112,9 +122,9 @@ std::vector<Eigen::Vector3d> sphere_directions(const Eigen::Vector3d& view_Q) {
 }
 
 void add_ellipsoid(const Body& body, const Gripper& gripper, const Eigen::Vector3d& view_Q,
-                   std::vector<ContactLine>& lines) {
+                   const Eigen::Vector3d& up_Q, std::vector<ContactLine>& lines) {
   const Eigen::Vector3d squared(body.a * body.a, body.b * body.b, body.c * body.c);
-  for (const Eigen::Vector3d& d : sphere_directions(view_Q)) {
+  for (const Eigen::Vector3d& d : sphere_directions(view_Q, up_Q)) {
     const double h = std::sqrt(d.dot(squared.cwiseProduct(d)));
     const Eigen::Vector3d p = squared.cwiseProduct(d) / h;
     // Contacts beside the pads are none.
@@ -184,14 +194,16 @@ std::optional<ContactLine> chord(const Body& body, const Eigen::Vector3d& p_C,
 }
 
 std::vector<ContactLine> contact_lines(const Body& body, const Gripper& gripper,
-                                       const Eigen::Vector3d& viewpoint_C) {
+                                       const Eigen::Vector3d& viewpoint_C,
+                                       const Eigen::Vector3d& up_C) {
   const Eigen::Vector3d view_Q = body.X_CQ.linear().transpose() * (viewpoint_C - body.centre_C());
+  const Eigen::Vector3d up_Q = body.X_CQ.linear().transpose() * up_C;
   std::vector<ContactLine> lines;
   if (body.profile == Profile::kEllipse) {
-    add_ellipsoid(body, gripper, view_Q, lines);
+    add_ellipsoid(body, gripper, view_Q, up_Q, lines);
     return lines;
   }
-  if (body.profile != Profile::kBox) add_across(body, gripper, view_Q, lines);
+  if (body.profile != Profile::kBox) add_across(body, gripper, view_Q, up_Q, lines);
   if (body.profile == Profile::kConstant || body.profile == Profile::kBox) add_end_on(body, lines);
   return lines;
 }

@@ -11,7 +11,7 @@ namespace quadrille {
 namespace {
 
 // Effort per target. The candidates come best first, so more of it finds little.
-constexpr int kMostChecks = 8000;
+constexpr int kMostChecks = 16000;
 constexpr std::size_t kMostAccepted = 12;
 // Grasps nearer than this to an accepted one add nothing.
 constexpr double kNearby = 0.012;
@@ -20,6 +20,10 @@ const double kAlike = std::cos(20.0 * 3.14159265358979323846 / 180.0);
 constexpr double kFrictionShare = 0.85;
 // Standard deviations of a pad's distance to keep from the target: 95 % of truths.
 constexpr double kSigmas = 2.0;
+// But no more than this [m]: what one view tells little of is seldom as wrong as it may be.
+constexpr double kMostDoubt = 0.004;
+// The least share of a body's greatest width that friction lets the tips hold it at.
+constexpr double kBeside = 0.88;
 // How far the tips reach beyond a contact that only they hold [m].
 constexpr double kTipBeyond = 0.003;
 
@@ -39,7 +43,11 @@ std::string reason(Obstruction what) {
 }  // namespace
 
 double TargetPlanner::margin(const ContactLine& line) const {
-  return options_.pad_margin + kSigmas * line.std;
+  return options_.pad_margin + std::min(kSigmas * line.std, kMostDoubt);
+}
+
+double TargetPlanner::least_opening(const ContactLine& line) const {
+  return line.opening + 2.0 * margin(line);
 }
 
 ApproachSpace TargetPlanner::approach_space(const Eigen::Vector3d& viewpoint_C) const {
@@ -55,11 +63,11 @@ ApproachSpace TargetPlanner::approach_space(const Eigen::Vector3d& viewpoint_C) 
 
 std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
                                        std::map<std::string, int>& rejected) {
-  std::vector<ContactLine> lines = contact_lines(target_.body, gripper_, viewpoint_C);
-  std::erase_if(lines, [&](const ContactLine& line) { return !usable(line, rejected); });
+  const ApproachSpace space = approach_space(viewpoint_C);
+  std::vector<ContactLine> lines = contact_lines(target_.body, gripper_, viewpoint_C, space.up_C);
+  std::erase_if(lines, [&](const ContactLine& line) { return !usable(narrowed(line), rejected); });
   int refused = 0;
-  const std::vector<GraspCandidate> candidates =
-      sample_approaches(lines, approach_space(viewpoint_C), refused);
+  const std::vector<GraspCandidate> candidates = sample_approaches(lines, space, refused);
   if (refused > 0) rejected["unreachable"] += refused;
   for (const GraspCandidate& candidate : candidates) {
     if (checks_ >= kMostChecks || accepted_.size() >= kMostAccepted) break;
@@ -87,8 +95,7 @@ std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C,
 
 // False, and counted, if the hand does not open as far or close as far.
 bool TargetPlanner::fits(const ContactLine& line, std::map<std::string, int>& rejected) const {
-  if (line.opening + 2.0 * margin(line) <= gripper_.max_opening &&
-      line.width >= gripper_.min_opening) {
+  if (least_opening(line) <= gripper_.max_opening && line.width >= gripper_.min_opening) {
     return true;
   }
   ++rejected["width"];
@@ -104,6 +111,12 @@ bool TargetPlanner::usable(const ContactLine& line, std::map<std::string, int>& 
   if (friction_needed(line) > kFrictionShare * options_.friction) return refuse("friction");
   if (contradicted(line)) return refuse("contradicted");
   return true;
+}
+
+// The same, opened as far as the body may need beside its widest part.
+ContactLine TargetPlanner::narrowed(ContactLine line) const {
+  line.opening *= kBeside;
+  return line;
 }
 
 bool TargetPlanner::contradicted(const ContactLine& line) const {
@@ -141,7 +154,7 @@ bool TargetPlanner::resembles_accepted(const ContactLine& line,
 // Medium, wide, then narrow.
 std::vector<double> TargetPlanner::preshapes(const ContactLine& line) const {
   std::vector<double> openings;
-  const double least = line.opening + 2.0 * margin(line);
+  const double least = least_opening(line);
   for (const double room : {0.007, 0.014, 0.0}) {
     const double opening = std::min(least + 2.0 * room, gripper_.max_opening);
     if (std::find(openings.begin(), openings.end(), opening) == openings.end()) {
@@ -155,8 +168,10 @@ void TargetPlanner::try_candidate(const ContactLine& line, const GraspCandidate&
                                   std::map<std::string, int>& rejected) {
   if (resembles_accepted(line, candidate.approach_C)) return;
   const double step = 0.33 * gripper_.pad.y();
-  for (const double depth : {0.0, -step, step}) {
-    if (try_depth(line, candidate.approach_C, depth, rejected)) return;
+  if (least_opening(line) <= gripper_.max_opening) {
+    for (const double depth : {0.0, -step, step}) {
+      if (try_depth(line, candidate.approach_C, depth, rejected)) return;
+    }
   }
   try_chords(line, candidate.approach_C, rejected);
 }
@@ -207,16 +222,26 @@ bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& ap
   return false;
 }
 
+// The widest part that the tips pass if they hold the body `off` before the line.
+double TargetPlanner::passed_by_tips(const ContactLine& line, double off,
+                                     const Eigen::Vector3d& approach_C) const {
+  if (off <= kTipBeyond) return line.opening;
+  const Eigen::Vector3d tips_C = line.centre_C - (off - kTipBeyond) * approach_C;
+  const std::optional<ContactLine> passed = chord(target_.body, tips_C, line.closing_C);
+  return passed ? passed->width : line.opening;
+}
+
 // Above the widest part, with the tips: what lies low, or in front of unseen space, can still be
 // held as far as friction allows.
 bool TargetPlanner::try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
                                std::map<std::string, int>& rejected) {
   const double depth = kTipBeyond - gripper_.finger_front;
-  for (const double share : {0.2, 0.36}) {
-    const Eigen::Vector3d p_C = line.centre_C - 0.5 * share * line.width * approach_C;
+  for (const double share : {0.2, 0.36, 0.1, 0.28}) {
+    const double off = 0.5 * share * line.width;
+    const Eigen::Vector3d p_C = line.centre_C - off * approach_C;
     std::optional<ContactLine> beside = chord(target_.body, p_C, line.closing_C);
     if (!beside || lopsided(*beside, approach_C)) continue;
-    beside->opening = line.opening;
+    beside->opening = std::max(beside->width, passed_by_tips(line, off, approach_C));
     beside->std = line.std;
     if (usable(*beside, rejected) && try_depth(*beside, approach_C, depth, rejected)) return true;
   }

@@ -43,6 +43,7 @@ class TargetPlanner {
   ApproachSpace approach_space(const Eigen::Vector3d& viewpoint_C) const;
   bool fits(const ContactLine& line, std::map<std::string, int>& rejected) const;
   bool usable(const ContactLine& line, std::map<std::string, int>& rejected) const;
+  ContactLine narrowed(ContactLine line) const;
   bool contradicted(const ContactLine& line) const;
   bool observed(const Eigen::Vector3d& contact_C) const;
   bool resembles_accepted(const ContactLine& line, const Eigen::Vector3d& approach_C) const;
@@ -55,10 +56,13 @@ class TargetPlanner {
                  std::map<std::string, int>& rejected);
   bool try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
                   std::map<std::string, int>& rejected);
+  double passed_by_tips(const ContactLine& line, double off,
+                        const Eigen::Vector3d& approach_C) const;
   Grasp describe(const ContactLine& line, const Eigen::Isometry3d& X_CG, double preshape) const;
   double upright(const Grasp& grasp) const;
   void rate(Grasp& grasp, const ContactLine& line) const;
   double margin(const ContactLine& line) const;
+  double least_opening(const ContactLine& line) const;
 
   const Target& target_;
   const Gripper& gripper_;

@@ -74,6 +74,20 @@ TEST_CASE("what is too wide, or too thin, is refused by width and nothing else",
   CHECK(thin.rejected.at("width") > 10);
 }
 
+TEST_CASE("a ball nearly as wide as the hand opens is held beside its widest part",
+          "[plan][target]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.039);
+  const GraspPlan plan = plan_ball(ball, franka_hand(), all_free());
+  REQUIRE_FALSE(plan.grasps.empty());
+  for (const Grasp& grasp : plan.grasps) {
+    CHECK(grasp.width < 2.0 * ball.radius);
+    CHECK(grasp.preshape >= grasp.width + 2.0 * PlanOptions{}.pad_margin - 1e-12);
+    for (const Eigen::Vector3d& contact_C : grasp.contacts_C) {
+      CHECK((contact_C - ball.p_C).norm() == Approx(ball.radius));
+    }
+  }
+}
+
 TEST_CASE("a wall around the target is in the way of every hand", "[plan][target]") {
   const Ball ball = ball_on_table(0.0, 0.0, 0.02);
   std::vector<Ball> all = {ball};

@@ -31,10 +31,12 @@ struct ContactLine {
 /// in all directions for ellipsoids. A flat pad touches a convex cross-section at the support point
 /// of the closing direction d: for semi-axes A that is ±A²d/√(dᵀA²d), half the width √(dᵀA²d).
 /// Directions across the line of sight are sampled most densely: there both pads stay in seen
-/// space.
+/// space. Level directions are sampled too: a hand from straight above closes along them.
 /// @param viewpoint_C  where the sensor stood [m]
+/// @param up_C         upward normal of what the body stands on; zero if that is not known
 std::vector<ContactLine> contact_lines(const Body& body, const Gripper& gripper,
-                                       const Eigen::Vector3d& viewpoint_C);
+                                       const Eigen::Vector3d& viewpoint_C,
+                                       const Eigen::Vector3d& up_C = Eigen::Vector3d::Zero());
 
 /// The line of direction d that passes the body at point p: the contacts of a grasp beside its
 /// widest part, from the roots of the quadric along p + t·d. Nullopt if p lies outside the body or

@@ -56,7 +56,7 @@ struct PlanOptions {
   /// Length of the straight approach to check [m].
   double approach = 0.05;
   /// Least distance of each pad from the target on the way in [m]; grows with the uncertainty of
-  /// the target's size.
+  /// the target's size, by 4 mm at most.
   double pad_margin = 0.0025;
   /// Distance between a depth sensor's two eyes, or eye and projector [m]: the largest whose blind
   /// bands beside the edges of things count as seen through, up to the second eye's line of sight
