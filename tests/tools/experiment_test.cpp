@@ -120,8 +120,8 @@ TEST_CASE("cells as large as the bodies find less than the default ones, and tak
   for (const char* family : {"medium", "hard"}) {
     for (const char* way : {"2 points, vote", "3 points, vote", "4 points", "9 points"}) {
       CAPTURE(family, way);
-      const auto fine = rows_of(report.data, {family, "0.0036", "5", way});
-      const auto coarse = rows_of(report.data, {family, "0.0144", "5", way});
+      const auto fine = rows_of(report.data, {family, "0.0031", "5", way});
+      const auto coarse = rows_of(report.data, {family, "0.0124", "5", way});
       REQUIRE((fine.size() == 1 && coarse.size() == 1));
       const double known = value_of(fine[0][4]), found = value_of(fine[0][5]);
       CHECK(known >= 6);
@@ -131,7 +131,7 @@ TEST_CASE("cells as large as the bodies find less than the default ones, and tak
       CHECK(value_of(coarse[0][7]) < value_of(fine[0][7]));
     }
   }
-  CHECK(rows_of(report.data, {"medium", "0.0036", "1"}).size() == 4);
+  CHECK(rows_of(report.data, {"medium", "0.0031", "1"}).size() == 4);
 }
 
 TEST_CASE("triplets repeat more often with more bases, and count only with the hash",

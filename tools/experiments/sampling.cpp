@@ -58,9 +58,9 @@ void run(const scoring::Frame& frame, Setting* setting) {
 /// Every way at each cell with the default number of bases, and at the default cell with each
 /// number of bases.
 std::vector<Setting> all_settings(scene::Family family, bool quick) {
+  // In default cells.
   const std::vector<double> cells =
-      quick ? std::vector<double>{0.0036, 0.0144}
-            : std::vector<double>{0.0018, 0.0025, 0.0036, 0.0051, 0.0072, 0.0102, 0.0144, 0.0204};
+      quick ? std::vector<double>{1, 4} : std::vector<double>{0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5.6};
   const std::vector<int> bases = quick ? std::vector<int>{1} : std::vector<int>{1, 2, 10, 20};
   std::vector<Setting> settings;
   for (const Way& way : kWays) {
@@ -68,7 +68,7 @@ std::vector<Setting> all_settings(scene::Family family, bool quick) {
     setting.options.search.basis = way.basis;
     for (const double cell : cells) {
       settings.push_back(setting);
-      settings.back().options.sampling.cell = cell;
+      settings.back().options.sampling.cell *= cell;
     }
     for (const int count : bases) {
       settings.push_back(setting);
