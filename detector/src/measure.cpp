@@ -149,10 +149,13 @@ std::vector<double> deviations(const Surface& surface, const SurfaceSamples& sam
   double count = surface.fit.points;
   // That an ellipsoid is one of revolution is mostly our choice and not the scene's.
   if (form.type == QuadricType::kEllipsoid && family != Family::kGeneral) {
-    family = Family::kGeneral;
     const FitPoints points = fit_points(samples, surface.region, surface.local, kPoints);
-    const std::optional<FamilyFit> at = refine(points, family, surface.fit.posed, 0);
-    if (at) information = at->information, count = at->points;
+    const std::optional<FamilyFit> at = refine(points, Family::kGeneral, surface.fit.posed, 0);
+    if (at) {
+      family = Family::kGeneral;
+      information = at->information;
+      count = at->points;
+    }
   }
   const Eigen::MatrixXd C =
       covariance(information, count, variance_of_mean(surface, samples.common_noise));

@@ -45,6 +45,7 @@ std::vector<char> cells_off_planes(const CellPyramid& pyramid, const SurfaceSamp
                                    const std::vector<PlaneRegion>& planes, double sigmas) {
   const std::vector<std::vector<int>> near = planes_near(pyramid, coarse, planes);
   const int size = pyramid.size(0);
+  static_assert(kLevels == 3);
   const std::array<const int*, kLevels - 1> parents = {pyramid.parents(0).data(),
                                                        pyramid.parents(1).data()};
   std::vector<char> keep(static_cast<std::size_t>(size), 1);

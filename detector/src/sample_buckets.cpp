@@ -7,7 +7,8 @@
 namespace quadrille {
 namespace {
 
-// Edge of a bucket, in cells of the first sample, and of buckets of no samples [m].
+// Edge of a bucket, in cells of a sample in the middle of the list, and of buckets of no samples
+// [m].
 constexpr float kCells = 12.0f, kAnyEdge = 0.05f;
 
 float edge_for(const SurfaceSamples& samples) {

@@ -10,6 +10,9 @@
 namespace quadrille {
 namespace {
 
+// Coordinates of bricks take 19 bits.
+constexpr float kFarthestBrick = 1 << 19;
+
 constexpr float kFar = std::numeric_limits<float>::infinity();
 // Voxels are looked at in runs of this many, side by side whatever the width of the vectors.
 constexpr int kLanes = 8;
@@ -92,11 +95,16 @@ VoxelFinder::VoxelFinder(const VoxelGrid& grid, float radius, std::span<const ch
     : grid_(grid),
       keep_(keep),
       radius_(radius),
-      reach_(static_cast<int>(std::ceil(radius / (4 * grid.edge())))),
+      reach_(static_cast<int>(std::min(kFarthestBrick, std::ceil(radius / (4 * grid.edge()))))),
       home_(VoxelGrid::kNowhere) {}
 
 void VoxelFinder::find_bricks(int x, int y, int z) {
   bricks_.clear();
+  const double side = 2.0 * reach_ + 1.0;
+  if (side * side * side > static_cast<double>(grid_.bricks_.size())) {
+    find_among_all(x, y, z);
+    return;
+  }
   for (int k = std::max(0, z - reach_); k <= z + reach_; ++k) {
     for (int j = std::max(0, y - reach_); j <= y + reach_; ++j) {
       for (int i = std::max(0, x - reach_); i <= x + reach_; ++i) {
@@ -105,6 +113,20 @@ void VoxelFinder::find_bricks(int x, int y, int z) {
       }
     }
   }
+}
+
+/// Of a wide ball, looking at each brick there is costs less than at each place for one.
+void VoxelFinder::find_among_all(int x, int y, int z) {
+  const auto is_near = [&](std::uint64_t key, int shift, int centre) {
+    return std::abs(static_cast<int>(key >> shift & 0x1fffff) - centre) <= reach_;
+  };
+  for (const VoxelGrid::Brick& brick : grid_.bricks_) {
+    if (is_near(brick.key, 0, x) && is_near(brick.key, 21, y) && is_near(brick.key, 42, z)) {
+      bricks_.push_back(&brick);
+    }
+  }
+  std::sort(bricks_.begin(), bricks_.end(),
+            [](const auto* a, const auto* b) { return a->first < b->first; });
 }
 
 void VoxelFinder::gather_around(const Eigen::Vector3f& p) {
@@ -181,9 +203,16 @@ PlaneMoments VoxelFinder::moments(const Eigen::Vector3f& p, float reach, int mos
                             distance_.data(), run_.data(), bits_.data());
   const int near = collect_near(runs);
   rank_all(near_distance_.data(), near, rank_.data());
+  // Equally near ones share a rank: of the last rank there may be more than there is room for.
+  int last = -1, nearer = 0;
+  for (int k = 0; k < near; ++k) {
+    if (rank_[k] < most) last = std::max(last, rank_[k]);
+  }
+  for (int k = 0; k < near; ++k) nearer += rank_[k] < last;
+  int left = most - nearer;
   nearest->clear();
-  for (int k = 0; k < near && static_cast<int>(nearest->size()) < most; ++k) {
-    if (rank_[k] < most) nearest->push_back(near_voxel_[k]);
+  for (int k = 0; k < near; ++k) {
+    if (rank_[k] < last || (rank_[k] == last && left-- > 0)) nearest->push_back(near_voxel_[k]);
   }
   const float* s = ball.sum;
   return {s[0], {s[1], s[2], s[3]}, {s[4], s[5], s[6]}, {s[7], s[8], s[9]}};

@@ -109,7 +109,8 @@ class Planner {
       if (target.shell) {
         const std::vector<ContactLine> lines = rim_lines(*target.shell, gripper_);
         target.rim = measured_lines(*target.shell, lines, cloud_);
-        plan_.rejected["unmeasured"] += static_cast<int>(lines.size() - target.rim.size());
+        const int unmeasured = static_cast<int>(lines.size() - target.rim.size());
+        if (unmeasured > 0) plan_.rejected["unmeasured"] += unmeasured;
       }
       // What was seen from inside is no solid: only its wall can be held.
       target.solid = !inside && graspable(*body, gripper_);

@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "detector/table_scene.hpp"
 #include "quadrille/detector/detector.hpp"

@@ -86,3 +86,30 @@ TEST_CASE("the finder's sums are those of the ball, and the nearest are the near
   }
   CHECK(full > 10);
 }
+
+TEST_CASE("of equally near voxels as many are the nearest as there is room for", "[voxel]") {
+  std::vector<Vector3f> lattice;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3f index = Eigen::Vector3i(i % 10, i / 10 % 10, i / 100).cast<float>();
+    // Sums of such fractions are exact: distances tie.
+    lattice.push_back(0.0078125f * (index + Vector3f::Constant(0.5f)));
+  }
+  const VoxelGrid grid(lattice, {}, 0.0078125f);
+  REQUIRE(grid.size() == 1000);
+  VoxelFinder finder(grid, 0.02f);
+  std::vector<int> nearest;
+  for (int v = 0; v < grid.size(); ++v) {
+    const Vector3f p = grid.mean()[v];
+    finder.moments(p, 0.015f, 4, &nearest);
+    // Itself and three of its three to six neighbours at one edge.
+    REQUIRE(nearest.size() == 4);
+    CHECK(std::count(nearest.begin(), nearest.end(), v) == 1);
+    for (const int near : nearest) CHECK((grid.mean()[near] - p).norm() < 0.0079f);
+  }
+}
+
+TEST_CASE("a ball far wider than the grid finds all of it, and soon", "[voxel]") {
+  const VoxelGrid grid = some_grid();
+  VoxelFinder finder(grid, 1e30f);
+  CHECK(finder.within({1.0f, 2.0f, 3.0f}).size() == static_cast<std::size_t>(grid.size()));
+}

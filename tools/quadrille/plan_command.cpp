@@ -124,6 +124,7 @@ void add_plan_command(CLI::App& app) {
       ->type_name("FILE.bt");
   add_choice_option(*command, "--convention", arguments->convention, conventions(),
                     "Add to each grasp's JSON the hand's pose X_CH as this software has it");
+  command->get_option("--convention")->needs("--json");
   add_picture_option(*command, arguments->picture, "the cloud, the quadrics and the grasps");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });

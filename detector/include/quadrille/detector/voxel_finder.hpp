@@ -31,6 +31,7 @@ class VoxelFinder {
  private:
   void gather_around(const Eigen::Vector3f& p);
   void find_bricks(int x, int y, int z);
+  void find_among_all(int x, int y, int z);
   int collect_near(int runs);
 
   const VoxelGrid& grid_;

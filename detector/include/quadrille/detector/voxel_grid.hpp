@@ -15,8 +15,10 @@ namespace quadrille {
 class VoxelGrid {
  public:
   /// The voxels that the points fall into; points that are not finite are left out.
-  /// @param weight    points that each one stands for; empty for one each
-  /// @param edge      of a voxel [m]
+  /// @param weight    points that each one stands for, positive; empty for one each
+  /// @param edge      of a voxel [m], positive. Beyond a million voxels from the origin points
+  /// share
+  ///                  the outermost ones
   /// @param of_point  if given, gets the voxel of each point; -1 if not finite
   VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const int> weight, float edge,
             std::vector<int>* of_point = nullptr);
