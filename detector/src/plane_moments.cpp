@@ -10,8 +10,8 @@ constexpr float kLeastPoints = 4;
 // Narrower than this share of its length, and what the points lie on is a line: as a ratio of
 // eigenvalues, and as the product of two with that ratio over their squared sum.
 constexpr double kNarrow = 0.05, kNarrowProduct = kNarrow / ((1 + kNarrow) * (1 + kNarrow));
-// The eigenvalues' products for a sum of one: less, and the points lie on a line; less of those
-// above the least one, and they spread alike in all directions.
+// Of eigenvalues that sum to one: where the sum of their products in pairs is less, the points lie
+// on a line; where the two larger ones' distances from the least multiply to less, all are alike.
 constexpr double kLine = 1e-3, kRound = 1e-6;
 constexpr int kSteps = 20;
 constexpr double kConverged = 1e-9;

@@ -1,12 +1,13 @@
 #include "quadrille/detector/planes.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
+
+#include "quadrille/detector/height_fit.hpp"
 
 namespace quadrille {
 namespace {
@@ -64,30 +65,22 @@ std::pair<double, double> curvature_of(const SurfaceSamples& samples, const Plan
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const int i : region.samples) mean += samples.raw[i].cast<double>();
   mean /= static_cast<double>(region.samples.size());
-  Eigen::Matrix<double, 6, 6> A = Eigen::Matrix<double, 6, 6>::Zero();
-  Eigen::Matrix<double, 6, 1> b = Eigen::Matrix<double, 6, 1>::Zero();
-  double hh = 0;
+  HeightFit fit;
   for (const int i : region.samples) {
     const Eigen::Vector3d x = samples.raw[i].cast<double>() - mean;
-    const double s = x.dot(e1), t = x.dot(e2), h = x.dot(m);
-    Eigen::Matrix<double, 6, 1> row;
-    row << 1, s, t, s * s, s * t, t * t;
-    A += row * row.transpose();
-    b += h * row;
-    hh += h * h;
+    fit.add(x.dot(e1), x.dot(e2), x.dot(m));
   }
-  const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> ldlt(A);
-  const Eigen::Matrix<double, 6, 1> a = ldlt.solve(b);
+  const auto ldlt = fit.factor();
+  const HeightFit::Vector6 a = ldlt.solve(fit.b);
   const double n = static_cast<double>(region.samples.size());
-  const double variance = std::max(1e-12, hh - a.dot(b)) / std::max(1.0, n / 4 - 6);
-  const Eigen::Matrix<double, 6, 6> covariance =
-      variance * ldlt.solve(Eigen::Matrix<double, 6, 6>::Identity());
+  const double variance = std::max(1e-12, fit.rss(a)) / std::max(1.0, n / 4 - 6);
+  const HeightFit::Matrix6 covariance = variance * ldlt.solve(HeightFit::Matrix6::Identity());
   Eigen::Matrix2d H;
   H << 2 * a[3], a[4], a[4], 2 * a[5];
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(H);
   const int k = std::abs(eigen.eigenvalues()[0]) > std::abs(eigen.eigenvalues()[1]) ? 0 : 1;
   const Eigen::Vector2d d = eigen.eigenvectors().col(k);
-  Eigen::Matrix<double, 6, 1> g;
+  HeightFit::Vector6 g;
   g << 0, 0, 0, 2 * d[0] * d[0], 2 * d[0] * d[1], 2 * d[1] * d[1];
   return {std::abs(eigen.eigenvalues()[k]), std::sqrt(g.dot(covariance * g))};
 }

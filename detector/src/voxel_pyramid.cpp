@@ -4,6 +4,7 @@
 #include "quadrille/detector/cell_pyramid.hpp"
 #include "quadrille/detector/parallel.hpp"
 #include "quadrille/detector/voxel_grid.hpp"
+#include "quadrille/detector/voxel_noise.hpp"
 #include "quadrille/detector/voxel_samples.hpp"
 
 namespace quadrille {
@@ -23,7 +24,7 @@ class VoxelPyramid : public CellPyramid {
       VoxelGrid grid(finer.mean(), finer.count(), 2 * finer.edge(), &parents_.emplace_back());
       grids_.push_back(std::move(grid));
     }
-    for (const VoxelGrid& grid : grids_) sigma_.push_back(measure_noise(grid, noise));
+    for (const VoxelGrid& grid : grids_) sigma_.push_back(measure_voxel_noise(grid, noise));
   }
 
   int size(int level) const override { return grids_[level].size(); }
@@ -83,11 +84,6 @@ std::unique_ptr<CellPyramid> make_voxel_pyramid(const PointCloud& cloud,
     pyramid = std::make_unique<VoxelPyramid>(cloud, 2 * edge, options.noise);
   }
   return pyramid;
-}
-
-std::unique_ptr<CellPyramid> make_pyramid(const PointCloud& cloud, const SamplingOptions& options) {
-  if (auto pyramid = make_depth_pyramid(cloud, options)) return pyramid;
-  return make_voxel_pyramid(cloud, options);
 }
 
 }  // namespace quadrille

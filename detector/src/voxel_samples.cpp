@@ -1,6 +1,5 @@
 #include "quadrille/detector/voxel_samples.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -16,33 +15,6 @@ namespace {
 constexpr int kNeighbours = 8;
 // Radius within which voxels are neighbours, in voxels.
 constexpr float kNextReach = 1.9f;
-constexpr float kLeastSigma = 1e-4f, kUsualSigma = 1e-3f;
-constexpr std::size_t kLeastPatches = 8, kLeastInPatch = 18;
-
-/// Residual of a quadratic height over the plane of the points; negative if they are few.
-/// @param points  relative to a point near them [m]
-float quadratic_residual(const std::vector<Eigen::Vector3f>& points, float radius) {
-  PlaneMoments sums;
-  for (const Eigen::Vector3f& p : points) sums.add(p);
-  Eigen::Vector3f mean, normal;
-  if (points.size() < kLeastInPatch || !sums.solve(&mean, &normal)) return -1.0f;
-  const Eigen::Vector3f e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
-  Eigen::Matrix<double, 6, 6> A = Eigen::Matrix<double, 6, 6>::Zero();
-  Eigen::Matrix<double, 6, 1> b = Eigen::Matrix<double, 6, 1>::Zero();
-  double hh = 0;
-  for (const Eigen::Vector3f& p : points) {
-    const Eigen::Vector3f d = (p - mean) / radius;
-    const double s = d.dot(e1), t = d.dot(e2), h = d.dot(normal);
-    Eigen::Matrix<double, 6, 1> row;
-    row << 1, s, t, s * s, s * t, t * t;
-    A += row * row.transpose();
-    b += h * row;
-    hh += h * h;
-  }
-  const Eigen::Matrix<double, 6, 1> a = A.ldlt().solve(b);
-  const double rss = std::max(0.0, hh - a.dot(b));
-  return radius * static_cast<float>(std::sqrt(rss / static_cast<double>(points.size() - 6)));
-}
 
 SurfaceSamples room_for(std::ptrdiff_t count) {
   SurfaceSamples samples;
@@ -104,27 +76,6 @@ SurfaceSamples make_voxel_samples(const VoxelGrid& grid, const std::vector<char>
   }
   name_samples(sample_of, &samples);
   return samples;
-}
-
-float measure_noise(const VoxelGrid& grid, const NoiseOptions& options) {
-  const float radius = std::max(static_cast<float>(options.radius), 3.0f * grid.edge());
-  std::vector<float> residual;
-  std::vector<Eigen::Vector3f> patch;
-  VoxelFinder finder(grid, radius);
-  const int stride = std::max(1, grid.size() / options.patches);
-  for (int v = 0; v < grid.size(); v += stride) {
-    const Eigen::Vector3f& p = grid.mean()[v];
-    patch.clear();
-    for (const int other : finder.within(p)) patch.push_back(grid.mean()[other] - p);
-    const float r = quadratic_residual(patch, radius);
-    if (r >= 0) residual.push_back(r);
-  }
-  if (residual.size() < kLeastPatches) return kUsualSigma;
-  const auto at =
-      residual.begin() +
-      static_cast<std::ptrdiff_t>(options.quantile * static_cast<double>(residual.size() - 1));
-  std::nth_element(residual.begin(), at, residual.end());
-  return std::max(kLeastSigma, *at);
 }
 
 }  // namespace quadrille

@@ -17,7 +17,8 @@ struct PlaneMoments {
     squares += d.array().square();
     products += d.array() * Eigen::Array3f(d.y(), d.z(), d.x());
   }
-  /// Mean of the offsets, and the direction of their least spread.
+  /// Mean of the offsets, from the point that they are taken from, and the unit direction of their
+  /// least spread.
   /// @return false if they are few, lie on a line, or spread alike in all directions
   bool solve(Eigen::Vector3f* mean, Eigen::Vector3f* normal) const;
 };

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "quadrille/detector/noise.hpp"
 #include "quadrille/detector/surface_samples.hpp"
 #include "quadrille/detector/voxel_grid.hpp"
 
@@ -16,9 +15,5 @@ namespace quadrille {
 /// @param reach  radius of the neighbourhood, in voxels
 SurfaceSamples make_voxel_samples(const VoxelGrid& grid, const std::vector<char>& keep, float sigma,
                                   const Eigen::Vector3f& eye, float reach);
-
-/// Noise of the voxels' means [m], as the residual of quadratic heights over planes: a quantile
-/// over patches spread over the grid. A millimetre if there are too few patches to tell.
-float measure_noise(const VoxelGrid& grid, const NoiseOptions& options);
 
 }  // namespace quadrille
