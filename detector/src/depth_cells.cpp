@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+#include "vector_clones.hpp"
 
 namespace quadrille {
 namespace {
@@ -10,26 +13,25 @@ namespace {
 // Depths that differ by this factor are layers, not the two ends of a slope.
 constexpr float kLayer = 1.05f;
 
-/// Sums of (u, v, w, 1) and the extremes of w.
+/// Sums of tangents and inverse depth over points, and the extremes of the latter.
 struct Sums {
-  Eigen::Vector4f sum = Eigen::Vector4f::Zero();
+  float n = 0, u = 0, v = 0, w = 0;
   float least = 1e30f, most = 0;
 
-  float n() const { return sum[3]; }
-  float w() const { return sum[2] / sum[3]; }
-  void add(const Eigen::Vector4f& t) {
-    sum += t;
-    least = std::min(least, t.z());
-    most = std::max(most, t.z());
+  void add(float u_k, float v_k, float w_k) {
+    n += 1, u += u_k, v += v_k, w += w_k;
+    least = std::min(least, w_k);
+    most = std::max(most, w_k);
   }
   void add(const Sums& other) {
-    sum += other.sum;
+    n += other.n, u += other.u, v += other.v, w += other.w;
     least = std::min(least, other.least);
     most = std::max(most, other.most);
   }
 };
 
-/// The cell that a projected point falls into; none lies before the image's corner.
+/// The cells that points fall into, −1 for those that are not seen; none lies before the image's
+/// corner.
 struct CellIndex {
   float u0, v0, step;
   int width, last_i, last_j;
@@ -41,87 +43,172 @@ struct CellIndex {
         width(cells.width),
         last_i(cells.width - 1),
         last_j(cells.height - 1) {}
-  int operator()(const Eigen::Vector4f& t) const {
-    const int i = std::min(static_cast<int>((t.x() - u0) * step), last_i);
-    const int j = std::min(static_cast<int>((t.y() - v0) * step), last_j);
-    return j * width + i;
-  }
 };
 
-/// Sums of the points of each cell; of_point gets the cell of each point.
-std::vector<Sums> sum_up(const std::vector<Eigen::Vector4f>& uvw, const CellIndex& cell_of,
-                         int size, std::vector<int>* of_point) {
-  std::vector<Sums> sums(static_cast<std::size_t>(size));
-  of_point->resize(uvw.size());
-  // Consecutive points mostly share a cell: their sums stay in registers.
-  Sums run;
-  int cell = cell_of(uvw.front());
-  for (std::size_t k = 0; k < uvw.size(); ++k) {
-    const int c = cell_of(uvw[k]);
-    (*of_point)[k] = c;
-    if (c != cell) {
-      sums[cell].add(run);
-      run = {};
-      cell = c;
-    }
-    run.add(uvw[k]);
+QUADRILLE_VECTOR_CLONES
+void find_cells(const CellIndex& index, const SeenPoints& t, int* cell) {
+  for (int k = 0; k < SeenPoints::kSize; ++k) {
+    const int i = std::min(static_cast<int>((t.u[k] - index.u0) * index.step), index.last_i);
+    const int j = std::min(static_cast<int>((t.v[k] - index.v0) * index.step), index.last_j);
+    cell[k] = t.w[k] > 0.0f ? j * index.width + i : -1;
   }
-  sums[cell].add(run);
+}
+
+/// Adds points to the sums of their cells. Consecutive ones mostly share a cell: their sums stay in
+/// registers.
+void add_runs(const SeenPoints& t, const int* cell, std::vector<Sums>* sums) {
+  for (int k = 0; k < SeenPoints::kSize;) {
+    const int c = cell[k];
+    Sums run;
+    do {
+      run.add(t.u[k], t.v[k], t.w[k]);
+    } while (++k < SeenPoints::kSize && cell[k] == c);
+    if (c >= 0) (*sums)[c].add(run);
+  }
+}
+
+/// Sums of the points of each cell; of_point gets the cell of each point looked at, −1 if unseen.
+std::vector<Sums> sum_up(const PointCloud& cloud, const PinholeView& view, const DepthCells& cells,
+                         std::vector<int>* of_point) {
+  constexpr std::size_t kSize = SeenPoints::kSize;
+  const CellIndex index(cells);
+  std::vector<Sums> sums(static_cast<std::size_t>(cells.size()));
+  const std::size_t looked = view.looked_at(cloud.points.size());
+  of_point->resize((looked + kSize - 1) / kSize * kSize);
+  for (std::size_t first = 0; first < looked; first += kSize) {
+    const SeenPoints t = view.look(cloud.points, first);
+    int* const cell = of_point->data() + first;
+    find_cells(index, t, cell);
+    add_runs(t, cell, &sums);
+  }
   return sums;
 }
 
 /// Of cells across a depth edge, keeps the side, near or far of the middle, that has more points.
 /// @return the share of the filled cells that have layers
-double keep_larger_sides(const std::vector<Eigen::Vector4f>& uvw, const std::vector<int>& of_point,
-                         const DepthCells& cells, std::vector<Sums>* sums) {
+double keep_larger_sides(const PointCloud& cloud, const PinholeView& view,
+                         const std::vector<int>& of_point, const DepthCells& cells,
+                         std::vector<Sums>* sums) {
   std::vector<int> split(sums->size(), -1);
   std::vector<std::array<Sums, 2>> sides;
   std::vector<float> middle;
   int filled = 0;
   for (std::size_t c = 0; c < split.size(); ++c) {
     const Sums& sum = (*sums)[c];
-    filled += sum.n() > 1;
-    if (sum.n() < 2 || continuous(cells, sum.least, sum.most)) continue;
+    filled += sum.n > 1;
+    if (sum.n < 2 || continuous(cells, sum.least, sum.most)) continue;
     split[c] = static_cast<int>(sides.size());
     sides.emplace_back();
     middle.push_back(0.5f * (sum.least + sum.most));
   }
   if (sides.empty()) return 0.0;
-  for (std::size_t k = 0; k < uvw.size(); ++k) {
-    const int s = split[of_point[k]];
-    if (s >= 0) sides[s][uvw[k].z() > middle[s]].add(uvw[k]);
+  for (std::size_t k = 0; k < view.looked_at(cloud.points.size()); ++k) {
+    const int s = of_point[k] < 0 ? -1 : split[of_point[k]];
+    if (s < 0) continue;
+    const Eigen::Vector3f t = view(cloud.points[k * static_cast<std::size_t>(view.stride)]);
+    sides[s][t.z() > middle[s]].add(t.x(), t.y(), t.z());
   }
   int layered = 0;
   for (std::size_t c = 0; c < split.size(); ++c) {
     if (split[c] < 0) continue;
     const auto& [far, near] = sides[split[c]];
-    layered += near.n() > 1 && far.n() > 1 && near.w() > kLayer * far.w();
-    (*sums)[c] = near.n() >= far.n() ? near : far;
+    layered += near.n > 1 && far.n > 1 && near.w * far.n > kLayer * far.w * near.n;
+    (*sums)[c] = near.n >= far.n ? near : far;
   }
   return filled ? static_cast<double>(layered) / filled : 0.0;
 }
 
+/// Two rows of finer cells, one above the other: their means, and their points, of which those not
+/// to be kept count as none.
+struct FineRows {
+  std::array<std::vector<float>, 2> n;
+  std::array<int, 2> first{};
+
+  FineRows(const DepthCells& cells, const std::vector<char>& keep, int j) {
+    for (int r = 0; r < 2; ++r) {
+      n[r].assign(static_cast<std::size_t>(cells.width), 0.0f);
+      // Below the image is none.
+      first[r] = std::min(2 * j + r, cells.height - 1) * cells.width;
+      if (2 * j + r >= cells.height) continue;
+      for (int i = 0; i < cells.width; ++i) {
+        const int c = first[r] + i;
+        n[r][i] = keep.empty() || keep[c] ? static_cast<float>(cells.count[c]) : 0.0f;
+      }
+    }
+  }
+};
+
+/// Joins cells two by two, and tells which of them span a depth edge.
+QUADRILLE_VECTOR_CLONES
+void join(const DepthCells& fine, const FineRows& rows, int n, int first, DepthCells* cells,
+          char* torn) {
+  for (int i = 0; i < n; ++i) {
+    float total = 0, u = 0, v = 0, w = 0, least = 1e30f, most = 0;
+    for (int r = 0; r < 2; ++r) {
+      for (int k = 2 * i; k < 2 * i + 2; ++k) {
+        const int c = rows.first[r] + k;
+        const float m = rows.n[r][k], w_c = fine.w[c];
+        total += m, u += m * fine.u[c], v += m * fine.v[c], w += m * w_c;
+        least = std::min(least, m > 0 ? w_c : least);
+        most = std::max(most, m > 0 ? w_c : most);
+      }
+    }
+    const float over = 1.0f / std::max(total, 1.0f);
+    const int c = first + i;
+    cells->count[c] = static_cast<int>(total);
+    cells->u[c] = u * over, cells->v[c] = v * over, cells->w[c] = w * over;
+    torn[i] = (total > 0) & !continuous(*cells, least, most);
+  }
+}
+
+/// Joins the cells under coarse cell (i, j) that continue the middle one, by inverse depth.
+void join_side_of_middle(const DepthCells& fine, const FineRows& rows, int i, int first,
+                         DepthCells* cells) {
+  // In order of inverse depth: points and cell.
+  std::array<std::pair<float, int>, 4> child{};
+  int n = 0;
+  for (int r = 0; r < 2; ++r) {
+    for (int k = 2 * i; k < std::min(2 * i + 2, fine.width); ++k) {
+      const int c = rows.first[r] + k;
+      if (rows.n[r][k] == 0) continue;
+      int at = n++;
+      for (; at > 0 && fine.w[child[at - 1].second] > fine.w[c]; --at) child[at] = child[at - 1];
+      child[at] = {rows.n[r][k], c};
+    }
+  }
+  if (n == 0) return;
+  const float middle = fine.w[child[n / 2].second];
+  float total = 0, u = 0, v = 0, w = 0;
+  for (int k = 0; k < n; ++k) {
+    const auto [m, c] = child[k];
+    if (!continuous(*cells, fine.w[c], middle)) continue;
+    total += m, u += m * fine.u[c], v += m * fine.v[c], w += m * fine.w[c];
+  }
+  const int c = first + i;
+  cells->count[c] = static_cast<int>(total);
+  cells->u[c] = u / total, cells->v[c] = v / total, cells->w[c] = w / total;
+}
+
 }  // namespace
 
-DepthCells make_depth_cells(const Projection& projection, const PinholeImage& image, int pixels) {
+DepthCells make_depth_cells(const PointCloud& cloud, const PinholeView& view,
+                            const PinholeImage& image, int pixels) {
   DepthCells cells;
   cells.image = image;
   cells.pixels = pixels;
   cells.width = (image.width + pixels - 1) / pixels;
   cells.height = (image.height + pixels - 1) / pixels;
   std::vector<int> of_point;
-  std::vector<Sums> sums = sum_up(projection.uvw, CellIndex(cells), cells.size(), &of_point);
-  cells.layered = keep_larger_sides(projection.uvw, of_point, cells, &sums);
+  std::vector<Sums> sums = sum_up(cloud, view, cells, &of_point);
+  cells.layered = keep_larger_sides(cloud, view, of_point, cells, &sums);
 
   cells.count.resize(sums.size());
   cells.u.resize(sums.size()), cells.v.resize(sums.size()), cells.w.resize(sums.size());
   for (std::size_t c = 0; c < sums.size(); ++c) {
-    const Eigen::Vector4f& sum = sums[c].sum;
-    cells.count[c] = static_cast<int>(sum[3]);
-    if (sum[3] == 0) continue;
-    cells.u[c] = sum[0] / sum[3];
-    cells.v[c] = sum[1] / sum[3];
-    cells.w[c] = sum[2] / sum[3];
+    const Sums& s = sums[c];
+    cells.count[c] = static_cast<int>(s.n);
+    if (s.n == 0) continue;
+    cells.u[c] = s.u / s.n, cells.v[c] = s.v / s.n, cells.w[c] = s.w / s.n;
   }
   return cells;
 }
@@ -133,36 +220,15 @@ DepthCells coarser(const DepthCells& fine, const std::vector<char>& keep) {
   cells.width = (fine.width + 1) / 2;
   cells.height = (fine.height + 1) / 2;
   const std::size_t size = static_cast<std::size_t>(cells.size());
-  cells.count.assign(size, 0);
-  cells.u.assign(size, 0), cells.v.assign(size, 0), cells.w.assign(size, 0);
+  cells.count.resize(size);
+  cells.u.resize(size), cells.v.resize(size), cells.w.resize(size);
+  std::vector<char> torn(static_cast<std::size_t>(cells.width), 1);
   for (int j = 0; j < cells.height; ++j) {
+    const FineRows rows(fine, keep, j);
+    const int first = j * cells.width;
+    join(fine, rows, fine.width / 2, first, &cells, torn.data());
     for (int i = 0; i < cells.width; ++i) {
-      // In order of inverse depth.
-      std::array<int, 4> child{};
-      int n = 0;
-      for (int b = 0; b < 2; ++b) {
-        for (int a = 0; a < 2; ++a) {
-          const int x = 2 * i + a, y = 2 * j + b;
-          if (x >= fine.width || y >= fine.height) continue;
-          const int c = y * fine.width + x;
-          if (fine.count[c] == 0 || !(keep.empty() || keep[c])) continue;
-          int k = n++;
-          for (; k > 0 && fine.w[child[k - 1]] > fine.w[c]; --k) child[k] = child[k - 1];
-          child[k] = c;
-        }
-      }
-      if (n == 0) continue;
-      const float reference = fine.w[child[n / 2]];
-      float u = 0, v = 0, w = 0, total = 0;
-      for (int k = 0; k < n; ++k) {
-        if (!continuous(cells, fine.w[child[k]], reference)) continue;
-        const float m = static_cast<float>(fine.count[child[k]]);
-        u += m * fine.u[child[k]], v += m * fine.v[child[k]], w += m * fine.w[child[k]];
-        total += m;
-      }
-      const int c = j * cells.width + i;
-      cells.count[c] = static_cast<int>(total);
-      cells.u[c] = u / total, cells.v[c] = v / total, cells.w[c] = w / total;
+      if (torn[i]) join_side_of_middle(fine, rows, i, first, &cells);
     }
   }
   return cells;

@@ -13,8 +13,6 @@ namespace {
 // More cells with layers than this, and the cloud is no single view.
 constexpr double kMostLayered = 0.25;
 constexpr int kMostPixels = 32;
-// Patches that tell whether the cells are too fine for the noise.
-constexpr int kGlance = 100;
 // Half windows of the regressions, in cells.
 constexpr int kPlaneReach = 1, kReach = 2;
 
@@ -71,12 +69,15 @@ class DepthPyramid : public CellPyramid {
   std::array<std::vector<int>, kLevels - 1> parents_;
 };
 
-/// Depth that a third of the points are nearer than.
-float near_depth(const Projection& projection) {
+/// Depth that a third of the points are nearer than [m]; 1 m if too few are seen to tell.
+float near_depth(const PointCloud& cloud, const PinholeView& view) {
   std::vector<float> w;
-  const std::size_t stride = std::max<std::size_t>(1, projection.uvw.size() / 5000);
-  for (std::size_t i = 0; i < projection.uvw.size(); i += stride)
-    w.push_back(projection.uvw[i].z());
+  const std::size_t stride = std::max<std::size_t>(1, view.seen / 5000);
+  for (std::size_t i = 0; i < cloud.points.size(); i += stride) {
+    const float inverse_depth = view(cloud.points[i]).z();
+    if (inverse_depth > 0.0f) w.push_back(inverse_depth);
+  }
+  if (w.empty()) return 1.0f;
   const auto third = w.begin() + static_cast<std::ptrdiff_t>(w.size() * 7 / 10);
   std::nth_element(w.begin(), third, w.end());
   return 1.0f / *third;
@@ -86,34 +87,31 @@ float near_depth(const Projection& projection) {
 
 std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
                                                 const SamplingOptions& options) {
-  const std::optional<Projection> projection = project(cloud, options.stride);
-  if (!projection) return nullptr;
-  std::optional<PinholeImage> image = find_image(*projection);
+  const std::optional<PinholeView> view = find_view(cloud, options.stride);
+  if (!view) return nullptr;
+  std::optional<PinholeImage> image = find_image(cloud, *view);
   if (!image) return nullptr;
   // The cells are a whole number of pixels; those of the camera part them finer than ours.
   image->pitch /= static_cast<float>(options.stride);
   image->width *= options.stride;
   image->height *= options.stride;
-  const float z = near_depth(*projection);
+  const float z = near_depth(cloud, *view);
   const double pixels = std::clamp(options.cell / (image->pitch * z), 1.0, 1.0 * kMostPixels);
   std::array<DepthCells, kLevels> cells;
-  cells[0] = make_depth_cells(*projection, *image, static_cast<int>(std::lround(pixels)));
+  cells[0] = make_depth_cells(cloud, *view, *image, static_cast<int>(std::lround(pixels)));
   if (cells[0].layered > kMostLayered) return nullptr;
   const auto coarsen = [&] {
     for (int l = 1; l < kLevels; ++l) cells[l] = coarser(cells[l - 1], {});
   };
   coarsen();
-  NoiseOptions glance = options.noise;
-  glance.patches = std::min(glance.patches, kGlance);
-  std::vector<NoiseModel> noise = measure_noise(cells, glance);
-  const bool noisy = noise.back().sigma(z) > options.noisiest_cell * cells[0].metric(1.0f / z);
-  if (noisy) {
+  std::vector<NoiseModel> noise = measure_noise(cells, options.noise);
+  if (noise.back().sigma(z) > options.noisiest_cell * cells[0].metric(1.0f / z)) {
     cells[0] = std::move(cells[1]);
     coarsen();
+    noise = measure_noise(cells, options.noise);
   }
-  if (noisy || glance.patches < options.noise.patches) noise = measure_noise(cells, options.noise);
-  return std::make_unique<DepthPyramid>(projection->X_VC.inverse(), std::move(cells),
-                                        std::move(noise), z);
+  return std::make_unique<DepthPyramid>(view->X_VC.inverse(), std::move(cells), std::move(noise),
+                                        z);
 }
 
 }  // namespace quadrille

@@ -1,9 +1,13 @@
 #include "quadrille/detector/noise.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <optional>
+
+#include "quadrille/detector/height_fit.hpp"
+#include "vector_clones.hpp"
 
 namespace quadrille {
 namespace {
@@ -11,45 +15,144 @@ namespace {
 constexpr float kLeastSigma = 1e-4f;
 constexpr int kLeastReach = 3, kLargestReach = 8;
 
+/// Depth edges along each row up to each cell: of two cells of a row with the same number, and of
+/// all filled ones between, each continues the one before.
+std::vector<int> count_edges(const DepthCells& cells) {
+  std::vector<int> edges(static_cast<std::size_t>(cells.size()), 0);
+  for (int j = 0; j < cells.height; ++j) {
+    float last = 0;
+    int n = 0;
+    for (int c = j * cells.width; c < (j + 1) * cells.width; ++c) {
+      if (cells.count[c] > 0) {
+        n += last > 0 && !continuous(cells, cells.w[c], last);
+        last = cells.w[c];
+      }
+      edges[c] = n;
+    }
+  }
+  return edges;
+}
+
 /// w / w₀ − 1 as a quadratic in the offsets (s, t) from the centre, scaled to the patch.
 struct Patch {
   float u0, v0, w0, scale;
-  Eigen::Matrix<float, 6, 1> a;
-
-  Eigen::Matrix<float, 6, 1> monomials(float u, float v) const {
-    const float s = (u - u0) * scale, t = (v - v0) * scale;
-    Eigen::Matrix<float, 6, 1> m;
-    m << 1, s, t, s * s, s * t, t * t;
-    return m;
-  }
-  float residual(float u, float v, float w) const { return w / w0 - 1.0f - a.dot(monomials(u, v)); }
+  std::array<float, 6> a;
 };
 
-/// Fits a patch around cell (i, j); nullopt if it is mostly empty or a depth edge runs through it.
-std::optional<Patch> fit_patch(const DepthCells& cells, int i, int j, int reach) {
-  const int centre = j * cells.width + i;
-  Patch patch;
-  patch.u0 = cells.u[centre], patch.v0 = cells.v[centre], patch.w0 = cells.w[centre];
-  patch.scale = 1.0f / (cells.image.pitch * static_cast<float>(cells.pixels * reach));
-  Eigen::Matrix<float, 6, 6> A = Eigen::Matrix<float, 6, 6>::Zero();
-  Eigen::Matrix<float, 6, 1> b = Eigen::Matrix<float, 6, 1>::Zero();
-  int n = 0;
-  for (int y = std::max(0, j - reach); y <= std::min(cells.height - 1, j + reach); ++y) {
-    int last = -1;
-    for (int x = std::max(0, i - reach); x <= std::min(cells.width - 1, i + reach); ++x) {
-      const int c = y * cells.width + x;
-      if ((x - i) * (x - i) + (y - j) * (y - j) > reach * reach || cells.count[c] == 0) continue;
-      if (last >= 0 && !continuous(cells, cells.w[c], cells.w[last])) return std::nullopt;
-      last = c;
-      const Eigen::Matrix<float, 6, 1> m = patch.monomials(cells.u[c], cells.v[c]);
-      A.noalias() += m * m.transpose();
-      b += (cells.w[c] / patch.w0 - 1.0f) * m;
-      ++n;
+constexpr int kLanes = 8;
+
+/// Offsets and relative heights of consecutive cells over a patch; all 0 where there is none.
+struct Heights {
+  std::array<float, kLanes> one, s, t, h;
+
+  Heights(const DepthCells& cells, const Patch& patch, int first, int n) {
+    const float over = 1.0f / patch.w0;
+    for (int k = 0; k < kLanes; ++k) {
+      const int c = first + std::min(k, n - 1);
+      one[k] = k < n && cells.count[c] > 0 ? 1.0f : 0.0f;
+      s[k] = one[k] * (cells.u[c] - patch.u0) * patch.scale;
+      t[k] = one[k] * (cells.v[c] - patch.v0) * patch.scale;
+      h[k] = one[k] * (cells.w[c] * over - 1.0f);
     }
   }
-  if (n < 2 * reach * reach) return std::nullopt;
-  patch.a = A.cast<double>().ldlt().solve(b.cast<double>()).cast<float>();
-  if (!patch.a.allFinite()) return std::nullopt;
+};
+
+/// Lane by lane, the sums that the least squares fit of a quadratic needs: of the monomials
+/// s^p t^q up to degree four, and of h times those up to degree two.
+struct PatchSums {
+  std::array<std::array<float, kLanes>, 15> moment{};
+  std::array<std::array<float, kLanes>, 6> height{};
+
+  HeightFit fit() const;
+  int cells() const {
+    return static_cast<int>(std::accumulate(moment[0].begin(), moment[0].end(), 0.0f));
+  }
+};
+
+QUADRILLE_VECTOR_CLONES
+void add(const Heights& c, PatchSums* sums) {
+  auto& m = sums->moment;
+  auto& b = sums->height;
+  for (int k = 0; k < kLanes; ++k) {
+    const float s = c.s[k], t = c.t[k], h = c.h[k], ss = s * s, st = s * t, tt = t * t;
+    m[0][k] += c.one[k], m[1][k] += s, m[2][k] += t, m[3][k] += ss, m[4][k] += st, m[5][k] += tt;
+    m[6][k] += ss * s, m[7][k] += ss * t, m[8][k] += s * tt, m[9][k] += tt * t;
+    m[10][k] += ss * ss, m[11][k] += ss * st, m[12][k] += ss * tt, m[13][k] += st * tt;
+    m[14][k] += tt * tt;
+    b[0][k] += h, b[1][k] += h * s, b[2][k] += h * t;
+    b[3][k] += h * ss, b[4][k] += h * st, b[5][k] += h * tt;
+  }
+}
+
+HeightFit PatchSums::fit() const {
+  // The number of the moment for each pair of the monomials 1, s, t, s², s t, t².
+  constexpr int kMoment[6][6] = {{0, 1, 2, 3, 4, 5},    {1, 3, 4, 6, 7, 8},
+                                 {2, 4, 5, 7, 8, 9},    {3, 6, 7, 10, 11, 12},
+                                 {4, 7, 8, 11, 12, 13}, {5, 8, 9, 12, 13, 14}};
+  const auto total = [](const std::array<float, kLanes>& lanes) {
+    return std::accumulate(lanes.begin(), lanes.end(), 0.0);
+  };
+  HeightFit fit;
+  for (int i = 0; i < 6; ++i) {
+    for (int j = 0; j < 6; ++j) fit.A(i, j) = total(moment[kMoment[i][j]]);
+    fit.b[i] = total(height[i]);
+  }
+  return fit;
+}
+
+/// Sum of the squared residuals, and the number of cells.
+struct Residuals {
+  double square = 0;
+  int n = 0;
+};
+
+QUADRILLE_VECTOR_CLONES
+void add(const Heights& c, const Patch& patch, Residuals* sums) {
+  float square = 0, n = 0;
+  std::array<float, kLanes> r;
+  for (int k = 0; k < kLanes; ++k) {
+    const auto& a = patch.a;
+    const float s = c.s[k], t = c.t[k];
+    r[k] = c.h[k] - c.one[k] * (a[0] + s * (a[1] + a[3] * s + a[4] * t) + t * (a[2] + a[5] * t));
+  }
+  for (int k = 0; k < kLanes; ++k) square += r[k] * r[k], n += c.one[k];
+  sums->square += static_cast<double>(square);
+  sums->n += static_cast<int>(n);
+}
+
+/// Calls visit(first, n) for the rows, every so many-th one, of a disc of cells about (i, j).
+template <class Visitor>
+void visit_disc(const DepthCells& cells, int i, int j, int reach, int stride, Visitor&& visit) {
+  for (int y = std::max(0, j - reach); y <= std::min(cells.height - 1, j + reach); y += stride) {
+    const int half =
+        static_cast<int>(std::sqrt(static_cast<float>(reach * reach - (y - j) * (y - j))));
+    const int from = std::max(0, i - half), to = std::min(cells.width - 1, i + half);
+    if (from <= to) visit(y * cells.width + from, to - from + 1);
+  }
+}
+
+/// Fits a patch around cell (i, j); nullopt if it is mostly empty or a depth edge runs through it.
+std::optional<Patch> fit_patch(const DepthCells& cells, const std::vector<int>& edges, int i, int j,
+                               int reach) {
+  const int centre = j * cells.width + i;
+  Patch patch{};
+  patch.u0 = cells.u[centre], patch.v0 = cells.v[centre], patch.w0 = cells.w[centre];
+  patch.scale = 1.0f / (cells.image.pitch * static_cast<float>(cells.pixels * reach));
+  PatchSums sums;
+  bool torn = false;
+  visit_disc(cells, i, j, reach, 1, [&](int first, int n) {
+    const int end = first + n;
+    int filled = first;
+    while (filled < end && cells.count[filled] == 0) ++filled;
+    if (filled == end) return;
+    torn |= edges[end - 1] != edges[filled];
+    for (int c = first; c < end; c += kLanes) add(Heights(cells, patch, c, end - c), &sums);
+  });
+  if (torn || sums.cells() < 2 * reach * reach) return std::nullopt;
+  const HeightFit fit = sums.fit();
+  const HeightFit::Vector6 a = fit.factor().solve(fit.b);
+  if (!a.allFinite()) return std::nullopt;
+  for (int k = 0; k < 6; ++k) patch.a[k] = static_cast<float>(a[k]);
   return patch;
 }
 
@@ -59,21 +162,14 @@ float patch_residual(const DepthCells& cells, const Patch& patch, double lost) {
   const int i = static_cast<int>((patch.u0 - cells.image.u0) / step);
   const int j = static_cast<int>((patch.v0 - cells.image.v0) / step);
   const int reach = std::max(1, static_cast<int>(1.0f / (patch.scale * step)));
-  // Of a fine level's many cells every second one, both ways, tells as much.
+  // Of a fine level's many cells those of every second row tell as much.
   const int stride = reach > kLargestReach ? 2 : 1;
-  double square = 0;
-  int n = 0;
-  for (int y = std::max(0, j - reach); y <= std::min(cells.height - 1, j + reach); y += stride) {
-    for (int x = std::max(0, i - reach); x <= std::min(cells.width - 1, i + reach); x += stride) {
-      const int c = y * cells.width + x;
-      if ((x - i) * (x - i) + (y - j) * (y - j) > reach * reach || cells.count[c] == 0) continue;
-      const float r = patch.residual(cells.u[c], cells.v[c], cells.w[c]);
-      square += static_cast<double>(r) * r;
-      ++n;
-    }
-  }
-  if (n < 2 * lost + 4) return -1.0f;
-  return static_cast<float>(std::sqrt(square / (n - lost))) / patch.w0;
+  Residuals sums;
+  visit_disc(cells, i, j, reach, stride, [&](int first, int n) {
+    for (int k = 0; k < n; k += kLanes) add(Heights(cells, patch, first + k, n - k), patch, &sums);
+  });
+  if (sums.n < 2 * lost + 4) return -1.0f;
+  return static_cast<float>(std::sqrt(sums.square / (sums.n - lost))) / patch.w0;
 }
 
 float quantile_of(std::vector<float>& values, double quantile) {
@@ -126,6 +222,7 @@ float NoiseModel::sigma(float z) const {
 std::vector<NoiseModel> measure_noise(std::span<const DepthCells> levels,
                                       const NoiseOptions& options) {
   const DepthCells& cells = levels[std::min<std::size_t>(1, levels.size() - 1)];
+  const std::vector<int> edges = count_edges(cells);
   std::vector<std::vector<std::pair<float, float>>> depth_residual(levels.size());
   const int stride =
       std::max(1, static_cast<int>(std::sqrt(static_cast<double>(cells.size()) / options.patches)));
@@ -136,7 +233,7 @@ std::vector<NoiseModel> measure_noise(std::span<const DepthCells> levels,
       const int reach =
           std::clamp(static_cast<int>(std::lround(options.radius / cells.metric(cells.w[c]))),
                      kLeastReach, kLargestReach);
-      const std::optional<Patch> patch = fit_patch(cells, i, j, reach);
+      const std::optional<Patch> patch = fit_patch(cells, edges, i, j, reach);
       if (!patch) continue;
       for (std::size_t l = 0; l < levels.size(); ++l) {
         // The fit has taken its six parameters from the second level's cells; on coarser ones

@@ -1,14 +1,16 @@
+#include "quadrille/detector/pinhole.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <vector>
 
-#include "quadrille/detector/depth_cells.hpp"
+#include "vector_clones.hpp"
 
 namespace quadrille {
 namespace {
 
 constexpr std::size_t kLeastPoints = 200;
-// Widest field of view that one pinhole image can hold, as a tangent.
-constexpr float kWidestTangent = 2.0f;
 // No camera has more pixels, and an image that is emptier than this is none.
 constexpr double kMostPixels = 64e6, kLeastFilled = 0.01;
 
@@ -44,15 +46,34 @@ float median(std::vector<float>& values) {
   return *middle;
 }
 
-/// Pixel pitch of a cloud in row order: the usual step between consecutive points of one row.
-std::optional<float> pitch_from_order(const std::vector<Eigen::Vector4f>& uvw) {
-  std::vector<float> steps;
-  const std::size_t stride = std::max<std::size_t>(1, uvw.size() / 20000);
-  std::size_t looked = 0;
-  for (std::size_t i = 1; i < uvw.size(); i += stride, ++looked) {
-    const Eigen::Vector2f d = (uvw[i] - uvw[i - 1]).head<2>().cwiseAbs();
-    if (d.x() > 1e-5f && d.x() < 0.02f && d.y() < 0.05f * d.x()) steps.push_back(d.x());
+/// Calls visit(t, next) for about so many of the points seen, evenly over the cloud: the point's
+/// (u, v, w) and that of the next one seen.
+template <class Visitor>
+void sample_pairs(const PointCloud& cloud, const PinholeView& view, std::size_t about,
+                  Visitor&& visit) {
+  const std::size_t step = static_cast<std::size_t>(view.stride), size = cloud.points.size();
+  const std::size_t stride = step * std::max<std::size_t>(1, size / step / about);
+  for (std::size_t i = 0; i + step < size; i += stride) {
+    const Eigen::Vector3f t = view(cloud.points[i]);
+    if (t.z() == 0.0f) continue;
+    for (std::size_t k = i + step; k < size; k += step) {
+      const Eigen::Vector3f next = view(cloud.points[k]);
+      if (next.z() == 0.0f) continue;
+      visit(t, next);
+      break;
+    }
   }
+}
+
+/// Pixel pitch of a cloud in row order: the usual step between consecutive points of one row.
+std::optional<float> pitch_from_order(const PointCloud& cloud, const PinholeView& view) {
+  std::vector<float> steps;
+  std::size_t looked = 0;
+  sample_pairs(cloud, view, 10000, [&](const Eigen::Vector3f& t, const Eigen::Vector3f& next) {
+    const Eigen::Vector2f d = (next - t).head<2>().cwiseAbs();
+    if (d.x() > 1e-5f && d.x() < 0.02f && d.y() < 0.05f * d.x()) steps.push_back(d.x());
+    ++looked;
+  });
   if (steps.empty() || steps.size() < looked / 2) return std::nullopt;
   const float usual = median(steps);
   // The steps of one pixel, averaged, undo the rounding of single ones.
@@ -65,90 +86,141 @@ std::optional<float> pitch_from_order(const std::vector<Eigen::Vector4f>& uvw) {
 }
 
 /// Pixel pitch from the density of points over the part of the image that they cover.
-float pitch_from_density(const std::vector<Eigen::Vector4f>& uvw) {
+float pitch_from_density(const PointCloud& cloud, const PinholeView& view) {
   constexpr int kBlocks = 512;
-  const float step = 2 * kWidestTangent / kBlocks;
+  constexpr float kReach = PinholeView::kWidestTangent, kStep = 2 * kReach / kBlocks;
   std::vector<int> histogram(kBlocks * kBlocks, 0);
   const auto bin = [&](float t) {
-    return std::clamp(static_cast<int>((t + kWidestTangent) / step), 0, kBlocks - 1);
+    return std::clamp(static_cast<int>((t + kReach) / kStep), 0, kBlocks - 1);
   };
-  for (const Eigen::Vector4f& t : uvw) ++histogram[bin(t.y()) * kBlocks + bin(t.x())];
+  for (std::size_t i = 0; i < cloud.points.size(); i += static_cast<std::size_t>(view.stride)) {
+    const Eigen::Vector3f t = view(cloud.points[i]);
+    if (t.z() > 0.0f) ++histogram[bin(t.y()) * kBlocks + bin(t.x())];
+  }
   std::vector<float> counts;
   for (const int n : histogram) {
     if (n > 0) counts.push_back(static_cast<float>(n));
   }
-  return step / std::sqrt(std::max(1.0f, median(counts)));
+  return kStep / std::sqrt(std::max(1.0f, median(counts)));
 }
 
-/// Offset of the pixel centres within [0, 1) of a pixel, as a circular mean.
-float phase_of(const std::vector<Eigen::Vector4f>& uvw, int axis, float pitch) {
-  float c = 0, s = 0;
-  const std::size_t stride = std::max<std::size_t>(1, uvw.size() / 5000);
-  for (std::size_t i = 0; i < uvw.size(); i += stride) {
-    const float pixels = uvw[i][axis] / pitch;
-    const float a = static_cast<float>(2 * M_PI) * (pixels - std::floor(pixels));
-    c += std::cos(a);
-    s += std::sin(a);
+/// Offsets of the pixel centres within [0, 1) of a pixel, as circular means.
+Eigen::Array2f phase_of(const PointCloud& cloud, const PinholeView& view, float pitch) {
+  Eigen::Array2f c = Eigen::Array2f::Zero(), s = Eigen::Array2f::Zero();
+  sample_pairs(cloud, view, 2500, [&](const Eigen::Vector3f& t, const Eigen::Vector3f&) {
+    const Eigen::Array2f a = static_cast<float>(2 * M_PI / pitch) * t.head<2>().array();
+    c += a.cos();
+    s += a.sin();
+  });
+  Eigen::Array2f phase;
+  for (int axis = 0; axis < 2; ++axis) {
+    const float turn = std::atan2(s[axis], c[axis]) / static_cast<float>(2 * M_PI);
+    phase[axis] = turn - std::floor(turn);
   }
-  const float turn = std::atan2(s, c) / static_cast<float>(2 * M_PI);
-  return turn - std::floor(turn);
+  return phase;
+}
+
+/// Least and greatest tangents, lane by lane.
+struct Bounds {
+  std::array<float, SeenPoints::kSize> low_u, high_u, low_v, high_v;
+
+  Bounds() {
+    low_u.fill(PinholeView::kWidestTangent), low_v = low_u;
+    high_u.fill(-PinholeView::kWidestTangent), high_v = high_u;
+  }
+};
+
+/// Takes the points that are seen into the bounds, and counts them.
+QUADRILLE_VECTOR_CLONES
+int widen(const SeenPoints& t, Bounds* bounds) {
+  int n = 0;
+  for (int k = 0; k < SeenPoints::kSize; ++k) {
+    const bool seen = t.w[k] > 0.0f;
+    n += seen;
+    bounds->low_u[k] = std::min(bounds->low_u[k], seen ? t.u[k] : bounds->low_u[k]);
+    bounds->high_u[k] = std::max(bounds->high_u[k], seen ? t.u[k] : bounds->high_u[k]);
+    bounds->low_v[k] = std::min(bounds->low_v[k], seen ? t.v[k] : bounds->low_v[k]);
+    bounds->high_v[k] = std::max(bounds->high_v[k], seen ? t.v[k] : bounds->high_v[k]);
+  }
+  return n;
+}
+
+/// Those of the kSize points from the k-th one on that are finite.
+int count_finite(const PointCloud& cloud, const PinholeView& view, std::size_t k) {
+  int n = 0;
+  for (std::size_t i = k; i < k + SeenPoints::kSize; ++i) {
+    const std::size_t at = i * static_cast<std::size_t>(view.stride);
+    n += at < cloud.points.size() && cloud.points[at].allFinite();
+  }
+  return n;
 }
 
 }  // namespace
 
-std::optional<Projection> project(const PointCloud& cloud, int stride) {
+QUADRILLE_VECTOR_CLONES
+SeenPoints PinholeView::look(const std::vector<Eigen::Vector3f>& points, std::size_t k) const {
+  constexpr int kSize = SeenPoints::kSize;
+  const std::size_t step = static_cast<std::size_t>(stride), first = k * step;
+  std::array<float, kSize> x, y, z;
+  if (step == 1 && first + kSize <= points.size()) {
+    const float* p = points[first].data();
+    for (int i = 0; i < kSize; ++i) x[i] = p[3 * i], y[i] = p[3 * i + 1], z[i] = p[3 * i + 2];
+  } else {
+    const Eigen::Vector3f missing =
+        Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+    for (int i = 0; i < kSize; ++i) {
+      const std::size_t at = first + static_cast<std::size_t>(i) * step;
+      const Eigen::Vector3f& p = at < points.size() ? points[at] : missing;
+      x[i] = p.x(), y[i] = p.y(), z[i] = p.z();
+    }
+  }
+  SeenPoints seen;
+  for (int i = 0; i < kSize; ++i) {
+    const Eigen::Vector3f t = (*this)({x[i], y[i], z[i]});
+    seen.u[i] = t.x(), seen.v[i] = t.y(), seen.w[i] = t.z();
+  }
+  return seen;
+}
+
+std::optional<PinholeView> find_view(const PointCloud& cloud, int stride) {
   if (cloud.points.size() < kLeastPoints) return std::nullopt;
   const std::optional<Eigen::Isometry3f> X_VC = view_frame(cloud);
   if (!X_VC) return std::nullopt;
-  Projection projection;
-  projection.X_VC = *X_VC;
-  const bool turned = !X_VC->matrix().isIdentity(0.0f);
-  const std::size_t step = static_cast<std::size_t>(stride);
-  projection.uvw.resize(cloud.points.size() / step + 1);
-  std::size_t n = 0, unseen = 0;
-  float low_u = kWidestTangent, high_u = -low_u, low_v = low_u, high_v = -low_u;
-  for (std::size_t i = 0; i < cloud.points.size(); i += step) {
-    const Eigen::Vector3f& p = cloud.points[i];
-    const Eigen::Vector3f q = turned ? Eigen::Vector3f(*X_VC * p) : p;
-    const float w = 1.0f / q.z();
-    const float u = q.x() * w, v = q.y() * w;
-    // Also false for NaN and for what is infinitely far.
-    if (w > 0.0f && w < 1e4f && std::abs(u) < kWidestTangent && std::abs(v) < kWidestTangent) {
-      projection.uvw[n++] = {u, v, w, 1.0f};
-      low_u = std::min(low_u, u), high_u = std::max(high_u, u);
-      low_v = std::min(low_v, v), high_v = std::max(high_v, v);
-    } else {
-      unseen += q.allFinite();
+  PinholeView view;
+  view.X_VC = *X_VC;
+  view.stride = stride;
+  Bounds bounds;
+  std::size_t unseen = 0;
+  for (std::size_t k = 0; k < view.looked_at(cloud.points.size()); k += SeenPoints::kSize) {
+    const int n = widen(view.look(cloud.points, k), &bounds);
+    view.seen += static_cast<std::size_t>(n);
+    if (n < SeenPoints::kSize) {
+      unseen += static_cast<std::size_t>(count_finite(cloud, view, k) - n);
     }
   }
-  projection.uvw.resize(n);
-  projection.low = {low_u, low_v};
-  projection.high = {high_u, high_v};
-  const std::size_t seen = projection.uvw.size();
-  if (seen < kLeastPoints || unseen > (seen + unseen) / 50) return std::nullopt;
-  return projection;
+  if (view.seen < kLeastPoints || unseen > (view.seen + unseen) / 50) return std::nullopt;
+  view.low = {*std::min_element(bounds.low_u.begin(), bounds.low_u.end()),
+              *std::min_element(bounds.low_v.begin(), bounds.low_v.end())};
+  view.high = {*std::max_element(bounds.high_u.begin(), bounds.high_u.end()),
+               *std::max_element(bounds.high_v.begin(), bounds.high_v.end())};
+  return view;
 }
 
-std::optional<PinholeImage> find_image(const Projection& projection) {
-  const std::vector<Eigen::Vector4f>& uvw = projection.uvw;
-  const std::optional<float> ordered = pitch_from_order(uvw);
+std::optional<PinholeImage> find_image(const PointCloud& cloud, const PinholeView& view) {
+  const std::optional<float> ordered = pitch_from_order(cloud, view);
   PinholeImage image;
-  image.pitch = ordered ? *ordered : pitch_from_density(uvw);
+  image.pitch = ordered ? *ordered : pitch_from_density(cloud, view);
   // Pixel centres stand at half steps from the corner.
-  const auto corner = [&](int axis) {
-    const float phase = phase_of(uvw, axis, image.pitch) - 0.5f;
-    return (std::floor(projection.low[axis] / image.pitch - phase) + phase) * image.pitch;
-  };
-  image.u0 = corner(0);
-  image.v0 = corner(1);
-  const double width = (projection.high.x() - image.u0) / image.pitch + 1.0;
-  const double height = (projection.high.y() - image.v0) / image.pitch + 1.0;
-  if (!(width * height < kMostPixels) ||
-      static_cast<double>(uvw.size()) < kLeastFilled * width * height) {
+  const Eigen::Array2f phase = phase_of(cloud, view, image.pitch) - 0.5f;
+  const Eigen::Array2f corner = ((view.low / image.pitch - phase).floor() + phase) * image.pitch;
+  image.u0 = corner.x();
+  image.v0 = corner.y();
+  const Eigen::Array2d size = ((view.high - corner) / image.pitch + 1.0f).cast<double>();
+  if (!(size.prod() < kMostPixels) || static_cast<double>(view.seen) < kLeastFilled * size.prod()) {
     return std::nullopt;
   }
-  image.width = static_cast<int>(width);
-  image.height = static_cast<int>(height);
+  image.width = static_cast<int>(size.x());
+  image.height = static_cast<int>(size.y());
   return image;
 }
 

@@ -13,11 +13,13 @@ namespace {
 /// A wall across the view at depth z.
 Patch wall(double z) { return rectangle(translation(0, 0, z), 1e3, 1e3); }
 
-/// A projection of points with these tangents and inverse depths.
-Projection projection_of(const std::vector<Eigen::Vector3f>& uvw) {
-  Projection projection;
-  for (const Eigen::Vector3f& t : uvw) projection.uvw.push_back(t.homogeneous());
-  return projection;
+/// A cloud of points with these tangents and inverse depths.
+PointCloud cloud_of(const std::vector<Eigen::Vector3f>& uvw) {
+  PointCloud cloud;
+  for (const Eigen::Vector3f& t : uvw) {
+    cloud.points.push_back(Eigen::Vector3f(t.x(), t.y(), 1.0f) / t.z());
+  }
+  return cloud;
 }
 
 PinholeImage image_of(int width, int height, float pitch) {
@@ -30,11 +32,12 @@ TEST_CASE("pitch and phase of the pixels are recovered from the points", "[depth
   for (const double pitch : {1.0 / 300.0, 1.0 / 525.3}) {
     Camera camera;
     camera.pitch = pitch;
-    const auto projection = project(render({wall(1.3)}, camera));
-    REQUIRE(projection);
-    CHECK(projection->X_VC.isApprox(Eigen::Isometry3f::Identity()));
-    CHECK(projection->uvw.size() == 320 * 240);
-    const auto image = find_image(*projection);
+    const PointCloud cloud = render({wall(1.3)}, camera);
+    const auto view = find_view(cloud);
+    REQUIRE(view);
+    CHECK(view->X_VC.isApprox(Eigen::Isometry3f::Identity()));
+    CHECK(view->seen == 320 * 240);
+    const auto image = find_image(cloud, *view);
     REQUIRE(image);
     CHECK(image->pitch == Approx(pitch).epsilon(1e-4));
     // The corner of the first pixel stands half a pixel before its centre.
@@ -53,9 +56,9 @@ TEST_CASE("without an order of points the pitch follows from their density", "[d
               cloud.points[static_cast<std::size_t>(random.below(i + 1))]);
   }
   cloud.width = cloud.height = 0;
-  const auto projection = project(cloud);
-  REQUIRE(projection);
-  const auto image = find_image(*projection);
+  const auto view = find_view(cloud);
+  REQUIRE(view);
+  const auto image = find_image(cloud, *view);
   REQUIRE(image);
   CHECK(image->pitch == Approx(1.0 / 300.0).epsilon(0.35));
 }
@@ -67,12 +70,13 @@ TEST_CASE("a cloud in another frame is seen from its viewpoint along its mean di
   X.rotate(Eigen::AngleAxisd(2.0, Eigen::Vector3d(1, 2, -1).normalized()));
   for (Eigen::Vector3f& p : cloud.points) p = (X * p.cast<double>()).cast<float>();
   cloud.viewpoint = X.translation();
-  const auto projection = project(cloud);
-  REQUIRE(projection);
-  CHECK((projection->X_VC * cloud.viewpoint.cast<float>()).norm() < 1e-5f);
+  const auto view = find_view(cloud);
+  REQUIRE(view);
+  CHECK((view->X_VC * cloud.viewpoint.cast<float>()).norm() < 1e-5f);
   const Eigen::Vector3d axis = X.linear().col(2);
-  CHECK((projection->X_VC.linear() * axis.cast<float>()).z() > 0.9999f);
-  for (const Eigen::Vector4f& t : projection->uvw) REQUIRE(t.z() == Approx(1.0).epsilon(1e-3));
+  CHECK((view->X_VC.linear() * axis.cast<float>()).z() > 0.9999f);
+  for (const Eigen::Vector3f& p : cloud.points)
+    REQUIRE((*view)(p).z() == Approx(1.0).epsilon(1e-3));
 }
 
 TEST_CASE("points all around the viewpoint or too few of them are no single view",
@@ -83,16 +87,16 @@ TEST_CASE("points all around the viewpoint or too few of them are no single view
     const Eigen::Vector3d d(gaussian(random), gaussian(random), gaussian(random));
     around.points.push_back(d.normalized().cast<float>());
   }
-  CHECK_FALSE(project(around));
+  CHECK_FALSE(find_view(around));
   PointCloud few = render({wall(1.0)});
   few.points.resize(100);
-  CHECK_FALSE(project(few));
-  CHECK_FALSE(project(PointCloud()));
+  CHECK_FALSE(find_view(few));
+  CHECK_FALSE(find_view(PointCloud()));
 }
 
 TEST_CASE("a cell is the mean of its points in tangents and inverse depth", "[depth][cells]") {
   const DepthCells cells = make_depth_cells(
-      projection_of({{0.001f, 0.001f, 1.0f}, {0.003f, 0.001f, 1.002f}, {0.009f, 0.001f, 0.5f}}),
+      cloud_of({{0.001f, 0.001f, 1.0f}, {0.003f, 0.001f, 1.002f}, {0.009f, 0.001f, 0.5f}}), {},
       image_of(8, 2, 0.002f), 2);
   REQUIRE(cells.width == 4);
   REQUIRE(cells.height == 1);
@@ -107,9 +111,10 @@ TEST_CASE("a cell is the mean of its points in tangents and inverse depth", "[de
 TEST_CASE("means in inverse depth keep a tilted plane exactly", "[depth][cells]") {
   Eigen::Isometry3d X = translation(0, 0, 1.2);
   X.rotate(Eigen::AngleAxisd(0.9, Eigen::Vector3d(1, 0.4, 0).normalized()));
-  const auto projection = project(render({rectangle(X, 1e3, 1e3)}));
-  REQUIRE(projection);
-  const DepthCells cells = make_depth_cells(*projection, *find_image(*projection), 4);
+  const PointCloud cloud = render({rectangle(X, 1e3, 1e3)});
+  const auto view = find_view(cloud);
+  REQUIRE(view);
+  const DepthCells cells = make_depth_cells(cloud, *view, *find_image(cloud, *view), 4);
   const Eigen::Vector3d n = X.linear().col(2);
   const double d = n.dot(X.translation());
   int looked = 0;
@@ -127,7 +132,7 @@ TEST_CASE("a cell across a depth edge keeps the side with more points", "[depth]
     std::vector<Eigen::Vector3f> uvw;
     for (int k = 0; k < nears; ++k) uvw.push_back({0.001f, 0.001f, near});
     for (int k = 0; k < fars; ++k) uvw.push_back({0.003f, 0.003f, far});
-    const DepthCells cells = make_depth_cells(projection_of(uvw), image_of(4, 4, 0.001f), 4);
+    const DepthCells cells = make_depth_cells(cloud_of(uvw), {}, image_of(4, 4, 0.001f), 4);
     CHECK(cells.count[0] == std::max(nears, fars));
     return cells.w[0];
   };
@@ -144,7 +149,7 @@ TEST_CASE("coarser cells hold all points of one surface and one side of an edge"
       uvw.push_back({0.001f * (i + 0.5f), 0.001f * (j + 0.5f), step ? 0.5f : 1.0f});
     }
   }
-  const DepthCells fine = make_depth_cells(projection_of(uvw), image_of(4, 4, 0.001f), 1);
+  const DepthCells fine = make_depth_cells(cloud_of(uvw), {}, image_of(4, 4, 0.001f), 1);
   const DepthCells all = coarser(fine, {});
   REQUIRE(all.width == 2);
   CHECK(all.pixels == 2);
@@ -174,8 +179,8 @@ TEST_CASE("layers tell a fused cloud from a single view", "[depth][cells]") {
   fused.points.insert(fused.points.end(), behind.points.begin(), behind.points.end());
   fused.width = fused.height = 0;
   const auto layered = [](const PointCloud& cloud) {
-    const auto projection = project(cloud);
-    return make_depth_cells(*projection, *find_image(*projection), 3).layered;
+    const auto view = find_view(cloud);
+    return make_depth_cells(cloud, *view, *find_image(cloud, *view), 3).layered;
   };
   CHECK(layered(single) < 0.02);
   CHECK(layered(fused) > 0.9);

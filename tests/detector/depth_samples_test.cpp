@@ -12,8 +12,9 @@ using namespace quadrille::test;
 namespace {
 
 DepthCells cells_of(const std::vector<Patch>& patches, int pixels) {
-  const auto projection = project(render(patches));
-  return make_depth_cells(*projection, *find_image(*projection), pixels);
+  const PointCloud cloud = render(patches);
+  const auto view = find_view(cloud);
+  return make_depth_cells(cloud, *view, *find_image(cloud, *view), pixels);
 }
 
 SurfaceSamples samples_of(const DepthCells& cells, const std::vector<char>& keep = {}) {

@@ -13,9 +13,10 @@ namespace {
 /// Noise of three levels of cells over what a camera sees.
 std::vector<NoiseModel> noise_of(const std::vector<Patch>& patches, const Camera& camera,
                                  double quantile) {
-  const auto projection = project(render(patches, camera));
+  const PointCloud cloud = render(patches, camera);
+  const auto view = find_view(cloud);
   std::array<DepthCells, 3> levels;
-  levels[0] = make_depth_cells(*projection, *find_image(*projection), 1);
+  levels[0] = make_depth_cells(cloud, *view, *find_image(cloud, *view), 1);
   levels[1] = coarser(levels[0], {});
   levels[2] = coarser(levels[1], {});
   NoiseOptions options;

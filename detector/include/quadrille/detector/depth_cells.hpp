@@ -1,42 +1,14 @@
 #pragma once
 
-#include <Eigen/Geometry>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
 
+#include "quadrille/detector/pinhole.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
-
-/// The points of a cloud as a pinhole at the viewpoint sees them.
-struct Projection {
-  /// Frame V: origin at the viewpoint, z into the scene.
-  Eigen::Isometry3f X_VC = Eigen::Isometry3f::Identity();
-  /// Per point ahead: tangents u = x/z and v = y/z, inverse depth w = 1/z [1/m], and 1, so that
-  /// sums count.
-  std::vector<Eigen::Vector4f> uvw;
-  /// Least and greatest u and v of them.
-  Eigen::Array2f low = Eigen::Array2f::Zero(), high = Eigen::Array2f::Zero();
-};
-
-/// Projects the finite points; nullopt if the cloud is too small or does not lie ahead of its
-/// viewpoint within a pinhole's field of view.
-/// @param stride  takes every so many-th point; its pixels are so much wider
-std::optional<Projection> project(const PointCloud& cloud, int stride = 1);
-
-/// The image that a projection fills.
-struct PinholeImage {
-  /// Tangents of the first pixel's near corner, and the step from pixel to pixel.
-  float u0 = 0, v0 = 0, pitch = 0;
-  /// Size in pixels.
-  int width = 0, height = 0;
-};
-
-/// Finds pitch and phase of the pixels from the points themselves: from the steps between
-/// consecutive points where they come row by row, else from their density.
-std::optional<PinholeImage> find_image(const Projection& projection);
 
 /// An image in square cells of several pixels: mean tangents and mean inverse depth of the points
 /// in each cell. Inverse depth is affine in (u, v) on a plane, so averages keep planes.
@@ -74,7 +46,8 @@ inline bool continuous(const DepthCells& cells, float w_a, float w_b) {
 
 /// Averages the points over cells of the given number of pixels; a cell across a depth edge keeps
 /// the side with more points.
-DepthCells make_depth_cells(const Projection& projection, const PinholeImage& image, int pixels);
+DepthCells make_depth_cells(const PointCloud& cloud, const PinholeView& view,
+                            const PinholeImage& image, int pixels);
 
 /// Cells of twice the edge; a cell that would span a depth edge keeps the side with more points.
 /// @param keep  per cell, zero to leave it out; empty means all
