@@ -10,8 +10,10 @@
 namespace quadrille {
 namespace {
 
-// Depths that differ by this factor are layers, not the two ends of a slope.
-constexpr float kLayer = 1.05f;
+// Of two layers the means stand nearly as far apart as the extremes, of a slope half as far.
+constexpr float kLayer = 0.75f;
+// Cells with layers, of a cell and its eight neighbours, within an area of layers.
+constexpr int kLeastAround = 8;
 
 /// Sums of tangents and inverse depth over points, and the extremes of the latter.
 struct Sums {
@@ -85,37 +87,57 @@ std::vector<Sums> sum_up(const PointCloud& cloud, const PinholeView& view, const
 }
 
 /// Of cells across a depth edge, keeps the side, near or far of the middle, that has more points.
-/// @return the share of the filled cells that have layers
-double keep_larger_sides(const PointCloud& cloud, const PinholeView& view,
-                         const std::vector<int>& of_point, const DepthCells& cells,
-                         std::vector<Sums>* sums) {
+/// @return per cell, whether points stand in clearly different depths; empty if nowhere
+std::vector<char> keep_larger_sides(const PointCloud& cloud, const PinholeView& view,
+                                    const std::vector<int>& of_point, const DepthCells& cells,
+                                    std::vector<Sums>* sums) {
   std::vector<int> split(sums->size(), -1);
   std::vector<std::array<Sums, 2>> sides;
   std::vector<float> middle;
-  int filled = 0;
   for (std::size_t c = 0; c < split.size(); ++c) {
     const Sums& sum = (*sums)[c];
-    filled += sum.n > 1;
     if (sum.n < 2 || continuous(cells, sum.least, sum.most)) continue;
     split[c] = static_cast<int>(sides.size());
     sides.emplace_back();
     middle.push_back(0.5f * (sum.least + sum.most));
   }
-  if (sides.empty()) return 0.0;
+  if (sides.empty()) return {};
   for (std::size_t k = 0; k < view.looked_at(cloud.points.size()); ++k) {
     const int s = of_point[k] < 0 ? -1 : split[of_point[k]];
     if (s < 0) continue;
     const Eigen::Vector3f t = view(cloud.points[k * static_cast<std::size_t>(view.stride)]);
     sides[s][t.z() > middle[s]].add(t.x(), t.y(), t.z());
   }
-  int layered = 0;
+  std::vector<char> layered(split.size(), 0);
   for (std::size_t c = 0; c < split.size(); ++c) {
     if (split[c] < 0) continue;
     const auto& [far, near] = sides[split[c]];
-    layered += near.n > 1 && far.n > 1 && near.w * far.n > kLayer * far.w * near.n;
+    const Sums& sum = (*sums)[c];
+    const float gap = near.w / near.n - far.w / far.n;
+    layered[c] = near.n > 1 && far.n > 1 && gap > kLayer * (sum.most - sum.least);
     (*sums)[c] = near.n >= far.n ? near : far;
   }
-  return filled ? static_cast<double>(layered) / filled : 0.0;
+  return layered;
+}
+
+/// Share of the filled cells that lie within areas of layers. Of a single view the cells across
+/// depth edges have layers, but these are lines.
+double layered_share(const DepthCells& cells, const std::vector<char>& layered) {
+  if (layered.empty()) return 0.0;
+  int inside = 0, filled = 0;
+  for (int j = 1; j + 1 < cells.height; ++j) {
+    for (int i = 1; i + 1 < cells.width; ++i) {
+      const int c = j * cells.width + i;
+      filled += cells.count[c] > 0;
+      if (!layered[c]) continue;
+      int around = 0;
+      for (const int row : {c - cells.width, c, c + cells.width}) {
+        around += layered[row - 1] + layered[row] + layered[row + 1];
+      }
+      inside += around >= kLeastAround;
+    }
+  }
+  return filled ? static_cast<double>(inside) / filled : 0.0;
 }
 
 /// Two rows of finer cells, one above the other: their means, and their points, of which those not
@@ -200,7 +222,7 @@ DepthCells make_depth_cells(const PointCloud& cloud, const PinholeView& view,
   cells.height = (image.height + pixels - 1) / pixels;
   std::vector<int> of_point;
   std::vector<Sums> sums = sum_up(cloud, view, cells, &of_point);
-  cells.layered = keep_larger_sides(cloud, view, of_point, cells, &sums);
+  const std::vector<char> layered = keep_larger_sides(cloud, view, of_point, cells, &sums);
 
   cells.count.resize(sums.size());
   cells.u.resize(sums.size()), cells.v.resize(sums.size()), cells.w.resize(sums.size());
@@ -210,6 +232,7 @@ DepthCells make_depth_cells(const PointCloud& cloud, const PinholeView& view,
     if (s.n == 0) continue;
     cells.u[c] = s.u / s.n, cells.v[c] = s.v / s.n, cells.w[c] = s.w / s.n;
   }
+  cells.layered = layered_share(cells, layered);
   return cells;
 }
 

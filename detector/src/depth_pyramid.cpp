@@ -10,8 +10,10 @@
 namespace quadrille {
 namespace {
 
-// More cells with layers than this, and the cloud is no single view.
-constexpr double kMostLayered = 0.25;
+// A larger share of cells within areas of layers, and the cloud is no single view. Depth cameras
+// show ten times less. Cells of fewer pixels have too few points to tell.
+constexpr double kMostLayered = 0.002;
+constexpr int kLayerPixels = 2;
 constexpr int kMostPixels = 32;
 // Half windows of the regressions, in cells.
 constexpr int kPlaneReach = 1, kReach = 2;
@@ -96,10 +98,14 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
   image->width *= options.stride;
   image->height *= options.stride;
   const float z = near_depth(cloud, *view);
-  const double pixels = std::clamp(options.cell / (image->pitch * z), 1.0, 1.0 * kMostPixels);
+  const int pixels = static_cast<int>(
+      std::lround(std::clamp(options.cell / (image->pitch * z), 1.0, 1.0 * kMostPixels)));
   std::array<DepthCells, kLevels> cells;
-  cells[0] = make_depth_cells(cloud, *view, *image, static_cast<int>(std::lround(pixels)));
-  if (cells[0].layered > kMostLayered) return nullptr;
+  cells[0] = make_depth_cells(cloud, *view, *image, pixels);
+  const double layered = pixels < kLayerPixels
+                             ? make_depth_cells(cloud, *view, *image, kLayerPixels).layered
+                             : cells[0].layered;
+  if (layered > kMostLayered) return nullptr;
   const auto coarsen = [&] {
     for (int l = 1; l < kLevels; ++l) cells[l] = coarser(cells[l - 1], {});
   };

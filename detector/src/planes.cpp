@@ -103,7 +103,9 @@ std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
     return a.samples.size() > b.samples.size();
   });
   const auto coplanar = [&](const PlaneRegion& large, const PlaneRegion& small) {
-    if (large.plane.head<3>().dot(small.plane.head<3>()) < kCoplanarCosine) return false;
+    // Seen from within the plane, the sides that its parts turn are chance.
+    const double cosine = large.plane.head<3>().dot(small.plane.head<3>());
+    if (std::abs(cosine) < kCoplanarCosine) return false;
     double distance = 0, limit = 0;
     for (const int i : small.samples) {
       distance += std::abs(large.plane.dot(samples.raw[i].cast<double>().homogeneous()));

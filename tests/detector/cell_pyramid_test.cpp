@@ -14,6 +14,25 @@ namespace {
 
 constexpr double kRadius = 0.06;
 
+/// Balls on a table as cameras around it see them, in the frame of the first, pixel by pixel.
+PointCloud balls_seen_from(const std::vector<Eigen::Vector3d>& eyes) {
+  Camera camera;
+  camera.noise = 0.001;
+  PointCloud fused;
+  for (const Eigen::Vector3d& eye : eyes) {
+    const Eigen::Isometry3d X_CW = world_seen_from(eye);
+    std::vector<Patch> patches = {rectangle(X_CW, 0.4, 0.4)};
+    for (const double x : {-0.2, 0.0, 0.2}) {
+      patches.push_back(sphere(X_CW * translation(x, 0.05, kRadius), kRadius));
+    }
+    const Eigen::Isometry3d X = world_seen_from(eyes[0]) * X_CW.inverse();
+    for (const Eigen::Vector3f& p : render(patches, camera).points) {
+      if (p.allFinite()) fused.points.push_back(X.cast<float>() * p);
+    }
+  }
+  return fused;
+}
+
 /// Points all over a sphere, evenly (golden spiral), the viewpoint far above.
 PointCloud all_around(double noise) {
   PointCloud cloud;
@@ -96,6 +115,17 @@ TEST_CASE("a cloud fused from two sides has no depth grid and becomes voxels", "
   const double faces = 4 * M_PI * kRadius * kRadius / (0.0031 * 0.0031);
   CHECK(pyramid->size(0) > faces);
   CHECK(pyramid->size(0) < 2.5 * faces);
+}
+
+TEST_CASE("a cloud fused from several views is no single view, whichever eye looks at it",
+          "[pyramid]") {
+  const Eigen::Vector3d a(0.0, -0.9, 0.6), b(0.8, 0.5, 0.6), c(-0.8, 0.5, 0.6);
+  CHECK(make_depth_pyramid(balls_seen_from({a}), {}));
+  for (const auto& eyes : {std::vector{a, b, c}, std::vector{b, c, a}, std::vector{a, b}}) {
+    const PointCloud fused = balls_seen_from(eyes);
+    CHECK_FALSE(make_depth_pyramid(fused, {}));
+    CHECK(make_pyramid(fused, {}));
+  }
 }
 
 TEST_CASE("normals of voxels are those of the sphere and look to the viewpoint's side",

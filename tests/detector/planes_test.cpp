@@ -69,6 +69,20 @@ TEST_CASE("a plane has the least number of samples, or is none", "[planes]") {
   CHECK(find_planes(plane_grid(20, 20, 0.02, 0.0, 1), options).empty());
 }
 
+TEST_CASE("parts of a plane that turn different sides are one plane", "[planes]") {
+  const SurfaceSamples samples = surface_grid(
+      40, 20,
+      [](int i, int j) {
+        const Eigen::Vector3d x(i * 0.01, j * 0.01, 0.0);
+        return OrientedPoint{x, (i < 15 ? -1.0 : 1.0) * Eigen::Vector3d::UnitZ()};
+      },
+      0.01, 0.0005, 4);
+  const auto planes = find_planes(samples, {});
+  REQUIRE(planes.size() == 1);
+  CHECK(planes[0].samples.size() > 780);
+  CHECK(planes[0].plane.z() > 0.9999);
+}
+
 TEST_CASE("no samples, no planes", "[planes][degenerate]") {
   CHECK(find_planes(plane_grid(0, 0, 0.01, 0.0, 1), {}).empty());
 }

@@ -20,8 +20,9 @@ struct DepthCells {
   /// Per cell: number of points (0 is empty), mean u, v, and inverse depth w [1/m].
   std::vector<int> count;
   std::vector<float> u, v, w;
-  /// Share of the cells in which points stand in clearly different depths: small in a single
-  /// view, large for a cloud fused from several.
+  /// Share of the cells within areas of layers, where points stand in clearly different depths:
+  /// next to none in a single view, which has layers at depth edges only, but what one view hides
+  /// a cloud fused from several shows.
   double layered = 0.0;
 
   int size() const { return width * height; }
