@@ -9,9 +9,13 @@ namespace {
 
 constexpr std::size_t kLeastPoints = 50;
 // Nothing to grasp is this far away, but in millimetres most things are.
-constexpr float kFarthest = 50.0f;
+constexpr double kFarthest = 50.0;
+// A scene of which the standard deviation is larger [m].
+constexpr double kWidest = 5.0;
 // Larger coordinates are no measurement; their squares would overflow single precision.
-constexpr float kLargest = 1e9f;
+constexpr double kLargest = 1e9;
+// Points so many times as far from the centre as half of them are outliers.
+constexpr double kOutlier = 100.0;
 
 std::size_t count_finite(const std::vector<Eigen::Vector3f>& points) {
   // x - x is zero unless x is NaN or infinite. Most runs are finite as a whole.
@@ -30,50 +34,76 @@ std::size_t count_finite(const std::vector<Eigen::Vector3f>& points) {
   return finite;
 }
 
+/// Finite points spread evenly over the cloud, some thousands.
+std::vector<Eigen::Vector3d> some_of(const std::vector<Eigen::Vector3f>& points) {
+  std::vector<Eigen::Vector3d> some;
+  const std::size_t stride = std::max<std::size_t>(1, points.size() / 5000);
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    if (points[i].allFinite()) some.push_back(points[i].cast<double>());
+  }
+  return some;
+}
+
+/// Median of a measure of the points.
+template <class Measure>
+double median(const std::vector<Eigen::Vector3d>& points, Measure&& measure) {
+  std::vector<double> values;
+  for (const Eigen::Vector3d& p : points) values.push_back(measure(p));
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Variances of the points along their principal axes, ascending, without outliers.
+Eigen::Vector3d spread_of(const std::vector<Eigen::Vector3d>& points,
+                          const Eigen::Vector3d& centre) {
+  const double usual = median(points, [&](const auto& p) { return (p - centre).norm(); });
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+  double n = 0;
+  for (const Eigen::Vector3d& p : points) {
+    const Eigen::Vector3d x = p - centre;
+    if (x.norm() > kOutlier * usual) continue;
+    n += 1, sum += x, square += x * x.transpose();
+  }
+  const Eigen::Vector3d mean = sum / n;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+      Eigen::Matrix3d(square / n - mean * mean.transpose()), Eigen::EigenvaluesOnly);
+  return eigen.eigenvalues();
+}
+
 }  // namespace
 
 CloudCheck check_cloud(const PointCloud& cloud) {
   CloudCheck check;
   check.finite = count_finite(cloud.points);
-  std::vector<float> distance;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
-  double looked = 0;
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / 5000);
-  for (std::size_t i = 0; i < cloud.points.size(); i += stride) {
-    const Eigen::Vector3d p = cloud.points[i].cast<double>();
-    if (!p.allFinite()) continue;
-    if (looked == 0) origin = p;
-    const Eigen::Vector3d x = p - origin;
-    looked += 1, sum += x, square += x * x.transpose();
-    distance.push_back(static_cast<float>((p - cloud.viewpoint).norm()));
-  }
   if (check.finite < kLeastPoints) {
     check.warnings.push_back("only " + std::to_string(check.finite) +
                              " finite points; a surface needs at least " +
                              std::to_string(kLeastPoints));
     return check;
   }
-  if (distance.empty()) {
+  const std::vector<Eigen::Vector3d> some = some_of(cloud.points);
+  if (some.empty()) {
     check.usable = true;
     return check;
   }
-  const auto middle = distance.begin() + static_cast<std::ptrdiff_t>(distance.size() / 2);
-  std::nth_element(distance.begin(), middle, distance.end());
-  if (!(*middle < kLargest)) {
+  for (int axis = 0; axis < 3; ++axis) {
+    check.centre[axis] = median(some, [axis](const auto& p) { return p[axis]; });
+  }
+  if (!(check.centre.norm() < kLargest)) {
     check.warnings.push_back("coordinates are too large to be a measurement in metres");
     return check;
   }
-  if (*middle > kFarthest) {
+  const Eigen::Vector3d spread = spread_of(some, check.centre);
+  if (median(some, [&](const auto& p) { return (p - cloud.viewpoint).norm(); }) > kFarthest) {
     check.warnings.push_back(
-        "half of the points are more than 50 m away: the coordinates look like "
-        "millimetres; give metres");
+        spread[2] > kWidest * kWidest
+            ? "half of the points are more than 50 m away: the coordinates look like "
+              "millimetres; give metres"
+            : "half of the points are more than 50 m from the viewpoint: name the sensor's "
+              "position");
   }
-  const Eigen::Vector3d mean = sum / looked;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
-      Eigen::Matrix3d(square / looked - mean * mean.transpose()));
-  const Eigen::Vector3d spread = eigen.eigenvalues();
   if (!(spread[2] > 1e-18)) {
     check.warnings.push_back("all points coincide");
   } else if (spread[1] < 1e-8 * spread[2]) {

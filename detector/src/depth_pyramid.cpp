@@ -15,6 +15,8 @@ namespace {
 constexpr double kMostLayered = 0.002;
 constexpr int kLayerPixels = 2;
 constexpr int kMostPixels = 32;
+// No sensor that stands farther away [m] sees what we look for: the viewpoint is not known.
+constexpr float kFarthest = 50.0f;
 // Half windows of the regressions, in cells.
 constexpr int kPlaneReach = 1, kReach = 2;
 
@@ -98,6 +100,7 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
   image->width *= options.stride;
   image->height *= options.stride;
   const float z = near_depth(cloud, *view);
+  if (z > kFarthest) return nullptr;
   const int pixels = static_cast<int>(
       std::lround(std::clamp(options.cell / (image->pitch * z), 1.0, 1.0 * kMostPixels)));
   std::array<DepthCells, kLevels> cells;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "quadrille/detector/cloud_check.hpp"
+#include "quadrille/detector/far_cloud.hpp"
 #include "quadrille/detector/measure.hpp"
 #include "quadrille/detector/plane_claims.hpp"
 #include "quadrille/detector/sample_tree.hpp"
@@ -128,6 +129,31 @@ void rank(std::vector<Detection>* detections) {
   for (Detection& d : *detections) d.id = ++id;
 }
 
+/// All stages on a cloud near the origin.
+void find_all(const PointCloud& cloud, const DetectorOptions& options, StageClock* clock,
+              DetectionResult* result) {
+  const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
+  clock->end("cells");
+  if (!pyramid) return;
+  for (int c = 0; c < pyramid->size(0); ++c) {
+    result->points_used += static_cast<std::size_t>(pyramid->count(c));
+  }
+
+  const SurfaceSamples coarse = pyramid->coarse_samples();
+  const std::vector<PlaneRegion> planes = find_planes(coarse, options.planes);
+  const std::vector<char> keep = cells_off_planes(*pyramid, coarse, planes, options.planes.sigmas);
+  clock->end("planes");
+
+  const SampleTree tree(*pyramid, pyramid->samples(keep, options.threads));
+  clock->end("samples");
+
+  const Aggregation aggregation = find_surfaces(tree, options, clock);
+  result->detections =
+      measure_all(aggregation, planes, coarse, tree.finest(), options, cloud.viewpoint);
+  rank(&result->detections);
+  clock->end("measure");
+}
+
 }  // namespace
 
 bool seeks_spheres_alone(const DetectorOptions& options) {
@@ -160,30 +186,17 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& given) {
   const CloudCheck check = check_cloud(cloud);
   result.points_finite = check.finite;
   result.warnings = check.warnings;
-  const std::unique_ptr<CellPyramid> pyramid =
-      check.usable ? make_pyramid(cloud, options.sampling) : nullptr;
-  clock.end("cells");
-  if (!pyramid) {
+  if (!check.usable) {
     result.total_ms = clock.total();
     return result;
   }
-  for (int c = 0; c < pyramid->size(0); ++c) {
-    result.points_used += static_cast<std::size_t>(pyramid->count(c));
+  if (is_far(check.centre)) {
+    const Eigen::Vector3d shift = -check.centre.array().round().matrix();
+    find_all(translated(cloud, shift), options, &clock, &result);
+    for (Detection& d : result.detections) d = translated(std::move(d), -shift);
+  } else {
+    find_all(cloud, options, &clock, &result);
   }
-
-  const SurfaceSamples coarse = pyramid->coarse_samples();
-  const std::vector<PlaneRegion> planes = find_planes(coarse, options.planes);
-  const std::vector<char> keep = cells_off_planes(*pyramid, coarse, planes, options.planes.sigmas);
-  clock.end("planes");
-
-  const SampleTree tree(*pyramid, pyramid->samples(keep, options.threads));
-  clock.end("samples");
-
-  const Aggregation aggregation = find_surfaces(tree, options, &clock);
-  result.detections =
-      measure_all(aggregation, planes, coarse, tree.finest(), options, cloud.viewpoint);
-  rank(&result.detections);
-  clock.end("measure");
   result.total_ms = clock.total();
   return result;
 }

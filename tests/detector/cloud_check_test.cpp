@@ -54,6 +54,25 @@ TEST_CASE("too few points are refused with their number", "[check][degenerate]")
   CHECK(check_cloud(box_of_points(1.0, 50)).usable);
 }
 
+TEST_CASE("a far cloud without its viewpoint is no cloud in millimetres", "[check]") {
+  PointCloud cloud = box_of_points(1.0, 1000);
+  for (Eigen::Vector3f& p : cloud.points) p.x() += 1000.0f;
+  CHECK(check_cloud(cloud).centre.x() == Approx(1000.5).epsilon(1e-4));
+  CHECK(warns(check_cloud(cloud), "name the sensor's position"));
+  CHECK_FALSE(warns(check_cloud(cloud), "millimetres"));
+  cloud.viewpoint.x() = 1000.0;
+  CHECK(check_cloud(cloud).warnings.empty());
+}
+
+TEST_CASE("outliers neither hide a cloud nor make a line of it", "[check][hostile]") {
+  PointCloud cloud = box_of_points(1.0, 1000);
+  for (const float far : {1e4f, 1e20f, 3e38f}) {
+    cloud.points[500] = Eigen::Vector3f::Constant(far);
+    CHECK(check_cloud(cloud).usable);
+    CHECK(check_cloud(cloud).warnings.empty());
+  }
+}
+
 TEST_CASE("millimetres are noticed, but looked at", "[check]") {
   const CloudCheck check = check_cloud(box_of_points(1000.0, 1000));
   CHECK(check.usable);

@@ -82,6 +82,39 @@ TEST_CASE("millimetres are warned about and give no quadric of NaN", "[detector]
   CHECK(warns(result, "millimetres"));
 }
 
+TEST_CASE("a cloud far from the origin of its frame gives the same findings there",
+          "[detector][law]") {
+  for (const double far : {20.0, 1000.0}) {
+    const Eigen::Vector3d shift(far, -0.5 * far, 0.25 * far);
+    PointCloud moved = table_cloud();
+    for (Eigen::Vector3f& p : moved.points) p += shift.cast<float>();
+    moved.viewpoint = shift;
+    const DetectionResult result = detect(moved);
+    check_sound(result);
+    for (const QuadricType type : {QuadricType::kSphere, QuadricType::kCylinder}) {
+      const Detection *here = find(table_result(), type), *there = find(result, type);
+      REQUIRE(there);
+      CHECK(dimension(*there, "radius") == Approx(dimension(*here, "radius")).epsilon(0.02));
+      const Eigen::Vector3d x_C = there->X_CQ.translation();
+      CHECK((x_C - shift - here->X_CQ.translation()).norm() < 0.005);
+      // The equation holds on the surface: a point of it one radius beside the axis.
+      const Eigen::Vector3d side = there->X_CQ.linear().col(0);
+      CHECK(std::abs(there->Q_C.distance(x_C + dimension(*there, "radius") * side)) < 1e-4);
+    }
+  }
+}
+
+TEST_CASE("one point far from all others changes no finding", "[detector][hostile]") {
+  for (const float far : {1e3f, 1e19f, 3e38f}) {
+    PointCloud cloud = table_cloud();
+    cloud.points.front() = Eigen::Vector3f::Constant(far);
+    const DetectionResult result = detect(cloud);
+    check_sound(result);
+    CHECK(find(result, QuadricType::kSphere));
+    CHECK(find(result, QuadricType::kCylinder));
+  }
+}
+
 TEST_CASE("an option out of range is refused by name", "[detector][hostile]") {
   DetectorOptions options;
   options.planes.sigmas = -1.0;

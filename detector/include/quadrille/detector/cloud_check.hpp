@@ -11,6 +11,8 @@ namespace quadrille {
 /// What a look at the points alone tells.
 struct CloudCheck {
   std::size_t finite = 0;
+  /// Coordinate-wise median of the points, about; frame C [m].
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   /// False if no surface can be found in the points.
   bool usable = false;
   /// Why not, or what looks wrong.

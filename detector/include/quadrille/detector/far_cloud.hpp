@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/point_cloud.hpp"
+
+namespace quadrille {
+
+/// True if a cloud's centre, in its frame [m], is so far from the origin that single precision
+/// loses its noise in the squares of the coordinates. Such clouds come in the frame of a map.
+bool is_far(const Eigen::Vector3d& centre);
+
+/// The cloud and its viewpoint moved by a shift [m].
+PointCloud translated(PointCloud cloud, const Eigen::Vector3d& shift);
+
+/// The detection moved by a shift [m].
+Detection translated(Detection detection, const Eigen::Vector3d& shift);
+
+}  // namespace quadrille
