@@ -183,8 +183,6 @@ TEST_CASE("a run that fails leaves outputs as they were", "[command][hostile]") 
     check_failure(run_quadrille(arguments), "missing.ply: no such file");
     CHECK(test::content_of(out) == "kept");
   }
-  CHECK(run_quadrille("detect " + good + " " + missing + " --json " + out).code == 1);
-  CHECK(test::content_of(out) == "kept");
   check_failure(run_quadrille("log " + folder.path("new.lcm") + " " + good + " " + missing),
                 "missing.ply");
   // Nothing is left beside them either.
@@ -293,6 +291,24 @@ TEST_CASE("several inputs give one JSON object a line and a picture each", "[com
   for (const char* name : {"p_a.png", "p_b.png", "p_a_2.png"}) {
     CHECK(test::content_of(folder.path(name)).substr(1, 3) == "PNG");
   }
+}
+
+TEST_CASE("an input that cannot be read does not lose the others", "[command][hostile]") {
+  const TempFolder folder;
+  const std::string good = folder.write("a.ply", ply_of({"0.1 0.2 1", "0.2 0.2 1"}));
+  const std::string bad = folder.write("b.ply", "no cloud");
+  const std::string out = folder.write("out", "old");
+  const Run one = run_quadrille("detect " + good + " " + bad + " " + good + " --json " + out);
+  CHECK(one.code == 1);
+  CHECK(contains(one.err, "b.ply: line 1: not a PLY file"));
+  CHECK(lines_of(test::content_of(out)) == 2);
+  const Run two = run_quadrille("detect " + bad + " " + good + " " + bad + " --json -");
+  CHECK(two.code == 1);
+  CHECK(contains(two.err, "(and 1 more of the inputs"));
+  CHECK(lines_of(two.out) == 1);
+  // Of none that can be read, nothing is written.
+  CHECK(run_quadrille("detect " + bad + " " + bad + " --json " + out).code == 1);
+  CHECK(lines_of(test::content_of(out)) == 2);
 }
 
 TEST_CASE("plan prints JSON with all parts for a cloud without objects", "[command]") {

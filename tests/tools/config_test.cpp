@@ -157,7 +157,10 @@ TEST_CASE("one configuration holds the settings of the detector and of the plann
 
 TEST_CASE("a wrong setting of the planner is refused with its line or field", "[config][hostile]") {
   CHECK(contains(config_error("[planner]\nnonsense = 1\n"), "line 2: unknown key 'planner.non"));
-  CHECK(contains(config_error("approach = 0.1\n"), "unknown key 'approach'; the keys are"));
+  CHECK(contains(config_error("approach = 0.1\n"), "unknown key 'approach'; there are [agg"));
+  CHECK(contains(config_error("[inlier]\nsigma = 3\n"),
+                 "'inlier.sigma'; there are inlier.cells, inlier.least_cosine, inlier.sigmas"));
+  CHECK_FALSE(contains(config_error("[inlier]\nsigma = 3\n"), "seed"));
   CHECK(contains(config_error("[planner]\napproach = \"far\"\n"), "must be a number"));
   CHECK(contains(config_error("[planner]\nmax_grasps = 1.5\n"), "must be an integer"));
   CHECK(contains(config_error("[planner]\nunknown = \"maybe\"\n"), "target-shadow or free"));

@@ -96,6 +96,25 @@ std::string expected() {
   return std::is_unsigned_v<Field> ? "a non-negative integer" : "an integer";
 }
 
+/// What may stand in the same table as a key, by its dotted name: settings and further tables; of
+/// the whole file if there is no such table.
+std::string neighbours_of(const std::string& name, const std::set<std::string>& known) {
+  std::string table = name.substr(0, name.rfind('.') + 1);
+  const auto is_inside = [&](const std::string& k) { return k.starts_with(table); };
+  if (name.find('.') == std::string::npos || std::none_of(known.begin(), known.end(), is_inside)) {
+    table.clear();
+  }
+  std::set<std::string> next;
+  for (const std::string& k : known) {
+    if (!is_inside(k)) continue;
+    const std::size_t end = k.find('.', table.size());
+    next.insert(end == std::string::npos ? k : "[" + k.substr(0, end) + "]");
+  }
+  std::string all;
+  for (const std::string& k : next) all += (all.empty() ? "" : ", ") + k;
+  return all;
+}
+
 /// Complains about the first key that is no setting.
 void refuse_unknown(const toml::table& table, const std::string& prefix,
                     const std::set<std::string>& known, const std::string& path) {
@@ -106,9 +125,8 @@ void refuse_unknown(const toml::table& table, const std::string& prefix,
       refuse_unknown(*inner, name + ".", known, path);
       continue;
     }
-    std::string all;
-    for (const std::string& k : known) all += (all.empty() ? "" : ", ") + k;
-    throw FileError(path, line_of(node), "unknown key '" + name + "'; the keys are " + all);
+    throw FileError(path, line_of(node),
+                    "unknown key '" + name + "'; there are " + neighbours_of(name, known));
   }
 }
 
