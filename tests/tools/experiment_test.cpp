@@ -176,6 +176,23 @@ TEST_CASE("spheres of generated scenes are measured to a few per cent", "[experi
   }
 }
 
+TEST_CASE("published standard deviations are about as large as the errors", "[experiment]") {
+  const Report report = run_quick("deviations");
+  REQUIRE(report.data.rows.size() > 20);
+  int within = 0, far_within = 0;
+  for (const auto& row : report.data.rows) {
+    CAPTURE(row[1], row[2]);
+    const double error = std::abs(value_of(row[3]) - value_of(row[4])), std = value_of(row[5]);
+    CHECK(std > 0.0);
+    within += error <= 2.0 * std;
+    far_within += error <= 0.1 * std;
+  }
+  const int all = static_cast<int>(report.data.rows.size());
+  // 95 % and 8 % of a normal distribution.
+  CHECK(within > 0.8 * all);
+  CHECK(far_within < 0.3 * all);
+}
+
 TEST_CASE("cylinders of generated bins are found", "[experiment][bin]") {
   const Report report = run_quick("cylinders");
   REQUIRE(report.data.rows.size() == 9);

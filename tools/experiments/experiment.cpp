@@ -21,6 +21,8 @@ const std::vector<Experiment>& all_experiments() {
       {"spheres", "errors of spheres in generated scenes, time of spheres alone (figure 6c)",
        run_spheres},
       {"cylinders", "cylinders in clutter: generated bins (after table 2)", run_cylinders},
+      {"deviations", "published standard deviations beside the errors, in generated scenes",
+       run_deviations},
       {"sequence", "errors of a ball in a sequence of real scans (figure 6c, table 1)",
        run_sequence},
   };

@@ -34,6 +34,10 @@ Report run_spheres(const Settings& settings);
 /// Bins of equal cylinders lying on each other: share found over clutter and noise.
 Report run_cylinders(const Settings& settings);
 
+/// How far the true dimensions of surfaces in generated scenes lie from the published ones, in
+/// published standard deviations.
+Report run_deviations(const Settings& settings);
+
 /// Errors of radius and centre on a sequence of real scans, $QUADRILLE_DATA or ../shared.
 /// @throws io::FileError if there are no scans, or their manifest or one of them cannot be read
 Report run_sequence(const Settings& settings);

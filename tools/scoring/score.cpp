@@ -65,11 +65,19 @@ class Judge {
     }
   }
 
+  /// The finding of each surface that had to be found and was, by the surface's id.
+  std::map<int, int> pair_up(const std::vector<Quadric>& findings) const {
+    std::map<int, int> pairs;
+    for (const auto& [k, finding] : match_most(candidates_among(numbered(findings), wanted_))) {
+      pairs[wanted_[k].surface->id] = finding;
+    }
+    return pairs;
+  }
+
   FrameScore score(const std::vector<Quadric>& findings) const {
     FrameScore result;
     result.wanted = static_cast<int>(wanted_.size());
-    std::map<int, Quadric> rest;
-    for (std::size_t i = 0; i < findings.size(); ++i) rest[static_cast<int>(i)] = findings[i];
+    std::map<int, Quadric> rest = numbered(findings);
     const Candidates candidates = candidates_among(rest, wanted_);
     for (const auto& [surface, finding] : match_most(candidates)) {
       ++result.found;
@@ -87,6 +95,12 @@ class Judge {
   }
 
  private:
+  static std::map<int, Quadric> numbered(const std::vector<Quadric>& findings) {
+    std::map<int, Quadric> all;
+    for (std::size_t i = 0; i < findings.size(); ++i) all[static_cast<int>(i)] = findings[i];
+    return all;
+  }
+
   double coverage(const Quadric& Q, const Target& target) const {
     std::size_t count = 0;
     for (const std::size_t i : target.own) count += agrees_at(Q, i, target.tolerance);
@@ -228,6 +242,12 @@ FrameScore score(const Frame& frame, std::vector<Found> findings, const std::str
   FrameScore result = Judge(frame, only).score(judged);
   result.wrong += beyond;
   return result;
+}
+
+std::map<int, int> pair_up(const Frame& frame, const std::vector<Found>& findings) {
+  std::vector<Quadric> quadrics;
+  for (const Found& found : findings) quadrics.push_back(found.Q_C);
+  return Judge(frame, "").pair_up(quadrics);
 }
 
 }  // namespace quadrille::scoring

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -54,5 +55,9 @@ std::vector<Found> findings_of(const DetectionResult& result);
 /// 100 best are judged; all others are wrong.
 /// @param only  count surfaces of this type alone, and let those of others pass; empty for all
 FrameScore score(const Frame& frame, std::vector<Found> findings, const std::string& only = "");
+
+/// Pairs findings with the curved surfaces that had to be found, by the rule of score().
+/// @return the index of the finding of each surface that was found, by the surface's id
+std::map<int, int> pair_up(const Frame& frame, const std::vector<Found>& findings);
 
 }  // namespace quadrille::scoring
