@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kIterations = 6;
 // A candidate whose own fit is less credible than this is not worth a better one.
-constexpr double kHopeless = 0.2;
+constexpr double kHopeless = 0.1;
 // Before the better fit, the spread is allowed to be this much smaller.
 constexpr double kNearlyFlat = 0.8;
 // Share of its extent that a surface is looked for beyond each end.
