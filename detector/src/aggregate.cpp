@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kIterations = 6;
 // A candidate whose own fit is less credible than this is not worth a better one.
-constexpr double kHopeless = 0.2;
+constexpr double kHopeless = 0.1;
 // Before the better fit, the spread is allowed to be this much smaller.
 constexpr double kNearlyFlat = 0.8;
 // Share of its extent that a surface is looked for beyond each end.
@@ -49,18 +49,14 @@ double mean_sigma(const SurfaceSamples& samples, const std::vector<int>& region)
 
 Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,
                          const InlierTest& inlier)
-    : samples_(samples),
-      options_(options),
-      inlier_(inlier),
-      buckets_(samples),
-      claimed_(samples.p.size(), 0) {}
+    : samples_(samples), options_(options), inlier_(inlier), buckets_(samples), parts_(samples) {}
 
 void Aggregation::offer(std::vector<Candidate> candidates, bool early) {
   for (Candidate& c : candidates) pending_.push_back(std::move(c));
   std::vector<double> value;
   std::vector<Eigen::AlignedBox3f> box;
   for (const Candidate& c : pending_) {
-    value.push_back(support(samples_, c, inlier_, claimed_));
+    value.push_back(support(samples_, c, inlier_, claimed()));
     box.push_back(box_of(samples_, c.region));
   }
   std::vector<Candidate> later;
@@ -74,12 +70,12 @@ void Aggregation::offer(std::vector<Candidate> candidates, bool early) {
       if (early) later.push_back(std::move(candidate));
       continue;
     }
-    for (const int i : surface->region) claimed_[i] = 1;
+    parts_.claim(surface->region);
     const Eigen::AlignedBox3f claim = box_of(samples_, surface->region);
     surfaces_.push_back(std::move(*surface));
     for (std::size_t c = 0; c < pending_.size(); ++c) {
       if (value[c] > 0 && box[c].intersects(claim))
-        value[c] = support(samples_, pending_[c], inlier_, claimed_);
+        value[c] = support(samples_, pending_[c], inlier_, claimed());
     }
   }
   pending_ = std::move(later);
@@ -88,7 +84,7 @@ void Aggregation::offer(std::vector<Candidate> candidates, bool early) {
 std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool early) {
   std::vector<int> open;
   for (const int i : candidate.region) {
-    if (!claimed_[i]) open.push_back(i);
+    if (!claimed()[i]) open.push_back(i);
   }
   const double size = static_cast<double>(candidate.region.size());
   if (static_cast<int>(open.size()) < options_.least_samples ||
@@ -98,7 +94,7 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
   const double least = early ? options_.least_confidence_early : options_.least_confidence;
   const bool flat = candidate.family == Family::kPlane;
   if (!flat) {
-    const Evidence evidence = collect_evidence(samples_, open, candidate.Q);
+    const Evidence evidence = evidence_of(open, candidate.Q);
     const double hope = confidence(evidence, family_spec(candidate.family).dof);
     const bool curved = evidence.spread >= kNearlyFlat * options_.least_spread;
     if (curved ? hope < (early ? 0.5 * least : kHopeless) : early) return std::nullopt;
@@ -115,7 +111,7 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
   }
   extend(&*surface);
   if (is_thin(*surface)) return std::nullopt;
-  surface->evidence = collect_evidence(samples_, surface->region, surface->Q);
+  surface->evidence = evidence_of(surface->region, surface->Q);
   surface->confidence = confidence(surface->evidence, family_spec(surface->fit.family).dof);
   // What hardly bends is reported as the plane that it nearly is.
   if (surface->fit.family != Family::kPlane && surface->evidence.spread < options_.least_spread) {
@@ -175,10 +171,16 @@ std::optional<Surface> Aggregation::as_plane(std::vector<int> region) const {
   surface.effective_size = std::min(options_.effective_size,
                                     options_.effective_share * static_cast<double>(region.size()));
   surface.fit = std::move(*fit);
-  surface.evidence = collect_evidence(samples_, region, surface.Q);
+  surface.evidence = evidence_of(region, surface.Q);
   surface.confidence = confidence(surface.evidence, family_spec(Family::kPlane).dof);
   surface.region = std::move(region);
   return surface;
+}
+
+Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q) const {
+  Evidence evidence = collect_evidence(samples_, region, Q);
+  evidence.remainder = parts_.remainder(region);
+  return evidence;
 }
 
 /// True if the surface is so thin that its two sides lie within the noise of each other: next to a
@@ -238,7 +240,7 @@ void Aggregation::join(Surface* surface) {
                bic_of(*joint, surface->effective_size + other.effective_size) <
                    bic_of(*surface, surface->effective_size) + bic_of(other, other.effective_size);
       if (joined) {
-        joint->evidence = collect_evidence(samples_, joint->region, joint->Q);
+        joint->evidence = evidence_of(joint->region, joint->Q);
         joint->confidence =
             std::max({surface->confidence, other.confidence,
                       confidence(joint->evidence, family_spec(joint->fit.family).dof)});
@@ -275,7 +277,7 @@ std::vector<int> Aggregation::further(const Surface& surface) const {
   const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
   std::vector<int> more;
   for (const int i : buckets_.near(centre, reach)) {
-    if (claimed_[i] || inside[i] || (samples_.raw[i] - centre).squaredNorm() > reach * reach) {
+    if (claimed()[i] || inside[i] || (samples_.raw[i] - centre).squaredNorm() > reach * reach) {
       continue;
     }
     if (is_inlier(samples_, i, Q, test) && box.contains(posed(i))) more.push_back(i);

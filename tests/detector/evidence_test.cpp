@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "quadrille/detector/family.hpp"
+#include "quadrille/detector/region.hpp"
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"
 
@@ -80,6 +81,44 @@ TEST_CASE("two planes explain a box edge, but not a cylinder", "[evidence]") {
   CHECK(confidence(planes, family_spec(Family::kEllipticCylinder).dof) < confidence(cylinder, dof));
 }
 
+TEST_CASE("residuals that neighbours share are a misfit, white noise and small flaws are not",
+          "[evidence]") {
+  const SurfaceSamples samples = cylinder_grid(25, 40, kRadius, 0.004, 0.002, 3);
+  const double fits = collect_evidence(samples, all_of(samples), cylinder_quadric()).misfit;
+  // The mean over a sample and its eight neighbours.
+  CHECK(fits == Approx(1.0 / 3.0).epsilon(0.25));
+  const auto misfit_of_radius = [&](double radius) {
+    const Quadric wide(diagonal(1, 1, 0, -radius * radius));
+    return collect_evidence(samples, all_of(samples), wide).misfit;
+  };
+  CHECK(misfit_of_radius(kRadius + 0.006) > 5.0 * fits);
+  SurfaceSamples waves = samples;
+  waves.common_noise = 0.8;
+  CHECK(collect_evidence(waves, all_of(waves), cylinder_quadric()).misfit ==
+        Approx(fits / std::sqrt(2.6)));
+  // Without noise, a misfit of one is two percent of the size.
+  const SurfaceSamples exact = cylinder_grid(25, 40, kRadius, 0.004, 0.0, 3);
+  const double size = normalisation_of(exact, all_of(exact)).scale;
+  const double off = kRadius + 0.02 * size;
+  const Quadric wide(diagonal(1, 1, 0, -off * off));
+  CHECK(collect_evidence(exact, all_of(exact), wide).misfit == Approx(1.0).epsilon(0.05));
+}
+
+TEST_CASE("many samples that two planes explain as well are a box edge, few may be anything",
+          "[evidence]") {
+  Evidence e;
+  e.spread = 1.0;
+  const auto gain = [&](double log_count) {
+    e.log_count = log_count;
+    e.two_planes = 0.1;
+    const double edge = confidence(e, 5);
+    e.two_planes = 1.0;
+    const double round = confidence(e, 5);
+    return std::log(round / (1 - round)) - std::log(edge / (1 - edge));
+  };
+  CHECK(gain(6.0) > gain(4.0) + 1.0);
+}
+
 TEST_CASE("confidence lies in (0, 1) and moves with each piece of evidence", "[evidence]") {
   Evidence e;
   e.log_count = 3.0, e.spread = 1.0, e.smooth_border = 0.1, e.two_planes = 1.0;
@@ -97,5 +136,7 @@ TEST_CASE("confidence lies in (0, 1) and moves with each piece of evidence", "[e
   CHECK(changed(&Evidence::depth_edge, 0.1) < base);
   CHECK(changed(&Evidence::thickness, 0.1) < base);
   CHECK(changed(&Evidence::two_planes, 1.0) > base);
+  CHECK(changed(&Evidence::misfit, 0.5) < base);
+  CHECK(changed(&Evidence::remainder, 0.5) < base);
   CHECK(confidence(e, 9) < base);
 }

@@ -8,6 +8,7 @@
 #include "quadrille/detector/region.hpp"
 #include "quadrille/detector/sample_buckets.hpp"
 #include "quadrille/detector/search.hpp"
+#include "quadrille/detector/smooth_parts.hpp"
 
 namespace quadrille {
 
@@ -72,13 +73,14 @@ class Aggregation {
   void offer(std::vector<Candidate> candidates, bool early);
 
   /// Per sample, nonzero if an accepted surface holds it.
-  const std::vector<char>& claimed() const { return claimed_; }
+  const std::vector<char>& claimed() const { return parts_.claimed(); }
   const std::vector<Surface>& surfaces() const { return surfaces_; }
 
  private:
   std::optional<Surface> accept(const Candidate& candidate, bool early);
   std::optional<Surface> fitted(std::vector<int> region) const;
   std::optional<Surface> as_plane(std::vector<int> region) const;
+  Evidence evidence_of(std::span<const int> region, const Quadric& Q) const;
   bool is_thin(const Surface& surface) const;
   void extend(Surface* surface) const;
   void join(Surface* surface);
@@ -89,7 +91,7 @@ class Aggregation {
   AggregateOptions options_;
   InlierTest inlier_;
   SampleBuckets buckets_;
-  std::vector<char> claimed_;
+  SmoothParts parts_;
   std::vector<Candidate> pending_;
   std::vector<Surface> surfaces_;
 };

@@ -26,9 +26,15 @@ struct Evidence {
   /// log(rss of the best two planes / rss of the quadric): a box edge really is a rank-2 quadric,
   /// and a curved one explains it no better than two planes do.
   double two_planes = 0.0;
+  /// Root mean square of the residuals' means over neighbours, in multiples of what noise and the
+  /// small flaws of real objects leave: something that is no quadric deviates in patches.
+  double misfit = 1.0;
+  /// Open samples of the smooth parts that the region lies in and that it leaves over, per sample
+  /// of the region: an object is explained as a whole. See smooth_parts.hpp.
+  double remainder = 0.0;
 };
 
-/// Collects the evidence for a quadric whose inliers are the region.
+/// Collects the evidence for a quadric whose inliers are the region, all but the remainder.
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
                           const Quadric& Q);
 
