@@ -289,4 +289,12 @@ bool DepthView::sees_past(const Eigen::Vector3d& centre_C, double half) const {
   return all_blockers(centre_C, half, [](int, int, double) { return false; });
 }
 
+bool DepthView::meets_surface(const Eigen::Vector3d& centre_C, double half) const {
+  const Eigen::Vector3d p_V = to_view(centre_C), around = reach(half);
+  if (p_V.z() - around.z() < kNearest) return false;
+  if (range(span(p_V, around)).far == 0.0) return false;
+  const auto unmeasured = [&](int u, int v, double) { return !measured(u, v); };
+  return !all_blockers(centre_C, half, unmeasured);
+}
+
 }  // namespace quadrille

@@ -1,0 +1,70 @@
+#include <cmath>
+
+#include "quadrille/grasping/occupancy.hpp"
+
+namespace quadrille {
+
+// What the image tells of a whole block.
+enum class OccupancyGrid::Sight { kTold, kPartly, kNothing };
+
+// Layer by layer along the axis nearest to up_C. Each voxel stands on the one below it on a
+// straight line along up_C, whose steps to the side are rounded as a whole: their errors do not add
+// up.
+void OccupancyGrid::clear_above(const DepthView& view, const Eigen::Vector3d& up_C) {
+  int axis = 0;
+  if (states_.empty() || !(up_C.cwiseAbs().maxCoeff(&axis) > 0.5)) return;
+  std::vector<std::pair<Eigen::Vector3i, Sight>> blocks;
+  for (int k = 0; k < size_.z(); k += kBlock) {
+    for (int j = 0; j < size_.y(); j += kBlock) {
+      for (int i = 0; i < size_.x(); i += kBlock) {
+        const Sight seen = wanted({i, j, k}) ? sight(view, {i, j, k}) : Sight::kTold;
+        if (seen != Sight::kTold) blocks.push_back({{i, j, k}, seen});
+      }
+    }
+  }
+  const Eigen::Vector3d slope = up_C / std::abs(up_C[axis]);
+  const auto shift = [&](int n) -> Eigen::Vector3i {
+    return (n * slope).array().round().cast<int>().matrix();
+  };
+  for (int n = 1; n < size_[axis]; ++n) {
+    const int layer = up_C[axis] > 0.0 ? n : size_[axis] - 1 - n;
+    for (auto [low, seen] : blocks) {
+      if (low[axis] / kBlock != layer / kBlock) continue;
+      low[axis] = layer;
+      const DepthView* asked = seen == Sight::kPartly ? &view : nullptr;
+      clear_tile(asked, low, axis, shift(n) - shift(n - 1));
+    }
+  }
+}
+
+OccupancyGrid::Sight OccupancyGrid::sight(const DepthView& view,
+                                          const Eigen::Vector3i& block) const {
+  const double half = 0.5 * kBlock * resolution_;
+  const Eigen::Vector3d low_C = (corner_ + block).cast<double>() * resolution_;
+  const Eigen::Vector3d p_V = view.to_view(low_C.array() + half), reach = view.reach(half);
+  const DepthRange range = view.range(p_V, reach);
+  if (range.far == 0.0) return Sight::kNothing;
+  const bool free = range.near > p_V.z() + reach.z();
+  const bool hidden = range.near > 0.0 && range.far < p_V.z() - reach.z();
+  return free || hidden ? Sight::kTold : Sight::kPartly;
+}
+
+// One layer of one block; no view: nothing was measured there.
+void OccupancyGrid::clear_tile(const DepthView* view, const Eigen::Vector3i& low, int axis,
+                               const Eigen::Vector3i& up) {
+  const int one = (axis + 1) % 3, other = (axis + 2) % 3;
+  for (int n = 0; n < kBlock * kBlock; ++n) {
+    Eigen::Vector3i cell = low;
+    cell[one] += n % kBlock;
+    cell[other] += n / kBlock;
+    Voxel& state = states_[index(cell.x(), cell.y(), cell.z())];
+    if (state != Voxel::kUnknown) continue;
+    const Eigen::Array3i below = cell - up;
+    if ((below < 0).any() || (below >= size_.array()).any()) continue;
+    if (at(below[0], below[1], below[2]) != Voxel::kFree) continue;
+    const Eigen::Vector3d centre_C = centre(cell.x(), cell.y(), cell.z());
+    if (view == nullptr || !view->meets_surface(centre_C, 0.5 * resolution_)) state = Voxel::kFree;
+  }
+}
+
+}  // namespace quadrille
