@@ -52,18 +52,20 @@ OccupancyGrid::Sight OccupancyGrid::sight(const DepthView& view,
 // One layer of one block; no view: nothing was measured there.
 void OccupancyGrid::clear_tile(const DepthView* view, const Eigen::Vector3i& low, int axis,
                                const Eigen::Vector3i& up) {
-  const int one = (axis + 1) % 3, other = (axis + 2) % 3;
-  for (int n = 0; n < kBlock * kBlock; ++n) {
-    Eigen::Vector3i cell = low;
-    cell[one] += n % kBlock;
-    cell[other] += n / kBlock;
-    Voxel& state = states_[index(cell.x(), cell.y(), cell.z())];
-    if (state != Voxel::kUnknown) continue;
-    const Eigen::Array3i below = cell - up;
-    if ((below < 0).any() || (below >= size_.array()).any()) continue;
-    if (at(below[0], below[1], below[2]) != Voxel::kFree) continue;
-    const Eigen::Vector3d centre_C = centre(cell.x(), cell.y(), cell.z());
-    if (view == nullptr || !view->meets_surface(centre_C, 0.5 * resolution_)) state = Voxel::kFree;
+  Eigen::Vector3i high = (low.array() + kBlock).matrix();
+  high[axis] = low[axis] + 1;
+  const Eigen::Vector3i first = low.cwiseMax(up), last = high.cwiseMin(size_ + up.cwiseMin(0));
+  const std::ptrdiff_t down =
+      up.x() + size_.x() * (up.y() + static_cast<std::ptrdiff_t>(size_.y()) * up.z());
+  for (int k = first.z(); k < last.z(); ++k) {
+    for (int j = first.y(); j < last.y(); ++j) {
+      Voxel* row = &states_[index(0, j, k)];
+      for (int i = first.x(); i < last.x(); ++i) {
+        if (row[i] != Voxel::kUnknown || row[i - down] != Voxel::kFree) continue;
+        if (view && view->meets_surface(centre(i, j, k), 0.5 * resolution_)) continue;
+        row[i] = Voxel::kFree;
+      }
+    }
   }
 }
 

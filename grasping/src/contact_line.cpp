@@ -128,7 +128,7 @@ void add_ellipsoid(const Body& body, const Gripper& gripper, const Eigen::Vector
     const double h = std::sqrt(d.dot(squared.cwiseProduct(d)));
     const Eigen::Vector3d p = squared.cwiseProduct(d) / h;
     // Contacts beside the pads are none.
-    if ((p - h * d).norm() > gripper.finger_front + 0.33 * gripper.pad.y()) continue;
+    if ((p - h * d).norm() > 0.45 * gripper.pad.minCoeff()) continue;
     lines.push_back(
         placed(body, {Eigen::Vector3d::Zero(), p, d, d, -d, 2.0 * h, body.width_std(d, 0.0)}));
   }
