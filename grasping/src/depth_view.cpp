@@ -289,4 +289,12 @@ bool DepthView::sees_past(const Eigen::Vector3d& centre_C, double half) const {
   return all_blockers(centre_C, half, [](int, int, double) { return false; });
 }
 
+bool DepthView::meets_surface(const Eigen::Vector3d& centre_C, double half) const {
+  const Eigen::Vector3d p_V = to_view(centre_C), around = reach(half);
+  if (p_V.z() - around.z() < kNearest) return false;
+  const DepthRange depths = range(span(p_V, around));
+  if (depths.far == 0.0 || depths.near > p_V.z() + around.z()) return false;
+  return !all_blockers(centre_C, half, [&](int u, int v, double) { return !measured(u, v); });
+}
+
 }  // namespace quadrille

@@ -109,6 +109,7 @@ ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
   ObstacleMap map;
   map.resolution_ = resolution_;
   map.unknown_blocks_ = unknown_blocks_;
+  map.view_ = view_;
   const Eigen::Vector3i low = range.first / kEdge * kEdge;
   const Eigen::Vector3i size = ((range.second.array() + kEdge) / kEdge * kEdge).matrix() - low;
   map.first_ = first_ + low;
@@ -196,7 +197,11 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, int i, int j, i
   const double h = 0.5 * resolution_ * (1 << level);
   const Eigen::Vector3d centre =
       corner_ + 2.0 * h * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
-  if (level == 0 || flags & kAll) return query.overlaps(centre, h) ? flags : 0;
+  const bool refined = view_ != nullptr && flags & kAnyUnknown;
+  if (level == 0 || (flags & kAll && !refined)) {
+    if (!query.overlaps(centre, h)) return 0;
+    return flags & kAnyOccupied || !refined || enters_hidden(query, centre) ? flags : 0;
+  }
   if (!query.may_overlap(centre, h)) return 0;
   for (int n = 0; n < 8; ++n) {
     const std::uint8_t hit =
@@ -204,6 +209,19 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, int i, int j, i
     if (hit) return hit;
   }
   return 0;
+}
+
+// True if the box overlaps an eighth of the voxel that the view did not see through. Of what lies
+// between its rays it tells nothing: eighths are looked at only where they are larger.
+bool ObstacleMap::enters_hidden(const Query& query, const Eigen::Vector3d& centre) const {
+  const double h = 0.25 * resolution_;
+  if (view_->spacing(view_->to_view(centre).z()) > 2.0 * h) return true;
+  for (int n = 0; n < 8; ++n) {
+    const Eigen::Vector3d eighth =
+        centre + h * Eigen::Vector3d((n & 1) ? 1 : -1, (n & 2) ? 1 : -1, (n & 4) ? 1 : -1);
+    if (query.overlaps(eighth, h) && !view_->sees_past(eighth, h)) return true;
+  }
+  return false;
 }
 
 void ObstacleMap::clear_shadow(const OccupancyGrid& grid, const DepthView& view, const Body& body,

@@ -159,6 +159,12 @@ class Planner {
     for (const PointCloud& cloud : further_) {
       space->add(cloud, DepthView(cloud, options_.baseline, options_.resolution));
     }
+    const auto standing = std::find_if(targets_.begin(), targets_.end(), [](const Target& target) {
+      return !target.supports.empty();
+    });
+    if (options_.clear_above && view_->valid() && standing != targets_.end()) {
+      space->clear_above(*view_, standing->supports.front().n_C());
+    }
     plan_.space = space;
   }
 
@@ -217,7 +223,8 @@ class Planner {
 
   void plan_targets() {
     if (targets_.empty()) return;
-    const ObstacleMap base(*plan_.space, options_.unknown != UnknownPolicy::kFree);
+    ObstacleMap base(*plan_.space, options_.unknown != UnknownPolicy::kFree);
+    if (view_->valid()) base.refine(*view_);
     const auto keep = [&](const std::vector<Grasp>& grasps) {
       plan_.grasps.insert(plan_.grasps.end(), grasps.begin(), grasps.end());
     };

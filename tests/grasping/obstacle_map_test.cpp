@@ -8,6 +8,7 @@
 #include "mapped_scene.hpp"
 #include "quadrille/grasping/collision.hpp"
 #include "random_box.hpp"
+#include "seen_space.hpp"
 #include "support/catch.hpp"
 #include "support/rounds.hpp"
 
@@ -224,4 +225,39 @@ TEST_CASE("carving frees the target and keeps what is asked for", "[occupancy][c
   map.carve(body, 0.006, [](const Eigen::Vector3d&) { return false; });
   CHECK(map.collides(inside) == Hit::kNone);
   CHECK(map.collides(other) != Hit::kNone);
+}
+
+TEST_CASE("refined, a box may enter the seen eighths of unknown voxels and no hidden ones",
+          "[occupancy][collision]") {
+  const Scene scene;
+  constexpr double kCoarse = 0.008;  // so that its eighths are larger than pixels
+  const OccupancyGrid grid(scene.cloud, scene.view, kRegion, kCoarse);
+  const ObstacleMap coarse(grid, true);
+  ObstacleMap fine(grid, true);
+  fine.refine(scene.view);
+  const SeenSpace space(scene.view);
+  const double edge = 0.5 * kCoarse;
+  std::mt19937 random(11);
+  int opened = 0, blocked = 0, entered = 0;
+  for (int n = 0; n < 20000; ++n) {
+    OrientedBox box = random_box(random, kAround);
+    box.half *= 0.2;
+    const Hit hit = fine.collides(box);
+    if (hit == Hit::kNone) {
+      opened += coarse.collides(box) != Hit::kNone;
+      for (int k = 0; k < 30; ++k) {
+        const Eigen::Vector3d p_C =
+            random_point(random, {box.p_CB - box.half, box.p_CB + box.half});
+        if (!box.contains(p_C) || grid.at(p_C) != Voxel::kUnknown) continue;
+        const Eigen::Array3d cell = (p_C / edge).array().floor();
+        REQUIRE(space.free((cell + 0.5) * edge, 0.5 * edge - 1e-9));
+        ++entered;
+      }
+    } else {
+      blocked += coarse.collides(box) == hit;
+    }
+  }
+  CHECK(opened > 20);
+  CHECK(entered > 20);
+  CHECK(blocked > 1000);
 }

@@ -105,11 +105,25 @@ TEST_CASE("a wall around the target is in the way of every hand", "[plan][target
 
 TEST_CASE("unseen space is counted apart from what collides", "[plan][target]") {
   const Ball ball = ball_on_table(0.0, 0.0, 0.03);
-  const GraspPlan careful = plan_ball(ball, franka_hand());
+  PlanOptions options;
+  options.clear_above = false;
+  const GraspPlan careful = plan_ball(ball, franka_hand(), options);
   const GraspPlan bold = plan_ball(ball, franka_hand(), all_free());
   CHECK(careful.rejected.at("unknown") > 10);
   CHECK(bold.rejected.count("unknown") == 0);
   CHECK(bold.grasps.size() >= careful.grasps.size());
+}
+
+TEST_CASE("a hand may come from beside the image, over space that was seen to be free", "[plan]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  PlanOptions options;
+  const auto refused = [&](bool clear_above) {
+    options.clear_above = clear_above;
+    const GraspPlan plan = plan_ball(ball, franka_hand(), options);
+    CHECK(plan.grasps.size() > 3);
+    return plan.rejected.count("unknown") > 0 ? plan.rejected.at("unknown") : 0;
+  };
+  CHECK(refused(true) < refused(false));
 }
 
 TEST_CASE("a further view frees what the first one did not see", "[plan]") {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -42,6 +43,8 @@ class DepthView {
   Eigen::Vector3d ray_C(int u, int v) const {
     return R_VC_.transpose() * Eigen::Vector3d((u - cu_) * pitch_u_, (v - cv_) * pitch_v_, 1.0);
   }
+  /// Distance between the rays of neighbouring pixels at a depth [m].
+  double spacing(double depth) const { return std::max(pitch_u_, pitch_v_) * depth; }
   /// Depth at a pixel [m], 0 if missing or outside the image.
   double depth(int u, int v) const;
   /// Pixel that p_V projects to (p_V.z > 0); may lie outside the image.
@@ -55,10 +58,14 @@ class DepthView {
   std::array<DepthRange, 8> ranges(const EightPoints& p_V, const Eigen::Vector3d& reach) const;
   /// True if each pixel whose ray passes the cube measured something beyond it.
   bool sees_past(const Eigen::Vector3d& centre_C, double half) const;
-  /// True if some of those pixels did not, and holds(p_C) of the point that each of these measured.
-  /// A pixel that measured nothing counts with the nearer of the two points at the ends of its gap,
-  /// if the gap is narrow: beside the edge of a thing, a stereo or structured-light sensor is blind
-  /// where the thing stands between the surface and its second eye.
+  /// True if one of these pixels measured something before the cube or in it. False beside the
+  /// image and where nothing was measured.
+  bool meets_surface(const Eigen::Vector3d& centre_C, double half) const;
+  /// True if some of those pixels did not see past it, and holds(p_C) of the point that each of
+  /// these measured. A pixel that measured nothing counts with the nearer of the two points at the
+  /// ends of its gap, if the gap is narrow: beside the edge of a thing, a stereo or
+  /// structured-light sensor is blind where the thing stands between the surface and its second
+  /// eye.
   template <class Holds>
   bool hidden_only_by(const Eigen::Vector3d& centre_C, double half, Holds&& holds) const;
   /// For each point of the cloud, whether it was refused as a stray.

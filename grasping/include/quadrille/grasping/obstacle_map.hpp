@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "quadrille/grasping/body.hpp"
+#include "quadrille/grasping/depth_view.hpp"
 #include "quadrille/grasping/occupancy.hpp"
 #include "quadrille/grasping/oriented_box.hpp"
 
@@ -27,6 +28,11 @@ class ObstacleMap {
   /// The same map of the blocks that the region meets: a copy to be carved at little cost. All
   /// beyond them counts as outside.
   ObstacleMap within(const Eigen::AlignedBox3d& region) const;
+
+  /// From now on looks at the eighths of an unknown voxel that a box overlaps, and lets it pass
+  /// those that the view saw through: at the edge of a shadow a voxel is unknown as a whole,
+  /// however little of it was hidden. The view must outlive this map and its copies.
+  void refine(const DepthView& view) { view_ = &view; }
 
   /// What the box overlaps; touching without overlap is none. If it overlaps both kinds either may
   /// be told, always the same one for the same box.
@@ -60,6 +66,7 @@ class ObstacleMap {
     return corner_ + resolution_ * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
   }
   std::uint8_t descend(const Query& query, int level, int i, int j, int k) const;
+  bool enters_hidden(const Query& query, const Eigen::Vector3d& centre) const;
   void clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
                    const Cone& cone, const Eigen::Vector3i& first);
   void refresh(const Range& range);
@@ -68,6 +75,7 @@ class ObstacleMap {
 
   double resolution_ = 0.0;
   bool unknown_blocks_ = false;
+  const DepthView* view_ = nullptr;
   /// The voxel of the grid that this map begins with.
   Eigen::Vector3i first_ = Eigen::Vector3i::Zero();
   Eigen::Vector3d corner_;

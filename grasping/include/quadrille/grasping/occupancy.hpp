@@ -52,6 +52,12 @@ class OccupancyGrid {
   /// @throws std::invalid_argument if there is not one for each point
   void add_rays(const PointCloud& cloud, const std::vector<Eigen::Vector3d>& origins_C);
 
+  /// Frees unknown voxels that hang over free ones: things stand, and what would reach up there
+  /// would be seen below. Only voxels beside the image and at missing pixels, not what a surface
+  /// hides: a thing may overhang what stands before it.
+  /// @param up_C  unit normal of the plane that things stand on
+  void clear_above(const DepthView& view, const Eigen::Vector3d& up_C);
+
   double resolution() const { return resolution_; }
   /// Voxels along x, y and z; zero for an empty region.
   const Eigen::Vector3i& size() const { return size_; }
@@ -81,6 +87,10 @@ class OccupancyGrid {
   void mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge);
   void mark_eight(const DepthView& view, const Eigen::Vector3i& low, const Eigen::Vector3d& p_V);
   void mark_occupied(const PointCloud& cloud, const std::vector<std::uint8_t>& stray);
+  void clear_tile(const DepthView* view, const Eigen::Vector3i& low, int axis,
+                  const Eigen::Vector3i& up);
+  enum class Sight;
+  Sight sight(const DepthView& view, const Eigen::Vector3i& block) const;
   bool wanted(const Eigen::Vector3i& block) const;
   void fill_free(const Eigen::Vector3i& low, int edge);
   void pass(const Eigen::Vector3d& from_C, const Eigen::Vector3d& to_C);

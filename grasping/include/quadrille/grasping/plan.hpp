@@ -62,6 +62,9 @@ struct PlanOptions {
   /// bands beside the edges of things count as seen through, up to the second eye's line of sight
   /// over the edge. 0: missing pixels tell nothing.
   double baseline = 0.09;
+  /// Whether space beside the image and at missing pixels counts as free where it lies over space
+  /// that was seen to be: what stands there would be seen below. Not if things may hang down.
+  bool clear_above = true;
   /// Bounds of the thickness of walls held at their rim, which one view does not show [m].
   double wall_least = 0.002, wall_most = 0.008;
   /// Grasps to return at most.

@@ -1,0 +1,54 @@
+// Space beside the image that lies over seen space.
+#include "mapped_scene.hpp"
+#include "quadrille/grasping/occupancy.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+TEST_CASE("what hangs over seen space beside the image is free, what a surface hides is not",
+          "[occupancy]") {
+  const Scene scene;
+  const Eigen::Vector3d up = table_detection().X_CQ.linear().col(2);
+  const Eigen::AlignedBox3d region(Eigen::Vector3d(-0.15, -0.6, 0.3),
+                                   Eigen::Vector3d(0.15, 0.15, 0.95));
+  OccupancyGrid grid(scene.cloud, scene.view, region, kResolution);
+  const std::vector<Voxel> before = grid.states();
+  grid.clear_above(scene.view, up);
+  int cleared = 0, hidden = 0;
+  for (int k = 0; k < grid.size().z(); ++k) {
+    for (int j = 0; j < grid.size().y(); ++j) {
+      for (int i = 0; i < grid.size().x(); ++i) {
+        const Voxel was = before[grid.index(i, j, k)], is = grid.at(i, j, k);
+        const Eigen::Vector3d p_C = grid.centre(i, j, k), p_V = scene.view.to_view(p_C);
+        const Eigen::Vector2i uv = scene.view.pixel(p_V);
+        const double depth = scene.view.depth(uv.x(), uv.y());
+        const bool behind = depth > 0.0 && depth < p_V.z();
+        if (was != Voxel::kUnknown) REQUIRE(is == was);
+        if (behind) REQUIRE(is == was);
+        hidden += behind && was == Voxel::kUnknown;
+        if (is == was) continue;
+        ++cleared;
+        // Straight below it some voxel was seen free.
+        double down = 0.0;
+        const auto seen_free = [&](const Eigen::Vector3d& p) {
+          return grid.at(p) == Voxel::kFree && scene.view.sees_past(p, 0.0001);
+        };
+        while (!seen_free(p_C - down * up) && down < 1.0) down += 0.001;
+        REQUIRE(down < 1.0);
+      }
+    }
+  }
+  CHECK(cleared > 1000);
+  CHECK(hidden > 1000);
+}
+
+TEST_CASE("what stands over unknown or occupied space stays unknown", "[occupancy]") {
+  const Scene scene;
+  // All of it beside the image: nothing below it was seen.
+  const Eigen::AlignedBox3d region(Eigen::Vector3d(-0.1, -1.2, 0.3),
+                                   Eigen::Vector3d(0.1, -0.9, 0.5));
+  OccupancyGrid grid(scene.cloud, scene.view, region, kResolution);
+  grid.clear_above(scene.view, table_detection().X_CQ.linear().col(2));
+  for (const Voxel state : grid.states()) REQUIRE(state == Voxel::kUnknown);
+}
