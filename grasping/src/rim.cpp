@@ -29,9 +29,6 @@ constexpr std::size_t kLeastPoints = 100;
 // from above. The pads close along the wall's normal there: else they would turn a bent wall.
 constexpr double kBites[] = {0.0045, 0.0065};
 constexpr int kAround = 36;
-// Where the wall of a shallow bowl leans, the palm of a hand along it would meet the table: pads
-// that close so much nearer to level still hold it [rad].
-constexpr double kTilts[] = {0.0, 0.14, 0.28};
 // Points within half a pad of a contact tell where the wall is there [m]; so few would be noise;
 // and no better than this is known what they tell [m].
 constexpr double kNearContact = 0.009;
@@ -107,18 +104,18 @@ bool open_at_top(const Shell& shell, const DepthView& view) {
   return seen >= kSeenShare * places;
 }
 
-// How far the wall reaches to the inside and outside of a plane of normal n_Q through its point,
-// within a finger's width and the tips' reach.
-std::pair<double, double> bend(const Shell& shell, double angle, double z,
-                               const Eigen::Vector3d& n_Q, double half_width, double below) {
+// How far the wall bends to the inside and outside of its tangent plane within a finger's width and
+// the tips' reach.
+std::pair<double, double> bend(const Shell& shell, double angle, double z, double half_width,
+                               double below) {
   const Body& body = shell.body;
-  const Eigen::Vector3d p = shell.point_Q(angle, z);
+  const Eigen::Vector3d p = shell.point_Q(angle, z), n = shell.normal_Q(angle, z);
   const double radius = std::min(body.a, body.b) * body.scale(z);
   const double turn = std::asin(std::min(1.0, half_width / radius));
   double inside = 0.0, outside = 0.0;
   for (const double height : {std::max(body.z_min, z - below), z, body.z_max}) {
     for (const double side : {-turn, 0.0, turn}) {
-      const double off = n_Q.dot(shell.point_Q(angle + side, height) - p);
+      const double off = n.dot(shell.point_Q(angle + side, height) - p);
       inside = std::max(inside, -off);
       outside = std::max(outside, off);
     }
@@ -126,24 +123,10 @@ std::pair<double, double> bend(const Shell& shell, double angle, double z,
   return {inside, outside};
 }
 
-// The closing direction: the wall's normal, turned by `tilt` towards level; nullopt if it would
-// pass level.
-std::optional<Eigen::Vector3d> closing(const Eigen::Vector3d& normal_Q, double tilt) {
-  const double level = normal_Q.head<2>().norm(), lean = std::atan2(normal_Q.z(), level);
-  if (tilt == 0.0) return normal_Q;
-  if (tilt > std::abs(lean) || level < 1e-6) return std::nullopt;
-  const double turned = lean - std::copysign(tilt, lean);
-  Eigen::Vector3d d = normal_Q * (std::cos(turned) / level);
-  d.z() = std::sin(turned);
-  return d;
-}
-
-ContactLine rim_line(const Shell& shell, double angle, double z, const Eigen::Vector3d& n_Q,
-                     const Gripper& gripper) {
+ContactLine rim_line(const Shell& shell, double angle, double z, const Gripper& gripper) {
   const Body& body = shell.body;
-  const Eigen::Vector3d p_Q = shell.point_Q(angle, z);
-  const auto [inside, outside] =
-      bend(shell, angle, z, n_Q, 0.5 * gripper.finger.x(), gripper.pad.y());
+  const Eigen::Vector3d p_Q = shell.point_Q(angle, z), n_Q = shell.normal_Q(angle, z);
+  const auto [inside, outside] = bend(shell, angle, z, 0.5 * gripper.finger.x(), gripper.pad.y());
   const double low = shell.inner() - inside, high = shell.outer() + outside;
   ContactLine line;
   line.width = 0.5 * (shell.wall.least + shell.wall.most);
@@ -158,8 +141,7 @@ ContactLine rim_line(const Shell& shell, double angle, double z, const Eigen::Ve
   line.centre_C = at(middle);
   line.contacts_C = {at(shell.seen_inside ? line.width : 0.0),
                      at(shell.seen_inside ? 0.0 : -line.width)};
-  const Eigen::Vector3d normal_C = body.X_CQ.linear() * shell.normal_Q(angle, z);
-  line.normals_C = {normal_C, Eigen::Vector3d(-normal_C)};
+  line.normals_C = {line.closing_C, Eigen::Vector3d(-line.closing_C)};
   return line;
 }
 
@@ -224,14 +206,9 @@ std::optional<Shell> find_shell(const Body& body, bool seen_inside, const PointC
 
 std::vector<ContactLine> rim_lines(const Shell& shell, const Gripper& gripper) {
   std::vector<ContactLine> lines;
-  for (const double tilt : kTilts) {
-    for (const double bite : kBites) {
-      const double z = shell.body.z_max - bite;
-      for (int k = 0; k < kAround; ++k) {
-        const double angle = 2.0 * kPi * k / kAround;
-        const std::optional<Eigen::Vector3d> n_Q = closing(shell.normal_Q(angle, z), tilt);
-        if (n_Q) lines.push_back(rim_line(shell, angle, z, *n_Q, gripper));
-      }
+  for (const double bite : kBites) {
+    for (int k = 0; k < kAround; ++k) {
+      lines.push_back(rim_line(shell, 2.0 * kPi * k / kAround, shell.body.z_max - bite, gripper));
     }
   }
   return lines;

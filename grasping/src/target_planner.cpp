@@ -65,40 +65,30 @@ std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
                                        std::map<std::string, int>& rejected) {
   const ApproachSpace space = approach_space(viewpoint_C);
   std::vector<ContactLine> lines = contact_lines(target_.body, gripper_, viewpoint_C, space.up_C);
-  std::erase_if(lines, [&](ContactLine line) {
-    line.opening *= kBeside;  // as far as the body may need beside its widest part
-    return !usable(line, rejected);
-  });
-  try_lines(lines, space, rejected);
-  return std::move(accepted_);
-}
-
-void TargetPlanner::try_lines(const std::vector<ContactLine>& lines, const ApproachSpace& space,
-                              std::map<std::string, int>& rejected) {
+  std::erase_if(lines, [&](const ContactLine& line) { return !usable(narrowed(line), rejected); });
   int refused = 0;
   const std::vector<GraspCandidate> candidates = sample_approaches(lines, space, refused);
   if (refused > 0) rejected["unreachable"] += refused;
   for (const GraspCandidate& candidate : candidates) {
     if (checks_ >= kMostChecks || accepted_.size() >= kMostAccepted) break;
-    const ContactLine& line = lines[candidate.line];
-    at_rim_ ? try_rim(line, candidate, rejected) : try_candidate(line, candidate, rejected);
+    try_candidate(lines[candidate.line], candidate, rejected);
   }
+  return std::move(accepted_);
 }
 
-// Along the wall first; askew, where the pads turn the vessel a little, only if there is no room.
 std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C,
                                            std::map<std::string, int>& rejected) {
   at_rim_ = true;
+  std::vector<ContactLine> lines = target_.rim;
+  std::erase_if(lines, [&](const ContactLine& line) { return !fits(line, rejected); });
   ApproachSpace space = approach_space(viewpoint_C);
   space.into_C = -target_.shell->body.X_CQ.linear().col(2);
-  for (const bool askew : {false, true}) {
-    std::vector<ContactLine> lines;
-    for (const ContactLine& line : target_.rim) {
-      const bool leans = friction_needed(line) > 1e-6;
-      if (leans == askew && fits(line, rejected) && closes(line, rejected)) lines.push_back(line);
-    }
-    try_lines(lines, space, rejected);
-    if (!accepted_.empty()) break;
+  int refused = 0;
+  const std::vector<GraspCandidate> candidates = sample_approaches(lines, space, refused);
+  if (refused > 0) rejected["unreachable"] += refused;
+  for (const GraspCandidate& candidate : candidates) {
+    if (checks_ >= kMostChecks || accepted_.size() >= kMostAccepted) break;
+    try_rim(lines[candidate.line], candidate, rejected);
   }
   return std::move(accepted_);
 }
@@ -112,18 +102,21 @@ bool TargetPlanner::fits(const ContactLine& line, std::map<std::string, int>& re
   return false;
 }
 
-// False, and counted, if it would slip.
-bool TargetPlanner::closes(const ContactLine& line, std::map<std::string, int>& rejected) const {
-  if (friction_needed(line) <= kFrictionShare * options_.friction) return true;
-  ++rejected["friction"];
-  return false;
+bool TargetPlanner::usable(const ContactLine& line, std::map<std::string, int>& rejected) const {
+  const auto refuse = [&](const char* why) {
+    ++rejected[why];
+    return false;
+  };
+  if (!fits(line, rejected)) return false;
+  if (friction_needed(line) > kFrictionShare * options_.friction) return refuse("friction");
+  if (contradicted(line)) return refuse("contradicted");
+  return true;
 }
 
-bool TargetPlanner::usable(const ContactLine& line, std::map<std::string, int>& rejected) const {
-  if (!fits(line, rejected) || !closes(line, rejected)) return false;
-  if (!contradicted(line)) return true;
-  ++rejected["contradicted"];
-  return false;
+// The same, opened as far as the body may need beside its widest part.
+ContactLine TargetPlanner::narrowed(ContactLine line) const {
+  line.opening *= kBeside;
+  return line;
 }
 
 bool TargetPlanner::contradicted(const ContactLine& line) const {

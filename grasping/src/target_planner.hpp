@@ -42,14 +42,12 @@ class TargetPlanner {
  private:
   ApproachSpace approach_space(const Eigen::Vector3d& viewpoint_C) const;
   bool fits(const ContactLine& line, std::map<std::string, int>& rejected) const;
-  bool closes(const ContactLine& line, std::map<std::string, int>& rejected) const;
   bool usable(const ContactLine& line, std::map<std::string, int>& rejected) const;
+  ContactLine narrowed(ContactLine line) const;
   bool contradicted(const ContactLine& line) const;
   bool observed(const Eigen::Vector3d& contact_C) const;
   bool resembles_accepted(const ContactLine& line, const Eigen::Vector3d& approach_C) const;
   std::vector<double> preshapes(const ContactLine& line) const;
-  void try_lines(const std::vector<ContactLine>& lines, const ApproachSpace& space,
-                 std::map<std::string, int>& rejected);
   void try_rim(const ContactLine& line, const GraspCandidate& candidate,
                std::map<std::string, int>& rejected);
   void try_candidate(const ContactLine& line, const GraspCandidate& candidate,

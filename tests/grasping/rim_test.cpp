@@ -4,7 +4,6 @@
 #include "quadrille/grasping/collision.hpp"
 #include "quadrille/grasping/hand.hpp"
 #include "quadrille/grasping/plan.hpp"
-#include "quadrille/grasping/quality.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;
@@ -173,29 +172,4 @@ TEST_CASE("a hollow without a seen rim is refused as seen from inside", "[rim][p
       plan_grasps(render(can), {wall_detection(can, true), table_detection()}, franka_hand());
   CHECK(plan.grasps.empty());
   CHECK(plan.rejected.at("seen_from_inside") == 1);
-}
-
-TEST_CASE("only a wall that leans is also held askew, nearer to level and within friction",
-          "[rim]") {
-  Shell bowl;  // of a paraboloid: its rim leans by 38° from the axis
-  bowl.body.profile = Body::Profile::kRoot;
-  bowl.body.a = bowl.body.b = 0.28;
-  bowl.body.z_max = 0.032;
-  Shell cup = bowl;
-  cup.body.profile = Body::Profile::kConstant;
-  cup.body.a = cup.body.b = 0.05;
-  const auto askew = [](const Shell& shell) {
-    int count = 0;
-    for (const ContactLine& line : rim_lines(shell, franka_hand())) {
-      const double needed = friction_needed(line);
-      if (needed < 1e-6) continue;
-      ++count;
-      CHECK(needed < 0.3);
-      CHECK(std::abs(line.closing_C.z()) < std::abs(line.normals_C[0].z()));
-      CHECK(line.closing_C.norm() == Approx(1.0));
-    }
-    return count;
-  };
-  CHECK(askew(bowl) == 144);
-  CHECK(askew(cup) == 0);
 }
