@@ -61,9 +61,11 @@ void OccupancyGrid::clear_tile(const DepthView* view, const Eigen::Vector3i& low
     for (int j = first.y(); j < last.y(); ++j) {
       Voxel* row = &states_[index(0, j, k)];
       for (int i = first.x(); i < last.x(); ++i) {
-        if (row[i] != Voxel::kUnknown || row[i - down] != Voxel::kFree) continue;
+        const Voxel below = row[i - down];
+        if (row[i] != Voxel::kUnknown) continue;
+        if (below != Voxel::kFree && below != Voxel::kClear) continue;
         if (view && view->meets_surface(centre(i, j, k), 0.5 * resolution_)) continue;
-        row[i] = Voxel::kFree;
+        row[i] = Voxel::kClear;
       }
     }
   }

@@ -92,8 +92,10 @@ ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks)
       corner_(grid.corner().cast<double>() * grid.resolution()) {
   levels_[0].size = grid.size();
   levels_[0].flags.resize(grid.states().size());
-  const std::array<std::uint8_t, 3> flags = {
-      static_cast<std::uint8_t>(unknown_blocks ? kAnyUnknown | kAll : 0), 0, kAnyOccupied | kAll};
+  // Unknown, clear, free, occupied.
+  const std::array<std::uint8_t, 4> flags = {
+      static_cast<std::uint8_t>(unknown_blocks ? kAnyUnknown | kAll : 0), 0, 0,
+      kAnyOccupied | kAll};
   std::transform(grid.states().begin(), grid.states().end(), levels_[0].flags.begin(),
                  [&](Voxel state) { return flags[static_cast<std::size_t>(state)]; });
   for (int n = 1; n < kLevels; ++n) {

@@ -37,14 +37,17 @@ class TreeWriter {
   }
 
  private:
+  // What was seen of a voxel.
+  static Voxel seen(Voxel state) { return state == Voxel::kClear ? Voxel::kUnknown : state; }
+
   // The state all voxels of the cube have, or −1.
   int uniform(const Eigen::Vector3i& low, int edge) const {
-    const Voxel first = grid_.at(low.x(), low.y(), low.z());
+    const Voxel first = seen(grid_.at(low.x(), low.y(), low.z()));
     for (int k = low.z(); k < low.z() + edge; ++k) {
       for (int j = low.y(); j < low.y() + edge; ++j) {
         const Voxel* row = &grid_.states()[grid_.index(low.x(), j, k)];
         for (int i = 0; i < edge; ++i) {
-          if (row[i] != first) return -1;
+          if (seen(row[i]) != first) return -1;
         }
       }
     }

@@ -1,4 +1,8 @@
 // Space beside the image that lies over seen space.
+#include <octomap/OcTree.h>
+
+#include <sstream>
+
 #include "mapped_scene.hpp"
 #include "quadrille/grasping/occupancy.hpp"
 #include "support/catch.hpp"
@@ -29,6 +33,7 @@ TEST_CASE("what hangs over seen space beside the image is free, what a surface h
         hidden += behind && was == Voxel::kUnknown;
         if (is == was) continue;
         ++cleared;
+        REQUIRE(is == Voxel::kClear);
         // Straight below it some voxel was seen free.
         double down = 0.0;
         const auto seen_free = [&](const Eigen::Vector3d& p) {
@@ -51,4 +56,23 @@ TEST_CASE("what stands over unknown or occupied space stays unknown", "[occupanc
   OccupancyGrid grid(scene.cloud, scene.view, region, kResolution);
   grid.clear_above(scene.view, table_detection().X_CQ.linear().col(2));
   for (const Voxel state : grid.states()) REQUIRE(state == Voxel::kUnknown);
+}
+
+TEST_CASE("octrees show what was seen, not what is taken for clear", "[occupancy]") {
+  const Scene scene;
+  const Eigen::AlignedBox3d region(Eigen::Vector3d(-0.15, -0.6, 0.3),
+                                   Eigen::Vector3d(0.15, 0.15, 0.95));
+  const OccupancyGrid grid(scene.cloud, scene.view, region, kResolution);
+  OccupancyGrid cleared = grid;
+  cleared.clear_above(scene.view, table_detection().X_CQ.linear().col(2));
+  REQUIRE(cleared.states() != grid.states());
+  const auto bytes_of = [](const OccupancyGrid& of, bool unknown_occupied) {
+    std::ostringstream stream;
+    of.to_octree(unknown_occupied)->write(stream);
+    return stream.str();
+  };
+  for (const bool unknown_occupied : {false, true}) {
+    CHECK(bytes_of(cleared, unknown_occupied).size() > 1000);
+    CHECK((bytes_of(cleared, unknown_occupied) == bytes_of(grid, unknown_occupied)));
+  }
 }

@@ -141,7 +141,7 @@ TEST_CASE("one configuration holds the settings of the detector and of the plann
       folder.write("c.toml",
                    "seed = 5\n[planner]\nunknown = \"free\"\nresolution = 0.004\nfriction = 0.4\n"
                    "approach = 0.08\npad_margin = 0.001\nbaseline = 0\nwall_least = 0.001\n"
-                   "wall_most = 0.005\n[planes]\nsigmas = 2.5\n"));
+                   "wall_most = 0.005\nclear_above = false\n[planes]\nsigmas = 2.5\n"));
   CHECK(settings.detector.seed == 5);
   CHECK(settings.detector.planes.sigmas == 2.5);
   CHECK(settings.planner.unknown == UnknownPolicy::kFree);
@@ -152,6 +152,7 @@ TEST_CASE("one configuration holds the settings of the detector and of the plann
   CHECK(settings.planner.baseline == 0.0);
   CHECK(settings.planner.wall_least == 0.001);
   CHECK(settings.planner.wall_most == 0.005);
+  CHECK_FALSE(settings.planner.clear_above);
   CHECK(settings.planner.max_grasps == PlanOptions().max_grasps);
 }
 

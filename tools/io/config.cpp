@@ -142,6 +142,7 @@ void visit_plan_options(PlanOptions& o, Visitor&& visit) {
   visit("planner.baseline", o.baseline);
   visit("planner.wall_least", o.wall_least);
   visit("planner.wall_most", o.wall_most);
+  visit("planner.clear_above", o.clear_above);
   visit("planner.max_grasps", o.max_grasps);
 }
 

@@ -15,8 +15,9 @@ class OcTree;
 
 namespace quadrille {
 
-/// State of one voxel, the stronger evidence last.
-enum class Voxel : std::uint8_t { kUnknown, kFree, kOccupied };
+/// State of one voxel, the stronger evidence last. Clear ones were not seen, but lie over free space
+/// (see OccupancyGrid::clear_above); octrees leave them out, like unknown ones.
+enum class Voxel : std::uint8_t { kUnknown, kClear, kFree, kOccupied };
 
 /// Free, occupied and unknown space of a region, as one dense grid of voxels.
 ///
@@ -52,7 +53,7 @@ class OccupancyGrid {
   /// @throws std::invalid_argument if there is not one for each point
   void add_rays(const PointCloud& cloud, const std::vector<Eigen::Vector3d>& origins_C);
 
-  /// Frees unknown voxels that hang over free ones: things stand, and what would reach up there
+  /// Marks unknown voxels over free ones as clear: things stand, and what would reach up there
   /// would be seen below. Only voxels beside the image and at missing pixels, not what a surface
   /// hides: a thing may overhang what stands before it.
   /// @param up_C  unit normal of the plane that things stand on
