@@ -14,6 +14,8 @@ constexpr double kFarthest = 50.0;
 constexpr double kWidest = 5.0;
 // Larger coordinates are no measurement; their squares would overflow single precision.
 constexpr double kLargest = 1e9;
+// From here on [m] single precision steps by half a millimetre.
+constexpr double kCoarse = 4096.0;
 // Points so many times as far from the centre as half of them are outliers.
 constexpr double kOutlier = 100.0;
 
@@ -44,32 +46,45 @@ std::vector<Eigen::Vector3d> some_of(const std::vector<Eigen::Vector3f>& points)
   return some;
 }
 
-/// Median of a measure of the points.
+/// Value of a measure that a share of the points do not exceed.
 template <class Measure>
-double median(const std::vector<Eigen::Vector3d>& points, Measure&& measure) {
+double quantile(const std::vector<Eigen::Vector3d>& points, double share, Measure&& measure) {
   std::vector<double> values;
   for (const Eigen::Vector3d& p : points) values.push_back(measure(p));
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
-/// Variances of the points along their principal axes, ascending, without outliers.
-Eigen::Vector3d spread_of(const std::vector<Eigen::Vector3d>& points,
-                          const Eigen::Vector3d& centre) {
-  const double usual = median(points, [&](const auto& p) { return (p - centre).norm(); });
+/// Variances along their principal axes, ascending, of the points within a distance of the centre.
+Eigen::Vector3d spread_within(double distance, const std::vector<Eigen::Vector3d>& points,
+                              const Eigen::Vector3d& centre) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
   double n = 0;
   for (const Eigen::Vector3d& p : points) {
     const Eigen::Vector3d x = p - centre;
-    if (x.norm() > kOutlier * usual) continue;
+    if (x.norm() > distance) continue;
     n += 1, sum += x, square += x * x.transpose();
   }
   const Eigen::Vector3d mean = sum / n;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
       Eigen::Matrix3d(square / n - mean * mean.transpose()), Eigen::EigenvaluesOnly);
   return eigen.eigenvalues();
+}
+
+bool coincide(const Eigen::Vector3d& spread) { return !(spread[2] > 1e-18); }
+bool on_a_line(const Eigen::Vector3d& spread) { return spread[1] < 1e-8 * spread[2]; }
+
+/// Variances of the points along their principal axes, ascending. A few far outliers would make a
+/// line of any cloud, and do not count unless nearly all others coincide or lie on a line.
+Eigen::Vector3d spread_of(const std::vector<Eigen::Vector3d>& points,
+                          const Eigen::Vector3d& centre) {
+  const double usual = quantile(points, 0.9, [&](const auto& p) { return (p - centre).norm(); });
+  const Eigen::Vector3d spread = spread_within(kOutlier * usual, points, centre);
+  if (!coincide(spread) && !on_a_line(spread)) return spread;
+  return spread_within(kLargest, points, centre);
 }
 
 }  // namespace
@@ -89,14 +104,20 @@ CloudCheck check_cloud(const PointCloud& cloud) {
     return check;
   }
   for (int axis = 0; axis < 3; ++axis) {
-    check.centre[axis] = median(some, [axis](const auto& p) { return p[axis]; });
+    check.centre[axis] = quantile(some, 0.5, [axis](const auto& p) { return p[axis]; });
   }
   if (!(check.centre.norm() < kLargest)) {
     check.warnings.push_back("coordinates are too large to be a measurement in metres");
     return check;
   }
   const Eigen::Vector3d spread = spread_of(some, check.centre);
-  if (median(some, [&](const auto& p) { return (p - cloud.viewpoint).norm(); }) > kFarthest) {
+  if (check.centre.cwiseAbs().maxCoeff() > kCoarse) {
+    check.warnings.push_back(
+        "coordinates of several kilometres are stored to no better than half a millimetre: "
+        "subtract an offset first");
+  }
+  const auto range = [&](const auto& p) { return (p - cloud.viewpoint).norm(); };
+  if (quantile(some, 0.5, range) > kFarthest) {
     check.warnings.push_back(
         spread[2] > kWidest * kWidest
             ? "half of the points are more than 50 m away: the coordinates look like "
@@ -104,9 +125,9 @@ CloudCheck check_cloud(const PointCloud& cloud) {
             : "half of the points are more than 50 m from the viewpoint: name the sensor's "
               "position");
   }
-  if (!(spread[2] > 1e-18)) {
+  if (coincide(spread)) {
     check.warnings.push_back("all points coincide");
-  } else if (spread[1] < 1e-8 * spread[2]) {
+  } else if (on_a_line(spread)) {
     check.warnings.push_back("all points lie on a line");
   } else {
     check.usable = true;

@@ -73,7 +73,7 @@ class DepthPyramid : public CellPyramid {
   std::array<std::vector<int>, kLevels - 1> parents_;
 };
 
-/// Depth that a third of the points are nearer than [m]; 1 m if too few are seen to tell.
+/// Depth that three tenths of the points are nearer than [m]; 1 m if too few are seen to tell.
 float near_depth(const PointCloud& cloud, const PinholeView& view) {
   std::vector<float> w;
   const std::size_t stride = std::max<std::size_t>(1, view.seen / 5000);
@@ -82,9 +82,9 @@ float near_depth(const PointCloud& cloud, const PinholeView& view) {
     if (inverse_depth > 0.0f) w.push_back(inverse_depth);
   }
   if (w.empty()) return 1.0f;
-  const auto third = w.begin() + static_cast<std::ptrdiff_t>(w.size() * 7 / 10);
-  std::nth_element(w.begin(), third, w.end());
-  return 1.0f / *third;
+  const auto near = w.begin() + static_cast<std::ptrdiff_t>(w.size() * 7 / 10);
+  std::nth_element(w.begin(), near, w.end());
+  return 1.0f / *near;
 }
 
 }  // namespace

@@ -73,6 +73,28 @@ TEST_CASE("outliers neither hide a cloud nor make a line of it", "[check][hostil
   }
 }
 
+TEST_CASE("copies of one point, however many, do not hide the others", "[check][hostile]") {
+  for (const double share : {0.6, 0.95, 0.99}) {
+    for (const float size : {0.0f, 0.001f}) {
+      PointCloud cloud = box_of_points(1.0, 5000);
+      const auto copies = static_cast<std::size_t>(share * 5000.0);
+      for (std::size_t i = 0; i < copies; ++i) {
+        cloud.points[i] = {0.2f, 0.1f, 0.7f + size * static_cast<float>(i % 7)};
+      }
+      CAPTURE(share, size);
+      CHECK(check_cloud(cloud).usable);
+      CHECK(check_cloud(cloud).warnings.empty());
+    }
+  }
+}
+
+TEST_CASE("coordinates too large for single precision are noticed", "[check]") {
+  PointCloud cloud = box_of_points(1.0, 1000);
+  for (Eigen::Vector3f& p : cloud.points) p += Eigen::Vector3f(5e5f, 5.4e6f, 100.0f);
+  cloud.viewpoint = {5e5, 5.4e6, 100.0};
+  CHECK(warns(check_cloud(cloud), "subtract an offset"));
+}
+
 TEST_CASE("millimetres are noticed, but looked at", "[check]") {
   const CloudCheck check = check_cloud(box_of_points(1000.0, 1000));
   CHECK(check.usable);

@@ -182,6 +182,6 @@ TEST_CASE("layers tell a fused cloud from a single view", "[depth][cells]") {
     const auto view = find_view(cloud);
     return make_depth_cells(cloud, *view, *find_image(cloud, *view), 3).layered;
   };
-  CHECK(layered(single) < 0.02);
+  CHECK(layered(single) < 0.0002);
   CHECK(layered(fused) > 0.9);
 }

@@ -304,8 +304,15 @@ TEST_CASE("an input that cannot be read does not lose the others", "[command][ho
   CHECK(lines_of(test::content_of(out)) == 2);
   const Run two = run_quadrille("detect " + bad + " " + good + " " + bad + " --json -");
   CHECK(two.code == 1);
-  CHECK(contains(two.err, "(and 1 more of the inputs"));
+  CHECK(contains(two.err, "2 of 3 inputs could not be read"));
   CHECK(lines_of(two.out) == 1);
+  // What cannot be written is no fault of the inputs, and ends the command.
+  const Run three = run_quadrille("detect " + good + " " + good + " --json - --picture " +
+                                  folder.path("missing/p.png"));
+  CHECK(three.code == 1);
+  CHECK(contains(three.err, "p_a.png: cannot be created"));
+  CHECK_FALSE(contains(three.err, "could not be read"));
+  CHECK(lines_of(three.out) == 1);
   // Of none that can be read, nothing is written.
   CHECK(run_quadrille("detect " + bad + " " + bad + " --json " + out).code == 1);
   CHECK(lines_of(test::content_of(out)) == 2);

@@ -1,12 +1,13 @@
 #include "cli/run_program.hpp"
 
-#include <malloc.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
 #include <string>
 #include <vector>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace quadrille {
 namespace {

@@ -24,8 +24,7 @@ struct Observation {
   std::string family, type, dimension;
   double published, truth, std;
 
-  /// Distance from the truth in published standard deviations.
-  double z() const { return std::abs(published - truth) / std; }
+  double error() const { return std::abs(published - truth); }
 };
 
 /// The true dimensions: those of the quadric, and the length of what there is of a cylinder.
@@ -59,8 +58,8 @@ void observe(const scoring::Frame& frame, std::vector<Observation>* all) {
 using Group = std::vector<const Observation*>;
 
 double share_within(const Group& group, double sigmas) {
-  const auto n =
-      std::count_if(group.begin(), group.end(), [&](const auto* o) { return o->z() <= sigmas; });
+  const auto n = std::count_if(group.begin(), group.end(),
+                               [&](const auto* o) { return o->error() <= sigmas * o->std; });
   return static_cast<double>(n) / static_cast<double>(group.size());
 }
 
@@ -73,12 +72,14 @@ double median(const Group& group, const Value& value) {
 
 std::vector<std::string> row_of(std::vector<std::string> name, const Group& group) {
   const auto percent = [](double share) { return fmt::format("{:.0f} %", 100.0 * share); };
-  const auto std = [](const Observation& o) { return o.std / o.truth; };
-  const auto error = [](const Observation& o) { return std::abs(o.published / o.truth - 1.0); };
-  for (std::string cell :
-       {number(static_cast<double>(group.size())), percent(share_within(group, 1.0)),
-        percent(share_within(group, 2.0)), fmt::format("{:.2g} %", 100.0 * median(group, std)),
-        fmt::format("{:.2g} %", 100.0 * median(group, error))}) {
+  const auto relative_std = [](const Observation& o) { return o.std / o.truth; };
+  const auto relative_error = [](const Observation& o) {
+    return std::abs(o.published / o.truth - 1.0);
+  };
+  for (std::string cell : {number(static_cast<double>(group.size())),
+                           percent(share_within(group, 1.0)), percent(share_within(group, 2.0)),
+                           fmt::format("{:.2g} %", 100.0 * median(group, relative_std)),
+                           fmt::format("{:.2g} %", 100.0 * median(group, relative_error))}) {
     name.push_back(std::move(cell));
   }
   return name;
@@ -102,13 +103,16 @@ Plot plot_of(const std::map<std::string, Group>& families) {
             false,
             {0.0, 1.0}};
   Series normal{"normal distribution", {}, true, false, "normal distribution"};
-  for (double z = 0.0; z <= 4.0; z += 0.1) {
-    normal.points.emplace_back(z, std::erf(z / std::numbers::sqrt2));
+  constexpr int kTenths = 40;
+  for (int k = 0; k <= kTenths; ++k) {
+    normal.points.emplace_back(0.1 * k, std::erf(0.1 * k / std::numbers::sqrt2));
   }
   plot.lines.push_back(normal);
   for (const auto& [family, group] : families) {
     Series line{family, {}, false, false, family};
-    for (double z = 0.0; z <= 4.0; z += 0.1) line.points.emplace_back(z, share_within(group, z));
+    for (int k = 0; k <= kTenths; ++k) {
+      line.points.emplace_back(0.1 * k, share_within(group, 0.1 * k));
+    }
     plot.lines.push_back(line);
   }
   return plot;

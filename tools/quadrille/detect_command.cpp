@@ -55,21 +55,6 @@ class Tracking {
   std::map<std::pair<std::string, std::string>, Tracker> trackers_;
 };
 
-/// What could not be read: the first failure, and the number of all.
-struct Failures {
-  std::string first;
-  int count = 0;
-
-  void add(const io::FileError& error) {
-    if (++count == 1) first = error.what();
-  }
-  std::string in_one_line() const {
-    if (count == 1) return first;
-    return fmt::format("{} (and {} more of the inputs; give each alone to see why)", first,
-                       count - 1);
-  }
-};
-
 void run(const DetectArguments& arguments) {
   const DetectorOptions options = arguments.detector.options();
   print_warnings(arguments.detector.config, arguments.detector.warnings());
@@ -77,30 +62,41 @@ void run(const DetectArguments& arguments) {
   PicturePaths pictures(arguments.picture, several);
   JsonLines json(arguments.json);
   Tracking tracking(arguments);
-  const auto handle = [&](const std::string& path, const InputCloud& input) {
-    DetectionResult result = detect(input.cloud, options);
-    tracking.add_to(input, path, &result.detections);
+  const auto put_out = [&](const std::string& path, const InputCloud& input,
+                           const DetectionResult& result) {
     json.write(io::detect_json(input.info, result));
     if (!json.owns_stdout()) print(detection_table(input.info, result));
     print_warnings(input.info.input, result.warnings);
     if (!pictures.wanted()) return;
     write_png(pictures.next(path), draw_picture({input.info.input, input.cloud, result}));
   };
-  // What cannot be read must not lose what can.
-  Failures failures;
-  int clouds = 0;
+  std::size_t failed = 0, clouds = 0;
   for (const std::string& path : arguments.inputs) {
     try {
-      print_warnings(path, for_each_cloud(path, [&](const InputCloud& input) {
-                       handle(path, input);
-                       ++clouds;
-                     }));
+      const auto warnings = for_each_cloud(path, [&](const InputCloud& input) {
+        DetectionResult result = detect(input.cloud, options);
+        tracking.add_to(input, path, &result.detections);
+        try {
+          put_out(path, input, result);
+        } catch (const io::FileError& error) {
+          // No fault of the input: end here.
+          throw std::runtime_error(error.what());
+        }
+        ++clouds;
+      });
+      print_warnings(path, warnings);
     } catch (const io::FileError& error) {
-      failures.add(error);
+      if (arguments.inputs.size() == 1) throw;
+      // What cannot be read must not lose what can.
+      fmt::print(stderr, "quadrille: {}\n", error.what());
+      ++failed;
     }
   }
-  if (clouds > 0 || failures.count == 0) json.finish();
-  if (failures.count > 0) throw std::runtime_error(failures.in_one_line());
+  if (clouds > 0 || failed == 0) json.finish();
+  if (failed > 0) {
+    throw std::runtime_error(
+        fmt::format("{} of {} inputs could not be read", failed, arguments.inputs.size()));
+  }
 }
 
 }  // namespace

@@ -39,7 +39,7 @@ struct PinholeView {
     };
     const float w = 1.0f / row(2), u = row(0) * w, v = row(1) * w;
     // Also false for NaN and for what is infinitely far. No && and ||, that would stop the compiler
-    // from taking eight points at once.
+    // from taking several points at once.
     const bool inside =
         (w > 0.0f) & (w < 1e4f) & (std::abs(u) < kWidestTangent) & (std::abs(v) < kWidestTangent);
     return {inside ? u : 0.0f, inside ? v : 0.0f, inside ? w : 0.0f};
