@@ -15,8 +15,8 @@ class OcTree;
 
 namespace quadrille {
 
-/// State of one voxel, the stronger evidence last. Clear ones were not seen, but lie over free space
-/// (see OccupancyGrid::clear_above); octrees leave them out, like unknown ones.
+/// State of one voxel, the stronger evidence last. Clear ones were not seen, but lie over free
+/// space (see OccupancyGrid::clear_above); octrees leave them out, like unknown ones.
 enum class Voxel : std::uint8_t { kUnknown, kClear, kFree, kOccupied };
 
 /// Free, occupied and unknown space of a region, as one dense grid of voxels.
