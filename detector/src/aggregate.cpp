@@ -185,10 +185,14 @@ Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q)
 
 /// True if the surface is so thin that its two sides lie within the noise of each other: next to a
 /// doubled plane the first-order distance is half the true one, and such fits look too good.
+/// A hyperbolic cylinder that turns within one cell is the edge between two planes.
 bool Aggregation::is_thin(const Surface& surface) const {
   const CanonicalForm form = canonical_form(Quadric(surface.fit.posed.matrix()), 1e-7);
   if (is_imaginary(form.type)) return true;
-  const double least = 3.0 * mean_sigma(samples_, surface.region) / surface.local.scale;
+  double least = 3.0 * mean_sigma(samples_, surface.region) / surface.local.scale;
+  if (form.type == QuadricType::kHyperbolicCylinder) {
+    least = std::max(least, samples_.cell[surface.region.front()] / surface.local.scale);
+  }
   const bool paraboloid = form.type == QuadricType::kEllipticParaboloid ||
                           form.type == QuadricType::kHyperbolicParaboloid;
   return std::any_of(form.dimensions.begin(), form.dimensions.end(), [&](const auto& dimension) {
