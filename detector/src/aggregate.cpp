@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "quadrille/detector/canonical.hpp"
-
 namespace quadrille {
 namespace {
 
@@ -16,6 +14,8 @@ constexpr double kHopeless = 0.1;
 constexpr double kNearlyFlat = 0.8;
 // Share of its extent that a surface is looked for beyond each end.
 constexpr float kFurther = 0.15f;
+// A region is a surface of its own if it lies this share of their sizes off all others.
+constexpr double kOwn = 0.08;
 // A joint fit may be this much worse than the worse of two.
 constexpr double kJointRms = 1.25;
 
@@ -37,12 +37,6 @@ Eigen::AlignedBox3f box_of(const SurfaceSamples& samples, const std::vector<int>
   Eigen::AlignedBox3f box;
   for (const int i : region) box.extend(samples.raw[i]);
   return box;
-}
-
-double mean_sigma(const SurfaceSamples& samples, const std::vector<int>& region) {
-  double sum = 0;
-  for (const int i : region) sum += samples.sigma[i];
-  return sum / static_cast<double>(region.size());
 }
 
 }  // namespace
@@ -101,7 +95,7 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
   }
   std::optional<Surface> surface = fitted(std::move(open));
   // The general fit of a plane is a doubled plane.
-  if (surface && is_thin(*surface)) {
+  if (surface && is_thin(*surface, samples_)) {
     surface = early ? std::nullopt : as_plane(std::move(surface->region));
   }
   if (!surface) return std::nullopt;
@@ -110,9 +104,9 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
     return std::nullopt;
   }
   extend(&*surface);
-  if (is_thin(*surface)) return std::nullopt;
+  if (is_thin(*surface, samples_)) return std::nullopt;
   surface->evidence = evidence_of(surface->region, surface->Q);
-  surface->confidence = confidence(surface->evidence, family_spec(surface->fit.family).dof);
+  surface->confidence = confidence_of(*surface);
   // What hardly bends is reported as the plane that it nearly is.
   if (surface->fit.family != Family::kPlane && surface->evidence.spread < options_.least_spread) {
     surface = early ? std::nullopt : as_plane(std::move(surface->region));
@@ -145,8 +139,9 @@ std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
   SelectionOptions selection_options;
   selection_options.iterations = kIterations;
   selection_options.effective_share = surface.effective_size / static_cast<double>(points.size());
+  // Noise in waves is that of a real sensor, and what it sees are real objects.
   selection_options.common_noise =
-      samples_.common_noise * mean_sigma(samples_, region) / surface.local.scale;
+      samples_.common_noise * std::hypot(mean_sigma(samples_, region) / surface.local.scale, kFlaw);
   Selection selection = select_family(points, options_.families, *general, selection_options);
   surface.Q = surface.local.to_frame(selection.best.posed.matrix()).normalized();
   surface.rms =
@@ -172,34 +167,23 @@ std::optional<Surface> Aggregation::as_plane(std::vector<int> region) const {
                                     options_.effective_share * static_cast<double>(region.size()));
   surface.fit = std::move(*fit);
   surface.evidence = evidence_of(region, surface.Q);
-  surface.confidence = confidence(surface.evidence, family_spec(Family::kPlane).dof);
+  surface.confidence = confidence_of(surface);
   surface.region = std::move(region);
   return surface;
 }
 
 Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q) const {
-  Evidence evidence = collect_evidence(samples_, region, Q);
+  Evidence evidence = collect_evidence(
+      samples_, region, Q,
+      stands_off(region) ? std::span<const char>(claimed()) : std::span<const char>());
   evidence.remainder = parts_.remainder(region);
   return evidence;
 }
 
-/// True if the surface is so thin that its two sides lie within the noise of each other: next to a
-/// doubled plane the first-order distance is half the true one, and such fits look too good.
-/// A hyperbolic cylinder that turns within one cell is the edge between two planes.
-bool Aggregation::is_thin(const Surface& surface) const {
-  const CanonicalForm form = canonical_form(Quadric(surface.fit.posed.matrix()), 1e-7);
-  if (is_imaginary(form.type)) return true;
-  double least = 3.0 * mean_sigma(samples_, surface.region) / surface.local.scale;
-  if (form.type == QuadricType::kHyperbolicCylinder) {
-    least = std::max(least, samples_.cell[surface.region.front()] / surface.local.scale);
-  }
-  const bool paraboloid = form.type == QuadricType::kEllipticParaboloid ||
-                          form.type == QuadricType::kHyperbolicParaboloid;
-  return std::any_of(form.dimensions.begin(), form.dimensions.end(), [&](const auto& dimension) {
-    const auto& [name, value] = dimension;
-    // A paraboloid x² = 4 f z is 2 √f wide at the distance one, the size of the region.
-    if (paraboloid) return 2.0 * std::sqrt(value) < least;
-    return value < (is_angle(name) ? 0.02 : least);
+/// True if no accepted surface nearly explains the region: it is more than a flaw of one.
+bool Aggregation::stands_off(std::span<const int> region) const {
+  return std::all_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& s) {
+    return rms_distance(s, samples_, region) > kOwn * s.local.scale;
   });
 }
 
@@ -239,15 +223,14 @@ void Aggregation::join(Surface* surface) {
       std::vector<int> all = other.region;
       all.insert(all.end(), surface->region.begin(), surface->region.end());
       std::optional<Surface> joint = fitted(std::move(all));
-      joined = joint && is_flat(*joint) == is_flat(other) && !is_thin(*joint) &&
+      joined = joint && is_flat(*joint) == is_flat(other) && !is_thin(*joint, samples_) &&
                joint->rms < kJointRms * std::max(surface->rms, other.rms) &&
                bic_of(*joint, surface->effective_size + other.effective_size) <
                    bic_of(*surface, surface->effective_size) + bic_of(other, other.effective_size);
       if (joined) {
         joint->evidence = evidence_of(joint->region, joint->Q);
         joint->confidence =
-            std::max({surface->confidence, other.confidence,
-                      confidence(joint->evidence, family_spec(joint->fit.family).dof)});
+            std::max({surface->confidence, other.confidence, confidence_of(*joint)});
         *surface = std::move(*joint);
         surfaces_.erase(surfaces_.begin() + static_cast<std::ptrdiff_t>(k));
       }

@@ -10,9 +10,6 @@
 namespace quadrille {
 namespace {
 
-// Real objects are quadrics up to this share of their size.
-constexpr double kFlaw = 0.02;
-
 /// The neighbour of j that lies farthest on in the direction of a step to it; -1 if none does.
 int next_along(const SurfaceSamples& samples, int j, const Eigen::Vector3f& step) {
   int next = -1;
@@ -50,8 +47,8 @@ std::vector<float> residuals(const SurfaceSamples& samples, std::span<const int>
 /// neighbouring normals overlap, so that even a crease looks smooth from one sample to the next:
 /// the walk goes one sample further before it compares the normals.
 void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
-                     const std::vector<char>& inside, const std::vector<float>& residual,
-                     Evidence* e) {
+                     const std::vector<char>& inside, std::span<const char> beyond,
+                     const std::vector<float>& residual, Evidence* e) {
   constexpr float kSmooth = 0.87f;  // 30°
   double border = 0, smooth = 0, open = 0, edge = 0, square = 0;
   for (const int i : region) {
@@ -65,7 +62,9 @@ void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
         continue;
       }
       const int next = next_along(samples, j, samples.raw[j] - samples.raw[i]);
-      if (next >= 0 && !inside[next]) smooth += samples.n[next].dot(samples.n[i]) > kSmooth;
+      if (next >= 0 && !inside[next] && (beyond.empty() || !beyond[next])) {
+        smooth += samples.n[next].dot(samples.n[i]) > kSmooth;
+      }
     }
     border += 8 - within;
     open += within < static_cast<int>(neighbours.size());
@@ -97,7 +96,7 @@ double thickness_of(const SurfaceSamples& samples, std::span<const int> region,
 }  // namespace
 
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
-                          const Quadric& quadric) {
+                          const Quadric& quadric, std::span<const char> beyond) {
   Evidence e;
   const double n = static_cast<double>(region.size());
   double square = 1e-12 * n;
@@ -118,17 +117,18 @@ Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> re
   e.spread = spread_about(samples, region, mean);
   e.thickness = thickness_of(samples, region, local);
   e.two_planes = std::log((two_planes_rss(samples, region) + 1e-12 * n) / square);
-  walk_neighbours(samples, region, inside, residuals(samples, region, distance, local.scale), &e);
+  const std::vector<float> residual = residuals(samples, region, distance, local.scale);
+  walk_neighbours(samples, region, inside, beyond, residual, &e);
   return e;
 }
 
-double confidence(const Evidence& e, int dof) {
+double confidence(const Evidence& e, int dof, double log_prior) {
   // A logistic regression over some 2800 surfaces, labelled by the truth of generated scenes, with
   // waves in their noise and without, and of real scans, whose surfaces count threefold.
   const double two_planes = std::clamp(e.two_planes, -2.0, 5.0);
   // What many samples explain hardly better than two planes do is a box edge.
   const double edge = std::max(0.0, e.log_count - 5.0) * std::max(0.0, 0.8 - two_planes);
-  const double z = -8.75 + 2.46 * std::min(e.log_count, 6.0) - 1.2 * e.spread -
+  const double z = log_prior - 8.75 + 2.46 * std::min(e.log_count, 6.0) - 1.2 * e.spread -
                    12.8 * e.smooth_border - 0.906 * e.open_border - 6.22 * e.depth_edge -
                    1.83 * e.thickness + 0.645 * two_planes - 2.23 * edge - 0.66 * dof -
                    3.51 * std::log(std::clamp(e.misfit, 0.05, 6.0)) -

@@ -10,8 +10,6 @@
 namespace quadrille {
 namespace {
 
-// The fits of restricted families satisfy their equations to rounding.
-constexpr double kTolerance = 1e-7;
 // Share of the samples beyond each end of the extent: stray ones do not stretch it.
 constexpr double kTrim = 0.004;
 constexpr int kAround = 24, kAlong = 8;
@@ -164,8 +162,8 @@ std::vector<double> deviations(const Surface& surface, const SurfaceSamples& sam
     const double h = std::max(1e-6, 1e-3 * std::sqrt(C(k, k)));
     Eigen::VectorXd step = Eigen::VectorXd::Zero(C.rows());
     step[k] = h;
-    const CanonicalForm other =
-        canonical_form(Quadric(moved(family, surface.fit.posed, step).matrix()), kTolerance);
+    const CanonicalForm other = canonical_form(
+        Quadric(moved(family, surface.fit.posed, step).matrix()), FamilyFit::kTypeTolerance);
     if (other.type != form.type) continue;
     for (std::size_t i = 0; i < size; ++i) {
       J(static_cast<Eigen::Index>(i), k) =
@@ -184,7 +182,8 @@ std::vector<double> deviations(const Surface& surface, const SurfaceSamples& sam
 
 Detection measure(const Surface& surface, const SurfaceSamples& samples,
                   const Eigen::Vector3d& eye) {
-  const CanonicalForm form = canonical_form(Quadric(surface.fit.posed.matrix()), kTolerance);
+  const CanonicalForm form =
+      canonical_form(Quadric(surface.fit.posed.matrix()), FamilyFit::kTypeTolerance);
   Detection d;
   d.type = form.type;
   d.Q_C = surface.Q;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/initial_fits.hpp"
 #include "quadrille/detector/normal_equations.hpp"
 
@@ -117,6 +118,12 @@ double bic(double rss, int size, int dof, const SelectionOptions& options) {
   return n * std::log(variance) + dof * std::log(n);
 }
 
+double bic(const FamilyFit& fit, const SelectionOptions& options) {
+  const Quadric Q(fit.posed.matrix());
+  const QuadricType type = canonical_form(Q, FamilyFit::kTypeTolerance).type;
+  return bic(fit.rss, fit.points, family_spec(fit.family).dof, options) - 2.0 * log_prior(type);
+}
+
 std::optional<FamilyFit> fit_family(const FitPoints& points, Family family, int iterations) {
   Starts starts(points);
   return fit_from(&starts, points, family, {}, iterations, std::numeric_limits<double>::infinity());
@@ -128,7 +135,7 @@ Selection select_family(const FitPoints& points, std::span<const Family> familie
   Starts starts(points);
   Selection selection;
   selection.best = general;
-  selection.bic = bic(general.rss, size, family_spec(Family::kGeneral).dof, options);
+  selection.bic = bic(general, options);
   selection.fits.push_back(general);
   for (const Family family : families) {
     // Even with the residual of the general fit, this family could not become the best.
@@ -138,7 +145,7 @@ Selection select_family(const FitPoints& points, std::span<const Family> familie
     std::optional<FamilyFit> fit =
         fit_from(&starts, points, family, selection.fits, options.iterations, wanted);
     if (!fit) continue;
-    const double value = bic(fit->rss, size, dof, options);
+    const double value = bic(*fit, options);
     if (value < selection.bic) {
       selection.best = *fit;
       selection.bic = value;

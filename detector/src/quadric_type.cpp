@@ -51,4 +51,16 @@ bool is_flat(QuadricType type) {
 
 bool is_imaginary(QuadricType type) { return type >= QuadricType::kImaginaryEllipsoid; }
 
+double log_prior(QuadricType type) {
+  switch (type) {
+    case QuadricType::kHyperboloidTwoSheets:
+    case QuadricType::kHyperbolicParaboloid:
+    case QuadricType::kHyperbolicCylinder:
+    case QuadricType::kParabolicCylinder:
+      return -2.0;
+    default:
+      return 0.0;
+  }
+}
+
 }  // namespace quadrille

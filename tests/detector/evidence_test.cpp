@@ -48,6 +48,29 @@ TEST_CASE("a whole surface has no smooth border, a piece cut out of one has", "[
   CHECK(collect_evidence(samples, lower, cylinder_quadric()).smooth_border > 0.15);
 }
 
+TEST_CASE("a smooth border at which another surface begins speaks against none", "[evidence]") {
+  const SurfaceSamples samples = cylinder_grid(25, 40, kRadius, 0.004, 0.0005, 2);
+  std::vector<int> middle;
+  std::vector<char> above(static_cast<std::size_t>(samples.size()), 0);
+  for (const int i : all_of(samples)) {
+    const int row = i / 25;
+    if (row >= 10 && row < 30) middle.push_back(i);
+    above[i] = row >= 30;
+  }
+  const Quadric Q = cylinder_quadric();
+  const double alone = collect_evidence(samples, middle, Q).smooth_border;
+  CHECK(alone > 0.3);
+  CHECK(collect_evidence(samples, middle, Q, above).smooth_border ==
+        Approx(0.5 * alone).epsilon(0.05));
+}
+
+TEST_CASE("the prior shifts the log odds of the confidence", "[evidence]") {
+  const SurfaceSamples samples = cylinder_grid(25, 40, kRadius, 0.004, 0.0005, 2);
+  const Evidence e = collect_evidence(samples, all_of(samples), cylinder_quadric());
+  const auto log_odds = [](double p) { return std::log(p / (1.0 - p)); };
+  CHECK(log_odds(confidence(e, 5, -2.0)) == Approx(log_odds(confidence(e, 5)) - 2.0));
+}
+
 TEST_CASE("border, edge and thickness are those of the closed form", "[evidence]") {
   const SurfaceSamples samples = cylinder_grid(21, 30, kRadius, 0.004, 0.0, 1);
   const Evidence whole = collect_evidence(samples, all_of(samples), cylinder_quadric());

@@ -71,9 +71,24 @@ TEST_CASE("the selected fit has the least BIC of all that were tried", "[selecti
     const auto selection = select(make_points(example, 300, 0.01, random).points, options);
     REQUIRE(selection);
     for (const FamilyFit& fit : selection->fits) {
-      CHECK(selection->bic <= bic(fit.rss, fit.points, family_spec(fit.family).dof, options));
+      CHECK(selection->bic <= bic(fit, options));
     }
   }
+}
+
+TEST_CASE("a type that few objects have needs odds of e² more", "[selection]") {
+  FamilyFit fit;
+  fit.rss = 4.0;
+  fit.points = 1000;
+  const SelectionOptions options;
+  const auto over = [&](const Eigen::Matrix4d& D) {
+    fit.posed.D = D;
+    return bic(fit, options) - bic(4.0, 1000, family_spec(fit.family).dof, options);
+  };
+  CHECK(over(diagonal(1, 2, 3, -1)) == Approx(0.0).margin(1e-12));
+  CHECK(over(diagonal(1, 2, -3, -1)) == Approx(0.0).margin(1e-12));
+  CHECK(over(diagonal(1, 2, -3, 1)) == Approx(4.0));
+  CHECK(over(diagonal(1, -2, 0, -1)) == Approx(4.0));
 }
 
 TEST_CASE("fewer independent measurements argue for simpler types", "[selection]") {

@@ -3,12 +3,12 @@
 #include <optional>
 #include <vector>
 
-#include "quadrille/detector/evidence.hpp"
 #include "quadrille/detector/model_selection.hpp"
 #include "quadrille/detector/region.hpp"
 #include "quadrille/detector/sample_buckets.hpp"
 #include "quadrille/detector/search.hpp"
 #include "quadrille/detector/smooth_parts.hpp"
+#include "quadrille/detector/surface.hpp"
 
 namespace quadrille {
 
@@ -43,22 +43,6 @@ struct AggregateOptions {
   double claim = 1.3;
 };
 
-/// A surface of the scene: one fitted quadric and the samples on it.
-struct Surface {
-  /// In frame C, |q| = 1.
-  Quadric Q;
-  /// The fit in local coordinates.
-  FamilyFit fit;
-  Normalisation local;
-  std::vector<int> region;
-  /// Root mean square distance of the region [m].
-  double rms = 0.0;
-  Evidence evidence;
-  double confidence = 0.0;
-  /// Independent measurements that the fit rests on.
-  double effective_size = 1.0;
-};
-
 /// Chooses among overlapping candidates (paper, "Hypotheses aggregation"): the one that explains
 /// most comes first, is refitted to all that it explains, connected or not, joined with earlier
 /// ones that the same quadric explains, verified, and claims its samples.
@@ -81,7 +65,7 @@ class Aggregation {
   std::optional<Surface> fitted(std::vector<int> region) const;
   std::optional<Surface> as_plane(std::vector<int> region) const;
   Evidence evidence_of(std::span<const int> region, const Quadric& Q) const;
-  bool is_thin(const Surface& surface) const;
+  bool stands_off(std::span<const int> region) const;
   void extend(Surface* surface) const;
   void join(Surface* surface);
   double bic_of(const Surface& surface, double effective_size) const;

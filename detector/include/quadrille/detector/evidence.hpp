@@ -9,6 +9,9 @@
 
 namespace quadrille {
 
+/// Real objects are quadrics up to this share of their size.
+inline constexpr double kFlaw = 0.02;
+
 /// What speaks for and against a fitted quadric.
 struct Evidence {
   /// Natural logarithm of the number of samples.
@@ -16,7 +19,8 @@ struct Evidence {
   /// Angle between the samples' normals and their mean, 90th percentile [rad].
   double spread = 0.0;
   /// Share of the region's border where the surface goes on smoothly into samples that are no
-  /// inliers, 0 to 1: a patch cut out of something else has such a border, an object has none.
+  /// inliers, 0 to 1: a patch cut out of something else has such a border, an object has none,
+  /// unless another one begins there.
   double smooth_border = 0.0;
   /// Share of the samples that have a neighbour outside the region, and of those at a depth edge,
   /// with fewer than eight neighbours: a scrap is all border.
@@ -35,11 +39,12 @@ struct Evidence {
 };
 
 /// Collects the evidence for a quadric whose inliers are the region, all but the remainder.
+/// @param beyond  per sample, nonzero where another surface begins; may be empty
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
-                          const Quadric& Q);
+                          const Quadric& Q, std::span<const char> beyond = {});
 
 /// Confidence that a curved quadric with this evidence is a real surface of its own, 0 to 1: a
-/// logistic model over the evidence.
-double confidence(const Evidence& evidence, int dof);
+/// logistic model over the evidence, to which the type's prior is added; see log_prior().
+double confidence(const Evidence& evidence, int dof, double log_prior = 0.0);
 
 }  // namespace quadrille

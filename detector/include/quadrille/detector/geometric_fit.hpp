@@ -36,6 +36,9 @@ struct PosedQuadric {
 
 /// A fit of one family.
 struct FamilyFit {
+  /// For canonical_form(): a family's zeros are exact but for rounding.
+  static constexpr double kTypeTolerance = 1e-7;
+
   Family family = Family::kGeneral;
   PosedQuadric posed;
   /// Sum of squared first-order distances |f| / |∇f|, in the squared unit of the points.

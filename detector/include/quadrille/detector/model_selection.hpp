@@ -19,8 +19,8 @@ struct SelectionOptions {
 };
 
 /// The fit that the Bayesian information criterion prefers, n ln(rss / N + c²) + k ln n with N
-/// points, n the effective sample size, k the degrees of freedom and c the common noise: the
-/// simplest type that explains the points.
+/// points, n the effective sample size, k the degrees of freedom and c the common noise, less twice
+/// the type's log_prior(): the simplest type that explains the points.
 struct Selection {
   FamilyFit best;
   double bic = 0.0;
@@ -28,8 +28,11 @@ struct Selection {
   std::vector<FamilyFit> fits;
 };
 
-/// BIC of a fit to `size` points.
+/// BIC of a fit to `size` points, without the prior.
 double bic(double rss, int size, int dof, const SelectionOptions& options);
+
+/// BIC of a fit, with the prior of its type.
+double bic(const FamilyFit& fit, const SelectionOptions& options);
 
 /// The best fit of one family from its own closed-form starts; nullopt if there is none, as for
 /// the paraboloids and the elliptic cylinder, which start from other families' fits.
