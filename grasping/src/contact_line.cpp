@@ -171,7 +171,7 @@ Diagonal quadric(const Body& body) {
 
 std::optional<ContactLine> chord(const Body& body, const Eigen::Vector3d& p_C,
                                  const Eigen::Vector3d& d_C) {
-  if (body.profile == Profile::kBox || !body.contains(p_C)) return std::nullopt;
+  if (body.profile == Profile::kBox) return std::nullopt;
   const Eigen::Vector3d p = body.X_CQ.inverse() * p_C;
   const Eigen::Vector3d d = body.X_CQ.linear().transpose() * d_C;
   const Diagonal q = quadric(body);
@@ -179,8 +179,8 @@ std::optional<ContactLine> chord(const Body& body, const Eigen::Vector3d& p_C,
   const double B = d.dot(q.M.cwiseProduct(p)) + 0.5 * q.g.dot(d);
   const double C = p.dot(q.M.cwiseProduct(p)) + q.g.dot(p) + q.k;
   const double D = B * B - A * C;
-  // From inside, C < 0: one root on each side exactly if A > 0.
-  if (A < 1e-9 * q.M.maxCoeff() || C >= 0.0) return std::nullopt;
+  // Between its roots the line lies inside exactly if A > 0.
+  if (A < 1e-9 * q.M.maxCoeff() || D <= 0.0) return std::nullopt;
   const double t0 = (-B - std::sqrt(D)) / A, t1 = (-B + std::sqrt(D)) / A;
   const Eigen::Vector3d low = p + t0 * d, high = p + t1 * d;
   if (std::min(low.z(), high.z()) < body.z_min || std::max(low.z(), high.z()) > body.z_max) {

@@ -5,6 +5,7 @@
 
 #include "closing.hpp"
 #include "quadrille/grasping/quality.hpp"
+#include "tip_holds.hpp"
 
 namespace quadrille {
 
@@ -18,6 +19,9 @@ constexpr double kNearby = 0.012;
 const double kAlike = std::cos(20.0 * 3.14159265358979323846 / 180.0);
 // A contact close to slipping in the model slips in truth: normals are known to a few degrees.
 constexpr double kFrictionShare = 0.85;
+// Holds by the tips are exact: their normals are those of the very place.
+constexpr double kTipFrictionShare = 0.95;
+constexpr std::size_t kMostTipHolds = 4;
 // Standard deviations of a pad's distance to keep from the target: 95 % of truths.
 constexpr double kSigmas = 2.0;
 // But no more than this [m]: what one view tells little of is seldom as wrong as it may be.
@@ -73,6 +77,7 @@ std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
     if (checks_ >= kMostChecks || accepted_.size() >= kMostAccepted) break;
     try_candidate(lines[candidate.line], candidate, rejected);
   }
+  if (accepted_.empty()) try_tips(space, rejected);
   return std::move(accepted_);
 }
 
@@ -91,6 +96,17 @@ std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C,
     try_rim(lines[candidate.line], candidate, rejected);
   }
   return std::move(accepted_);
+}
+
+// Where nothing better is to be had.
+void TargetPlanner::try_tips(const ApproachSpace& space, std::map<std::string, int>& rejected) {
+  checks_ = 0;
+  const double friction = kTipFrictionShare * options_.friction;
+  for (const TipHold& hold : tip_holds(target_.body, gripper_, space, friction)) {
+    if (checks_ >= kMostChecks || accepted_.size() >= kMostTipHolds) break;
+    if (resembles_accepted(hold.line, hold.approach_C) || !fits(hold.line, rejected)) continue;
+    if (!contradicted(hold.line)) try_depth(hold.line, hold.approach_C, 0.0, rejected);
+  }
 }
 
 // False, and counted, if the hand does not open as far or close as far.

@@ -56,6 +56,7 @@ class TargetPlanner {
                  std::map<std::string, int>& rejected);
   bool try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
                   std::map<std::string, int>& rejected);
+  void try_tips(const ApproachSpace& space, std::map<std::string, int>& rejected);
   double passed_by_tips(const ContactLine& line, double off,
                         const Eigen::Vector3d& approach_C) const;
   Grasp describe(const ContactLine& line, const Eigen::Isometry3d& X_CG, double preshape) const;
