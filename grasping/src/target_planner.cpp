@@ -20,7 +20,7 @@ const double kAlike = std::cos(20.0 * 3.14159265358979323846 / 180.0);
 // A contact close to slipping in the model slips in truth: normals are known to a few degrees.
 constexpr double kFrictionShare = 0.85;
 // Holds by the tips are exact: their normals are those of the very place.
-constexpr double kTipFrictionShare = 0.95;
+constexpr double kTipFrictionShare = 0.92;
 constexpr std::size_t kMostTipHolds = 4;
 // Standard deviations of a pad's distance to keep from the target: 95 % of truths.
 constexpr double kSigmas = 2.0;
@@ -101,6 +101,7 @@ std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C,
 // Where nothing better is to be had.
 void TargetPlanner::try_tips(const ApproachSpace& space, std::map<std::string, int>& rejected) {
   checks_ = 0;
+  by_tips_ = true;
   const double friction = kTipFrictionShare * options_.friction;
   for (const TipHold& hold : tip_holds(target_.body, gripper_, space, friction)) {
     if (checks_ >= kMostChecks || accepted_.size() >= kMostTipHolds) break;
@@ -206,7 +207,7 @@ void TargetPlanner::try_rim(const ContactLine& line, const GraspCandidate& candi
 bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C,
                               double depth, std::map<std::string, int>& rejected) {
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
-  if (!on_pads(line, X_CG, gripper_)) {
+  if (!by_tips_ && !on_pads(line, X_CG, gripper_)) {
     ++rejected["friction"];
     return false;
   }

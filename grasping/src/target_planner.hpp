@@ -72,6 +72,8 @@ class TargetPlanner {
   const CollisionScene& scene_;
   // Across a wall, whose thickness is not known, and no longer than the pads.
   bool at_rim_ = false;
+  // Contacts are where the pads meet the body, their edges included.
+  bool by_tips_ = false;
   int checks_ = 0;
   std::vector<Grasp> accepted_;
 };

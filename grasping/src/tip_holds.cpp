@@ -22,6 +22,9 @@ constexpr double kBeside[] = {-0.35, 0.35, -0.7, 0.7};
 // What of the tip is rounded off [m].
 constexpr double kEdge = 0.0012;
 
+// How far from the outermost point the contact may be in truth [m].
+constexpr double kDoubt = 0.0015;
+
 // Points all over the surface, in frame C.
 std::vector<Eigen::Vector3d> surface(const Body& body) {
   constexpr int kHeights = 9, kAround = 16;
@@ -69,6 +72,11 @@ std::vector<Eigen::Vector3d> closings(const Body& body, const Eigen::Vector3d& u
   return directions;
 }
 
+struct Met {
+  ContactLine line;
+  double friction;
+};
+
 // How far two pads of that hand, in frame x, closing, approach, come together on a body.
 class Meeting {
  public:
@@ -78,34 +86,59 @@ class Meeting {
 
   const Eigen::Vector3d& x() const { return x_; }
 
-  /// Where the pads meet the body with the grasp frame's origin on the line of p_C.
-  std::optional<ContactLine> at(const Eigen::Vector3d& p_C) const {
-    std::optional<ContactLine> met;
+  /// Where the pads meet the body with the grasp frame's origin on the line of p_C, and the
+  /// friction that they need there.
+  std::optional<Met> at(const Eigen::Vector3d& p_C) {
+    sides_[0].clear();
+    sides_[1].clear();
+    std::optional<ContactLine> line;
     double low = 0.0, high = 0.0;
+    const double side = 0.5 * gripper_.finger.x();
     for (const double along : rows()) {
-      for (const double across : {0.0, -0.25, 0.25, -0.5, 0.5}) {
-        const Eigen::Vector3d q_C = p_C + across * gripper_.finger.x() * x_ + along * z_;
-        const std::optional<ContactLine> c = chord(body_, q_C, y_);
+      for (const double across : {0.0, -0.5, 0.5, -1.0, 1.0}) {
+        const std::optional<ContactLine> c =
+            chord(body_, p_C + across * side * x_ + along * z_, y_);
         if (!c) continue;
         const double h = (c->contacts_C[0] - p_C).dot(y_), l = (c->contacts_C[1] - p_C).dot(y_);
-        if (!met) {
-          met = c, high = h, low = l;
+        sides_[0].push_back({h, c->normals_C[0].dot(y_)});
+        sides_[1].push_back({-l, -c->normals_C[1].dot(y_)});
+        if (!line) {
+          line = c, high = h, low = l;
           continue;
         }
-        if (h > high) high = h, take(*c, 0, *met);
-        if (l < low) low = l, take(*c, 1, *met);
+        if (h > high) high = h, take(*c, 0, *line);
+        if (l < low) low = l, take(*c, 1, *line);
         if (high - low > gripper_.max_opening) return std::nullopt;
       }
     }
-    if (!met) return std::nullopt;
-    met->centre_C = p_C + 0.5 * (high + low) * y_;
-    met->width = met->opening = high - low;
-    return met;
+    if (!line) return std::nullopt;
+    line->centre_C = p_C + 0.5 * (high + low) * y_;
+    line->width = line->opening = high - low;
+    const double lean = std::max(lean_of(sides_[0], high), lean_of(sides_[1], -low));
+    return Met{*line, std::max(lean, friction_needed(*line))};
   }
 
  private:
+  // A place on a side of the body: how far out, and the cosine of its lean.
+  struct Place {
+    double out, cosine;
+  };
+
+  // The tangent of the mean lean of what may be the contact.
+  static double lean_of(const std::vector<Place>& places, double farthest) {
+    double sum = 0.0;
+    int count = 0;
+    for (const Place& place : places) {
+      if (place.out < farthest - kDoubt) continue;
+      sum += place.cosine;
+      ++count;
+    }
+    const double cosine = std::clamp(sum / count, 1e-3, 1.0);
+    return std::sqrt(1.0 / (cosine * cosine) - 1.0);
+  }
+
   std::array<double, 8> rows() const {
-    const double tip = gripper_.finger_front - kEdge,
+    const double tip = gripper_.finger_front,
                  back = gripper_.finger_front - gripper_.finger.z();
     return {0.0,
             tip,
@@ -126,18 +159,8 @@ class Meeting {
   const Body& body_;
   const Gripper& gripper_;
   Eigen::Vector3d y_, z_, x_;
+  std::array<std::vector<Place>, 2> sides_;
 };
-
-// What friction both the line and the faces of the pads need.
-double needed(const ContactLine& line) {
-  double worst = friction_needed(line);
-  for (int i = 0; i < 2; ++i) {
-    const double c = (i == 0 ? 1.0 : -1.0) * line.normals_C[i].dot(line.closing_C);
-    if (c <= 0.0) return std::numeric_limits<double>::infinity();
-    worst = std::max(worst, line.normals_C[i].cross(line.closing_C).norm() / c);
-  }
-  return worst;
-}
 
 struct Rated {
   TipHold hold;
@@ -148,7 +171,7 @@ struct Rated {
 void add_holds(const Body& body, const Gripper& gripper, const std::vector<Eigen::Vector3d>& points,
                const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C, double friction,
                double prior, std::vector<Rated>& rated) {
-  const Meeting meeting(body, gripper, closing_C, approach_C);
+  Meeting meeting(body, gripper, closing_C, approach_C);
   Eigen::Matrix3d R_GC;
   R_GC << meeting.x().transpose(), closing_C.transpose(), approach_C.transpose();
   double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
@@ -168,10 +191,9 @@ void add_holds(const Body& body, const Gripper& gripper, const std::vector<Eigen
       Eigen::Vector3d p_G = reached_G.center();
       p_G.x() += beside;
       p_G.z() = nearest + dip - gripper.finger_front;
-      const std::optional<ContactLine> line = meeting.at(R_GC.transpose() * p_G);
-      if (!line || line->width < gripper.min_opening) continue;
-      const double need = needed(*line);
-      if (need <= friction) rated.push_back({{*line, approach_C}, prior - need});
+      const std::optional<Met> met = meeting.at(R_GC.transpose() * p_G);
+      if (!met || met->line.width < gripper.min_opening || met->friction > friction) continue;
+      rated.push_back({{met->line, approach_C}, prior - met->friction});
     }
   }
 }
