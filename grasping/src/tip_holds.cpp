@@ -1,13 +1,12 @@
 #include "tip_holds.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <numbers>
 #include <optional>
 
-#include "quadrille/grasping/quality.hpp"
+#include "pad_meeting.hpp"
 
 namespace quadrille {
 
@@ -22,21 +21,23 @@ constexpr double kBeside[] = {-0.35, 0.35, -0.7, 0.7};
 // What of the tip is rounded off [m].
 constexpr double kEdge = 0.0012;
 
-// How far from the outermost point the contact may be in truth [m].
-constexpr double kDoubt = 0.0015;
+// The tips may end as far beyond the body [m].
+constexpr double kBelow = 0.005;
+// What lies so near to the body's nearest point tells where its middle is [m].
+constexpr double kLeastReached = 0.01;
 
 // Points all over the surface, in frame C.
-std::vector<Eigen::Vector3d> surface(const Body& body) {
+Eigen::Matrix3Xd surface(const Body& body) {
   constexpr int kHeights = 9, kAround = 16;
-  std::vector<Eigen::Vector3d> points;
+  Eigen::Matrix3Xd points(3, kHeights * kAround);
   for (int i = 0; i < kHeights; ++i) {
     // Denser towards the ends, where a profile may close fast.
     const double u = 0.5 - 0.5 * std::cos(kPi * i / (kHeights - 1));
     const double z = (1.0 - u) * body.z_min + u * body.z_max, s = body.scale(z);
     for (int k = 0; k < kAround; ++k) {
       const double t = 2.0 * kPi * k / kAround;
-      points.push_back(body.X_CQ *
-                       Eigen::Vector3d(body.a * s * std::cos(t), body.b * s * std::sin(t), z));
+      points.col(i * kAround + k) =
+          body.X_CQ * Eigen::Vector3d(body.a * s * std::cos(t), body.b * s * std::sin(t), z);
     }
   }
   return points;
@@ -72,139 +73,75 @@ std::vector<Eigen::Vector3d> closings(const Body& body, const Eigen::Vector3d& u
   return directions;
 }
 
-struct Met {
-  ContactLine line;
-  double friction;
-};
-
-// How far two pads of that hand, in frame x, closing, approach, come together on a body.
-class Meeting {
- public:
-  Meeting(const Body& body, const Gripper& gripper, const Eigen::Vector3d& closing_C,
-          const Eigen::Vector3d& approach_C)
-      : body_(body), gripper_(gripper), y_(closing_C), z_(approach_C), x_(y_.cross(z_)) {}
-
-  const Eigen::Vector3d& x() const { return x_; }
-
-  /// Where the pads meet the body with the grasp frame's origin on the line of p_C, and the
-  /// friction that they need there.
-  std::optional<Met> at(const Eigen::Vector3d& p_C) {
-    sides_[0].clear();
-    sides_[1].clear();
-    std::optional<ContactLine> line;
-    double low = 0.0, high = 0.0;
-    const double side = 0.5 * gripper_.finger.x();
-    for (const double along : rows()) {
-      for (const double across : {0.0, -0.5, 0.5, -1.0, 1.0}) {
-        const std::optional<ContactLine> c =
-            chord(body_, p_C + across * side * x_ + along * z_, y_);
-        if (!c) continue;
-        const double h = (c->contacts_C[0] - p_C).dot(y_), l = (c->contacts_C[1] - p_C).dot(y_);
-        sides_[0].push_back({h, c->normals_C[0].dot(y_)});
-        sides_[1].push_back({-l, -c->normals_C[1].dot(y_)});
-        if (!line) {
-          line = c, high = h, low = l;
-          continue;
-        }
-        if (h > high) high = h, take(*c, 0, *line);
-        if (l < low) low = l, take(*c, 1, *line);
-        if (high - low > gripper_.max_opening) return std::nullopt;
-      }
-    }
-    if (!line) return std::nullopt;
-    line->centre_C = p_C + 0.5 * (high + low) * y_;
-    line->width = line->opening = high - low;
-    const double lean = std::max(lean_of(sides_[0], high), lean_of(sides_[1], -low));
-    return Met{*line, std::max(lean, friction_needed(*line))};
-  }
-
- private:
-  // A place on a side of the body: how far out, and the cosine of its lean.
-  struct Place {
-    double out, cosine;
-  };
-
-  // The tangent of the mean lean of what may be the contact.
-  static double lean_of(const std::vector<Place>& places, double farthest) {
-    double sum = 0.0;
-    int count = 0;
-    for (const Place& place : places) {
-      if (place.out < farthest - kDoubt) continue;
-      sum += place.cosine;
-      ++count;
-    }
-    const double cosine = std::clamp(sum / count, 1e-3, 1.0);
-    return std::sqrt(1.0 / (cosine * cosine) - 1.0);
-  }
-
-  std::array<double, 8> rows() const {
-    const double tip = gripper_.finger_front,
-                 back = gripper_.finger_front - gripper_.finger.z();
-    return {0.0,
-            tip,
-            0.5 * tip,
-            -0.5 * tip,
-            -tip,
-            0.75 * -tip + 0.25 * back,
-            0.5 * (back - tip),
-            0.25 * -tip + 0.75 * back};
-  }
-
-  static void take(const ContactLine& from, int side, ContactLine& to) {
-    to.contacts_C[side] = from.contacts_C[side];
-    to.normals_C[side] = from.normals_C[side];
-    to.std = std::max(to.std, from.std);
-  }
-
-  const Body& body_;
-  const Gripper& gripper_;
-  Eigen::Vector3d y_, z_, x_;
-  std::array<std::vector<Place>, 2> sides_;
-};
-
 struct Rated {
   TipHold hold;
   double prior;
 };
 
-// All depths and places of one orientation of the hand.
-void add_holds(const Body& body, const Gripper& gripper, const std::vector<Eigen::Vector3d>& points,
-               const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C, double friction,
-               double prior, std::vector<Rated>& rated) {
-  Meeting meeting(body, gripper, closing_C, approach_C);
-  Eigen::Matrix3d R_GC;
-  R_GC << meeting.x().transpose(), closing_C.transpose(), approach_C.transpose();
-  double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
-  for (const Eigen::Vector3d& p : points) {
-    nearest = std::min(nearest, approach_C.dot(p));
-    farthest = std::max(farthest, approach_C.dot(p));
-  }
-  for (const double dip : kDips) {
-    if (nearest + dip > farthest + 0.005) return;
-    Eigen::AlignedBox3d reached_G;
-    for (const Eigen::Vector3d& p : points) {
-      if (approach_C.dot(p) <= nearest + std::max(dip, 0.01)) reached_G.extend(R_GC * p);
-    }
-    std::vector<double> places(std::begin(kNear), std::end(kNear));
-    for (const double share : kBeside) places.push_back(0.5 * share * reached_G.sizes().x());
-    for (const double beside : places) {
+// The holds on one body.
+class Search {
+ public:
+  Search(const Body& body, const Gripper& gripper, double friction)
+      : gripper_(gripper), friction_(friction), points_(surface(body)), meeter_(body, gripper) {}
+
+  // All depths and places of one orientation of the hand.
+  void add(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C, double prior) {
+    meeter_.turn(closing_C, approach_C);
+    Eigen::Matrix3d R_GC;
+    R_GC << closing_C.cross(approach_C).transpose(), closing_C.transpose(), approach_C.transpose();
+    const Eigen::Matrix3Xd points_G = R_GC * points_;
+    const double nearest = points_G.row(2).minCoeff(), farthest = points_G.row(2).maxCoeff();
+    for (const double dip : kDips) {
+      if (nearest + dip > farthest + kBelow) return;
+      Eigen::AlignedBox3d reached_G;
+      for (const auto& p_G : points_G.colwise()) {
+        if (p_G.z() <= nearest + std::max(dip, kLeastReached)) {
+          reached_G.extend(Eigen::Vector3d(p_G));
+        }
+      }
       Eigen::Vector3d p_G = reached_G.center();
-      p_G.x() += beside;
-      p_G.z() = nearest + dip - gripper.finger_front;
-      const std::optional<Met> met = meeting.at(R_GC.transpose() * p_G);
-      if (!met || met->line.width < gripper.min_opening || met->friction > friction) continue;
-      rated.push_back({{met->line, approach_C}, prior - met->friction});
+      p_G.z() = nearest + dip - gripper_.finger_front;
+      for (const double beside : places(reached_G.sizes().x())) {
+        const Eigen::Vector3d at_G = p_G + beside * Eigen::Vector3d::UnitX();
+        const std::optional<PadMeeting> met = meeter_.at(R_GC.transpose() * at_G);
+        if (!met || met->line.width < gripper_.min_opening || met->friction > friction_) continue;
+        rated_.push_back({{met->line, approach_C}, prior - met->friction});
+      }
     }
   }
-}
+
+  // Every kStride-th of the ranking first, then those between.
+  std::vector<TipHold> spread_out() {
+    std::stable_sort(rated_.begin(), rated_.end(),
+                     [](const Rated& a, const Rated& b) { return a.prior > b.prior; });
+    std::vector<TipHold> holds;
+    constexpr std::size_t kStride = 16;
+    for (std::size_t start = 0; start < kStride; ++start) {
+      for (std::size_t n = start; n < rated_.size(); n += kStride) holds.push_back(rated_[n].hold);
+    }
+    return holds;
+  }
+
+ private:
+  static std::vector<double> places(double breadth) {
+    std::vector<double> places(std::begin(kNear), std::end(kNear));
+    for (const double share : kBeside) places.push_back(0.5 * share * breadth);
+    return places;
+  }
+
+  const Gripper& gripper_;
+  double friction_;
+  Eigen::Matrix3Xd points_;
+  PadMeeter meeter_;
+  std::vector<Rated> rated_;
+};
 
 }  // namespace
 
 std::vector<TipHold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
                                double friction) {
   if (body.profile == Body::Profile::kBox) return {};
-  const std::vector<Eigen::Vector3d> points = surface(body);
-  std::vector<Rated> rated;
+  Search search(body, gripper, friction);
   for (const Eigen::Vector3d& d : closings(body, space.up_C)) {
     const Eigen::Vector3d first = d.unitOrthogonal(), second = d.cross(first);
     constexpr int kDirections = 18;
@@ -214,17 +151,10 @@ std::vector<TipHold> tip_holds(const Body& body, const Gripper& gripper, const A
       const Eigen::Vector3d a = std::cos(t) * first + std::sin(t) * second;
       if (!reachable(a, space)) continue;
       const double from = std::max(-a.dot(space.view_C), -a.dot(space.up_C));
-      add_holds(body, gripper, points, d, a, friction, across + 0.3 * from, rated);
+      search.add(d, a, across + 0.3 * from);
     }
   }
-  std::stable_sort(rated.begin(), rated.end(),
-                   [](const Rated& a, const Rated& b) { return a.prior > b.prior; });
-  std::vector<TipHold> holds;
-  constexpr std::size_t kStride = 16;
-  for (std::size_t start = 0; start < kStride; ++start) {
-    for (std::size_t n = start; n < rated.size(); n += kStride) holds.push_back(rated[n].hold);
-  }
-  return holds;
+  return search.spread_out();
 }
 
 }  // namespace quadrille

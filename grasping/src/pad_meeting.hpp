@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "diagonal_quadric.hpp"
+#include "quadrille/grasping/contact_line.hpp"
+
+namespace quadrille {
+
+/// Where two pads meet a body.
+struct PadMeeting {
+  /// Its centre is the origin of the grasp frame.
+  ContactLine line;
+  /// The friction coefficient that it needs: for the line between the contacts, and for the pads on
+  /// what lies within 1.5 mm of the contacts, which may be them in truth.
+  double friction;
+};
+
+/// Finds where the pads of a hand meet a body, on a grid of chords over the inner faces of its
+/// fingers: not where the body is widest, but where it is so within their reach.
+class PadMeeter {
+ public:
+  PadMeeter(const Body& body, const Gripper& gripper);
+
+  /// From now on for a hand that closes along y and comes along z, unit vectors in frame C.
+  void turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C);
+  /// For a hand whose origin is moved along its closing direction from p_C. Nullopt if the fingers
+  /// do not meet the body, or meet more than they open.
+  std::optional<PadMeeting> at(const Eigen::Vector3d& p_C);
+
+ private:
+  // A place on one side of the body: how far out, the cosine of its lean, on which chord.
+  struct Place {
+    double out = 0.0, cosine = 1.0;
+    Eigen::Vector3d on_Q;
+  };
+  using Side = std::vector<Place>;
+
+  bool add_chord(const Eigen::Vector3d& q_Q);
+
+  const Body& body_;
+  const Gripper& gripper_;
+  DiagonalQuadric quadric_;
+  Eigen::Vector3d y_C_, x_Q_, y_Q_, z_Q_;
+  // yᵀMy: a chord lies inside between its ends if this is positive.
+  double curvature_ = 0.0;
+  std::array<Side, 2> sides_;
+};
+
+}  // namespace quadrille
