@@ -48,14 +48,14 @@ std::vector<Eigen::Vector3d> closings(const Body& body, const Eigen::Vector3d& u
   std::vector<Eigen::Vector3d> directions;
   const Eigen::Matrix3d& R = body.X_CQ.linear();
   if (body.profile == Body::Profile::kEllipse) {
-    constexpr int kSpiral = 60;
+    constexpr int kSpiral = 110;
     for (int i = 0; i < kSpiral; ++i) {
       const double z = (i + 0.5) / kSpiral, r = std::sqrt(1.0 - z * z);
       const double t = i * kPi * (3.0 - std::sqrt(5.0));
       directions.push_back(R * Eigen::Vector3d(r * std::cos(t), r * std::sin(t), z));
     }
   } else {
-    constexpr int kAround = 12;
+    constexpr int kAround = 16;
     for (int k = 0; k < kAround; ++k) {
       const double t = kPi * k / kAround;
       for (const double tilt : {0.0, -0.2, 0.2, -0.4, 0.4}) {
@@ -105,7 +105,7 @@ class Search {
         const Eigen::Vector3d at_G = p_G + beside * Eigen::Vector3d::UnitX();
         const std::optional<PadMeeting> met = meeter_.at(R_GC.transpose() * at_G);
         if (!met || met->line.width < gripper_.min_opening || met->friction > friction_) continue;
-        rated_.push_back({{met->line, approach_C}, prior - met->friction});
+        rated_.push_back({{met->line, approach_C}, prior - 2.0 * met->friction});
       }
     }
   }
@@ -144,7 +144,7 @@ std::vector<TipHold> tip_holds(const Body& body, const Gripper& gripper, const A
   Search search(body, gripper, friction);
   for (const Eigen::Vector3d& d : closings(body, space.up_C)) {
     const Eigen::Vector3d first = d.unitOrthogonal(), second = d.cross(first);
-    constexpr int kDirections = 18;
+    constexpr int kDirections = 24;
     const double across = 0.5 * (1.0 - std::abs(d.dot(space.view_C)));
     for (int k = 0; k < kDirections; ++k) {
       const double t = 2.0 * kPi * k / kDirections;
