@@ -12,6 +12,10 @@ namespace {
 // How far from the outermost point the contact may be in truth [m].
 constexpr double kDoubt = 0.0015;
 
+// Where a body ends is known no better [m]: there a pad that leans out beyond the end may meet its
+// edge in truth. That is more than so much askew.
+constexpr double kNearEnd = 0.005, kAskew = 0.1;
+
 // From the tip to the back of a finger, along the approach.
 std::array<double, 8> rows(const Gripper& gripper) {
   const double tip = gripper.finger_front, back = tip - gripper.finger.z();
@@ -77,6 +81,19 @@ bool PadMeeter::add_chord(const Eigen::Vector3d& q_Q) {
   return t1 - t0 <= gripper_.max_opening;
 }
 
+bool PadMeeter::on_edge(const ContactLine& line) const {
+  if (body_.profile == Body::Profile::kEllipse) return false;
+  for (int i = 0; i < 2; ++i) {
+    const double z = (body_.X_CQ.inverse() * line.contacts_C[i]).z();
+    const double out = i == 0 ? y_Q_.z() : -y_Q_.z();
+    if ((out > kAskew && z > body_.z_max - kNearEnd) ||
+        (out < -kAskew && z < body_.z_min + kNearEnd)) {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::optional<PadMeeting> PadMeeter::at(const Eigen::Vector3d& p_C) {
   for (Side& side : sides_) side.clear();
   if (curvature_ < 1e-9 * quadric_.M.maxCoeff()) return std::nullopt;
@@ -100,6 +117,7 @@ std::optional<PadMeeting> PadMeeter::at(const Eigen::Vector3d& p_C) {
     line.normals_C[i] = c->normals_C[i];
     line.std = std::max(line.std, c->std);
   }
+  if (on_edge(line)) return std::nullopt;
   line.closing_C = y_C_;
   line.width = line.opening = out[0] + out[1];
   line.centre_C = p_C + 0.5 * (out[0] - out[1]) * y_C_;

@@ -28,7 +28,7 @@ class PadMeeter {
   /// From now on for a hand that closes along y and comes along z, unit vectors in frame C.
   void turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C);
   /// For a hand whose origin is moved along its closing direction from p_C. Nullopt if the fingers
-  /// do not meet the body, or meet more than they open.
+  /// do not meet the body, meet more than they open, or meet the edge of one of its ends.
   std::optional<PadMeeting> at(const Eigen::Vector3d& p_C);
 
  private:
@@ -39,6 +39,7 @@ class PadMeeter {
   };
   using Side = std::vector<Place>;
 
+  bool on_edge(const ContactLine& line) const;
   bool add_chord(const Eigen::Vector3d& q_Q);
 
   const Body& body_;

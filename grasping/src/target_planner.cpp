@@ -20,8 +20,8 @@ const double kAlike = std::cos(20.0 * 3.14159265358979323846 / 180.0);
 // A contact close to slipping in the model slips in truth: normals are known to a few degrees.
 constexpr double kFrictionShare = 0.85;
 // Holds by the tips are exact: their normals are those of the very place.
-constexpr double kTipFrictionShare = 0.92;
-constexpr std::size_t kMostTipHolds = 4;
+constexpr double kTipFrictionShare = 0.9;
+constexpr std::size_t kMostTipHolds = 8;
 // Standard deviations of a pad's distance to keep from the target: 95 % of truths.
 constexpr double kSigmas = 2.0;
 // But no more than this [m]: what one view tells little of is seldom as wrong as it may be.

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <numbers>
 #include <optional>
+#include <tuple>
 
 #include "pad_meeting.hpp"
 
@@ -75,8 +76,12 @@ std::vector<Eigen::Vector3d> closings(const Body& body, const Eigen::Vector3d& u
 
 struct Rated {
   TipHold hold;
+  int band;
   double prior;
 };
+
+// Steps of friction: what needs less comes first, whatever else it is.
+int band(double friction) { return static_cast<int>(friction / 0.1); }
 
 // The holds on one body.
 class Search {
@@ -105,19 +110,25 @@ class Search {
         const Eigen::Vector3d at_G = p_G + beside * Eigen::Vector3d::UnitX();
         const std::optional<PadMeeting> met = meeter_.at(R_GC.transpose() * at_G);
         if (!met || met->line.width < gripper_.min_opening || met->friction > friction_) continue;
-        rated_.push_back({{met->line, approach_C}, prior - 2.0 * met->friction});
+        const double value = prior - 2.0 * met->friction;
+        rated_.push_back({{met->line, approach_C}, std::max(2, band(met->friction)), value});
       }
     }
   }
 
-  // Every kStride-th of the ranking first, then those between.
+  // Band by band; of each every kStride-th of the ranking first, then those between.
   std::vector<TipHold> spread_out() {
-    std::stable_sort(rated_.begin(), rated_.end(),
-                     [](const Rated& a, const Rated& b) { return a.prior > b.prior; });
+    constexpr std::ptrdiff_t kStride = 16;
+    std::stable_sort(rated_.begin(), rated_.end(), [](const Rated& a, const Rated& b) {
+      return std::tuple(a.band, -a.prior) < std::tuple(b.band, -b.prior);
+    });
     std::vector<TipHold> holds;
-    constexpr std::size_t kStride = 16;
-    for (std::size_t start = 0; start < kStride; ++start) {
-      for (std::size_t n = start; n < rated_.size(); n += kStride) holds.push_back(rated_[n].hold);
+    for (auto first = rated_.begin(), last = first; first != rated_.end(); first = last) {
+      last = std::find_if(first, rated_.end(),
+                          [&](const Rated& other) { return other.band != first->band; });
+      for (std::ptrdiff_t start = 0; start < kStride; ++start) {
+        for (auto n = start; n < last - first; n += kStride) holds.push_back(first[n].hold);
+      }
     }
     return holds;
   }
