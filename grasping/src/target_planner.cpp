@@ -12,7 +12,7 @@ namespace quadrille {
 namespace {
 
 // Effort per target. The candidates come best first, so more of it finds little.
-constexpr int kMostChecks = 16000;
+constexpr int kMostChecks = 4000;
 constexpr std::size_t kMostAccepted = 12;
 // Grasps nearer than this to an accepted one add nothing.
 constexpr double kNearby = 0.012;
@@ -103,7 +103,7 @@ void TargetPlanner::try_tips(const ApproachSpace& space, std::map<std::string, i
   checks_ = 0;
   by_tips_ = true;
   const double friction = kTipFrictionShare * options_.friction;
-  for (const TipHold& hold : tip_holds(target_.body, gripper_, space, friction)) {
+  for (const TipHold& hold : tip_holds(target_.body, gripper_, space, scene_.planes, friction)) {
     if (checks_ >= kMostChecks || accepted_.size() >= kMostTipHolds) break;
     if (resembles_accepted(hold.line, hold.approach_C) || !fits(hold.line, rejected)) continue;
     if (!contradicted(hold.line)) try_depth(hold.line, hold.approach_C, 0.0, rejected);

@@ -24,6 +24,8 @@ constexpr double kEdge = 0.0012;
 
 // The tips may end as far beyond the body [m].
 constexpr double kBelow = 0.005;
+// The closing may lift the hand by as much [m].
+constexpr double kSunk = 0.005;
 // What lies so near to the body's nearest point tells where its middle is [m].
 constexpr double kLeastReached = 0.01;
 
@@ -86,14 +88,20 @@ int band(double friction) { return static_cast<int>(friction / 0.1); }
 // The holds on one body.
 class Search {
  public:
-  Search(const Body& body, const Gripper& gripper, double friction)
-      : gripper_(gripper), friction_(friction), points_(surface(body)), meeter_(body, gripper) {}
+  Search(const Body& body, const Gripper& gripper, const std::vector<SupportPlane>& planes,
+         double friction)
+      : gripper_(gripper),
+        planes_(planes),
+        friction_(friction),
+        points_(surface(body)),
+        meeter_(body, gripper) {}
 
   // All depths and places of one orientation of the hand.
   void add(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C, double prior) {
     meeter_.turn(closing_C, approach_C);
-    Eigen::Matrix3d R_GC;
-    R_GC << closing_C.cross(approach_C).transpose(), closing_C.transpose(), approach_C.transpose();
+    Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
+    X_CG.linear() << closing_C.cross(approach_C), closing_C, approach_C;
+    const Eigen::Matrix3d R_GC = X_CG.linear().transpose();
     const Eigen::Matrix3Xd points_G = R_GC * points_;
     const double nearest = points_G.row(2).minCoeff(), farthest = points_G.row(2).maxCoeff();
     for (const double dip : kDips) {
@@ -107,8 +115,9 @@ class Search {
       Eigen::Vector3d p_G = reached_G.center();
       p_G.z() = nearest + dip - gripper_.finger_front;
       for (const double beside : places(reached_G.sizes().x())) {
-        const Eigen::Vector3d at_G = p_G + beside * Eigen::Vector3d::UnitX();
-        const std::optional<PadMeeting> met = meeter_.at(R_GC.transpose() * at_G);
+        X_CG.translation() = X_CG.linear() * (p_G + beside * Eigen::Vector3d::UnitX());
+        if (sinks(X_CG)) continue;
+        const std::optional<PadMeeting> met = meeter_.at(X_CG.translation());
         if (!met || met->line.width < gripper_.min_opening || met->friction > friction_) continue;
         const double value = prior - 2.0 * met->friction;
         rated_.push_back({{met->line, approach_C}, std::max(2, band(met->friction)), value});
@@ -134,6 +143,20 @@ class Search {
   }
 
  private:
+  // True if the closed hand's fingers or palm lie below a plane, wherever along y it ends up.
+  bool sinks(const Eigen::Isometry3d& X_CG) const {
+    const double front = gripper_.finger_front, back = front - gripper_.finger.z();
+    const Eigen::Vector3d palm(0.5 * gripper_.palm.x(), 0.5 * gripper_.palm.y(), 0.0);
+    const double x = 0.5 * gripper_.finger.x(), y = gripper_.finger.y();
+    const OrientedBox fingers = box_between(X_CG, {-x, -y, back}, {x, y, front});
+    const OrientedBox behind =
+        box_between(X_CG, -palm - Eigen::Vector3d(0, 0, gripper_.palm.z() - back),
+                    palm + Eigen::Vector3d(0, 0, back));
+    return std::any_of(planes_.begin(), planes_.end(), [&](const SupportPlane& plane) {
+      return plane.meets(fingers, -kSunk) || plane.meets(behind, -kSunk);
+    });
+  }
+
   static std::vector<double> places(double breadth) {
     std::vector<double> places(std::begin(kNear), std::end(kNear));
     for (const double share : kBeside) places.push_back(0.5 * share * breadth);
@@ -141,6 +164,7 @@ class Search {
   }
 
   const Gripper& gripper_;
+  const std::vector<SupportPlane>& planes_;
   double friction_;
   Eigen::Matrix3Xd points_;
   PadMeeter meeter_;
@@ -150,9 +174,9 @@ class Search {
 }  // namespace
 
 std::vector<TipHold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
-                               double friction) {
+                               const std::vector<SupportPlane>& planes, double friction) {
   if (body.profile == Body::Profile::kBox) return {};
-  Search search(body, gripper, friction);
+  Search search(body, gripper, planes, friction);
   for (const Eigen::Vector3d& d : closings(body, space.up_C)) {
     const Eigen::Vector3d first = d.unitOrthogonal(), second = d.cross(first);
     constexpr int kDirections = 24;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "quadrille/grasping/candidates.hpp"
+#include "quadrille/grasping/collision.hpp"
 
 namespace quadrille {
 
@@ -19,8 +20,9 @@ struct TipHold {
 /// where the body is widest within their faces, found on a grid of chords. They are many, and
 /// seldom as good as those across the middle of a body: a search for where these are blocked. The
 /// most promising come first, in passes of unlike ones; always the same order for the same input.
+/// @param planes    holds far below one of these are left out
 /// @param friction  largest friction coefficient that a hold may need
 std::vector<TipHold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
-                               double friction);
+                               const std::vector<SupportPlane>& planes, double friction);
 
 }  // namespace quadrille
