@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <array>
 #include <optional>
-#include <vector>
 
 #include "diagonal_quadric.hpp"
 #include "quadrille/grasping/contact_line.hpp"
@@ -32,23 +31,24 @@ class PadMeeter {
   std::optional<PadMeeting> at(const Eigen::Vector3d& p_C);
 
  private:
-  // A place on one side of the body: how far out, the cosine of its lean, on which chord.
-  struct Place {
-    double out = 0.0, cosine = 1.0;
-    Eigen::Vector3d on_Q;
-  };
-  using Side = std::vector<Place>;
+  static constexpr int kRows = 8, kColumns = 5, kChords = kRows * kColumns;
+  using Chords = Eigen::Array<float, kChords, 1>;
 
   bool on_edge(const ContactLine& line) const;
-  bool add_chord(const Eigen::Vector3d& q_Q);
+  bool cross(const Eigen::Vector3d& p_Q);
+  double lean(int side, double most, const Eigen::Vector3d& p_Q) const;
 
   const Body& body_;
   const Gripper& gripper_;
   DiagonalQuadric quadric_;
-  Eigen::Vector3d y_C_, x_Q_, y_Q_, z_Q_;
-  // yᵀMy: a chord lies inside between its ends if this is positive.
+  Eigen::Vector3d y_C_, y_Q_;
+  // Where the chords lie from the origin of G, with wᵀMw and wᵀMy of each such w, and yᵀMy: a chord
+  // lies inside between its ends if this is positive.
+  Eigen::Matrix<double, 3, kChords> from_origin_Q_;
+  Chords square_, product_;
   double curvature_ = 0.0;
-  std::array<Side, 2> sides_;
+  // How far out the ends of each chord lie on either side; far within if it meets no surface.
+  std::array<Chords, 2> out_;
 };
 
 }  // namespace quadrille
