@@ -156,8 +156,16 @@ void DepthView::fill_holes() {
   }
 }
 
+std::vector<float> DepthView::surface() const {
+  std::vector<float> depth = depth_;
+  for (std::size_t n = 0; n < depth.size(); ++n) {
+    if (depth[n] == 0.0F || filled_[n]) depth[n] = std::numeric_limits<float>::infinity();
+  }
+  return depth;
+}
+
 void DepthView::build_levels() {
-  levels_.push_back({width_, height_, depth_, depth_});
+  levels_.push_back({width_, height_, depth_, depth_, surface()});
   while (levels_.back().width > 1 || levels_.back().height > 1) {
     const Level& fine = levels_.back();
     Level coarse;
@@ -165,6 +173,7 @@ void DepthView::build_levels() {
     coarse.height = (fine.height + 1) / 2;
     coarse.near.resize(static_cast<std::size_t>(coarse.width) * coarse.height);
     coarse.far.resize(coarse.near.size());
+    coarse.surface.resize(coarse.near.size());
     for (int v = 0; v < coarse.height; ++v) {
       const std::size_t row0 = static_cast<std::size_t>(2 * v) * fine.width;
       const std::size_t row1 =
@@ -176,6 +185,8 @@ void DepthView::build_levels() {
                                    std::min(fine.near[row1 + u0], fine.near[row1 + u1]));
         coarse.far[at] = std::max(std::max(fine.far[row0 + u0], fine.far[row0 + u1]),
                                   std::max(fine.far[row1 + u0], fine.far[row1 + u1]));
+        coarse.surface[at] = std::min(std::min(fine.surface[row0 + u0], fine.surface[row0 + u1]),
+                                      std::min(fine.surface[row1 + u0], fine.surface[row1 + u1]));
       }
     }
     levels_.push_back(std::move(coarse));
@@ -264,15 +275,19 @@ std::array<DepthRange, 8> DepthView::ranges(const EightPoints& p_V,
   return result;
 }
 
+// The level on which a region is at most two pixels wide and high, one pixel being 0 across.
+int DepthView::level_of(int across_u, int across_v) const {
+  const auto wide = static_cast<unsigned>(std::max(across_u, across_v));
+  return std::min(wide < 2 ? 0 : static_cast<int>(std::bit_width(wide - 1)),
+                  static_cast<int>(levels_.size()) - 1);
+}
+
 DepthRange DepthView::range(const Span& s) const {
   if (s.u1 < 0 || s.v1 < 0 || s.u0 >= width_ || s.v0 >= height_) return {0.0, 0.0};
   const bool cut = s.u0 < 0 || s.v0 < 0 || s.u1 >= width_ || s.v1 >= height_;
   const int u0 = std::max(s.u0, 0), u1 = std::min(s.u1, width_ - 1);
   const int v0 = std::max(s.v0, 0), v1 = std::min(s.v1, height_ - 1);
-  // The level on which these are at most two pixels along either side.
-  const auto wide = static_cast<unsigned>(std::max(u1 - u0, v1 - v0));
-  const int k = std::min(wide < 2 ? 0 : static_cast<int>(std::bit_width(wide - 1)),
-                         static_cast<int>(levels_.size()) - 1);
+  const int k = level_of(u1 - u0, v1 - v0);
   const Level& level = levels_[k];
   float near = std::numeric_limits<float>::max(), far = 0.0F;
   for (int v = v0 >> k; v <= v1 >> k; ++v) {
@@ -289,11 +304,31 @@ bool DepthView::sees_past(const Eigen::Vector3d& centre_C, double half) const {
   return all_blockers(centre_C, half, [](int, int, double) { return false; });
 }
 
+double DepthView::nearest_surface(const Span& s) const {
+  const int u0 = std::max(s.u0, 0), u1 = std::min(s.u1, width_ - 1);
+  const int v0 = std::max(s.v0, 0), v1 = std::min(s.v1, height_ - 1);
+  float nearest = std::numeric_limits<float>::infinity();
+  if (u0 > u1 || v0 > v1) return nearest;
+  const int k = level_of(u1 - u0, v1 - v0);
+  const Level& level = levels_[k];
+  for (int v = v0 >> k; v <= v1 >> k; ++v) {
+    for (int u = u0 >> k; u <= u1 >> k; ++u) {
+      nearest = std::min(nearest, level.surface[static_cast<std::size_t>(v) * level.width + u]);
+    }
+  }
+  return nearest;
+}
+
+double DepthView::nearest_surface(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const {
+  return p_V.z() - reach.z() < kNearest ? 0.0 : nearest_surface(span(p_V, reach));
+}
+
 bool DepthView::meets_surface(const Eigen::Vector3d& centre_C, double half) const {
   const Eigen::Vector3d p_V = to_view(centre_C), around = reach(half);
   if (p_V.z() - around.z() < kNearest) return false;
-  const DepthRange depths = range(span(p_V, around));
-  if (depths.far == 0.0 || depths.near > p_V.z() + around.z()) return false;
+  const Eigen::Vector2i uv = pixel(p_V);
+  if (measured(uv.x(), uv.y()) && depth(uv.x(), uv.y()) <= p_V.z()) return true;
+  if (nearest_surface(span(p_V, around)) > p_V.z() + around.z()) return false;
   return !all_blockers(centre_C, half, [&](int u, int v, double) { return !measured(u, v); });
 }
 
