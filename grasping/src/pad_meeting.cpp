@@ -54,6 +54,20 @@ void PadMeeter::turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& ap
   square_ = (quadric_.M.transpose() * from_origin_Q_.cwiseAbs2()).transpose().cast<float>().array();
 }
 
+// True if the hand does not open as far as one chord is long.
+bool PadMeeter::too_wide(const Eigen::Vector3d& q_Q) const {
+  const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(q_Q) + 0.5 * quadric_.g;
+  const double B = half_gradient.dot(y_Q_);
+  const double C = q_Q.dot(half_gradient) + 0.5 * quadric_.g.dot(q_Q) + quadric_.k;
+  const double half = 0.5 * gripper_.max_opening * curvature_;
+  const double D = B * B - curvature_ * C;
+  if (D <= half * half) return false;
+  const double root = std::sqrt(D);
+  const double z0 = q_Q.z() - (B + root) / curvature_ * y_Q_.z();
+  const double z1 = q_Q.z() - (B - root) / curvature_ * y_Q_.z();
+  return std::min(z0, z1) >= body_.z_min && std::max(z0, z1) <= body_.z_max;
+}
+
 // The chords' ends, from the roots t of At² + 2Bt + C of q + t·y; false if none has any.
 bool PadMeeter::cross(const Eigen::Vector3d& p_Q) {
   const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(p_Q) + 0.5 * quadric_.g;
@@ -109,6 +123,10 @@ bool PadMeeter::on_edge(const ContactLine& line) const {
 std::optional<PadMeeting> PadMeeter::at(const Eigen::Vector3d& p_C) {
   if (curvature_ < 1e-9 * quadric_.M.maxCoeff()) return std::nullopt;
   const Eigen::Vector3d p_Q = body_.X_CQ.inverse() * p_C;
+  // Most that are too wide are so here, which is soon found.
+  for (const int n : {0, kColumns}) {
+    if (too_wide(p_Q + from_origin_Q_.col(n))) return std::nullopt;
+  }
   if (!cross(p_Q)) return std::nullopt;
   std::array<int, 2> at;
   const std::array<double, 2> out = {out_[0].maxCoeff(&at[0]), out_[1].maxCoeff(&at[1])};

@@ -35,6 +35,7 @@ class PadMeeter {
   using Chords = Eigen::Array<float, kChords, 1>;
 
   bool on_edge(const ContactLine& line) const;
+  bool too_wide(const Eigen::Vector3d& q_Q) const;
   bool cross(const Eigen::Vector3d& p_Q);
   double lean(int side, double most, const Eigen::Vector3d& p_Q) const;
 

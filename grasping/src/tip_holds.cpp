@@ -62,6 +62,8 @@ std::vector<Eigen::Vector3d> closings(const Body& body, const Eigen::Vector3d& u
     for (int k = 0; k < kAround; ++k) {
       const double t = kPi * k / kAround;
       for (const double tilt : {0.0, -0.2, 0.2, -0.4, 0.4}) {
+        // Askew, straight sides lean by as much.
+        if (body.profile == Body::Profile::kConstant && std::abs(tilt) > 0.3) continue;
         directions.push_back(R * Eigen::Vector3d(std::cos(t), std::sin(t), tilt).normalized());
       }
     }
