@@ -222,8 +222,8 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, int i, int j, i
 }
 
 // True if the box overlaps an eighth of the cube that the view, to within a margin, did not see
-// through; if so these are divided in turn, up to a depth. Of what lies between its rays it tells nothing: parts are looked at only where they are
-// larger than that.
+// through; if so these are divided in turn, up to a depth. Of what lies between its rays it tells
+// nothing: parts are looked at only where they are larger than that.
 bool ObstacleMap::enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half,
                                 int depth, double margin) const {
   const double h = 0.5 * half;

@@ -5,7 +5,6 @@
 
 #include "closing.hpp"
 #include "quadrille/grasping/quality.hpp"
-#include "tip_holds.hpp"
 
 namespace quadrille {
 
@@ -101,13 +100,16 @@ std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C,
 // Where nothing better is to be had.
 void TargetPlanner::try_tips(const ApproachSpace& space, std::map<std::string, int>& rejected) {
   checks_ = 0;
-  by_tips_ = true;
   const double friction = kTipFrictionShare * options_.friction;
-  for (const TipHold& hold : tip_holds(target_.body, gripper_, space, scene_.planes, friction)) {
+  const std::vector<TipHold> holds =
+      tip_holds(target_.body, gripper_, space, scene_.planes, friction);
+  for (const TipHold& hold : holds) {
     if (checks_ >= kMostChecks || accepted_.size() >= kMostTipHolds) break;
     if (resembles_accepted(hold.line, hold.approach_C) || !fits(hold.line, rejected)) continue;
+    by_tips_ = &hold;
     if (!contradicted(hold.line)) try_depth(hold.line, hold.approach_C, 0.0, rejected);
   }
+  by_tips_ = nullptr;
 }
 
 // False, and counted, if the hand does not open as far or close as far.
@@ -274,7 +276,7 @@ Grasp TargetPlanner::describe(const ContactLine& line, const Eigen::Isometry3d& 
   grasp.preshape = preshape;
   grasp.contacts_C = line.contacts_C;
   grasp.approach = options_.approach;
-  grasp.friction_needed = friction_needed(line);
+  grasp.friction_needed = by_tips_ ? by_tips_->friction : friction_needed(line);
   rate(grasp, line);
   return grasp;
 }

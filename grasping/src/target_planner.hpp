@@ -9,6 +9,7 @@
 #include "quadrille/grasping/collision.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "quadrille/grasping/rim.hpp"
+#include "tip_holds.hpp"
 
 namespace quadrille {
 
@@ -72,8 +73,8 @@ class TargetPlanner {
   const CollisionScene& scene_;
   // Across a wall, whose thickness is not known, and no longer than the pads.
   bool at_rim_ = false;
-  // Contacts are where the pads meet the body, their edges included.
-  bool by_tips_ = false;
+  // The hold that is being tried: its contacts are where pads meet the body, edges included.
+  const TipHold* by_tips_ = nullptr;
   int checks_ = 0;
   std::vector<Grasp> accepted_;
 };

@@ -122,7 +122,8 @@ class Search {
         const std::optional<PadMeeting> met = meeter_.at(X_CG.translation());
         if (!met || met->line.width < gripper_.min_opening || met->friction > friction_) continue;
         const double value = prior - 2.0 * met->friction;
-        rated_.push_back({{met->line, approach_C}, std::max(2, band(met->friction)), value});
+        rated_.push_back(
+            {{met->line, approach_C, met->friction}, std::max(2, band(met->friction)), value});
       }
     }
   }

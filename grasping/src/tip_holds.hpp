@@ -13,6 +13,8 @@ struct TipHold {
   /// Its centre is the origin of the grasp frame.
   ContactLine line;
   Eigen::Vector3d approach_C;
+  /// The friction coefficient that it needs.
+  double friction;
 };
 
 /// Holds by the tips, wherever these reach: at an end, beside the widest part, askew. Each is what

@@ -71,8 +71,8 @@ class ObstacleMap {
     return corner_ + resolution_ * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
   }
   std::uint8_t descend(const Query& query, int level, int i, int j, int k) const;
-  bool enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half,
-                     int depth, double margin) const;
+  bool enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half, int depth,
+                     double margin) const;
   void clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
                    const Cone& cone, const Eigen::Vector3i& first);
   void refresh(const Range& range);
