@@ -140,7 +140,9 @@ void end_cone(Body& body) {
     (body.z_max > -body.z_min ? body.z_min : body.z_max) = 0.0;
   }
   double& narrow = body.z_max <= 0.0 ? body.z_max : body.z_min;
-  if (std::max(body.a, body.b) * std::abs(narrow) < kTip) narrow = 0.0;
+  if (std::max(body.a, body.b) * std::abs(narrow) >= kTip) return;
+  body.beyond = std::abs(narrow);
+  narrow = 0.0;
 }
 
 bool sound(const Body& body) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "diagonal_quadric.hpp"
+#include "quadrille/grasping/diagonal_quadric.hpp"
 
 namespace quadrille {
 

@@ -1,4 +1,4 @@
-#include "diagonal_quadric.hpp"
+#include "quadrille/grasping/diagonal_quadric.hpp"
 
 namespace quadrille {
 

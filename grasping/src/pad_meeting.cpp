@@ -1,4 +1,4 @@
-#include "pad_meeting.hpp"
+#include "quadrille/grasping/pad_meeting.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -9,7 +9,7 @@
 #include "quadrille/grasping/collision.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "quadrille/grasping/rim.hpp"
-#include "tip_holds.hpp"
+#include "quadrille/grasping/tip_holds.hpp"
 
 namespace quadrille {
 

@@ -1,4 +1,4 @@
-#include "tip_holds.hpp"
+#include "quadrille/grasping/tip_holds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <optional>
 #include <tuple>
 
-#include "pad_meeting.hpp"
+#include "quadrille/grasping/pad_meeting.hpp"
 
 namespace quadrille {
 

@@ -4,8 +4,8 @@
 #include <array>
 #include <optional>
 
-#include "diagonal_quadric.hpp"
 #include "quadrille/grasping/contact_line.hpp"
+#include "quadrille/grasping/diagonal_quadric.hpp"
 
 namespace quadrille {
 
