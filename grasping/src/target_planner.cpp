@@ -18,18 +18,12 @@ constexpr double kNearby = 0.012;
 const double kAlike = std::cos(20.0 * 3.14159265358979323846 / 180.0);
 // A contact close to slipping in the model slips in truth: normals are known to a few degrees.
 constexpr double kFrictionShare = 0.85;
-// Holds by the tips are exact: their normals are those of the very place.
-constexpr double kTipFrictionShare = 0.9;
-constexpr std::size_t kMostTipHolds = 8;
 // Standard deviations of a pad's distance to keep from the target: 95 % of truths.
 constexpr double kSigmas = 2.0;
 // But no more than this [m]: what one view tells little of is seldom as wrong as it may be.
 constexpr double kMostDoubt = 0.004;
 // The least share of a body's greatest width that friction lets the tips hold it at.
 constexpr double kBeside = 0.88;
-// How far the tips reach beyond a contact that only they hold [m].
-constexpr double kTipBeyond = 0.003;
-
 std::string reason(Obstruction what) {
   switch (what) {
     case Obstruction::kSupport:
@@ -95,21 +89,6 @@ std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C,
     try_rim(lines[candidate.line], candidate, rejected);
   }
   return std::move(accepted_);
-}
-
-// Where nothing better is to be had.
-void TargetPlanner::try_tips(const ApproachSpace& space, std::map<std::string, int>& rejected) {
-  checks_ = 0;
-  const double friction = kTipFrictionShare * options_.friction;
-  const std::vector<TipHold> holds =
-      tip_holds(target_.body, gripper_, space, scene_.planes, friction);
-  for (const TipHold& hold : holds) {
-    if (checks_ >= kMostChecks || accepted_.size() >= kMostTipHolds) break;
-    if (resembles_accepted(hold.line, hold.approach_C) || !fits(hold.line, rejected)) continue;
-    by_tips_ = &hold;
-    if (!contradicted(hold.line)) try_depth(hold.line, hold.approach_C, 0.0, rejected);
-  }
-  by_tips_ = nullptr;
 }
 
 // False, and counted, if the hand does not open as far or close as far.
@@ -237,32 +216,6 @@ bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& ap
     }
     refuse(*what);
     if (*what == Obstruction::kSupport) return false;  // another opening does not help
-  }
-  return false;
-}
-
-// The widest part that the tips pass if they hold the body `off` before the line.
-double TargetPlanner::passed_by_tips(const ContactLine& line, double off,
-                                     const Eigen::Vector3d& approach_C) const {
-  if (off <= kTipBeyond) return line.opening;
-  const Eigen::Vector3d tips_C = line.centre_C - (off - kTipBeyond) * approach_C;
-  const std::optional<ContactLine> passed = chord(target_.body, tips_C, line.closing_C);
-  return passed ? passed->width : line.opening;
-}
-
-// Above the widest part, with the tips: what lies low, or in front of unseen space, can still be
-// held as far as friction allows.
-bool TargetPlanner::try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
-                               std::map<std::string, int>& rejected) {
-  const double depth = kTipBeyond - gripper_.finger_front;
-  for (const double share : {0.2, 0.36, 0.1, 0.28}) {
-    const double off = 0.5 * share * line.width;
-    const Eigen::Vector3d p_C = line.centre_C - off * approach_C;
-    std::optional<ContactLine> beside = chord(target_.body, p_C, line.closing_C);
-    if (!beside || lopsided(*beside, approach_C)) continue;
-    beside->opening = std::max(beside->width, passed_by_tips(line, off, approach_C));
-    beside->std = line.std;
-    if (usable(*beside, rejected) && try_depth(*beside, approach_C, depth, rejected)) return true;
   }
   return false;
 }
