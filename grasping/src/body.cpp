@@ -12,6 +12,9 @@ using Profile = Body::Profile;
 // What is known no better than this is not known at all; more would only be refused as well [m].
 constexpr double kMostStd = 0.01;
 
+// Near its tip a thing gives few points: a cone that ends narrower than this ends in its apex [m].
+constexpr double kTip = 0.006;
+
 // Value of the n-th dimension, 0 if it is missing.
 double dimension(const Detection& d, std::size_t n) {
   return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
@@ -130,6 +133,18 @@ bool fill_profile(Body& body, const Detection& d) {
   }
 }
 
+// Both nappes: the seen part lies mostly on one, and may not reach the apex.
+void end_cone(Body& body) {
+  if (body.profile != Profile::kLinear) return;
+  if (body.z_min < 0.0 && body.z_max > 0.0) {
+    (body.z_max > -body.z_min ? body.z_min : body.z_max) = 0.0;
+  }
+  double& narrow = body.z_max <= 0.0 ? body.z_max : body.z_min;
+  if (std::max(body.a, body.b) * std::abs(narrow) >= kTip) return;
+  body.beyond = std::abs(narrow);
+  narrow = 0.0;
+}
+
 bool sound(const Body& body) {
   if (!body.X_CQ.matrix().allFinite()) return false;
   const Eigen::Vector3d size = body.bounds_Q().sizes();
@@ -229,10 +244,7 @@ std::optional<Body> make_body(const Detection& detection, std::string* why) {
   const std::string type(to_string(detection.type));
   if (is_imaginary(detection.type)) return refuse(type + " has no real surface");
   if (!fill_profile(body, detection)) return refuse(type + " bounds no solid");
-  if (body.profile == Profile::kLinear && body.z_min < 0.0 && body.z_max > 0.0) {
-    // Both nappes: the seen part lies mostly on one.
-    (body.z_max > -body.z_min ? body.z_min : body.z_max) = 0.0;
-  }
+  end_cone(body);
   if (!sound(body)) return refuse(type + " has no finite, positive size");
   body.std = deviations(detection, body);
   body.end_std = std::min(end_deviation(detection), kMostStd);

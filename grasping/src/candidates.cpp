@@ -15,12 +15,6 @@ constexpr double kFromView = -0.3, kFromAbove = 0.5, kIntoMouth = 0.7, kUpward =
 // The steepest approach of a line is sampled too if its sine is more than this.
 constexpr double kSteep = 0.5;
 
-bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space) {
-  if (approach.dot(space.up_C) > kUpward) return false;
-  if (!space.into_C.isZero() && approach.dot(space.into_C) < kIntoMouth) return false;
-  return -approach.dot(space.view_C) > kFromView || -approach.dot(space.up_C) > kFromAbove;
-}
-
 double prior(const ContactLine& line, const Eigen::Vector3d& approach, const ApproachSpace& space) {
   const double across = 1.0 - std::abs(line.closing_C.dot(space.view_C));
   const double from = std::max(-approach.dot(space.view_C), -approach.dot(space.up_C));
@@ -43,6 +37,12 @@ std::vector<GraspCandidate> spread_out(const std::vector<GraspCandidate>& best_f
 }
 
 }  // namespace
+
+bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space) {
+  if (approach.dot(space.up_C) > kUpward) return false;
+  if (!space.into_C.isZero() && approach.dot(space.into_C) < kIntoMouth) return false;
+  return -approach.dot(space.view_C) > kFromView || -approach.dot(space.up_C) > kFromAbove;
+}
 
 std::vector<GraspCandidate> sample_approaches(const std::vector<ContactLine>& lines,
                                               const ApproachSpace& space, int& refused) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "quadrille/grasping/diagonal_quadric.hpp"
+
 namespace quadrille {
 
 namespace {
@@ -134,53 +136,20 @@ void add_ellipsoid(const Body& body, const Gripper& gripper, const Eigen::Vector
   }
 }
 
-// The body's quadric x²/a² + y²/b² − s(z)² = xᵀMx + gᵀx + k in frame Q.
-struct Diagonal {
-  Eigen::Vector3d M, g;
-  double k;
-};
-
-Diagonal quadric(const Body& body) {
-  Diagonal q{{1.0 / (body.a * body.a), 1.0 / (body.b * body.b), 0.0}, {0, 0, 0}, -1.0};
-  switch (body.profile) {
-    case Profile::kLinear:
-      q.M.z() = -1.0;
-      q.k = 0.0;
-      break;
-    case Profile::kRoot:
-      q.g.z() = -1.0;
-      q.k = 0.0;
-      break;
-    case Profile::kHyperbola:
-      q.M.z() = -1.0 / (body.c * body.c);
-      break;
-    case Profile::kSheet:
-      q.M.z() = -1.0 / (body.c * body.c);
-      q.k = 1.0;
-      break;
-    case Profile::kEllipse:
-      q.M.z() = 1.0 / (body.c * body.c);
-      break;
-    default:
-      break;
-  }
-  return q;
-}
-
 }  // namespace
 
 std::optional<ContactLine> chord(const Body& body, const Eigen::Vector3d& p_C,
                                  const Eigen::Vector3d& d_C) {
-  if (body.profile == Profile::kBox || !body.contains(p_C)) return std::nullopt;
+  if (body.profile == Profile::kBox) return std::nullopt;
   const Eigen::Vector3d p = body.X_CQ.inverse() * p_C;
   const Eigen::Vector3d d = body.X_CQ.linear().transpose() * d_C;
-  const Diagonal q = quadric(body);
+  const DiagonalQuadric q = quadric_of(body);
   const double A = d.dot(q.M.cwiseProduct(d));
   const double B = d.dot(q.M.cwiseProduct(p)) + 0.5 * q.g.dot(d);
   const double C = p.dot(q.M.cwiseProduct(p)) + q.g.dot(p) + q.k;
   const double D = B * B - A * C;
-  // From inside, C < 0: one root on each side exactly if A > 0.
-  if (A < 1e-9 * q.M.maxCoeff() || C >= 0.0) return std::nullopt;
+  // Between its roots the line lies inside exactly if A > 0.
+  if (A < 1e-9 * q.M.maxCoeff() || D <= 0.0) return std::nullopt;
   const double t0 = (-B - std::sqrt(D)) / A, t1 = (-B + std::sqrt(D)) / A;
   const Eigen::Vector3d low = p + t0 * d, high = p + t1 * d;
   if (std::min(low.z(), high.z()) < body.z_min || std::max(low.z(), high.z()) > body.z_max) {

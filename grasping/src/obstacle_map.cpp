@@ -14,6 +14,10 @@ std::uint8_t merge(std::uint8_t a, std::uint8_t b) {
   return static_cast<std::uint8_t>(((a | b) & 3) | (a & b & 4));
 }
 
+// How much farther than a part of an occupied voxel the view must have seen: points are known no
+// better [m].
+constexpr double kBesidePoints = 0.001;
+
 // A measured point this near to the target's body is the target's [m].
 constexpr double kOnTarget = 0.006;
 
@@ -112,6 +116,7 @@ ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
   map.resolution_ = resolution_;
   map.unknown_blocks_ = unknown_blocks_;
   map.view_ = view_;
+  map.sole_view_ = sole_view_;
   const Eigen::Vector3i low = range.first / kEdge * kEdge;
   const Eigen::Vector3i size = ((range.second.array() + kEdge) / kEdge * kEdge).matrix() - low;
   map.first_ = first_ + low;
@@ -199,10 +204,13 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, int i, int j, i
   const double h = 0.5 * resolution_ * (1 << level);
   const Eigen::Vector3d centre =
       corner_ + 2.0 * h * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
-  const bool refined = view_ != nullptr && flags & kAnyUnknown;
+  const bool refined = view_ != nullptr && flags & (kAnyUnknown | (sole_view_ ? kAnyOccupied : 0));
   if (level == 0 || (flags & kAll && !refined)) {
     if (!query.overlaps(centre, h)) return 0;
-    return flags & kAnyOccupied || !refined || enters_hidden(query, centre) ? flags : 0;
+    if (!refined) return flags;
+    const bool hit = flags & kAnyOccupied ? enters_hidden(query, centre, h, 1, kBesidePoints)
+                                          : enters_hidden(query, centre, h, 2, 0.0);
+    return hit ? flags : 0;
   }
   if (!query.may_overlap(centre, h)) return 0;
   for (int n = 0; n < 8; ++n) {
@@ -213,15 +221,20 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, int i, int j, i
   return 0;
 }
 
-// True if the box overlaps an eighth of the voxel that the view did not see through. Of what lies
-// between its rays it tells nothing: eighths are looked at only where they are larger.
-bool ObstacleMap::enters_hidden(const Query& query, const Eigen::Vector3d& centre) const {
-  const double h = 0.25 * resolution_;
-  if (view_->spacing(view_->to_view(centre).z()) > 2.0 * h) return true;
+// True if the box overlaps an eighth of the cube that the view, to within a margin, did not see
+// through; if so these are divided in turn, up to a depth. Of what lies between its rays it tells
+// nothing: parts are looked at only where they are larger than that.
+bool ObstacleMap::enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half,
+                                int depth, double margin) const {
+  const double h = 0.5 * half;
+  if (depth == 0 || view_->spacing(view_->to_view(centre).z()) > 2.0 * h) return true;
   for (int n = 0; n < 8; ++n) {
     const Eigen::Vector3d eighth =
         centre + h * Eigen::Vector3d((n & 1) ? 1 : -1, (n & 2) ? 1 : -1, (n & 4) ? 1 : -1);
-    if (query.overlaps(eighth, h) && !view_->sees_past(eighth, h)) return true;
+    if (query.overlaps(eighth, h) && !view_->sees_past(eighth, h + margin) &&
+        enters_hidden(query, eighth, h, depth - 1, margin)) {
+      return true;
+    }
   }
   return false;
 }

@@ -224,7 +224,7 @@ class Planner {
   void plan_targets() {
     if (targets_.empty()) return;
     ObstacleMap base(*plan_.space, options_.unknown != UnknownPolicy::kFree);
-    if (view_->valid()) base.refine(*view_);
+    if (view_->valid()) base.refine(*view_, further_.empty());
     const auto keep = [&](const std::vector<Grasp>& grasps) {
       plan_.grasps.insert(plan_.grasps.end(), grasps.begin(), grasps.end());
     };

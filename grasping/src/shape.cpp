@@ -151,7 +151,10 @@ std::vector<CollisionShape> make_pieces(const Body& body) {
   std::vector<CollisionShape> pieces = body.profile == Profile::kHyperbola
                                            ? waisted(body)
                                            : std::vector<CollisionShape>{convex_shape(body)};
-  for (CollisionShape& piece : pieces) piece.geometry->computeLocalAABB();
+  for (CollisionShape& piece : pieces) {
+    piece.excess += body.beyond;
+    piece.geometry->computeLocalAABB();
+  }
   return pieces;
 }
 

@@ -11,7 +11,7 @@ namespace quadrille {
 namespace {
 
 // Effort per target. The candidates come best first, so more of it finds little.
-constexpr int kMostChecks = 16000;
+constexpr int kMostChecks = 4000;
 constexpr std::size_t kMostAccepted = 12;
 // Grasps nearer than this to an accepted one add nothing.
 constexpr double kNearby = 0.012;
@@ -24,9 +24,6 @@ constexpr double kSigmas = 2.0;
 constexpr double kMostDoubt = 0.004;
 // The least share of a body's greatest width that friction lets the tips hold it at.
 constexpr double kBeside = 0.88;
-// How far the tips reach beyond a contact that only they hold [m].
-constexpr double kTipBeyond = 0.003;
-
 std::string reason(Obstruction what) {
   switch (what) {
     case Obstruction::kSupport:
@@ -73,6 +70,7 @@ std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
     if (checks_ >= kMostChecks || accepted_.size() >= kMostAccepted) break;
     try_candidate(lines[candidate.line], candidate, rejected);
   }
+  if (accepted_.empty()) try_tips(space, rejected);
   return std::move(accepted_);
 }
 
@@ -190,7 +188,7 @@ void TargetPlanner::try_rim(const ContactLine& line, const GraspCandidate& candi
 bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C,
                               double depth, std::map<std::string, int>& rejected) {
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
-  if (!on_pads(line, X_CG, gripper_)) {
+  if (!by_tips_ && !on_pads(line, X_CG, gripper_)) {
     ++rejected["friction"];
     return false;
   }
@@ -222,32 +220,6 @@ bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& ap
   return false;
 }
 
-// The widest part that the tips pass if they hold the body `off` before the line.
-double TargetPlanner::passed_by_tips(const ContactLine& line, double off,
-                                     const Eigen::Vector3d& approach_C) const {
-  if (off <= kTipBeyond) return line.opening;
-  const Eigen::Vector3d tips_C = line.centre_C - (off - kTipBeyond) * approach_C;
-  const std::optional<ContactLine> passed = chord(target_.body, tips_C, line.closing_C);
-  return passed ? passed->width : line.opening;
-}
-
-// Above the widest part, with the tips: what lies low, or in front of unseen space, can still be
-// held as far as friction allows.
-bool TargetPlanner::try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
-                               std::map<std::string, int>& rejected) {
-  const double depth = kTipBeyond - gripper_.finger_front;
-  for (const double share : {0.2, 0.36, 0.1, 0.28}) {
-    const double off = 0.5 * share * line.width;
-    const Eigen::Vector3d p_C = line.centre_C - off * approach_C;
-    std::optional<ContactLine> beside = chord(target_.body, p_C, line.closing_C);
-    if (!beside || lopsided(*beside, approach_C)) continue;
-    beside->opening = std::max(beside->width, passed_by_tips(line, off, approach_C));
-    beside->std = line.std;
-    if (usable(*beside, rejected) && try_depth(*beside, approach_C, depth, rejected)) return true;
-  }
-  return false;
-}
-
 Grasp TargetPlanner::describe(const ContactLine& line, const Eigen::Isometry3d& X_CG,
                               double preshape) const {
   Grasp grasp;
@@ -257,7 +229,7 @@ Grasp TargetPlanner::describe(const ContactLine& line, const Eigen::Isometry3d& 
   grasp.preshape = preshape;
   grasp.contacts_C = line.contacts_C;
   grasp.approach = options_.approach;
-  grasp.friction_needed = friction_needed(line);
+  grasp.friction_needed = by_tips_ ? by_tips_->friction : friction_needed(line);
   rate(grasp, line);
   return grasp;
 }

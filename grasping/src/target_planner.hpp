@@ -9,6 +9,7 @@
 #include "quadrille/grasping/collision.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "quadrille/grasping/rim.hpp"
+#include "quadrille/grasping/tip_holds.hpp"
 
 namespace quadrille {
 
@@ -56,6 +57,7 @@ class TargetPlanner {
                  std::map<std::string, int>& rejected);
   bool try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
                   std::map<std::string, int>& rejected);
+  void try_tips(const ApproachSpace& space, std::map<std::string, int>& rejected);
   double passed_by_tips(const ContactLine& line, double off,
                         const Eigen::Vector3d& approach_C) const;
   Grasp describe(const ContactLine& line, const Eigen::Isometry3d& X_CG, double preshape) const;
@@ -71,6 +73,8 @@ class TargetPlanner {
   const CollisionScene& scene_;
   // Across a wall, whose thickness is not known, and no longer than the pads.
   bool at_rim_ = false;
+  // The hold that is being tried: its contacts are where pads meet the body, edges included.
+  const TipHold* by_tips_ = nullptr;
   int checks_ = 0;
   std::vector<Grasp> accepted_;
 };

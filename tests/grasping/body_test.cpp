@@ -68,3 +68,19 @@ TEST_CASE("a width is as uncertain as the semi-axes that its direction goes alon
   d.dimensions[2].std = std::numeric_limits<double>::infinity();
   CHECK(make_body(d).value().width_std(Eigen::Vector3d::UnitZ(), 0.0) == Approx(0.01));
 }
+
+TEST_CASE("a cone that was seen almost to its apex ends in it, a blunt one does not", "[body]") {
+  Detection d;
+  d.type = QuadricType::kCone;
+  d.dimensions = {{"half_angle", 0.25, 0.0}};
+  for (const double side : {1.0, -1.0}) {
+    for (const double top : {0.012, 0.04}) {
+      const Eigen::Vector3d a(-0.02, -0.02, side * top), b(0.02, 0.02, side * 0.1);
+      d.extent_Q = {a.cwiseMin(b), a.cwiseMax(b)};
+      const Body body = make_body(d).value();
+      const double narrow = side > 0.0 ? body.z_min : body.z_max;
+      CHECK(narrow == (top < 0.02 ? 0.0 : side * top));
+      CHECK((side > 0.0 ? body.z_max : body.z_min) == side * 0.1);
+    }
+  }
+}

@@ -48,6 +48,46 @@ TEST_CASE("what hangs over seen space beside the image is free, what a surface h
   CHECK(hidden > 1000);
 }
 
+TEST_CASE("each voxel is cleared exactly if its own pixels and the voxel below allow it",
+          "[occupancy]") {
+  const Scene scene;
+  const Eigen::Vector3d up = table_detection().X_CQ.linear().col(2);
+  const Eigen::AlignedBox3d region(Eigen::Vector3d(-0.3, -0.5, 0.4),
+                                   Eigen::Vector3d(0.3, 0.15, 0.95));
+  OccupancyGrid grid(scene.cloud, scene.view, region, kResolution);
+  std::vector<Voxel> states = grid.states();
+  int axis = 0;
+  const double steepest = up.cwiseAbs().maxCoeff(&axis);
+  const Eigen::Vector3i size = grid.size();
+  const auto shift = [&](int n) -> Eigen::Vector3i {
+    return (n * up / steepest).array().round().cast<int>().matrix();
+  };
+  int looked_at = 0;
+  for (int n = 1; n < size[axis]; ++n) {
+    const Eigen::Vector3i step = shift(n) - shift(n - 1);
+    const int layer = up[axis] > 0.0 ? n : size[axis] - 1 - n;
+    for (int a = 0; a < size[(axis + 1) % 3]; ++a) {
+      for (int b = 0; b < size[(axis + 2) % 3]; ++b) {
+        Eigen::Vector3i at;
+        at[axis] = layer, at[(axis + 1) % 3] = a, at[(axis + 2) % 3] = b;
+        const Eigen::Vector3i under = at - step;
+        if ((under.array() < 0).any() || (under.array() >= size.array()).any()) continue;
+        Voxel& state = states[grid.index(at.x(), at.y(), at.z())];
+        const Voxel below = states[grid.index(under.x(), under.y(), under.z())];
+        if (state != Voxel::kUnknown) continue;
+        if (below != Voxel::kFree && below != Voxel::kClear) continue;
+        ++looked_at;
+        if (!scene.view.meets_surface(grid.centre(at.x(), at.y(), at.z()), 0.5 * kResolution)) {
+          state = Voxel::kClear;
+        }
+      }
+    }
+  }
+  grid.clear_above(scene.view, up);
+  CHECK(looked_at > 10000);
+  CHECK((grid.states() == states));
+}
+
 TEST_CASE("what stands over unknown or occupied space stays unknown", "[occupancy]") {
   const Scene scene;
   // All of it beside the image: nothing below it was seen.

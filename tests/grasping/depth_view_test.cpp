@@ -115,3 +115,40 @@ TEST_CASE("what stands before a thing hides it, and only what holds() says is to
   CHECK(scene.view.sees_past(before, 0.002));
   CHECK_FALSE(scene.view.hidden_only_by(before, 0.002, on_ball));
 }
+
+TEST_CASE("the nearest surface is the least depth that was measured around a box", "[view]") {
+  const Scene scene;
+  const DepthView& view = scene.view;
+  std::mt19937 random(17);
+  int none = 0, some = 0, met = 0;
+  for (int n = 0; n < 600; ++n) {
+    const Eigen::Vector3d p_C =
+        random_point(random, {Eigen::Vector3d(-0.6, -0.6, 0.2), Eigen::Vector3d(0.6, 0.6, 1.4)});
+    const double half = 0.002 + 0.00005 * n;
+    const Eigen::Vector3d p_V = view.to_view(p_C), reach = view.reach(half);
+    const double nearest = view.nearest_surface(p_V, reach);
+    double least = std::numeric_limits<double>::infinity();
+    bool meets = false;
+    for (int v = 0; v < view.height(); ++v) {
+      for (int u = 0; u < view.width(); ++u) {
+        const double z = view.depth(u, v);
+        const Eigen::Vector3d ray = view.ray_C(u, v);
+        const Eigen::Array3d t0 = (p_C.array() - half) / ray.array();
+        const Eigen::Array3d t1 = (p_C.array() + half) / ray.array();
+        const double enter = t0.min(t1).maxCoeff(), leave = t0.max(t1).minCoeff();
+        if (z == 0.0 || enter > leave) continue;
+        least = std::min(least, z);
+        meets |= z <= leave;
+      }
+    }
+    REQUIRE(nearest <= least);
+    if (meets) REQUIRE(nearest <= p_V.z() + reach.z());
+    if (meets) REQUIRE(view.meets_surface(p_C, half));
+    none += std::isinf(nearest);
+    some += nearest > p_V.z() + reach.z() && std::isfinite(nearest);
+    met += meets;
+  }
+  CHECK(none > 100);
+  CHECK(some > 10);
+  CHECK(met > 100);
+}

@@ -227,37 +227,48 @@ TEST_CASE("carving frees the target and keeps what is asked for", "[occupancy][c
   CHECK(map.collides(other) != Hit::kNone);
 }
 
-TEST_CASE("refined, a box may enter the seen eighths of unknown voxels and no hidden ones",
+TEST_CASE("refined, a box may enter the seen parts of voxels and no hidden ones",
           "[occupancy][collision]") {
   const Scene scene;
   constexpr double kCoarse = 0.008;  // so that its eighths are larger than pixels
   const OccupancyGrid grid(scene.cloud, scene.view, kRegion, kCoarse);
   const ObstacleMap coarse(grid, true);
+  const bool sole = GENERATE(true, false);
   ObstacleMap fine(grid, true);
-  fine.refine(scene.view);
+  fine.refine(scene.view, sole);
   const SeenSpace space(scene.view);
-  const double edge = 0.5 * kCoarse;
   std::mt19937 random(11);
-  int opened = 0, blocked = 0, entered = 0;
+  int opened = 0, blocked = 0, unknown = 0, occupied = 0;
   for (int n = 0; n < 20000; ++n) {
     OrientedBox box = random_box(random, kAround);
     box.half *= 0.2;
     const Hit hit = fine.collides(box);
-    if (hit == Hit::kNone) {
-      opened += coarse.collides(box) != Hit::kNone;
-      for (int k = 0; k < 30; ++k) {
-        const Eigen::Vector3d p_C =
-            random_point(random, {box.p_CB - box.half, box.p_CB + box.half});
-        if (!box.contains(p_C) || grid.at(p_C) != Voxel::kUnknown) continue;
-        const Eigen::Array3d cell = (p_C / edge).array().floor();
-        REQUIRE(space.free((cell + 0.5) * edge, 0.5 * edge - 1e-9));
-        ++entered;
-      }
-    } else {
+    if (hit != Hit::kNone) {
       blocked += coarse.collides(box) == hit;
+      continue;
+    }
+    opened += coarse.collides(box) != Hit::kNone;
+    for (int k = 0; k < 30; ++k) {
+      const Eigen::Vector3d p_C = random_point(random, {box.p_CB - box.half, box.p_CB + box.half});
+      if (!box.contains(p_C)) continue;
+      // An eighth, or if it was hidden in part an eighth of that.
+      const auto seen = [&](double edge) {
+        const Eigen::Array3d cell = (p_C / edge).array().floor();
+        return space.free((cell + 0.5) * edge, 0.5 * edge - 1e-9);
+      };
+      const Voxel state = grid.at(p_C);
+      if (state == Voxel::kUnknown) {
+        REQUIRE((seen(0.5 * kCoarse) || seen(0.25 * kCoarse)));
+        ++unknown;
+      } else if (state == Voxel::kOccupied) {
+        REQUIRE(sole);
+        REQUIRE(seen(0.5 * kCoarse));
+        ++occupied;
+      }
     }
   }
   CHECK(opened > 20);
-  CHECK(entered > 20);
+  CHECK(unknown > 20);
+  CHECK((occupied > 20) == sole);
   CHECK(blocked > 1000);
 }

@@ -37,6 +37,8 @@ struct Body {
   Eigen::Vector3d std = Eigen::Vector3d::Zero();
   /// Standard deviation of each end, z_min and z_max [m].
   double end_std = 0.0;
+  /// How far it reaches beyond the extent of its detection: up to the apex of a cone [m].
+  double beyond = 0.0;
 
   /// s(z) and its derivative.
   double scale(double z) const;

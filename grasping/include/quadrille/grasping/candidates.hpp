@@ -34,6 +34,9 @@ struct ApproachSpace {
   double reach = 0.1;
 };
 
+/// True for an approach direction from the sensor's side or from above, and along a mouth.
+bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space);
+
 /// Approach directions every 15° around each line that come from the sensor's side or from above,
 /// the most promising first: along the line of sight or downward, closing across the line of sight,
 /// near the target's middle. They come in 16 passes, each with every 16th of that ranking, so that

@@ -38,9 +38,8 @@ std::vector<ContactLine> contact_lines(const Body& body, const Gripper& gripper,
                                        const Eigen::Vector3d& viewpoint_C,
                                        const Eigen::Vector3d& up_C = Eigen::Vector3d::Zero());
 
-/// The line of direction d that passes the body at point p: the contacts of a grasp beside its
-/// widest part, from the roots of the quadric along p + t·d. Nullopt if p lies outside the body or
-/// the line leaves it through an end.
+/// Where the line p + t·d passes the body: the contacts of a grasp beside its widest part, from the
+/// roots of the quadric along it. Nullopt if it misses the body or meets one of its ends.
 std::optional<ContactLine> chord(const Body& body, const Eigen::Vector3d& p_C,
                                  const Eigen::Vector3d& d_C);
 

@@ -58,6 +58,9 @@ class DepthView {
   std::array<DepthRange, 8> ranges(const EightPoints& p_V, const Eigen::Vector3d& reach) const;
   /// True if each pixel whose ray passes the cube measured something beyond it.
   bool sees_past(const Eigen::Vector3d& centre_C, double half) const;
+  /// Least depth that any pixel whose ray may pass the box p_V ± reach measured [m]: infinite if
+  /// none measured anything, 0 for a box that reaches the sensor.
+  double nearest_surface(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
   /// True if one of these pixels measured something before the cube or in it. False beside the
   /// image and where nothing was measured.
   bool meets_surface(const Eigen::Vector3d& centre_C, double half) const;
@@ -74,7 +77,8 @@ class DepthView {
  private:
   struct Level {
     int width = 0, height = 0;
-    std::vector<float> near, far;
+    /// Of the pixels that measured something, `surface` is the least depth, infinite if none did.
+    std::vector<float> near, far, surface;
   };
   struct Span {
     int u0, u1, v0, v1;
@@ -84,6 +88,9 @@ class DepthView {
   bool all_blockers(const Eigen::Vector3d& centre_C, double half, Visitor&& visit) const;
   Span span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
   DepthRange range(const Span& span) const;
+  double nearest_surface(const Span& span) const;
+  std::vector<float> surface() const;
+  int level_of(int across_u, int across_v) const;
   /// Column of the nearer measured pixel at the ends of the gap at (u, v); -1 if there is none.
   int nearer_end_of_gap(int u, int v) const;
   bool measured(int u, int v) const {

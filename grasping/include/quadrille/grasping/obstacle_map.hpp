@@ -29,10 +29,15 @@ class ObstacleMap {
   /// beyond them counts as outside.
   ObstacleMap within(const Eigen::AlignedBox3d& region) const;
 
-  /// From now on looks at the eighths of an unknown voxel that a box overlaps, and lets it pass
-  /// those that the view saw through: at the edge of a shadow a voxel is unknown as a whole,
-  /// however little of it was hidden. The view must outlive this map and its copies.
-  void refine(const DepthView& view) { view_ = &view; }
+  /// From now on looks at the parts of a voxel that a box overlaps, and lets it pass those that the
+  /// view saw through: eighths of an occupied voxel, eighths of these too of an unknown one. At the
+  /// edge of a shadow a voxel is unknown as a whole, however little of it was hidden. The view must
+  /// outlive this map and its copies.
+  /// @param sole  all points are those of this view; else occupied voxels stay whole
+  void refine(const DepthView& view, bool sole) {
+    view_ = &view;
+    sole_view_ = sole;
+  }
 
   /// What the box overlaps; touching without overlap is none. If it overlaps both kinds either may
   /// be told, always the same one for the same box.
@@ -66,7 +71,8 @@ class ObstacleMap {
     return corner_ + resolution_ * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
   }
   std::uint8_t descend(const Query& query, int level, int i, int j, int k) const;
-  bool enters_hidden(const Query& query, const Eigen::Vector3d& centre) const;
+  bool enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half, int depth,
+                     double margin) const;
   void clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
                    const Cone& cone, const Eigen::Vector3i& first);
   void refresh(const Range& range);
@@ -76,6 +82,7 @@ class ObstacleMap {
   double resolution_ = 0.0;
   bool unknown_blocks_ = false;
   const DepthView* view_ = nullptr;
+  bool sole_view_ = false;
   /// The voxel of the grid that this map begins with.
   Eigen::Vector3i first_ = Eigen::Vector3i::Zero();
   Eigen::Vector3d corner_;

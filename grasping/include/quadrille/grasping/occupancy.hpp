@@ -88,10 +88,10 @@ class OccupancyGrid {
   void mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge);
   void mark_eight(const DepthView& view, const Eigen::Vector3i& low, const Eigen::Vector3d& p_V);
   void mark_occupied(const PointCloud& cloud, const std::vector<std::uint8_t>& stray);
-  void clear_tile(const DepthView* view, const Eigen::Vector3i& low, int axis,
-                  const Eigen::Vector3i& up);
-  enum class Sight;
-  Sight sight(const DepthView& view, const Eigen::Vector3i& block) const;
+  struct Tile;
+  std::vector<Tile> tiles_beside(const DepthView& view) const;
+  void divide(const DepthView& view, const Eigen::Vector3i& block, std::vector<Tile>& tiles) const;
+  void clear_layer(const DepthView* view, const Tile& tile, int axis, const Eigen::Vector3i& up);
   bool wanted(const Eigen::Vector3i& block) const;
   void fill_free(const Eigen::Vector3i& low, int edge);
   void pass(const Eigen::Vector3d& from_C, const Eigen::Vector3d& to_C);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "quadrille/grasping/candidates.hpp"
+#include "quadrille/grasping/collision.hpp"
+
+namespace quadrille {
+
+/// Contacts that a hand finds from one place, and the way it comes.
+struct TipHold {
+  /// Its centre is the origin of the grasp frame.
+  ContactLine line;
+  Eigen::Vector3d approach_C;
+  /// The friction coefficient that it needs.
+  double friction;
+};
+
+/// Holds by the tips, wherever these reach: at an end, beside the widest part, askew. Each is what
+/// two pads meet that come down on the body to one of several depths, at its middle or beside it:
+/// where the body is widest within their faces, found on a grid of chords. They are many, and
+/// seldom as good as those across the middle of a body: a search for where these are blocked. The
+/// most promising come first, in passes of unlike ones; always the same order for the same input.
+/// @param planes    holds far below one of these are left out
+/// @param friction  largest friction coefficient that a hold may need
+std::vector<TipHold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
+                               const std::vector<SupportPlane>& planes, double friction);
+
+}  // namespace quadrille

@@ -1,0 +1,61 @@
+// What only the tips hold: above the widest part, or where nothing better is to be had.
+#include <algorithm>
+
+#include "closing.hpp"
+#include "target_planner.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// Holds by the tips are exact: their normals are those of the very place.
+constexpr double kTipFrictionShare = 0.9;
+constexpr int kMostTipChecks = 4000;
+constexpr std::size_t kMostTipHolds = 8;
+// How far the tips reach beyond a contact that only they hold [m].
+constexpr double kTipBeyond = 0.003;
+
+}  // namespace
+
+// The widest part that the tips pass if they hold the body `off` before the line.
+double TargetPlanner::passed_by_tips(const ContactLine& line, double off,
+                                     const Eigen::Vector3d& approach_C) const {
+  if (off <= kTipBeyond) return line.opening;
+  const Eigen::Vector3d tips_C = line.centre_C - (off - kTipBeyond) * approach_C;
+  const std::optional<ContactLine> passed = chord(target_.body, tips_C, line.closing_C);
+  return passed ? passed->width : line.opening;
+}
+
+// Above the widest part, with the tips: what lies low, or in front of unseen space, can still be
+// held as far as friction allows.
+bool TargetPlanner::try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
+                               std::map<std::string, int>& rejected) {
+  const double depth = kTipBeyond - gripper_.finger_front;
+  for (const double share : {0.2, 0.36, 0.1, 0.28}) {
+    const double off = 0.5 * share * line.width;
+    const Eigen::Vector3d p_C = line.centre_C - off * approach_C;
+    std::optional<ContactLine> beside = chord(target_.body, p_C, line.closing_C);
+    if (!beside || lopsided(*beside, approach_C)) continue;
+    beside->opening = std::max(beside->width, passed_by_tips(line, off, approach_C));
+    beside->std = line.std;
+    if (usable(*beside, rejected) && try_depth(*beside, approach_C, depth, rejected)) return true;
+  }
+  return false;
+}
+
+// Where nothing better is to be had.
+void TargetPlanner::try_tips(const ApproachSpace& space, std::map<std::string, int>& rejected) {
+  checks_ = 0;
+  const double friction = kTipFrictionShare * options_.friction;
+  const std::vector<TipHold> holds =
+      tip_holds(target_.body, gripper_, space, scene_.planes, friction);
+  for (const TipHold& hold : holds) {
+    if (checks_ >= kMostTipChecks || accepted_.size() >= kMostTipHolds) break;
+    if (resembles_accepted(hold.line, hold.approach_C) || !fits(hold.line, rejected)) continue;
+    by_tips_ = &hold;
+    if (!contradicted(hold.line)) try_depth(hold.line, hold.approach_C, 0.0, rejected);
+  }
+  by_tips_ = nullptr;
+}
+
+}  // namespace quadrille

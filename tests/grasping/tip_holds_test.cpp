@@ -1,0 +1,108 @@
+#include "quadrille/grasping/tip_holds.hpp"
+
+#include "quadrille/grasping/hand.hpp"
+#include "quadrille/grasping/shape.hpp"
+#include "scenes.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+const Eigen::Vector3d kUp = Eigen::Vector3d(0, -1, -1).normalized();
+
+ApproachSpace space_above(const Body& body) {
+  ApproachSpace space;
+  space.axes_C = body.X_CQ.linear();
+  space.centre_C = body.centre_C();
+  space.up_C = kUp;
+  return space;
+}
+
+SupportPlane table() {
+  const Detection d = table_detection();
+  return {d.X_CQ, {d.extent_Q.min().head<2>(), d.extent_Q.max().head<2>()}};
+}
+
+// As wide as the hand, on the table: it cannot be held across its middle.
+Detection flat_ellipsoid() {
+  Detection d;
+  d.id = 1;
+  d.type = QuadricType::kEllipsoid;
+  d.X_CQ = table_detection().X_CQ;
+  d.X_CQ.translate(Eigen::Vector3d(0.0, 0.0, 0.032));
+  const Eigen::Vector3d semi(0.048, 0.037, 0.032);
+  d.dimensions = {{"a", semi.x(), 0.0}, {"b", semi.y(), 0.0}, {"c", semi.z(), 0.0}};
+  d.extent_Q = {-semi, semi};
+  d.score = 1.0;
+  return d;
+}
+
+}  // namespace
+
+TEST_CASE("holds by the tips touch the body, need no more friction than asked for, and repeat",
+          "[tips]") {
+  std::mt19937 random(71);
+  for (Detection d : solid_detections()) {
+    const bool blunt = d.type == QuadricType::kHyperboloidTwoSheets;  // it leans everywhere
+    if (d.type == QuadricType::kParallelPlanes || blunt) continue;
+    CAPTURE(to_string(d.type));
+    d.X_CQ = random_pose(random);
+    const Body body = make_body(d).value();
+    const auto holds = tip_holds(body, franka_hand(), space_above(body), {}, 0.4);
+    REQUIRE(holds.size() > 20);
+    for (const TipHold& hold : holds) {
+      REQUIRE(hold.friction <= 0.4);
+      REQUIRE(hold.line.width <= franka_hand().max_opening);
+      REQUIRE(hold.approach_C.dot(hold.line.closing_C) == Approx(0.0).margin(1e-9));
+      REQUIRE(reachable(hold.approach_C, space_above(body)));
+      for (const Eigen::Vector3d& p_C : hold.line.contacts_C) {
+        REQUIRE(body.contains(p_C, 1e-6));
+        REQUIRE_FALSE(body.contains(p_C, -1e-4));
+      }
+    }
+    const auto again = tip_holds(body, franka_hand(), space_above(body), {}, 0.4);
+    REQUIRE(again.size() == holds.size());
+    CHECK(again.front().line.centre_C == holds.front().line.centre_C);
+    CHECK(again.back().line.centre_C == holds.back().line.centre_C);
+  }
+}
+
+TEST_CASE("what needs little friction comes before what needs much", "[tips]") {
+  const Body body = make_body(flat_ellipsoid()).value();
+  const auto holds = tip_holds(body, franka_hand(), space_above(body), {}, 0.5);
+  REQUIRE(holds.size() > 100);
+  const auto band = [](const TipHold& hold) { return std::max(0.3, hold.friction); };
+  for (std::size_t n = 1; n < holds.size(); ++n) {
+    REQUIRE(band(holds[n]) > band(holds[n - 1]) - 0.1 - 1e-9);
+  }
+}
+
+TEST_CASE("no hold lies far below the plane that the body stands on", "[tips]") {
+  const Body body = make_body(flat_ellipsoid()).value();
+  const auto anywhere = tip_holds(body, franka_hand(), space_above(body), {}, 0.5);
+  const auto above = tip_holds(body, franka_hand(), space_above(body), {table()}, 0.5);
+  REQUIRE_FALSE(above.empty());
+  CHECK(above.size() < anywhere.size());
+  for (const TipHold& hold : above) {
+    const Eigen::Vector3d tips_C =
+        hold.line.centre_C + franka_hand().finger_front * hold.approach_C;
+    CHECK(table().distance(tips_C) > -0.02);
+  }
+}
+
+TEST_CASE("a body nearly as wide as the hand opens can be held by the tips", "[tips]") {
+  const Body body = make_body(flat_ellipsoid()).value();
+  const Gripper hand = franka_hand();
+  const OccupancyGrid nothing(Eigen::AlignedBox3d(), 0.005);
+  const CollisionScene scene{ObstacleMap(nothing, false), {table()}, {}, make_pieces(body)};
+  int free = 0;
+  for (const TipHold& hold : tip_holds(body, hand, space_above(body), {table()}, 0.5)) {
+    const Eigen::Isometry3d X_CG = grasp_pose(hold.line, hold.approach_C, 0.0);
+    const SweptHand swept = sweep_hand(hand, X_CG, hand.max_opening, hold.line.width, 0.05);
+    if (scene.obstruction(swept)) continue;
+    ++free;
+  }
+  CHECK(free > 0);
+}
