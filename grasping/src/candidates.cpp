@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "quadrille/grasping/wall_hold.hpp"
+
 namespace quadrille {
 
 namespace {
@@ -12,6 +14,8 @@ namespace {
 // and never steeper up than 20°.
 constexpr double kFromView = -0.3, kFromAbove = 0.5, kIntoMouth = 0.7, kUpward = 0.35;
 
+// Into a mouth also straight along the wall, and this far beside it [rad].
+constexpr double kBesideWall = 0.13;
 // The steepest approach of a line is sampled too if its sine is more than this.
 constexpr double kSteep = 0.5;
 
@@ -19,7 +23,8 @@ double prior(const ContactLine& line, const Eigen::Vector3d& approach, const App
   const double across = 1.0 - std::abs(line.closing_C.dot(space.view_C));
   const double from = std::max(-approach.dot(space.view_C), -approach.dot(space.up_C));
   const double off = (line.centre_C - space.centre_C).norm() / space.reach;
-  return 0.5 * across + 0.3 * from - 0.2 * std::min(off, 1.0);
+  const double into = space.into_C.isZero() ? 0.0 : 2.0 * approach.dot(space.into_C);
+  return 0.5 * across + 0.3 * from - 0.2 * std::min(off, 1.0) + into;
 }
 
 // Every kStride-th first, then those between: the best ones are much alike, and where one is
@@ -71,6 +76,12 @@ std::vector<GraspCandidate> sample_approaches(const std::vector<ContactLine>& li
     }
     const Eigen::Vector3d down = d * d.dot(space.up_C) - space.up_C;
     if (down.norm() > kSteep) offer(down.normalized());
+    if (!space.into_C.isZero()) {
+      const Eigen::Vector3d along = along_wall(lines[n], space.into_C), beside = d.cross(along);
+      for (const double turn : {0.0, kBesideWall, -kBesideWall}) {
+        offer(std::cos(turn) * along + std::sin(turn) * beside);
+      }
+    }
   }
   std::stable_sort(
       candidates.begin(), candidates.end(),

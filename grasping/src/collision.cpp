@@ -11,6 +11,10 @@ namespace quadrille {
 
 namespace {
 
+// How far a target may reach beyond the end that was detected, towards the palm: detections end
+// short of the outermost points [m].
+constexpr double kEndDoubt = 0.008;
+
 // Only collide(), never distance() or continuousCollide(): those fail on half-spaces and empty
 // octrees or miss thin walls between their samples. libccd's solver, not FCL's own (GST_INDEP),
 // which lets a small box inside a Convex pass.
@@ -121,7 +125,10 @@ bool overlaps(const OrientedBox& box, const std::shared_ptr<const octomap::OcTre
 }
 
 std::optional<Obstruction> CollisionScene::palm_obstruction(const SweptHand& hand) const {
-  return first_obstruction(*this, {&hand.palm, 1}, {});
+  const std::span<const OrientedBox> palm(&hand.palm, 1);
+  if (const auto what = first_obstruction(*this, palm, {})) return what;
+  if (hits(palm, target, kEndDoubt)) return Obstruction::kTarget;
+  return std::nullopt;
 }
 
 std::optional<Obstruction> CollisionScene::finger_obstruction(const SweptHand& hand) const {

@@ -1,8 +1,10 @@
 #include "quadrille/grasping/rim.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace quadrille {
 
@@ -25,6 +27,8 @@ constexpr double kUpright = 0.866;
 // stray ones beyond.
 constexpr double kOwn = 0.004, kStrayShare = 0.02;
 constexpr std::size_t kLeastPoints = 100;
+// How far a rim may lie above the detection's end, and in which steps it is looked for [m].
+constexpr double kMostRaised = 0.008, kRaise = 0.001;
 // How far below the rim the middle of what the pads cover lies [m]: what holds, and what is seen
 // from above. The pads close along the wall's normal there: else they would turn a bent wall.
 constexpr double kBites[] = {0.0045, 0.0065};
@@ -67,6 +71,27 @@ std::optional<Body> upright(Body body, const Eigen::Vector3d& up_C) {
   return body.X_CQ.linear().col(2).dot(up_C) < 0.0 ? turned(body) : body;
 }
 
+// Detections end short of the outermost points. Moves the rim up to where the points on the wall
+// end: as long as every millimetre has a third as many as below it.
+void raise_to_points(const PointCloud& cloud, Shell& shell) {
+  const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
+  const double bottom = shell.body.z_max - kBelowRim;
+  shell.body.z_max += kMostRaised;
+  const Eigen::AlignedBox3d box = shell.body.bounds_Q();
+  std::array<int, static_cast<int>((kBelowRim + kMostRaised) / kRaise + 0.5)> counts{};
+  for (const Eigen::Vector3f& p : cloud.points) {
+    const Eigen::Vector3d p_C = p.cast<double>(), p_Q = X_QC * p_C;
+    const double up = std::floor((p_Q.z() - bottom) / kRaise);
+    if (!(up >= 0.0 && up < counts.size()) || !box.contains(p_Q)) continue;
+    if (std::abs(shell.offset(p_C)) < kOwn) ++counts[static_cast<std::size_t>(up)];
+  }
+  constexpr std::size_t kBelow = static_cast<std::size_t>(kBelowRim / kRaise + 0.5);
+  const int usual = std::accumulate(counts.begin(), counts.begin() + kBelow, 0);
+  std::size_t n = kBelow;
+  while (n < counts.size() && counts[n] > 0 && counts[n] * 3.0 * kBelow >= usual) ++n;
+  shell.body.z_max = bottom + kRaise * static_cast<double>(n);
+}
+
 // Ends the body where the points measured on it end; false if too few are.
 bool cut_at_points(const PointCloud& cloud, Shell& shell) {
   std::vector<double> heights;
@@ -104,8 +129,8 @@ bool open_at_top(const Shell& shell, const DepthView& view) {
   return seen >= kSeenShare * places;
 }
 
-// How far the wall bends to the inside and outside of its tangent plane within a finger's width and
-// the tips' reach.
+// How far the wall bends to the inside and outside of its tangent plane within a finger's width, as
+// far `below` as the tips reach.
 std::pair<double, double> bend(const Shell& shell, double angle, double z, double half_width,
                                double below) {
   const Body& body = shell.body;
@@ -123,10 +148,11 @@ std::pair<double, double> bend(const Shell& shell, double angle, double z, doubl
   return {inside, outside};
 }
 
-ContactLine rim_line(const Shell& shell, double angle, double z, const Gripper& gripper) {
+ContactLine rim_line(const Shell& shell, double angle, double bite, const Gripper& gripper) {
   const Body& body = shell.body;
+  const double z = body.z_max - bite;
   const Eigen::Vector3d p_Q = shell.point_Q(angle, z), n_Q = shell.normal_Q(angle, z);
-  const auto [inside, outside] = bend(shell, angle, z, 0.5 * gripper.finger.x(), gripper.pad.y());
+  const auto [inside, outside] = bend(shell, angle, z, 0.5 * gripper.finger.x(), bite);
   const double low = shell.inner() - inside, high = shell.outer() + outside;
   ContactLine line;
   line.width = 0.5 * (shell.wall.least + shell.wall.most);
@@ -195,20 +221,22 @@ std::optional<Shell> find_shell(const Body& body, bool seen_inside, const PointC
     if (!cut_at_points(cloud, shell) || !open_at_top(shell, view)) return std::nullopt;
     return shell;
   }
-  const Shell shell{body, seen_inside, wall};
-  if (open_at_top(shell, view)) return shell;
-  // A vertex is no mouth.
-  if (body.profile == Profile::kRoot || body.profile == Profile::kSheet) return std::nullopt;
-  const Shell other{turned(body), seen_inside, wall};
-  if (open_at_top(other, view)) return other;
-  return std::nullopt;
+  Shell shell{body, seen_inside, wall};
+  if (!open_at_top(shell, view)) {
+    // A vertex is no mouth.
+    if (body.profile == Profile::kRoot || body.profile == Profile::kSheet) return std::nullopt;
+    shell.body = turned(body);
+    if (!open_at_top(shell, view)) return std::nullopt;
+  }
+  raise_to_points(cloud, shell);
+  return shell;
 }
 
 std::vector<ContactLine> rim_lines(const Shell& shell, const Gripper& gripper) {
   std::vector<ContactLine> lines;
   for (const double bite : kBites) {
     for (int k = 0; k < kAround; ++k) {
-      lines.push_back(rim_line(shell, 2.0 * kPi * k / kAround, shell.body.z_max - bite, gripper));
+      lines.push_back(rim_line(shell, 2.0 * kPi * k / kAround, bite, gripper));
     }
   }
   return lines;

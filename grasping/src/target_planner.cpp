@@ -5,6 +5,7 @@
 
 #include "closing.hpp"
 #include "quadrille/grasping/quality.hpp"
+#include "quadrille/grasping/wall_hold.hpp"
 
 namespace quadrille {
 
@@ -24,6 +25,9 @@ constexpr double kSigmas = 2.0;
 constexpr double kMostDoubt = 0.004;
 // The least share of a body's greatest width that friction lets the tips hold it at.
 constexpr double kBeside = 0.88;
+// Walls that are warped more under the pads turn in the hand [m].
+constexpr double kMostWarp = 0.0006;
+
 std::string reason(Obstruction what) {
   switch (what) {
     case Obstruction::kSupport:
@@ -174,15 +178,18 @@ void TargetPlanner::try_candidate(const ContactLine& line, const GraspCandidate&
   try_chords(line, candidate.approach_C, rejected);
 }
 
-// The tips as far beyond the contacts as the rim is before them, then the pads' middle at them.
+// The tips as far beyond the contacts as the rim is before them: the bend of the wall then turns it
+// neither way.
 void TargetPlanner::try_rim(const ContactLine& line, const GraspCandidate& candidate,
                             std::map<std::string, int>& rejected) {
   if (resembles_accepted(line, candidate.approach_C)) return;
-  const Body& body = target_.shell->body;
-  const double bite = body.z_max - (body.X_CQ.inverse() * line.centre_C).z();
-  for (const double depth : {bite - gripper_.finger_front, 0.0}) {
-    if (try_depth(line, candidate.approach_C, depth, rejected)) return;
+  const Shell& shell = *target_.shell;
+  if (wall_warp(shell, line, candidate.approach_C, 0.5 * gripper_.pad.x()) > kMostWarp) {
+    ++rejected["friction"];
+    return;
   }
+  const double depth = rim_above(shell, line) - gripper_.finger_front;
+  try_depth(line, candidate.approach_C, depth, rejected);
 }
 
 bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C,
@@ -234,11 +241,12 @@ Grasp TargetPlanner::describe(const ContactLine& line, const Eigen::Isometry3d& 
   return grasp;
 }
 
-// 1 if the pads cover a wall along its axis; less if they lie askew, where its bend twists it.
-double TargetPlanner::upright(const Grasp& grasp) const {
+// 1 if the pads lie straight on a wall; less if they lie askew, where its bend twists it.
+double TargetPlanner::straight(const Grasp& grasp, const ContactLine& line) const {
   if (!at_rim_) return 1.0;
-  const double along = -grasp.X_CG.linear().col(2).dot(target_.shell->body.X_CQ.linear().col(2));
-  return std::clamp(2.0 * along - 1.0, 0.0, 1.0);
+  const Eigen::Vector3d approach_C = grasp.X_CG.linear().col(2);
+  const double warp = wall_warp(*target_.shell, line, approach_C, 0.5 * gripper_.pad.x());
+  return std::clamp(1.0 - warp / kMostWarp, 0.0, 1.0);
 }
 
 void TargetPlanner::rate(Grasp& grasp, const ContactLine& line) const {
@@ -254,7 +262,7 @@ void TargetPlanner::rate(Grasp& grasp, const ContactLine& line) const {
   const int seen = observed(line.contacts_C[0]) + observed(line.contacts_C[1]);
   grasp.unknown_contact = seen < 2;
   ScoreTerms terms;
-  terms.friction = (1.0 - grasp.friction_needed / options_.friction) * upright(grasp);
+  terms.friction = (1.0 - grasp.friction_needed / options_.friction) * straight(grasp, line);
   terms.clearance = grasp.clearance / 0.01;
   terms.observed = 0.5 * seen;
   terms.room = 0.5 * (grasp.preshape - line.opening) / 0.005;

@@ -61,7 +61,7 @@ class TargetPlanner {
   double passed_by_tips(const ContactLine& line, double off,
                         const Eigen::Vector3d& approach_C) const;
   Grasp describe(const ContactLine& line, const Eigen::Isometry3d& X_CG, double preshape) const;
-  double upright(const Grasp& grasp) const;
+  double straight(const Grasp& grasp, const ContactLine& line) const;
   void rate(Grasp& grasp, const ContactLine& line) const;
   double margin(const ContactLine& line) const;
   double least_opening(const ContactLine& line) const;

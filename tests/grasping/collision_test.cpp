@@ -4,7 +4,10 @@
 
 #include "clipped_surface.hpp"
 #include "exact_overlap.hpp"
+#include "quadrille/grasping/hand.hpp"
+#include "quadrille/grasping/occupancy.hpp"
 #include "random_box.hpp"
+#include "scenes.hpp"
 #include "support/catch.hpp"
 #include "support/rounds.hpp"
 
@@ -67,5 +70,24 @@ TEST_CASE("no overlap of a box and a shape is missed, in random and touching que
     CHECK(count.missed == 0);
     CHECK(count.false_alarms == 0);
     CHECK(count.hits > 50);
+  }
+}
+
+TEST_CASE("the palm keeps off the end of a target, the fingers may come close", "[collision]") {
+  const OccupancyGrid nothing(Eigen::AlignedBox3d(Eigen::Vector3d::Zero(), Eigen::Vector3d::Ones()),
+                              0.1);
+  const Gripper gripper = franka_hand();
+  const double top = -gripper.reach(0.03);  // the palm's front
+  for (const double gap : {-0.001, 0.001, 0.004, 0.0075, 0.0085, 0.02}) {
+    CAPTURE(gap);
+    const double length = 0.02 - top - gap;
+    Eigen::Isometry3d X_CQ = Eigen::Isometry3d::Identity();
+    X_CQ.translation().z() = 0.02 - 0.5 * length;
+    const Body can = make_body(cylinder_detection(X_CQ, 0.015, length)).value();
+    const CollisionScene scene{ObstacleMap(nothing, false), {}, {}, make_pieces(can)};
+    const SweptHand hand =
+        sweep_hand(gripper, Eigen::Isometry3d::Identity(), 0.036, 0.03, 0.05);  // 3 mm beside it
+    CHECK(scene.palm_obstruction(hand).has_value() == gap < 0.008);
+    CHECK_FALSE(scene.finger_obstruction(hand));
   }
 }

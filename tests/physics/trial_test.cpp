@@ -103,6 +103,35 @@ TEST_CASE("a bar that is held far from its middle tips if the pads press little"
   CHECK(held(bar, 0.04, with(0.5, 3.0)).held);
 }
 
+TEST_CASE("light things stay where they are under much force", "[physics][trial]") {
+  if (!has_physics()) return;
+  // Their weight is a thousandth of what friction holds: nothing but rounding could move them.
+  Gripper strong = franka_hand();
+  strong.finger = {0.022, 0.0252, 0.0512};
+  strong.finger_front = 0.01875;
+  strong.pad = {0.022, 0.0375};
+  strong.max_force = 235.0;
+  Grasp grasp;
+  grasp.width = 0.0444;
+  grasp.preshape = 0.06;
+  Eigen::Isometry3d X_CT = Eigen::Isometry3d::Identity();
+  X_CT.linear() << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  X_CT.translation().z() = 0.3;
+  TrueBody can = lying(test::cylinder(0.0222, 0.0222, 0.025));
+  for (const double tilt : {0.0, 0.2, 0.34}) {
+    for (const double deep : {0.0, 0.008, 0.0166}) {
+      CAPTURE(tilt, deep);
+      TrueBody tilted = can;
+      tilted.X_CS = Eigen::Translation3d(-0.0113, 0.0, deep) *
+                    Eigen::AngleAxisd(tilt, Vector3d::UnitY()) * can.X_CS;
+      const TrialResult result = physics::try_grasp(tilted, strong, grasp, X_CT, {});
+      CHECK(result.held);
+      CHECK(result.slip < 0.002);
+      CHECK(result.rotation < 0.035);
+    }
+  }
+}
+
 TEST_CASE("an ellipsoid off its axes turns in the jaws and counts as turned", "[physics][trial]") {
   if (!has_physics()) return;
   TrueBody stone = test::ellipsoid(0.03, 0.02, 0.02);

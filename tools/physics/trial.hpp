@@ -44,7 +44,7 @@ struct TrialResult {
 /// Why nothing can be tried: which package this program was built without; empty if all is there.
 std::string missing_physics();
 
-/// Closes the hand on an object, lifts it and shakes it, in Bullet at 1 kHz.
+/// Closes the hand on an object, lifts it and shakes it, in Bullet at 4 kHz.
 ///
 /// In the hand's frame, where its motion is an acceleration of everything else: the pads close from
 /// the pre-shape with their force limited, coupled as in real hands. The object stands on the

@@ -39,8 +39,9 @@ bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space);
 
 /// Approach directions every 15° around each line that come from the sensor's side or from above,
 /// the most promising first: along the line of sight or downward, closing across the line of sight,
-/// near the target's middle. They come in 16 passes, each with every 16th of that ranking, so that
-/// a bounded search meets unlike ones early. Always the same order for the same input.
+/// near the target's middle. Into a mouth also, and best, straight along the wall. They come in 16
+/// passes, each with every 16th of that ranking, so that a bounded search meets unlike ones early.
+/// Always the same order for the same input.
 /// @param refused  incremented for each direction that is neither
 std::vector<GraspCandidate> sample_approaches(const std::vector<ContactLine>& lines,
                                               const ApproachSpace& space, int& refused);

@@ -49,7 +49,8 @@ struct CollisionScene {
 
   /// What the swept hand runs into, nullopt if nothing. Its closing may touch the target.
   std::optional<Obstruction> obstruction(const SweptHand& hand) const;
-  /// The same for the palm alone, which no other opening of the hand moves out of the way.
+  /// The same for the palm alone, which no other opening of the hand moves out of the way. It stays
+  /// 8 mm off the target, whose end lies farther out than its detection tells.
   std::optional<Obstruction> palm_obstruction(const SweptHand& hand) const;
   /// The same for the fingers and their closing.
   std::optional<Obstruction> finger_obstruction(const SweptHand& hand) const;
