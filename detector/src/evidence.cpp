@@ -124,7 +124,8 @@ Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> re
 
 double confidence(const Evidence& e, int dof, double log_prior) {
   // A logistic regression over some 2800 surfaces, labelled by the truth of generated scenes, with
-  // waves in their noise and without, and of real scans, whose surfaces count threefold.
+  // waves in their noise and without, and of real scans, whose surfaces count threefold. The scenes
+  // hold no types that few objects have: the prior speaks for those.
   const double two_planes = std::clamp(e.two_planes, -2.0, 5.0);
   // What many samples explain hardly better than two planes do is a box edge.
   const double edge = std::max(0.0, e.log_count - 5.0) * std::max(0.0, 0.8 - two_planes);

@@ -12,8 +12,9 @@ using Profile = Body::Profile;
 // What is known no better than this is not known at all; more would only be refused as well [m].
 constexpr double kMostStd = 0.01;
 
-// Near its tip a thing gives few points: a cone that ends narrower than this ends in its apex [m].
-constexpr double kTip = 0.006;
+// Near its tip a thing gives few points: a cone that ends narrower than this ends in its apex [m],
+// if that is no farther than this share of its seen length: a slender one may be cut off.
+constexpr double kTip = 0.006, kLongestTip = 0.5;
 
 // Value of the n-th dimension, 0 if it is missing.
 double dimension(const Detection& d, std::size_t n) {
@@ -140,7 +141,10 @@ void end_cone(Body& body) {
     (body.z_max > -body.z_min ? body.z_min : body.z_max) = 0.0;
   }
   double& narrow = body.z_max <= 0.0 ? body.z_max : body.z_min;
-  if (std::max(body.a, body.b) * std::abs(narrow) >= kTip) return;
+  if (std::max(body.a, body.b) * std::abs(narrow) >= kTip ||
+      std::abs(narrow) > kLongestTip * (body.z_max - body.z_min)) {
+    return;
+  }
   body.beyond = std::abs(narrow);
   narrow = 0.0;
 }

@@ -185,7 +185,7 @@ void TargetPlanner::try_rim(const ContactLine& line, const GraspCandidate& candi
   if (resembles_accepted(line, candidate.approach_C)) return;
   const Shell& shell = *target_.shell;
   if (wall_warp(shell, line, candidate.approach_C, 0.5 * gripper_.pad.x()) > kMostWarp) {
-    ++rejected["friction"];
+    ++rejected["twist"];
     return;
   }
   const double depth = rim_above(shell, line) - gripper_.finger_front;

@@ -1,5 +1,9 @@
 // What only the tips hold: above the widest part, or where nothing better is to be had.
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "closing.hpp"
 #include "target_planner.hpp"
@@ -10,6 +14,8 @@ namespace {
 
 // Holds by the tips are exact: their normals are those of the very place.
 constexpr double kTipFrictionShare = 0.9;
+// More collision checks than this found hardly any further hold, and more holds than this are not
+// needed of a target.
 constexpr int kMostTipChecks = 4000;
 constexpr std::size_t kMostTipHolds = 8;
 // How far the tips reach beyond a contact that only they hold [m].
@@ -53,7 +59,11 @@ void TargetPlanner::try_tips(const ApproachSpace& space, std::map<std::string, i
     if (checks_ >= kMostTipChecks || accepted_.size() >= kMostTipHolds) break;
     if (resembles_accepted(hold.line, hold.approach_C) || !fits(hold.line, rejected)) continue;
     by_tips_ = &hold;
-    if (!contradicted(hold.line)) try_depth(hold.line, hold.approach_C, 0.0, rejected);
+    if (contradicted(hold.line)) {
+      ++rejected["contradicted"];
+      continue;
+    }
+    try_depth(hold.line, hold.approach_C, 0.0, rejected);
   }
   by_tips_ = nullptr;
 }

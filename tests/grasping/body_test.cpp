@@ -84,3 +84,12 @@ TEST_CASE("a cone that was seen almost to its apex ends in it, a blunt one does 
     }
   }
 }
+
+TEST_CASE("a slender cone that was seen far from its apex does not grow to it", "[body]") {
+  Detection d;
+  d.type = QuadricType::kCone;
+  d.dimensions = {{"half_angle", 0.05, 0.0}};
+  // Its end is 5 mm wide, but the apex is farther off than it was seen long.
+  d.extent_Q = {Eigen::Vector3d(-0.01, -0.01, 0.1), Eigen::Vector3d(0.01, 0.01, 0.18)};
+  CHECK(make_body(d).value().z_min == 0.1);
+}

@@ -65,7 +65,9 @@ TEST_CASE("pads that lean out over the end of a body meet its edge, which is no 
   const Eigen::Vector3d closing = (kX + 0.2 * kZ).normalized();
   PadMeeter meeter(body, franka_hand());
   meeter.turn(closing, closing.cross(Eigen::Vector3d::UnitY()));
-  REQUIRE(meeter.at(Eigen::Vector3d::Zero())->line.closing_C == closing);
+  const auto middle = meeter.at(Eigen::Vector3d::Zero());
+  REQUIRE(middle);
+  REQUIRE(middle->line.closing_C == closing);
   CHECK_FALSE(meeter.at({0.0, 0.0, 0.03}));
 }
 

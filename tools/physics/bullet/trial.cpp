@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 constexpr double kGentle = 5.0;
 // Longest time to close, and how long each later phase takes [s].
 constexpr double kClosing = 2.0, kSqueeze = 0.15, kSettle = 0.1, kLift = 0.4, kShake = 0.3;
-// So many steps in touch with both pads, and they have hold of it.
+// So many steps in touch with both pads, 10 ms, and they have hold of it.
 constexpr int kTouching = 40;
 // Acceleration of the lift [m/s²]; amplitude of the shake over gravity, and its frequency [Hz].
 constexpr double kLiftAcceleration = 2.0, kShakeShare = 0.5, kShakeRate = 10.0 / 3.0;

@@ -27,7 +27,7 @@ struct Surface {
   double effective_size = 1.0;
 };
 
-/// Mean standard deviation of the region's samples along their normals [m].
+/// Mean standard deviation of the samples of a region that is not empty, along their normals [m].
 double mean_sigma(const SurfaceSamples& samples, std::span<const int> region);
 
 /// Confidence in a surface whose evidence is known, with the prior of its type.
@@ -38,7 +38,8 @@ double confidence_of(const Surface& surface);
 /// A hyperbolic cylinder that turns within one cell is the edge between two planes.
 bool is_thin(const Surface& surface, const SurfaceSamples& samples);
 
-/// Root mean square first-order distance of the region's samples from the surface's quadric [m].
+/// Root mean square first-order distance of the samples of a region that is not empty from the
+/// surface's quadric [m].
 double rms_distance(const Surface& surface, const SurfaceSamples& samples,
                     std::span<const int> region);
 

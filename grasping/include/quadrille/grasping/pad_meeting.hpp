@@ -4,8 +4,10 @@
 #include <array>
 #include <optional>
 
+#include "quadrille/grasping/body.hpp"
 #include "quadrille/grasping/contact_line.hpp"
 #include "quadrille/grasping/diagonal_quadric.hpp"
+#include "quadrille/grasping/gripper.hpp"
 
 namespace quadrille {
 
@@ -14,7 +16,8 @@ struct PadMeeting {
   /// Its centre is the origin of the grasp frame.
   ContactLine line;
   /// The friction coefficient that it needs: for the line between the contacts, and for the pads on
-  /// what lies within 1.5 mm of the contacts, which may be them in truth.
+  /// what lies within 1.5 mm of the contacts, which may be them in truth: the tangent of the mean
+  /// angle between the closing direction and the normals [-].
   double friction;
 };
 
@@ -22,9 +25,11 @@ struct PadMeeting {
 /// fingers: not where the body is widest, but where it is so within their reach.
 class PadMeeter {
  public:
+  /// @param body     no box; it and the gripper must outlive this
   PadMeeter(const Body& body, const Gripper& gripper);
 
-  /// From now on for a hand that closes along y and comes along z, unit vectors in frame C.
+  /// From now on for a hand that closes along y and comes along z, unit vectors in frame C at right
+  /// angles; before the first at().
   void turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C);
   /// For a hand whose origin is moved along its closing direction from p_C. Nullopt if the fingers
   /// do not meet the body, meet more than they open, or meet the edge of one of its ends.

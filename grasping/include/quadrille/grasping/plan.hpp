@@ -36,7 +36,8 @@ struct Grasp {
   std::array<Eigen::Vector3d, 2> contacts_C;
   /// Length of the straight approach that was checked [m].
   double approach = 0.0;
-  /// Least friction coefficient μ* that closes the grasp.
+  /// Least friction coefficient μ* that closes the grasp; of a hold by the tips, with the contacts
+  /// where they are least good within what is known of them, PadMeeting::friction.
   double friction_needed = 0.0;
   /// Grasp quality ε: the largest wrench, of any direction, that a unit contact force resists.
   double epsilon = 0.0;
@@ -80,11 +81,11 @@ struct GraspPlan {
   std::vector<Grasp> grasps;
   /// Refused, counted by reason. Detections: "no_shape" (they bound no solid),
   /// "seen_from_inside" (a hollow whose rim was not seen). Contact lines: "unmeasured" (no points
-  /// at the rim), "width" (wider than the hand opens), "friction" (would slip), "contradicted"
-  /// (free space was seen where the surface should be). Approach
-  /// directions: "unreachable" (from behind or below). Hands: "support" (would enter the plane the
-  /// target stands on), "target" (the target itself), "collision" (occupied space or another
-  /// detection), "unknown" (unobserved space).
+  /// at the rim), "width" (wider than the hand opens), "friction" (would slip), "twist" (a wall
+  /// that the pads would turn), "contradicted" (free space was seen where the surface should be).
+  /// Approach directions: "unreachable" (from behind or below). Hands: "support" (would enter the
+  /// plane the target stands on), "target" (the target itself), "collision" (occupied space or
+  /// another detection), "unknown" (unobserved space).
   std::map<std::string, int> rejected;
   /// Of all detections that have any, those of one detection in a row.
   std::vector<CollisionShape> shapes;

@@ -31,7 +31,7 @@ struct CollisionShape {
   std::vector<Eigen::Vector3d> vertices_S;
   std::vector<int> faces;
   /// No point of the shape lies farther than this from what it stands for: the solid, or the patch
-  /// of surface where the quadric bounds none [m]. 0 for exact shapes.
+  /// of surface where the quadric bounds none, each as far as it was seen [m]. 0 for exact shapes.
   double excess = 0.0;
   std::shared_ptr<fcl::CollisionGeometry<double>> geometry;
 };

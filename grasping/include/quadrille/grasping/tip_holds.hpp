@@ -3,8 +3,10 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "quadrille/grasping/body.hpp"
 #include "quadrille/grasping/candidates.hpp"
 #include "quadrille/grasping/collision.hpp"
+#include "quadrille/grasping/gripper.hpp"
 
 namespace quadrille {
 
@@ -13,7 +15,7 @@ struct TipHold {
   /// Its centre is the origin of the grasp frame.
   ContactLine line;
   Eigen::Vector3d approach_C;
-  /// The friction coefficient that it needs.
+  /// The friction coefficient that it needs; see PadMeeting [-].
   double friction;
 };
 
@@ -22,8 +24,9 @@ struct TipHold {
 /// where the body is widest within their faces, found on a grid of chords. They are many, and
 /// seldom as good as those across the middle of a body: a search for where these are blocked. The
 /// most promising come first, in passes of unlike ones; always the same order for the same input.
-/// @param planes    holds far below one of these are left out
-/// @param friction  largest friction coefficient that a hold may need
+/// None for boxes.
+/// @param planes    holds with tips more than 5 mm below one of these are left out
+/// @param friction  largest friction coefficient that a hold may need [-]
 std::vector<TipHold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
                                const std::vector<SupportPlane>& planes, double friction);
 

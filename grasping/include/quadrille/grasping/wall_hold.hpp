@@ -7,17 +7,21 @@
 
 namespace quadrille {
 
-/// The direction that is nearest to into_C among those in the plane of the wall at a line: of a
-/// hand that lies straight on the wall.
+/// The unit vector that is nearest to the unit vector into_C among those in the plane of the wall
+/// at a line: the approach of a hand that lies straight on the wall. Zero if into_C is the closing
+/// direction.
 Eigen::Vector3d along_wall(const ContactLine& line, const Eigen::Vector3d& into_C);
 
-/// How far the rim lies above the contacts, measured along the wall [m].
+/// How far the rim lies above the contacts, measured along the wall, which counts as no flatter
+/// than a slope of 17° [m].
 double rim_above(const Shell& shell, const ContactLine& line);
 
 /// How far the corners of what the pads cover lie beside where they would lie straight on the wall,
-/// since its bends around and up its axis differ [m]: with curvatures κ and κ', askew by φ, at
-/// (x, z) that is (κ − κ') sin φ cos φ · x · z. It twists the wall in the hand until it lies
-/// straight.
+/// since its bends differ [m]. With the curvatures κ around its axis and κ' up it, and φ between
+/// the approach and the wall's meridian, a point x beside and z along the approach lies off by its
+/// geodesic torsion (κ − κ') sin φ cos φ (do Carmo, Differential Geometry of Curves and Surfaces,
+/// 3-2), times x z. This twists the wall in the hand until it lies straight. Exact for shells of
+/// revolution.
 /// @param half_width  of the pads [m]
 double wall_warp(const Shell& shell, const ContactLine& line, const Eigen::Vector3d& approach_C,
                  double half_width);
