@@ -140,9 +140,8 @@ std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
   SelectionOptions selection_options;
   selection_options.iterations = kIterations;
   selection_options.effective_share = surface.effective_size / static_cast<double>(points.size());
-  // Noise in waves is that of a real sensor, and what it sees are real objects.
   selection_options.common_noise =
-      samples_.common_noise * std::hypot(mean_sigma(samples_, region) / surface.local.scale, kFlaw);
+      samples_.common_noise * mean_sigma(samples_, region) / surface.local.scale;
   Selection selection = select_family(points, options_.families, *general, selection_options);
   surface.Q = surface.local.to_frame(selection.best.posed.matrix()).normalized();
   surface.rms =

@@ -10,6 +10,9 @@
 namespace quadrille {
 namespace {
 
+// Real objects are quadrics up to this share of their size.
+constexpr double kFlaw = 0.02;
+
 /// The neighbour of j that lies farthest on in the direction of a step to it; -1 if none does.
 int next_along(const SurfaceSamples& samples, int j, const Eigen::Vector3f& step) {
   int next = -1;

@@ -71,6 +71,10 @@ struct Step {
 
 }  // namespace
 
+CanonicalForm canonical_form(const PosedQuadric& fit) {
+  return canonical_form(Quadric(fit.matrix()), 1e-7);
+}
+
 Eigen::Matrix4d PosedQuadric::matrix() const {
   const Eigen::Matrix4d Y = X.inverse().matrix();
   return Y.transpose() * D * Y;

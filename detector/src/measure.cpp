@@ -162,8 +162,7 @@ std::vector<double> deviations(const Surface& surface, const SurfaceSamples& sam
     const double h = std::max(1e-6, 1e-3 * std::sqrt(C(k, k)));
     Eigen::VectorXd step = Eigen::VectorXd::Zero(C.rows());
     step[k] = h;
-    const CanonicalForm other = canonical_form(
-        Quadric(moved(family, surface.fit.posed, step).matrix()), FamilyFit::kTypeTolerance);
+    const CanonicalForm other = canonical_form(moved(family, surface.fit.posed, step));
     if (other.type != form.type) continue;
     for (std::size_t i = 0; i < size; ++i) {
       J(static_cast<Eigen::Index>(i), k) =
@@ -182,8 +181,7 @@ std::vector<double> deviations(const Surface& surface, const SurfaceSamples& sam
 
 Detection measure(const Surface& surface, const SurfaceSamples& samples,
                   const Eigen::Vector3d& eye) {
-  const CanonicalForm form =
-      canonical_form(Quadric(surface.fit.posed.matrix()), FamilyFit::kTypeTolerance);
+  const CanonicalForm form = canonical_form(surface.fit.posed);
   Detection d;
   d.type = form.type;
   d.Q_C = surface.Q;

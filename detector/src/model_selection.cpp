@@ -119,9 +119,8 @@ double bic(double rss, int size, int dof, const SelectionOptions& options) {
 }
 
 double bic(const FamilyFit& fit, const SelectionOptions& options) {
-  const Quadric Q(fit.posed.matrix());
-  const QuadricType type = canonical_form(Q, FamilyFit::kTypeTolerance).type;
-  return bic(fit.rss, fit.points, family_spec(fit.family).dof, options) - 2.0 * log_prior(type);
+  return bic(fit.rss, fit.points, family_spec(fit.family).dof, options) -
+         2.0 * log_prior(canonical_form(fit.posed).type);
 }
 
 std::optional<FamilyFit> fit_family(const FitPoints& points, Family family, int iterations) {

@@ -14,14 +14,12 @@ double mean_sigma(const SurfaceSamples& samples, std::span<const int> region) {
 }
 
 double confidence_of(const Surface& surface) {
-  const QuadricType type =
-      canonical_form(Quadric(surface.fit.posed.matrix()), FamilyFit::kTypeTolerance).type;
+  const QuadricType type = canonical_form(surface.fit.posed).type;
   return confidence(surface.evidence, family_spec(surface.fit.family).dof, log_prior(type));
 }
 
 bool is_thin(const Surface& surface, const SurfaceSamples& samples) {
-  const CanonicalForm form =
-      canonical_form(Quadric(surface.fit.posed.matrix()), FamilyFit::kTypeTolerance);
+  const CanonicalForm form = canonical_form(surface.fit.posed);
   if (is_imaginary(form.type)) return true;
   double least = 3.0 * mean_sigma(samples, surface.region) / surface.local.scale;
   if (form.type == QuadricType::kHyperbolicCylinder) {

@@ -10,13 +10,24 @@
 using namespace quadrille;
 using namespace quadrille::test;
 
+namespace {
+
+/// The scene in a grid that reaches beside its image.
+struct WideGrid {
+  Scene scene;
+  Eigen::Vector3d up = table_detection().X_CQ.linear().col(2);
+  OccupancyGrid grid;
+
+  WideGrid(const Eigen::Vector3d& low, const Eigen::Vector3d& high)
+      : grid(scene.cloud, scene.view, Eigen::AlignedBox3d(low, high), kResolution) {}
+};
+
+}  // namespace
+
 TEST_CASE("what hangs over seen space beside the image is free, what a surface hides is not",
           "[occupancy]") {
-  const Scene scene;
-  const Eigen::Vector3d up = table_detection().X_CQ.linear().col(2);
-  const Eigen::AlignedBox3d region(Eigen::Vector3d(-0.15, -0.6, 0.3),
-                                   Eigen::Vector3d(0.15, 0.15, 0.95));
-  OccupancyGrid grid(scene.cloud, scene.view, region, kResolution);
+  WideGrid wide({-0.15, -0.6, 0.3}, {0.15, 0.15, 0.95});
+  auto& [scene, up, grid] = wide;
   const std::vector<Voxel> before = grid.states();
   grid.clear_above(scene.view, up);
   int cleared = 0, hidden = 0;
@@ -50,11 +61,8 @@ TEST_CASE("what hangs over seen space beside the image is free, what a surface h
 
 TEST_CASE("each voxel is cleared exactly if its own pixels and the voxel below allow it",
           "[occupancy]") {
-  const Scene scene;
-  const Eigen::Vector3d up = table_detection().X_CQ.linear().col(2);
-  const Eigen::AlignedBox3d region(Eigen::Vector3d(-0.3, -0.5, 0.4),
-                                   Eigen::Vector3d(0.3, 0.15, 0.95));
-  OccupancyGrid grid(scene.cloud, scene.view, region, kResolution);
+  WideGrid wide({-0.3, -0.5, 0.4}, {0.3, 0.15, 0.95});
+  auto& [scene, up, grid] = wide;
   std::vector<Voxel> states = grid.states();
   int axis = 0;
   const double steepest = up.cwiseAbs().maxCoeff(&axis);

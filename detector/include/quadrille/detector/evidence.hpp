@@ -9,9 +9,6 @@
 
 namespace quadrille {
 
-/// Real objects are quadrics up to this share of their size.
-inline constexpr double kFlaw = 0.02;
-
 /// What speaks for and against a fitted quadric.
 struct Evidence {
   /// Natural logarithm of the number of samples.

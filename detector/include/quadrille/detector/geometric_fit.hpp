@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/family.hpp"
 
 namespace quadrille {
@@ -34,11 +35,11 @@ struct PosedQuadric {
   Eigen::Matrix4d matrix() const;
 };
 
+/// The canonical form of a family's fit, whose zeros are exact but for rounding.
+CanonicalForm canonical_form(const PosedQuadric& fit);
+
 /// A fit of one family.
 struct FamilyFit {
-  /// For canonical_form(): a family's zeros are exact but for rounding.
-  static constexpr double kTypeTolerance = 1e-7;
-
   Family family = Family::kGeneral;
   PosedQuadric posed;
   /// Sum of squared first-order distances |f| / |∇f|, in the squared unit of the points.
