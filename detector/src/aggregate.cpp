@@ -17,6 +17,8 @@ constexpr float kFurther = 0.15f;
 // A region is a surface of its own if it lies this share of their sizes off all others: flaws of
 // real cups and posts reach .05, and a dome lies .12 off its post.
 constexpr double kOwn = 0.08;
+// Samples of a region that tell whether it lies off.
+constexpr std::size_t kWitnesses = 100;
 // A joint fit may be this much worse than the worse of two.
 constexpr double kJointRms = 1.25;
 
@@ -182,8 +184,9 @@ Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q)
 
 /// True if no accepted surface nearly explains the region: it is more than a flaw of one.
 bool Aggregation::stands_off(std::span<const int> region) const {
+  const std::vector<int> some = spread_evenly(region, kWitnesses);
   return std::all_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& s) {
-    return rms_distance(s, samples_, region) > kOwn * s.local.scale;
+    return rms_distance(s, samples_, some) > kOwn * s.local.scale;
   });
 }
 

@@ -5,10 +5,14 @@
 #include <cmath>
 #include <vector>
 
+#include "quadrille/detector/region.hpp"
+
 namespace quadrille {
 namespace {
 
 constexpr int kNormalRounds = 5, kDistanceRounds = 4;
+// More samples place the planes no better.
+constexpr std::size_t kEnough = 400;
 
 /// Sums over the samples on one side, for its plane by least squares.
 struct Side {
@@ -84,7 +88,8 @@ std::vector<char> part_by_normals(const SurfaceSamples& samples, std::span<const
 
 }  // namespace
 
-double two_planes_rss(const SurfaceSamples& samples, std::span<const int> region) {
+double two_planes_rss(const SurfaceSamples& samples, std::span<const int> whole) {
+  const std::vector<int> region = spread_evenly(whole, kEnough);
   std::vector<char> side = part_by_normals(samples, region);
   // Near an edge the smoothed normals lie between the faces: from here on the distance decides.
   const std::vector<Eigen::Vector4d> positions =
@@ -103,7 +108,7 @@ double two_planes_rss(const SurfaceSamples& samples, std::span<const int> region
       rss += std::min(a * a, b * b);
     }
   }
-  return rss;
+  return rss * static_cast<double>(whole.size()) / static_cast<double>(region.size());
 }
 
 }  // namespace quadrille
