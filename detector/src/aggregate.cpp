@@ -19,6 +19,8 @@ constexpr float kFurther = 0.15f;
 constexpr double kOwn = 0.08;
 // Samples of a region that tell whether it lies off.
 constexpr std::size_t kWitnesses = 100;
+// A fit to a larger region may be this much worse than that to the smaller.
+constexpr double kLargerRms = 1.3;
 // A joint fit may be this much worse than the worse of two.
 constexpr double kJointRms = 1.25;
 
@@ -198,7 +200,9 @@ void Aggregation::extend(Surface* surface) const {
   all.insert(all.end(), more.begin(), more.end());
   if (more.size() > surface->region.size() / 50) {
     std::optional<Surface> refit = fitted(all);
-    if (refit && refit->rms < 1.3 * surface->rms) {
+    // A small region's fit can follow its noise: what the noise explains is no worse.
+    const double noise = mean_sigma(samples_, all);
+    if (refit && refit->rms < std::max(kLargerRms * surface->rms, noise)) {
       *surface = std::move(*refit);
       return;
     }

@@ -108,6 +108,35 @@ TEST_CASE("two cylinders of different radius stay two", "[aggregate]") {
   CHECK(radii[1] == Approx(kRadius).epsilon(0.02));
 }
 
+TEST_CASE("a dome that goes over smoothly into its post is a surface of its own", "[aggregate]") {
+  constexpr double kStep = 0.004;
+  static constexpr int kPost = 50, kDome = 9;  // rows
+  const SurfaceSamples samples = surface_grid(
+      kColumns, kPost + kDome,
+      [](int i, int j) {
+        const double a = (i - 12) * 0.1, t = std::max(0.0, (j - kPost) * kStep / kRadius);
+        const Eigen::Vector3d n(std::cos(t) * std::cos(a), std::cos(t) * std::sin(a), std::sin(t));
+        const double z = (j < kPost ? j : kPost) * kStep;
+        return OrientedPoint{kRadius * n + z * Eigen::Vector3d::UnitZ(), n};
+      },
+      kStep, 0.0005, 4);
+  const Candidate post = candidate_of(cylinder_quadric(kRadius), 0, kPost + 2);
+  const double z = kPost * kStep;
+  Eigen::Matrix4d sphere = Eigen::Matrix4d::Identity();
+  sphere(2, 3) = sphere(3, 2) = -z;
+  sphere(3, 3) = z * z - kRadius * kRadius;
+  Candidate dome = candidate_of(Quadric(sphere), kPost + 2, kPost + kDome);
+  dome.family = Family::kSphere;
+  Aggregation aggregation(samples, {}, {});
+  aggregation.offer({post, dome}, false);
+  REQUIRE(aggregation.surfaces().size() == 2);
+  CHECK(radius_of(aggregation.surfaces()[0]) == Approx(kRadius).epsilon(0.02));
+  const Surface& top = aggregation.surfaces()[1];
+  const CanonicalForm form = canonical_form(top.fit.posed);
+  REQUIRE(form.type == QuadricType::kSphere);
+  CHECK(top.local.scale * form.dimensions[0].second == Approx(kRadius).epsilon(0.05));
+}
+
 TEST_CASE("a candidate whose samples are claimed is dropped", "[aggregate]") {
   const SurfaceSamples samples = cylinder();
   Aggregation aggregation(samples, {}, {});
