@@ -211,11 +211,12 @@ void Aggregation::extend(Surface* surface) const {
 }
 
 double Aggregation::bic_of(const Surface& surface, double effective_size) const {
+  FamilyFit whole = surface.fit;
+  whole.points = static_cast<int>(surface.region.size());
+  whole.rss = surface.rms * surface.rms * whole.points;
   SelectionOptions selection_options;
-  const int n = static_cast<int>(surface.region.size());
-  selection_options.effective_share = effective_size / n;
-  return bic(surface.rms * surface.rms * n, n, family_spec(surface.fit.family).dof,
-             selection_options);
+  selection_options.effective_share = effective_size / whole.points;
+  return bic(whole, selection_options);
 }
 
 /// Joins the surface with earlier ones where one quadric explains both.
