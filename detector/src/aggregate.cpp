@@ -213,7 +213,9 @@ void Aggregation::extend(Surface* surface) const {
 double Aggregation::bic_of(const Surface& surface, double effective_size) const {
   FamilyFit whole = surface.fit;
   whole.points = static_cast<int>(surface.region.size());
-  whole.rss = surface.rms * surface.rms * whole.points;
+  // No fit is better than another that the noise explains.
+  const double rms = std::max(surface.rms, mean_sigma(samples_, surface.region));
+  whole.rss = rms * rms * whole.points;
   SelectionOptions selection_options;
   selection_options.effective_share = effective_size / whole.points;
   return bic(whole, selection_options);
