@@ -124,10 +124,10 @@ bool overlaps(const OrientedBox& box, const std::shared_ptr<const octomap::OcTre
   return fcl_collide(&geometry, fcl::Transform3d::Identity(), &solid, pose(box));
 }
 
-std::optional<Obstruction> CollisionScene::palm_obstruction(const SweptHand& hand) const {
-  const std::span<const OrientedBox> palm(&hand.palm, 1);
-  if (const auto what = first_obstruction(*this, palm, {})) return what;
-  if (hits(palm, target, kEndDoubt)) return Obstruction::kTarget;
+std::optional<Obstruction> CollisionScene::palm_obstruction(const OrientedBox& palm) const {
+  const std::span<const OrientedBox> boxes(&palm, 1);
+  if (const auto what = first_obstruction(*this, boxes, {})) return what;
+  if (hits(boxes, target, kEndDoubt)) return Obstruction::kTarget;
   return std::nullopt;
 }
 
@@ -136,7 +136,7 @@ std::optional<Obstruction> CollisionScene::finger_obstruction(const SweptHand& h
 }
 
 std::optional<Obstruction> CollisionScene::obstruction(const SweptHand& hand) const {
-  const std::optional<Obstruction> palm = palm_obstruction(hand);
+  const std::optional<Obstruction> palm = palm_obstruction(hand.palm);
   return palm ? palm : finger_obstruction(hand);
 }
 

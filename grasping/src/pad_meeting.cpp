@@ -48,6 +48,9 @@ void PadMeeter::turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& ap
       from_origin_Q_.col(n++) = across * 0.5 * gripper_.finger.x() * x_Q + along * z_Q;
     }
   }
+  for (int i = 0; i < 3; ++i) {
+    offsets_[i] = from_origin_Q_.row(i).transpose().cast<float>().array();
+  }
   const Eigen::Vector3d My = quadric_.M.cwiseProduct(y_Q_);
   curvature_ = y_Q_.dot(My);
   product_ = (My.transpose() * from_origin_Q_).transpose().cast<float>().array();
@@ -73,14 +76,13 @@ bool PadMeeter::cross(const Eigen::Vector3d& p_Q) {
   const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(p_Q) + 0.5 * quadric_.g;
   const double C_p = p_Q.dot(half_gradient) + 0.5 * quadric_.g.dot(p_Q) + quadric_.k;
   const Chords B = product_ + static_cast<float>(half_gradient.dot(y_Q_));
-  const Chords C =
-      square_ + static_cast<float>(C_p) +
-      (2.0 * half_gradient.transpose() * from_origin_Q_).transpose().cast<float>().array();
+  const Eigen::Vector3f g = (2.0 * half_gradient).cast<float>();
+  const Chords C = square_ + static_cast<float>(C_p) + g.x() * offsets_[0] + g.y() * offsets_[1] +
+                   g.z() * offsets_[2];
   const float A = static_cast<float>(curvature_), inverse = 1.0F / A;
   const Chords D = B * B - A * C, root = D.max(0.0F).sqrt();
   const Chords t0 = (-B - root) * inverse, t1 = (root - B) * inverse;
-  const Chords z =
-      from_origin_Q_.row(2).transpose().cast<float>().array() + static_cast<float>(p_Q.z());
+  const Chords z = offsets_[2] + static_cast<float>(p_Q.z());
   const float y_z = static_cast<float>(y_Q_.z());
   const Chords z0 = z + t0 * y_z, z1 = z + t1 * y_z;
   const auto meets = (D > 0.0F && z0.min(z1) >= static_cast<float>(body_.z_min) &&

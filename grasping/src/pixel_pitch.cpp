@@ -87,7 +87,8 @@ double count_pixels(const PixelGrid& grid, const Eigen::AlignedBox2d& bounds) {
 
 PixelGrid find_pixel_grid(const std::vector<Eigen::Vector2d>& tangents,
                           const Eigen::AlignedBox2d& bounds) {
-  PixelGrid grid = regular_grid(tangents, bounds).value_or(density_grid(tangents, bounds));
+  const std::optional<PixelGrid> regular = regular_grid(tangents, bounds);
+  PixelGrid grid = regular ? *regular : density_grid(tangents, bounds);
   const Eigen::Vector2d found = grid.pitch;
   grid.pitch = found.cwiseMax(kFinestPitch);
   // An axis that is down to one pixel shrinks no further, so that one step may not be enough.

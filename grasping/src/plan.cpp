@@ -227,17 +227,24 @@ class Planner {
     if (view_->valid()) base.refine(*view_, further_.empty());
     const auto keep = [&](const std::vector<Grasp>& grasps) {
       plan_.grasps.insert(plan_.grasps.end(), grasps.begin(), grasps.end());
+      return !grasps.empty();
     };
     for (const Target& target : targets_) {
+      bool held = false;
+      std::optional<CollisionScene> solid;
       if (target.solid) {
-        const CollisionScene scene = solid_scene(target, base);
-        TargetPlanner planner(target, gripper_, options_, *plan_.space, scene);
-        keep(planner.plan(cloud_.viewpoint, plan_.rejected));
+        solid = solid_scene(target, base);
+        held |= keep(TargetPlanner(target, gripper_, options_, *plan_.space, *solid)
+                         .plan(cloud_.viewpoint, plan_.rejected));
       }
       if (target.shell) {
         const CollisionScene scene = shell_scene(target, base);
-        TargetPlanner planner(target, gripper_, options_, *plan_.space, scene);
-        keep(planner.plan_rim(cloud_.viewpoint, plan_.rejected));
+        held |= keep(TargetPlanner(target, gripper_, options_, *plan_.space, scene)
+                         .plan_rim(cloud_.viewpoint, plan_.rejected));
+      }
+      if (solid && !held) {
+        keep(TargetPlanner(target, gripper_, options_, *plan_.space, *solid)
+                 .plan_tips(cloud_.viewpoint, plan_.rejected));
       }
     }
   }

@@ -25,6 +25,12 @@ SupportPlane table() {
   return {d.X_CQ, {d.extent_Q.min().head<2>(), d.extent_Q.max().head<2>()}};
 }
 
+// Nothing in the way but planes.
+CollisionScene only(std::vector<SupportPlane> planes) {
+  return {
+      ObstacleMap(OccupancyGrid(Eigen::AlignedBox3d(), 0.005), false), std::move(planes), {}, {}};
+}
+
 // As wide as the hand, on the table: it cannot be held across its middle.
 Detection flat_ellipsoid() {
   Detection d;
@@ -44,13 +50,14 @@ Detection flat_ellipsoid() {
 TEST_CASE("holds by the tips touch the body, need no more friction than asked for, and repeat",
           "[tips]") {
   std::mt19937 random(71);
+  const CollisionScene scene = only({});
   for (Detection d : solid_detections()) {
     const bool blunt = d.type == QuadricType::kHyperboloidTwoSheets;  // it leans everywhere
     if (d.type == QuadricType::kParallelPlanes || blunt) continue;
     CAPTURE(to_string(d.type));
     d.X_CQ = random_pose(random);
     const Body body = make_body(d).value();
-    const auto holds = tip_holds(body, franka_hand(), space_above(body), {}, 0.4);
+    const auto holds = tip_holds(body, franka_hand(), space_above(body), {scene, 0.05, 0.4});
     REQUIRE(holds.size() > 20);
     for (const TipHold& hold : holds) {
       REQUIRE(hold.friction <= 0.4);
@@ -62,7 +69,7 @@ TEST_CASE("holds by the tips touch the body, need no more friction than asked fo
         REQUIRE_FALSE(body.contains(p_C, -1e-4));
       }
     }
-    const auto again = tip_holds(body, franka_hand(), space_above(body), {}, 0.4);
+    const auto again = tip_holds(body, franka_hand(), space_above(body), {scene, 0.05, 0.4});
     REQUIRE(again.size() == holds.size());
     CHECK(again.front().line.centre_C == holds.front().line.centre_C);
     CHECK(again.back().line.centre_C == holds.back().line.centre_C);
@@ -71,7 +78,7 @@ TEST_CASE("holds by the tips touch the body, need no more friction than asked fo
 
 TEST_CASE("what needs little friction comes before what needs much", "[tips]") {
   const Body body = make_body(flat_ellipsoid()).value();
-  const auto holds = tip_holds(body, franka_hand(), space_above(body), {}, 0.5);
+  const auto holds = tip_holds(body, franka_hand(), space_above(body), {only({}), 0.05, 0.5});
   REQUIRE(holds.size() > 100);
   const auto band = [](const TipHold& hold) { return std::max(0.3, hold.friction); };
   for (std::size_t n = 1; n < holds.size(); ++n) {
@@ -81,8 +88,9 @@ TEST_CASE("what needs little friction comes before what needs much", "[tips]") {
 
 TEST_CASE("no hold lies far below the plane that the body stands on", "[tips]") {
   const Body body = make_body(flat_ellipsoid()).value();
-  const auto anywhere = tip_holds(body, franka_hand(), space_above(body), {}, 0.5);
-  const auto above = tip_holds(body, franka_hand(), space_above(body), {table()}, 0.5);
+  const auto anywhere = tip_holds(body, franka_hand(), space_above(body), {only({}), 0.05, 0.5});
+  const auto above =
+      tip_holds(body, franka_hand(), space_above(body), {only({table()}), 0.05, 0.5});
   REQUIRE_FALSE(above.empty());
   CHECK(above.size() < anywhere.size());
   for (const TipHold& hold : above) {
@@ -98,7 +106,7 @@ TEST_CASE("a body nearly as wide as the hand opens can be held by the tips", "[t
   const OccupancyGrid nothing(Eigen::AlignedBox3d(), 0.005);
   const CollisionScene scene{ObstacleMap(nothing, false), {table()}, {}, make_pieces(body)};
   int free = 0;
-  for (const TipHold& hold : tip_holds(body, hand, space_above(body), {table()}, 0.5)) {
+  for (const TipHold& hold : tip_holds(body, hand, space_above(body), {scene, 0.05, 0.5})) {
     const Eigen::Isometry3d X_CG = grasp_pose(hold.line, hold.approach_C, 0.0);
     const SweptHand swept = sweep_hand(hand, X_CG, hand.max_opening, hold.line.width, 0.05);
     if (scene.obstruction(swept)) continue;

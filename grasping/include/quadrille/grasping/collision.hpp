@@ -51,7 +51,7 @@ struct CollisionScene {
   std::optional<Obstruction> obstruction(const SweptHand& hand) const;
   /// The same for the palm alone, which no other opening of the hand moves out of the way. It stays
   /// 8 mm off the target, whose end lies farther out than its detection tells.
-  std::optional<Obstruction> palm_obstruction(const SweptHand& hand) const;
+  std::optional<Obstruction> palm_obstruction(const OrientedBox& palm) const;
   /// The same for the fingers and their closing.
   std::optional<Obstruction> finger_obstruction(const SweptHand& hand) const;
   /// How far the hand may be inflated before it runs into anything but the target, found by

@@ -51,6 +51,7 @@ class PadMeeter {
   // Where the chords lie from the origin of G, with wᵀMw and wᵀMy of each such w, and yᵀMy: a chord
   // lies inside between its ends if this is positive.
   Eigen::Matrix<double, 3, kChords> from_origin_Q_;
+  std::array<Chords, 3> offsets_;  // the same, axis by axis
   Chords square_, product_;
   double curvature_ = 0.0;
   // How far out the ends of each chord lie on either side; far within if it meets no surface.
