@@ -75,10 +75,11 @@ Hit voxel_hit(std::span<const OrientedBox> boxes, const ObstacleMap& map, double
   return Hit::kNone;
 }
 
-// `solid` stays out of everything, `closing` may touch the target.
+// `solid` stays out of everything, and by `off_target` off the target, which `closing` may touch.
 std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
                                              std::span<const OrientedBox> solid,
-                                             std::span<const OrientedBox> closing) {
+                                             std::span<const OrientedBox> closing,
+                                             double off_target) {
   for (const SupportPlane& plane : scene.planes) {
     if (crosses(solid, plane, scene.margin)) return Obstruction::kSupport;
   }
@@ -87,7 +88,7 @@ std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
     if (hit == Hit::kOccupied) return Obstruction::kOccupied;
     if (hit == Hit::kUnknown) return Obstruction::kUnknown;
   }
-  if (hits(solid, scene.target, scene.margin)) return Obstruction::kTarget;
+  if (hits(solid, scene.target, off_target)) return Obstruction::kTarget;
   if (hits(solid, scene.neighbours, scene.margin)) return Obstruction::kNeighbour;
   if (hits(closing, scene.neighbours, scene.margin)) return Obstruction::kNeighbour;
   return std::nullopt;
@@ -125,14 +126,19 @@ bool overlaps(const OrientedBox& box, const std::shared_ptr<const octomap::OcTre
 }
 
 std::optional<Obstruction> CollisionScene::palm_obstruction(const OrientedBox& palm) const {
-  const std::span<const OrientedBox> boxes(&palm, 1);
-  if (const auto what = first_obstruction(*this, boxes, {})) return what;
-  if (hits(boxes, target, kEndDoubt)) return Obstruction::kTarget;
-  return std::nullopt;
+  return first_obstruction(*this, {&palm, 1}, {}, kEndDoubt);
 }
 
 std::optional<Obstruction> CollisionScene::finger_obstruction(const SweptHand& hand) const {
-  return first_obstruction(*this, hand.fingers, hand.closing);
+  return first_obstruction(*this, hand.fingers, hand.closing, margin);
+}
+
+std::optional<Obstruction> CollisionScene::closing_obstruction(
+    const std::array<OrientedBox, 2>& fingers) const {
+  for (const SupportPlane& plane : planes) {
+    if (crosses(fingers, plane, margin)) return Obstruction::kSupport;
+  }
+  return first_obstruction(*this, {}, fingers, margin);
 }
 
 std::optional<Obstruction> CollisionScene::obstruction(const SweptHand& hand) const {

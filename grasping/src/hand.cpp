@@ -29,6 +29,14 @@ SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, doub
   return hand;
 }
 
+std::array<OrientedBox, 2> common_fingers(const Gripper& gripper, const Eigen::Isometry3d& X_CG,
+                                          double opening, double width) {
+  const double x = 0.5 * gripper.finger.x(), back = -gripper.reach(width);
+  const double in = 0.5 * std::min(width, opening), out = 0.5 * opening + gripper.finger.y();
+  const Eigen::Vector3d low(-x, in, back), high(x, out, gripper.finger_front);
+  return {box_between(X_CG, low, high), box_between(X_CG, {-x, -out, back}, {x, -in, high.z()})};
+}
+
 std::optional<OrientedBox> common_palm(const Gripper& gripper, const Eigen::Isometry3d& X_CG,
                                        const Eigen::AlignedBox3d& places_G, double approach) {
   const double narrow = gripper.min_opening, wide = gripper.max_opening;

@@ -67,12 +67,12 @@ struct ObstacleMap::Query {
   Eigen::Matrix<double, 9, 1> edge_reach, edge_spread;
   Eigen::Vector3d face_spread;
   // For a quick answer: from a cube's middle to those of its eighths on the axes of the faces, per
-  // half an eighth's edge, and the largest offset on each axis at which cubes of a level may
-  // overlap.
+  // half an eighth's edge; the box's own reach on each axis, and the spread of a cube of half
+  // size 1.
   std::array<Offset, 8> to_eighth;
-  std::array<Offset, kLevels> most;
+  Offset quick_reach, quick_spread;
 
-  Query(const OrientedBox& box, double resolution)
+  explicit Query(const OrientedBox& box)
       : p(box.p_CB),
         reach(box.reach()),
         R(box.R_CB),
@@ -90,12 +90,9 @@ struct ObstacleMap::Query {
     }
     // Floats round by less than this on the offsets of what lies within some metres [m].
     constexpr float kRounding = 2e-6F;
-    for (int level = 0; level < kLevels; ++level) {
-      const double h = 0.5 * resolution * (1 << level);
-      most[level] << (reach.array() + h).cast<float>(),
-          (half + h * face_spread).cast<float>().array(), 1.0F, 1.0F;
-      most[level] += kRounding;
-    }
+    quick_reach << reach.cast<float>().array() + kRounding, half.cast<float>().array() + kRounding,
+        1.0F, 1.0F;
+    quick_spread << 1.0F, 1.0F, 1.0F, face_spread.cast<float>().array(), 0.0F, 0.0F;
   }
 
   Offset on_faces(const Eigen::Vector3d& t) const {
@@ -205,7 +202,7 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
                        ((box.p_CB + reach).array() > top.array()).any();
   if (outside && unknown_blocks_) return Hit::kUnknown;
   if (levels_[0].flags.empty()) return Hit::kNone;
-  const Query query(box, resolution_);
+  const Query query(box);
   const auto [low, high] = voxels({box.p_CB - reach, box.p_CB + reach});
   constexpr int kTop = kLevels - 1;
   if ((high.array() < 0).any()) return Hit::kNone;
@@ -228,10 +225,11 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
 // What the box meets of a cube that holds something.
 std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Vector3i& at,
                                   const Offset& offset) const {
-  if ((offset.abs() - query.most[level]).maxCoeff() > 0.0F) return 0;
+  const double h = 0.5 * resolution_ * (1 << level);
+  const Offset gap = offset.abs() - query.quick_reach - static_cast<float>(h) * query.quick_spread;
+  if (gap.maxCoeff() > 0.0F) return 0;
   const Level& here = levels_[level];
   const std::uint8_t flags = here.flags[here.index(at.x(), at.y(), at.z())];
-  const double h = 0.5 * resolution_ * (1 << level);
   const bool refined = view_ != nullptr && flags & (kAnyUnknown | (sole_view_ ? kAnyOccupied : 0));
   if (level == 0 || (flags & kAll && !refined)) {
     const Eigen::Vector3d centre = corner_ + 2.0 * h * (at.cast<double>().array() + 0.5).matrix();

@@ -122,7 +122,19 @@ bool PadMeeter::on_edge(const ContactLine& line) const {
   return false;
 }
 
-std::optional<PadMeeting> PadMeeter::at(const Eigen::Vector3d& p_C) {
+// The tangent of the widest angle between the line between two points of the surface and its
+// normals there.
+double PadMeeter::friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q) const {
+  const Eigen::Vector3d between = (ends_Q[0] - ends_Q[1]).normalized();
+  double least = 1.0;
+  for (const Eigen::Vector3d& end_Q : ends_Q) {
+    const Eigen::Vector3d n_Q = 2.0 * quadric_.M.cwiseProduct(end_Q) + quadric_.g;
+    least = std::min(least, std::abs(n_Q.dot(between)) / n_Q.norm());
+  }
+  return std::sqrt(1.0 / std::max(least * least, 1e-6) - 1.0);
+}
+
+std::optional<PadMeeting> PadMeeter::at(const Eigen::Vector3d& p_C, double most_friction) {
   if (curvature_ < 1e-9 * quadric_.M.maxCoeff()) return std::nullopt;
   const Eigen::Vector3d p_Q = body_.X_CQ.inverse() * p_C;
   // Most that are too wide are so here, which is soon found.
@@ -133,6 +145,10 @@ std::optional<PadMeeting> PadMeeter::at(const Eigen::Vector3d& p_C) {
   std::array<int, 2> at;
   const std::array<double, 2> out = {out_[0].maxCoeff(&at[0]), out_[1].maxCoeff(&at[1])};
   if (out[0] + out[1] > gripper_.max_opening) return std::nullopt;
+  // Most that need too much friction are told so, to well within what floats round, at this cost.
+  const std::array<Eigen::Vector3d, 2> ends_Q = {p_Q + from_origin_Q_.col(at[0]) + out[0] * y_Q_,
+                                                 p_Q + from_origin_Q_.col(at[1]) - out[1] * y_Q_};
+  if (friction_between(ends_Q) > most_friction + 0.01) return std::nullopt;
   PadMeeting meeting;
   ContactLine& line = meeting.line;
   for (int i = 0; i < 2; ++i) {
@@ -148,6 +164,7 @@ std::optional<PadMeeting> PadMeeter::at(const Eigen::Vector3d& p_C) {
   line.width = line.opening = out[0] + out[1];
   line.centre_C = p_C + 0.5 * (out[0] - out[1]) * y_C_;
   meeting.friction = std::max({lean(0, out[0], p_Q), lean(1, out[1], p_Q), friction_needed(line)});
+  if (meeting.friction > most_friction) return std::nullopt;
   return meeting;
 }
 

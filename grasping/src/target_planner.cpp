@@ -231,10 +231,13 @@ bool TargetPlanner::try_hand(const Attempt& attempt, Counts& rejected) {
   const auto swept = [&](double preshape) {
     return sweep_hand(gripper_, attempt.X_CG, preshape, line.width, options_.approach);
   };
-  if (const auto what = scene_.palm_obstruction(swept(line.opening).palm)) {
-    refuse(*what, rejected);
-    return false;
-  }
+  const auto refused = [&](const std::optional<Obstruction>& what) {
+    if (what) refuse(*what, rejected);
+    return what.has_value();
+  };
+  const auto fingers = common_fingers(gripper_, attempt.X_CG, least_opening(line), line.width);
+  if (refused(scene_.closing_obstruction(fingers))) return false;
+  if (refused(scene_.palm_obstruction(swept(line.opening).palm))) return false;
   if (attempt.may_bulge &&
       meets_too_early(line, attempt.X_CG, gripper_, scene_.target, margin(line))) {
     refuse(Obstruction::kTarget, rejected);

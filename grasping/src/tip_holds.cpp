@@ -1,6 +1,7 @@
 #include "quadrille/grasping/tip_holds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -103,9 +104,8 @@ class Search {
     for (const Eigen::Vector3d& p_G : places_G) {
       X_CG.translation() = X_CG.linear() * p_G;
       if (sinks(X_CG)) continue;
-      const std::optional<PadMeeting> met = meeter_.at(X_CG.translation());
+      const std::optional<PadMeeting> met = meeter_.at(X_CG.translation(), limits_.friction);
       if (!met || met->line.width < gripper_.min_opening) continue;
-      if (met->friction > limits_.friction) continue;
       const double value = prior - 2.0 * met->friction;
       rated_.push_back(
           {{met->line, approach_C, met->friction}, std::max(2, band(met->friction)), value});
@@ -135,15 +135,21 @@ class Search {
     points_G_.noalias() = X_CG.linear().transpose() * points_;
     const Eigen::RowVectorXd& ahead = points_G_.row(2);
     const double nearest = ahead.minCoeff(), farthest = ahead.maxCoeff();
+    // What each dip reaches beyond those before it.
+    std::array<Eigen::AlignedBox3d, std::size(kDips)> reached;
+    for (const auto& p_G : points_G_.colwise()) {
+      const double deep = p_G.z() - nearest;
+      const auto dip = deep <= kLeastReached
+                           ? std::begin(kDips)
+                           : std::lower_bound(std::begin(kDips), std::end(kDips), deep);
+      if (dip != std::end(kDips)) reached[dip - std::begin(kDips)].extend(Eigen::Vector3d(p_G));
+    }
     std::vector<Eigen::Vector3d> places;
-    for (const double dip : kDips) {
+    Eigen::AlignedBox3d reached_G;
+    for (std::size_t n = 0; n < std::size(kDips); ++n) {
+      const double dip = kDips[n];
       if (nearest + dip > farthest + kBelow) break;
-      Eigen::AlignedBox3d reached_G;
-      for (const auto& p_G : points_G_.colwise()) {
-        if (p_G.z() <= nearest + std::max(dip, kLeastReached)) {
-          reached_G.extend(Eigen::Vector3d(p_G));
-        }
-      }
+      reached_G.extend(reached[n]);
       Eigen::Vector3d p_G = reached_G.center();
       p_G.z() = nearest + dip - gripper_.finger_front;
       const auto add = [&](double beside) {

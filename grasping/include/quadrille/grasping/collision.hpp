@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -54,6 +55,9 @@ struct CollisionScene {
   std::optional<Obstruction> palm_obstruction(const OrientedBox& palm) const;
   /// The same for the fingers and their closing.
   std::optional<Obstruction> finger_obstruction(const SweptHand& hand) const;
+  /// The same for what fingers fill at the end of the approach, whatever their opening: the target
+  /// is no obstacle to it.
+  std::optional<Obstruction> closing_obstruction(const std::array<OrientedBox, 2>& fingers) const;
   /// How far the hand may be inflated before it runs into anything but the target, found by
   /// bisection to within 1 mm and at most kFarthestClearance [m].
   double clearance(const SweptHand& hand) const;

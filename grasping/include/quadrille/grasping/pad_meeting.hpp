@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "quadrille/grasping/body.hpp"
@@ -32,8 +33,10 @@ class PadMeeter {
   /// angles; before the first at().
   void turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C);
   /// For a hand whose origin is moved along its closing direction from p_C. Nullopt if the fingers
-  /// do not meet the body, meet more than they open, or meet the edge of one of its ends.
-  std::optional<PadMeeting> at(const Eigen::Vector3d& p_C);
+  /// do not meet the body, meet more than they open, meet the edge of one of its ends, or need more
+  /// friction than `most_friction`.
+  std::optional<PadMeeting> at(const Eigen::Vector3d& p_C,
+                               double most_friction = std::numeric_limits<double>::infinity());
 
  private:
   static constexpr int kRows = 8, kColumns = 5, kChords = kRows * kColumns;
@@ -42,6 +45,7 @@ class PadMeeter {
   bool on_edge(const ContactLine& line) const;
   bool too_wide(const Eigen::Vector3d& q_Q) const;
   bool cross(const Eigen::Vector3d& p_Q);
+  double friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q) const;
   double lean(int side, double most, const Eigen::Vector3d& p_Q) const;
 
   const Body& body_;
