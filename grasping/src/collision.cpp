@@ -11,10 +11,6 @@ namespace quadrille {
 
 namespace {
 
-// How far a target may reach beyond the end that was detected, towards the palm: detections end
-// short of the outermost points [m].
-constexpr double kEndDoubt = 0.008;
-
 // Only collide(), never distance() or continuousCollide(): those fail on half-spaces and empty
 // octrees or miss thin walls between their samples. libccd's solver, not FCL's own (GST_INDEP),
 // which lets a small box inside a Convex pass.
@@ -126,7 +122,7 @@ bool overlaps(const OrientedBox& box, const std::shared_ptr<const octomap::OcTre
 }
 
 std::optional<Obstruction> CollisionScene::palm_obstruction(const OrientedBox& palm) const {
-  return first_obstruction(*this, {&palm, 1}, {}, kEndDoubt);
+  return first_obstruction(*this, {&palm, 1}, {}, end_doubt);
 }
 
 std::optional<Obstruction> CollisionScene::finger_obstruction(const SweptHand& hand) const {

@@ -9,7 +9,8 @@ namespace quadrille {
 
 namespace {
 
-// How far from the outermost point the contact may be in truth [m].
+// How far from the outermost point the contact may be in truth [m]: pads give by about as much, and
+// fits are no better.
 constexpr double kDoubt = 0.0015;
 
 // Where a body ends is known no better [m]: there a pad that leans out beyond the end may meet its
@@ -35,10 +36,10 @@ constexpr float kNone = -1e3F;
 
 }  // namespace
 
-PadMeeter::PadMeeter(const Body& body, const Gripper& gripper)
+PadMeetingFinder::PadMeetingFinder(const Body& body, const Gripper& gripper)
     : body_(body), gripper_(gripper), quadric_(quadric_of(body)) {}
 
-void PadMeeter::turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C) {
+void PadMeetingFinder::turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C) {
   y_C_ = closing_C;
   y_Q_ = body_.X_CQ.linear().transpose() * closing_C;
   const Eigen::Vector3d z_Q = body_.X_CQ.linear().transpose() * approach_C, x_Q = y_Q_.cross(z_Q);
@@ -58,7 +59,7 @@ void PadMeeter::turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& ap
 }
 
 // True if the hand does not open as far as one chord is long.
-bool PadMeeter::too_wide(const Eigen::Vector3d& q_Q) const {
+bool PadMeetingFinder::too_wide(const Eigen::Vector3d& q_Q) const {
   const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(q_Q) + 0.5 * quadric_.g;
   const double B = half_gradient.dot(y_Q_);
   const double C = q_Q.dot(half_gradient) + 0.5 * quadric_.g.dot(q_Q) + quadric_.k;
@@ -72,7 +73,7 @@ bool PadMeeter::too_wide(const Eigen::Vector3d& q_Q) const {
 }
 
 // The chords' ends, from the roots t of At² + 2Bt + C of q + t·y; false if none has any.
-bool PadMeeter::cross(const Eigen::Vector3d& p_Q) {
+bool PadMeetingFinder::cross(const Eigen::Vector3d& p_Q) {
   const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(p_Q) + 0.5 * quadric_.g;
   const double C_p = p_Q.dot(half_gradient) + 0.5 * quadric_.g.dot(p_Q) + quadric_.k;
   const Chords B = product_ + static_cast<float>(half_gradient.dot(y_Q_));
@@ -94,7 +95,7 @@ bool PadMeeter::cross(const Eigen::Vector3d& p_Q) {
 }
 
 // The tangent of the mean lean of what may be the contact.
-double PadMeeter::lean(int side, double most, const Eigen::Vector3d& p_Q) const {
+double PadMeetingFinder::lean(int side, double most, const Eigen::Vector3d& p_Q) const {
   double sum = 0.0;
   int count = 0;
   for (int n = 0; n < kChords; ++n) {
@@ -109,7 +110,7 @@ double PadMeeter::lean(int side, double most, const Eigen::Vector3d& p_Q) const 
   return std::sqrt(1.0 / (cosine * cosine) - 1.0);
 }
 
-bool PadMeeter::on_edge(const ContactLine& line) const {
+bool PadMeetingFinder::on_edge(const ContactLine& line) const {
   if (body_.profile == Body::Profile::kEllipse) return false;
   for (int i = 0; i < 2; ++i) {
     const double z = (body_.X_CQ.inverse() * line.contacts_C[i]).z();
@@ -124,7 +125,7 @@ bool PadMeeter::on_edge(const ContactLine& line) const {
 
 // The tangent of the widest angle between the line between two points of the surface and its
 // normals there.
-double PadMeeter::friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q) const {
+double PadMeetingFinder::friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q) const {
   const Eigen::Vector3d between = (ends_Q[0] - ends_Q[1]).normalized();
   double least = 1.0;
   for (const Eigen::Vector3d& end_Q : ends_Q) {
@@ -134,7 +135,7 @@ double PadMeeter::friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q)
   return std::sqrt(1.0 / std::max(least * least, 1e-6) - 1.0);
 }
 
-std::optional<PadMeeting> PadMeeter::at(const Eigen::Vector3d& p_C, double most_friction) {
+std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, double most_friction) {
   if (curvature_ < 1e-9 * quadric_.M.maxCoeff()) return std::nullopt;
   const Eigen::Vector3d p_Q = body_.X_CQ.inverse() * p_C;
   // Most that are too wide are so here, which is soon found.

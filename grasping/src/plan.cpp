@@ -195,6 +195,7 @@ class Planner {
     CollisionScene scene = scene_of(target, base);
     const Shell& shell = *target.shell;
     scene.target = make_wall(shell);
+    scene.end_doubt = scene.margin;  // find_shell() put the rim where the points end
     const double margin = carve_margin();
     scene.map.carve(shell.body, margin + shell.outer(), [&](const Eigen::Vector3d& p_C) {
       return !shell.in_wall(p_C, margin) || holds_up(target, p_C);

@@ -12,13 +12,15 @@ namespace quadrille {
 
 namespace {
 
-// Holds by the tips are exact: their normals are those of the very place.
+// Holds by the tips are exact: their normals are those of the very place, so that less is kept in
+// hand than for contacts that the pads smooth out.
 constexpr double kTipFrictionShare = 0.9;
 // More collision checks than this found hardly any further hold, and more holds than this are not
 // needed of a target.
 constexpr int kMostTipChecks = 4000;
 constexpr std::size_t kMostTipHolds = 8;
-// How far the tips reach beyond a contact that only they hold [m].
+// How far the tips reach beyond a contact that only they hold [m]: their rounding, and the doubt
+// about where the contact is.
 constexpr double kTipBeyond = 0.003;
 
 }  // namespace

@@ -15,19 +15,20 @@ namespace quadrille {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// How far the tips reach beyond the nearest point of the body [m].
+// How far the tips reach beyond the nearest point of the body [m]: from the least that holds, by
+// steps that grow, to most of a finger.
 constexpr double kDips[] = {0.004, 0.008, 0.013, 0.019, 0.027, 0.037};
-// Where along the body's breadth: at its middle, near it [m], and as a share of half of it.
+// Where along the body's breadth: at its middle, near it [m], by about the doubt about where that
+// is, and as a share of half of it, for what is blocked or too wide there.
 constexpr double kNear[] = {0.0, -0.005, 0.005};
 constexpr double kBeside[] = {-0.35, 0.35, -0.7, 0.7};
-// What of the tip is rounded off [m].
-constexpr double kEdge = 0.0012;
-
-// The tips may end as far beyond the body [m].
+// The tips may end as far beyond the body [m]: their own front face needs no hold.
 constexpr double kBelow = 0.005;
-// The closing may lift the hand by as much [m].
+// The closing may lift the hand by as much [m]: what it moves along y, if y is not level. Deeper
+// hands are left out here, all others meet the exact test later.
 constexpr double kSunk = 0.005;
-// What lies so near to the body's nearest point tells where its middle is [m].
+// What lies so near to the body's nearest point tells where its middle is [m]: less has hardly a
+// point of the surface.
 constexpr double kLeastReached = 0.01;
 
 // Points all over the surface, in frame C.
@@ -92,7 +93,7 @@ int band(double friction) { return static_cast<int>(friction / 0.1); }
 class Search {
  public:
   Search(const Body& body, const Gripper& gripper, const TipLimits& limits)
-      : gripper_(gripper), limits_(limits), points_(surface(body)), meeter_(body, gripper) {}
+      : gripper_(gripper), limits_(limits), points_(surface(body)), finder_(body, gripper) {}
 
   // All depths and places of one orientation of the hand.
   void add(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C, double prior) {
@@ -100,11 +101,11 @@ class Search {
     X_CG.linear() << closing_C.cross(approach_C), closing_C, approach_C;
     const std::vector<Eigen::Vector3d> places_G = places(X_CG);
     if (blocked(X_CG, places_G)) return;
-    meeter_.turn(closing_C, approach_C);
+    finder_.turn(closing_C, approach_C);
     for (const Eigen::Vector3d& p_G : places_G) {
       X_CG.translation() = X_CG.linear() * p_G;
       if (sinks(X_CG)) continue;
-      const std::optional<PadMeeting> met = meeter_.at(X_CG.translation(), limits_.friction);
+      const std::optional<PadMeeting> met = finder_.at(X_CG.translation(), limits_.friction);
       if (!met || met->line.width < gripper_.min_opening) continue;
       const double value = prior - 2.0 * met->friction;
       rated_.push_back(
@@ -189,7 +190,7 @@ class Search {
   const Gripper& gripper_;
   const TipLimits& limits_;
   Eigen::Matrix3Xd points_, points_G_;
-  PadMeeter meeter_;
+  PadMeetingFinder finder_;
   std::vector<Rated> rated_;
 };
 

@@ -1,6 +1,14 @@
 #include "quadrille/grasping/tip_holds.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "exact_overlap.hpp"
 #include "quadrille/grasping/hand.hpp"
+#include "quadrille/grasping/plan.hpp"
 #include "quadrille/grasping/shape.hpp"
 #include "scenes.hpp"
 #include "support/catch.hpp"
@@ -32,17 +40,30 @@ CollisionScene only(std::vector<SupportPlane> planes) {
 }
 
 // As wide as the hand, on the table: it cannot be held across its middle.
-Detection flat_ellipsoid() {
+Detection flat_ellipsoid(double b = 0.037) {
   Detection d;
   d.id = 1;
   d.type = QuadricType::kEllipsoid;
   d.X_CQ = table_detection().X_CQ;
   d.X_CQ.translate(Eigen::Vector3d(0.0, 0.0, 0.032));
-  const Eigen::Vector3d semi(0.048, 0.037, 0.032);
+  const Eigen::Vector3d semi(0.048, b, 0.032);
   d.dimensions = {{"a", semi.x(), 0.0}, {"b", semi.y(), 0.0}, {"c", semi.z(), 0.0}};
   d.extent_Q = {-semi, semi};
   d.score = 1.0;
   return d;
+}
+
+// The table with the body on it, as the camera at the origin sees it.
+PointCloud render_on_table(const Body& body) {
+  PointCloud cloud = render({});
+  for (std::size_t n = 0; n < cloud.points.size(); ++n) {
+    const int u = static_cast<int>(n) % kWidth, v = static_cast<int>(n) / kWidth;
+    const auto through = chord(body, Eigen::Vector3d::Zero(), pixel_ray(u, v).normalized());
+    if (!through) continue;
+    const Eigen::Vector3d &a = through->contacts_C[0], &b = through->contacts_C[1];
+    cloud.points[n] = (a.z() < b.z() ? a : b).cast<float>();
+  }
+  return cloud;
 }
 
 }  // namespace
@@ -97,6 +118,37 @@ TEST_CASE("no hold lies far below the plane that the body stands on", "[tips]") 
     const Eigen::Vector3d tips_C =
         hold.line.centre_C + franka_hand().finger_front * hold.approach_C;
     CHECK(table().distance(tips_C) > -0.0051);
+  }
+}
+
+TEST_CASE("what is wider than the hand opens is planned to be held by the tips, clear of all else",
+          "[tips][plan]") {
+  const Detection ellipsoid = flat_ellipsoid(0.0385);
+  const Body body = make_body(ellipsoid).value();
+  const Gripper hand = franka_hand();
+  PlanOptions options;
+  options.unknown = UnknownPolicy::kFree;
+  const GraspPlan plan =
+      plan_grasps(render_on_table(body), {table_detection(), ellipsoid}, hand, options);
+  REQUIRE(plan.grasps.size() > 2);
+  const std::vector<CollisionShape> shapes = make_shapes(ellipsoid);
+  const ExactSolid solid(shapes.front());
+  for (const Grasp& grasp : plan.grasps) {
+    CHECK(grasp.friction_needed <= options.friction);
+    const SweptHand swept =
+        sweep_hand(hand, grasp.X_CG, grasp.preshape, grasp.width, grasp.approach);
+    for (const OrientedBox& box : {swept.fingers[0], swept.fingers[1], swept.palm}) {
+      CHECK_FALSE(solid.meets(box));
+      CHECK(-box.support(-kUp) > kUp.dot(table().X_CP.translation()));
+    }
+    for (int i = 0; i < 2; ++i) {
+      const Eigen::Vector3d p_G = grasp.X_CG.inverse() * grasp.contacts_C[i];
+      CHECK(p_G.y() == Approx((i == 0 ? 0.5 : -0.5) * grasp.width).margin(1e-5));
+      CHECK(p_G.z() <= hand.finger_front);
+      CHECK(p_G.z() > hand.finger_front - 0.01);  // near the tips
+      CHECK(body.contains(grasp.contacts_C[i], 1e-6));
+      CHECK_FALSE(body.contains(grasp.contacts_C[i], -1e-4));
+    }
   }
 }
 

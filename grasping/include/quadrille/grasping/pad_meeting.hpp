@@ -24,10 +24,10 @@ struct PadMeeting {
 
 /// Finds where the pads of a hand meet a body, on a grid of chords over the inner faces of its
 /// fingers: not where the body is widest, but where it is so within their reach.
-class PadMeeter {
+class PadMeetingFinder {
  public:
   /// @param body     no box; it and the gripper must outlive this
-  PadMeeter(const Body& body, const Gripper& gripper);
+  PadMeetingFinder(const Body& body, const Gripper& gripper);
 
   /// From now on for a hand that closes along y and comes along z, unit vectors in frame C at right
   /// angles; before the first at().
