@@ -10,13 +10,16 @@ namespace quadrille {
 
 namespace {
 
-// Cosines of the widest angles: 107° to the line of sight, 60° to straight down, 45° into a mouth;
-// and never steeper up than 20°.
+// Cosines of the widest angles: 107° to the line of sight, beyond which the hand is in the shadow;
+// 60° to straight down; 45° into a mouth, as far as a wall leans; and never steeper up than 20°,
+// where the palm would be in what the target stands on.
 constexpr double kFromView = -0.3, kFromAbove = 0.5, kIntoMouth = 0.7, kUpward = 0.35;
 
-// Into a mouth also straight along the wall, and this far beside it [rad].
+// Into a mouth also straight along the wall, and this far beside it [rad]: half a step of the
+// directions around a line.
 constexpr double kBesideWall = 0.13;
-// The steepest approach of a line is sampled too if its sine is more than this.
+// The steepest approach of a line is sampled too if its sine is more than this: flatter ones are
+// not from above.
 constexpr double kSteep = 0.5;
 
 double prior(const ContactLine& line, const Eigen::Vector3d& approach, const ApproachSpace& space) {

@@ -17,6 +17,15 @@ bool clear(const DepthView& view, const Eigen::Vector3d& p_V, double half) {
   return view.nearest_surface(p_V, reach) > p_V.z() + reach.z();
 }
 
+// True if a voxel may be clear for the one below it.
+bool clears(Voxel state, Voxel below) {
+  return (state == Voxel::kUnknown) & ((below == Voxel::kFree) | (below == Voxel::kClear));
+}
+
+void clear_row(Voxel* row, const Voxel* below, int count) {
+  for (int i = 0; i < count; ++i) row[i] = clears(row[i], below[i]) ? Voxel::kClear : row[i];
+}
+
 }  // namespace
 
 // A cube of voxels, and whether each has to be looked at.
@@ -104,12 +113,13 @@ void OccupancyGrid::clear_layer(const DepthView* view, const Tile& tile, int axi
   for (int k = first.z(); k < last.z(); ++k) {
     for (int j = first.y(); j < last.y(); ++j) {
       Voxel* row = &states_[index(0, j, k)];
+      if (!view) {
+        clear_row(row + first.x(), row + first.x() - down, last.x() - first.x());
+        continue;
+      }
       for (int i = first.x(); i < last.x(); ++i) {
-        const Voxel below = row[i - down];
-        if (row[i] != Voxel::kUnknown) continue;
-        if (below != Voxel::kFree && below != Voxel::kClear) continue;
-        if (view && view->meets_surface(centre(i, j, k), 0.5 * resolution_)) continue;
-        row[i] = Voxel::kClear;
+        if (!clears(row[i], row[i - down])) continue;
+        if (!view->meets_surface(centre(i, j, k), 0.5 * resolution_)) row[i] = Voxel::kClear;
       }
     }
   }

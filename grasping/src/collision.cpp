@@ -11,10 +11,6 @@ namespace quadrille {
 
 namespace {
 
-// How far a target may reach beyond the end that was detected, towards the palm: detections end
-// short of the outermost points [m].
-constexpr double kEndDoubt = 0.008;
-
 // Only collide(), never distance() or continuousCollide(): those fail on half-spaces and empty
 // octrees or miss thin walls between their samples. libccd's solver, not FCL's own (GST_INDEP),
 // which lets a small box inside a Convex pass.
@@ -75,10 +71,11 @@ Hit voxel_hit(std::span<const OrientedBox> boxes, const ObstacleMap& map, double
   return Hit::kNone;
 }
 
-// `solid` stays out of everything, `closing` may touch the target.
+// `solid` stays out of everything, and by `off_target` off the target, which `closing` may touch.
 std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
                                              std::span<const OrientedBox> solid,
-                                             std::span<const OrientedBox> closing) {
+                                             std::span<const OrientedBox> closing,
+                                             double off_target) {
   for (const SupportPlane& plane : scene.planes) {
     if (crosses(solid, plane, scene.margin)) return Obstruction::kSupport;
   }
@@ -87,7 +84,7 @@ std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
     if (hit == Hit::kOccupied) return Obstruction::kOccupied;
     if (hit == Hit::kUnknown) return Obstruction::kUnknown;
   }
-  if (hits(solid, scene.target, scene.margin)) return Obstruction::kTarget;
+  if (hits(solid, scene.target, off_target)) return Obstruction::kTarget;
   if (hits(solid, scene.neighbours, scene.margin)) return Obstruction::kNeighbour;
   if (hits(closing, scene.neighbours, scene.margin)) return Obstruction::kNeighbour;
   return std::nullopt;
@@ -124,19 +121,24 @@ bool overlaps(const OrientedBox& box, const std::shared_ptr<const octomap::OcTre
   return fcl_collide(&geometry, fcl::Transform3d::Identity(), &solid, pose(box));
 }
 
-std::optional<Obstruction> CollisionScene::palm_obstruction(const SweptHand& hand) const {
-  const std::span<const OrientedBox> palm(&hand.palm, 1);
-  if (const auto what = first_obstruction(*this, palm, {})) return what;
-  if (hits(palm, target, kEndDoubt)) return Obstruction::kTarget;
-  return std::nullopt;
+std::optional<Obstruction> CollisionScene::palm_obstruction(const OrientedBox& palm) const {
+  return first_obstruction(*this, {&palm, 1}, {}, end_doubt);
 }
 
 std::optional<Obstruction> CollisionScene::finger_obstruction(const SweptHand& hand) const {
-  return first_obstruction(*this, hand.fingers, hand.closing);
+  return first_obstruction(*this, hand.fingers, hand.closing, margin);
+}
+
+std::optional<Obstruction> CollisionScene::closing_obstruction(
+    const std::array<OrientedBox, 2>& fingers) const {
+  for (const SupportPlane& plane : planes) {
+    if (crosses(fingers, plane, margin)) return Obstruction::kSupport;
+  }
+  return first_obstruction(*this, {}, fingers, margin);
 }
 
 std::optional<Obstruction> CollisionScene::obstruction(const SweptHand& hand) const {
-  const std::optional<Obstruction> palm = palm_obstruction(hand);
+  const std::optional<Obstruction> palm = palm_obstruction(hand.palm);
   return palm ? palm : finger_obstruction(hand);
 }
 

@@ -29,9 +29,10 @@ DepthView::DepthView(const PointCloud& cloud, double baseline, double thin)
   stray_.assign(cloud.points.size(), 0);
   if (!p_CV_.allFinite()) return;
   choose_axes(cloud);
-  choose_grid(cloud);
+  const Projected seen = project(cloud);
+  choose_grid(seen.tangents);
   if (!valid()) return;
-  project(cloud);
+  keep_nearest(seen);
   // Only in the optical convention are rows those of the sensor, along its baseline.
   const GapRules rules{R_VC_.isIdentity() ? baseline : 0.0, thin};
   filled_ = fill_gaps(depth_, width_, {pitch_u_, pitch_v_}, rules);
@@ -39,8 +40,11 @@ DepthView::DepthView(const PointCloud& cloud, double baseline, double thin)
 }
 
 void DepthView::choose_axes(const PointCloud& cloud) {
+  // So many tell.
+  const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / 20000);
   std::size_t finite = 0, before = 0;
-  for (const Eigen::Vector3f& p : cloud.points) {
+  for (std::size_t n = 0; n < cloud.points.size(); n += stride) {
+    const Eigen::Vector3f& p = cloud.points[n];
     if (!p.allFinite()) continue;
     ++finite;
     before += in_front(p.cast<double>() - p_CV_);
@@ -57,16 +61,24 @@ void DepthView::choose_axes(const PointCloud& cloud) {
   spread_ = R_VC_.cwiseAbs().rowwise().sum();
 }
 
-void DepthView::choose_grid(const PointCloud& cloud) {
-  std::vector<Eigen::Vector2d> tangents;
-  tangents.reserve(cloud.points.size());
-  Eigen::AlignedBox2d bounds;
-  for (const Eigen::Vector3f& p : cloud.points) {
-    const Eigen::Vector3d p_V = to_view(p.cast<double>());
-    if (!p.allFinite() || !in_front(p_V)) continue;
-    tangents.emplace_back(p_V.head<2>() / p_V.z());
-    bounds.extend(tangents.back());
+DepthView::Projected DepthView::project(const PointCloud& cloud) const {
+  Projected seen;
+  seen.tangents.reserve(cloud.points.size());
+  seen.depths.reserve(cloud.points.size());
+  seen.points.reserve(cloud.points.size());
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Eigen::Vector3d p_V = to_view(cloud.points[i].cast<double>());
+    if (!cloud.points[i].allFinite() || !in_front(p_V)) continue;
+    seen.tangents.emplace_back(p_V.head<2>() / p_V.z());
+    seen.depths.push_back(static_cast<float>(p_V.z()));
+    seen.points.push_back(static_cast<int>(i));
   }
+  return seen;
+}
+
+void DepthView::choose_grid(const std::vector<Eigen::Vector2d>& tangents) {
+  Eigen::AlignedBox2d bounds;
+  for (const Eigen::Vector2d& t : tangents) bounds.extend(t);
   if (tangents.empty()) return;
   const PixelGrid grid = find_pixel_grid(tangents, bounds);
   pitch_u_ = grid.pitch.x();
@@ -84,19 +96,17 @@ void DepthView::choose_grid(const PointCloud& cloud) {
   height_ = static_cast<int>(height);
 }
 
-void DepthView::project(const PointCloud& cloud) {
+void DepthView::keep_nearest(const Projected& seen) {
   depth_.assign(static_cast<std::size_t>(width_) * height_, 0.0F);
   std::vector<int> nearest(depth_.size(), -1);
-  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    if (!cloud.points[i].allFinite()) continue;
-    const Eigen::Vector3d p_V = to_view(cloud.points[i].cast<double>());
-    if (!in_front(p_V)) continue;
-    const Eigen::Vector2i uv = pixel(p_V);
+  for (std::size_t n = 0; n < seen.points.size(); ++n) {
+    const Eigen::Vector2d& t = seen.tangents[n];
+    const Eigen::Vector2i uv = pixel({t.x(), t.y(), 1.0});
     if (uv.x() < 0 || uv.x() >= width_ || uv.y() < 0 || uv.y() >= height_) continue;
     const std::size_t at = static_cast<std::size_t>(uv.y()) * width_ + uv.x();
-    if (depth_[at] > 0.0F && depth_[at] <= p_V.z()) continue;
-    depth_[at] = static_cast<float>(p_V.z());
-    nearest[at] = static_cast<int>(i);
+    if (depth_[at] > 0.0F && depth_[at] <= seen.depths[n]) continue;
+    depth_[at] = seen.depths[n];
+    nearest[at] = seen.points[n];
   }
   refuse_strays(nearest);
   fill_holes();
@@ -111,12 +121,16 @@ void DepthView::refuse_strays(const std::vector<int>& nearest) {
       const std::size_t at = static_cast<std::size_t>(v) * width_ + u;
       if (raw[at] == 0.0F) continue;
       const float tolerance = 0.02F * raw[at];
+      const auto like = [&](std::size_t other) {
+        return raw[other] > 0.0F && std::abs(raw[other] - raw[at]) < tolerance;
+      };
+      // Mostly both neighbours in its row are.
+      if (u > 0 && u + 1 < width_ && like(at - 1) && like(at + 1)) continue;
       int alike = 0;
       for (int y = std::max(v - 1, 0); y <= std::min(v + 1, height_ - 1) && alike <= kSupport;
            ++y) {
         for (int x = std::max(u - 1, 0); x <= std::min(u + 1, width_ - 1); ++x) {
-          const float other = raw[static_cast<std::size_t>(y) * width_ + x];
-          alike += other > 0.0F && std::abs(other - raw[at]) < tolerance;
+          alike += like(static_cast<std::size_t>(y) * width_ + x);
         }
       }
       if (alike > kSupport) continue;  // the pixel itself counts once

@@ -29,4 +29,25 @@ SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, doub
   return hand;
 }
 
+std::array<OrientedBox, 2> common_fingers(const Gripper& gripper, const Eigen::Isometry3d& X_CG,
+                                          double opening, double width) {
+  const double x = 0.5 * gripper.finger.x(), back = -gripper.reach(width);
+  const double in = 0.5 * std::min(width, opening), out = 0.5 * opening + gripper.finger.y();
+  const Eigen::Vector3d low(-x, in, back), high(x, out, gripper.finger_front);
+  return {box_between(X_CG, low, high), box_between(X_CG, {-x, -out, back}, {x, -in, high.z()})};
+}
+
+std::optional<OrientedBox> common_palm(const Gripper& gripper, const Eigen::Isometry3d& X_CG,
+                                       const Eigen::AlignedBox3d& places_G, double approach) {
+  const double narrow = gripper.min_opening, wide = gripper.max_opening;
+  // Fingers on links reach farthest somewhere between, least at one of the ends.
+  const double least = std::min(gripper.reach(narrow), gripper.reach(wide));
+  const double most = gripper.reach(wide) + gripper.most_extension(narrow, wide);
+  const Eigen::Vector3d palm(0.5 * gripper.palm.x(), 0.5 * gripper.palm.y(), gripper.palm.z());
+  const Eigen::Vector3d low = places_G.max() - palm - Eigen::Vector3d(0, 0, least + approach);
+  const Eigen::Vector3d high = places_G.min() + Eigen::Vector3d(palm.x(), palm.y(), -most);
+  if ((low.array() >= high.array()).any()) return std::nullopt;
+  return box_between(X_CG, low, high);
+}
+
 }  // namespace quadrille

@@ -10,42 +10,25 @@ namespace {
 // Overlaps shallower than this count as touching.
 constexpr double kTouch = 1e-9;
 
-std::uint8_t merge(std::uint8_t a, std::uint8_t b) {
-  return static_cast<std::uint8_t>(((a | b) & 3) | (a & b & 4));
+// A row of cubes, each from eight: what any of them has of the first two flags, and the last if all
+// have it. `fine` is the first of the four rows that they lie in, `row` and `layer` from each to
+// the next.
+void merge(const std::uint8_t* __restrict fine, std::size_t row, std::size_t layer, int count,
+           std::uint8_t* __restrict coarse) {
+  const std::uint8_t *a = fine, *b = fine + row, *c = fine + layer, *d = fine + layer + row;
+  for (int i = 0; i < count; ++i) {
+    const int even = 2 * i, odd = even + 1;
+    const int any = a[even] | a[odd] | b[even] | b[odd] | c[even] | c[odd] | d[even] | d[odd];
+    const int all = a[even] & a[odd] & b[even] & b[odd] & c[even] & c[odd] & d[even] & d[odd];
+    coarse[i] = static_cast<std::uint8_t>((any & 3) | (all & 4));
+  }
 }
 
 // How much farther than a part of an occupied voxel the view must have seen: points are known no
 // better [m].
 constexpr double kBesidePoints = 0.001;
 
-// A measured point this near to the target's body is the target's [m].
-constexpr double kOnTarget = 0.006;
-
 }  // namespace
-
-// The cone that a body's shadow lies in, as seen by the sensor.
-struct ObstacleMap::Cone {
-  Eigen::Vector3d p_CV, to_body;
-  double far, size, angle;
-
-  Cone(const DepthView& view, const Body& body) : p_CV(view.p_CV()) {
-    const Eigen::AlignedBox3d bounds = body.bounds_C();
-    to_body = bounds.center() - p_CV;
-    far = to_body.norm();
-    size = 0.5 * bounds.diagonal().norm() + kOnTarget;
-    angle = far > size ? std::asin(size / far) : std::acos(-1.0);
-  }
-
-  // True if the ball around p_C may reach into it.
-  bool meets(const Eigen::Vector3d& p_C, double radius) const {
-    const Eigen::Vector3d to_ball = p_C - p_CV;
-    const double here = to_ball.norm();
-    if (here <= radius) return true;
-    if (here + radius < far - size) return false;
-    const double sum = angle + std::asin(radius / here);
-    return sum >= std::acos(-1.0) || to_body.dot(to_ball) >= std::cos(sum) * far * here;
-  }
-};
 
 // A box as the 15 axes that may separate it from a cube, each with the box's own reach on it.
 struct ObstacleMap::Query {
@@ -56,6 +39,11 @@ struct ObstacleMap::Query {
   Eigen::Matrix<double, 3, 9> edge_axes;  // cross products of edges
   Eigen::Matrix<double, 9, 1> edge_reach, edge_spread;
   Eigen::Vector3d face_spread;
+  // For a quick answer: from a cube's middle to those of its eighths on the axes of the faces, per
+  // half an eighth's edge; the box's own reach on each axis, and the spread of a cube of half
+  // size 1.
+  std::array<Offset, 8> to_eighth;
+  Offset quick_reach, quick_spread;
 
   explicit Query(const OrientedBox& box)
       : p(box.p_CB),
@@ -70,20 +58,29 @@ struct ObstacleMap::Query {
       edge_reach[n] = (R.transpose() * axis).cwiseAbs().dot(half);
       edge_spread[n] = axis.cwiseAbs().sum();
     }
+    for (int n = 0; n < 8; ++n) {
+      to_eighth[n] = on_faces({(n & 1) ? 1.0 : -1.0, (n & 2) ? 1.0 : -1.0, (n & 4) ? 1.0 : -1.0});
+    }
+    // Floats round by less than this on the offsets of what lies within some metres [m].
+    constexpr float kRounding = 2e-6F;
+    quick_reach << reach.cast<float>().array() + kRounding, half.cast<float>().array() + kRounding,
+        1.0F, 1.0F;
+    quick_spread << 1.0F, 1.0F, 1.0F, face_spread.cast<float>().array(), 0.0F, 0.0F;
   }
 
-  // False only if an axis of a face parts them: for cubes that are divided in any case.
-  bool may_overlap(const Eigen::Vector3d& centre, double h) const {
-    const Eigen::Vector3d t = centre - p;
-    const double g = h - kTouch;
-    if ((t.cwiseAbs().array() >= reach.array() + g).any()) return false;
-    return ((R.transpose() * t).cwiseAbs().array() < half.array() + g * face_spread.array()).all();
+  Offset on_faces(const Eigen::Vector3d& t) const {
+    Offset offset;
+    offset << t.cast<float>().array(), (R.transpose() * t).cast<float>().array(), 0.0F, 0.0F;
+    return offset;
   }
 
   bool overlaps(const Eigen::Vector3d& centre, double h) const {
-    if (!may_overlap(centre, h)) return false;
     const Eigen::Vector3d t = centre - p;
     const double g = h - kTouch;
+    if ((t.cwiseAbs().array() >= reach.array() + g).any()) return false;
+    if (((R.transpose() * t).cwiseAbs().array() >= half.array() + g * face_spread.array()).any()) {
+      return false;
+    }
     return ((edge_axes.transpose() * t).cwiseAbs().array() <
             edge_reach.array() + g * edge_spread.array() + 1e-12)
         .all();
@@ -96,12 +93,13 @@ ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks)
       corner_(grid.corner().cast<double>() * grid.resolution()) {
   levels_[0].size = grid.size();
   levels_[0].flags.resize(grid.states().size());
-  // Unknown, clear, free, occupied.
-  const std::array<std::uint8_t, 4> flags = {
-      static_cast<std::uint8_t>(unknown_blocks ? kAnyUnknown | kAll : 0), 0, 0,
-      kAnyOccupied | kAll};
-  std::transform(grid.states().begin(), grid.states().end(), levels_[0].flags.begin(),
-                 [&](Voxel state) { return flags[static_cast<std::size_t>(state)]; });
+  const std::uint8_t unknown = unknown_blocks ? kAnyUnknown | kAll : 0;
+  const std::uint8_t occupied = kAnyOccupied | kAll;
+  std::transform(
+      grid.states().begin(), grid.states().end(), levels_[0].flags.begin(),
+      [=](Voxel state) -> std::uint8_t {
+        return state == Voxel::kUnknown ? unknown : state == Voxel::kOccupied ? occupied : 0;
+      });
   for (int n = 1; n < kLevels; ++n) {
     levels_[n].size = levels_[n - 1].size / 2;
     levels_[n].flags.resize(levels_[n].size.cast<std::size_t>().prod());
@@ -149,13 +147,8 @@ void ObstacleMap::refresh(const Range& range) {
     const std::size_t row = fine.size.x(), layer = row * fine.size.y();
     for (int k = low.z(); k <= high.z(); ++k) {
       for (int j = low.y(); j <= high.y(); ++j) {
-        for (int i = low.x(); i <= high.x(); ++i) {
-          const std::uint8_t* f = &fine.flags[fine.index(2 * i, 2 * j, 2 * k)];
-          const std::uint8_t near = merge(merge(f[0], f[1]), merge(f[row], f[row + 1]));
-          const std::uint8_t far =
-              merge(merge(f[layer], f[layer + 1]), merge(f[layer + row], f[layer + row + 1]));
-          coarse.flags[coarse.index(i, j, k)] = merge(near, far);
-        }
+        merge(&fine.flags[fine.index(2 * low.x(), 2 * j, 2 * k)], row, layer,
+              high.x() - low.x() + 1, &coarse.flags[coarse.index(low.x(), j, k)]);
       }
     }
   }
@@ -184,12 +177,17 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
   if (levels_[0].flags.empty()) return Hit::kNone;
   const Query query(box);
   const auto [low, high] = voxels({box.p_CB - reach, box.p_CB + reach});
-  constexpr int kShift = kLevels - 1;
+  constexpr int kTop = kLevels - 1;
   if ((high.array() < 0).any()) return Hit::kNone;
-  for (int k = low.z() >> kShift; k <= high.z() >> kShift; ++k) {
-    for (int j = low.y() >> kShift; j <= high.y() >> kShift; ++j) {
-      for (int i = low.x() >> kShift; i <= high.x() >> kShift; ++i) {
-        const std::uint8_t hit = descend(query, kShift, i, j, k);
+  const Level& top_level = levels_[kTop];
+  const double edge = resolution_ * (1 << kTop);
+  for (int k = low.z() >> kTop; k <= high.z() >> kTop; ++k) {
+    for (int j = low.y() >> kTop; j <= high.y() >> kTop; ++j) {
+      for (int i = low.x() >> kTop; i <= high.x() >> kTop; ++i) {
+        if (top_level.flags[top_level.index(i, j, k)] == 0) continue;
+        const Eigen::Vector3d centre =
+            corner_ + edge * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
+        const std::uint8_t hit = descend(query, kTop, {i, j, k}, query.on_faces(centre - query.p));
         if (hit) return hit & kAnyOccupied ? Hit::kOccupied : Hit::kUnknown;
       }
     }
@@ -197,26 +195,29 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
   return Hit::kNone;
 }
 
-std::uint8_t ObstacleMap::descend(const Query& query, int level, int i, int j, int k) const {
-  const Level& here = levels_[level];
-  const std::uint8_t flags = here.flags[here.index(i, j, k)];
-  if (flags == 0) return 0;
+// What the box meets of a cube that holds something.
+std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Vector3i& at,
+                                  const Offset& offset) const {
   const double h = 0.5 * resolution_ * (1 << level);
-  const Eigen::Vector3d centre =
-      corner_ + 2.0 * h * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
+  const Offset gap = offset.abs() - query.quick_reach - static_cast<float>(h) * query.quick_spread;
+  if (gap.maxCoeff() > 0.0F) return 0;
+  const Level& here = levels_[level];
+  const std::uint8_t flags = here.flags[here.index(at.x(), at.y(), at.z())];
   const bool refined = view_ != nullptr && flags & (kAnyUnknown | (sole_view_ ? kAnyOccupied : 0));
   if (level == 0 || (flags & kAll && !refined)) {
+    const Eigen::Vector3d centre = corner_ + 2.0 * h * (at.cast<double>().array() + 0.5).matrix();
     if (!query.overlaps(centre, h)) return 0;
     if (!refined) return flags;
     const bool hit = flags & kAnyOccupied ? enters_hidden(query, centre, h, 1, kBesidePoints)
                                           : enters_hidden(query, centre, h, 2, 0.0);
     return hit ? flags : 0;
   }
-  if (!query.may_overlap(centre, h)) return 0;
+  const Level& below = levels_[level - 1];
   for (int n = 0; n < 8; ++n) {
-    const std::uint8_t hit =
-        descend(query, level - 1, 2 * i + (n & 1), 2 * j + ((n >> 1) & 1), 2 * k + (n >> 2));
-    if (hit) return hit;
+    const Eigen::Vector3i eighth = 2 * at + Eigen::Vector3i(n & 1, (n >> 1) & 1, n >> 2);
+    if (below.flags[below.index(eighth.x(), eighth.y(), eighth.z())] == 0) continue;
+    const Offset there = offset + static_cast<float>(0.5 * h) * query.to_eighth[n];
+    if (const std::uint8_t hit = descend(query, level - 1, eighth, there)) return hit;
   }
   return 0;
 }
@@ -237,45 +238,6 @@ bool ObstacleMap::enters_hidden(const Query& query, const Eigen::Vector3d& centr
     }
   }
   return false;
-}
-
-void ObstacleMap::clear_shadow(const OccupancyGrid& grid, const DepthView& view, const Body& body,
-                               const Eigen::AlignedBox3d& region) {
-  if (!view.valid() || levels_[0].flags.empty()) return;
-  constexpr int kEdge = 1 << (kLevels - 1);
-  const Range range = voxels(region);
-  const Eigen::Vector3i low = range.first / kEdge, high = range.second / kEdge;
-  if ((range.second.array() < 0).any()) return;
-  const Cone cone(view, body);
-  for (int k = low.z(); k <= high.z(); ++k) {
-    for (int j = low.y(); j <= high.y(); ++j) {
-      for (int i = low.x(); i <= high.x(); ++i) {
-        const Eigen::Vector3i first = kEdge * Eigen::Vector3i(i, j, k);
-        const Eigen::Vector3d middle =
-            corner_ + resolution_ * (first.cast<double>().array() + 0.5 * kEdge).matrix();
-        if (cone.meets(middle, 0.87 * kEdge * resolution_))
-          clear_block(grid, view, body, cone, first);
-      }
-    }
-  }
-  refresh(range);
-}
-
-// One block of the top level, voxel by voxel.
-void ObstacleMap::clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
-                              const Cone& cone, const Eigen::Vector3i& first) {
-  constexpr int kEdge = 1 << (kLevels - 1);
-  const auto on_target = [&](const Eigen::Vector3d& p_C) { return body.contains(p_C, kOnTarget); };
-  for (int n = 0; n < kEdge * kEdge * kEdge; ++n) {
-    const int i = first.x() + n % kEdge, j = first.y() + n / kEdge % kEdge;
-    const int k = first.z() + n / (kEdge * kEdge);
-    if (grid.at(first_.x() + i, first_.y() + j, first_.z() + k) != Voxel::kUnknown) continue;
-    const Eigen::Vector3d p_C = centre(i, j, k);
-    if (!cone.meets(p_C, resolution_)) continue;
-    if (view.hidden_only_by(p_C, 0.5 * resolution_, on_target)) {
-      levels_[0].flags[levels_[0].index(i, j, k)] = 0;
-    }
-  }
 }
 
 }  // namespace quadrille

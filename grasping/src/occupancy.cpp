@@ -37,8 +37,9 @@ void OccupancyGrid::add(const PointCloud& cloud, const DepthView& view) {
   if (view.stray().size() != cloud.points.size()) {
     throw std::invalid_argument("occupancy: the view is not that of the cloud");
   }
-  if (view.valid()) mark_free(view);
+  // Occupied first: whether such a voxel is free need not be found out.
   mark_occupied(cloud, view.stray());
+  if (view.valid()) mark_free(view);
 }
 
 void OccupancyGrid::add_rays(const PointCloud& cloud,
@@ -149,12 +150,12 @@ void OccupancyGrid::mark_eight(const DepthView& view, const Eigen::Vector3i& low
   const Eigen::Vector3d reach = view.reach(half);
   const std::array<DepthRange, 8> ranges = view.ranges(eight, reach);
   for (int n = 0; n < 8; ++n) {
-    const double z = eight(n, 2), slack = reach.z() + kRounding * (1.0 + z);
-    if (z - slack > ranges[n].far) continue;
     const Eigen::Vector3i at = low + Eigen::Vector3i(n & 1, (n >> 1) & 1, n >> 2);
+    Voxel& state = states_[index(at.x(), at.y(), at.z())];
+    const double z = eight(n, 2), slack = reach.z() + kRounding * (1.0 + z);
+    if (state >= Voxel::kFree || z - slack > ranges[n].far) continue;
     if (z + slack < ranges[n].near || view.sees_past(centre(at.x(), at.y(), at.z()), half)) {
-      Voxel& state = states_[index(at.x(), at.y(), at.z())];
-      state = std::max(state, Voxel::kFree);
+      state = Voxel::kFree;
     }
   }
 }

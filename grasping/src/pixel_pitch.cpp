@@ -40,9 +40,12 @@ std::optional<PixelGrid> regular_grid(const std::vector<Eigen::Vector2d>& tangen
                                       const Eigen::AlignedBox2d& bounds) {
   std::vector<double> along, across;
   const std::size_t stride = std::max<std::size_t>(1, tangents.size() / 20000);
+  std::size_t next = stride;
   for (std::size_t i = 1; i < tangents.size(); ++i) {
     const Eigen::Vector2d step = tangents[i] - tangents[i - 1];
-    if (i % stride == 0 && step.x() > 5.0 * std::abs(step.y())) along.push_back(step.x());
+    const bool sampled = i == next;
+    if (sampled) next += stride;
+    if (sampled && step.x() > 5.0 * std::abs(step.y())) along.push_back(step.x());
     if (step.x() < -0.05 * bounds.sizes().x() && step.y() > 0.0) across.push_back(step.y());
   }
   if (along.size() < 100 || across.size() < 10) return std::nullopt;
@@ -87,7 +90,8 @@ double count_pixels(const PixelGrid& grid, const Eigen::AlignedBox2d& bounds) {
 
 PixelGrid find_pixel_grid(const std::vector<Eigen::Vector2d>& tangents,
                           const Eigen::AlignedBox2d& bounds) {
-  PixelGrid grid = regular_grid(tangents, bounds).value_or(density_grid(tangents, bounds));
+  const std::optional<PixelGrid> regular = regular_grid(tangents, bounds);
+  PixelGrid grid = regular ? *regular : density_grid(tangents, bounds);
   const Eigen::Vector2d found = grid.pitch;
   grid.pitch = found.cwiseMax(kFinestPitch);
   // An axis that is down to one pixel shrinks no further, so that one step may not be enough.

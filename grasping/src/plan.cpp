@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <stdexcept>
 
 #include "support.hpp"
 #include "target_planner.hpp"
@@ -195,6 +194,7 @@ class Planner {
     CollisionScene scene = scene_of(target, base);
     const Shell& shell = *target.shell;
     scene.target = make_wall(shell);
+    scene.end_doubt = scene.margin;  // find_shell() put the rim where the points end
     const double margin = carve_margin();
     scene.map.carve(shell.body, margin + shell.outer(), [&](const Eigen::Vector3d& p_C) {
       return !shell.in_wall(p_C, margin) || holds_up(target, p_C);
@@ -227,17 +227,24 @@ class Planner {
     if (view_->valid()) base.refine(*view_, further_.empty());
     const auto keep = [&](const std::vector<Grasp>& grasps) {
       plan_.grasps.insert(plan_.grasps.end(), grasps.begin(), grasps.end());
+      return !grasps.empty();
     };
     for (const Target& target : targets_) {
+      bool held = false;
+      std::optional<CollisionScene> solid;
       if (target.solid) {
-        const CollisionScene scene = solid_scene(target, base);
-        TargetPlanner planner(target, gripper_, options_, *plan_.space, scene);
-        keep(planner.plan(cloud_.viewpoint, plan_.rejected));
+        solid = solid_scene(target, base);
+        held |= keep(TargetPlanner(target, gripper_, options_, *plan_.space, *solid)
+                         .plan(cloud_.viewpoint, plan_.rejected));
       }
       if (target.shell) {
         const CollisionScene scene = shell_scene(target, base);
-        TargetPlanner planner(target, gripper_, options_, *plan_.space, scene);
-        keep(planner.plan_rim(cloud_.viewpoint, plan_.rejected));
+        held |= keep(TargetPlanner(target, gripper_, options_, *plan_.space, scene)
+                         .plan_rim(cloud_.viewpoint, plan_.rejected));
+      }
+      if (solid && !held) {
+        keep(TargetPlanner(target, gripper_, options_, *plan_.space, *solid)
+                 .plan_tips(cloud_.viewpoint, plan_.rejected));
       }
     }
   }
@@ -267,22 +274,7 @@ class Planner {
   std::optional<DepthView> view_;
 };
 
-void demand(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(std::string("plan options: ") + what);
-}
-
 }  // namespace
-
-void PlanOptions::check() const {
-  demand(resolution >= 0.0005 && resolution <= 0.1, "resolution must lie in 0.0005 to 0.1 m");
-  demand(friction > 0.0 && friction <= 10.0, "friction must lie in 0 to 10, above 0");
-  demand(approach >= 0.0 && approach <= 1.0, "approach must lie in 0 to 1 m");
-  demand(pad_margin >= 0.0 && pad_margin <= 0.1, "pad_margin must lie in 0 to 0.1 m");
-  demand(baseline >= 0.0 && baseline <= 1.0, "baseline must lie in 0 to 1 m");
-  demand(wall_least >= 0.0 && wall_least <= wall_most && wall_most <= 0.05,
-         "wall_least and wall_most must lie in 0 to 0.05 m, in this order");
-  demand(max_grasps >= 0, "max_grasps must not be negative");
-}
 
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
                       const Gripper& gripper, const PlanOptions& options,

@@ -71,6 +71,17 @@ std::optional<Body> upright(Body body, const Eigen::Vector3d& up_C) {
   return body.X_CQ.linear().col(2).dot(up_C) < 0.0 ? turned(body) : body;
 }
 
+// Calls visit(p_C) for each point as near to a body's middle as its bounds reach, and some more.
+template <class Visitor>
+void each_point_near(const PointCloud& cloud, const Body& body, Visitor&& visit) {
+  const Eigen::AlignedBox3d box = body.bounds_Q();
+  const Eigen::Vector3f middle = (body.X_CQ * Eigen::Vector3d(box.center())).cast<float>();
+  const float radius = static_cast<float>(1e-4 + 0.5 * box.diagonal().norm());
+  for (const Eigen::Vector3f& p : cloud.points) {
+    if ((p - middle).squaredNorm() <= radius * radius) visit(Eigen::Vector3d(p.cast<double>()));
+  }
+}
+
 // Detections end short of the outermost points. Moves the rim up to where the points on the wall
 // end: as long as every millimetre has a third as many as below it.
 void raise_to_points(const PointCloud& cloud, Shell& shell) {
@@ -79,12 +90,12 @@ void raise_to_points(const PointCloud& cloud, Shell& shell) {
   shell.body.z_max += kMostRaised;
   const Eigen::AlignedBox3d box = shell.body.bounds_Q();
   std::array<int, static_cast<int>((kBelowRim + kMostRaised) / kRaise + 0.5)> counts{};
-  for (const Eigen::Vector3f& p : cloud.points) {
-    const Eigen::Vector3d p_C = p.cast<double>(), p_Q = X_QC * p_C;
+  each_point_near(cloud, shell.body, [&](const Eigen::Vector3d& p_C) {
+    const Eigen::Vector3d p_Q = X_QC * p_C;
     const double up = std::floor((p_Q.z() - bottom) / kRaise);
-    if (!(up >= 0.0 && up < counts.size()) || !box.contains(p_Q)) continue;
+    if (!(up >= 0.0 && up < counts.size()) || !box.contains(p_Q)) return;
     if (std::abs(shell.offset(p_C)) < kOwn) ++counts[static_cast<std::size_t>(up)];
-  }
+  });
   constexpr std::size_t kBelow = static_cast<std::size_t>(kBelowRim / kRaise + 0.5);
   const int usual = std::accumulate(counts.begin(), counts.begin() + kBelow, 0);
   std::size_t n = kBelow;
@@ -97,10 +108,10 @@ bool cut_at_points(const PointCloud& cloud, Shell& shell) {
   std::vector<double> heights;
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
   const Eigen::AlignedBox3d box = shell.body.bounds_Q();
-  for (const Eigen::Vector3f& p : cloud.points) {
-    const Eigen::Vector3d p_C = p.cast<double>(), p_Q = X_QC * p_C;
+  each_point_near(cloud, shell.body, [&](const Eigen::Vector3d& p_C) {
+    const Eigen::Vector3d p_Q = X_QC * p_C;
     if (box.contains(p_Q) && std::abs(shell.offset(p_C)) < kOwn) heights.push_back(p_Q.z());
-  }
+  });
   if (heights.size() < kLeastPoints) return false;
   const auto last = heights.end() - 1 -
                     static_cast<std::ptrdiff_t>(kStrayShare * static_cast<double>(heights.size()));

@@ -23,9 +23,11 @@ constexpr double kFrictionShare = 0.85;
 constexpr double kSigmas = 2.0;
 // But no more than this [m]: what one view tells little of is seldom as wrong as it may be.
 constexpr double kMostDoubt = 0.004;
-// The least share of a body's greatest width that friction lets the tips hold it at.
+// The least share of a body's greatest width that friction lets the tips hold it at: of a ball,
+// cos(atan 0.5) = 0.89.
 constexpr double kBeside = 0.88;
-// Walls that are warped more under the pads turn in the hand [m].
+// Walls that are warped more under the pads turn in the hand [m]: on a pad 9 mm to either side,
+// that is 4° out of line, of the 5° that a held object may turn.
 constexpr double kMostWarp = 0.0006;
 
 std::string reason(Obstruction what) {
@@ -62,8 +64,7 @@ ApproachSpace TargetPlanner::approach_space(const Eigen::Vector3d& viewpoint_C) 
   return space;
 }
 
-std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
-                                       std::map<std::string, int>& rejected) {
+std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C, Counts& rejected) {
   const ApproachSpace space = approach_space(viewpoint_C);
   std::vector<ContactLine> lines = contact_lines(target_.body, gripper_, viewpoint_C, space.up_C);
   std::erase_if(lines, [&](const ContactLine& line) { return !usable(narrowed(line), rejected); });
@@ -72,15 +73,12 @@ std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C,
   if (refused > 0) rejected["unreachable"] += refused;
   for (const GraspCandidate& candidate : candidates) {
     if (checks_ >= kMostChecks || accepted_.size() >= kMostAccepted) break;
-    try_candidate(lines[candidate.line], candidate, rejected);
+    try_across(lines[candidate.line], candidate.approach_C, rejected);
   }
-  if (accepted_.empty()) try_tips(space, rejected);
   return std::move(accepted_);
 }
 
-std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C,
-                                           std::map<std::string, int>& rejected) {
-  at_rim_ = true;
+std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C, Counts& rejected) {
   std::vector<ContactLine> lines = target_.rim;
   std::erase_if(lines, [&](const ContactLine& line) { return !fits(line, rejected); });
   ApproachSpace space = approach_space(viewpoint_C);
@@ -90,13 +88,13 @@ std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C,
   if (refused > 0) rejected["unreachable"] += refused;
   for (const GraspCandidate& candidate : candidates) {
     if (checks_ >= kMostChecks || accepted_.size() >= kMostAccepted) break;
-    try_rim(lines[candidate.line], candidate, rejected);
+    try_rim(lines[candidate.line], candidate.approach_C, rejected);
   }
   return std::move(accepted_);
 }
 
 // False, and counted, if the hand does not open as far or close as far.
-bool TargetPlanner::fits(const ContactLine& line, std::map<std::string, int>& rejected) const {
+bool TargetPlanner::fits(const ContactLine& line, Counts& rejected) const {
   if (least_opening(line) <= gripper_.max_opening && line.width >= gripper_.min_opening) {
     return true;
   }
@@ -104,7 +102,7 @@ bool TargetPlanner::fits(const ContactLine& line, std::map<std::string, int>& re
   return false;
 }
 
-bool TargetPlanner::usable(const ContactLine& line, std::map<std::string, int>& rejected) const {
+bool TargetPlanner::usable(const ContactLine& line, Counts& rejected) const {
   const auto refuse = [&](const char* why) {
     ++rejected[why];
     return false;
@@ -166,90 +164,114 @@ std::vector<double> TargetPlanner::preshapes(const ContactLine& line) const {
   return openings;
 }
 
-void TargetPlanner::try_candidate(const ContactLine& line, const GraspCandidate& candidate,
-                                  std::map<std::string, int>& rejected) {
-  if (resembles_accepted(line, candidate.approach_C)) return;
-  const double step = 0.33 * gripper_.pad.y();
+// True, and counted, if the palm is in the way of something at whichever depth, chords included:
+// most candidates end here, at the cost of one check.
+bool TargetPlanner::blocked(const ContactLine& line, const Eigen::Vector3d& approach_C,
+                            Counts& rejected) {
+  const double step = depth_step(), back = kMostBeside * 0.5 * line.width + gripper_.finger_front;
+  // The middle of a chord beside the line lies no farther to the side than the line's ends.
+  const Eigen::Vector3d slack(0.0, 0.5 * line.width, 0.0);
+  const Eigen::AlignedBox3d places_G(Eigen::Vector3d(0.0, 0.0, -std::max(back, step)) - slack,
+                                     Eigen::Vector3d(0.0, 0.0, step) + slack);
+  const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, 0.0);
+  const auto palm = common_palm(gripper_, X_CG, places_G, options_.approach);
+  const auto what = palm ? scene_.palm_obstruction(*palm) : std::nullopt;
+  if (what) refuse(*what, rejected);
+  return what.has_value();
+}
+
+void TargetPlanner::try_across(const ContactLine& line, const Eigen::Vector3d& approach_C,
+                               Counts& rejected) {
+  if (resembles_accepted(line, approach_C) || blocked(line, approach_C, rejected)) return;
   if (least_opening(line) <= gripper_.max_opening) {
+    const double step = depth_step();
     for (const double depth : {0.0, -step, step}) {
-      if (try_depth(line, candidate.approach_C, depth, rejected)) return;
+      if (try_depth(line, approach_C, depth, rejected)) return;
     }
   }
-  try_chords(line, candidate.approach_C, rejected);
+  try_chords(line, approach_C, rejected);
 }
 
 // The tips as far beyond the contacts as the rim is before them: the bend of the wall then turns it
 // neither way.
-void TargetPlanner::try_rim(const ContactLine& line, const GraspCandidate& candidate,
-                            std::map<std::string, int>& rejected) {
-  if (resembles_accepted(line, candidate.approach_C)) return;
+void TargetPlanner::try_rim(const ContactLine& line, const Eigen::Vector3d& approach_C,
+                            Counts& rejected) {
+  if (resembles_accepted(line, approach_C)) return;
   const Shell& shell = *target_.shell;
-  if (wall_warp(shell, line, candidate.approach_C, 0.5 * gripper_.pad.x()) > kMostWarp) {
+  const double warp = wall_warp(shell, line, approach_C, 0.5 * gripper_.pad.x());
+  if (warp > kMostWarp) {
     ++rejected["twist"];
     return;
   }
   const double depth = rim_above(shell, line) - gripper_.finger_front;
-  try_depth(line, candidate.approach_C, depth, rejected);
+  const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
+  if (on_pads(line, X_CG, gripper_)) {
+    try_hand({line, X_CG, friction_needed(line), 1.0 - warp / kMostWarp, false}, rejected);
+  } else {
+    ++rejected["friction"];
+  }
 }
 
 bool TargetPlanner::try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C,
-                              double depth, std::map<std::string, int>& rejected) {
+                              double depth, Counts& rejected) {
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
-  if (!by_tips_ && !on_pads(line, X_CG, gripper_)) {
-    ++rejected["friction"];
-    return false;
+  if (on_pads(line, X_CG, gripper_)) {
+    return try_hand({line, X_CG, friction_needed(line)}, rejected);
   }
+  ++rejected["friction"];
+  return false;
+}
+
+// Planes are looked at first, at little cost: they do not count as effort.
+void TargetPlanner::refuse(Obstruction what, Counts& rejected) {
+  ++rejected[reason(what)];
+  checks_ += what != Obstruction::kSupport;
+}
+
+bool TargetPlanner::try_hand(const Attempt& attempt, Counts& rejected) {
+  const ContactLine& line = attempt.line;
   const auto swept = [&](double preshape) {
-    return sweep_hand(gripper_, X_CG, preshape, line.width, options_.approach);
+    return sweep_hand(gripper_, attempt.X_CG, preshape, line.width, options_.approach);
   };
-  // Planes are looked at first, at little cost: they do not count as effort.
-  const auto refuse = [&](Obstruction what) {
-    ++rejected[reason(what)];
-    checks_ += what != Obstruction::kSupport;
+  const auto refused = [&](const std::optional<Obstruction>& what) {
+    if (what) refuse(*what, rejected);
+    return what.has_value();
   };
-  if (const auto what = scene_.palm_obstruction(swept(line.opening))) {
-    refuse(*what);
-    return false;
-  }
-  if (!at_rim_ && meets_too_early(line, X_CG, gripper_, scene_.target, margin(line))) {
-    refuse(Obstruction::kTarget);
+  const auto fingers = common_fingers(gripper_, attempt.X_CG, least_opening(line), line.width);
+  if (refused(scene_.closing_obstruction(fingers))) return false;
+  if (refused(scene_.palm_obstruction(swept(line.opening).palm))) return false;
+  if (attempt.may_bulge &&
+      meets_too_early(line, attempt.X_CG, gripper_, scene_.target, margin(line))) {
+    refuse(Obstruction::kTarget, rejected);
     return false;
   }
   for (const double preshape : preshapes(line)) {
     const std::optional<Obstruction> what = scene_.finger_obstruction(swept(preshape));
     if (!what) {
-      accepted_.push_back(describe(line, X_CG, preshape));
+      accepted_.push_back(describe(attempt, preshape));
       return true;
     }
-    refuse(*what);
+    refuse(*what, rejected);
     if (*what == Obstruction::kSupport) return false;  // another opening does not help
   }
   return false;
 }
 
-Grasp TargetPlanner::describe(const ContactLine& line, const Eigen::Isometry3d& X_CG,
-                              double preshape) const {
+Grasp TargetPlanner::describe(const Attempt& attempt, double preshape) const {
   Grasp grasp;
   grasp.target = target_.id;
-  grasp.X_CG = X_CG;
-  grasp.width = line.width;
+  grasp.X_CG = attempt.X_CG;
+  grasp.width = attempt.line.width;
   grasp.preshape = preshape;
-  grasp.contacts_C = line.contacts_C;
+  grasp.contacts_C = attempt.line.contacts_C;
   grasp.approach = options_.approach;
-  grasp.friction_needed = by_tips_ ? by_tips_->friction : friction_needed(line);
-  rate(grasp, line);
+  grasp.friction_needed = attempt.friction;
+  rate(grasp, attempt);
   return grasp;
 }
 
-// 1 if the pads lie straight on a wall; less if they lie askew, where its bend twists it.
-double TargetPlanner::straight(const Grasp& grasp, const ContactLine& line) const {
-  if (!at_rim_) return 1.0;
-  const Eigen::Vector3d approach_C = grasp.X_CG.linear().col(2);
-  const double warp = wall_warp(*target_.shell, line, approach_C, 0.5 * gripper_.pad.x());
-  return std::clamp(1.0 - warp / kMostWarp, 0.0, 1.0);
-}
-
-void TargetPlanner::rate(Grasp& grasp, const ContactLine& line) const {
+void TargetPlanner::rate(Grasp& grasp, const Attempt& attempt) const {
+  const ContactLine& line = attempt.line;
   const double reach = 0.5 * target_.body.bounds_Q().sizes().maxCoeff();
   ContactModel model;
   model.friction = options_.friction;
@@ -262,7 +284,7 @@ void TargetPlanner::rate(Grasp& grasp, const ContactLine& line) const {
   const int seen = observed(line.contacts_C[0]) + observed(line.contacts_C[1]);
   grasp.unknown_contact = seen < 2;
   ScoreTerms terms;
-  terms.friction = (1.0 - grasp.friction_needed / options_.friction) * straight(grasp, line);
+  terms.friction = (1.0 - grasp.friction_needed / options_.friction) * attempt.straight;
   terms.clearance = grasp.clearance / 0.01;
   terms.observed = 0.5 * seen;
   terms.room = 0.5 * (grasp.preshape - line.opening) / 0.005;

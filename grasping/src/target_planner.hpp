@@ -27,6 +27,18 @@ struct Target {
   bool solid = true;
 };
 
+/// One way to hold a target, before any collision check.
+struct Attempt {
+  ContactLine line;
+  Eigen::Isometry3d X_CG;
+  /// Friction coefficient that it needs [-].
+  double friction = 0.0;
+  /// 1 if the pads lie straight on a wall; less if they lie askew, where its bend twists it.
+  double straight = 1.0;
+  /// True if the target may be wider than the line within the reach of the pads. Walls are not.
+  bool may_bulge = true;
+};
+
 /// Plans the grasps of one target: those that survive, diverse, in no order.
 class TargetPlanner {
  public:
@@ -36,33 +48,42 @@ class TargetPlanner {
 
   /// Grasps across the whole body.
   std::vector<Grasp> plan(const Eigen::Vector3d& viewpoint_C, std::map<std::string, int>& rejected);
+  /// Grasps by the tips, wherever these reach: a longer search, for where nothing else is to be
+  /// had.
+  std::vector<Grasp> plan_tips(const Eigen::Vector3d& viewpoint_C,
+                               std::map<std::string, int>& rejected);
   /// Grasps across the wall of its shell, at the rim.
   std::vector<Grasp> plan_rim(const Eigen::Vector3d& viewpoint_C,
                               std::map<std::string, int>& rejected);
 
  private:
+  using Counts = std::map<std::string, int>;
+  // The farthest chord above the widest part, as a share of half the width: about as far as normal
+  // friction holds a ball there.
+  static constexpr double kMostBeside = 0.36;
+
+  // From one depth along the pads that is tried to the next [m].
+  double depth_step() const { return 0.33 * gripper_.pad.y(); }
   ApproachSpace approach_space(const Eigen::Vector3d& viewpoint_C) const;
-  bool fits(const ContactLine& line, std::map<std::string, int>& rejected) const;
-  bool usable(const ContactLine& line, std::map<std::string, int>& rejected) const;
+  bool fits(const ContactLine& line, Counts& rejected) const;
+  bool usable(const ContactLine& line, Counts& rejected) const;
   ContactLine narrowed(ContactLine line) const;
   bool contradicted(const ContactLine& line) const;
   bool observed(const Eigen::Vector3d& contact_C) const;
   bool resembles_accepted(const ContactLine& line, const Eigen::Vector3d& approach_C) const;
   std::vector<double> preshapes(const ContactLine& line) const;
-  void try_rim(const ContactLine& line, const GraspCandidate& candidate,
-               std::map<std::string, int>& rejected);
-  void try_candidate(const ContactLine& line, const GraspCandidate& candidate,
-                     std::map<std::string, int>& rejected);
+  void try_rim(const ContactLine& line, const Eigen::Vector3d& approach_C, Counts& rejected);
+  void try_across(const ContactLine& line, const Eigen::Vector3d& approach_C, Counts& rejected);
+  bool blocked(const ContactLine& line, const Eigen::Vector3d& approach_C, Counts& rejected);
   bool try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C, double depth,
-                 std::map<std::string, int>& rejected);
-  bool try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
-                  std::map<std::string, int>& rejected);
-  void try_tips(const ApproachSpace& space, std::map<std::string, int>& rejected);
+                 Counts& rejected);
+  bool try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C, Counts& rejected);
   double passed_by_tips(const ContactLine& line, double off,
                         const Eigen::Vector3d& approach_C) const;
-  Grasp describe(const ContactLine& line, const Eigen::Isometry3d& X_CG, double preshape) const;
-  double straight(const Grasp& grasp, const ContactLine& line) const;
-  void rate(Grasp& grasp, const ContactLine& line) const;
+  bool try_hand(const Attempt& attempt, Counts& rejected);
+  void refuse(Obstruction what, Counts& rejected);
+  Grasp describe(const Attempt& attempt, double preshape) const;
+  void rate(Grasp& grasp, const Attempt& attempt) const;
   double margin(const ContactLine& line) const;
   double least_opening(const ContactLine& line) const;
 
@@ -71,10 +92,6 @@ class TargetPlanner {
   const PlanOptions& options_;
   const OccupancyGrid& grid_;
   const CollisionScene& scene_;
-  // Across a wall, whose thickness is not known, and no longer than the pads.
-  bool at_rim_ = false;
-  // The hold that is being tried: its contacts are where pads meet the body, edges included.
-  const TipHold* by_tips_ = nullptr;
   int checks_ = 0;
   std::vector<Grasp> accepted_;
 };

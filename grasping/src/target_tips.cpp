@@ -12,13 +12,15 @@ namespace quadrille {
 
 namespace {
 
-// Holds by the tips are exact: their normals are those of the very place.
+// Holds by the tips are exact: their normals are those of the very place, so that less is kept in
+// hand than for contacts that the pads smooth out.
 constexpr double kTipFrictionShare = 0.9;
 // More collision checks than this found hardly any further hold, and more holds than this are not
 // needed of a target.
 constexpr int kMostTipChecks = 4000;
 constexpr std::size_t kMostTipHolds = 8;
-// How far the tips reach beyond a contact that only they hold [m].
+// How far the tips reach beyond a contact that only they hold [m]: their rounding, and the doubt
+// about where the contact is.
 constexpr double kTipBeyond = 0.003;
 
 }  // namespace
@@ -35,9 +37,9 @@ double TargetPlanner::passed_by_tips(const ContactLine& line, double off,
 // Above the widest part, with the tips: what lies low, or in front of unseen space, can still be
 // held as far as friction allows.
 bool TargetPlanner::try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
-                               std::map<std::string, int>& rejected) {
+                               Counts& rejected) {
   const double depth = kTipBeyond - gripper_.finger_front;
-  for (const double share : {0.2, 0.36, 0.1, 0.28}) {
+  for (const double share : {0.2, kMostBeside, 0.1, 0.28}) {
     const double off = 0.5 * share * line.width;
     const Eigen::Vector3d p_C = line.centre_C - off * approach_C;
     std::optional<ContactLine> beside = chord(target_.body, p_C, line.closing_C);
@@ -49,23 +51,21 @@ bool TargetPlanner::try_chords(const ContactLine& line, const Eigen::Vector3d& a
   return false;
 }
 
-// Where nothing better is to be had.
-void TargetPlanner::try_tips(const ApproachSpace& space, std::map<std::string, int>& rejected) {
-  checks_ = 0;
+std::vector<Grasp> TargetPlanner::plan_tips(const Eigen::Vector3d& viewpoint_C, Counts& rejected) {
   const double friction = kTipFrictionShare * options_.friction;
-  const std::vector<TipHold> holds =
-      tip_holds(target_.body, gripper_, space, scene_.planes, friction);
+  const std::vector<TipHold> holds = tip_holds(target_.body, gripper_, approach_space(viewpoint_C),
+                                               {scene_, options_.approach, friction});
   for (const TipHold& hold : holds) {
     if (checks_ >= kMostTipChecks || accepted_.size() >= kMostTipHolds) break;
     if (resembles_accepted(hold.line, hold.approach_C) || !fits(hold.line, rejected)) continue;
-    by_tips_ = &hold;
     if (contradicted(hold.line)) {
       ++rejected["contradicted"];
       continue;
     }
-    try_depth(hold.line, hold.approach_C, 0.0, rejected);
+    const Eigen::Isometry3d X_CG = grasp_pose(hold.line, hold.approach_C, 0.0);
+    try_hand({hold.line, X_CG, hold.friction}, rejected);
   }
-  by_tips_ = nullptr;
+  return std::move(accepted_);
 }
 
 }  // namespace quadrille

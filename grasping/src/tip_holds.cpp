@@ -1,6 +1,7 @@
 #include "quadrille/grasping/tip_holds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -14,19 +15,20 @@ namespace quadrille {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// How far the tips reach beyond the nearest point of the body [m].
+// How far the tips reach beyond the nearest point of the body [m]: from the least that holds, by
+// steps that grow, to most of a finger.
 constexpr double kDips[] = {0.004, 0.008, 0.013, 0.019, 0.027, 0.037};
-// Where along the body's breadth: at its middle, near it [m], and as a share of half of it.
+// Where along the body's breadth: at its middle, near it [m], by about the doubt about where that
+// is, and as a share of half of it, for what is blocked or too wide there.
 constexpr double kNear[] = {0.0, -0.005, 0.005};
 constexpr double kBeside[] = {-0.35, 0.35, -0.7, 0.7};
-// What of the tip is rounded off [m].
-constexpr double kEdge = 0.0012;
-
-// The tips may end as far beyond the body [m].
+// The tips may end as far beyond the body [m]: their own front face needs no hold.
 constexpr double kBelow = 0.005;
-// The closing may lift the hand by as much [m].
+// The closing may lift the hand by as much [m]: what it moves along y, if y is not level. Deeper
+// hands are left out here, all others meet the exact test later.
 constexpr double kSunk = 0.005;
-// What lies so near to the body's nearest point tells where its middle is [m].
+// What lies so near to the body's nearest point tells where its middle is [m]: less has hardly a
+// point of the surface.
 constexpr double kLeastReached = 0.01;
 
 // Points all over the surface, in frame C.
@@ -90,41 +92,24 @@ int band(double friction) { return static_cast<int>(friction / 0.1); }
 // The holds on one body.
 class Search {
  public:
-  Search(const Body& body, const Gripper& gripper, const std::vector<SupportPlane>& planes,
-         double friction)
-      : gripper_(gripper),
-        planes_(planes),
-        friction_(friction),
-        points_(surface(body)),
-        meeter_(body, gripper) {}
+  Search(const Body& body, const Gripper& gripper, const TipLimits& limits)
+      : gripper_(gripper), limits_(limits), points_(surface(body)), finder_(body, gripper) {}
 
   // All depths and places of one orientation of the hand.
   void add(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C, double prior) {
-    meeter_.turn(closing_C, approach_C);
     Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
     X_CG.linear() << closing_C.cross(approach_C), closing_C, approach_C;
-    const Eigen::Matrix3d R_GC = X_CG.linear().transpose();
-    const Eigen::Matrix3Xd points_G = R_GC * points_;
-    const double nearest = points_G.row(2).minCoeff(), farthest = points_G.row(2).maxCoeff();
-    for (const double dip : kDips) {
-      if (nearest + dip > farthest + kBelow) return;
-      Eigen::AlignedBox3d reached_G;
-      for (const auto& p_G : points_G.colwise()) {
-        if (p_G.z() <= nearest + std::max(dip, kLeastReached)) {
-          reached_G.extend(Eigen::Vector3d(p_G));
-        }
-      }
-      Eigen::Vector3d p_G = reached_G.center();
-      p_G.z() = nearest + dip - gripper_.finger_front;
-      for (const double beside : places(reached_G.sizes().x())) {
-        X_CG.translation() = X_CG.linear() * (p_G + beside * Eigen::Vector3d::UnitX());
-        if (sinks(X_CG)) continue;
-        const std::optional<PadMeeting> met = meeter_.at(X_CG.translation());
-        if (!met || met->line.width < gripper_.min_opening || met->friction > friction_) continue;
-        const double value = prior - 2.0 * met->friction;
-        rated_.push_back(
-            {{met->line, approach_C, met->friction}, std::max(2, band(met->friction)), value});
-      }
+    const std::vector<Eigen::Vector3d> places_G = places(X_CG);
+    if (blocked(X_CG, places_G)) return;
+    finder_.turn(closing_C, approach_C);
+    for (const Eigen::Vector3d& p_G : places_G) {
+      X_CG.translation() = X_CG.linear() * p_G;
+      if (sinks(X_CG)) continue;
+      const std::optional<PadMeeting> met = finder_.at(X_CG.translation(), limits_.friction);
+      if (!met || met->line.width < gripper_.min_opening) continue;
+      const double value = prior - 2.0 * met->friction;
+      rated_.push_back(
+          {{met->line, approach_C, met->friction}, std::max(2, band(met->friction)), value});
     }
   }
 
@@ -146,6 +131,47 @@ class Search {
   }
 
  private:
+  // Where the origin of G is put, along the axes of an orientation.
+  std::vector<Eigen::Vector3d> places(const Eigen::Isometry3d& X_CG) {
+    points_G_.noalias() = X_CG.linear().transpose() * points_;
+    const Eigen::RowVectorXd& ahead = points_G_.row(2);
+    const double nearest = ahead.minCoeff(), farthest = ahead.maxCoeff();
+    // What each dip reaches beyond those before it.
+    std::array<Eigen::AlignedBox3d, std::size(kDips)> reached;
+    for (const auto& p_G : points_G_.colwise()) {
+      const double deep = p_G.z() - nearest;
+      const auto dip = deep <= kLeastReached
+                           ? std::begin(kDips)
+                           : std::lower_bound(std::begin(kDips), std::end(kDips), deep);
+      if (dip != std::end(kDips)) reached[dip - std::begin(kDips)].extend(Eigen::Vector3d(p_G));
+    }
+    std::vector<Eigen::Vector3d> places;
+    Eigen::AlignedBox3d reached_G;
+    for (std::size_t n = 0; n < std::size(kDips); ++n) {
+      const double dip = kDips[n];
+      if (nearest + dip > farthest + kBelow) break;
+      reached_G.extend(reached[n]);
+      Eigen::Vector3d p_G = reached_G.center();
+      p_G.z() = nearest + dip - gripper_.finger_front;
+      const auto add = [&](double beside) {
+        places.emplace_back(p_G + beside * Eigen::Vector3d::UnitX());
+      };
+      for (const double beside : kNear) add(beside);
+      for (const double share : kBeside) add(0.5 * share * reached_G.sizes().x());
+    }
+    return places;
+  }
+
+  // True if the palm runs into something in all of these places, wherever along y they end up.
+  bool blocked(const Eigen::Isometry3d& X_CG, const std::vector<Eigen::Vector3d>& places_G) const {
+    Eigen::AlignedBox3d places;
+    for (const Eigen::Vector3d& p_G : places_G) places.extend(p_G);
+    places.min().y() = points_G_.row(1).minCoeff();
+    places.max().y() = points_G_.row(1).maxCoeff();
+    const auto palm = common_palm(gripper_, X_CG, places, limits_.approach);
+    return palm && limits_.scene.palm_obstruction(*palm);
+  }
+
   // True if the closed hand's fingers or palm lie below a plane, wherever along y it ends up.
   bool sinks(const Eigen::Isometry3d& X_CG) const {
     const double front = gripper_.finger_front, back = front - gripper_.finger.z();
@@ -155,31 +181,25 @@ class Search {
     const OrientedBox behind =
         box_between(X_CG, -palm - Eigen::Vector3d(0, 0, gripper_.palm.z() - back),
                     palm + Eigen::Vector3d(0, 0, back));
-    return std::any_of(planes_.begin(), planes_.end(), [&](const SupportPlane& plane) {
+    const std::vector<SupportPlane>& planes = limits_.scene.planes;
+    return std::any_of(planes.begin(), planes.end(), [&](const SupportPlane& plane) {
       return plane.meets(fingers, -kSunk) || plane.meets(behind, -kSunk);
     });
   }
 
-  static std::vector<double> places(double breadth) {
-    std::vector<double> places(std::begin(kNear), std::end(kNear));
-    for (const double share : kBeside) places.push_back(0.5 * share * breadth);
-    return places;
-  }
-
   const Gripper& gripper_;
-  const std::vector<SupportPlane>& planes_;
-  double friction_;
-  Eigen::Matrix3Xd points_;
-  PadMeeter meeter_;
+  const TipLimits& limits_;
+  Eigen::Matrix3Xd points_, points_G_;
+  PadMeetingFinder finder_;
   std::vector<Rated> rated_;
 };
 
 }  // namespace
 
 std::vector<TipHold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
-                               const std::vector<SupportPlane>& planes, double friction) {
+                               const TipLimits& limits) {
   if (body.profile == Body::Profile::kBox) return {};
-  Search search(body, gripper, planes, friction);
+  Search search(body, gripper, limits);
   for (const Eigen::Vector3d& d : closings(body, space.up_C)) {
     const Eigen::Vector3d first = d.unitOrthogonal(), second = d.cross(first);
     constexpr int kDirections = 24;

@@ -7,9 +7,11 @@ namespace quadrille {
 
 namespace {
 
-// Sine of the least steep wall: on flatter ones there is no way up to the rim.
+// Sine of the least steep wall, 17°: on flatter ones the way up to the rim, over the same rise, is
+// longer than a pad.
 constexpr double kLeastSteep = 0.3;
-// Over so much of the wall its bends are taken [rad, m].
+// Over so much of the wall its bends are taken [rad, m]: some millimetres, well within a pad, and
+// far more than rounding.
 constexpr double kTurn = 0.05, kRise = 0.002;
 
 const Eigen::Vector3d& seen_contact(const Shell& shell, const ContactLine& line) {
@@ -28,8 +30,8 @@ double rim_above(const Shell& shell, const ContactLine& line) {
   return (shell.body.z_max - seen_Q.z()) / std::max(steep, kLeastSteep);
 }
 
-double wall_warp(const Shell& shell, const ContactLine& line, const Eigen::Vector3d& approach_C,
-                 double half_width) {
+double geodesic_torsion(const Shell& shell, const ContactLine& line,
+                        const Eigen::Vector3d& approach_C) {
   const Body& body = shell.body;
   const Eigen::Vector3d p = body.X_CQ.inverse() * seen_contact(shell, line);
   const double angle = std::atan2(p.y() / body.b, p.x() / body.a);
@@ -44,7 +46,12 @@ double wall_warp(const Shell& shell, const ContactLine& line, const Eigen::Vecto
   const Eigen::Vector3d into_C = -body.X_CQ.linear().col(2);
   const double along = std::min(1.0, approach_C.dot(along_wall(line, into_C)));
   const double across = std::sqrt(1.0 - along * along);
-  return std::abs(around - upward) * along * across * half_width * rim_above(shell, line);
+  return std::abs(around - upward) * along * across;
+}
+
+double wall_warp(const Shell& shell, const ContactLine& line, const Eigen::Vector3d& approach_C,
+                 double half_width) {
+  return geodesic_torsion(shell, line, approach_C) * half_width * rim_above(shell, line);
 }
 
 }  // namespace quadrille

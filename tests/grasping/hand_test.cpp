@@ -1,6 +1,8 @@
 #include "quadrille/grasping/hand.hpp"
 
 #include <algorithm>
+#include <array>
+#include <random>
 
 #include "scenes.hpp"
 #include "support/catch.hpp"
@@ -71,4 +73,30 @@ TEST_CASE("a hand that does not close passes no space while closing", "[hand]") 
   const SweptHand swept =
       sweep_hand(franka_hand(), Eigen::Isometry3d::Identity(), kClosed, kClosed + 0.01, 0.0);
   for (const OrientedBox& box : swept.closing) CHECK(box.half.y() == Approx(0.0).margin(1e-12));
+}
+
+TEST_CASE("what palms have in common lies in the palm of each hand, at each width", "[hand]") {
+  std::mt19937 random(37);
+  Gripper swinging = franka_hand();
+  swinging.link_length = 0.06;
+  swinging.link_angle = 0.6;
+  int common = 0;
+  for (const Gripper& gripper : {franka_hand(), schunk_wsg50(), swinging}) {
+    for (int n = 0; n < 200; ++n) {
+      const Eigen::Isometry3d X_CG = random_pose(random);
+      const Eigen::Vector3d some =
+          random_point(random, {Eigen::Vector3d::Constant(-0.02), Eigen::Vector3d::Constant(0.02)});
+      const Eigen::AlignedBox3d places_G(some.cwiseMin(0.0), some.cwiseMax(0.0));
+      const auto palm = common_palm(gripper, X_CG, places_G, kApproach);
+      if (!palm) continue;
+      ++common;
+      for (int k = 0; k < 20; ++k) {
+        const Eigen::Isometry3d X = X_CG * Eigen::Translation3d(random_point(random, places_G));
+        const double width = uniform(random, gripper.min_opening, gripper.max_opening);
+        const SweptHand hand = sweep_hand(gripper, X, gripper.max_opening, width, kApproach);
+        CHECK(hand.palm.inflated(1e-9).contains(random_in(random, *palm)));
+      }
+    }
+  }
+  CHECK(common > 300);
 }

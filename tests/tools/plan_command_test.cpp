@@ -1,3 +1,6 @@
+#include <filesystem>
+#include <string>
+
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 
@@ -16,9 +19,13 @@ TEST_CASE("plan writes its map as OctoMap reads it, and fuses further views", "[
   INFO(run.err);
   REQUIRE(run.code == 0);
   CHECK(test::content_of(map).starts_with("# Octomap OcTree binary file\nid OcTree\n"));
-  // The same view again shows nothing new.
-  REQUIRE(run_quadrille(plan + " --view " + scene + " --map " + folder.path("t.bt")).code == 0);
+  // The same view again shows nothing new; but for the same file it is refused.
+  const std::string copy = folder.path("copy.ply");
+  std::filesystem::copy_file(scene, copy);
+  REQUIRE(run_quadrille(plan + " --view " + copy + " --map " + folder.path("t.bt")).code == 0);
   CHECK(test::content_of(folder.path("t.bt")) == test::content_of(map));
   check_failure(run_quadrille(plan + " --view " + folder.path("none.ply")), "none.ply");
+  check_failure(run_quadrille(plan + " --view " + scene), "given twice");
+  check_failure(run_quadrille(plan + " --view " + copy + " --view " + copy), "given twice");
   check_failure(run_quadrille(plan + " --map " + folder.path("no/m.bt")), "m.bt");
 }

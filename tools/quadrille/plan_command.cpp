@@ -1,10 +1,12 @@
 #include "quadrille/plan_command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "cli/choice_option.hpp"
@@ -62,6 +64,21 @@ PlanOptions plan_options(const PlanArguments& arguments) {
   return options;
 }
 
+// A view that is given twice, or is the input itself, shows nothing more: one was meant to be
+// another.
+void refuse_same(const std::string& input, const std::vector<std::string>& views) {
+  std::vector<std::string> seen = {input};
+  for (const std::string& path : views) {
+    for (const std::string& other : seen) {
+      std::error_code missing;  // which reading it will tell
+      if (std::filesystem::equivalent(path, other, missing)) {
+        throw io::FileError(path, "", "is given twice; each --view must be another cloud");
+      }
+    }
+    seen.push_back(path);
+  }
+}
+
 std::vector<PointCloud> read_views(const std::vector<std::string>& paths) {
   std::vector<PointCloud> views;
   for (const std::string& path : paths) {
@@ -85,6 +102,7 @@ void run(const PlanArguments& arguments) {
   print_warnings(arguments.detector.config, arguments.detector.warnings());
   const Gripper gripper = arguments.planner.gripper();
   const PlanOptions options = plan_options(arguments);
+  refuse_same(arguments.input, arguments.views);
   JsonLines json(arguments.json);
   std::optional<io::NewFile> map;
   if (!arguments.map.empty()) map.emplace(arguments.map);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -46,14 +47,20 @@ struct CollisionScene {
   std::vector<CollisionShape> target;
   /// Distance to keep from shapes and planes, which are known only as well as their fit [m].
   double margin = 0.002;
+  /// Distance that the palm keeps from the target [m]: detections end short of the outermost
+  /// points, and the hand may come from any side of that end. Less where the end was measured.
+  double end_doubt = 0.008;
 
   /// What the swept hand runs into, nullopt if nothing. Its closing may touch the target.
   std::optional<Obstruction> obstruction(const SweptHand& hand) const;
-  /// The same for the palm alone, which no other opening of the hand moves out of the way. It stays
-  /// 8 mm off the target, whose end lies farther out than its detection tells.
-  std::optional<Obstruction> palm_obstruction(const SweptHand& hand) const;
+  /// The same for the palm alone, which no other opening of the hand moves out of the way. It
+  /// stays off the target by end_doubt.
+  std::optional<Obstruction> palm_obstruction(const OrientedBox& palm) const;
   /// The same for the fingers and their closing.
   std::optional<Obstruction> finger_obstruction(const SweptHand& hand) const;
+  /// The same for what fingers fill at the end of the approach, whatever their opening: the target
+  /// is no obstacle to it.
+  std::optional<Obstruction> closing_obstruction(const std::array<OrientedBox, 2>& fingers) const;
   /// How far the hand may be inflated before it runs into anything but the target, found by
   /// bisection to within 1 mm and at most kFarthestClearance [m].
   double clearance(const SweptHand& hand) const;

@@ -96,9 +96,16 @@ class DepthView {
   bool measured(int u, int v) const {
     return depth(u, v) > 0.0 && !filled_[static_cast<std::size_t>(v) * width_ + u];
   }
+  /// The points before the sensor: where in the image (x/z and y/z in V), how deep, and which.
+  struct Projected {
+    std::vector<Eigen::Vector2d> tangents;
+    std::vector<float> depths;
+    std::vector<int> points;
+  };
   void choose_axes(const PointCloud& cloud);
-  void choose_grid(const PointCloud& cloud);
-  void project(const PointCloud& cloud);
+  Projected project(const PointCloud& cloud) const;
+  void choose_grid(const std::vector<Eigen::Vector2d>& tangents);
+  void keep_nearest(const Projected& seen);
   void refuse_strays(const std::vector<int>& nearest);
   void fill_holes();
   void build_levels();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "quadrille/grasping/gripper.hpp"
 #include "quadrille/grasping/oriented_box.hpp"
@@ -23,5 +24,16 @@ struct SweptHand {
 /// @param approach  length of the approach [m]
 SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, double preshape,
                      double width, double approach);
+
+/// What the fingers fill or pass through once the hand is at X_CG, however far it was opened on its
+/// way, if by no less than `opening` [m]: a part of what any such swept hand holds.
+std::array<OrientedBox, 2> common_fingers(const Gripper& gripper, const Eigen::Isometry3d& X_CG,
+                                          double opening, double width);
+
+/// What the palm passes through on its way to each of many grasps, whatever their width: those at
+/// X_CG moved within `places_G`, which holds translations along the axes of G [m]. If this is in
+/// the way of something, so are they all. Nullopt if they have nothing in common.
+std::optional<OrientedBox> common_palm(const Gripper& gripper, const Eigen::Isometry3d& X_CG,
+                                       const Eigen::AlignedBox3d& places_G, double approach);
 
 }  // namespace quadrille

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <optional>
 
 #include "quadrille/grasping/body.hpp"
@@ -23,17 +24,19 @@ struct PadMeeting {
 
 /// Finds where the pads of a hand meet a body, on a grid of chords over the inner faces of its
 /// fingers: not where the body is widest, but where it is so within their reach.
-class PadMeeter {
+class PadMeetingFinder {
  public:
   /// @param body     no box; it and the gripper must outlive this
-  PadMeeter(const Body& body, const Gripper& gripper);
+  PadMeetingFinder(const Body& body, const Gripper& gripper);
 
   /// From now on for a hand that closes along y and comes along z, unit vectors in frame C at right
   /// angles; before the first at().
   void turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C);
   /// For a hand whose origin is moved along its closing direction from p_C. Nullopt if the fingers
-  /// do not meet the body, meet more than they open, or meet the edge of one of its ends.
-  std::optional<PadMeeting> at(const Eigen::Vector3d& p_C);
+  /// do not meet the body, meet more than they open, meet the edge of one of its ends, or need more
+  /// friction than `most_friction`.
+  std::optional<PadMeeting> at(const Eigen::Vector3d& p_C,
+                               double most_friction = std::numeric_limits<double>::infinity());
 
  private:
   static constexpr int kRows = 8, kColumns = 5, kChords = kRows * kColumns;
@@ -42,6 +45,7 @@ class PadMeeter {
   bool on_edge(const ContactLine& line) const;
   bool too_wide(const Eigen::Vector3d& q_Q) const;
   bool cross(const Eigen::Vector3d& p_Q);
+  double friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q) const;
   double lean(int side, double most, const Eigen::Vector3d& p_Q) const;
 
   const Body& body_;
@@ -51,6 +55,7 @@ class PadMeeter {
   // Where the chords lie from the origin of G, with wᵀMw and wᵀMy of each such w, and yᵀMy: a chord
   // lies inside between its ends if this is positive.
   Eigen::Matrix<double, 3, kChords> from_origin_Q_;
+  std::array<Chords, 3> offsets_;  // the same, axis by axis
   Chords square_, product_;
   double curvature_ = 0.0;
   // How far out the ends of each chord lie on either side; far within if it meets no surface.

@@ -16,12 +16,16 @@ Eigen::Vector3d along_wall(const ContactLine& line, const Eigen::Vector3d& into_
 /// than a slope of 17° [m].
 double rim_above(const Shell& shell, const ContactLine& line);
 
-/// How far the corners of what the pads cover lie beside where they would lie straight on the wall,
-/// since its bends differ [m]. With the curvatures κ around its axis and κ' up it, and φ between
-/// the approach and the wall's meridian, a point x beside and z along the approach lies off by its
-/// geodesic torsion (κ − κ') sin φ cos φ (do Carmo, Differential Geometry of Curves and Surfaces,
-/// 3-2), times x z. This twists the wall in the hand until it lies straight. Exact for shells of
-/// revolution.
+/// The geodesic torsion of the wall along a hand's approach: (κ − κ') sin φ cos φ with the
+/// curvatures κ around its axis and κ' up it, and φ between the approach and the wall's meridian
+/// (do Carmo, Differential Geometry of Curves and Surfaces, 3-2) [1/m]. Exact for shells of
+/// revolution; never negative.
+double geodesic_torsion(const Shell& shell, const ContactLine& line,
+                        const Eigen::Vector3d& approach_C);
+
+/// How far the corners of what the pads cover lie beside where they would lie straight on the wall
+/// [m]: a point x beside and z along the approach lies off by the geodesic torsion times x z. This
+/// twists the wall in the hand until it lies straight.
 /// @param half_width  of the pads [m]
 double wall_warp(const Shell& shell, const ContactLine& line, const Eigen::Vector3d& approach_C,
                  double half_width);
