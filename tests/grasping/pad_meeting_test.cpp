@@ -100,10 +100,11 @@ TEST_CASE("no point of a body lies between the fingers beyond where they meet it
     d.X_CQ = random_pose(random);
     const Body body = make_body(d).value();
     PadMeetingFinder finder(body, hand);
-    for (int n = 0; n < 250; ++n) {
+    for (int n = 0; n < 1500; ++n) {
       const Eigen::Matrix3d R = random_rotation(random);
       finder.turn(R.col(1), R.col(2));
-      const auto meeting = finder.at(random_point(random, body.bounds_C()));
+      // On steeper sides, which no friction holds, more lies between two chords of the grid.
+      const auto meeting = finder.at(random_point(random, body.bounds_C()), 0.5);
       if (!meeting) continue;
       ++met;
       const ContactLine& line = meeting->line;
