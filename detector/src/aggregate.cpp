@@ -14,13 +14,15 @@ constexpr double kHopeless = 0.1;
 constexpr double kNearlyFlat = 0.8;
 // Share of its extent that a surface is looked for beyond each end.
 constexpr float kFurther = 0.15f;
-// A region is a surface of its own if it lies this share of their sizes off all others: flaws of
-// real cups and posts reach .05, and a dome lies .12 off its post.
+// A region is a surface of its own if it lies this share of their sizes off all surfaces about it:
+// flaws of real cups and posts reach .05 of theirs, and a dome lies .12 off its post.
 constexpr double kOwn = 0.08;
 // Samples of a region that tell whether it lies off.
 constexpr std::size_t kWitnesses = 100;
 // A fit to a larger region may be this much worse than that to the smaller.
 constexpr double kLargerRms = 1.3;
+// Surfaces whose centres lie farther apart than this, in multiples of their sizes, do not meet.
+constexpr double kReach = 2.5;
 // A joint fit may be this much worse than the worse of two.
 constexpr double kJointRms = 1.25;
 
@@ -42,6 +44,10 @@ Eigen::AlignedBox3f box_of(const SurfaceSamples& samples, const std::vector<int>
   Eigen::AlignedBox3f box;
   for (const int i : region) box.extend(samples.raw[i]);
   return box;
+}
+
+bool may_meet(const Normalisation& a, const Normalisation& b) {
+  return (a.centre - b.centre).norm() < kReach * (a.scale + b.scale);
 }
 
 }  // namespace
@@ -96,7 +102,7 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
     const Evidence evidence = evidence_of(open, candidate.Q);
     const double hope = confidence(evidence, family_spec(candidate.family).dof);
     const bool curved = evidence.spread >= kNearlyFlat * options_.least_spread;
-    if (curved ? hope < (early ? 0.5 * least : kHopeless) : early) return std::nullopt;
+    if (curved ? !(hope >= (early ? 0.5 * least : kHopeless)) : early) return std::nullopt;
   }
   std::optional<Surface> surface = fitted(std::move(open));
   // The general fit of a plane is a doubled plane.
@@ -122,7 +128,7 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
     return std::nullopt;
   }
   if (!plane &&
-      (surface->confidence < least ||
+      (!(surface->confidence >= least) ||
        surface->rms > options_.largest_residual * mean_sigma(samples_, surface->region))) {
     return std::nullopt;
   }
@@ -184,11 +190,12 @@ Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q)
   return evidence;
 }
 
-/// True if no accepted surface nearly explains the region: it is more than a flaw of one.
+/// True if no accepted surface about it nearly explains the region: it is more than a flaw of one.
 bool Aggregation::stands_off(std::span<const int> region) const {
+  const Normalisation local = normalisation_of(samples_, region);
   const std::vector<int> some = spread_evenly(region, kWitnesses);
-  return std::all_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& s) {
-    return rms_distance(s, samples_, some) > kOwn * s.local.scale;
+  return std::none_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& s) {
+    return may_meet(s.local, local) && rms_distance(s, samples_, some) <= kOwn * s.local.scale;
   });
 }
 
@@ -226,10 +233,8 @@ void Aggregation::join(Surface* surface) {
   const auto is_flat = [](const Surface& s) { return s.fit.family == Family::kPlane; };
   for (std::size_t k = 0; k < surfaces_.size();) {
     const Surface& other = surfaces_[k];
-    const double reach = 2.5 * (surface->local.scale + other.local.scale);
     bool joined = false;
-    if (is_flat(*surface) == is_flat(other) &&
-        (surface->local.centre - other.local.centre).norm() < reach) {
+    if (is_flat(*surface) == is_flat(other) && may_meet(surface->local, other.local)) {
       std::vector<int> all = other.region;
       all.insert(all.end(), surface->region.begin(), surface->region.end());
       std::optional<Surface> joint = fitted(std::move(all));

@@ -137,7 +137,8 @@ Selection select_family(const FitPoints& points, std::span<const Family> familie
   selection.bic = bic(general, options);
   selection.fits.push_back(general);
   for (const Family family : families) {
-    // Even with the residual of the general fit, this family could not become the best.
+    // Even with a little less than the residual of the general fit, which is converged but nearly,
+    // this family could not become the best.
     const int dof = family_spec(family).dof;
     if (bic(0.95 * general.rss, size, dof, options) >= selection.bic) continue;
     const double wanted = rss_for(selection.bic, size, dof, options);

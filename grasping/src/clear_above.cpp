@@ -1,5 +1,8 @@
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "quadrille/grasping/depth_view.hpp"
 #include "quadrille/grasping/occupancy.hpp"
 
 namespace quadrille {

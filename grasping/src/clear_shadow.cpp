@@ -55,7 +55,7 @@ void ObstacleMap::clear_shadow(const OccupancyGrid& grid, const DepthView& view,
       }
     }
   }
-  refresh(range);
+  refresh({kEdge * low, (kEdge * (high.array() + 1) - 1).matrix()});
 }
 
 // One block of the top level, voxel by voxel.

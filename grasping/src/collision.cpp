@@ -77,7 +77,9 @@ std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
                                              std::span<const OrientedBox> closing,
                                              double off_target) {
   for (const SupportPlane& plane : scene.planes) {
-    if (crosses(solid, plane, scene.margin)) return Obstruction::kSupport;
+    if (crosses(solid, plane, scene.margin) || crosses(closing, plane, scene.margin)) {
+      return Obstruction::kSupport;
+    }
   }
   for (const auto boxes : {solid, closing}) {
     const Hit hit = voxel_hit(boxes, scene.map, 0.0);
@@ -102,7 +104,8 @@ bool SupportPlane::meets(const OrientedBox& box, double margin) const {
 }
 
 bool may_reach(const CollisionShape& shape, const Eigen::AlignedBox3d& region_C) {
-  return !apart({Eigen::Matrix3d::Identity(), region_C.center(), 0.5 * region_C.sizes()}, shape);
+  return shape.geometry &&
+         !apart({Eigen::Matrix3d::Identity(), region_C.center(), 0.5 * region_C.sizes()}, shape);
 }
 
 bool overlaps(const OrientedBox& box, const CollisionShape& shape) {
@@ -131,9 +134,6 @@ std::optional<Obstruction> CollisionScene::finger_obstruction(const SweptHand& h
 
 std::optional<Obstruction> CollisionScene::closing_obstruction(
     const std::array<OrientedBox, 2>& fingers) const {
-  for (const SupportPlane& plane : planes) {
-    if (crosses(fingers, plane, margin)) return Obstruction::kSupport;
-  }
   return first_obstruction(*this, {}, fingers, margin);
 }
 

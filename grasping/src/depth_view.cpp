@@ -200,11 +200,11 @@ void DepthView::build_levels() {
 
 int DepthView::nearer_end_of_gap(int u, int v) const {
   // Focal length times baseline over depth, as common sensors have it at half a metre.
-  constexpr int kWidest = 20;
+  constexpr int kMostPixels = 20;
   if (u < 0 || v < 0 || u >= width_ || v >= height_) return -1;
   int best = -1;
   for (const int step : {-1, 1}) {
-    for (int k = 1; k <= kWidest; ++k) {
+    for (int k = 1; k <= kMostPixels; ++k) {
       if (!measured(u + k * step, v)) continue;
       if (best < 0 || depth(u + k * step, v) < depth(best, v)) best = u + k * step;
       break;

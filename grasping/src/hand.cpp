@@ -32,7 +32,7 @@ SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, doub
 std::array<OrientedBox, 2> common_fingers(const Gripper& gripper, const Eigen::Isometry3d& X_CG,
                                           double opening, double width) {
   const double x = 0.5 * gripper.finger.x(), back = -gripper.reach(width);
-  const double in = 0.5 * std::min(width, opening), out = 0.5 * opening + gripper.finger.y();
+  const double in = 0.5 * width, out = 0.5 * opening + gripper.finger.y();
   const Eigen::Vector3d low(-x, in, back), high(x, out, gripper.finger_front);
   return {box_between(X_CG, low, high), box_between(X_CG, {-x, -out, back}, {x, -in, high.z()})};
 }

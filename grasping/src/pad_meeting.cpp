@@ -94,7 +94,8 @@ bool PadMeetingFinder::cross(const Eigen::Vector3d& p_Q) {
   return meets.any();
 }
 
-// The tangent of the mean lean of what may be the contact.
+// tan θ, where cos θ is the mean cosine between the closing direction and the normals of what may
+// be the contact.
 double PadMeetingFinder::lean(int side, double most, const Eigen::Vector3d& p_Q) const {
   double sum = 0.0;
   int count = 0;

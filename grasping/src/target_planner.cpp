@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "closing.hpp"
 #include "quadrille/grasping/quality.hpp"
@@ -16,19 +17,23 @@ constexpr int kMostChecks = 4000;
 constexpr std::size_t kMostAccepted = 12;
 // Grasps nearer than this to an accepted one add nothing.
 constexpr double kNearby = 0.012;
-const double kAlike = std::cos(20.0 * 3.14159265358979323846 / 180.0);
+const double kAlike = std::cos(20.0 * std::numbers::pi / 180.0);
 // A contact close to slipping in the model slips in truth: normals are known to a few degrees.
 constexpr double kFrictionShare = 0.85;
 // Standard deviations of a pad's distance to keep from the target: 95 % of truths.
 constexpr double kSigmas = 2.0;
 // But no more than this [m]: what one view tells little of is seldom as wrong as it may be.
 constexpr double kMostDoubt = 0.004;
-// The least share of a body's greatest width that friction lets the tips hold it at: of a ball,
-// cos(atan 0.5) = 0.89.
-constexpr double kBeside = 0.88;
+// The least share of a body's greatest width that its chords beside the widest part are long: the
+// farthest lie kMostBeside off, where a ball is 0.93 as wide, and others narrow faster.
+constexpr double kNarrowest = 0.88;
 // Walls that are warped more under the pads turn in the hand [m]: on a pad 9 mm to either side,
 // that is 4° out of line, of the 5° that a held object may turn.
 constexpr double kMostWarp = 0.0006;
+
+Eigen::Vector3d middle(const std::array<Eigen::Vector3d, 2>& contacts_C) {
+  return 0.5 * (contacts_C[0] + contacts_C[1]);
+}
 
 std::string reason(Obstruction what) {
   switch (what) {
@@ -113,15 +118,15 @@ bool TargetPlanner::usable(const ContactLine& line, Counts& rejected) const {
   return true;
 }
 
-// The same, opened as far as the body may need beside its widest part.
+// The line, opened as far as the body may need beside its widest part.
 ContactLine TargetPlanner::narrowed(ContactLine line) const {
-  line.opening *= kBeside;
+  line.opening *= kNarrowest;
   return line;
 }
 
 bool TargetPlanner::contradicted(const ContactLine& line) const {
   for (int i = 0; i < 2; ++i) {
-    const Eigen::Vector3d inward = (line.centre_C - line.contacts_C[i]).normalized();
+    const Eigen::Vector3d inward = (i == 0 ? -1.0 : 1.0) * line.closing_C;
     bool all_free = true;
     for (const double steps : {-0.5, 0.5, 1.5}) {
       const double depth = std::min(steps * grid_.resolution(), 0.4 * line.width);
@@ -143,9 +148,9 @@ bool TargetPlanner::observed(const Eigen::Vector3d& contact_C) const {
 
 bool TargetPlanner::resembles_accepted(const ContactLine& line,
                                        const Eigen::Vector3d& approach_C) const {
+  const Eigen::Vector3d here = middle(line.contacts_C);
   return std::any_of(accepted_.begin(), accepted_.end(), [&](const Grasp& other) {
-    const Eigen::Vector3d middle = 0.5 * (other.contacts_C[0] + other.contacts_C[1]);
-    return (middle - line.centre_C).norm() < kNearby &&
+    return (middle(other.contacts_C) - here).norm() < kNearby &&
            other.X_CG.linear().col(2).dot(approach_C) > kAlike &&
            std::abs(other.X_CG.linear().col(1).dot(line.closing_C)) > kAlike;
   });
@@ -196,10 +201,9 @@ void TargetPlanner::try_across(const ContactLine& line, const Eigen::Vector3d& a
 // neither way.
 void TargetPlanner::try_rim(const ContactLine& line, const Eigen::Vector3d& approach_C,
                             Counts& rejected) {
-  if (resembles_accepted(line, approach_C)) return;
   const Shell& shell = *target_.shell;
   const double warp = wall_warp(shell, line, approach_C, 0.5 * gripper_.pad.x());
-  if (warp > kMostWarp) {
+  if (!(warp <= kMostWarp)) {
     ++rejected["twist"];
     return;
   }
@@ -228,8 +232,10 @@ void TargetPlanner::refuse(Obstruction what, Counts& rejected) {
   checks_ += what != Obstruction::kSupport;
 }
 
+// True if there is now a grasp like this, so that none like it need be tried.
 bool TargetPlanner::try_hand(const Attempt& attempt, Counts& rejected) {
   const ContactLine& line = attempt.line;
+  if (resembles_accepted(line, attempt.X_CG.linear().col(2))) return true;
   const auto swept = [&](double preshape) {
     return sweep_hand(gripper_, attempt.X_CG, preshape, line.width, options_.approach);
   };

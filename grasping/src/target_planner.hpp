@@ -1,12 +1,17 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "quadrille/grasping/body.hpp"
 #include "quadrille/grasping/candidates.hpp"
 #include "quadrille/grasping/collision.hpp"
+#include "quadrille/grasping/contact_line.hpp"
+#include "quadrille/grasping/gripper.hpp"
+#include "quadrille/grasping/occupancy.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "quadrille/grasping/rim.hpp"
 #include "quadrille/grasping/tip_holds.hpp"
@@ -39,7 +44,8 @@ struct Attempt {
   bool may_bulge = true;
 };
 
-/// Plans the grasps of one target: those that survive, diverse, in no order.
+/// Plans the grasps of one target: those that survive, diverse, in no order. Its effort is limited
+/// in all: each object is for one of the plans, and for one call.
 class TargetPlanner {
  public:
   TargetPlanner(const Target& target, const Gripper& gripper, const PlanOptions& options,

@@ -57,7 +57,7 @@ std::vector<Grasp> TargetPlanner::plan_tips(const Eigen::Vector3d& viewpoint_C, 
                                                {scene_, options_.approach, friction});
   for (const TipHold& hold : holds) {
     if (checks_ >= kMostTipChecks || accepted_.size() >= kMostTipHolds) break;
-    if (resembles_accepted(hold.line, hold.approach_C) || !fits(hold.line, rejected)) continue;
+    if (!fits(hold.line, rejected)) continue;
     if (contradicted(hold.line)) {
       ++rejected["contradicted"];
       continue;

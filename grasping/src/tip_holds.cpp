@@ -48,7 +48,7 @@ Eigen::Matrix3Xd surface(const Body& body) {
   return points;
 }
 
-// Closing directions over half a sphere: all of it for ellipsoids, else up to 23° askew.
+// Closing directions over half a sphere: all of it for ellipsoids, else up to 22° askew.
 std::vector<Eigen::Vector3d> closings(const Body& body, const Eigen::Vector3d& up_C) {
   std::vector<Eigen::Vector3d> directions;
   const Eigen::Matrix3d& R = body.X_CQ.linear();

@@ -44,7 +44,7 @@ double geodesic_torsion(const Shell& shell, const ContactLine& line,
   const double around = bent(angle - kTurn, p.z(), angle + kTurn, p.z());
   const double upward = bent(angle, p.z() - kRise, angle, p.z() + kRise);
   const Eigen::Vector3d into_C = -body.X_CQ.linear().col(2);
-  const double along = std::min(1.0, approach_C.dot(along_wall(line, into_C)));
+  const double along = std::min(1.0, std::abs(approach_C.dot(along_wall(line, into_C))));
   const double across = std::sqrt(1.0 - along * along);
   return std::abs(around - upward) * along * across;
 }

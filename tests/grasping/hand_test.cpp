@@ -75,6 +75,30 @@ TEST_CASE("a hand that does not close passes no space while closing", "[hand]") 
   for (const OrientedBox& box : swept.closing) CHECK(box.half.y() == Approx(0.0).margin(1e-12));
 }
 
+TEST_CASE("what fingers have in common lies in what each such hand passes", "[hand]") {
+  std::mt19937 random(41);
+  Gripper swinging = franka_hand();
+  swinging.link_length = 0.06;
+  swinging.link_angle = 0.6;
+  for (const Gripper& gripper : {franka_hand(), schunk_wsg50(), swinging}) {
+    for (int n = 0; n < 200; ++n) {
+      const Eigen::Isometry3d X_CG = random_pose(random);
+      const double opening = uniform(random, gripper.min_opening, gripper.max_opening);
+      const double width = uniform(random, gripper.min_opening, opening);
+      const auto common = common_fingers(gripper, X_CG, opening, width);
+      const double preshape = uniform(random, opening, gripper.max_opening);
+      const SweptHand hand = sweep_hand(gripper, X_CG, preshape, width, kApproach);
+      for (int k = 0; k < 20; ++k) {
+        for (std::size_t i = 0; i < 2; ++i) {
+          const Eigen::Vector3d p = random_in(random, common[i]);
+          REQUIRE((hand.fingers[i].inflated(1e-9).contains(p) ||
+                   hand.closing[i].inflated(1e-9).contains(p)));
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("what palms have in common lies in the palm of each hand, at each width", "[hand]") {
   std::mt19937 random(37);
   Gripper swinging = franka_hand();

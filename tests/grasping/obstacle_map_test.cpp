@@ -210,6 +210,33 @@ TEST_CASE("policies are ordered: free space grows from obstacle to shadow to fre
   CHECK(above > 20);
 }
 
+TEST_CASE("the shadow about a target is cleared there as it is everywhere", "[occupancy][policy]") {
+  const Scene scene;
+  const Body body = make_body(sphere_detection(scene.balls[0])).value();
+  ObstacleMap all(scene.grid, true), near(scene.grid, true);
+  all.clear_shadow(scene.grid, scene.view, body, kRegion);
+  const Eigen::AlignedBox3d region = body.bounds_C();
+  near.clear_shadow(scene.grid, scene.view, body, region);
+  // Blocks of 16 voxels that meet the region.
+  const Eigen::Vector3d corner = scene.grid.centre(0, 0, 0).array() - 0.5 * kResolution;
+  const auto block = [&](const Eigen::Vector3d& p_C) -> Eigen::Array3i {
+    return ((p_C - corner) / (16.0 * kResolution)).array().floor().cast<int>();
+  };
+  const Eigen::Array3i low = block(region.min()), high = block(region.max());
+  int freed = 0;
+  for (int n = 0; n < scene.grid.size().prod(); ++n) {
+    const Eigen::Vector3i size = scene.grid.size();
+    const Eigen::Vector3d p_C =
+        scene.grid.centre(n % size.x(), n / size.x() % size.y(), n / size.x() / size.y());
+    if ((block(p_C) < low).any() || (block(p_C) > high).any()) continue;
+    const OrientedBox voxel{Eigen::Matrix3d::Identity(), p_C,
+                            Eigen::Vector3d::Constant(0.4 * kResolution)};
+    REQUIRE(near.collides(voxel) == all.collides(voxel));
+    freed += near.collides(voxel) == Hit::kNone && scene.grid.at(p_C) == Voxel::kUnknown;
+  }
+  CHECK(freed > 500);
+}
+
 TEST_CASE("carving frees the target and keeps what is asked for", "[occupancy][carve]") {
   const Scene scene;
   const Body body = make_body(sphere_detection(scene.balls[0])).value();

@@ -72,13 +72,17 @@ TEST_CASE("holds by the tips touch the body, need no more friction than asked fo
           "[tips]") {
   std::mt19937 random(71);
   const CollisionScene scene = only({});
+  std::vector<QuadricType> leaning;  // everywhere, too far for any hold
   for (Detection d : solid_detections()) {
-    const bool blunt = d.type == QuadricType::kHyperboloidTwoSheets;  // it leans everywhere
-    if (d.type == QuadricType::kParallelPlanes || blunt) continue;
+    if (d.type == QuadricType::kParallelPlanes) continue;
     CAPTURE(to_string(d.type));
     d.X_CQ = random_pose(random);
     const Body body = make_body(d).value();
     const auto holds = tip_holds(body, franka_hand(), space_above(body), {scene, 0.05, 0.4});
+    if (holds.empty()) {
+      leaning.push_back(d.type);
+      continue;
+    }
     REQUIRE(holds.size() > 20);
     for (const TipHold& hold : holds) {
       REQUIRE(hold.friction <= 0.4);
@@ -95,6 +99,7 @@ TEST_CASE("holds by the tips touch the body, need no more friction than asked fo
     CHECK(again.front().line.centre_C == holds.front().line.centre_C);
     CHECK(again.back().line.centre_C == holds.back().line.centre_C);
   }
+  CHECK(leaning == std::vector{QuadricType::kHyperboloidTwoSheets});
 }
 
 TEST_CASE("what needs little friction comes before what needs much", "[tips]") {
@@ -123,14 +128,15 @@ TEST_CASE("no hold lies far below the plane that the body stands on", "[tips]") 
 
 TEST_CASE("what is wider than the hand opens is planned to be held by the tips, clear of all else",
           "[tips][plan]") {
-  const Detection ellipsoid = flat_ellipsoid(0.0385);
+  const Detection ellipsoid = flat_ellipsoid(0.041);
   const Body body = make_body(ellipsoid).value();
   const Gripper hand = franka_hand();
   PlanOptions options;
   options.unknown = UnknownPolicy::kFree;
   const GraspPlan plan =
       plan_grasps(render_on_table(body), {table_detection(), ellipsoid}, hand, options);
-  REQUIRE(plan.grasps.size() > 2);
+  REQUIRE(plan.grasps.size() > 0);
+  CHECK(plan.grasps.size() <= 8);  // across its middle it would be more
   const std::vector<CollisionShape> shapes = make_shapes(ellipsoid);
   const ExactSolid solid(shapes.front());
   for (const Grasp& grasp : plan.grasps) {
@@ -144,7 +150,7 @@ TEST_CASE("what is wider than the hand opens is planned to be held by the tips, 
     for (int i = 0; i < 2; ++i) {
       const Eigen::Vector3d p_G = grasp.X_CG.inverse() * grasp.contacts_C[i];
       CHECK(p_G.y() == Approx((i == 0 ? 0.5 : -0.5) * grasp.width).margin(1e-5));
-      CHECK(p_G.z() <= hand.finger_front);
+      CHECK(p_G.z() <= hand.finger_front + 1e-9);
       CHECK(p_G.z() > hand.finger_front - 0.01);  // near the tips
       CHECK(body.contains(grasp.contacts_C[i], 1e-6));
       CHECK_FALSE(body.contains(grasp.contacts_C[i], -1e-4));

@@ -1,6 +1,7 @@
 #include "quadrille/grasping/wall_hold.hpp"
 
 #include <cmath>
+#include <stdexcept>
 
 #include "cup.hpp"
 #include "quadrille/grasping/plan.hpp"
@@ -33,7 +34,11 @@ Eigen::Vector3d askew(const Shell& shell, const ContactLine& line, double angle)
 double warp_of(QuadricType type, double angle) {
   const Shell shell = shell_of_type(type);
   const ContactLine line = rim_lines(shell, franka_hand()).front();
-  return wall_warp(shell, line, askew(shell, line, angle), kHalfWidth);
+  const Eigen::Vector3d approach = askew(shell, line, angle);
+  const double warp = wall_warp(shell, line, approach, kHalfWidth);
+  // The same line along the wall, from below.
+  CHECK(wall_warp(shell, line, -approach, kHalfWidth) == Approx(warp).margin(1e-12));
+  return warp;
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ struct Evidence {
 };
 
 /// Collects the evidence for a quadric whose inliers are the region, all but the remainder.
+/// @param region  not empty
 /// @param beyond  per sample, nonzero where another surface begins; may be empty
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
                           const Quadric& Q, std::span<const char> beyond = {});

@@ -24,7 +24,8 @@ struct Normalisation {
 /// Centre and mean square radius of the raw positions of a region.
 Normalisation normalisation_of(const SurfaceSamples& samples, std::span<const int> region);
 
-/// The region if it has at most so many samples, else that many of them, spread evenly.
+/// The region if it has at most so many samples, else that many, spread evenly; some of them
+/// twice where it has hardly more.
 std::vector<int> spread_evenly(std::span<const int> region, std::size_t most);
 
 /// Up to `most` points of a region (spread evenly), raw positions in local coordinates.

@@ -47,7 +47,7 @@ std::vector<GraspCandidate> sample_approaches(const std::vector<ContactLine>& li
                                               const ApproachSpace& space, int& refused);
 
 /// The grasp frame of a line: z along the approach, y along the closing direction, the origin moved
-/// by `depth` [m] along the approach from midway between the contacts.
+/// by `depth` [m] along the approach from the line's centre.
 Eigen::Isometry3d grasp_pose(const ContactLine& line, const Eigen::Vector3d& approach_C,
                              double depth);
 

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <memory>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "quadrille/grasping/hand.hpp"

@@ -12,7 +12,8 @@ namespace quadrille {
 
 /// Two opposite contacts of flat, parallel pads with a body, in closed form.
 struct ContactLine {
-  /// Midway between the contacts, in frame C [m].
+  /// The origin of the grasp frame: midway between the contacts, but where pads were met (see
+  /// PadMeeting); in frame C [m].
   Eigen::Vector3d centre_C = Eigen::Vector3d::Zero();
   /// Unit closing direction, from contact 1 to contact 0.
   Eigen::Vector3d closing_C = Eigen::Vector3d::UnitY();

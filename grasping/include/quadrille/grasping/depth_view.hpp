@@ -10,9 +10,9 @@
 
 namespace quadrille {
 
-/// What one pixel measured.
+/// What the pixels of a region measured.
 struct DepthRange {
-  /// Least and largest depth within a region of the image [m]; near is 0 where a pixel is missing.
+  /// Least and largest depth [m]; near is 0 where a pixel is missing.
   double near = 0.0, far = 0.0;
 };
 

@@ -27,6 +27,7 @@ SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, doub
 
 /// What the fingers fill or pass through once the hand is at X_CG, however far it was opened on its
 /// way, if by no less than `opening` [m]: a part of what any such swept hand holds.
+/// @param width  distance between the pads at the end [m]; no more than the opening
 std::array<OrientedBox, 2> common_fingers(const Gripper& gripper, const Eigen::Isometry3d& X_CG,
                                           double opening, double width);
 

@@ -17,8 +17,8 @@ struct PadMeeting {
   /// Its centre is the origin of the grasp frame.
   ContactLine line;
   /// The friction coefficient that it needs: for the line between the contacts, and for the pads on
-  /// what lies within 1.5 mm of the contacts, which may be them in truth: the tangent of the mean
-  /// angle between the closing direction and the normals [-].
+  /// what lies within 1.5 mm of the contacts, which may be them in truth: tan θ, where cos θ is the
+  /// mean cosine between the closing direction and the normals there [-].
   double friction;
 };
 

@@ -6,6 +6,7 @@
 #include "quadrille/grasping/body.hpp"
 #include "quadrille/grasping/candidates.hpp"
 #include "quadrille/grasping/collision.hpp"
+#include "quadrille/grasping/contact_line.hpp"
 #include "quadrille/grasping/gripper.hpp"
 
 namespace quadrille {
@@ -21,8 +22,8 @@ struct TipHold {
 
 /// What bounds a search for holds by the tips.
 struct TipLimits {
-  /// Holds with tips more than 5 mm below one of its planes are left out, and orientations in which
-  /// the palm runs into something wherever the tips are.
+  /// Holds with the hand more than 5 mm below one of its planes are left out, and orientations in
+  /// which the palm runs into something wherever the tips are.
   const CollisionScene& scene;
   /// Length of the straight approach [m].
   double approach = 0.0;
