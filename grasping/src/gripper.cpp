@@ -36,7 +36,8 @@ double swing(const Gripper& hand, double opening) {
 
 void check_openings(const Gripper& hand) {
   demand_size("max_opening", hand.max_opening);
-  demand(hand.min_opening >= 0.0, "min_opening must not be negative; 0 is closed");
+  demand(std::isfinite(hand.min_opening) && hand.min_opening >= 0.0,
+         "min_opening must be a number and not negative; 0 is closed");
   demand(hand.min_opening < hand.max_opening,
          "min_opening must be smaller than max_opening; are the two swapped?");
 }
@@ -63,6 +64,8 @@ void check_links(const Gripper& hand) {
          "link_angle must lie in 0 to 1.5 rad; give radians, not degrees");
   demand(hand.link_length > 0.0 || hand.link_angle == 0.0,
          "link_length is missing beside link_angle; give both or neither");
+  demand(hand.link_angle > 0.0 || hand.link_length == 0.0,
+         "link_angle is missing beside link_length; give both or neither");
   demand(hand.link_length == 0.0 || swing(hand, hand.min_opening) > -1.0,
          "link_length is too short to close to min_opening; make it longer");
 }

@@ -20,7 +20,8 @@ OccupancyGrid::OccupancyGrid(const Eigen::AlignedBox3d& region, double resolutio
   const Eigen::Array3d hi = region.max().array() / resolution / kBlock;
   if (!(lo.abs().maxCoeff() * kBlock < kRange && hi.abs().maxCoeff() * kBlock < kRange)) {
     throw std::invalid_argument(
-        "occupancy: region leaves the map's range; use a coarser resolution");
+        "occupancy: region lies farther from the origin than 32000 voxels; move the cloud's frame "
+        "nearer to it, or set a larger resolution");
   }
   corner_ = lo.floor().cast<int>() * kBlock;
   size_ = (hi.floor().cast<int>() + 1) * kBlock - corner_.array();

@@ -21,7 +21,7 @@ void PlanOptions::check() const {
   demand(baseline >= 0.0 && baseline <= 1.0, "baseline must lie in 0 to 1 m");
   demand(wall_least >= 0.0 && wall_least <= wall_most && wall_most <= 0.05,
          "wall_least and wall_most must lie in 0 to 0.05 m, in this order");
-  demand(max_grasps >= 0, "max_grasps must not be negative");
+  demand(max_grasps >= 1, "max_grasps must be at least 1");
 }
 
 }  // namespace quadrille

@@ -49,7 +49,8 @@ TEST_CASE("a contradiction in a gripper is named by its field, with the remedy",
   };
   CHECK(says(message([](Gripper& g) { g.max_opening = 0.0; }), "max_opening must be positive; "));
   CHECK(says(message([](Gripper& g) { g.max_opening = 80.0; }), "max_opening is more than 1 m; "));
-  CHECK(says(message([](Gripper& g) { g.min_opening = -0.01; }), "min_opening must not be neg"));
+  CHECK(says(message([](Gripper& g) { g.min_opening = -0.01; }),
+             "min_opening must be a number and not neg"));
   CHECK(
       says(message([](Gripper& g) { g.min_opening = 0.09; }), "min_opening must be smaller than"));
   CHECK(says(message([](Gripper& g) { g.finger.y() = -1.0; }), "finger must be positive; "));
@@ -69,6 +70,8 @@ TEST_CASE("a contradiction in a gripper is named by its field, with the remedy",
   CHECK(says(message([](Gripper& g) { g.link_length = -0.1; }), "link_length must lie in"));
   CHECK(says(message([](Gripper& g) { g.link_angle = 41.0; }), "give radians, not degrees"));
   CHECK(says(message([](Gripper& g) { g.link_angle = 0.7; }), "link_length is missing beside"));
+  CHECK(says(message([](Gripper& g) { g.link_length = 0.07; }), "link_angle is missing beside"));
+  CHECK(says(message([](Gripper& g) { g.min_opening = std::nan(""); }), "min_opening must be"));
   CHECK(says(message([](Gripper& g) {
                g.link_length = 0.02;
                g.link_angle = 0.7;

@@ -260,7 +260,7 @@ TEST_CASE("options out of range are refused by name", "[plan]") {
   CHECK(names(message([](PlanOptions& o) { o.baseline = -0.1; }), "baseline"));
   CHECK(names(message([](PlanOptions& o) { o.wall_least = 0.02; }), "wall_least"));
   CHECK(names(message([](PlanOptions& o) { o.wall_most = 1.0; }), "wall_most"));
-  CHECK(names(message([](PlanOptions& o) { o.max_grasps = -1; }), "max_grasps"));
+  CHECK(names(message([](PlanOptions& o) { o.max_grasps = 0; }), "max_grasps"));
 }
 
 TEST_CASE("each target keeps its best grasp when only few are asked for", "[plan]") {

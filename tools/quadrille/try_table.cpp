@@ -65,8 +65,11 @@ struct Summary {
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
-// What is lost falls far; nobody needs to know how far.
-double shown(double millimetres) { return std::min(millimetres, 999.9); }
+// Nothing for what is lost: it falls far, and nobody needs to know how far.
+std::string shown(const Attempt& attempt, double value) {
+  const bool lost = attempt.outcome == Outcome::kDropped || attempt.outcome == Outcome::kMissed;
+  return lost ? "-" : fmt::format("{:.1f}", value);
+}
 
 }  // namespace
 
@@ -76,9 +79,9 @@ std::string attempt_table(const std::string& input, const std::vector<Attempt>& 
   text += fmt::format("  {:>6} {:>5} {:<22} {:>8} {:>7} {:>8}  {}\n", "target", "score", "object",
                       "width/mm", "slip/mm", "turn/deg", "outcome");
   for (const Attempt& a : attempts) {
-    text += fmt::format("  {:>6} {:>5.2f} {:<22} {:>8.1f} {:>7.1f} {:>8.1f}  {}{}\n", a.target,
-                        a.score, a.type, 1000.0 * a.width, shown(1000.0 * a.trial.slip),
-                        degrees(a.trial.rotation), to_string(a.outcome),
+    text += fmt::format("  {:>6} {:>5.2f} {:<22} {:>8.1f} {:>7} {:>8}  {}{}\n", a.target, a.score,
+                        a.type, 1000.0 * a.width, shown(a, 1000.0 * a.trial.slip),
+                        shown(a, degrees(a.trial.rotation)), to_string(a.outcome),
                         a.first ? "" : " (not the target's first)");
   }
   return text;
