@@ -89,3 +89,15 @@ TEST_CASE("what cannot be tried ends with one line, or as wrong usage", "[comman
       R"({"input": ")" + folder.path("gone.ply") + R"(", "detections": [], "grasps": []})";
   check_failure(run_quadrille(hand + folder.write("q.json", plan)), "gone.truth.json");
 }
+
+TEST_CASE("an input that cannot be tried does not lose the others", "[command][hostile]") {
+  if (!has_physics()) return;
+  const TempFolder folder;
+  const std::string scene = make_scene(folder);
+  const Run some = run_quadrille("try --first --exact --gripper franka " + folder.path("none.ply") +
+                                 " " + scene);
+  CHECK(some.code == 1);
+  CHECK(contains(some.err, "none.truth.json"));
+  CHECK(contains(some.err, "1 of 2 inputs could not be tried"));
+  CHECK(contains(some.out, "first of each target"));
+}

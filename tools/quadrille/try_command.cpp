@@ -1,13 +1,18 @@
 #include "quadrille/try_command.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "cli/detector_arguments.hpp"
 #include "cli/planner_arguments.hpp"
 #include "io/config.hpp"
+#include "io/file_bytes.hpp"
 #include "physics/attempts.hpp"
 #include "physics/plan_file.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -86,14 +91,30 @@ void run(const TryArguments& arguments) {
   const Job job = job_of(arguments);
   JsonLines json(arguments.json);
   std::vector<physics::Attempt> all;
+  std::size_t failed = 0;
   for (const std::string& input : arguments.inputs) {
-    const std::vector<physics::Attempt> attempts = attempts_on(input, arguments, job);
+    std::vector<physics::Attempt> attempts;
+    try {
+      attempts = attempts_on(input, arguments, job);
+    } catch (const io::FileError& error) {
+      if (arguments.inputs.size() == 1) throw;
+      // What cannot be read must not lose what can.
+      fmt::print(stderr, "quadrille: {}\n", error.what());
+      ++failed;
+      continue;
+    }
     json.write(attempts_json(input, attempts));
     if (!json.owns_stdout()) print(attempt_table(input, attempts));
     all.insert(all.end(), attempts.begin(), attempts.end());
   }
-  json.finish();
-  if (!json.owns_stdout()) print(attempt_summary(all));
+  if (failed < arguments.inputs.size()) {
+    json.finish();
+    if (!json.owns_stdout()) print(attempt_summary(all));
+  }
+  if (failed > 0) {
+    throw std::runtime_error(
+        fmt::format("{} of {} inputs could not be tried", failed, arguments.inputs.size()));
+  }
 }
 
 std::string check_input(const std::string& path) {
