@@ -125,6 +125,10 @@ class ClippedSurface {
     const Eigen::Vector3d p = detection_.X_CQ.inverse() * p_C;
     if (solid(p)) return 0.0;
     double least = std::numeric_limits<double>::infinity();
+    // Straight to a flat end, as from the apex that a cone was cut off.
+    const Eigen::AlignedBox3d& box = detection_.extent_Q;
+    const double end = std::clamp(p.z(), box.min().z(), box.max().z());
+    if (solid({p.x(), p.y(), end})) least = std::abs(end - p.z());
     for (const Eigen::Vector3d& d : directions(p)) {
       for (const double t : roots(p, d)) {
         if (std::abs(t) < least && within_ends(p + t * d)) least = std::abs(t);
