@@ -88,27 +88,27 @@ std::vector<char> part_by_normals(const SurfaceSamples& samples, std::span<const
 
 }  // namespace
 
-double two_planes_rss(const SurfaceSamples& samples, std::span<const int> whole) {
-  const std::vector<int> region = spread_evenly(whole, kEnough);
-  std::vector<char> side = part_by_normals(samples, region);
+double two_planes_rss(const SurfaceSamples& samples, std::span<const int> region) {
+  const std::vector<int> some = spread_evenly(region, kEnough);
+  std::vector<char> side = part_by_normals(samples, some);
   // Near an edge the smoothed normals lie between the faces: from here on the distance decides.
   const std::vector<Eigen::Vector4d> positions =
-      positions_of(samples, region, samples.raw[region[0]].cast<double>());
+      positions_of(samples, some, samples.raw[some[0]].cast<double>());
   double rss = 0;
   for (int round = 0; round < kDistanceRounds; ++round) {
     std::array<Side, 2> sides;
-    for (std::size_t r = 0; r < region.size(); ++r) {
+    for (std::size_t r = 0; r < some.size(); ++r) {
       sides[static_cast<std::size_t>(side[r])].add(positions[r]);
     }
     const Eigen::Vector4d first = sides[0].plane(), second = sides[1].plane();
     rss = 0;
-    for (std::size_t r = 0; r < region.size(); ++r) {
+    for (std::size_t r = 0; r < some.size(); ++r) {
       const double a = std::abs(first.dot(positions[r])), b = std::abs(second.dot(positions[r]));
       side[r] = b < a;
       rss += std::min(a * a, b * b);
     }
   }
-  return rss * static_cast<double>(whole.size()) / static_cast<double>(region.size());
+  return rss * static_cast<double>(region.size()) / static_cast<double>(some.size());
 }
 
 }  // namespace quadrille
