@@ -4,11 +4,17 @@
 #include <chrono>
 #include <string>
 
-#include "quadrille/detector/cloud_check.hpp"
-#include "quadrille/detector/far_cloud.hpp"
-#include "quadrille/detector/measure.hpp"
-#include "quadrille/detector/plane_claims.hpp"
-#include "quadrille/detector/sample_tree.hpp"
+#include "cloud/cloud_check.hpp"
+#include "cloud/far_cloud.hpp"
+#include "planes/plane_claims.hpp"
+#include "planes/planes.hpp"
+#include "samples/inliers.hpp"
+#include "samples/sample_tree.hpp"
+#include "search/search.hpp"
+#include "surfaces/agglomerate.hpp"
+#include "surfaces/aggregate.hpp"
+#include "surfaces/measure.hpp"
+#include "surfaces/plane_surface.hpp"
 
 namespace quadrille {
 namespace {

@@ -6,8 +6,11 @@
 #include <optional>
 #include <utility>
 
-#include "support.hpp"
+#include "body/pieces.hpp"
+#include "quadrille/grasping/shape.hpp"
+#include "space/support.hpp"
 #include "target_planner.hpp"
+#include "view/depth_view.hpp"
 
 namespace quadrille {
 

@@ -1,7 +1,7 @@
+#include "quadrille/grasping/plan_options.hpp"
+
 #include <stdexcept>
 #include <string>
-
-#include "quadrille/grasping/plan.hpp"
 
 namespace quadrille {
 

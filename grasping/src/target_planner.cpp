@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "closing.hpp"
-#include "quadrille/grasping/quality.hpp"
-#include "quadrille/grasping/wall_hold.hpp"
+#include "contacts/closing.hpp"
+#include "contacts/quality.hpp"
+#include "contacts/wall_hold.hpp"
 
 namespace quadrille {
 

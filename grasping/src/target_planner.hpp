@@ -6,15 +6,15 @@
 #include <string>
 #include <vector>
 
-#include "quadrille/grasping/body.hpp"
-#include "quadrille/grasping/candidates.hpp"
-#include "quadrille/grasping/collision.hpp"
-#include "quadrille/grasping/contact_line.hpp"
+#include "body/body.hpp"
+#include "contacts/candidates.hpp"
+#include "contacts/contact_line.hpp"
+#include "contacts/rim.hpp"
+#include "contacts/tip_holds.hpp"
 #include "quadrille/grasping/gripper.hpp"
 #include "quadrille/grasping/occupancy.hpp"
 #include "quadrille/grasping/plan.hpp"
-#include "quadrille/grasping/rim.hpp"
-#include "quadrille/grasping/tip_holds.hpp"
+#include "space/collision.hpp"
 
 namespace quadrille {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "closing.hpp"
+#include "contacts/closing.hpp"
 #include "target_planner.hpp"
 
 namespace quadrille {

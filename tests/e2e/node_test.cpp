@@ -1,4 +1,4 @@
-#include "process/node.hpp"
+#include "process/runtime/node.hpp"
 
 #include <stdexcept>
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "grasping/scenes.hpp"
 #include "quadrille/grasping/shape.hpp"
-#include "scenes.hpp"
 #include "support/exact_detection.hpp"
 
 namespace quadrille::test {

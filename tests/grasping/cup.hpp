@@ -1,6 +1,6 @@
 #pragma once
 
-#include "scenes.hpp"
+#include "grasping/scenes.hpp"
 
 namespace quadrille::test {
 

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "quadrille/grasping/oriented_box.hpp"
+#include "hand/oriented_box.hpp"
 #include "quadrille/grasping/shape.hpp"
 
 namespace quadrille::test {

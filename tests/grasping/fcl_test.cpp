@@ -2,8 +2,9 @@
 // them (distances, half-spaces, continuous collision) a check of the sources keeps off.
 #include <octomap/OcTree.h>
 
-#include "mapped_scene.hpp"
-#include "quadrille/grasping/collision.hpp"
+#include "grasping/mapped_scene.hpp"
+#include "quadrille/grasping/shape.hpp"
+#include "space/collision.hpp"
 #include "support/catch.hpp"
 #include "support/exact_detection.hpp"
 

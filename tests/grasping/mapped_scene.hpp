@@ -1,7 +1,8 @@
 #pragma once
 
+#include "grasping/scenes.hpp"
 #include "quadrille/grasping/occupancy.hpp"
-#include "scenes.hpp"
+#include "view/depth_view.hpp"
 
 namespace quadrille::test {
 

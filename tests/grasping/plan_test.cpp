@@ -6,8 +6,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "quadrille/grasping/hand.hpp"
-#include "scenes.hpp"
+#include "grasping/scenes.hpp"
+#include "hand/hand.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;

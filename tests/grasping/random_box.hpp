@@ -1,7 +1,7 @@
 #pragma once
 
-#include "exact_overlap.hpp"
-#include "scenes.hpp"
+#include "grasping/exact_overlap.hpp"
+#include "grasping/scenes.hpp"
 
 namespace quadrille::test {
 

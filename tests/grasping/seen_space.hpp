@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "quadrille/grasping/occupancy.hpp"
+#include "view/depth_view.hpp"
 
 namespace quadrille::test {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "grasping/scenes.hpp"
 #include "quadrille/grasping/plan.hpp"
-#include "scenes.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;

@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
+#include "base/random.hpp"
 #include "quadrille/detector/point_cloud.hpp"
-#include "quadrille/detector/random.hpp"
 
 namespace quadrille::test {
 

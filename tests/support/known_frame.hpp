@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "lab/scoring/frame.hpp"
 #include "quadrille/detector/canonical.hpp"
-#include "scoring/frame.hpp"
 #include "support/depth_camera.hpp"
 
 namespace quadrille::test {

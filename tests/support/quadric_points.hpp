@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "quadrille/detector/basis.hpp"
+#include "fit/geometric_fit.hpp"
 #include "quadrille/detector/family.hpp"
-#include "quadrille/detector/geometric_fit.hpp"
 #include "quadrille/detector/quadric.hpp"
+#include "search/basis.hpp"
 #include "support/depth_camera.hpp"
 
 namespace quadrille::test {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "quadrille/detector/basis.hpp"
-#include "quadrille/detector/surface_samples.hpp"
+#include "samples/surface_samples.hpp"
+#include "search/basis.hpp"
 #include "support/depth_camera.hpp"
 
 namespace quadrille::test {

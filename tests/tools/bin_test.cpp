@@ -1,10 +1,10 @@
-#include "scene/bin.hpp"
+#include "lab/scene/bin.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "scene/render.hpp"
-#include "scene/segment.hpp"
+#include "lab/scene/render.hpp"
+#include "lab/scene/segment.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;

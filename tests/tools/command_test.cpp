@@ -1,7 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "scene/scene_files.hpp"
+#include "lab/scene/scene_files.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 

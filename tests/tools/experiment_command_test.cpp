@@ -1,6 +1,6 @@
 #include <filesystem>
 
-#include "experiments/experiment.hpp"
+#include "lab/experiments/experiment.hpp"
 #include "support/catch.hpp"
 #include "support/environment_variable.hpp"
 #include "tools/support_files.hpp"

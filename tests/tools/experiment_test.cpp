@@ -1,4 +1,4 @@
-#include "experiments/experiment.hpp"
+#include "lab/experiments/experiment.hpp"
 
 #include "support/catch.hpp"
 #include "support/data.hpp"

@@ -1,10 +1,10 @@
-#include "scene/scene.hpp"
+#include "lab/scene/scene.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "lab/scene/scene_files.hpp"
 #include "quadrille/detector/quadric_type.hpp"
-#include "scene/scene_files.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 

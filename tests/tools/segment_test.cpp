@@ -1,8 +1,8 @@
-#include "scene/segment.hpp"
+#include "lab/scene/segment.hpp"
 
 #include <algorithm>
 
-#include "quadrille/detector/random.hpp"
+#include "base/random.hpp"
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
 

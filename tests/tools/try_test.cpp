@@ -2,7 +2,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "physics/trial.hpp"
+#include "lab/physics/trial.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 

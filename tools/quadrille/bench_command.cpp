@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "bench/bench.hpp"
-#include "bench/report.hpp"
 #include "cli/seed_option.hpp"
+#include "lab/bench/bench.hpp"
+#include "lab/bench/report.hpp"
 #include "quadrille/output.hpp"
 #include "quadrille/output_folder.hpp"
 #include "quadrille/progress_line.hpp"

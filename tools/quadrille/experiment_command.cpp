@@ -7,7 +7,7 @@
 #include <string>
 
 #include "cli/seed_option.hpp"
-#include "experiments/experiment.hpp"
+#include "lab/experiments/experiment.hpp"
 #include "quadrille/output.hpp"
 #include "quadrille/output_folder.hpp"
 #include "quadrille/progress_line.hpp"

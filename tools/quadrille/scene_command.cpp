@@ -9,9 +9,9 @@
 #include "cli/choice_option.hpp"
 #include "cli/seed_option.hpp"
 #include "io/describe.hpp"
+#include "lab/scene/scene.hpp"
+#include "lab/scene/scene_files.hpp"
 #include "quadrille/output.hpp"
-#include "scene/scene.hpp"
-#include "scene/scene_files.hpp"
 
 namespace quadrille {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/json.hpp"
-#include "physics/attempts.hpp"
+#include "lab/physics/attempts.hpp"
 
 namespace quadrille {
 

@@ -1,11 +1,11 @@
-#include "quadrille/detector/fits/contenders.hpp"
+#include "fits/contenders.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include "detector/fits/examples.hpp"
-#include "quadrille/detector/fits/simple_type_fits.hpp"
-#include "quadrille/detector/fits/two_planes_fit.hpp"
+#include "fits/simple_type_fits.hpp"
+#include "fits/two_planes_fit.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "fits/oriented_points.hpp"
 #include "quadrille/detector/canonical.hpp"
-#include "quadrille/detector/fits/oriented_points.hpp"
 #include "support/depth_camera.hpp"
 #include "support/quadric_points.hpp"
 

@@ -1,9 +1,9 @@
-#include "quadrille/detector/fits/full_fit.hpp"
+#include "fits/full_fit.hpp"
 
 #include <Eigen/SVD>
 
 #include "detector/fits/examples.hpp"
-#include "quadrille/detector/fits/linear_system.hpp"
+#include "fits/linear_system.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;

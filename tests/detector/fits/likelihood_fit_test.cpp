@@ -1,8 +1,8 @@
-#include "quadrille/detector/fits/likelihood_fit.hpp"
+#include "fits/likelihood_fit.hpp"
 
 #include "detector/fits/examples.hpp"
-#include "quadrille/detector/fits/contenders.hpp"
-#include "quadrille/detector/fits/projection.hpp"
+#include "fits/contenders.hpp"
+#include "fits/projection.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;

@@ -1,4 +1,4 @@
-#include "quadrille/detector/fits/primal_dual_fit.hpp"
+#include "fits/primal_dual_fit.hpp"
 
 #include <algorithm>
 

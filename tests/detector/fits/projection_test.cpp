@@ -1,4 +1,4 @@
-#include "quadrille/detector/fits/projection.hpp"
+#include "fits/projection.hpp"
 
 #include <cmath>
 #include <limits>

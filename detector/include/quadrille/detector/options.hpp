@@ -3,12 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "quadrille/detector/agglomerate.hpp"
-#include "quadrille/detector/aggregate.hpp"
-#include "quadrille/detector/cell_pyramid.hpp"
-#include "quadrille/detector/planes.hpp"
 #include "quadrille/detector/quadric_type.hpp"
-#include "quadrille/detector/search.hpp"
+#include "quadrille/detector/stage_options.hpp"
 
 namespace quadrille {
 

@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "quadrille/detector/detection.hpp"
-#include "quadrille/detector/seen_patch.hpp"
 
 namespace quadrille {
+
+struct SeenPatch;
 
 struct TrackOptions {
   /// False: no detection gets a track.
@@ -50,6 +51,9 @@ class Tracker {
  public:
   /// @throws std::invalid_argument if an option is out of range
   explicit Tracker(const TrackOptions& options = {});
+  ~Tracker();
+  Tracker(Tracker&&) noexcept;
+  Tracker& operator=(Tracker&&) noexcept;
 
   /// Sets Detection::track of the detections of one cloud, 1, 2, … in order of appearance.
   ///
@@ -60,17 +64,7 @@ class Tracker {
               std::vector<Detection>* detections);
 
  private:
-  struct Track {
-    int id = 0;
-    QuadricType type = QuadricType::kPlane;
-    std::vector<Dimension> dimensions;
-    SeenPatch patch;
-    Eigen::Vector3d v_W = Eigen::Vector3d::Zero();
-    /// Variance of each component of the velocity [m²/s²].
-    double velocity_variance = 0.0;
-    double seconds_unseen = 0.0;
-    int frames_unseen = 0;
-  };
+  struct Track;
   struct Pairing;
 
   void advance(double seconds);

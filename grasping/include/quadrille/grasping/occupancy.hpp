@@ -7,13 +7,14 @@
 #include <vector>
 
 #include "quadrille/detector/point_cloud.hpp"
-#include "quadrille/grasping/depth_view.hpp"
 
 namespace octomap {
 class OcTree;
 }
 
 namespace quadrille {
+
+class DepthView;
 
 /// State of one voxel, the stronger evidence last. Clear ones were not seen, but lie over free
 /// space (see OccupancyGrid::clear_above); octrees leave them out, like unknown ones.

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "fits/oriented_points.hpp"
+
+namespace quadrille {
+
+struct CompactFitOptions {
+  /// w, the weight of a normal's rows against a point's row, in normalised coordinates. The paper
+  /// names it without a value.
+  double weight = 1.0;
+};
+
+/// Least squares of the compact system with one common gradient scale (paper, eq. 5): exact where
+/// the normals have the lengths of the gradients, as all have on spheres and circular cylinders.
+///
+/// Over many points with unit normals this is Tasdizen's gradient-one fit without its ridge, as
+/// |∇f − n|² = (n·∇f − 1)² + |t·∇f|².
+/// @param points  4 or more; normals' lengths are taken as the gradient's up to a common factor
+/// @return nullopt if the points are too few, coplanar, or do not determine ten coefficients
+std::optional<Quadric> fit_compact(const OrientedPoints& points,
+                                   const CompactFitOptions& options = {});
+
+/// The minimal solve behind the vote: the pencil of three oriented points by its closed form, and
+/// theorem 3's λ of a fourth position, λ = −f₀(x₄) / z(x₄)². No decomposition is needed.
+/// @param points  4 or more; the first four are used, of the fourth the position alone
+/// @return nullopt if the first three are collinear or the fourth lies in their plane
+std::optional<Quadric> fit_three_and_one(const OrientedPoints& points);
+
+}  // namespace quadrille

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "fits/oriented_points.hpp"
+
+namespace quadrille {
+
+struct DistanceFitOptions {
+  /// Most Gauss-Newton steps.
+  int iterations = 50;
+};
+
+/// Least squares of the first-order (Sampson) distance f / |∇f| by damped Gauss-Newton steps from
+/// the best closed-form fit.
+/// @param points  9 or more; normals help to choose the start and the gradient's side
+/// @return nullopt if the points are too few, coplanar, or give no start
+std::optional<Quadric> fit_first_order_distance(const OrientedPoints& points,
+                                                const DistanceFitOptions& options = {});
+
+/// Least squares of the true distance to the surface, by orthogonal projection of every point, by
+/// damped Gauss-Newton steps (the paper's footnote on non-linear refinement; S. J. Ahn, W. Rauh,
+/// H.-J. Warnecke, "Least-squares orthogonal distances fitting of circle, sphere, ellipse,
+/// hyperbola, and parabola", Pattern Recognition 2001). With the foot y of x, dd/dq = v(y) /
+/// |∇f(y)|.
+/// @param points  9 or more; normals help to choose the start and the gradient's side
+/// @return nullopt if the points are too few, coplanar, or give no start
+std::optional<Quadric> fit_orthogonal_distance(const OrientedPoints& points,
+                                               const DistanceFitOptions& options = {});
+
+}  // namespace quadrille

@@ -1,0 +1,68 @@
+#include "fits/solvers.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace quadrille {
+namespace {
+
+// Eigenvalues of normal equations are squares: 1e-13 stands for 3e-7 of the largest extent.
+constexpr double kZero = 1e-13;
+
+using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
+
+bool is_unique(const Eigen::VectorXd& ascending) {
+  return ascending.size() == 1 || ascending[1] > kZero * ascending[ascending.size() - 1];
+}
+
+}  // namespace
+
+std::optional<Eigen::VectorXd> least_eigenvector(const Eigen::MatrixXd& S) {
+  if (!S.allFinite()) return std::nullopt;
+  const Solver solver(S);
+  if (solver.info() != Eigen::Success || !is_unique(solver.eigenvalues())) return std::nullopt;
+  return Eigen::VectorXd(solver.eigenvectors().col(0));
+}
+
+std::optional<Eigen::VectorXd> least_eigenvector(const Eigen::MatrixXd& S,
+                                                 const Eigen::MatrixXd& G) {
+  if (!S.allFinite() || !G.allFinite()) return std::nullopt;
+  const Solver metric(G);
+  if (metric.info() != Eigen::Success) return std::nullopt;
+  const Eigen::VectorXd& g = metric.eigenvalues();
+  const double largest = g[g.size() - 1];
+  const Eigen::Index nulls = (g.array() <= kZero * largest).count();
+  if (!(largest > 0) || nulls == g.size()) return std::nullopt;
+  // Coordinates: the null space of G first, then directions of unit length in G.
+  Eigen::MatrixXd T = metric.eigenvectors();
+  for (Eigen::Index k = nulls; k < g.size(); ++k) T.col(k) /= std::sqrt(g[k]);
+  const Eigen::MatrixXd M = T.transpose() * S * T;
+  const Eigen::Index rest = g.size() - nulls;
+  Eigen::MatrixXd reduced = M.bottomRightCorner(rest, rest);
+  Eigen::MatrixXd eliminated(nulls, rest);
+  if (nulls > 0) {
+    const Eigen::MatrixXd corner = M.topLeftCorner(nulls, nulls);
+    const Solver inner(corner);
+    if (!(inner.eigenvalues()[0] > kZero * S.trace())) return std::nullopt;
+    eliminated = -corner.ldlt().solve(M.topRightCorner(nulls, rest));
+    reduced += M.bottomLeftCorner(rest, nulls) * eliminated;
+  }
+  const Solver solver(Eigen::MatrixXd(0.5 * (reduced + reduced.transpose())));
+  if (solver.info() != Eigen::Success || !is_unique(solver.eigenvalues())) return std::nullopt;
+  Eigen::VectorXd local(g.size());
+  local.tail(rest) = solver.eigenvectors().col(0);
+  if (nulls > 0) local.head(nulls) = eliminated * local.tail(rest);
+  return Eigen::VectorXd(T * local);
+}
+
+std::optional<Eigen::VectorXd> solve_normal_equations(const Eigen::MatrixXd& S,
+                                                      const Eigen::VectorXd& b) {
+  if (!S.allFinite() || !b.allFinite()) return std::nullopt;
+  const Eigen::LDLT<Eigen::MatrixXd> ldlt(S);
+  const Eigen::VectorXd pivots = ldlt.vectorD();
+  if (!(pivots.minCoeff() > kZero * pivots.maxCoeff())) return std::nullopt;
+  return Eigen::VectorXd(ldlt.solve(b));
+}
+
+}  // namespace quadrille

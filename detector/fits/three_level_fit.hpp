@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+
+#include "fits/oriented_points.hpp"
+
+namespace quadrille {
+
+struct ThreeLevelOptions {
+  /// Distance of the two further level sets from the surface, in radii of the points' ball.
+  double offset = 0.05;
+};
+
+/// The 3L fit: least squares of f = 0 at the points and of f = ±δ at the points moved by ±δ along
+/// their normals (M. Blane, Z. Lei, H. Civi, D. Cooper, "The 3L algorithm for fitting implicit
+/// polynomial curves and surfaces to data", PAMI 2000).
+/// @param points  4 or more
+/// @return nullopt if the points are too few, coplanar, or do not determine ten coefficients
+std::optional<Quadric> fit_three_level(const OrientedPoints& points,
+                                       const ThreeLevelOptions& options = {});
+
+}  // namespace quadrille

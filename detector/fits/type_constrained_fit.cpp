@@ -1,0 +1,242 @@
+#include "fits/type_constrained_fit.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "fits/axis.hpp"
+#include "fits/fit_scatter.hpp"
+#include "fits/simple_type_fits.hpp"
+#include "fits/taubin_fit.hpp"
+#include "fits/two_planes_fit.hpp"
+#include "fits/type_design.hpp"
+#include "quadrille/detector/canonical.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr double kTypeTolerance = 1e-9;
+constexpr int kBisections = 40;
+// Only points count, as in Taubin's fit; normals give axes and apices.
+constexpr double kNoTangents = 0.0;
+
+bool is_of(const Quadric& Q, QuadricType type) {
+  using T = QuadricType;
+  const T found = canonical_form(Q, kTypeTolerance).type;
+  if (type == T::kEllipsoid && found == T::kSphere) return true;
+  if (type == T::kEllipticCylinder && found == T::kCylinder) return true;
+  if (type == T::kEllipticCone && found == T::kCone) return true;
+  return found == type;
+}
+
+/// The first quadric of the type on the way from one to an anchor of the type.
+Quadric steer(const Quadric& from, const Quadric& anchor, QuadricType type) {
+  const Vector10d a = from.normalized().coefficients();
+  Vector10d b = anchor.normalized().coefficients();
+  if (a.dot(b) < 0.0) b = -b;
+  double wrong = 0.0, right = 1.0;
+  for (int i = 0; i < kBisections; ++i) {
+    const double t = 0.5 * (wrong + right);
+    (is_of(Quadric(Vector10d((1.0 - t) * a + t * b)), type) ? right : wrong) = t;
+  }
+  return Quadric(Vector10d((1.0 - right) * a + right * b));
+}
+
+/// Squared distance as Taubin measures it.
+double misfit(const Scatter& scatter, const Quadric& Q) {
+  const Vector10d q = Q.coefficients();
+  return q.dot(scatter.values * q) / q.dot(scatter.gradients * q);
+}
+
+/// Signs of the quadratic part of a type's canonical form; all their permutations are tried.
+std::vector<Eigen::Vector3d> signatures(QuadricType type) {
+  switch (type) {
+    case QuadricType::kEllipsoid:
+      return {{1, 1, 1}};
+    case QuadricType::kEllipticCylinder:
+      return {{1, 1, 0}};
+    case QuadricType::kHyperbolicCylinder:
+      return {{1, -1, 0}};
+    default:
+      return {{1, 1, -1}, {1, -1, 1}, {-1, 1, 1}};
+  }
+}
+
+/// The best fit of the type with a quadratic part of the given frame and equal semi-axes.
+std::optional<Quadric> anchor(const OrientedPoints& points, const Eigen::Matrix3d& frame,
+                              QuadricType type) {
+  const Scatter scatter(points);
+  std::optional<Quadric> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& signs : signatures(type)) {
+    Eigen::Matrix4d M = Eigen::Matrix4d::Zero();
+    M.topLeftCorner<3, 3>() = frame * signs.asDiagonal() * frame.transpose();
+    Design B(10, signs[2] == 0.0 ? 4 : 5);
+    B.col(0) = Quadric(M).coefficients();
+    B.rightCols(B.cols() - 1).setZero();
+    for (Eigen::Index k = 1; k + 1 < B.cols(); ++k) B.col(k).segment<3>(6) = frame.col(k - 1);
+    B(9, B.cols() - 1) = 1.0;
+    const auto Q = fit_design(scatter, B, kNoTangents);
+    if (!Q || !is_of(*Q, type) || !(misfit(scatter, *Q) < least)) continue;
+    least = misfit(scatter, *Q);
+    best = Q;
+  }
+  return best;
+}
+
+Eigen::Matrix3d eigenframe(const Quadric& Q) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+      Eigen::Matrix3d(Q.matrix().topLeftCorner<3, 3>()));
+  return eigen.eigenvectors();
+}
+
+/// An open set of quadrics: the unconstrained fit if it is of the type, or steered to it.
+std::optional<Quadric> fit_open_type(const OrientedPoints& points,
+                                     const std::optional<Quadric>& free,
+                                     const Eigen::Matrix3d& frame, QuadricType type) {
+  if (!free || is_of(*free, type)) return free;
+  const auto goal = anchor(points, frame, type);
+  if (!goal) return std::nullopt;
+  return steer(*free, *goal, type);
+}
+
+std::optional<Quadric> fit_central(const OrientedPoints& points, QuadricType type) {
+  const auto free = fit_taubin(points);
+  if (!free) return std::nullopt;
+  return fit_open_type(points, free, eigenframe(*free), type);
+}
+
+std::optional<Quadric> fit_extruded(const OrientedPoints& points, QuadricType type) {
+  const auto axis = direction_across_normals(points);
+  if (!axis) return std::nullopt;
+  const auto free = fit_design(points, extrusion_design(*axis), kNoTangents);
+  if (!free) return std::nullopt;
+  // The axis last: its eigenvalue is zero.
+  Eigen::Matrix3d frame = eigenframe(*free);
+  Eigen::Index last = 0;
+  (frame.transpose() * *axis).cwiseAbs().maxCoeff(&last);
+  frame.col(last).swap(frame.col(2));
+  return fit_open_type(points, free, frame, type);
+}
+
+std::optional<Quadric> fit_parabolic_cylinder(const OrientedPoints& points) {
+  const auto axis = direction_across_normals(points);
+  if (!axis) return std::nullopt;
+  const Eigen::Vector3d e = axis->unitOrthogonal(), f = axis->cross(e);
+  const Scatter scatter(points);
+  // x² + linear terms: the direction of x by a search over half a turn, refined.
+  const auto at = [&](double angle) {
+    const Eigen::Vector3d x = std::cos(angle) * e + std::sin(angle) * f;
+    Eigen::Matrix4d M = Eigen::Matrix4d::Zero();
+    M.topLeftCorner<3, 3>() = x * x.transpose();
+    Design B = Design::Zero(10, 4);
+    B.col(0) = Quadric(M).coefficients();
+    B.col(1).segment<3>(6) = e;
+    B.col(2).segment<3>(6) = f;
+    B(9, 3) = 1.0;
+    return fit_design(scatter, B, kNoTangents);
+  };
+  std::optional<Quadric> best;
+  double least = std::numeric_limits<double>::infinity(), angle = 0.0;
+  double step = M_PI / 36.0, from = 0.0;
+  int count = 36;
+  for (int level = 0; level < 12; ++level) {
+    for (int i = 0; i < count; ++i) {
+      const auto Q = at(from + i * step);
+      if (!Q || !(misfit(scatter, *Q) < least)) continue;
+      least = misfit(scatter, *Q);
+      best = Q;
+      angle = from + i * step;
+    }
+    from = angle - step, step /= 5.0, count = 11;
+  }
+  return best;
+}
+
+/// Best fits of a design that depends on a direction, so far.
+struct DirectionSearch {
+  const Scatter& scatter;
+  QuadricType type;
+  double least = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero();
+  std::optional<Quadric> best = std::nullopt;
+
+  bool offer(const Eigen::Vector3d& u) {
+    const auto Q = fit_design(scatter, paraboloid_design(u), kNoTangents);
+    if (!Q || !is_of(*Q, type) || !(misfit(scatter, *Q) < least)) return false;
+    least = misfit(scatter, *Q), direction = u, best = Q;
+    return true;
+  }
+};
+
+/// The axis by a pattern search, from wherever on a coarse hemisphere the type fits best.
+std::optional<Quadric> fit_paraboloid(const OrientedPoints& points, QuadricType type) {
+  const Scatter scatter(points);
+  DirectionSearch search{scatter, type};
+  constexpr int kRings = 6, kSectors = 12;
+  for (int ring = 0; ring <= kRings; ++ring) {
+    for (int sector = 0; sector < (ring == 0 ? 1 : kSectors); ++sector) {
+      const double polar = 0.5 * M_PI * ring / kRings, turn = 2.0 * M_PI * sector / kSectors;
+      search.offer(
+          {std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar)});
+    }
+  }
+  if (!search.best) return std::nullopt;
+  for (double step = 0.1; step > 1e-10;) {
+    const Eigen::Vector3d u = search.direction, e = u.unitOrthogonal(), f = u.cross(e);
+    bool better = false;
+    for (const Eigen::Vector3d& side : {e, f, Eigen::Vector3d(-e), Eigen::Vector3d(-f)}) {
+      better = search.offer((u + step * side).normalized()) || better;
+    }
+    if (!better) step *= 0.5;
+  }
+  return search.best;
+}
+
+std::optional<Quadric> fit_elliptic_cone(const OrientedPoints& points) {
+  const auto apex = common_point_of_planes(points);
+  if (!apex || !(apex->norm() < 1e3)) return std::nullopt;
+  const auto Q = fit_design(points, elliptic_cone_design(*apex), kNoTangents);
+  return Q && is_of(*Q, QuadricType::kEllipticCone) ? Q : std::nullopt;
+}
+
+std::optional<Quadric> fit_normalised(const OrientedPoints& points, QuadricType type) {
+  using T = QuadricType;
+  switch (type) {
+    case T::kEllipticCylinder:
+    case T::kHyperbolicCylinder:
+      return fit_extruded(points, type);
+    case T::kParabolicCylinder:
+      return fit_parabolic_cylinder(points);
+    case T::kEllipticParaboloid:
+    case T::kHyperbolicParaboloid:
+      return fit_paraboloid(points, type);
+    case T::kEllipticCone:
+      return fit_elliptic_cone(points);
+    default:
+      return fit_central(points, type);
+  }
+}
+
+}  // namespace
+
+std::optional<Quadric> fit_of_type(const OrientedPoints& points, QuadricType type) {
+  using T = QuadricType;
+  if (is_imaginary(type)) throw std::invalid_argument("fit_of_type: the type is imaginary");
+  const bool flat = type == T::kPlane || type == T::kCoincidentPlanes;
+  const auto normalised = normalise(points, 9, flat ? Spread::kPlane : Spread::kSpace);
+  if (!normalised) return std::nullopt;
+  if (flat) return fit_plane(points);
+  if (type == T::kParallelPlanes || type == T::kIntersectingPlanes) return fit_two_planes(points);
+  if (type == T::kSphere) return fit_sphere(points, {kNoTangents});
+  if (type == T::kCylinder) return fit_cylinder(points, {kNoTangents});
+  if (type == T::kCone) return fit_cone(points, {kNoTangents});
+  const auto Q = fit_normalised(normalised->data, type);
+  if (!Q) return std::nullopt;
+  return normalised->undo(*Q);
+}
+
+}  // namespace quadrille

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "fit/posed_quadric.hpp"
+#include "quadrille/detector/family.hpp"
+
+namespace quadrille {
+
+/// A fit of one family.
+struct FamilyFit {
+  Family family = Family::kGeneral;
+  PosedQuadric posed;
+  /// Sum of squared first-order distances |f| / |∇f|, in the squared unit of the points.
+  double rss = 0.0;
+  /// Number of points.
+  int points = 0;
+  /// JᵀJ of the residuals with respect to the family's parameters (shapes, then motions).
+  Eigen::MatrixXd information;
+};
+
+}  // namespace quadrille

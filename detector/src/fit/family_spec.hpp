@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+#include <vector>
+
+#include "quadrille/detector/family.hpp"
+
+namespace quadrille {
+
+/// What may change in a family: the canonical matrix D of Q = X⁻ᵀ D X⁻¹ by a sum of the shapes,
+/// and the pose X by the motions.
+struct FamilySpec {
+  std::string_view name;
+  /// Symmetric 4x4 directions of D.
+  std::vector<Eigen::Matrix4d> shapes;
+  /// Generators in the canonical frame: translations x y z are 0 1 2, rotations 3 4 5.
+  std::vector<int> motions;
+  /// Degrees of freedom of the surface (the scale of Q does not count).
+  int dof;
+};
+
+const FamilySpec& family_spec(Family family);
+
+}  // namespace quadrille

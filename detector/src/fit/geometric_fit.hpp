@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "fit/family_fit.hpp"
+#include "fit/fit_points.hpp"
+#include "quadrille/detector/family.hpp"
+
+namespace quadrille {
+
+/// The quadric after a step in a family's parameters (shapes, then motions).
+PosedQuadric moved(Family family, PosedQuadric quadric,
+                   const Eigen::Ref<const Eigen::VectorXd>& step);
+
+/// Least squares of the first-order distance within a family, from a start, by
+/// Levenberg-Marquardt. Residuals and their derivatives are taken in the space of q, where they
+/// are the same for all families, and projected onto the family's tangent space dq/dθ.
+/// @param wanted  sum of squares of interest: the fit may stop early where it will not get there
+/// @return nullopt if the start is degenerate or no finite step exists
+std::optional<FamilyFit> refine(const FitPoints& points, Family family, const PosedQuadric& start,
+                                int iterations,
+                                double wanted = std::numeric_limits<double>::infinity());
+
+}  // namespace quadrille

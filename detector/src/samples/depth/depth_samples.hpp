@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "samples/depth/depth_cells.hpp"
+#include "samples/depth/noise.hpp"
+#include "samples/surface_samples.hpp"
+
+namespace quadrille {
+
+/// Surface samples of a single view: in a window of (2 reach + 1)² cells around each cell, the
+/// inverse depth is fitted by an affine function of the tangents, w = a + b u + c v, which is
+/// exact on a plane and has the normal (b, c, a) in the view's frame.
+/// @param keep   per cell, zero to leave it out of everything; empty means all
+/// @param noise  for the samples' sigma
+/// @param X_CV   pose of the view's frame in frame C
+/// @param reach  half the window, in cells
+SurfaceSamples make_depth_samples(const DepthCells& cells, const std::vector<char>& keep,
+                                  const NoiseModel& noise, const Eigen::Isometry3f& X_CV,
+                                  int reach);
+
+}  // namespace quadrille

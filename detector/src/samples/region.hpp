@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "fit/fit_points.hpp"
+#include "fit/normalisation.hpp"
+#include "samples/surface_samples.hpp"
+
+namespace quadrille {
+
+/// Centre and mean square radius of the raw positions of a region.
+Normalisation normalisation_of(const SurfaceSamples& samples, std::span<const int> region);
+
+/// The region if it has at most so many samples, else that many, spread evenly; some of them
+/// twice where it has hardly more.
+std::vector<int> spread_evenly(std::span<const int> region, std::size_t most);
+
+/// Up to `most` points of a region (spread evenly), raw positions in local coordinates.
+FitPoints fit_points(const SurfaceSamples& samples, std::span<const int> region,
+                     const Normalisation& normalisation, int most);
+
+}  // namespace quadrille

@@ -1,0 +1,46 @@
+#include "samples/sample_buckets.hpp"
+
+#include <algorithm>
+
+#include "samples/voxel/voxel_finder.hpp"
+
+namespace quadrille {
+namespace {
+
+// Edge of a bucket, in cells of a sample in the middle of the list, and of buckets of no samples
+// [m].
+constexpr float kCells = 12.0f, kAnyEdge = 0.05f;
+
+float edge_for(const SurfaceSamples& samples) {
+  return samples.size() == 0 ? kAnyEdge : kCells * samples.cell[samples.size() / 2];
+}
+
+}  // namespace
+
+SampleBuckets::SampleBuckets(const SurfaceSamples& samples)
+    : SampleBuckets(samples, std::vector<int>()) {}
+
+SampleBuckets::SampleBuckets(const SurfaceSamples& samples, std::vector<int> bucket)
+    : grid_(samples.raw, {}, edge_for(samples), &bucket) {
+  first_.assign(static_cast<std::size_t>(grid_.size()) + 1, 0);
+  for (const int v : bucket) ++first_[v + 1];
+  for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+  list_.assign(bucket.size(), 0);
+  std::vector<int> next(first_.begin(), first_.end() - 1);
+  for (std::size_t i = 0; i < bucket.size(); ++i) {
+    list_[next[bucket[i]]++] = static_cast<int>(i);
+  }
+}
+
+std::vector<int> SampleBuckets::near(const Eigen::Vector3f& centre, float radius) const {
+  // A sample is no farther from the mean of its bucket than the bucket's diagonal.
+  VoxelFinder finder(grid_, radius + 1.7321f * grid_.edge());
+  std::vector<int> found;
+  for (const int v : finder.within(centre)) {
+    found.insert(found.end(), list_.begin() + first_[v], list_.begin() + first_[v + 1]);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,58 @@
+#include "samples/voxel/voxel_noise.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "samples/height_fit.hpp"
+#include "samples/plane_moments.hpp"
+#include "samples/voxel/voxel_finder.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr float kLeastSigma = 1e-4f, kUsualSigma = 1e-3f;
+constexpr std::size_t kLeastPatches = 8, kLeastInPatch = 18;
+
+/// Residual of a quadratic height over the plane of the points; negative if they are few.
+/// @param points  relative to a point near them [m]
+float quadratic_residual(const std::vector<Eigen::Vector3f>& points, float radius) {
+  PlaneMoments sums;
+  for (const Eigen::Vector3f& p : points) sums.add(p);
+  Eigen::Vector3f mean, normal;
+  if (points.size() < kLeastInPatch || !sums.solve(&mean, &normal)) return -1.0f;
+  const Eigen::Vector3f e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
+  HeightFit fit;
+  for (const Eigen::Vector3f& p : points) {
+    const Eigen::Vector3f d = (p - mean) / radius;
+    fit.add(d.dot(e1), d.dot(e2), d.dot(normal));
+  }
+  const double rss = fit.rss(fit.factor().solve(fit.b));
+  return radius * static_cast<float>(std::sqrt(rss / static_cast<double>(points.size() - 6)));
+}
+
+}  // namespace
+
+float measure_voxel_noise(const VoxelGrid& grid, const NoiseOptions& options) {
+  const float radius = std::max(static_cast<float>(options.radius), 3.0f * grid.edge());
+  std::vector<float> residual;
+  std::vector<Eigen::Vector3f> patch;
+  VoxelFinder finder(grid, radius);
+  const int stride = std::max(1, grid.size() / options.patches);
+  for (int v = 0; v < grid.size(); v += stride) {
+    const Eigen::Vector3f& p = grid.mean()[v];
+    patch.clear();
+    for (const int other : finder.within(p)) patch.push_back(grid.mean()[other] - p);
+    const float r = quadratic_residual(patch, radius);
+    if (r >= 0) residual.push_back(r);
+  }
+  if (residual.size() < kLeastPatches) return kUsualSigma;
+  const auto at =
+      residual.begin() +
+      static_cast<std::ptrdiff_t>(options.quantile * static_cast<double>(residual.size() - 1));
+  std::nth_element(residual.begin(), at, residual.end());
+  return std::max(kLeastSigma, *at);
+}
+
+}  // namespace quadrille

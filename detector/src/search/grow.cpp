@@ -1,0 +1,69 @@
+#include "search/grow.hpp"
+
+#include <cmath>
+
+#include "fit/model_selection.hpp"
+#include "samples/inliers.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr int kIterations = 4;
+// While a region grows, its samples' correlation is not worth measuring.
+constexpr double kEffectiveShare = 0.1;
+// A round that changes the region by less than this share is the last.
+constexpr double kSettled = 0.03;
+// A family is chosen anew when the region has grown or shrunk by this factor.
+constexpr double kOutgrown = 1.25;
+
+/// Fits a region in place, by the family it has or the one that explains it best; false if it has
+/// no fit.
+bool refit(const SurfaceSamples& samples, const GrowOptions& options, bool select,
+           Candidate* candidate) {
+  const Normalisation local = normalisation_of(samples, candidate->region);
+  const FitPoints points = fit_points(samples, candidate->region, local, options.fit_points);
+  std::optional<FamilyFit> best =
+      fit_family(points, select ? Family::kGeneral : candidate->family, kIterations);
+  if (!best) return false;
+  if (select) {
+    SelectionOptions selection_options;
+    selection_options.effective_share = kEffectiveShare;
+    best = select_family(points, options.families, *best, selection_options).best;
+  }
+  candidate->Q = local.to_frame(best->posed.matrix()).normalized();
+  candidate->family = best->family;
+  candidate->rms = local.scale * std::sqrt(best->rss / static_cast<double>(points.size()));
+  return true;
+}
+
+}  // namespace
+
+std::optional<Candidate> grow(const SurfaceSamples& samples, const Quadric& hypothesis,
+                              std::span<const int> start, const std::vector<char>& free,
+                              const InlierTest& inlier, const GrowOptions& options) {
+  Candidate candidate;
+  candidate.Q = hypothesis;
+  candidate.region = connected_inliers(samples, start, candidate.Q, inlier, free);
+  const auto enough = [&] {
+    return static_cast<int>(candidate.region.size()) >= options.least_samples;
+  };
+  const bool choice = options.families.size() > 1;
+  if (!choice) candidate.family = options.families[0];
+  double chosen_at = 0.0;  // size of the region that the family was chosen for
+  for (int round = 0; round < options.rounds; ++round) {
+    if (!enough()) return std::nullopt;
+    const double now = static_cast<double>(candidate.region.size());
+    const bool select = choice && (now > kOutgrown * chosen_at || now * kOutgrown < chosen_at);
+    if (select) chosen_at = now;
+    if (!refit(samples, options, select, &candidate)) return std::nullopt;
+    std::vector<int> next = connected_inliers(samples, candidate.region, candidate.Q, inlier, free);
+    const double size = static_cast<double>(candidate.region.size());
+    const bool settled = std::abs(static_cast<double>(next.size()) - size) < kSettled * size;
+    candidate.region = std::move(next);
+    if (settled && round > 0) break;
+  }
+  if (!enough()) return std::nullopt;
+  return candidate;
+}
+
+}  // namespace quadrille

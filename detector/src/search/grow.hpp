@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "quadrille/detector/family.hpp"
+#include "quadrille/detector/quadric.hpp"
+#include "quadrille/detector/stage_options.hpp"
+#include "samples/region.hpp"
+#include "samples/surface_samples.hpp"
+#include "search/candidate.hpp"
+
+namespace quadrille {
+
+/// Grows a hypothesis over connected inliers and refits it, in turn, until it settles. A
+/// refit selects the simplest family that explains the region, as ten free coefficients from a
+/// small patch would lead the growth astray, and keeps it until the region has outgrown the choice.
+/// @param start  samples to begin with
+/// @param free   per sample, zero to stay out of it
+/// @return nullopt if the region gets too small or has no fit
+std::optional<Candidate> grow(const SurfaceSamples& samples, const Quadric& hypothesis,
+                              std::span<const int> start, const std::vector<char>& free,
+                              const InlierTest& inlier, const GrowOptions& options);
+
+}  // namespace quadrille

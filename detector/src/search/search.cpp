@@ -1,0 +1,149 @@
+#include "search/search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "base/random.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr int kLeastSupport = 8;
+
+/// Samples connected to the seed within a ball.
+std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float radius,
+                               const std::vector<char>& free, std::vector<int>* stamp, int mark) {
+  std::vector<int> list = {seed};
+  (*stamp)[seed] = mark;
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    for (const int j : samples.neighbours_of(list[k])) {
+      if ((*stamp)[j] == mark || !free[j]) continue;
+      (*stamp)[j] = mark;
+      if ((samples.p[j] - samples.p[seed]).squaredNorm() <= radius * radius) list.push_back(j);
+    }
+  }
+  return list;
+}
+
+struct Hypothesis {
+  Quadric Q;
+  int support = 0;
+};
+
+class Searcher {
+ public:
+  Searcher(const SurfaceSamples& samples, std::vector<char> open, const SearchOptions& options,
+           const InlierTest& inlier, std::uint64_t seed)
+      : samples_(samples),
+        options_(options),
+        inlier_(inlier),
+        seed_(seed),
+        free_(open),
+        open_(std::move(open)),
+        stamp_(static_cast<std::size_t>(samples.size()), 0) {}
+
+  std::vector<Candidate> run() {
+    std::vector<Candidate> candidates;
+    std::vector<int> order(static_cast<std::size_t>(samples_.size()));
+    std::iota(order.begin(), order.end(), 0);
+    RandomStream shuffle(seed_, 0);
+    for (int i = samples_.size() - 1; i > 0; --i) std::swap(order[i], order[shuffle.below(i + 1)]);
+    for (const int seed : order) {
+      if (!open_[seed]) continue;
+      std::optional<Candidate> candidate = try_seed(seed);
+      if (!candidate) {
+        retire(seed);
+        continue;
+      }
+      open_[seed] = 0;
+      for (const int i : candidate->region) open_[i] = 0;
+      candidates.push_back(std::move(*candidate));
+    }
+    return candidates;
+  }
+
+  TripletCounts counts() const { return {memory_.triplets.size(), memory_.triplets.repeats()}; }
+
+ private:
+  void retire(int seed) {
+    open_[seed] = 0;
+    for (const int j : samples_.neighbours_of(seed)) open_[j] = 0;
+  }
+
+  /// Tries neighbourhoods from the largest: what most of a large one agrees on needs no small one.
+  std::optional<Candidate> try_seed(int seed) {
+    std::size_t last = 0;
+    for (auto radius = options_.radii.rbegin(); radius != options_.radii.rend(); ++radius) {
+      const std::vector<int> around =
+          neighbourhood(samples_, seed, static_cast<float>(*radius) * samples_.cell[seed], open_,
+                        &stamp_, ++mark_);
+      if (static_cast<int>(around.size()) < options_.grow.least_samples / 2) return std::nullopt;
+      // The same samples would be tried with the same bases.
+      if (around.size() == last) continue;
+      last = around.size();
+      const std::optional<Hypothesis> hypothesis = best_hypothesis(seed, around);
+      if (!hypothesis) continue;
+      std::optional<Candidate> grown =
+          grow(samples_, hypothesis->Q, around, free_, inlier_, options_.grow);
+      if (grown) return grown;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Hypothesis> best_hypothesis(int seed, const std::vector<int>& around) {
+    RandomStream random(seed_, 1 + static_cast<std::uint64_t>(seed));
+    const Normalisation local = normalisation_of(samples_, around);
+    const std::vector<int> chosen =
+        spread_evenly(around, static_cast<std::size_t>(options_.voters));
+    const FitPoints voters = fit_points(samples_, chosen, local, options_.voters);
+    BasisMemory* const memory = options_.hash_triplets ? &memory_ : nullptr;
+    if (memory) memory->sample_of_voter = chosen;
+    const float limit = static_cast<float>(
+        (inlier_.sigmas * samples_.sigma[seed] + inlier_.cells * samples_.cell[seed]) /
+        local.scale);
+    const int n = static_cast<int>(voters.size());
+    VoteOptions vote_options;
+    vote_options.quantisation = options_.quantisation;
+    vote_options.least_height = std::max(0.1, 2.0 * limit);
+    vote_options.least_cosine = inlier_.least_cosine;
+    Hypothesis best;
+    for (int trial = 0; trial < options_.bases; ++trial) {
+      for (const Eigen::Matrix4d& Q :
+           draw_hypotheses(options_.basis, voters, vote_options, random, memory)) {
+        const int support =
+            count_support(voters, Q, limit, static_cast<float>(inlier_.least_cosine));
+        if (support > best.support) best = {local.to_frame(Q), support};
+      }
+    }
+    if (best.support < options_.least_support * n || best.support < kLeastSupport)
+      return std::nullopt;
+    return best;
+  }
+
+  const SurfaceSamples& samples_;
+  const SearchOptions& options_;
+  const InlierTest& inlier_;
+  const std::uint64_t seed_;
+  /// Samples that may support a candidate.
+  std::vector<char> free_;
+  /// Samples that nothing explains yet and no attempt has failed on.
+  std::vector<char> open_;
+  std::vector<int> stamp_;
+  int mark_ = 0;
+  BasisMemory memory_;
+};
+
+}  // namespace
+
+std::vector<Candidate> search(const SurfaceSamples& samples, std::vector<char> open,
+                              const SearchOptions& options, const InlierTest& inlier,
+                              std::uint64_t seed, TripletCounts* counts) {
+  Searcher searcher(samples, std::move(open), options, inlier, seed);
+  std::vector<Candidate> candidates = searcher.run();
+  if (counts) *counts = searcher.counts();
+  return candidates;
+}
+
+}  // namespace quadrille

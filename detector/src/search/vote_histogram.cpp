@@ -1,0 +1,48 @@
+#include "search/vote_histogram.hpp"
+
+#include <algorithm>
+
+#include "search/quantisation.hpp"
+
+namespace quadrille {
+
+VoteHistogram::VoteHistogram(const VoteOptions& options)
+    : options_(options), count_(static_cast<std::size_t>(options.bins), 0.0f) {}
+
+void VoteHistogram::add(float lambda) {
+  const float place =
+      place_of(options_.quantisation, lambda, static_cast<float>(options_.lambda_scale));
+  const int bin = static_cast<int>(place * static_cast<float>(options_.bins));
+  ++count_[static_cast<std::size_t>(std::clamp(bin, 0, options_.bins - 1))];
+}
+
+std::vector<VotePeak> VoteHistogram::peaks() const {
+  const int bins = options_.bins;
+  const auto at = [&](int i) { return i < 0 || i >= bins ? 0.0f : count_[i]; };
+  std::vector<float> density(static_cast<std::size_t>(bins));
+  for (int i = 0; i < bins; ++i) {
+    density[i] = at(i - 2) + 2 * at(i - 1) + 3 * at(i) + 2 * at(i + 1) + at(i + 2);
+  }
+  std::vector<VotePeak> peaks;
+  for (int i = 0; i < bins; ++i) {
+    const float left = i ? density[i - 1] : -1.0f;
+    const float right = i + 1 < bins ? density[i + 1] : -1.0f;
+    if (density[i] <= 0 || density[i] < left || density[i] <= right) continue;
+    // Mean over the kernel's core, finer than a bin.
+    const float mass = at(i - 1) + at(i) + at(i + 1);
+    const float shift = mass > 0 ? (at(i + 1) - at(i - 1)) / mass : 0.0f;
+    const float place = (static_cast<float>(i) + 0.5f + shift) / static_cast<float>(bins);
+    const float within = std::clamp(place, 1e-4f, 1.0f - 1e-4f);
+    peaks.push_back(
+        {lambda_at(options_.quantisation, within, static_cast<float>(options_.lambda_scale)),
+         density[i] / 9.0});
+  }
+  std::stable_sort(peaks.begin(), peaks.end(),
+                   [](const VotePeak& a, const VotePeak& b) { return a.votes > b.votes; });
+  if (static_cast<int>(peaks.size()) > options_.peaks) {
+    peaks.resize(static_cast<std::size_t>(options_.peaks));
+  }
+  return peaks;
+}
+
+}  // namespace quadrille

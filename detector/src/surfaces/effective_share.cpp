@@ -1,0 +1,38 @@
+#include "surfaces/effective_share.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "samples/inliers.hpp"
+
+namespace quadrille {
+
+double effective_share(const SurfaceSamples& samples, std::span<const int> region,
+                       const Quadric& quadric) {
+  const Eigen::Matrix4f Q = quadric.normalized().matrix().cast<float>();
+  std::vector<float> residual(static_cast<std::size_t>(samples.size()), 0.0f);
+  std::vector<char> inside(residual.size(), 0);
+  double square = 0;
+  for (const int i : region) {
+    residual[i] = distance_to(Q, samples.raw[i]);
+    inside[i] = 1;
+    square += residual[i] * residual[i];
+  }
+  double product = 0;
+  std::size_t pairs = 0;
+  for (const int i : region) {
+    for (const int j : samples.neighbours_of(i)) {
+      if (!inside[j]) continue;
+      product += residual[i] * residual[j];
+      ++pairs;
+    }
+  }
+  if (pairs == 0 || !(square > 0)) return 1.0;
+  const double variance = square / static_cast<double>(region.size());
+  const double rho = std::clamp(product / (static_cast<double>(pairs) * variance), 0.0, 0.98);
+  const double ratio = (1 - rho) / (1 + rho);
+  return ratio * ratio;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,51 @@
+#include "surfaces/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/family_spec.hpp"
+#include "quadrille/detector/canonical.hpp"
+#include "samples/inliers.hpp"
+
+namespace quadrille {
+
+double mean_sigma(const SurfaceSamples& samples, std::span<const int> region) {
+  double sum = 0;
+  for (const int i : region) sum += samples.sigma[i];
+  return sum / static_cast<double>(region.size());
+}
+
+double confidence_of(const Surface& surface) {
+  const QuadricType type = canonical_form(surface.fit.posed).type;
+  return confidence(surface.evidence, family_spec(surface.fit.family).dof, log_prior(type));
+}
+
+bool is_thin(const Surface& surface, const SurfaceSamples& samples) {
+  const CanonicalForm form = canonical_form(surface.fit.posed);
+  if (is_imaginary(form.type)) return true;
+  double least = 3.0 * mean_sigma(samples, surface.region) / surface.local.scale;
+  if (form.type == QuadricType::kHyperbolicCylinder) {
+    least = std::max(least, samples.cell[surface.region.front()] / surface.local.scale);
+  }
+  const bool paraboloid = form.type == QuadricType::kEllipticParaboloid ||
+                          form.type == QuadricType::kHyperbolicParaboloid;
+  return std::any_of(form.dimensions.begin(), form.dimensions.end(), [&](const auto& dimension) {
+    const auto& [name, value] = dimension;
+    // A paraboloid x² = 4 f z is 2 √f wide at the distance one, the size of the region.
+    if (paraboloid) return 2.0 * std::sqrt(value) < least;
+    return value < (is_angle(name) ? 0.02 : least);
+  });
+}
+
+double rms_distance(const Surface& surface, const SurfaceSamples& samples,
+                    std::span<const int> region) {
+  const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
+  double sum = 0;
+  for (const int i : region) {
+    const double d = distance_to(Q, samples.raw[i]);
+    sum += d * d;
+  }
+  return std::sqrt(sum / static_cast<double>(region.size()));
+}
+
+}  // namespace quadrille

@@ -1,0 +1,114 @@
+#include "surfaces/two_planes.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "samples/region.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr int kNormalRounds = 5, kDistanceRounds = 4;
+// More samples place the planes no better.
+constexpr std::size_t kEnough = 400;
+
+/// Sums over the samples on one side, for its plane by least squares.
+struct Side {
+  double n = 0;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  /// The lower triangle alone counts.
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+
+  void add(const Eigen::Vector4d& x) {
+    n += 1;
+    sum += x.head<3>();
+    square(0, 0) += x[0] * x[0];
+    square(1, 0) += x[1] * x[0];
+    square(2, 0) += x[2] * x[0];
+    square(1, 1) += x[1] * x[1];
+    square(2, 1) += x[2] * x[1];
+    square(2, 2) += x[2] * x[2];
+  }
+  /// Far away if the samples are too few.
+  Eigen::Vector4d plane() const {
+    if (n < 3) return {0, 0, 0, 1e3};
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+    const Eigen::Matrix3d full = square.selfadjointView<Eigen::Lower>();
+    eigen.computeDirect(full / n - sum * sum.transpose() / (n * n));
+    const Eigen::Vector3d m = eigen.eigenvectors().col(0);
+    return {m.x(), m.y(), m.z(), -m.dot(sum) / n};
+  }
+};
+
+/// The samples relative to an origin, homogeneous.
+std::vector<Eigen::Vector4d> positions_of(const SurfaceSamples& samples,
+                                          std::span<const int> region,
+                                          const Eigen::Vector3d& origin) {
+  std::vector<Eigen::Vector4d> positions;
+  positions.reserve(region.size());
+  for (const int i : region) {
+    positions.emplace_back((samples.raw[i].cast<double>() - origin).homogeneous());
+  }
+  return positions;
+}
+
+/// The normal farthest from a direction.
+Eigen::Vector3f farthest_normal(const SurfaceSamples& samples, std::span<const int> region,
+                                const Eigen::Vector3f& from) {
+  int best = region[0];
+  for (const int i : region) {
+    if (samples.n[i].dot(from) < samples.n[best].dot(from)) best = i;
+  }
+  return samples.n[best];
+}
+
+/// Parts a region by its normals: 2-means from the two most different ones.
+std::vector<char> part_by_normals(const SurfaceSamples& samples, std::span<const int> region) {
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  for (const int i : region) mean += samples.n[i];
+  std::array<Eigen::Vector3f, 2> centre;
+  centre[0] = farthest_normal(samples, region, mean);
+  centre[1] = farthest_normal(samples, region, centre[0]);
+  std::vector<char> side(region.size(), 0);
+  for (int round = 0; round < kNormalRounds; ++round) {
+    std::array<Eigen::Vector3f, 2> sum = {Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero()};
+    for (std::size_t r = 0; r < region.size(); ++r) {
+      const Eigen::Vector3f& n = samples.n[region[r]];
+      side[r] = n.dot(centre[1]) > n.dot(centre[0]);
+      sum[static_cast<std::size_t>(side[r])] += n;
+    }
+    for (int c = 0; c < 2; ++c) {
+      if (sum[c].norm() > 0) centre[c] = sum[c].normalized();
+    }
+  }
+  return side;
+}
+
+}  // namespace
+
+double two_planes_rss(const SurfaceSamples& samples, std::span<const int> region) {
+  const std::vector<int> some = spread_evenly(region, kEnough);
+  std::vector<char> side = part_by_normals(samples, some);
+  // Near an edge the smoothed normals lie between the faces: from here on the distance decides.
+  const std::vector<Eigen::Vector4d> positions =
+      positions_of(samples, some, samples.raw[some[0]].cast<double>());
+  double rss = 0;
+  for (int round = 0; round < kDistanceRounds; ++round) {
+    std::array<Side, 2> sides;
+    for (std::size_t r = 0; r < some.size(); ++r) {
+      sides[static_cast<std::size_t>(side[r])].add(positions[r]);
+    }
+    const Eigen::Vector4d first = sides[0].plane(), second = sides[1].plane();
+    rss = 0;
+    for (std::size_t r = 0; r < some.size(); ++r) {
+      const double a = std::abs(first.dot(positions[r])), b = std::abs(second.dot(positions[r]));
+      side[r] = b < a;
+      rss += std::min(a * a, b * b);
+    }
+  }
+  return rss * static_cast<double>(region.size()) / static_cast<double>(some.size());
+}
+
+}  // namespace quadrille

@@ -1,0 +1,223 @@
+#include "quadrille/detector/tracker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+
+#include "track/assignment.hpp"
+#include "track/seen_patch.hpp"
+
+namespace quadrille {
+namespace {
+
+/// Frames for which any track is remembered, and tracks that are remembered at most.
+constexpr int kLeastFramesKept = 3;
+constexpr std::size_t kMostTracks = 256;
+
+double squared(double x) { return x * x; }
+
+/// Standard deviation of where a patch is along its normals [m]. Beside the noise, fits of two
+/// views differ by some share of the size, and by what the sensor's own error changes with the
+/// view, however many points they rest on.
+double place_deviation(const SeenPatch& patch) {
+  return std::hypot(patch.rms, 0.03 * patch.size, 0.002);
+}
+
+/// True if a dimension tells what was seen and not what is there.
+bool depends_on_view(std::string_view dimension) {
+  return dimension == "length" || dimension == "width" || dimension == "height";
+}
+
+/// Mean squared difference of the dimensions that both have, in standard deviations as published;
+/// a tenth of the value is added, for types and seen parts that change.
+double compare_dimensions(const std::vector<Dimension>& a, const std::vector<Dimension>& b) {
+  // One wild fit is no other object.
+  constexpr double kMost = 4.0;
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    if (a[i].name != b[i].name || depends_on_view(a[i].name)) continue;
+    const double scale = 0.1 * std::max(std::abs(a[i].value), std::abs(b[i].value));
+    const double variance = squared(a[i].std) + squared(b[i].std) + squared(scale);
+    // Deviations that could not be estimated leave nothing to compare.
+    if (!std::isfinite(variance) || !(variance > 0.0)) continue;
+    sum += std::min(kMost, squared(a[i].value - b[i].value) / variance);
+    ++count;
+  }
+  return count > 0 ? sum / count : 0.0;
+}
+
+/// Squared difference in shape and extent, in standard deviations.
+double compare_shapes(const PatchMatch& match, const SeenPatch& a, const SeenPatch& b) {
+  constexpr double kTurn = 0.35, kGap = 0.25;
+  const double size = std::max(1e-6, 0.5 * (a.size + b.size));
+  const double noise = std::hypot(a.rms, b.rms, 0.03 * size) + 1e-6;
+  return squared(match.residual / noise) + squared(match.turn / kTurn) +
+         squared(match.gap / (kGap * size)) + (1.0 - match.overlap);
+}
+
+void require(bool fine, const char* message) {
+  if (!fine) throw std::invalid_argument(message);
+}
+
+}  // namespace
+
+void TrackOptions::check() const {
+  require(gate > 0.0 && gate <= 100.0, "track.gate: must lie between 0 and 100");
+  require(forget_after >= 0.0 && forget_after <= 1e6,
+          "track.forget_after: must lie between 0 and 1e6 s");
+  require(speed >= 0.0 && speed <= 1e3, "track.speed: must lie between 0 and 1000 m/s");
+  require(acceleration >= 0.0 && acceleration <= 1e3,
+          "track.acceleration: must lie between 0 and 1000 m/s2");
+  require(pose_age >= 0.0 && pose_age <= 1e6, "track.pose_age: must lie between 0 and 1e6 s");
+}
+
+/// What is known of a surface that was seen before.
+struct Tracker::Track {
+  int id = 0;
+  QuadricType type = QuadricType::kPlane;
+  std::vector<Dimension> dimensions;
+  SeenPatch patch;
+  Eigen::Vector3d v_W = Eigen::Vector3d::Zero();
+  /// Variance of each component of the velocity [m²/s²].
+  double velocity_variance = 0.0;
+  double seconds_unseen = 0.0;
+  int frames_unseen = 0;
+};
+
+/// A track and a detection.
+struct Tracker::Pairing {
+  Eigen::Vector3d shift_W;
+  /// Squared, in standard deviations.
+  double cost = std::numeric_limits<double>::infinity();
+};
+
+Tracker::Tracker(const TrackOptions& options) : options_(options) { options_.check(); }
+Tracker::~Tracker() = default;
+Tracker::Tracker(Tracker&&) noexcept = default;
+Tracker& Tracker::operator=(Tracker&&) noexcept = default;
+
+void Tracker::update(std::int64_t utime, const Eigen::Isometry3d& X_WC,
+                     std::vector<Detection>* detections) {
+  for (Detection& detection : *detections) detection.track = 0;
+  if (!options_.enabled) return;
+  if (utime < utime_) {
+    tracks_.clear();
+    last_id_ = 0;
+  }
+  // Times of hostile messages may lie further apart than integers reach.
+  advance(1e-6 * (static_cast<double>(utime) - static_cast<double>(utime_)));
+  utime_ = utime;
+  std::vector<SeenPatch> patches;
+  for (const Detection& d : *detections) patches.push_back(seen_patch(d, X_WC));
+  pair_those(true, patches, detections);
+  pair_those(false, patches, detections);
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    if ((*detections)[i].track == 0) begin(patches[i], &(*detections)[i]);
+  }
+}
+
+/// Moves all tracks to the next moment, and forgets those that were last seen too long ago.
+void Tracker::advance(double seconds) {
+  std::erase_if(tracks_, [&](const Track& track) {
+    return track.seconds_unseen > options_.forget_after && track.frames_unseen >= kLeastFramesKept;
+  });
+  if (tracks_.size() > kMostTracks) {
+    std::stable_sort(tracks_.begin(), tracks_.end(), [](const Track& a, const Track& b) {
+      return a.frames_unseen < b.frames_unseen;
+    });
+    tracks_.resize(kMostTracks);
+  }
+  for (Track& track : tracks_) {
+    track.patch = translated(std::move(track.patch), seconds * track.v_W);
+    track.seconds_unseen += seconds;
+    ++track.frames_unseen;
+  }
+}
+
+Tracker::Pairing Tracker::compare(const Track& track, const Detection& detection,
+                                  const SeenPatch& patch) const {
+  const double t = track.seconds_unseen;
+  const double variance = squared(place_deviation(track.patch)) + squared(place_deviation(patch)) +
+                          track.velocity_variance * t * t +
+                          squared(0.5 * options_.acceleration * t * t);
+  const double most = squared(options_.gate);
+  // What lies farther off is another, though a plane that slides in itself has no shift. The part
+  // that was seen may have changed by as much as it is large.
+  const double reach = options_.gate * std::sqrt(variance) + track.patch.size + patch.size;
+  if ((patch.centre_W - track.patch.centre_W).norm() > reach) return {};
+  const PatchMatch match = match_patches(track.patch, patch);
+  const double place = match.shift_W.squaredNorm() / std::max(variance, 1e-12);
+  if (!(place < most)) return {};
+  constexpr double kOtherType = 0.5;
+  const double named = track.type == detection.type
+                           ? compare_dimensions(track.dimensions, detection.dimensions)
+                           : kOtherType;
+  return {match.shift_W, place + compare_shapes(match, track.patch, patch) + named};
+}
+
+/// Pairs the detections that have no track yet with the tracks that the last frame showed, or with
+/// those that it did not: what was just seen is known best and goes first, for the room in which
+/// the others may be grows until all suits them.
+void Tracker::pair_those(bool just_seen, const std::vector<SeenPatch>& patches,
+                         std::vector<Detection>* detections) {
+  std::vector<Track*> tracks;
+  for (Track& track : tracks_) {
+    if (track.frames_unseen > 0 && (track.frames_unseen == 1) == just_seen)
+      tracks.push_back(&track);
+  }
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < detections->size(); ++i) {
+    if ((*detections)[i].track == 0) open.push_back(i);
+  }
+  std::vector<std::vector<Pairing>> pairings(tracks.size());
+  Eigen::MatrixXd cost(static_cast<Eigen::Index>(tracks.size()),
+                       static_cast<Eigen::Index>(open.size()));
+  for (std::size_t row = 0; row < tracks.size(); ++row) {
+    for (const std::size_t i : open) {
+      pairings[row].push_back(compare(*tracks[row], (*detections)[i], patches[i]));
+      cost(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(pairings[row].size()) - 1) =
+          pairings[row].back().cost;
+    }
+  }
+  const std::vector<int> columns = assign(cost, squared(options_.gate));
+  for (std::size_t row = 0; row < tracks.size(); ++row) {
+    if (columns[row] < 0) continue;
+    const std::size_t i = open[static_cast<std::size_t>(columns[row])];
+    (*detections)[i].track = tracks[row]->id;
+    renew((*detections)[i], patches[i], pairings[row][columns[row]].shift_W, tracks[row]);
+  }
+}
+
+/// Takes over what was seen, and learns from the shift how far the velocity was wrong.
+void Tracker::renew(const Detection& detection, const SeenPatch& patch,
+                    const Eigen::Vector3d& shift_W, Track* track) const {
+  const double t = track->seconds_unseen;
+  if (t > 0.0) {
+    const double expected = track->velocity_variance + squared(options_.acceleration * t);
+    const double measured =
+        (squared(place_deviation(track->patch)) + squared(place_deviation(patch))) / (t * t);
+    const double gain = expected > 0.0 ? expected / (expected + measured) : 0.0;
+    track->v_W += gain / t * shift_W;
+    track->velocity_variance = (1.0 - gain) * expected;
+  }
+  track->type = detection.type;
+  track->dimensions = detection.dimensions;
+  track->patch = patch;
+  track->seconds_unseen = 0.0;
+  track->frames_unseen = 0;
+}
+
+void Tracker::begin(const SeenPatch& patch, Detection* detection) {
+  Track track;
+  track.id = detection->track = ++last_id_;
+  track.type = detection->type;
+  track.dimensions = detection->dimensions;
+  track.patch = patch;
+  track.velocity_variance = squared(options_.speed);
+  tracks_.push_back(std::move(track));
+}
+
+}  // namespace quadrille

@@ -1,0 +1,249 @@
+#include "body/patch.hpp"
+
+#include <fcl/geometry/shape/box.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "body/polyhedron.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// How far curved patches and pairs of planes reach behind what was seen of them [m].
+constexpr double kThickness = 0.01;
+// What the blocks of a curved patch may leave between themselves and the surface [m], as far as so
+// many along either side do.
+constexpr double kSagitta = 0.0005;
+constexpr int kMostCells = 10;
+
+double dimension(const Detection& d, std::size_t n) {
+  return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
+}
+
+// A surface as the graph h(u, v) over two axes of frame Q, within an interval of each.
+struct Graph {
+  int u_axis, v_axis, h_axis;
+  // h at u, v; its slopes; and how far it lies at most below and above its tangent plane at the
+  // middle of a cell of these half sizes.
+  virtual double value(double u, double v) const = 0;
+  virtual Eigen::Vector2d slope(double u, double v) const = 0;
+  virtual Eigen::Vector2d beside(double u, double half_u, double half_v) const = 0;
+  // Half sizes that keep within the sagitta.
+  virtual Eigen::Vector2d cell() const = 0;
+  Graph(int u, int v, int h) : u_axis(u), v_axis(v), h_axis(h) {}
+  virtual ~Graph() = default;
+};
+
+// h = u²/4fa − v²/4fb, for an infinite fb the parabolic cylinder: beside its tangent plane it is
+// du²/4fa − dv²/4fb.
+struct Saddle : Graph {
+  double fa, fb;
+  Saddle(double focal_a, double focal_b) : Graph(0, 1, 2), fa(focal_a), fb(focal_b) {}
+  double value(double u, double v) const override {
+    return u * u / (4.0 * fa) - v * v / (4.0 * fb);
+  }
+  Eigen::Vector2d slope(double u, double v) const override {
+    return {u / (2.0 * fa), -v / (2.0 * fb)};
+  }
+  Eigen::Vector2d beside(double, double half_u, double half_v) const override {
+    return {half_v * half_v / (4.0 * fb), half_u * half_u / (4.0 * fa)};
+  }
+  Eigen::Vector2d cell() const override {
+    return {std::sqrt(4.0 * fa * kSagitta), std::sqrt(4.0 * fb * kSagitta)};
+  }
+};
+
+// One branch of a hyperbolic cylinder: x = ±a√(1 + y²/b²), which bends by a/b² at most. Convex or
+// concave, it is farthest from its tangent at an end of a cell.
+struct Branch : Graph {
+  double side, a, b;
+  Branch(double sign, double semi_a, double semi_b)
+      : Graph(1, 2, 0), side(sign), a(semi_a), b(semi_b) {}
+  double value(double u, double) const override { return side * a * std::hypot(1.0, u / b); }
+  Eigen::Vector2d slope(double u, double) const override {
+    return {side * a * u / (b * b * std::hypot(1.0, u / b)), 0.0};
+  }
+  Eigen::Vector2d beside(double u, double half_u, double) const override {
+    const double tangent = slope(u, 0.0).x() * half_u;
+    const double most = std::max(side * (value(u + half_u, 0.0) - value(u, 0.0) - tangent),
+                                 side * (value(u - half_u, 0.0) - value(u, 0.0) + tangent));
+    return side > 0.0 ? Eigen::Vector2d(0.0, most) : Eigen::Vector2d(most, 0.0);
+  }
+  Eigen::Vector2d cell() const override {
+    return {b * std::sqrt(2.0 * kSagitta / a), std::numeric_limits<double>::infinity()};
+  }
+};
+
+// The graph over one cell, as a block along its tangent plane there.
+CollisionShape block_of(const Graph& g, const Detection& d, const Eigen::Vector2d& middle,
+                        const Eigen::Vector2d& half) {
+  const double h = g.value(middle.x(), middle.y());
+  const Eigen::Vector2d slope = g.slope(middle.x(), middle.y());
+  const Eigen::Vector2d beside = g.beside(middle.x(), half.x(), half.y());
+  Eigen::Vector3d p_Q, along_Q = Eigen::Vector3d::Unit(g.h_axis);
+  p_Q[g.u_axis] = middle.x();
+  p_Q[g.v_axis] = middle.y();
+  p_Q[g.h_axis] = h;
+  const bool from_above = d.Q_C.gradient(d.X_CQ * p_Q).dot(d.X_CQ.linear() * along_Q) >= 0.0;
+  const double low = -beside.x() - (from_above ? kThickness : 0.0);
+  const double high = beside.y() + (from_above ? 0.0 : kThickness);
+  std::array<Eigen::Vector3d, 8> corners;
+  for (unsigned n = 0; n < 8; ++n) {
+    const Eigen::Vector2d step((n & 2) ? half.x() : -half.x(), (n & 4) ? half.y() : -half.y());
+    corners[n][g.u_axis] = middle.x() + step.x();
+    corners[n][g.v_axis] = middle.y() + step.y();
+    corners[n][g.h_axis] = h + slope.dot(step) + ((n & 1) ? high : low);
+  }
+  // FCL wants shapes centred.
+  Eigen::Isometry3d X_CS = d.X_CQ;
+  X_CS.translation() = d.X_CQ * p_Q;
+  for (Eigen::Vector3d& corner : corners) corner -= p_Q;
+  CollisionShape shape = make_block(corners, X_CS);
+  shape.excess = kThickness + beside.sum();
+  return shape;
+}
+
+void add_blocks(const Graph& g, const Detection& d, std::vector<CollisionShape>& shapes) {
+  const Eigen::AlignedBox3d& box = d.extent_Q;
+  const Eigen::Vector2d low(box.min()[g.u_axis], box.min()[g.v_axis]);
+  const Eigen::Vector2d size(box.sizes()[g.u_axis], box.sizes()[g.v_axis]);
+  Eigen::Vector2i count;
+  for (int i = 0; i < 2; ++i) {
+    count[i] = 1 + static_cast<int>(std::min<double>(kMostCells - 1, 0.5 * size[i] / g.cell()[i]));
+  }
+  const Eigen::Vector2d half = 0.5 * size.cwiseQuotient(count.cast<double>());
+  for (int j = 0; j < count.y(); ++j) {
+    for (int i = 0; i < count.x(); ++i) {
+      const Eigen::Vector2d middle =
+          low + half.cwiseProduct(Eigen::Vector2d(2.0 * i + 1.0, 2.0 * j + 1.0));
+      shapes.push_back(block_of(g, d, middle, half));
+    }
+  }
+}
+
+// A slab from low to high along z of its frame.
+CollisionShape slab(const Eigen::Isometry3d& X_CP, Eigen::AlignedBox3d box, double low,
+                    double high) {
+  box.min().z() = low;
+  box.max().z() = high;
+  CollisionShape shape = make_box(X_CP, box);
+  shape.excess = std::max(-low, high);
+  return shape;
+}
+
+CollisionShape plane_slab(const Detection& d) {
+  const double thickness =
+      std::clamp(0.25 * d.extent_Q.sizes().head<2>().minCoeff(), kThickness, 0.1);
+  return slab(d.X_CQ, d.extent_Q, -thickness, 0.0);
+}
+
+// Half of one of two planes that meet in the axis z of Q: from that axis along unit direction u_Q,
+// as far as it lies within the extent. None if it does not.
+void add_half(const Detection& d, const Eigen::Vector3d& u_Q, std::vector<CollisionShape>& shapes) {
+  const Eigen::AlignedBox3d& box = d.extent_Q;
+  double from = 0.0, to = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 2; ++i) {
+    if (u_Q[i] == 0.0) {
+      if (box.min()[i] > 0.0 || box.max()[i] < 0.0) return;
+      continue;
+    }
+    const double t0 = box.min()[i] / u_Q[i], t1 = box.max()[i] / u_Q[i];
+    from = std::max(from, std::min(t0, t1));
+    to = std::min(to, std::max(t0, t1));
+  }
+  if (!(to > from)) return;
+  Eigen::Isometry3d X_QP = Eigen::Isometry3d::Identity();  // x along u, y along z of Q
+  X_QP.linear() << u_Q, Eigen::Vector3d::UnitZ(), u_Q.cross(Eigen::Vector3d::UnitZ());
+  const Eigen::Isometry3d X_CP = d.X_CQ * X_QP;
+  const Eigen::AlignedBox3d face(Eigen::Vector3d(from, box.min().z(), 0.0),
+                                 Eigen::Vector3d(to, box.max().z(), 0.0));
+  const Eigen::Vector3d middle_C = X_CP * Eigen::Vector3d(face.center());
+  const bool from_above = d.Q_C.gradient(middle_C).dot(X_CP.linear().col(2)) >= 0.0;
+  shapes.push_back(slab(X_CP, face, from_above ? -kThickness : 0.0, from_above ? 0.0 : kThickness));
+}
+
+bool sound(const Detection& d) {
+  const Eigen::Vector3d sizes = d.extent_Q.sizes();
+  if (!d.X_CQ.matrix().allFinite() || !sizes.allFinite()) return false;
+  if (!(sizes.maxCoeff() < 100.0) || !(d.extent_Q.min().cwiseAbs().maxCoeff() < 100.0))
+    return false;
+  const auto positive = [&](int axis) { return sizes[axis] > 0.0; };
+  switch (d.type) {
+    case QuadricType::kHyperbolicCylinder:
+      return positive(1) && positive(2);
+    case QuadricType::kIntersectingPlanes:
+      return positive(2);
+    default:
+      return positive(0) && positive(1);
+  }
+}
+
+bool sound_sizes(double a, double b) {
+  return a > 1e-5 && a < 100.0 && b > 1e-5 && (b < 100.0 || std::isinf(b));
+}
+
+void add_curved(const Detection& d, std::vector<CollisionShape>& shapes) {
+  const double a = dimension(d, 0);
+  const double b = d.type == QuadricType::kParabolicCylinder
+                       ? std::numeric_limits<double>::infinity()
+                       : dimension(d, 1);
+  if (!sound_sizes(a, b)) return;
+  if (d.type != QuadricType::kHyperbolicCylinder) return add_blocks(Saddle(a, b), d, shapes);
+  if (d.extent_Q.max().x() > 0.0) add_blocks(Branch(1.0, a, b), d, shapes);
+  if (d.extent_Q.min().x() < 0.0) add_blocks(Branch(-1.0, a, b), d, shapes);
+}
+
+void add_pair(const Detection& d, std::vector<CollisionShape>& shapes) {
+  const double half = 0.5 * dimension(d, 0);
+  if (!(half >= 0.0 && half < 3.2)) return;
+  for (const double side : {1.0, -1.0}) {
+    for (const double turn : {half, -half}) {
+      add_half(d, side * Eigen::Vector3d(std::cos(turn), std::sin(turn), 0.0), shapes);
+    }
+  }
+}
+
+}  // namespace
+
+CollisionShape make_box(const Eigen::Isometry3d& X_CQ, const Eigen::AlignedBox3d& box_Q) {
+  CollisionShape shape;
+  shape.kind = "box";
+  shape.X_CS = X_CQ;
+  shape.X_CS.translation() = X_CQ * Eigen::Vector3d(box_Q.center());
+  const Eigen::Vector3d sides = box_Q.sizes();
+  shape.dimensions = {sides.x(), sides.y(), sides.z()};
+  shape.geometry = std::make_shared<fcl::Boxd>(sides);
+  return shape;
+}
+
+std::vector<CollisionShape> make_patch(const Detection& detection, std::string* why) {
+  std::vector<CollisionShape> shapes;
+  const std::string type(to_string(detection.type));
+  if (sound(detection)) {
+    switch (detection.type) {
+      case QuadricType::kPlane:
+        shapes.push_back(plane_slab(detection));
+        break;
+      case QuadricType::kCoincidentPlanes:  // its gradient is zero: no side is known
+        shapes.push_back(slab(detection.X_CQ, detection.extent_Q, -kThickness, kThickness));
+        break;
+      case QuadricType::kIntersectingPlanes:
+        add_pair(detection, shapes);
+        break;
+      case QuadricType::kHyperbolicParaboloid:
+      case QuadricType::kHyperbolicCylinder:
+      case QuadricType::kParabolicCylinder:
+        add_curved(detection, shapes);
+        break;
+      default:
+        break;
+    }
+  }
+  if (shapes.empty() && why) *why = type + " has no finite, positive size";
+  return shapes;
+}
+
+}  // namespace quadrille

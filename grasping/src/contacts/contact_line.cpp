@@ -1,0 +1,180 @@
+#include "contacts/contact_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "body/diagonal_quadric.hpp"
+
+namespace quadrille {
+
+namespace {
+
+using Profile = Body::Profile;
+constexpr double kPi = std::numbers::pi;
+
+// The line through ±p_Q + offset_Q, with outward normal n_Q at the positive end.
+struct Pair {
+  Eigen::Vector3d offset_Q, p_Q, closing_Q, n_plus_Q, n_minus_Q;
+  double opening, std;
+};
+
+ContactLine placed(const Body& body, const Pair& pair) {
+  const Eigen::Matrix3d& R = body.X_CQ.linear();
+  ContactLine line;
+  line.centre_C = body.X_CQ * pair.offset_Q;
+  line.closing_C = R * pair.closing_Q;
+  line.contacts_C = {body.X_CQ * Eigen::Vector3d(pair.offset_Q + pair.p_Q),
+                     body.X_CQ * Eigen::Vector3d(pair.offset_Q - pair.p_Q)};
+  line.normals_C = {R * pair.n_plus_Q.normalized(), R * pair.n_minus_Q.normalized()};
+  line.width = 2.0 * pair.p_Q.dot(pair.closing_Q);
+  line.opening = std::max(pair.opening, line.width);
+  line.std = pair.std;
+  return line;
+}
+
+// Angles in [0, π): even ones, more around the direction across the line of sight, and the level.
+std::vector<double> cross_angles(const Eigen::Vector3d& view_Q, const Eigen::Vector3d& up_Q) {
+  std::vector<double> angles;
+  constexpr int kEven = 8;
+  for (int i = 0; i < kEven; ++i) angles.push_back(kPi * i / kEven);
+  if (view_Q.head<2>().norm() > 0.1 * view_Q.norm()) {
+    const double across = std::atan2(view_Q.y(), view_Q.x()) + 0.5 * kPi;
+    for (const double turn : {0.0, -10.0, 10.0, -20.0, 20.0, -32.0, 32.0}) {
+      angles.push_back(across + turn * kPi / 180.0);
+    }
+  }
+  if (up_Q.head<2>().norm() > 0.1) angles.push_back(std::atan2(up_Q.y(), up_Q.x()) + 0.5 * kPi);
+  return angles;
+}
+
+// Heights of the pads' centre: every 8 mm or so, kept off the ends by a third of a pad.
+std::vector<double> heights(const Body& body, const Gripper& gripper) {
+  const double off = std::min(0.35 * gripper.pad.maxCoeff(), 0.25 * (body.z_max - body.z_min));
+  const double low = body.z_min + off, high = body.z_max - off;
+  const int steps = std::clamp(static_cast<int>(std::ceil((high - low) / 0.008)), 1, 16);
+  std::vector<double> z = {0.5 * (low + high)};
+  for (int i = 0; i <= steps; ++i) z.push_back(low + (high - low) * i / steps);
+  return z;
+}
+
+void add_across(const Body& body, const Gripper& gripper, const Eigen::Vector3d& view_Q,
+                const Eigen::Vector3d& up_Q, std::vector<ContactLine>& lines) {
+  const double reach = 0.5 * gripper.pad.maxCoeff();
+  const std::vector<double> angles = cross_angles(view_Q, up_Q);
+  for (const double z : heights(body, gripper)) {
+    const double s = body.scale(z);
+    // Convex or concave, the profile is widest at an end of the pad or where it is flat.
+    const double widest = std::max({s, body.scale(std::max(z - reach, body.z_min)),
+                                    body.scale(std::min(z + reach, body.z_max))});
+    for (const double angle : angles) {
+      const Eigen::Vector3d d(std::cos(angle), std::sin(angle), 0.0);
+      const Eigen::Vector3d squared(body.a * body.a, body.b * body.b, 0.0);
+      const double h = std::sqrt(d.dot(squared.cwiseProduct(d)));  // at s = 1
+      const Eigen::Vector3d p = squared.cwiseProduct(d) * (s / h);
+      const Eigen::Vector3d rise(0.0, 0.0, -h * body.slope(z));
+      lines.push_back(placed(
+          body, {{0, 0, z}, p, d, d + rise, -d + rise, 2.0 * h * widest, body.width_std(d, z)}));
+    }
+  }
+}
+
+// Both flat ends, or both planes: contacts at the middle and around it.
+void add_end_on(const Body& body, std::vector<ContactLine>& lines) {
+  const double middle = 0.5 * (body.z_min + body.z_max);
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const double half = 0.5 * (body.z_max - body.z_min);
+  for (const double x : {0.0, -0.5, 0.5}) {
+    for (const double y : {0.0, -0.5, 0.5}) {
+      lines.push_back(placed(
+          body, {{x * body.a, y * body.b, middle}, half * up, up, up, -up, 0.0, body.end_std}));
+    }
+  }
+}
+
+// Directions over half a sphere: principal axes, a ring across the line of sight, an even spiral.
+std::vector<Eigen::Vector3d> sphere_directions(const Eigen::Vector3d& view_Q,
+                                               const Eigen::Vector3d& up_Q) {
+  std::vector<Eigen::Vector3d> directions = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
+                                             Eigen::Vector3d::UnitZ()};
+  const Eigen::Vector3d v = view_Q.norm() > 1e-9 ? Eigen::Vector3d(view_Q.normalized())
+                                                 : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
+  const Eigen::Vector3d e = v.unitOrthogonal(), f = v.cross(e);
+  for (const double tilt : {0.0, 0.2, -0.2}) {
+    for (int i = 0; i < 16; ++i) {
+      const double t = kPi * i / 16;
+      directions.push_back((std::cos(t) * e + std::sin(t) * f + tilt * v).normalized());
+    }
+  }
+  if (!up_Q.isZero()) {
+    const Eigen::Vector3d level = up_Q.unitOrthogonal(), other = up_Q.cross(level);
+    constexpr int kLevel = 24;
+    for (int i = 0; i < kLevel; ++i) {
+      const double t = kPi * i / kLevel;
+      directions.push_back(std::cos(t) * level + std::sin(t) * other);
+    }
+  }
+  constexpr int kSpiral = 100;
+  for (int i = 0; i < kSpiral; ++i) {
+    const double z = (i + 0.5) / kSpiral, r = std::sqrt(1.0 - z * z);
+    const double t = i * kPi * (3.0 - std::sqrt(5.0));
+    directions.emplace_back(r * std::cos(t), r * std::sin(t), z);
+  }
+  return directions;
+}
+
+void add_ellipsoid(const Body& body, const Gripper& gripper, const Eigen::Vector3d& view_Q,
+                   const Eigen::Vector3d& up_Q, std::vector<ContactLine>& lines) {
+  const Eigen::Vector3d squared(body.a * body.a, body.b * body.b, body.c * body.c);
+  for (const Eigen::Vector3d& d : sphere_directions(view_Q, up_Q)) {
+    const double h = std::sqrt(d.dot(squared.cwiseProduct(d)));
+    const Eigen::Vector3d p = squared.cwiseProduct(d) / h;
+    // Contacts beside the pads are none.
+    if ((p - h * d).norm() > 0.45 * gripper.pad.minCoeff()) continue;
+    lines.push_back(
+        placed(body, {Eigen::Vector3d::Zero(), p, d, d, -d, 2.0 * h, body.width_std(d, 0.0)}));
+  }
+}
+
+}  // namespace
+
+std::optional<ContactLine> chord(const Body& body, const Eigen::Vector3d& p_C,
+                                 const Eigen::Vector3d& d_C) {
+  if (body.profile == Profile::kBox) return std::nullopt;
+  const Eigen::Vector3d p = body.X_CQ.inverse() * p_C;
+  const Eigen::Vector3d d = body.X_CQ.linear().transpose() * d_C;
+  const DiagonalQuadric q = quadric_of(body);
+  const double A = d.dot(q.M.cwiseProduct(d));
+  const double B = d.dot(q.M.cwiseProduct(p)) + 0.5 * q.g.dot(d);
+  const double C = p.dot(q.M.cwiseProduct(p)) + q.g.dot(p) + q.k;
+  const double D = B * B - A * C;
+  // Between its roots the line lies inside exactly if A > 0.
+  if (A < 1e-9 * q.M.maxCoeff() || D <= 0.0) return std::nullopt;
+  const double t0 = (-B - std::sqrt(D)) / A, t1 = (-B + std::sqrt(D)) / A;
+  const Eigen::Vector3d low = p + t0 * d, high = p + t1 * d;
+  if (std::min(low.z(), high.z()) < body.z_min || std::max(low.z(), high.z()) > body.z_max) {
+    return std::nullopt;
+  }
+  const auto normal = [&](const Eigen::Vector3d& x) -> Eigen::Vector3d {
+    return 2.0 * q.M.cwiseProduct(x) + q.g;
+  };
+  return placed(body, {0.5 * (low + high), 0.5 * (high - low), d, normal(high), normal(low), 0.0,
+                       body.width_std(d, 0.5 * (low.z() + high.z()))});
+}
+
+std::vector<ContactLine> contact_lines(const Body& body, const Gripper& gripper,
+                                       const Eigen::Vector3d& viewpoint_C,
+                                       const Eigen::Vector3d& up_C) {
+  const Eigen::Vector3d view_Q = body.X_CQ.linear().transpose() * (viewpoint_C - body.centre_C());
+  const Eigen::Vector3d up_Q = body.X_CQ.linear().transpose() * up_C;
+  std::vector<ContactLine> lines;
+  if (body.profile == Profile::kEllipse) {
+    add_ellipsoid(body, gripper, view_Q, up_Q, lines);
+    return lines;
+  }
+  if (body.profile != Profile::kBox) add_across(body, gripper, view_Q, up_Q, lines);
+  if (body.profile == Profile::kConstant || body.profile == Profile::kBox) add_end_on(body, lines);
+  return lines;
+}
+
+}  // namespace quadrille

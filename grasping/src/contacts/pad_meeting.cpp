@@ -1,0 +1,173 @@
+#include "contacts/pad_meeting.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contacts/quality.hpp"
+
+namespace quadrille {
+
+namespace {
+
+// How far from the outermost point the contact may be in truth [m]: pads give by about as much, and
+// fits are no better.
+constexpr double kDoubt = 0.0015;
+
+// Where a body ends is known no better [m]: there a pad that leans out beyond the end may meet its
+// edge in truth. That is more than so much askew.
+constexpr double kNearEnd = 0.005, kAskew = 0.1;
+
+// From the tip to the back of a finger, along the approach.
+std::array<double, 8> rows(const Gripper& gripper) {
+  const double tip = gripper.finger_front, back = tip - gripper.finger.z();
+  return {0.0,
+          tip,
+          0.5 * tip,
+          -0.5 * tip,
+          -tip,
+          0.75 * -tip + 0.25 * back,
+          0.5 * (back - tip),
+          0.25 * -tip + 0.75 * back};
+}
+
+constexpr double kColumnsAcross[] = {0.0, -0.5, 0.5, -1.0, 1.0};
+// Farther within than any chord ends [m].
+constexpr float kNone = -1e3F;
+
+}  // namespace
+
+PadMeetingFinder::PadMeetingFinder(const Body& body, const Gripper& gripper)
+    : body_(body), gripper_(gripper), quadric_(quadric_of(body)) {}
+
+void PadMeetingFinder::turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C) {
+  y_C_ = closing_C;
+  y_Q_ = body_.X_CQ.linear().transpose() * closing_C;
+  const Eigen::Vector3d z_Q = body_.X_CQ.linear().transpose() * approach_C, x_Q = y_Q_.cross(z_Q);
+  int n = 0;
+  for (const double along : rows(gripper_)) {
+    for (const double across : kColumnsAcross) {
+      from_origin_Q_.col(n++) = across * 0.5 * gripper_.finger.x() * x_Q + along * z_Q;
+    }
+  }
+  for (int i = 0; i < 3; ++i) {
+    offsets_[i] = from_origin_Q_.row(i).transpose().cast<float>().array();
+  }
+  const Eigen::Vector3d My = quadric_.M.cwiseProduct(y_Q_);
+  curvature_ = y_Q_.dot(My);
+  product_ = (My.transpose() * from_origin_Q_).transpose().cast<float>().array();
+  square_ = (quadric_.M.transpose() * from_origin_Q_.cwiseAbs2()).transpose().cast<float>().array();
+}
+
+// True if the hand does not open as far as one chord is long.
+bool PadMeetingFinder::too_wide(const Eigen::Vector3d& q_Q) const {
+  const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(q_Q) + 0.5 * quadric_.g;
+  const double B = half_gradient.dot(y_Q_);
+  const double C = q_Q.dot(half_gradient) + 0.5 * quadric_.g.dot(q_Q) + quadric_.k;
+  const double half = 0.5 * gripper_.max_opening * curvature_;
+  const double D = B * B - curvature_ * C;
+  if (D <= half * half) return false;
+  const double root = std::sqrt(D);
+  const double z0 = q_Q.z() - (B + root) / curvature_ * y_Q_.z();
+  const double z1 = q_Q.z() - (B - root) / curvature_ * y_Q_.z();
+  return std::min(z0, z1) >= body_.z_min && std::max(z0, z1) <= body_.z_max;
+}
+
+// The chords' ends, from the roots t of At² + 2Bt + C of q + t·y; false if none has any.
+bool PadMeetingFinder::cross(const Eigen::Vector3d& p_Q) {
+  const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(p_Q) + 0.5 * quadric_.g;
+  const double C_p = p_Q.dot(half_gradient) + 0.5 * quadric_.g.dot(p_Q) + quadric_.k;
+  const Chords B = product_ + static_cast<float>(half_gradient.dot(y_Q_));
+  const Eigen::Vector3f g = (2.0 * half_gradient).cast<float>();
+  const Chords C = square_ + static_cast<float>(C_p) + g.x() * offsets_[0] + g.y() * offsets_[1] +
+                   g.z() * offsets_[2];
+  const float A = static_cast<float>(curvature_), inverse = 1.0F / A;
+  const Chords D = B * B - A * C, root = D.max(0.0F).sqrt();
+  const Chords t0 = (-B - root) * inverse, t1 = (root - B) * inverse;
+  const Chords z = offsets_[2] + static_cast<float>(p_Q.z());
+  const float y_z = static_cast<float>(y_Q_.z());
+  const Chords z0 = z + t0 * y_z, z1 = z + t1 * y_z;
+  const auto meets = (D > 0.0F && z0.min(z1) >= static_cast<float>(body_.z_min) &&
+                      z0.max(z1) <= static_cast<float>(body_.z_max))
+                         .eval();
+  out_[0] = meets.select(t1, kNone);
+  out_[1] = meets.select(-t0, kNone);
+  return meets.any();
+}
+
+// tan θ, where cos θ is the mean cosine between the closing direction and the normals of what may
+// be the contact.
+double PadMeetingFinder::lean(int side, double most, const Eigen::Vector3d& p_Q) const {
+  double sum = 0.0;
+  int count = 0;
+  for (int n = 0; n < kChords; ++n) {
+    if (out_[side][n] < most - kDoubt) continue;
+    const double t = side == 0 ? out_[side][n] : -out_[side][n];
+    const Eigen::Vector3d end_Q = p_Q + from_origin_Q_.col(n) + t * y_Q_;
+    const Eigen::Vector3d n_Q = 2.0 * quadric_.M.cwiseProduct(end_Q) + quadric_.g;
+    sum += std::abs(n_Q.dot(y_Q_)) / n_Q.norm();
+    ++count;
+  }
+  const double cosine = std::clamp(sum / count, 1e-3, 1.0);
+  return std::sqrt(1.0 / (cosine * cosine) - 1.0);
+}
+
+bool PadMeetingFinder::on_edge(const ContactLine& line) const {
+  if (body_.profile == Body::Profile::kEllipse) return false;
+  for (int i = 0; i < 2; ++i) {
+    const double z = (body_.X_CQ.inverse() * line.contacts_C[i]).z();
+    const double out = i == 0 ? y_Q_.z() : -y_Q_.z();
+    if ((out > kAskew && z > body_.z_max - kNearEnd) ||
+        (out < -kAskew && z < body_.z_min + kNearEnd)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The tangent of the widest angle between the line between two points of the surface and its
+// normals there.
+double PadMeetingFinder::friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q) const {
+  const Eigen::Vector3d between = (ends_Q[0] - ends_Q[1]).normalized();
+  double least = 1.0;
+  for (const Eigen::Vector3d& end_Q : ends_Q) {
+    const Eigen::Vector3d n_Q = 2.0 * quadric_.M.cwiseProduct(end_Q) + quadric_.g;
+    least = std::min(least, std::abs(n_Q.dot(between)) / n_Q.norm());
+  }
+  return std::sqrt(1.0 / std::max(least * least, 1e-6) - 1.0);
+}
+
+std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, double most_friction) {
+  if (curvature_ < 1e-9 * quadric_.M.maxCoeff()) return std::nullopt;
+  const Eigen::Vector3d p_Q = body_.X_CQ.inverse() * p_C;
+  // Most that are too wide are so here, which is soon found.
+  for (const int n : {0, kColumns}) {
+    if (too_wide(p_Q + from_origin_Q_.col(n))) return std::nullopt;
+  }
+  if (!cross(p_Q)) return std::nullopt;
+  std::array<int, 2> at;
+  const std::array<double, 2> out = {out_[0].maxCoeff(&at[0]), out_[1].maxCoeff(&at[1])};
+  if (out[0] + out[1] > gripper_.max_opening) return std::nullopt;
+  // Most that need too much friction are told so, to well within what floats round, at this cost.
+  const std::array<Eigen::Vector3d, 2> ends_Q = {p_Q + from_origin_Q_.col(at[0]) + out[0] * y_Q_,
+                                                 p_Q + from_origin_Q_.col(at[1]) - out[1] * y_Q_};
+  if (friction_between(ends_Q) > most_friction + 0.01) return std::nullopt;
+  PadMeeting meeting;
+  ContactLine& line = meeting.line;
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Vector3d q_C = body_.X_CQ * Eigen::Vector3d(p_Q + from_origin_Q_.col(at[i]));
+    const std::optional<ContactLine> c = chord(body_, q_C, y_C_);
+    if (!c) return std::nullopt;  // but for rounding, at the very end
+    line.contacts_C[i] = c->contacts_C[i];
+    line.normals_C[i] = c->normals_C[i];
+    line.std = std::max(line.std, c->std);
+  }
+  if (on_edge(line)) return std::nullopt;
+  line.closing_C = y_C_;
+  line.width = line.opening = out[0] + out[1];
+  line.centre_C = p_C + 0.5 * (out[0] - out[1]) * y_C_;
+  meeting.friction = std::max({lean(0, out[0], p_Q), lean(1, out[1], p_Q), friction_needed(line)});
+  if (meeting.friction > most_friction) return std::nullopt;
+  return meeting;
+}
+
+}  // namespace quadrille

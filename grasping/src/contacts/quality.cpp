@@ -1,0 +1,34 @@
+#include "contacts/quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quadrille {
+
+double friction_needed(const ContactLine& line) {
+  const Eigen::Vector3d along = (line.contacts_C[0] - line.contacts_C[1]).normalized();
+  double worst = 0.0;
+  for (int i = 0; i < 2; ++i) {
+    const double c = (i == 0 ? 1.0 : -1.0) * line.normals_C[i].dot(along);
+    if (c <= 0.0) return std::numeric_limits<double>::infinity();
+    worst = std::max(worst, line.normals_C[i].cross(along).norm() / c);
+  }
+  return worst;
+}
+
+double grasp_epsilon(const ContactLine& line, const ContactModel& model) {
+  const double lean = std::atan(friction_needed(line));
+  const double friction = std::tan(std::max(0.0, std::atan(model.friction) - lean));
+  const double k = 0.5 * line.width / model.torque_scale;
+  return std::min(model.torsion / model.torque_scale,
+                  friction * k / std::sqrt(1.0 + k * k + friction * friction * k * k));
+}
+
+double grasp_score(const ScoreTerms& terms) {
+  const auto unit = [](double x) { return std::clamp(x, 0.0, 1.0); };
+  return 0.30 * unit(terms.friction) + 0.25 * unit(terms.clearance) + 0.20 * unit(terms.observed) +
+         0.15 * unit(terms.room) + 0.10 * unit(terms.central);
+}
+
+}  // namespace quadrille

@@ -1,0 +1,243 @@
+#include "space/obstacle_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+
+namespace {
+
+// Overlaps shallower than this count as touching.
+constexpr double kTouch = 1e-9;
+
+// A row of cubes, each from eight: what any of them has of the first two flags, and the last if all
+// have it. `fine` is the first of the four rows that they lie in, `row` and `layer` from each to
+// the next.
+void merge(const std::uint8_t* __restrict fine, std::size_t row, std::size_t layer, int count,
+           std::uint8_t* __restrict coarse) {
+  const std::uint8_t *a = fine, *b = fine + row, *c = fine + layer, *d = fine + layer + row;
+  for (int i = 0; i < count; ++i) {
+    const int even = 2 * i, odd = even + 1;
+    const int any = a[even] | a[odd] | b[even] | b[odd] | c[even] | c[odd] | d[even] | d[odd];
+    const int all = a[even] & a[odd] & b[even] & b[odd] & c[even] & c[odd] & d[even] & d[odd];
+    coarse[i] = static_cast<std::uint8_t>((any & 3) | (all & 4));
+  }
+}
+
+// How much farther than a part of an occupied voxel the view must have seen: points are known no
+// better [m].
+constexpr double kBesidePoints = 0.001;
+
+}  // namespace
+
+// A box as the 15 axes that may separate it from a cube, each with the box's own reach on it.
+struct ObstacleMap::Query {
+  Eigen::Vector3d p;            // centre
+  Eigen::Vector3d reach;        // on the cube's axes
+  Eigen::Matrix3d R, absolute;  // axes of the box, as columns
+  Eigen::Vector3d half;
+  Eigen::Matrix<double, 3, 9> edge_axes;  // cross products of edges
+  Eigen::Matrix<double, 9, 1> edge_reach, edge_spread;
+  Eigen::Vector3d face_spread;
+  // For a quick answer: from a cube's middle to those of its eighths on the axes of the faces, per
+  // half an eighth's edge; the box's own reach on each axis, and the spread of a cube of half
+  // size 1.
+  std::array<Offset, 8> to_eighth;
+  Offset quick_reach, quick_spread;
+
+  explicit Query(const OrientedBox& box)
+      : p(box.p_CB),
+        reach(box.reach()),
+        R(box.R_CB),
+        absolute(box.R_CB.cwiseAbs()),
+        half(box.half) {
+    face_spread = absolute.colwise().sum();
+    for (int n = 0; n < 9; ++n) {
+      const Eigen::Vector3d axis = Eigen::Vector3d::Unit(n / 3).cross(R.col(n % 3));
+      edge_axes.col(n) = axis;
+      edge_reach[n] = (R.transpose() * axis).cwiseAbs().dot(half);
+      edge_spread[n] = axis.cwiseAbs().sum();
+    }
+    for (int n = 0; n < 8; ++n) {
+      to_eighth[n] = on_faces({(n & 1) ? 1.0 : -1.0, (n & 2) ? 1.0 : -1.0, (n & 4) ? 1.0 : -1.0});
+    }
+    // Floats round by less than this on the offsets of what lies within some metres [m].
+    constexpr float kRounding = 2e-6F;
+    quick_reach << reach.cast<float>().array() + kRounding, half.cast<float>().array() + kRounding,
+        1.0F, 1.0F;
+    quick_spread << 1.0F, 1.0F, 1.0F, face_spread.cast<float>().array(), 0.0F, 0.0F;
+  }
+
+  Offset on_faces(const Eigen::Vector3d& t) const {
+    Offset offset;
+    offset << t.cast<float>().array(), (R.transpose() * t).cast<float>().array(), 0.0F, 0.0F;
+    return offset;
+  }
+
+  bool overlaps(const Eigen::Vector3d& centre, double h) const {
+    const Eigen::Vector3d t = centre - p;
+    const double g = h - kTouch;
+    if ((t.cwiseAbs().array() >= reach.array() + g).any()) return false;
+    if (((R.transpose() * t).cwiseAbs().array() >= half.array() + g * face_spread.array()).any()) {
+      return false;
+    }
+    return ((edge_axes.transpose() * t).cwiseAbs().array() <
+            edge_reach.array() + g * edge_spread.array() + 1e-12)
+        .all();
+  }
+};
+
+ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks)
+    : resolution_(grid.resolution()),
+      unknown_blocks_(unknown_blocks),
+      corner_(grid.corner().cast<double>() * grid.resolution()) {
+  levels_[0].size = grid.size();
+  levels_[0].flags.resize(grid.states().size());
+  const std::uint8_t unknown = unknown_blocks ? kAnyUnknown | kAll : 0;
+  const std::uint8_t occupied = kAnyOccupied | kAll;
+  std::transform(
+      grid.states().begin(), grid.states().end(), levels_[0].flags.begin(),
+      [=](Voxel state) -> std::uint8_t {
+        return state == Voxel::kUnknown ? unknown : state == Voxel::kOccupied ? occupied : 0;
+      });
+  for (int n = 1; n < kLevels; ++n) {
+    levels_[n].size = levels_[n - 1].size / 2;
+    levels_[n].flags.resize(levels_[n].size.cast<std::size_t>().prod());
+  }
+  if (!levels_[0].flags.empty()) refresh({Eigen::Vector3i::Zero(), grid.size().array() - 1});
+}
+
+ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
+  constexpr int kEdge = 1 << (kLevels - 1);
+  const Range range = voxels(region);
+  ObstacleMap map;
+  map.resolution_ = resolution_;
+  map.unknown_blocks_ = unknown_blocks_;
+  map.view_ = view_;
+  map.sole_view_ = sole_view_;
+  const Eigen::Vector3i low = range.first / kEdge * kEdge;
+  const Eigen::Vector3i size = ((range.second.array() + kEdge) / kEdge * kEdge).matrix() - low;
+  map.first_ = first_ + low;
+  map.corner_ = corner_ + resolution_ * low.cast<double>();
+  for (int n = 0; n < kLevels; ++n) {
+    const Level& from = levels_[n];
+    Level& to = map.levels_[n];
+    to.size = size.unaryExpr([&](int x) { return x >> n; });
+    to.flags.reserve(to.size.cast<std::size_t>().prod());
+    for (int k = 0; k < to.size.z(); ++k) {
+      for (int j = 0; j < to.size.y(); ++j) {
+        const auto row =
+            from.flags.begin() + static_cast<std::ptrdiff_t>(from.index(
+                                     low.x() >> n, (low.y() >> n) + j, (low.z() >> n) + k));
+        to.flags.insert(to.flags.end(), row, row + to.size.x());
+      }
+    }
+  }
+  return map;
+}
+
+void ObstacleMap::refresh(const Range& range) {
+  Eigen::Vector3i low = range.first, high = range.second;
+  if ((high.array() < 0).any()) return;
+  for (int n = 1; n < kLevels; ++n) {
+    low /= 2;
+    high /= 2;
+    const Level& fine = levels_[n - 1];
+    Level& coarse = levels_[n];
+    const std::size_t row = fine.size.x(), layer = row * fine.size.y();
+    for (int k = low.z(); k <= high.z(); ++k) {
+      for (int j = low.y(); j <= high.y(); ++j) {
+        merge(&fine.flags[fine.index(2 * low.x(), 2 * j, 2 * k)], row, layer,
+              high.x() - low.x() + 1, &coarse.flags[coarse.index(low.x(), j, k)]);
+      }
+    }
+  }
+}
+
+ObstacleMap::Range ObstacleMap::voxels(const Eigen::AlignedBox3d& box) const {
+  const Eigen::Array3d last = levels_[0].size.cast<double>().array() - 1.0;
+  const auto clip = [&](const Eigen::Vector3d& p) {
+    const Eigen::Array3d x = ((p - corner_) / resolution_).array().floor();
+    return Eigen::Vector3i(x.max(0.0).min(last).cast<int>());
+  };
+  // A box beside the grid gives an empty range.
+  const Eigen::Vector3d top = corner_ + resolution_ * (last + 1.0).matrix();
+  if ((last < 0.0).any() || !box.intersects(Eigen::AlignedBox3d(corner_, top))) {
+    return {Eigen::Vector3i::Zero(), Eigen::Vector3i::Constant(-1)};
+  }
+  return {clip(box.min()), clip(box.max())};
+}
+
+Hit ObstacleMap::collides(const OrientedBox& box) const {
+  const Eigen::Vector3d reach = box.reach();
+  const Eigen::Vector3d top = corner_ + resolution_ * levels_[0].size.cast<double>();
+  const bool outside = ((box.p_CB - reach).array() < corner_.array()).any() ||
+                       ((box.p_CB + reach).array() > top.array()).any();
+  if (outside && unknown_blocks_) return Hit::kUnknown;
+  if (levels_[0].flags.empty()) return Hit::kNone;
+  const Query query(box);
+  const auto [low, high] = voxels({box.p_CB - reach, box.p_CB + reach});
+  constexpr int kTop = kLevels - 1;
+  if ((high.array() < 0).any()) return Hit::kNone;
+  const Level& top_level = levels_[kTop];
+  const double edge = resolution_ * (1 << kTop);
+  for (int k = low.z() >> kTop; k <= high.z() >> kTop; ++k) {
+    for (int j = low.y() >> kTop; j <= high.y() >> kTop; ++j) {
+      for (int i = low.x() >> kTop; i <= high.x() >> kTop; ++i) {
+        if (top_level.flags[top_level.index(i, j, k)] == 0) continue;
+        const Eigen::Vector3d centre =
+            corner_ + edge * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
+        const std::uint8_t hit = descend(query, kTop, {i, j, k}, query.on_faces(centre - query.p));
+        if (hit) return hit & kAnyOccupied ? Hit::kOccupied : Hit::kUnknown;
+      }
+    }
+  }
+  return Hit::kNone;
+}
+
+// What the box meets of a cube that holds something.
+std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Vector3i& at,
+                                  const Offset& offset) const {
+  const double h = 0.5 * resolution_ * (1 << level);
+  const Offset gap = offset.abs() - query.quick_reach - static_cast<float>(h) * query.quick_spread;
+  if (gap.maxCoeff() > 0.0F) return 0;
+  const Level& here = levels_[level];
+  const std::uint8_t flags = here.flags[here.index(at.x(), at.y(), at.z())];
+  const bool refined = view_ != nullptr && flags & (kAnyUnknown | (sole_view_ ? kAnyOccupied : 0));
+  if (level == 0 || (flags & kAll && !refined)) {
+    const Eigen::Vector3d centre = corner_ + 2.0 * h * (at.cast<double>().array() + 0.5).matrix();
+    if (!query.overlaps(centre, h)) return 0;
+    if (!refined) return flags;
+    const bool hit = flags & kAnyOccupied ? enters_hidden(query, centre, h, 1, kBesidePoints)
+                                          : enters_hidden(query, centre, h, 2, 0.0);
+    return hit ? flags : 0;
+  }
+  const Level& below = levels_[level - 1];
+  for (int n = 0; n < 8; ++n) {
+    const Eigen::Vector3i eighth = 2 * at + Eigen::Vector3i(n & 1, (n >> 1) & 1, n >> 2);
+    if (below.flags[below.index(eighth.x(), eighth.y(), eighth.z())] == 0) continue;
+    const Offset there = offset + static_cast<float>(0.5 * h) * query.to_eighth[n];
+    if (const std::uint8_t hit = descend(query, level - 1, eighth, there)) return hit;
+  }
+  return 0;
+}
+
+// True if the box overlaps an eighth of the cube that the view, to within a margin, did not see
+// through; if so these are divided in turn, up to a depth. Of what lies between its rays it tells
+// nothing: parts are looked at only where they are larger than that.
+bool ObstacleMap::enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half,
+                                int depth, double margin) const {
+  const double h = 0.5 * half;
+  if (depth == 0 || view_->spacing(view_->to_view(centre).z()) > 2.0 * h) return true;
+  for (int n = 0; n < 8; ++n) {
+    const Eigen::Vector3d eighth =
+        centre + h * Eigen::Vector3d((n & 1) ? 1 : -1, (n & 2) ? 1 : -1, (n & 4) ? 1 : -1);
+    if (query.overlaps(eighth, h) && !view_->sees_past(eighth, h + margin) &&
+        enters_hidden(query, eighth, h, depth - 1, margin)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace quadrille

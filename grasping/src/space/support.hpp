@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "body/body.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "space/collision.hpp"
+
+namespace quadrille {
+
+/// The planes among the detections that the body stands on, the nearest to its middle first.
+std::vector<SupportPlane> supports_of(const Body& body, const std::vector<Detection>& detections);
+
+}  // namespace quadrille

@@ -1,0 +1,76 @@
+#include "planes/plane_claims.hpp"
+
+#include <cmath>
+
+#include "support/catch.hpp"
+#include "support/depth_camera.hpp"
+#include "support/surface_grid.hpp"
+#include "surfaces/plane_surface.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+PlaneRegion region_of(const SurfaceSamples& samples, const Eigen::Vector4d& plane) {
+  return {plane, all_of(samples)};
+}
+
+}  // namespace
+
+TEST_CASE("the cells of a table are claimed, those of what stands on it are not",
+          "[planes][claims]") {
+  Camera camera;
+  camera.noise = 0.001;
+  const auto pyramid = make_depth_pyramid(
+      render({rectangle(translation(0, 0, 1.0), 1e3, 1e3), sphere(translation(0, 0, 1.0), 0.08)},
+             camera),
+      {});
+  const SurfaceSamples coarse = pyramid->coarse_samples();
+  const auto planes = find_planes(coarse, {});
+  REQUIRE(planes.size() == 1);
+  const std::vector<char> keep = cells_off_planes(*pyramid, coarse, planes, 3.0);
+  REQUIRE(keep.size() == static_cast<std::size_t>(pyramid->size(0)));
+  int table = 0, claimed = 0, ball = 0, kept = 0;
+  for (int c = 0; c < pyramid->size(0); ++c) {
+    const Eigen::Vector3f x = pyramid->mean(c);
+    if (x.z() < 0.985f) {
+      ++ball;
+      kept += keep[static_cast<std::size_t>(c)];
+    } else if (x.head<2>().norm() > 0.12f) {
+      ++table;
+      claimed += !keep[static_cast<std::size_t>(c)];
+    }
+  }
+  REQUIRE(table > 10000);
+  REQUIRE(ball > 1000);
+  CHECK(claimed > 0.98 * table);
+  CHECK(kept == ball);
+}
+
+TEST_CASE("a plane's region is fitted as a surface with the noise as rms", "[planes][claims]") {
+  const SurfaceSamples samples = plane_grid(40, 40, 0.01, 0.001, 1);
+  const Surface surface = plane_surface(samples, region_of(samples, {1, 0, 0, 0}));
+  CHECK(surface.fit.family == Family::kPlane);
+  CHECK(surface.rms == Approx(0.001).epsilon(0.1));
+  CHECK(surface.region.size() == 1600);
+  CHECK(surface.Q.coefficients().norm() == Approx(1.0));
+  const Eigen::Vector3d n = surface.Q.gradient(Eigen::Vector3d::Zero()).normalized();
+  CHECK(std::abs(n.x()) > 0.99999);
+  CHECK(std::abs(surface.Q.distance(Eigen::Vector3d::Zero())) < 2e-4);
+}
+
+TEST_CASE("a flat piece near a plane and parallel to it is part of it, another is not",
+          "[planes][claims]") {
+  const SurfaceSamples samples = plane_grid(20, 20, 0.01, 0.001, 2);
+  const Surface flat = plane_surface(samples, region_of(samples, {1, 0, 0, 0}));
+  const auto part_of = [&](double angle, double offset) {
+    const PlaneRegion plane{{std::cos(angle), std::sin(angle), 0.0, offset}, {}};
+    return is_part_of(flat, samples, {plane});
+  };
+  CHECK(part_of(0.0, 0.0));
+  CHECK(part_of(0.0, 0.003));
+  CHECK(part_of(M_PI, 0.003));
+  CHECK_FALSE(part_of(0.0, 0.02));
+  CHECK_FALSE(part_of(0.5, 0.0));
+}

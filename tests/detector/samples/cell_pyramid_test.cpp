@@ -1,0 +1,158 @@
+#include "samples/cell_pyramid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "support/catch.hpp"
+#include "support/depth_camera.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+constexpr double kRadius = 0.06;
+
+/// Balls on a table as cameras around it see them, in the frame of the first, pixel by pixel.
+PointCloud balls_seen_from(const std::vector<Eigen::Vector3d>& eyes) {
+  Camera camera;
+  camera.noise = 0.001;
+  PointCloud fused;
+  for (const Eigen::Vector3d& eye : eyes) {
+    const Eigen::Isometry3d X_CW = world_seen_from(eye);
+    std::vector<Patch> patches = {rectangle(X_CW, 0.4, 0.4)};
+    for (const double x : {-0.2, 0.0, 0.2}) {
+      patches.push_back(sphere(X_CW * translation(x, 0.05, kRadius), kRadius));
+    }
+    const Eigen::Isometry3d X = world_seen_from(eyes[0]) * X_CW.inverse();
+    for (const Eigen::Vector3f& p : render(patches, camera).points) {
+      if (p.allFinite()) fused.points.push_back(X.cast<float>() * p);
+    }
+  }
+  return fused;
+}
+
+/// Points all over a sphere, evenly (golden spiral), the viewpoint far above.
+PointCloud all_around(double noise) {
+  PointCloud cloud;
+  cloud.viewpoint = {0, 0, 2};
+  RandomStream random(91, 0);
+  constexpr int kCount = 20000;
+  for (int i = 0; i < kCount; ++i) {
+    const double z = 1 - (2 * i + 1.0) / kCount, a = i * M_PI * (3 - std::sqrt(5.0));
+    const double r = std::sqrt(1 - z * z);
+    const Eigen::Vector3d n(r * std::cos(a), r * std::sin(a), z);
+    cloud.points.push_back(((kRadius + noise * gaussian(random)) * n).cast<float>());
+  }
+  return cloud;
+}
+
+/// What holds of a pyramid of either kind.
+void check_pyramid(const CellPyramid& pyramid, std::size_t points) {
+  std::size_t total = 0;
+  for (int c = 0; c < pyramid.size(0); ++c) {
+    total += static_cast<std::size_t>(pyramid.count(c));
+    if (pyramid.count(c) == 0) continue;
+    REQUIRE(pyramid.mean(c).allFinite());
+    REQUIRE(pyramid.sigma(c) > 0.0f);
+  }
+  CHECK(total <= points);
+  CHECK(total > points * 95 / 100);
+  for (int l = 0; l + 1 < kLevels; ++l) {
+    CHECK(pyramid.size(l + 1) < pyramid.size(l));
+    for (int c = 0; c < pyramid.size(l); ++c) {
+      REQUIRE(pyramid.parents(l)[c] >= 0);
+      REQUIRE(pyramid.parents(l)[c] < pyramid.size(l + 1));
+    }
+  }
+  const std::vector<char> keep(static_cast<std::size_t>(pyramid.size(0)), 1);
+  const auto one = pyramid.samples(keep, 1), three = pyramid.samples(keep, 3);
+  REQUIRE(one.size() == kLevels);
+  for (int l = 0; l < kLevels; ++l) {
+    CHECK(one[l].size() > 0);
+    CHECK(one[l].raw == three[l].raw);
+    CHECK(one[l].n == three[l].n);
+    CHECK(one[l].neighbours == three[l].neighbours);
+    if (l > 0) CHECK(one[l].cell[0] == Approx(2 * one[l - 1].cell[0]).epsilon(0.2));
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a single view becomes a pyramid of depth cells", "[pyramid]") {
+  const PointCloud cloud = render({rectangle(translation(0, 0, 1.0), 1e3, 1e3)});
+  const auto pyramid = make_depth_pyramid(cloud, {});
+  REQUIRE(pyramid);
+  check_pyramid(*pyramid, cloud.points.size());
+  // 3.1 mm cells at 1 m are one pixel of 3.3 mm.
+  CHECK(pyramid->size(0) == 320 * 240);
+  CHECK(make_pyramid(cloud, {})->size(0) == pyramid->size(0));
+}
+
+TEST_CASE("noise that outweighs the finest cells doubles them, unless means remove it",
+          "[pyramid]") {
+  Camera camera;
+  camera.noise = 0.006;
+  PointCloud white = render({rectangle(translation(0, 0, 1.0), 1e3, 1e3)}, camera);
+  CHECK(make_depth_pyramid(white, {})->size(0) == 320 * 240);
+  // Waves as long as the means are wide: some 15 pixels.
+  PointCloud waves = render({rectangle(translation(0, 0, 1.0), 1e3, 1e3)});
+  for (Eigen::Vector3f& p : waves.points) {
+    const float u = p.x() / p.z(), v = p.y() / p.z();
+    p *= 1.0f + 0.01f * std::sin(120.0f * u) * std::sin(120.0f * v);
+  }
+  CHECK(make_depth_pyramid(waves, {})->size(0) == 160 * 120);
+}
+
+TEST_CASE("a cloud fused from two sides has no depth grid and becomes voxels", "[pyramid]") {
+  const PointCloud cloud = all_around(0.0);
+  CHECK_FALSE(make_depth_pyramid(cloud, {}));
+  const auto pyramid = make_pyramid(cloud, {});
+  REQUIRE(pyramid);
+  check_pyramid(*pyramid, cloud.points.size());
+  // About one voxel per cell face of the surface 4πr², and more where it runs across them.
+  const double faces = 4 * M_PI * kRadius * kRadius / (0.0031 * 0.0031);
+  CHECK(pyramid->size(0) > faces);
+  CHECK(pyramid->size(0) < 2.5 * faces);
+}
+
+TEST_CASE("a cloud fused from several views is no single view, whichever eye looks at it",
+          "[pyramid]") {
+  const Eigen::Vector3d a(0.0, -0.9, 0.6), b(0.8, 0.5, 0.6), c(-0.8, 0.5, 0.6);
+  CHECK(make_depth_pyramid(balls_seen_from({a}), {}));
+  for (const auto& eyes : {std::vector{a, b, c}, std::vector{b, c, a}, std::vector{a, b}}) {
+    const PointCloud fused = balls_seen_from(eyes);
+    CHECK_FALSE(make_depth_pyramid(fused, {}));
+    CHECK(make_pyramid(fused, {}));
+  }
+}
+
+TEST_CASE("normals of voxels are those of the sphere and look to the viewpoint's side",
+          "[pyramid][voxel]") {
+  const auto pyramid = make_voxel_pyramid(all_around(0.0002), {});
+  REQUIRE(pyramid);
+  const std::vector<char> keep(static_cast<std::size_t>(pyramid->size(0)), 1);
+  for (const SurfaceSamples& level : pyramid->samples(keep, 1)) {
+    std::vector<double> angle;
+    for (int i = 0; i < level.size(); ++i) {
+      const Eigen::Vector3d x = level.raw[i].cast<double>();
+      const Eigen::Vector3d n = level.n[i].cast<double>();
+      angle.push_back(std::acos(std::min(1.0, std::abs(n.dot(x.normalized())))));
+      CHECK(n.dot(Eigen::Vector3d(0, 0, 2) - x) >= -1e-6);
+      CHECK(level.neighbours_of(i).size() <= 8);
+    }
+    std::nth_element(angle.begin(), angle.begin() + static_cast<long>(angle.size() * 9 / 10),
+                     angle.end());
+    CHECK(angle[angle.size() * 9 / 10] < 6.0 * M_PI / 180.0);
+  }
+}
+
+TEST_CASE("too small a cloud has no pyramid", "[pyramid][degenerate]") {
+  PointCloud cloud = all_around(0.0);
+  cloud.points.resize(49);
+  CHECK_FALSE(make_pyramid(cloud, {}));
+  CHECK_FALSE(make_pyramid(PointCloud(), {}));
+  cloud.points.assign(5000, Eigen::Vector3f::Constant(NAN));
+  CHECK_FALSE(make_pyramid(cloud, {}));
+}

@@ -1,0 +1,187 @@
+#include "samples/depth/depth_cells.hpp"
+
+#include <cmath>
+
+#include "support/catch.hpp"
+#include "support/depth_camera.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+/// A wall across the view at depth z.
+Patch wall(double z) { return rectangle(translation(0, 0, z), 1e3, 1e3); }
+
+/// A cloud of points with these tangents and inverse depths.
+PointCloud cloud_of(const std::vector<Eigen::Vector3f>& uvw) {
+  PointCloud cloud;
+  for (const Eigen::Vector3f& t : uvw) {
+    cloud.points.push_back(Eigen::Vector3f(t.x(), t.y(), 1.0f) / t.z());
+  }
+  return cloud;
+}
+
+PinholeImage image_of(int width, int height, float pitch) {
+  return {0.0f, 0.0f, pitch, width, height};
+}
+
+}  // namespace
+
+TEST_CASE("pitch and phase of the pixels are recovered from the points", "[depth][pinhole]") {
+  for (const double pitch : {1.0 / 300.0, 1.0 / 525.3}) {
+    Camera camera;
+    camera.pitch = pitch;
+    const PointCloud cloud = render({wall(1.3)}, camera);
+    const auto view = find_view(cloud);
+    REQUIRE(view);
+    CHECK(view->X_VC.isApprox(Eigen::Isometry3f::Identity()));
+    CHECK(view->seen == 320 * 240);
+    const auto image = find_image(cloud, *view);
+    REQUIRE(image);
+    CHECK(image->pitch == Approx(pitch).epsilon(1e-4));
+    // The corner of the first pixel stands half a pixel before its centre.
+    CHECK(image->u0 == Approx(-160 * pitch).margin(0.05 * pitch));
+    CHECK(image->v0 == Approx(-120 * pitch).margin(0.05 * pitch));
+    CHECK(image->width == 320);
+    CHECK(image->height == 240);
+  }
+}
+
+TEST_CASE("without an order of points the pitch follows from their density", "[depth][pinhole]") {
+  PointCloud cloud = render({wall(1.0)});
+  RandomStream random(81, 0);
+  for (int i = static_cast<int>(cloud.points.size()) - 1; i > 0; --i) {
+    std::swap(cloud.points[static_cast<std::size_t>(i)],
+              cloud.points[static_cast<std::size_t>(random.below(i + 1))]);
+  }
+  cloud.width = cloud.height = 0;
+  const auto view = find_view(cloud);
+  REQUIRE(view);
+  const auto image = find_image(cloud, *view);
+  REQUIRE(image);
+  CHECK(image->pitch == Approx(1.0 / 300.0).epsilon(0.35));
+}
+
+TEST_CASE("a cloud in another frame is seen from its viewpoint along its mean direction",
+          "[depth][pinhole]") {
+  PointCloud cloud = render({wall(1.0)});
+  Eigen::Isometry3d X = translation(0.5, -2.0, 3.0);
+  X.rotate(Eigen::AngleAxisd(2.0, Eigen::Vector3d(1, 2, -1).normalized()));
+  for (Eigen::Vector3f& p : cloud.points) p = (X * p.cast<double>()).cast<float>();
+  cloud.viewpoint = X.translation();
+  const auto view = find_view(cloud);
+  REQUIRE(view);
+  CHECK((view->X_VC * cloud.viewpoint.cast<float>()).norm() < 1e-5f);
+  const Eigen::Vector3d axis = X.linear().col(2);
+  CHECK((view->X_VC.linear() * axis.cast<float>()).z() > 0.9999f);
+  for (const Eigen::Vector3f& p : cloud.points)
+    REQUIRE((*view)(p).z() == Approx(1.0).epsilon(1e-3));
+}
+
+TEST_CASE("points all around the viewpoint or too few of them are no single view",
+          "[depth][pinhole][degenerate]") {
+  PointCloud around;
+  RandomStream random(82, 0);
+  for (int i = 0; i < 5000; ++i) {
+    const Eigen::Vector3d d(gaussian(random), gaussian(random), gaussian(random));
+    around.points.push_back(d.normalized().cast<float>());
+  }
+  CHECK_FALSE(find_view(around));
+  PointCloud few = render({wall(1.0)});
+  few.points.resize(100);
+  CHECK_FALSE(find_view(few));
+  CHECK_FALSE(find_view(PointCloud()));
+}
+
+TEST_CASE("a cell is the mean of its points in tangents and inverse depth", "[depth][cells]") {
+  const DepthCells cells = make_depth_cells(
+      cloud_of({{0.001f, 0.001f, 1.0f}, {0.003f, 0.001f, 1.002f}, {0.009f, 0.001f, 0.5f}}), {},
+      image_of(8, 2, 0.002f), 2);
+  REQUIRE(cells.width == 4);
+  REQUIRE(cells.height == 1);
+  CHECK(cells.count == std::vector<int>{2, 0, 1, 0});
+  CHECK(cells.u[0] == Approx(0.002f));
+  CHECK(cells.w[0] == Approx(1.001f));
+  CHECK(cells.w[2] == Approx(0.5f));
+  CHECK(cells.metric(0.5f) == Approx(0.008f));
+  CHECK((cells.position_V(2) - Eigen::Vector3f(0.018f, 0.002f, 2.0f)).norm() < 1e-6f);
+}
+
+TEST_CASE("means in inverse depth keep a tilted plane exactly", "[depth][cells]") {
+  Eigen::Isometry3d X = translation(0, 0, 1.2);
+  X.rotate(Eigen::AngleAxisd(0.9, Eigen::Vector3d(1, 0.4, 0).normalized()));
+  const PointCloud cloud = render({rectangle(X, 1e3, 1e3)});
+  const auto view = find_view(cloud);
+  REQUIRE(view);
+  const DepthCells cells = make_depth_cells(cloud, *view, *find_image(cloud, *view), 4);
+  const Eigen::Vector3d n = X.linear().col(2);
+  const double d = n.dot(X.translation());
+  int looked = 0;
+  for (int c = 0; c < cells.size(); ++c) {
+    if (cells.count[c] == 0) continue;
+    ++looked;
+    REQUIRE(std::abs(n.dot(cells.position_V(c).cast<double>()) - d) < 2e-5 / cells.w[c]);
+  }
+  CHECK(looked > 4000);
+}
+
+TEST_CASE("a cell across a depth edge keeps the side with more points", "[depth][cells]") {
+  const float near = 1.0f, far = 0.5f;
+  const auto kept = [&](int nears, int fars) {
+    std::vector<Eigen::Vector3f> uvw;
+    for (int k = 0; k < nears; ++k) uvw.push_back({0.001f, 0.001f, near});
+    for (int k = 0; k < fars; ++k) uvw.push_back({0.003f, 0.003f, far});
+    const DepthCells cells = make_depth_cells(cloud_of(uvw), {}, image_of(4, 4, 0.001f), 4);
+    CHECK(cells.count[0] == std::max(nears, fars));
+    return cells.w[0];
+  };
+  CHECK(kept(3, 2) == near);
+  CHECK(kept(2, 3) == far);
+}
+
+TEST_CASE("coarser cells hold all points of one surface and one side of an edge",
+          "[depth][cells]") {
+  std::vector<Eigen::Vector3f> uvw;
+  for (int j = 0; j < 4; ++j) {
+    for (int i = 0; i < 4; ++i) {
+      const bool step = i == 2 && j < 2;
+      uvw.push_back({0.001f * (i + 0.5f), 0.001f * (j + 0.5f), step ? 0.5f : 1.0f});
+    }
+  }
+  const DepthCells fine = make_depth_cells(cloud_of(uvw), {}, image_of(4, 4, 0.001f), 1);
+  const DepthCells all = coarser(fine, {});
+  REQUIRE(all.width == 2);
+  CHECK(all.pixels == 2);
+  CHECK(all.count == std::vector<int>{4, 2, 4, 4});
+  CHECK(all.w[0] == 1.0f);
+  std::vector<char> keep(16, 1);
+  keep[0] = keep[1] = keep[4] = keep[5] = 0;
+  const DepthCells rest = coarser(fine, keep);
+  CHECK(rest.count[0] == 0);
+  CHECK(rest.count[3] == 4);
+}
+
+TEST_CASE("a step in depth is continuous up to the slope seen at 75 degrees", "[depth][cells]") {
+  DepthCells cells;
+  cells.image = image_of(1, 1, 0.003f);
+  cells.pixels = 1;
+  const float step = continuous_step(cells, 1.0f);
+  CHECK(step > std::tan(75.0 * M_PI / 180.0) * 0.003 * 0.98);
+  CHECK(continuous(cells, 1.0f, 1.0f / (1.0f + 0.7f * step)));
+  CHECK_FALSE(continuous(cells, 1.0f, 1.0f / (1.0f + 1.3f * step)));
+}
+
+TEST_CASE("layers tell a fused cloud from a single view", "[depth][cells]") {
+  PointCloud single = render({wall(1.0), sphere(translation(0, 0, 0.7), 0.1)});
+  PointCloud fused = single;
+  const PointCloud behind = render({wall(1.3)});
+  fused.points.insert(fused.points.end(), behind.points.begin(), behind.points.end());
+  fused.width = fused.height = 0;
+  const auto layered = [](const PointCloud& cloud) {
+    const auto view = find_view(cloud);
+    return make_depth_cells(cloud, *view, *find_image(cloud, *view), 3).layered;
+  };
+  CHECK(layered(single) < 0.0002);
+  CHECK(layered(fused) > 0.9);
+}

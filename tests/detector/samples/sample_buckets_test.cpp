@@ -1,0 +1,40 @@
+#include "samples/sample_buckets.hpp"
+
+#include <algorithm>
+
+#include "base/random.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using Eigen::Vector3f;
+
+TEST_CASE("the buckets of a ball hold all of its samples, and few others", "[buckets]") {
+  RandomStream random(3, 0);
+  SurfaceSamples samples;
+  for (int i = 0; i < 20000; ++i) {
+    const double x = random.uniform(), y = random.uniform(), z = 0.1 * random.uniform();
+    samples.raw.push_back(Eigen::Vector3d(x - 0.5, y - 0.5, z + 1.0).cast<float>());
+    samples.cell.push_back(0.004f);
+  }
+  samples.p = samples.n = samples.raw;
+  const SampleBuckets buckets(samples);
+  for (const float radius : {0.01f, 0.06f, 0.2f}) {
+    for (int i = 0; i < samples.size(); i += 1999) {
+      const Vector3f centre = samples.raw[i];
+      const std::vector<int> near = buckets.near(centre, radius);
+      CHECK(std::is_sorted(near.begin(), near.end()));
+      CHECK(std::adjacent_find(near.begin(), near.end()) == near.end());
+      int missing = 0, far = 0;
+      for (int k = 0; k < samples.size(); ++k) {
+        const float distance = (samples.raw[k] - centre).norm();
+        const bool found = std::binary_search(near.begin(), near.end(), k);
+        missing += distance <= radius && !found;
+        // Buckets are 12 cells wide, and a ball's are found by their means.
+        far += distance > radius + 2 * 1.7321f * 12 * 0.004f && found;
+      }
+      CHECK(missing == 0);
+      CHECK(far == 0);
+    }
+  }
+  CHECK(SampleBuckets(SurfaceSamples()).near(Vector3f::Zero(), 1.0f).empty());
+}

@@ -1,0 +1,73 @@
+#include "search/grow.hpp"
+
+#include <cmath>
+
+#include "quadrille/detector/canonical.hpp"
+#include "support/catch.hpp"
+#include "support/surface_grid.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+constexpr double kCell = 0.004;
+
+InlierTest tolerance() {
+  InlierTest test;
+  test.sigmas = 3.0, test.cells = 0.1, test.least_cosine = 0.9;
+  return test;
+}
+
+Quadric sphere_of(double radius) {
+  return Quadric(Eigen::Matrix4d(Eigen::Vector4d(1, 1, 1, -radius * radius).asDiagonal()));
+}
+
+/// The samples within a ball about the middle of a square grid.
+std::vector<int> middle(const SurfaceSamples& samples, float radius) {
+  const int side = static_cast<int>(std::lround(std::sqrt(samples.size())));
+  const Eigen::Vector3f centre = samples.p[(side / 2) * side + side / 2];
+  std::vector<int> list;
+  for (int i = 0; i < samples.size(); ++i) {
+    if ((samples.p[i] - centre).norm() < radius) list.push_back(i);
+  }
+  return list;
+}
+
+}  // namespace
+
+TEST_CASE("a rough hypothesis grows over the whole sphere and takes its radius", "[grow]") {
+  const double radius = 0.06;
+  const SurfaceSamples samples = sphere_grid(24, 24, radius, kCell, 0.0005, 1);
+  const std::vector<char> free(samples.p.size(), 1);
+  const auto grown = grow(samples, sphere_of(1.02 * radius), middle(samples, 0.012f), free,
+                          tolerance(), GrowOptions());
+  REQUIRE(grown);
+  CHECK(grown->family == Family::kSphere);
+  CHECK(grown->region.size() > 0.97 * samples.p.size());
+  CHECK(grown->rms == Approx(0.0005).epsilon(0.2));
+  CHECK(canonical_form(grown->Q).dimensions.at(0).second == Approx(radius).epsilon(0.01));
+}
+
+TEST_CASE("a region keeps to the free samples that are connected", "[grow]") {
+  const SurfaceSamples samples = sphere_grid(25, 25, 0.08, kCell, 0.0003, 2);
+  std::vector<char> free(samples.p.size(), 1);
+  // A gap of two columns parts the grid.
+  for (int j = 0; j < 25; ++j) free[j * 25 + 18] = free[j * 25 + 19] = 0;
+  const auto grown =
+      grow(samples, sphere_of(0.08), middle(samples, 0.012f), free, tolerance(), GrowOptions());
+  REQUIRE(grown);
+  CHECK(grown->region.size() > 0.97 * 25 * 18);
+  for (const int i : grown->region) CHECK(i % 25 < 18);
+}
+
+TEST_CASE("a hypothesis without enough support does not grow", "[grow]") {
+  const SurfaceSamples samples = sphere_grid(24, 24, 0.06, kCell, 0.0005, 3);
+  const std::vector<char> free(samples.p.size(), 1), none(samples.p.size(), 0);
+  const std::vector<int> start = middle(samples, 0.012f);
+  CHECK_FALSE(grow(samples, sphere_of(0.2), start, free, tolerance(), GrowOptions()));
+  CHECK_FALSE(grow(samples, sphere_of(0.06), start, none, tolerance(), GrowOptions()));
+  GrowOptions greedy;
+  greedy.least_samples = samples.size() + 1;
+  CHECK_FALSE(grow(samples, sphere_of(0.06), start, free, tolerance(), greedy));
+}

@@ -1,0 +1,116 @@
+#include "search/hypotheses.hpp"
+
+#include <cmath>
+
+#include "quadrille/detector/quadric.hpp"
+#include "support/catch.hpp"
+#include "support/quadric_points.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+/// Mean |distance| of the points, and mean cosine between gradients and normals.
+std::pair<double, double> agreement(const Eigen::Matrix4d& matrix, const FitPoints& points) {
+  const Quadric Q(matrix);
+  double distance = 0, cosine = 0;
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    distance += std::abs(Q.distance(points.point(i)));
+    cosine += Q.gradient(points.point(i)).normalized().dot(points.normal(i));
+  }
+  const double n = static_cast<double>(points.size());
+  return {distance / n, cosine / n};
+}
+
+/// The best of some draws.
+std::pair<double, double> best_of(BasisKind kind, int draws, const FitPoints& points,
+                                  RandomStream& random) {
+  std::pair<double, double> best(1e9, 0.0);
+  for (int k = 0; k < draws; ++k) {
+    for (const Eigen::Matrix4d& Q : draw_hypotheses(kind, points, VoteOptions(), random)) {
+      best = std::min(best, agreement(Q, points));
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+TEST_CASE("every kind of basis finds an exact sphere, on the side of its normals", "[hypotheses]") {
+  RandomStream random(97, 0);
+  const FitPoints points = to_fit_points(points_on(diagonal(1, 1, 1, -0.81), 150, 0.0, random));
+  for (const BasisKind kind : {BasisKind::kThreePoints, BasisKind::kFourPoints,
+                               BasisKind::kNinePoints, BasisKind::kTwoPoints, BasisKind::kSphere}) {
+    CAPTURE(static_cast<int>(kind));
+    const auto [distance, cosine] = best_of(kind, 20, points, random);
+    CHECK(distance < 0.02);
+    CHECK(cosine > 0.99);
+  }
+}
+
+TEST_CASE("general bases find any quadric", "[hypotheses]") {
+  RandomStream random(98, 0);
+  for (const FamilyExample& example : family_examples()) {
+    if (example.family == Family::kPlane) continue;
+    const FitPoints points = to_fit_points(points_on(example.D, 200, example.low, random));
+    for (const BasisKind kind : {BasisKind::kThreePoints, BasisKind::kFourPoints,
+                                 BasisKind::kNinePoints, BasisKind::kTwoPoints}) {
+      CAPTURE(example.name, static_cast<int>(kind));
+      CHECK(best_of(kind, 40, points, random).first < 0.05);
+    }
+  }
+}
+
+TEST_CASE("coinciding points draw no hypothesis", "[hypotheses][hostile]") {
+  FitPoints points(20);
+  points.x.setConstant(0.1f), points.y.setConstant(0.2f), points.z.setConstant(0.3f);
+  points.nx.setConstant(1.0f), points.ny.setZero(), points.nz.setZero();
+  RandomStream random(99, 0);
+  for (const BasisKind kind : {BasisKind::kThreePoints, BasisKind::kFourPoints,
+                               BasisKind::kNinePoints, BasisKind::kTwoPoints, BasisKind::kSphere}) {
+    CHECK(draw_hypotheses(kind, points, VoteOptions(), random).empty());
+  }
+}
+
+TEST_CASE("support counts the points that lie near a quadric, on the side of its normals",
+          "[hypotheses]") {
+  RandomStream random(100, 0);
+  const Eigen::Matrix4d sphere = diagonal(1, 1, 1, -1);
+  std::vector<OrientedPoint> points = points_on(sphere, 60, -2.0, random);
+  for (int k = 0; k < 20; ++k) points[k].x *= 1.1;
+  for (int k = 20; k < 30; ++k) points[k].n *= -1.0;
+  CHECK(count_support(to_fit_points(points), sphere, 0.05f, 0.9f) == 30);
+  CHECK(count_support(to_fit_points(points), sphere, 0.2f, 0.9f) == 50);
+  CHECK(count_support(to_fit_points(points), sphere, 0.2f, -2.0f) == 60);
+}
+
+TEST_CASE("a memory refuses the bases that it knows, and changes no other",
+          "[hypotheses][triplets]") {
+  RandomStream random(101, 0);
+  const FitPoints points = to_fit_points(points_on(diagonal(1, 1, 1, -0.81), 12, -1e3, random));
+  BasisMemory memory;
+  for (int k = 0; k < 12; ++k) memory.sample_of_voter.push_back(100 + k);
+  VoteOptions options;
+  options.least_height = 0.0;
+  const auto draw_many = [&](BasisMemory* known) {
+    RandomStream draws(102, 0);
+    int drawn = 0;
+    for (int k = 0; k < 5000; ++k) {
+      drawn += !draw_hypotheses(BasisKind::kThreePoints, points, options, draws, known).empty();
+    }
+    return drawn;
+  };
+  const int without = draw_many(nullptr);
+  CHECK(without > 1000);
+  // Of 12 points there are 220 triplets.
+  const int with = draw_many(&memory);
+  CHECK(with > 50);
+  CHECK(with <= 220);
+  CHECK(memory.triplets.size() <= 220);
+  CHECK(static_cast<int>(memory.triplets.size() + memory.triplets.repeats()) >= without);
+  CHECK(draw_many(&memory) == 0);
+  // The same points as other samples are other bases.
+  for (int& sample : memory.sample_of_voter) sample += 1000;
+  CHECK(draw_many(&memory) == with);
+}

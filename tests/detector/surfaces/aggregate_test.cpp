@@ -1,0 +1,189 @@
+#include "surfaces/aggregate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "quadrille/detector/canonical.hpp"
+#include "support/catch.hpp"
+#include "support/surface_grid.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+constexpr double kRadius = 0.04;
+constexpr int kColumns = 25, kRows = 60;
+
+SurfaceSamples cylinder() { return cylinder_grid(kColumns, kRows, kRadius, 0.004, 0.0005, 1); }
+
+/// A candidate on the samples of some rows.
+Candidate candidate_of(const Quadric& Q, int from_row, int to_row) {
+  Candidate candidate;
+  candidate.Q = Q;
+  candidate.family = Family::kCylinder;
+  for (int i = from_row * kColumns; i < to_row * kColumns; ++i) candidate.region.push_back(i);
+  candidate.rms = 0.0005;
+  return candidate;
+}
+
+Quadric cylinder_quadric(double radius) { return Quadric(diagonal(1, 1, 0, -radius * radius)); }
+
+double radius_of(const Surface& surface) {
+  const CanonicalForm form = canonical_form(Quadric(surface.fit.posed.matrix()), 1e-7);
+  REQUIRE(form.type == QuadricType::kCylinder);
+  return surface.local.scale * form.dimensions[0].second;
+}
+
+/// The samples without those of some rows, as if something stood in front of them.
+SurfaceSamples occluded(const SurfaceSamples& all, int from_row, int to_row) {
+  SurfaceSamples rest;
+  std::vector<int> index(static_cast<std::size_t>(all.size()), -1);
+  for (int i = 0; i < all.size(); ++i) {
+    if (i / kColumns >= from_row && i / kColumns < to_row) continue;
+    index[static_cast<std::size_t>(i)] = rest.size();
+    rest.p.push_back(all.p[i]), rest.n.push_back(all.n[i]), rest.raw.push_back(all.raw[i]);
+    rest.sigma.push_back(all.sigma[i]), rest.cell.push_back(all.cell[i]);
+    rest.count.push_back(all.count[i]), rest.source.push_back(i);
+  }
+  rest.first.push_back(0);
+  for (const int i : rest.source) {
+    for (const int j : all.neighbours_of(i)) {
+      if (index[static_cast<std::size_t>(j)] >= 0) {
+        rest.neighbours.push_back(index[static_cast<std::size_t>(j)]);
+      }
+    }
+    rest.first.push_back(static_cast<int>(rest.neighbours.size()));
+  }
+  return rest;
+}
+
+}  // namespace
+
+TEST_CASE("a good candidate becomes a surface, fitted and with its samples claimed",
+          "[aggregate]") {
+  const SurfaceSamples samples = cylinder();
+  Aggregation aggregation(samples, {}, {});
+  aggregation.offer({candidate_of(cylinder_quadric(1.02 * kRadius), 0, kRows)}, false);
+  REQUIRE(aggregation.surfaces().size() == 1);
+  const Surface& surface = aggregation.surfaces()[0];
+  CHECK(surface.fit.family == Family::kCylinder);
+  CHECK(radius_of(surface) == Approx(kRadius).epsilon(0.01));
+  CHECK(surface.rms == Approx(0.0005).epsilon(0.2));
+  CHECK(surface.confidence > 0.9);
+  const auto claimed = std::count(aggregation.claimed().begin(), aggregation.claimed().end(), 1);
+  CHECK(claimed == static_cast<long>(surface.region.size()));
+}
+
+TEST_CASE("the two ends of a cylinder behind an occluder become one surface", "[aggregate]") {
+  const SurfaceSamples samples = occluded(cylinder(), 24, 36);
+  Candidate lower = candidate_of(cylinder_quadric(kRadius), 0, 24);
+  Candidate upper = candidate_of(cylinder_quadric(0.98 * kRadius), 24, 48);
+  Aggregation aggregation(samples, {}, {});
+  aggregation.offer({lower, upper}, false);
+  REQUIRE(aggregation.surfaces().size() == 1);
+  CHECK(aggregation.surfaces()[0].region.size() > 0.97 * samples.size());
+  CHECK(radius_of(aggregation.surfaces()[0]) == Approx(kRadius).epsilon(0.01));
+}
+
+TEST_CASE("two cylinders of different radius stay two", "[aggregate]") {
+  const SurfaceSamples samples = surface_grid(
+      kColumns, kRows,
+      [](int i, int j) {
+        const double r = j < kRows / 2 ? kRadius : 0.7 * kRadius;
+        const double a = (i - 12) * 0.1;
+        const Eigen::Vector3d n(std::cos(a), std::sin(a), 0);
+        return OrientedPoint{r * n + j * 0.004 * Eigen::Vector3d::UnitZ(), n};
+      },
+      0.004, 0.0005, 2);
+  Aggregation aggregation(samples, {}, {});
+  aggregation.offer({candidate_of(cylinder_quadric(kRadius), 0, kRows / 2),
+                     candidate_of(cylinder_quadric(0.7 * kRadius), kRows / 2, kRows)},
+                    false);
+  REQUIRE(aggregation.surfaces().size() == 2);
+  std::vector<double> radii = {radius_of(aggregation.surfaces()[0]),
+                               radius_of(aggregation.surfaces()[1])};
+  std::sort(radii.begin(), radii.end());
+  CHECK(radii[0] == Approx(0.7 * kRadius).epsilon(0.02));
+  CHECK(radii[1] == Approx(kRadius).epsilon(0.02));
+}
+
+TEST_CASE("a dome that goes over smoothly into its post is a surface of its own", "[aggregate]") {
+  constexpr double kStep = 0.004;
+  static constexpr int kPost = 50, kDome = 9;  // rows
+  const SurfaceSamples samples = surface_grid(
+      kColumns, kPost + kDome,
+      [](int i, int j) {
+        const double a = (i - 12) * 0.1, t = std::max(0.0, (j - kPost) * kStep / kRadius);
+        const Eigen::Vector3d n(std::cos(t) * std::cos(a), std::cos(t) * std::sin(a), std::sin(t));
+        const double z = (j < kPost ? j : kPost) * kStep;
+        return OrientedPoint{kRadius * n + z * Eigen::Vector3d::UnitZ(), n};
+      },
+      kStep, 0.0005, 4);
+  const Candidate post = candidate_of(cylinder_quadric(kRadius), 0, kPost + 2);
+  const double z = kPost * kStep;
+  Eigen::Matrix4d sphere = Eigen::Matrix4d::Identity();
+  sphere(2, 3) = sphere(3, 2) = -z;
+  sphere(3, 3) = z * z - kRadius * kRadius;
+  Candidate dome = candidate_of(Quadric(sphere), kPost + 2, kPost + kDome);
+  dome.family = Family::kSphere;
+  Aggregation aggregation(samples, {}, {});
+  aggregation.offer({post, dome}, false);
+  REQUIRE(aggregation.surfaces().size() == 2);
+  CHECK(radius_of(aggregation.surfaces()[0]) == Approx(kRadius).epsilon(0.02));
+  const Surface& top = aggregation.surfaces()[1];
+  const CanonicalForm form = canonical_form(top.fit.posed);
+  REQUIRE(form.type == QuadricType::kSphere);
+  CHECK(top.local.scale * form.dimensions[0].second == Approx(kRadius).epsilon(0.05));
+}
+
+TEST_CASE("a candidate whose samples are claimed is dropped", "[aggregate]") {
+  const SurfaceSamples samples = cylinder();
+  Aggregation aggregation(samples, {}, {});
+  const Candidate whole = candidate_of(cylinder_quadric(kRadius), 0, kRows);
+  aggregation.offer({whole, whole, candidate_of(cylinder_quadric(kRadius), 10, 30)}, false);
+  CHECK(aggregation.surfaces().size() == 1);
+  aggregation.offer({whole}, false);
+  CHECK(aggregation.surfaces().size() == 1);
+}
+
+TEST_CASE("a box edge is no curved surface", "[aggregate]") {
+  const SurfaceSamples samples = surface_grid(
+      kColumns, kRows,
+      [](int i, int j) {
+        const double s = (i - 12) * 0.004, z = j * 0.004;
+        // The normals of windows across the edge turn smoothly from face to face.
+        const double turn = std::clamp(0.5 + 0.2 * (i - 12), 0.0, 1.0) * M_PI_2;
+        const Eigen::Vector3d n(std::cos(turn), std::sin(turn), 0);
+        return OrientedPoint{s < 0 ? Eigen::Vector3d(0, s, z) : Eigen::Vector3d(-s, 0, z), n};
+      },
+      0.004, 0.0, 3);
+  for (const double radius : {0.01, 0.03, 0.06}) {
+    Aggregation aggregation(samples, {}, {});
+    const Quadric Q(diagonal(1, 1, 0, -radius * radius));
+    Eigen::Isometry3d X = translation(-radius, -radius, 0);
+    aggregation.offer({candidate_of(Q.transformed(X), 0, kRows)}, false);
+    for (const Surface& surface : aggregation.surfaces()) {
+      CHECK(surface.fit.family == Family::kPlane);
+    }
+  }
+}
+
+TEST_CASE("early on only clear cases are accepted, the others wait", "[aggregate]") {
+  const SurfaceSamples samples = cylinder();
+  AggregateOptions options;
+  options.least_confidence_early = 1.0;
+  Aggregation aggregation(samples, options, {});
+  aggregation.offer({candidate_of(cylinder_quadric(kRadius), 0, kRows)}, true);
+  CHECK(aggregation.surfaces().empty());
+  aggregation.offer({}, false);
+  CHECK(aggregation.surfaces().size() == 1);
+}
+
+TEST_CASE("too few samples or no candidates make no surface", "[aggregate][degenerate]") {
+  const SurfaceSamples samples = cylinder();
+  Aggregation aggregation(samples, {}, {});
+  aggregation.offer({}, false);
+  aggregation.offer({candidate_of(cylinder_quadric(kRadius), 0, 1)}, false);
+  CHECK(aggregation.surfaces().empty());
+}

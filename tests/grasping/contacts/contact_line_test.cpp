@@ -1,0 +1,128 @@
+#include "contacts/contact_line.hpp"
+
+#include "contacts/quality.hpp"
+#include "grasping/scenes.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+TEST_CASE("a sphere is grasped across its diameter without friction", "[contacts]") {
+  const Body body = make_body(sphere_detection({{0.1, 0.0, 0.9}, 0.03})).value();
+  const auto lines = contact_lines(body, franka_hand(), Eigen::Vector3d::Zero());
+  REQUIRE(lines.size() > 50);
+  for (const ContactLine& line : lines) {
+    CHECK(line.width == Approx(0.06));
+    CHECK(friction_needed(line) == Approx(0.0).margin(1e-9));
+    CHECK((line.centre_C - Eigen::Vector3d(0.1, 0, 0.9)).norm() < 1e-12);
+  }
+}
+
+TEST_CASE("contacts lie on the body's surface with its normals", "[contacts][law]") {
+  std::mt19937 random(3);
+  for (Detection d : solid_detections()) {
+    d.X_CQ = random_pose(random);
+    const Body body = make_body(d).value();
+    CAPTURE(to_string(d.type));
+    const auto lines = contact_lines(body, franka_hand(), Eigen::Vector3d::Zero());
+    REQUIRE_FALSE(lines.empty());
+    for (const ContactLine& line : lines) {
+      for (int i = 0; i < 2; ++i) {
+        const Eigen::Vector3d p = line.contacts_C[i], n = line.normals_C[i];
+        CHECK(n.norm() == Approx(1.0));
+        CHECK(body.contains(p, 1e-7));
+        CHECK_FALSE(body.contains(p + 1e-4 * n));
+        CHECK(body.contains(p - 1e-4 * n));
+      }
+      CHECK((line.contacts_C[0] - line.contacts_C[1]).dot(line.closing_C) == Approx(line.width));
+      CHECK(line.opening >= line.width);
+    }
+  }
+}
+
+TEST_CASE("contact lines move with the body and the sensor", "[contacts][law]") {
+  std::mt19937 random(4);
+  for (const Detection& d : solid_detections()) {
+    const Eigen::Isometry3d X = random_pose(random);
+    const Eigen::Vector3d viewpoint(0.2, -0.5, 0.6);
+    Detection moved = d;
+    moved.X_CQ = X * d.X_CQ;
+    const auto a = contact_lines(make_body(d).value(), franka_hand(), viewpoint);
+    const auto b = contact_lines(make_body(moved).value(), franka_hand(), X * viewpoint);
+    REQUIRE(a.size() == b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      CHECK((X * a[i].contacts_C[0] - b[i].contacts_C[0]).norm() < 1e-9);
+      CHECK((X.linear() * a[i].closing_C - b[i].closing_C).norm() < 1e-9);
+      CHECK(a[i].width == Approx(b[i].width));
+    }
+  }
+}
+
+TEST_CASE("a cone needs the friction of its half angle, a waist none", "[contacts]") {
+  for (const Detection& d : solid_detections()) {
+    const Body body = make_body(d).value();
+    for (const ContactLine& line : contact_lines(body, franka_hand(), {0, 0, -1})) {
+      if (d.type == QuadricType::kCone) CHECK(friction_needed(line) == Approx(std::tan(0.3)));
+      if (d.type == QuadricType::kHyperboloidOneSheet && std::abs(line.centre_C.z()) < 1e-9 &&
+          std::abs(line.closing_C.x()) > 1 - 1e-9) {
+        CHECK(friction_needed(line) == Approx(0.0).margin(1e-9));
+        CHECK(line.width == Approx(0.05));
+      }
+    }
+  }
+}
+
+TEST_CASE("a chord beside the widest part is narrower and needs friction", "[contacts]") {
+  const Body body = make_body(sphere_detection({{0, 0, 1}, 0.05})).value();
+  const auto line = chord(body, {0, -0.03, 1}, Eigen::Vector3d::UnitX());
+  REQUIRE(line);
+  CHECK(line->width == Approx(0.08));
+  CHECK(friction_needed(*line) == Approx(0.75));
+  CHECK_FALSE(chord(body, {0, -0.06, 1}, Eigen::Vector3d::UnitX()));
+}
+
+TEST_CASE("a chord ends on the surface of every body", "[contacts][law]") {
+  std::mt19937 random(5);
+  for (Detection d : solid_detections()) {
+    d.X_CQ = random_pose(random);
+    const Body body = make_body(d).value();
+    int found = 0;
+    for (int n = 0; n < 200; ++n) {
+      const Eigen::Vector3d p = random_point(random, body.bounds_C());
+      const auto line = chord(body, p, random_rotation(random).col(0));
+      if (!line) continue;
+      ++found;
+      for (int i = 0; i < 2; ++i) {
+        CHECK(body.contains(line->contacts_C[i], 1e-7));
+        CHECK_FALSE(body.contains(line->contacts_C[i] + 1e-5 * line->normals_C[i]));
+      }
+    }
+    CAPTURE(to_string(d.type));
+    CHECK((found > 0) == (d.type != QuadricType::kParallelPlanes));
+  }
+}
+
+TEST_CASE("epsilon follows its closed form and falls with leaning normals", "[quality]") {
+  ContactLine line;
+  line.contacts_C = {Eigen::Vector3d(0, 0.03, 0), Eigen::Vector3d(0, -0.03, 0)};
+  line.normals_C = {Eigen::Vector3d::UnitY(), Eigen::Vector3d(-Eigen::Vector3d::UnitY())};
+  line.width = 0.06;
+  ContactModel model;
+  model.friction = 0.5;
+  model.torsion = 1.0;  // not the bottleneck
+  model.torque_scale = 0.03;
+  CHECK(friction_needed(line) == 0.0);
+  CHECK(grasp_epsilon(line, model) == Approx(0.5 / std::sqrt(2.25)));
+  model.torsion = 0.003;
+  CHECK(grasp_epsilon(line, model) == Approx(0.1));
+  model.torsion = 1.0;
+  const double straight = grasp_epsilon(line, model);
+  line.normals_C[0] = Eigen::Vector3d(0, 1, 0.3).normalized();
+  CHECK(friction_needed(line) == Approx(0.3));
+  CHECK(grasp_epsilon(line, model) < straight);
+  CHECK(grasp_epsilon(line, model) > 0.0);
+  line.normals_C[0] = Eigen::Vector3d(0, 1, 0.6).normalized();
+  CHECK(grasp_epsilon(line, model) == 0.0);
+  line.normals_C[0] = -Eigen::Vector3d::UnitY();
+  CHECK(std::isinf(friction_needed(line)));
+}

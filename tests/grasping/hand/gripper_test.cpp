@@ -1,0 +1,130 @@
+#include "quadrille/grasping/gripper.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "hand/hand.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+
+TEST_CASE("the Franka Hand is known by name and consistent", "[gripper]") {
+  const Gripper hand = gripper_by_name("franka");
+  CHECK_NOTHROW(hand.check());
+  CHECK(hand.max_opening == Approx(0.08));
+}
+
+TEST_CASE("the WSG 50 is known by name, consistent and opens wider", "[gripper]") {
+  const Gripper hand = gripper_by_name("wsg50");
+  CHECK_NOTHROW(hand.check());
+  CHECK(hand.name == "wsg50");
+  CHECK(hand.max_opening == Approx(0.11));
+}
+
+TEST_CASE("an unknown gripper's message lists the known ones", "[gripper]") {
+  try {
+    gripper_by_name("claw");
+    FAIL("no exception");
+  } catch (const std::invalid_argument& error) {
+    CHECK(std::string(error.what()).find("franka") != std::string::npos);
+    CHECK(std::string(error.what()).find("wsg50") != std::string::npos);
+  }
+}
+
+TEST_CASE("a contradiction in a gripper is named by its field, with the remedy", "[gripper]") {
+  const auto message = [](auto&& spoil) {
+    Gripper hand = franka_hand();
+    spoil(hand);
+    try {
+      hand.check();
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto says = [](const std::string& text, const char* part) {
+    INFO(text);
+    return text.starts_with("gripper: ") && text.find(part) != std::string::npos &&
+           text.find('\n') == std::string::npos;
+  };
+  CHECK(says(message([](Gripper& g) { g.max_opening = 0.0; }), "max_opening must be positive; "));
+  CHECK(says(message([](Gripper& g) { g.max_opening = 80.0; }), "max_opening is more than 1 m; "));
+  CHECK(says(message([](Gripper& g) { g.min_opening = -0.01; }),
+             "min_opening must be a number and not neg"));
+  CHECK(
+      says(message([](Gripper& g) { g.min_opening = 0.09; }), "min_opening must be smaller than"));
+  CHECK(says(message([](Gripper& g) { g.finger.y() = -1.0; }), "finger must be positive; "));
+  CHECK(says(message([](Gripper& g) { g.pad.x() = 0.02; }), "pad is wider than finger"));
+  CHECK(says(message([](Gripper& g) { g.pad.y() = 0.06; }), "pad is longer than finger"));
+  CHECK(says(message([](Gripper& g) { g.pad.y() = 0.02; }), "pad reaches beyond the tip; "));
+  CHECK(says(message([](Gripper& g) {
+               g.finger_front = 0.04;
+               g.pad.y() = 0.03;
+             }),
+             "pad reaches into the palm; "));
+  CHECK(says(message([](Gripper& g) { g.finger_front = 0.2; }), "finger_front must lie between"));
+  CHECK(says(message([](Gripper& g) { g.palm.z() = std::nan(""); }), "palm must be positive; "));
+  CHECK(says(message([](Gripper& g) { g.max_force = 0.0; }), "max_force must be positive; "));
+  CHECK(says(message([](Gripper& g) { g.tcp = 0.03; }), "finger reaches farther back than tcp; "));
+  CHECK(says(message([](Gripper& g) { g.tcp = 103.4; }), "tcp is more than 1 m; "));
+  CHECK(says(message([](Gripper& g) { g.link_length = -0.1; }), "link_length must lie in"));
+  CHECK(says(message([](Gripper& g) { g.link_angle = 41.0; }), "give radians, not degrees"));
+  CHECK(says(message([](Gripper& g) { g.link_angle = 0.7; }), "link_length is missing beside"));
+  CHECK(says(message([](Gripper& g) { g.link_length = 0.07; }), "link_angle is missing beside"));
+  CHECK(says(message([](Gripper& g) { g.min_opening = std::nan(""); }), "min_opening must be"));
+  CHECK(says(message([](Gripper& g) {
+               g.link_length = 0.02;
+               g.link_angle = 0.7;
+             }),
+             "link_length is too short to close"));
+}
+
+TEST_CASE("fingers on links reach forward along a circle as they close", "[gripper]") {
+  Gripper hand = franka_hand();
+  CHECK(hand.extension(0.0) == 0.0);
+  // From 45° to straight ahead: half the opening is L sin 45°, the shift L (1 − cos 45°).
+  hand.link_length = 0.05;
+  hand.link_angle = 0.25 * 3.14159265358979;
+  hand.max_opening = 2.0 * 0.05 * std::sqrt(0.5);
+  hand.check();
+  CHECK(hand.extension(hand.max_opening) == Approx(0.0).margin(1e-12));
+  CHECK(hand.extension(0.0) == Approx(0.05 * (1.0 - std::sqrt(0.5))));
+  CHECK(hand.reach(0.0) == Approx(0.045 + hand.extension(0.0)));
+  CHECK(hand.most_extension(0.02, 0.06) == Approx(hand.extension(0.02)));
+  // With steeper links the tips pass the farthest point and draw back again.
+  hand.link_angle = 0.6;
+  CHECK(hand.most_extension(0.0, hand.max_opening) == Approx(0.05 * (1.0 - std::cos(0.6))));
+  CHECK(hand.most_extension(0.0, hand.max_opening) > hand.extension(0.0));
+}
+
+TEST_CASE("the swept hand of fingers on links holds the pads at every opening", "[gripper]") {
+  Gripper hand = franka_hand();
+  hand.link_length = 0.05;
+  hand.link_angle = 0.6;
+  const double preshape = 0.08, width = 0.01;
+  const SweptHand swept = sweep_hand(hand, Eigen::Isometry3d::Identity(), preshape, width, 0.05);
+  for (double opening = width; opening <= preshape; opening += 0.002) {
+    // Where the pads' middle is, in the frame of the closed hand.
+    const double z = hand.extension(opening) - hand.extension(width);
+    const double tip = z + hand.finger_front - 1e-6;
+    CAPTURE(opening);
+    CHECK(swept.closing[0].contains({0.0, 0.5 * opening, tip}));
+  }
+  // The palm stands back by the extension of the closed hand.
+  const double front = -hand.reach(width);
+  CHECK(swept.palm.contains({0.0, 0.0, front - 1e-6}));
+  CHECK_FALSE(swept.palm.contains({0.0, 0.0, front + 1e-6}));
+}
+
+TEST_CASE("the swept hand covers fingers, palm and closing where the frame says", "[gripper]") {
+  const SweptHand hand = sweep_hand(franka_hand(), Eigen::Isometry3d::Identity(), 0.06, 0.04, 0.05);
+  CHECK(hand.fingers[0].contains({0.0, 0.031, 0.0089}));
+  CHECK(hand.fingers[1].contains({0.0, -0.045, -0.094}));
+  CHECK_FALSE(hand.fingers[0].contains({0.0, 0.031, 0.0091}));
+  CHECK_FALSE(hand.fingers[0].contains({0.0, 0.029, 0.0}));
+  CHECK(hand.palm.contains({0.03, 0.1, -0.046}));
+  CHECK(hand.palm.contains({0.03, 0.1, -0.045 - 0.066 - 0.049}));
+  CHECK_FALSE(hand.palm.contains({0.0, 0.0, -0.044}));
+  CHECK(hand.closing[1].contains({0.0, -0.025, 0.0}));
+  CHECK_FALSE(hand.closing[1].contains({0.0, -0.019, 0.0}));
+}

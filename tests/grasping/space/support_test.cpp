@@ -1,0 +1,32 @@
+#include "grasping/scenes.hpp"
+#include "space/collision.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+TEST_CASE("a support holds off what is below it only as far as it reaches",
+          "[collision][support]") {
+  std::mt19937 random(41);
+  SupportPlane plane{random_pose(random), {Eigen::Vector2d(-0.2, -0.1), Eigen::Vector2d(0.2, 0.1)}};
+  int inside = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const OrientedBox box{random_rotation(random),
+                          plane.X_CP * random_point(random, {Eigen::Vector3d(-0.4, -0.3, -0.1),
+                                                             Eigen::Vector3d(0.4, 0.3, 0.1)}),
+                          Eigen::Vector3d(0.02, 0.03, 0.04)};
+    const Eigen::Vector3d p = plane.X_CP.inverse() * box.p_CB;
+    const double far = box.half.norm();
+    const bool over = std::abs(p.x()) < 0.2 && std::abs(p.y()) < 0.1;
+    if (over && p.z() < 0.002) {
+      CHECK(plane.meets(box, 0.002));
+      ++inside;
+    }
+    if (std::abs(p.x()) > 0.2 + far || std::abs(p.y()) > 0.1 + far || p.z() > 0.002 + far) {
+      CHECK_FALSE(plane.meets(box, 0.002));
+    }
+    // All eight corners in the open: only the box's bounds may say otherwise.
+    CHECK(plane.meets(box, 0.002) == plane.meets(box.inflated(1e-9), 0.002));
+  }
+  CHECK(inside > 100);
+}

@@ -1,0 +1,164 @@
+#include "lab/scoring/score.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "support/catch.hpp"
+#include "support/known_frame.hpp"
+
+namespace quadrille::scoring {
+namespace {
+
+using test::ball_at;
+using test::kBallRadius;
+using test::wall_at;
+
+FrameScore score_of(const std::vector<Quadric>& findings, const std::string& only = "") {
+  static const Frame frame = test::make_known_frame();
+  std::vector<Found> found;
+  for (const Quadric& Q : findings) found.push_back({Q, 1.0});
+  return score(frame, found, only);
+}
+
+TEST_CASE("the truth itself scores full marks", "[scoring][score]") {
+  const FrameScore s = score_of({ball_at(0, kBallRadius), wall_at(1.5)});
+  CHECK(s.wanted == 1);
+  CHECK(s.found == 1);
+  CHECK(s.wrong == 0);
+  CHECK(s.planes_wanted == 1);
+  CHECK(s.planes_found == 1);
+  CHECK(s.planes_right == 1);
+  CHECK(s.planes_wrong == 0);
+  REQUIRE(s.width_errors.size() == 1);
+  CHECK(s.width_errors[0] < 1e-9);
+  CHECK(s.widths_right == 1);
+}
+
+TEST_CASE("nothing found is nothing wrong", "[scoring][score]") {
+  const FrameScore s = score_of({});
+  CHECK(s.wanted == 1);
+  CHECK(s.found + s.wrong + s.planes_found + s.planes_wrong == 0);
+}
+
+TEST_CASE("a sphere that misses the ball is wrong, one within the noise is right",
+          "[scoring][score]") {
+  CHECK(score_of({ball_at(0.02, kBallRadius)}).found == 0);
+  CHECK(score_of({ball_at(0.02, kBallRadius)}).wrong == 1);
+  CHECK(score_of({ball_at(0.002, kBallRadius)}).found == 1);
+}
+
+TEST_CASE("the width is that across the line of sight", "[scoring][score]") {
+  // The same front, but 3 mm larger: the front is off by the tolerance at most.
+  const Quadric larger =
+      from_canonical({QuadricType::kSphere, test::translation(0, 0, 1.003), {{"radius", 0.103}}});
+  const FrameScore s = score_of({larger});
+  REQUIRE(s.found == 1);
+  CHECK(s.width_errors[0] == Approx(0.03).margin(0.002));
+  CHECK(s.widths_right == 1);
+}
+
+TEST_CASE("a finding can be right where it was seen and of the wrong width", "[scoring][score]") {
+  Frame frame = test::make_known_frame();
+  const double sigma = frame.surfaces[0].sigma = 0.008;
+  const Quadric wider =
+      from_canonical({QuadricType::kSphere, test::translation(0, 0, 1.018), {{"radius", 0.118}}});
+  const FrameScore s = score(frame, {{wider, 1.0}});
+  REQUIRE(s.found == 1);
+  CHECK(s.width_errors[0] > 0.1);
+  CHECK(s.width_errors[0] * 2.0 * kBallRadius > sigma);
+  CHECK(s.widths_right == 0);
+}
+
+TEST_CASE("of two findings of one surface one is wrong", "[scoring][score]") {
+  const FrameScore s = score_of({ball_at(0, kBallRadius), ball_at(0.001, kBallRadius)});
+  CHECK(s.found == 1);
+  CHECK(s.wrong == 1);
+}
+
+TEST_CASE("what is hardly seen need not be found, and may be", "[scoring][score]") {
+  const FrameScore s = score_of({ball_at(0.5, kBallRadius)});
+  CHECK(s.wanted == 1);
+  CHECK(s.found == 0);
+  CHECK(s.wrong == 0);
+}
+
+TEST_CASE("if one type alone counts, the others need not be found, and may be",
+          "[scoring][score]") {
+  CHECK(score_of({ball_at(0, kBallRadius)}, "sphere").found == 1);
+  const FrameScore s = score_of({ball_at(0, kBallRadius)}, "cylinder");
+  CHECK(s.wanted == 0);
+  CHECK(s.wrong == 0);
+}
+
+TEST_CASE("flat findings are judged against planes, whatever they are called", "[scoring][score]") {
+  const FrameScore off = score_of({wall_at(1.3)});
+  CHECK(off.planes_found == 0);
+  CHECK(off.planes_wrong == 1);
+  CHECK(off.wrong == 0);
+  // A sphere of 300 m is the wall.
+  const Quadric huge =
+      from_canonical({QuadricType::kSphere, test::translation(0, 0, 301.5), {{"radius", 300.0}}});
+  CHECK(score_of({huge}).planes_found == 1);
+  CHECK(score_of({huge}).wrong == 0);
+}
+
+TEST_CASE("a quadric through much more than the surface does not find it", "[scoring][score]") {
+  // What is now half a ball and half something else, cut through the middle.
+  Frame frame = test::make_known_frame();
+  for (std::size_t i = 0; i < frame.labels.size(); ++i) {
+    if (frame.labels[i] == 0 && frame.cloud.points[i].x() > -0.01f) frame.labels[i] = 7;
+  }
+  const FrameScore s = score(frame, {{ball_at(0, kBallRadius), 1.0}});
+  CHECK(s.found == 0);
+  CHECK(s.wrong == 1);
+}
+
+TEST_CASE("findings beyond the hundred best, and such as are none, are wrong",
+          "[scoring][score][hostile]") {
+  const Frame frame = test::make_known_frame();
+  std::vector<Found> found(120, Found{ball_at(3, 0.1), 0.5});
+  // The best score is read first, wherever it stands.
+  found.push_back({ball_at(0, kBallRadius), 0.9});
+  const FrameScore s = score(frame, found);
+  CHECK(s.found == 1);
+  CHECK(s.wrong == 120);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Found> broken = {
+      {Quadric(), 1.0}, {Quadric(Eigen::Matrix4d(Eigen::Matrix4d::Constant(nan))), 1.0}};
+  CHECK(score(frame, broken).wrong == 2);
+}
+
+TEST_CASE("the truth of a generated scene scores itself as all found", "[scoring][score]") {
+  const Frame frame = frame_of(scene::make_scene({scene::Family::kMedium, 3}));
+  std::vector<Found> exact, shifted;
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.translation() << 0.05, 0.05, 0.05;
+  for (const TrueSurface& surface : frame.surfaces) {
+    if (!surface.curved) continue;
+    exact.push_back({surface.Q_C, 1.0});
+    shifted.push_back({surface.Q_C.transformed(X), 1.0});
+  }
+  const FrameScore all = score(frame, exact);
+  CHECK(all.wanted >= 3);
+  CHECK(all.recall() == 1.0);
+  CHECK(all.precision() == 1.0);
+  CHECK(score(frame, shifted).found == 0);
+}
+
+TEST_CASE("scores add up, and nothing has no share", "[scoring][score]") {
+  FrameScore sum;
+  CHECK(std::isnan(sum.recall()));
+  CHECK(std::isnan(sum.precision()));
+  sum += score_of({ball_at(0, kBallRadius), wall_at(1.5)});
+  sum += score_of({ball_at(0.02, kBallRadius), wall_at(1.3)});
+  CHECK(sum.wanted == 2);
+  CHECK(sum.recall() == 0.5);
+  CHECK(sum.precision() == 0.5);
+  CHECK(sum.plane_recall() == 0.5);
+  CHECK(sum.plane_precision() == 0.5);
+  CHECK(sum.right_width() == 1.0);
+  CHECK(sum.width_errors.size() == 1);
+}
+
+}  // namespace
+}  // namespace quadrille::scoring

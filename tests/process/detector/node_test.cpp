@@ -1,0 +1,203 @@
+#include "process/detector/node.hpp"
+
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <lcmtypes/bot_core/pose_t.hpp>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "process/detector/command_line.hpp"
+#include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+#include "support/catch.hpp"
+#include "support/depth_camera.hpp"
+#include "support/temp_folder.hpp"
+
+namespace quadrille {
+namespace {
+
+using Bytes = std::vector<std::byte>;
+
+/// A detector process whose messages are kept.
+struct Process {
+  explicit Process(const DetectorSettings& settings)
+      : node(settings, [this](const std::string& channel, std::span<const std::byte> bytes) {
+          if (channel == "QUADRICS") published.emplace_back(bytes.begin(), bytes.end());
+          if (channel == "QUADRILLE_DETECTOR_STATUS") {
+            status.decode(bytes.data(), 0, static_cast<int>(bytes.size()));
+          }
+        }) {}
+
+  void take(const std::string& channel, const Bytes& bytes) {
+    if (const auto job = node.receive(channel, bytes)) node.work(*job);
+  }
+
+  /// The tracks of the last message.
+  std::set<int> tracks() const {
+    std::set<int> found;
+    const auto decoded = bus::decode_quadrics(published.back());
+    for (const Detection& d : std::get<bus::QuadricsMessage>(decoded).detections) {
+      found.insert(d.track);
+    }
+    return found;
+  }
+
+  /// What the status says of the clouds that were not tracked, such as "no_pose 1 ".
+  std::string untracked() {
+    node.publish_status(0, {});
+    std::string text;
+    for (const count_t& entry : status.untracked) {
+      text += entry.name + " " + std::to_string(entry.count) + " ";
+    }
+    return text;
+  }
+
+  std::vector<Bytes> published;
+  detector_status_t status{};
+  DetectorNode node;
+};
+
+Bytes encode_pose(std::int64_t utime, const Eigen::Isometry3d& X_WC) {
+  bot_core::pose_t m{};
+  m.utime = utime;
+  Eigen::Map<Eigen::Vector3d>(m.pos) = X_WC.translation();
+  const Eigen::Quaterniond q(X_WC.linear());
+  m.orientation[0] = q.w(), m.orientation[1] = q.x(), m.orientation[2] = q.y();
+  m.orientation[3] = q.z();
+  return bus::encode(m);
+}
+
+/// A ball before a wall, both at rest in W, as a camera at X_WC sees them.
+Bytes encode_view(std::int64_t utime, const Eigen::Isometry3d& X_WC) {
+  const Eigen::Isometry3d X_CW = X_WC.inverse();
+  bus::CloudMessage message{utime, 0, {}};
+  message.cloud = test::render({test::sphere(X_CW * test::translation(0, 0, 0.9), 0.1),
+                                test::rectangle(X_CW * test::translation(0, 0, 1.4), 9, 9)},
+                               {160, 120, 1.0 / 150.0});
+  return bus::encode_cloud(message, bus::CloudFormat::kDrake);
+}
+
+DetectorSettings settings_with_poses() {
+  DetectorSettings settings;
+  settings.pose_channel = "CAMERA";
+  return settings;
+}
+
+// Each step is more than the ball is wide.
+Eigen::Isometry3d camera_at(int frame) {
+  return test::translation(frame % 2 ? 0.3 : -0.3, 0.02 * frame, 0.0);
+}
+
+TEST_CASE("with its poses, a camera that jumps about keeps the tracks of what is at rest",
+          "[process][track][pose]") {
+  Process process(settings_with_poses()), blind{DetectorSettings{}};
+  bool lost = false;
+  for (int frame = 0; frame < 5; ++frame) {
+    const std::int64_t utime = 100000 * (frame + 1);
+    process.take("CAMERA", encode_pose(utime - 3, camera_at(frame)));
+    // Newer than the cloud, and wrong for it.
+    process.take("CAMERA", encode_pose(utime + 1, camera_at(frame + 1)));
+    process.take("POINT_CLOUD", encode_view(utime, camera_at(frame)));
+    blind.take("POINT_CLOUD", encode_view(utime, camera_at(frame)));
+    CHECK(process.tracks() == std::set<int>{1, 2});
+    lost = lost || blind.tracks() != std::set<int>{1, 2};
+  }
+  CHECK(process.node.find_oddities().empty());
+  CHECK(lost);
+}
+
+TEST_CASE("clouds before the first pose are not tracked, and the log's end says so",
+          "[process][track][pose]") {
+  Process process(settings_with_poses());
+  process.take("POINT_CLOUD", encode_view(100000, camera_at(0)));
+  CHECK(process.tracks() == std::set<int>{0});
+  process.take("CAMERA", encode_pose(150000, camera_at(0)));
+  process.take("POINT_CLOUD", encode_view(200000, camera_at(0)));
+  CHECK(process.tracks() == std::set<int>{1, 2});
+  REQUIRE(process.node.find_oddities().size() == 1);
+  CHECK(process.node.find_oddities()[0].find("1 of 2 clouds") == 0);
+}
+
+TEST_CASE("if no pose ever comes, the log says so once in a while and the status counts the clouds",
+          "[process][track][pose]") {
+  Process process(settings_with_poses());
+  std::ostringstream log;
+  const auto logger = spdlog::default_logger();
+  spdlog::set_default_logger(
+      std::make_shared<spdlog::logger>("", std::make_shared<spdlog::sinks::ostream_sink_mt>(log)));
+  for (int k = 1; k <= 3; ++k) {
+    process.node.receive("POINT_CLOUD", encode_view(100000 * k, camera_at(0)));
+  }
+  spdlog::set_default_logger(logger);
+  const std::size_t first = log.str().find("CAMERA: cloud 100000 is not tracked: no pose has come");
+  CHECK(first != std::string::npos);
+  CHECK(log.str().find("not tracked", first + 40) == std::string::npos);
+  CHECK(process.untracked() == "no_pose 3 ");
+}
+
+TEST_CASE("a pose that is too old counts as none", "[process][track][pose]") {
+  DetectorSettings settings = settings_with_poses();
+  settings.track.pose_age = 0.2;
+  Process process(settings);
+  process.take("CAMERA", encode_pose(100000, camera_at(0)));
+  process.take("POINT_CLOUD", encode_view(300000, camera_at(0)));
+  CHECK(process.tracks() == std::set<int>{1, 2});
+  CHECK(process.untracked().empty());
+  process.take("POINT_CLOUD", encode_view(300001, camera_at(0)));
+  CHECK(process.tracks() == std::set<int>{0});
+  CHECK(process.untracked() == "old_pose 1 ");
+}
+
+TEST_CASE("without a channel of poses, or without tracking, no cloud wants a pose",
+          "[process][track][pose]") {
+  DetectorSettings idle = settings_with_poses();
+  idle.track.enabled = false;
+  for (const DetectorSettings& settings : {DetectorSettings(), idle}) {
+    Process process(settings);
+    process.take("POINT_CLOUD", encode_view(100000, camera_at(0)));
+    CHECK(process.untracked().empty());
+  }
+}
+
+TEST_CASE("a log that is played again gets the same tracks again", "[process][track]") {
+  Process process{DetectorSettings{}};
+  for (int pass = 0; pass < 2; ++pass) {
+    for (const std::int64_t utime : {100000, 200000}) {
+      process.take("POINT_CLOUD", encode_view(utime, camera_at(0)));
+    }
+  }
+  REQUIRE(process.published.size() == 4);
+  CHECK(process.published[2] == process.published[0]);
+  CHECK(process.published[3] == process.published[1]);
+}
+
+TEST_CASE("a pose that is garbage is refused and counted", "[process][pose][hostile]") {
+  Process process(settings_with_poses());
+  process.take("CAMERA", Bytes(50));
+  CHECK(process.node.summary().find("poses in: 1, 1 refused (unknown_type 1)") !=
+        std::string::npos);
+}
+
+TEST_CASE("settings that the search for spheres alone does not heed are named", "[process]") {
+  const test::TempFolder folder;
+  CLI::App app;
+  const DetectorCommandLine command_line(app);
+  const std::string config = folder.write("c.toml", "search.basis = \"three_points\"\n");
+  app.parse("--only sphere --config " + config);
+  const std::vector<std::string> warnings = command_line.settings().warnings;
+  REQUIRE(warnings.size() == 1);
+  CHECK(warnings[0].find(config + ": --only sphere sets search") == 0);
+}
+
+TEST_CASE("clouds and poses cannot come on one channel", "[process][pose]") {
+  CLI::App app;
+  const DetectorCommandLine command_line(app);
+  app.parse("--pose-channel POINT_CLOUD");
+  CHECK_THROWS_AS(command_line.settings(), CLI::ParseError);
+}
+
+}  // namespace
+}  // namespace quadrille

@@ -1,0 +1,36 @@
+#include <CLI/CLI.hpp>
+
+#include "io/file_bytes.hpp"
+#include "process/planner/command_line.hpp"
+#include "support/catch.hpp"
+#include "support/temp_folder.hpp"
+
+namespace quadrille {
+namespace {
+
+PlannerSettings settings_of(const std::string& arguments) {
+  CLI::App app;
+  const PlannerCommandLine command_line(app);
+  app.parse(arguments);
+  return command_line.settings();
+}
+
+TEST_CASE("options of the command line win over the planner's configuration", "[planner]") {
+  const test::TempFolder folder;
+  const std::string config =
+      "--config " +
+      folder.write("p.toml", "seed = 3\n[planner]\nunknown = \"free\"\napproach = 0.08\n");
+  CHECK(settings_of(config).plan.unknown == UnknownPolicy::kFree);
+  const PlannerSettings settings = settings_of(config + " --unknown target-shadow");
+  CHECK(settings.plan.unknown == UnknownPolicy::kTargetShadow);
+  CHECK(settings.plan.approach == 0.08);
+  CHECK(settings.gripper.name == "franka");
+}
+
+TEST_CASE("a gripper that is not known is wrong usage of the planner", "[planner]") {
+  CHECK_THROWS_AS(settings_of("--gripper no_such_hand"), CLI::ParseError);
+  CHECK_THROWS_AS(settings_of("--gripper none.toml"), io::FileError);
+}
+
+}  // namespace
+}  // namespace quadrille

@@ -1,0 +1,131 @@
+#include <octomap/OcTree.h>
+
+#include <sstream>
+
+#include "io/unknown_policy.hpp"
+#include "process/planner/messages.hpp"
+#include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+#include "support/catch.hpp"
+
+namespace quadrille {
+namespace {
+
+bus::CloudMessage make_cloud() {
+  bus::CloudMessage cloud{77, 5, {}};
+  cloud.cloud.frame = "camera";
+  return cloud;
+}
+
+/// Encodes and decodes a message, as the bus does.
+template <class Message>
+Message send(const Message& message) {
+  const auto bytes = bus::encode(message);
+  Message got;
+  const int size = static_cast<int>(bytes.size());
+  REQUIRE(got.decode(bytes.data(), 0, size) == size);
+  CHECK(got.utime == 77);
+  CHECK(got.seq == 5);
+  CHECK(got.frame == "camera");
+  return got;
+}
+
+TEST_CASE("grasps keep all their fields in the message", "[planner][messages]") {
+  Grasp grasp;
+  grasp.target = 3;
+  grasp.score = 0.75;
+  grasp.X_CG = Eigen::Translation3d(1, 2, 3) * Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitX());
+  grasp.width = 0.04;
+  grasp.preshape = 0.06;
+  grasp.contacts_C = {Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(4, 5, 6)};
+  grasp.approach = 0.1;
+  grasp.friction_needed = 0.2;
+  grasp.epsilon = 0.3;
+  grasp.clearance = 0.01;
+  grasp.unknown_contact = true;
+  GraspPlan plan;
+  plan.grasps = {grasp};
+  plan.rejected = {{"collision", 7}, {"width", 2}};
+  plan.warnings = {"no table"};
+  PlannerSettings settings;
+  settings.gripper.name = "franka";
+  settings.plan.unknown = UnknownPolicy::kTargetShadow;
+  const grasps_t got = send(make_grasps_message(make_cloud(), plan, settings));
+  CHECK(got.gripper == "franka");
+  CHECK(got.unknown == "target-shadow");
+  CHECK(got.warnings == plan.warnings);
+  REQUIRE(got.rejected.size() == 2);
+  CHECK(got.rejected[0].name == "collision");
+  CHECK(got.rejected[0].count == 7);
+  REQUIRE(got.grasps.size() == 1);
+  const grasp_t& m = got.grasps[0];
+  CHECK(m.target == 3);
+  CHECK(m.score == 0.75);
+  CHECK(bus::from_message(m.pose).isApprox(grasp.X_CG, 1e-14));
+  CHECK(m.width == 0.04);
+  CHECK(m.preshape == 0.06);
+  CHECK(m.contacts[0][1] == 2.0);
+  CHECK(m.contacts[1][2] == 6.0);
+  CHECK(m.approach == 0.1);
+  CHECK(m.friction_needed == 0.2);
+  CHECK(m.epsilon == 0.3);
+  CHECK(m.clearance == 0.01);
+  CHECK(m.unknown_contact != 0);
+}
+
+TEST_CASE("collision shapes keep their sizes, vertices and faces", "[planner][messages]") {
+  CollisionShape shape;
+  shape.target = 4;
+  shape.kind = "convex";
+  shape.dimensions = {0.1, 0.2};
+  shape.vertices_S = {{1, 2, 3}, {4, 5, 6}, {7, 8, 9}};
+  shape.faces = {3, 0, 1, 2};
+  GraspPlan plan;
+  plan.shapes = {shape};
+  const collision_shapes_t got = send(make_shapes_message(make_cloud(), plan));
+  REQUIRE(got.shapes.size() == 1);
+  CHECK(got.shapes[0].target == 4);
+  CHECK(got.shapes[0].kind == "convex");
+  CHECK(got.shapes[0].dimensions == shape.dimensions);
+  CHECK(got.shapes[0].vertices[2] == std::vector<double>{7, 8, 9});
+  CHECK(got.shapes[0].faces == std::vector<std::int32_t>{3, 0, 1, 2});
+}
+
+TEST_CASE("OctoMap reads the occupancy back: free, occupied and unknown", "[planner][messages]") {
+  OccupancyGrid space({Eigen::Vector3d::Constant(0.01), Eigen::Vector3d::Constant(0.79)}, 0.05);
+  PointCloud cloud;
+  cloud.points = {{0.12f, 0.22f, 0.32f}};
+  space.add_rays(cloud, {{0.12, 0.22, 0.38}});
+  const occupancy_t got = send(make_occupancy_message(make_cloud(), &space));
+  CHECK(got.resolution == 0.05);
+  CHECK(got.num_occupied == 1);
+  CHECK(got.num_free == 1);
+  std::istringstream stream(std::string(got.data.begin(), got.data.end()));
+  octomap::OcTree tree(1.0);
+  REQUIRE(tree.readBinary(stream));
+  CHECK(tree.getResolution() == 0.05);
+  const auto* occupied = tree.search(0.12, 0.22, 0.32);
+  const auto* free = tree.search(0.12, 0.22, 0.37);
+  REQUIRE(occupied);
+  REQUIRE(free);
+  CHECK(tree.isNodeOccupied(occupied));
+  CHECK_FALSE(tree.isNodeOccupied(free));
+  CHECK(tree.search(1.0, 1.0, 1.0) == nullptr);
+}
+
+TEST_CASE("a plan without a map gives a message without data", "[planner][messages]") {
+  const occupancy_t got = send(make_occupancy_message(make_cloud(), nullptr));
+  CHECK(got.data.empty());
+  CHECK(got.num_free == 0);
+}
+
+TEST_CASE("policies for unknown space are known by name", "[planner]") {
+  for (const UnknownPolicy policy :
+       {UnknownPolicy::kObstacle, UnknownPolicy::kTargetShadow, UnknownPolicy::kFree}) {
+    CHECK(io::unknown_policy_from_string(io::to_string(policy)) == policy);
+  }
+  CHECK(io::unknown_policy_from_string("shadow") == std::nullopt);
+}
+
+}  // namespace
+}  // namespace quadrille

@@ -1,0 +1,31 @@
+#include "process/runtime/channel_census.hpp"
+
+#include "support/catch.hpp"
+
+namespace quadrille {
+namespace {
+
+TEST_CASE("a channel without events is named with those that had some", "[process][log]") {
+  ChannelCensus census;
+  for (const char* channel : {"CAMERA", "POSE", "CAMERA"}) census.add(channel);
+  CHECK(census.find_missing({{"--in-channel", "CAMERA"}}).empty());
+  const auto lines = census.find_missing({{"--a", "CAMERA"}, {"--b", "POINT_CLOUD"}});
+  CHECK(lines == std::vector<std::string>{"no event on POINT_CLOUD; the log holds CAMERA (2), POSE "
+                                          "(1); name the channel with --b"});
+}
+
+TEST_CASE("an empty log is told from a channel that is named wrong", "[process][log]") {
+  const auto lines = ChannelCensus().find_missing({{"--a", "A"}});
+  CHECK(lines == std::vector<std::string>{"no event on A; the log holds no events at all"});
+}
+
+TEST_CASE("a log of very many channels gives a line of bounded length", "[process][log]") {
+  ChannelCensus census;
+  for (int i = 0; i < 100; ++i) census.add("CHANNEL_" + std::to_string(i));
+  const auto lines = census.find_missing({{"--a", "A"}});
+  REQUIRE(lines.size() == 1);
+  CHECK(lines[0].find(" and 88 more; name") != std::string::npos);
+}
+
+}  // namespace
+}  // namespace quadrille

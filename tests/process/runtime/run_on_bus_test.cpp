@@ -1,0 +1,63 @@
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "process/runtime/run.hpp"
+#include "support/catch.hpp"
+
+namespace quadrille {
+namespace {
+
+/// Has itself sent a job with its first status; the job lasts until another status is published.
+class SlowNode : public Node {
+ public:
+  SlowNode(bus::Publish publish, std::atomic<int>* seen_at_work)
+      : publish_(std::move(publish)), seen_at_work_(seen_at_work) {}
+
+  std::vector<InChannel> in_channels() const override {
+    return {{"--work", "WORK"}, {"--end", "END"}};
+  }
+
+  std::optional<Job> receive(const std::string& channel, std::span<const std::byte>) override {
+    if (channel == "END") throw std::runtime_error("the end");
+    return Job{0, [this] { work_until_status(); }};
+  }
+
+  void publish_status(std::int64_t, const std::vector<std::string>&) override {
+    if (statuses_++ == 0) publish_("WORK", kByte);
+  }
+
+  std::string summary() const override { return ""; }
+
+ private:
+  void work_until_status() {
+    const int before = statuses_;
+    for (int tries = 0; tries < 400 && statuses_ == before; ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    *seen_at_work_ = statuses_ - before;
+    publish_("END", kByte);
+  }
+
+  static inline const std::vector<std::byte> kByte{std::byte{1}};
+  const bus::Publish publish_;
+  std::atomic<int>* const seen_at_work_;
+  std::atomic<int> statuses_{0};
+};
+
+TEST_CASE("the status is published while a long job is done", "[process]") {
+  ProcessArguments arguments;
+  arguments.lcm_url = "memq://";
+  std::atomic<int> seen_at_work{0};
+  CHECK_THROWS_WITH(run_on_bus(arguments,
+                               [&](bus::Publish publish) {
+                                 return std::make_unique<SlowNode>(std::move(publish),
+                                                                   &seen_at_work);
+                               }),
+                    "the end");
+  CHECK(seen_at_work >= 1);
+}
+
+}  // namespace
+}  // namespace quadrille

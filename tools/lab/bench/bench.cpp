@@ -1,0 +1,85 @@
+#include "lab/bench/bench.hpp"
+
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "lab/experiments/measure.hpp"
+
+namespace quadrille::bench {
+namespace {
+
+/// The rows in the order of the families, of what is counted, and of the contenders.
+class Rows {
+ public:
+  void add(const Frame& frame, int family, const std::string& counted, int contender,
+           const Contender& who, const Outcome& outcome) {
+    Row& row = rows_[{family, counted, contender}];
+    row.family = frame.family;
+    row.contender = who.name;
+    row.counted = counted;
+    row.finds_others = !counted.empty() && who.only.empty();
+    ++row.frames;
+    FrameScore one = scoring::score(frame, outcome.findings, counted);
+    // Planes are no concern of who looks for one type.
+    if (!counted.empty()) {
+      one.planes_wanted = one.planes_found = one.planes_right = one.planes_wrong = 0;
+    }
+    row.total += one;
+    row.wall_ms.push_back(outcome.wall_ms);
+    row.cpu_ms.push_back(outcome.cpu_ms);
+  }
+
+  std::vector<Row> list() const {
+    std::vector<Row> list;
+    for (const auto& [key, row] : rows_) list.push_back(row);
+    return list;
+  }
+
+ private:
+  std::map<std::tuple<int, std::string, int>, Row> rows_;
+};
+
+void run_on(const Frame& frame, int family, const std::vector<Contender>& contenders, Rows* rows) {
+  for (int k = 0; k < static_cast<int>(contenders.size()); ++k) {
+    const Contender& contender = contenders[k];
+    if (!contender.absent.empty()) continue;
+    const Outcome outcome = contender.run(frame);
+    if (contender.only.empty()) rows->add(frame, family, "", k, contender, outcome);
+    rows->add(frame, family, "sphere", k, contender, outcome);
+  }
+}
+
+}  // namespace
+
+double Row::precision() const { return finds_others ? std::nan("") : total.precision(); }
+
+double Row::width_error() const {
+  return total.width_errors.empty() ? std::nan("") : experiments::quantile(total.width_errors, 0.5);
+}
+
+std::vector<Row> run_bench(const std::vector<Contender>& contenders, const BenchOptions& options) {
+  Rows rows;
+  double done = 0.0;
+  if (!options.clouds.empty()) {
+    std::map<std::string, int> families;
+    for (const std::string& path : options.clouds) {
+      const Frame frame = scoring::read_frame(path);
+      const int next = static_cast<int>(families.size());
+      run_on(frame, families.emplace(frame.family, next).first->second, contenders, &rows);
+      options.progress(++done / static_cast<double>(options.clouds.size()));
+    }
+    return rows.list();
+  }
+  for (int family = 0; family < static_cast<int>(options.families.size()); ++family) {
+    for (int k = 0; k < options.scenes; ++k) {
+      const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
+      const Frame frame = scoring::frame_of(scene::make_scene({options.families[family], seed}));
+      run_on(frame, family, contenders, &rows);
+      options.progress(++done / (options.scenes * static_cast<double>(options.families.size())));
+    }
+  }
+  return rows.list();
+}
+
+}  // namespace quadrille::bench

@@ -1,0 +1,108 @@
+#include "lab/bench/report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "lab/experiments/measure.hpp"
+
+namespace quadrille::bench {
+namespace {
+
+using experiments::Plot;
+using experiments::quantile;
+using experiments::Table;
+using nlohmann::ordered_json;
+
+std::string percent(double share) {
+  return std::isfinite(share) ? fmt::format("{:.1f}", 100.0 * share) : "-";
+}
+
+std::string counted_name(const Row& row) { return row.counted.empty() ? "all" : row.counted; }
+
+ordered_json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return value;
+}
+
+}  // namespace
+
+Table to_table(const std::vector<Row>& rows) {
+  Table table{"",
+              {"family", "counted", "contender", "frames", "surfaces", "recall %", "precision %",
+               "right width %", "median width error %", "planes found %", "planes right %",
+               "wall ms", "CPU ms"},
+              {}};
+  for (const Row& row : rows) {
+    table.add({row.family, counted_name(row), row.contender, fmt::format("{}", row.frames),
+               fmt::format("{}", row.total.wanted), percent(row.total.recall()),
+               percent(row.precision()), percent(row.total.right_width()),
+               percent(row.width_error()), percent(row.total.plane_recall()),
+               percent(row.total.plane_precision()),
+               fmt::format("{:.1f}", quantile(row.wall_ms, 0.5)),
+               fmt::format("{:.1f}", quantile(row.cpu_ms, 0.5))});
+  }
+  return table;
+}
+
+nlohmann::ordered_json to_json(const std::vector<Row>& rows) {
+  ordered_json list = ordered_json::array();
+  for (const Row& row : rows) {
+    list.push_back({{"family", row.family},
+                    {"counted", counted_name(row)},
+                    {"contender", row.contender},
+                    {"frames", row.frames},
+                    {"surfaces", row.total.wanted},
+                    {"found", row.total.found},
+                    {"wrong", row.finds_others ? ordered_json() : ordered_json(row.total.wrong)},
+                    {"recall", number(row.total.recall())},
+                    {"precision", number(row.precision())},
+                    {"right_width", number(row.total.right_width())},
+                    {"width_error", number(row.width_error())},
+                    {"plane_recall", number(row.total.plane_recall())},
+                    {"plane_precision", number(row.total.plane_precision())},
+                    {"wall_ms", quantile(row.wall_ms, 0.5)},
+                    {"cpu_ms", quantile(row.cpu_ms, 0.5)}});
+  }
+  return list;
+}
+
+std::vector<Plot> plots_of(const std::vector<Row>& rows) {
+  std::vector<Plot> plots;
+  for (const Row& row : rows) {
+    if (!std::isfinite(row.total.recall())) continue;
+    const std::string title =
+        fmt::format("{}, {}", row.family, row.counted.empty() ? "all quadrics" : "spheres alone");
+    if (plots.empty() || plots.back().title != title) {
+      plots.push_back({title, "median wall time of a frame [ms]", "recall", {}, true});
+      plots.back().least_y_range = {0.0, 1.0};
+    }
+    plots.back().lines.push_back(
+        {row.contender, {{quantile(row.wall_ms, 0.5), row.total.recall()}}, false, true});
+  }
+  return plots;
+}
+
+std::string to_markdown(const std::vector<Row>& rows, const std::vector<Contender>& contenders,
+                        const std::string& command, const std::string& version) {
+  std::string text = fmt::format("# Benchmark\n\nquadrille {}: `{}`. ", version, command);
+  text +=
+      "Times depend on the machine and are medians over the frames, one thread, from the decoded "
+      "cloud to the quadrics; all else is the same each time.\n\n"
+      "A surface is **found** by a quadric that holds 60 % of its points within the noise, with "
+      "their normals within 20°, and few points around that are not the surface's. **Precision** "
+      "is that of curved quadrics. The **width** is the one across the line of sight that a "
+      "gripper would close on; it is right within 10 %, or 4 mm. A contender that looks for "
+      "spheres "
+      "alone is judged by the spheres. In the rows of spheres the others have no precision: what "
+      "they find beside spheres is no mistake, and nothing tells which of their mistakes was meant "
+      "for a sphere.\n\n![recall against time](bench.svg)\n\n";
+  text += to_markdown(to_table(rows)) + "\n";
+  for (const Contender& contender : contenders) {
+    text += fmt::format("- `{}`: {}{}\n", contender.name, contender.about,
+                        contender.absent.empty() ? "" : " (" + contender.absent + ")");
+  }
+  return text;
+}
+
+}  // namespace quadrille::bench

@@ -1,0 +1,173 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "lab/experiments/cylinder_match.hpp"
+#include "lab/experiments/experiments.hpp"
+#include "lab/experiments/generated_scenes.hpp"
+#include "lab/experiments/measure.hpp"
+#include "lab/scene/bin.hpp"
+#include "lab/scoring/score.hpp"
+#include "quadrille/detector/detector.hpp"
+
+namespace quadrille::experiments {
+namespace {
+
+constexpr int kCounts[] = {8, 20, 40};
+constexpr double kNoises[] = {0.25, 0.5, 1.0};
+/// Of the side's pixels that would be seen without the others, below which it is not asked for.
+constexpr double kLeastSeen = 0.4;
+
+/// A cylinder of a bin, if enough of its side is seen.
+struct Target {
+  int id;
+  KnownCylinder cylinder;
+};
+
+std::vector<Target> targets_of(const scene::Scene& made) {
+  std::vector<Target> targets;
+  int id = 0;
+  for (const scene::Body& body : made.layout.bodies) {
+    for (std::size_t part = 0; part < body.surfaces.size(); ++part, ++id) {
+      const int visible = made.ideal.visible[static_cast<std::size_t>(id)];
+      const int alone = made.ideal.alone[static_cast<std::size_t>(id)];
+      if (!body.surfaces[part].curved || visible < kLeastPixels || visible < kLeastSeen * alone) {
+        continue;
+      }
+      const Eigen::Isometry3d X_CS = made.layout.X_CW * body.X_WB * body.X_BS[part];
+      targets.push_back(
+          {id,
+           {X_CS.translation(), X_CS.linear().col(2), body.surfaces[part].dims.front().second}});
+    }
+  }
+  return targets;
+}
+
+/// What is found at one clutter and noise.
+struct Outcome {
+  int cylinders;
+  double noise;
+  /// Found with axis and radius of a cylinder; the score has those found with any quadric.
+  int exact = 0;
+  scoring::FrameScore score;
+  std::vector<double> times;
+};
+
+/// The bin with its own noise, where the targets alone have to be found.
+scoring::Frame frame_of(const scene::Scene& made, const std::vector<Target>& targets,
+                        double noise) {
+  scoring::Frame frame = scoring::frame_of(made);
+  frame.noise = noise;
+  for (scoring::TrueSurface& surface : frame.surfaces) {
+    surface.sigma = scene::depth_noise(noise, surface.X_CS.translation().z());
+    if (!surface.curved) continue;
+    surface.evaluate = std::any_of(targets.begin(), targets.end(),
+                                   [&](const Target& t) { return t.id == surface.id; });
+  }
+  return frame;
+}
+
+void run(const scene::Scene& made, Outcome* outcome) {
+  const std::vector<Target> targets = targets_of(made);
+  std::vector<KnownCylinder> known;
+  for (const Target& target : targets) known.push_back(target.cylinder);
+  const scoring::Frame frame = frame_of(made, targets, outcome->noise);
+  DetectionResult result;
+  outcome->times.push_back(1e-3 * microseconds([&] { result = detect(frame.cloud); }));
+  for (const char found : found_cylinders(result, known)) outcome->exact += found;
+  outcome->score += scoring::score(frame, scoring::findings_of(result));
+}
+
+scene::Scene make_bin(int cylinders, std::uint64_t seed) {
+  scene::Scene made;
+  scene::BinOptions options;
+  options.cylinders = cylinders;
+  scene::Random random(seed, static_cast<std::uint64_t>(cylinders));
+  made.layout = scene::fill_bin(options, &random);
+  made.ideal = scene::render(made.camera, made.layout.bodies, made.layout.X_CW);
+  return made;
+}
+
+void observe(double noise, std::uint64_t seed, scene::Scene* made) {
+  scene::FamilyTraits traits = scene::traits_of(scene::Family::kMedium);
+  traits.noise = noise;
+  scene::Random pixels(seed, 1);
+  made->view = scene::observe(made->camera, made->ideal, traits, &pixels);
+}
+
+std::string percent(int part, int whole) {
+  return whole ? fmt::format("{:.1f} %", 100.0 * part / whole) : "-";
+}
+
+Report report_of(const std::vector<Outcome>& outcomes, int bins) {
+  Report report;
+  Table table{"Cylinders of which enough is seen",
+              {"cylinders a bin", "noise [mm]", "asked for", "axis and radius right", "any quadric",
+               "precision", "detection [ms]"},
+              {}};
+  report.data.columns = {"cylinders", "noise", "known", "exact", "any", "wrong", "median_ms"};
+  Plot plot{"Cylinders found", "cylinders a bin", "share", {}, false, false, {0.0, 1.0}};
+  int known = 0, exact = 0, any = 0;
+  const double height = scene::BinOptions().height;
+  for (const Outcome& o : outcomes) {
+    const double ms = quantile(o.times, 0.5);
+    known += o.score.wanted, exact += o.exact, any += o.score.found;
+    table.add({number(o.cylinders), number(1e3 * scene::depth_noise(o.noise, height)),
+               number(o.score.wanted), percent(o.exact, o.score.wanted),
+               percent(o.score.found, o.score.wanted), fmt::format("{:.3f}", o.score.precision()),
+               number(ms)});
+    report.data.add({number(o.cylinders), number(o.noise), number(o.score.wanted), number(o.exact),
+                     number(o.score.found), number(o.score.wrong), number(ms)});
+  }
+  for (const double noise : kNoises) {
+    const std::string name =
+        fmt::format("noise {:.2g} mm", 1e3 * scene::depth_noise(noise, height));
+    Series right{name + ", axis and radius", {}, false, false, name},
+        covered{name + ", any quadric", {}, true, false, name};
+    for (const Outcome& o : outcomes) {
+      if (o.noise != noise || !o.score.wanted) continue;
+      right.points.emplace_back(o.cylinders, static_cast<double>(o.exact) / o.score.wanted);
+      covered.points.emplace_back(o.cylinders, static_cast<double>(o.score.found) / o.score.wanted);
+    }
+    plot.lines.push_back(right);
+    plot.lines.push_back(covered);
+  }
+  report.findings = {
+      fmt::format("{} bins at each clutter and noise; asked for are cylinders of which {:.0f} % of "
+                  "the pixels that their side would have alone, and {} pixels, are seen. Right: "
+                  "axis to 5° and a fifth of the radius, radius to a tenth.",
+                  bins, 100.0 * kLeastSeen, kLeastPixels),
+      fmt::format("Of {} cylinders {} are found with axis and radius, {} with any quadric.", known,
+                  percent(exact, known), percent(any, known))};
+  report.tables = {table};
+  report.plots = {plot};
+  return report;
+}
+
+}  // namespace
+
+Report run_cylinders(const Settings& settings) {
+  const int bins = settings.quick ? 1 : 12;
+  std::vector<Outcome> outcomes;
+  for (const int cylinders : kCounts) {
+    for (const double noise : kNoises) {
+      outcomes.push_back({.cylinders = cylinders, .noise = noise, .score = {}, .times = {}});
+    }
+  }
+  double done = 0.0;
+  for (int k = 0; k < bins; ++k) {
+    const std::uint64_t seed = settings.seed * 1000 + static_cast<std::uint64_t>(k);
+    for (const int cylinders : kCounts) {
+      scene::Scene made = make_bin(cylinders, seed);
+      for (Outcome& outcome : outcomes) {
+        if (outcome.cylinders != cylinders) continue;
+        observe(outcome.noise, seed, &made);
+        run(made, &outcome);
+        settings.progress(++done / (bins * static_cast<double>(outcomes.size())));
+      }
+    }
+  }
+  return report_of(outcomes, bins);
+}
+
+}  // namespace quadrille::experiments

@@ -1,0 +1,52 @@
+#include "lab/experiments/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include "lab/experiments/experiments.hpp"
+
+namespace quadrille::experiments {
+
+const std::vector<Experiment>& all_experiments() {
+  static const std::vector<Experiment> all = {
+      {"fitting", "errors and time of all fits under noise (figure 5)", run_fitting},
+      {"minimal", "time of the minimal solve against SVD of the 12x10 system (theorem 3)",
+       run_minimal},
+      {"lambda", "the distribution of the null-space parameter beside atan (figure 4b)",
+       run_lambda},
+      {"basis", "2, 3, 4 and 9 points a basis in contaminated neighbourhoods (figure 6b)",
+       run_basis},
+      {"sampling", "2, 3, 4 and 9 points in the whole detector over the sampling rate (figure 6b)",
+       run_sampling},
+      {"triplets", "how often the search draws a basis again (section 5)", run_triplets},
+      {"spheres", "errors of spheres in generated scenes, time of spheres alone (figure 6c)",
+       run_spheres},
+      {"cylinders", "cylinders in clutter: generated bins (after table 2)", run_cylinders},
+      {"deviations", "published standard deviations beside the errors, in generated scenes",
+       run_deviations},
+      {"sequence", "errors of a ball in a sequence of real scans (figure 6c, table 1)",
+       run_sequence},
+  };
+  return all;
+}
+
+const Experiment* find_experiment(std::string_view name) {
+  for (const Experiment& experiment : all_experiments()) {
+    if (experiment.name == name) return &experiment;
+  }
+  return nullptr;
+}
+
+std::string to_markdown(const Report& report, const Experiment& experiment,
+                        const Settings& settings, std::string_view version) {
+  const std::string command = fmt::format("quadrille experiment {} --seed {}{}", experiment.name,
+                                          settings.seed, settings.quick ? " --quick" : "");
+  std::string text = fmt::format("# {}: {}\n\n", experiment.name, experiment.about);
+  text += fmt::format("quadrille {}, seed {}: `{}`. ", version, settings.seed, command);
+  text += "Times depend on the machine; all else is the same each time.\n\n";
+  if (!report.plots.empty()) text += fmt::format("![{0}]({0}.svg)\n\n", experiment.name);
+  for (const std::string& finding : report.findings) text += fmt::format("- {}\n", finding);
+  for (const Table& table : report.tables) text += fmt::format("\n{}", to_markdown(table));
+  return text;
+}
+
+}  // namespace quadrille::experiments

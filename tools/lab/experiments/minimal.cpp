@@ -1,0 +1,167 @@
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <Eigen/SVD>
+#include <limits>
+
+#include "fits/compact_fit.hpp"
+#include "fits/linear_system.hpp"
+#include "fits/solution_space.hpp"
+#include "lab/experiments/experiments.hpp"
+#include "lab/experiments/measure.hpp"
+#include "lab/experiments/random_quadric.hpp"
+#include "search/basis.hpp"
+
+namespace quadrille::experiments {
+namespace {
+
+using Matrix12x10 = Eigen::Matrix<double, 12, 10>;
+using Vector12 = Eigen::Matrix<double, 12, 1>;
+
+/// The paper's compact system of three oriented points , without heap.
+struct System {
+  Matrix12x10 A;
+  Vector12 n;
+};
+
+System system_of(const OrientedPoints& points) {
+  System system;
+  system.n.setZero();
+  for (int i = 0; i < 3; ++i) {
+    system.A.row(i) = monomials(points.points.col(i)).transpose();
+    system.A.middleRows<3>(3 + 3 * i) = monomial_gradients(points.points.col(i));
+    system.n.segment<3>(3 + 3 * i) = points.normals.col(i);
+  }
+  return system;
+}
+
+/// A way from three oriented points and a further position to the quadric, zero if it finds none.
+struct Way {
+  std::string name, label;
+  bool from_svd;
+  std::function<Vector10d(const OrientedPoints&)> solve;
+};
+
+/// λ from the position alone: theorem 3 with the first row of the further point's system.
+Vector10d with_lambda(const Vector10d& p, const Vector10d& mu, const OrientedPoints& points) {
+  const Vector10d v = monomials(points.points.col(3));
+  return p - v.dot(p) / v.dot(mu) * mu;
+}
+
+template <class Decomposition>
+Vector10d by_svd(const OrientedPoints& points) {
+  const System system = system_of(points);
+  Decomposition svd(system.A, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  svd.setThreshold(1e-9);
+  return with_lambda(svd.solve(system.n), svd.matrixV().col(9), points);
+}
+
+Vector10d by_qr(const OrientedPoints& points) {
+  const System system = system_of(points);
+  const Eigen::ColPivHouseholderQR<Matrix12x10> qr(system.A);
+  // The null vector by back substitution from the last column, whose pivot vanishes.
+  Vector10d mu = Vector10d::Zero(), p = Vector10d::Zero();
+  const auto R = qr.matrixR().topLeftCorner<9, 9>().triangularView<Eigen::Upper>();
+  mu[9] = 1.0;
+  mu.head<9>() = -R.solve(qr.matrixR().topRightCorner<9, 1>());
+  const Vector12 right = qr.householderQ().transpose() * system.n;
+  p.head<9>() = R.solve(right.head<9>());
+  return with_lambda(qr.colsPermutation() * p, qr.colsPermutation() * mu, points);
+}
+
+Vector10d by_closed_form(const OrientedPoints& points) {
+  const auto pencil = make_pencil({points.at(0), points.at(1), points.at(2)});
+  if (!pencil) return Vector10d::Zero();
+  const Eigen::Vector4d x = points.points.col(3).homogeneous();
+  const double z = pencil->plane.dot(x);
+  return Quadric(pencil->at(-x.dot(pencil->Q0 * x) / (z * z))).coefficients();
+}
+
+Vector10d coefficients_of(const std::optional<Quadric>& Q) {
+  return Q ? Q->coefficients() : Vector10d(Vector10d::Zero());
+}
+
+std::vector<Way> all_ways() {
+  using Dynamic = Eigen::MatrixXd;
+  return {
+      {"closed form (make_pencil, λ)", "closed form", false, by_closed_form},
+      {"closed form, normalised and checked (fit_three_and_one)", "closed form, checked", false,
+       [](const OrientedPoints& p) { return coefficients_of(fit_three_and_one(p)); }},
+      {"compact system of 4 points by normal equations (fit_compact)", "4 points, normal equations",
+       false, [](const OrientedPoints& p) { return coefficients_of(fit_compact(p)); }},
+      {"12x10, pivoted QR", "12x10, pivoted QR", false, by_qr},
+      {"12x10, JacobiSVD of fixed size", "12x10, JacobiSVD, fixed size", true,
+       by_svd<Eigen::JacobiSVD<Matrix12x10>>},
+      {"12x10, JacobiSVD", "12x10, JacobiSVD", true, by_svd<Eigen::JacobiSVD<Dynamic>>},
+      {"12x10, BDCSVD", "12x10, BDCSVD", true, by_svd<Eigen::BDCSVD<Dynamic>>},
+  };
+}
+
+/// @param types  how many of the curved types are drawn from
+std::vector<OrientedPoints> random_bases(int count, int types, std::uint64_t seed) {
+  std::vector<OrientedPoints> bases;
+  for (int k = 0; k < count; ++k) {
+    RandomStream random(seed, static_cast<std::uint64_t>(k));
+    bases.push_back(sample(random_quadric(curved_type(k % types), random), 4, random));
+  }
+  return bases;
+}
+
+/// Median difference of two ways' quadrics on spheres, where all gradients have one length.
+double difference(const Way& a, const Way& b, std::uint64_t seed) {
+  std::vector<double> differences;
+  for (const OrientedPoints& basis : random_bases(101, 1, seed)) {
+    differences.push_back((a.solve(basis).normalized() - b.solve(basis).normalized()).norm());
+  }
+  return quantile(differences, 0.5);
+}
+
+}  // namespace
+
+Report run_minimal(const Settings& settings) {
+  const int rounds = settings.quick ? 5 : 301;
+  const std::vector<OrientedPoints> bases = random_bases(240, kCurvedTypes, settings.seed);
+  const std::vector<Way> ways = all_ways();
+  std::vector<std::vector<double>> times(ways.size());
+  // Volatile, so that no compiler leaves the work out.
+  volatile double sink = 0.0;
+  for (int round = 0; round < rounds; ++round) {
+    // In turn, so that all see the same machine.
+    for (std::size_t k = 0; k < ways.size(); ++k) {
+      const double time = microseconds([&] {
+        for (const OrientedPoints& basis : bases) sink = ways[k].solve(basis)[0];
+      });
+      times[k].push_back(time / static_cast<double>(bases.size()));
+    }
+    settings.progress((round + 1.0) / rounds);
+  }
+  Report report;
+  report.data.columns = {"way", "median_us", "times_faster_than_svd", "difference_on_spheres"};
+  double svd = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    if (ways[k].from_svd) svd = std::min(svd, quantile(times[k], 0.5));
+  }
+  Plot plot{"Distribution of the time of a minimal solve", "µs", "share of the rounds", {}, true};
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const double median = quantile(times[k], 0.5);
+    report.data.add({ways[k].name, number(median), number(svd / median),
+                     number(difference(ways[k], ways.back(), settings.seed))});
+    plot.lines.push_back({ways[k].label, {}, ways[k].from_svd});
+    for (double share = 0.0; share <= 1.0; share += 0.02) {
+      plot.lines.back().points.emplace_back(quantile(times[k], share), share);
+    }
+    if (!ways[k].from_svd) {
+      report.findings.push_back(
+          fmt::format("{}: {} µs, {} times faster than the fastest SVD ({} µs).", ways[k].name,
+                      number(median), number(svd / median), number(svd)));
+    }
+  }
+  report.findings.push_back(
+      fmt::format("Median of {} rounds over {} bases on one thread, against the fastest SVD.",
+                  rounds, bases.size()));
+  report.tables = {report.data};
+  report.plots = {plot};
+  return report;
+}
+
+}  // namespace quadrille::experiments

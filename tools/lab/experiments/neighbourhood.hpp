@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "base/random.hpp"
+#include "fit/geometric_fit.hpp"
+#include "fits/oriented_points.hpp"
+
+namespace quadrille::experiments {
+
+/// A piece of a random quadric in the unit ball, seen with noise among pieces of planes.
+struct Neighbourhood {
+  /// Noisy points with noisy unit normals, of the quadric and of the planes in random order.
+  OrientedPoints points;
+  /// The same for the vote.
+  FitPoints voters;
+  /// Exact points and normals of the quadric.
+  OrientedPoints truth;
+};
+
+/// How a neighbourhood is drawn.
+struct NeighbourhoodOptions {
+  Eigen::Index size = 300;
+  /// Share of points on three random planes through the ball.
+  double outliers = 0.0;
+  /// Standard deviations of a coordinate [radii of the ball] and of a normal [rad about each axis].
+  double point_noise = 0.01, normal_noise = 0.1;
+};
+
+Neighbourhood random_neighbourhood(const NeighbourhoodOptions& options, RandomStream& random);
+
+/// True if the quadric runs along the true surface of a neighbourhood: nine tenths of it within
+/// `distance`, with its normals to 0.9.
+bool is_found(const Quadric& Q, const Neighbourhood& neighbourhood, double distance);
+
+}  // namespace quadrille::experiments

@@ -1,0 +1,154 @@
+#include <fmt/format.h>
+
+#include "lab/experiments/experiments.hpp"
+#include "lab/experiments/generated_scenes.hpp"
+#include "lab/experiments/measure.hpp"
+#include "lab/scoring/score.hpp"
+#include "planes/plane_claims.hpp"
+#include "quadrille/detector/detector.hpp"
+#include "samples/sample_tree.hpp"
+#include "search/search.hpp"
+
+namespace quadrille::experiments {
+namespace {
+
+/// What the search sees of a scene: its samples without the planes.
+SampleTree samples_of(const PointCloud& cloud, const DetectorOptions& options) {
+  const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
+  const SurfaceSamples coarse = pyramid->coarse_samples();
+  const std::vector<char> keep = cells_off_planes(
+      *pyramid, coarse, find_planes(coarse, options.planes), options.planes.sigmas);
+  return {*pyramid, pyramid->samples(keep, 1)};
+}
+
+/// The search with a number of bases, with or without the hash, over all scenes of a family.
+struct Setting {
+  scene::Family family;
+  DetectorOptions options;
+  TripletCounts counts;
+  /// Processor time of the search over all levels, each scene [ms].
+  std::vector<double> times;
+  scoring::FrameScore score;
+
+  double repeated() const {
+    const auto all = counts.voted + counts.repeated;
+    return all ? static_cast<double>(counts.repeated) / static_cast<double>(all) : 0.0;
+  }
+};
+
+void run(const scoring::Frame& frame, const SampleTree& tree, Setting* setting) {
+  const DetectorOptions& options = setting->options;
+  setting->times.push_back(
+      1e-3 * microseconds([&] {
+        for (int l = 0; l < kLevels; ++l) {
+          const SurfaceSamples& samples = tree.level(l);
+          TripletCounts counts;
+          search(samples, std::vector<char>(static_cast<std::size_t>(samples.size()), 1),
+                 options.search, options.inlier, options.seed, &counts);
+          setting->counts.voted += counts.voted;
+          setting->counts.repeated += counts.repeated;
+        }
+      }));
+  setting->score += scoring::score(frame, scoring::findings_of(detect(frame.cloud, options)));
+}
+
+/// The same number of bases without the hash, with it, and with it in the largest neighbourhood of
+/// each seed alone.
+struct Group {
+  Setting plain, hashed, single;
+};
+
+std::vector<Group> all_groups(scene::Family family, bool quick) {
+  std::vector<Group> groups;
+  for (const int bases : quick ? std::vector<int>{5, 50} : std::vector<int>{5, 50, 500}) {
+    Setting setting{family, {}, {}, {}, {}};
+    setting.options.search.bases = bases;
+    Group group{setting, setting, setting};
+    group.hashed.options.search.hash_triplets = true;
+    group.single.options.search.hash_triplets = true;
+    group.single.options.search.radii = {setting.options.search.radii.back()};
+    groups.push_back(group);
+  }
+  return groups;
+}
+
+std::string percent(double share) { return fmt::format("{:.2f} %", 100.0 * share); }
+
+Table table_of(const std::vector<Group>& groups, int scenes) {
+  Table table{fmt::format("Triplets that were bases before, {} scenes each", scenes),
+              {"scenes", "bases a seed", "consistent triplets", "repeated", "repeated, one radius",
+               "search [ms]", "with hash [ms]", "recall", "with hash"},
+              {}};
+  for (const auto& [plain, hashed, single] : groups) {
+    table.add({scene::traits_of(plain.family).name, number(plain.options.search.bases),
+               fmt::format("{}", hashed.counts.voted + hashed.counts.repeated),
+               percent(hashed.repeated()), percent(single.repeated()),
+               number(quantile(plain.times, 0.5)), number(quantile(hashed.times, 0.5)),
+               fmt::format("{:.3f}", plain.score.recall()),
+               fmt::format("{:.3f}", hashed.score.recall())});
+  }
+  return table;
+}
+
+Table data_of(const std::vector<Group>& groups) {
+  Table data{
+      "", {"family", "bases", "setting", "voted", "repeated", "median_ms", "known", "found"}, {}};
+  for (const Group& group : groups) {
+    for (const auto& [name, s] : {std::pair("plain", &group.plain),
+                                  {"hashed", &group.hashed},
+                                  {"one radius", &group.single}}) {
+      data.add({scene::traits_of(s->family).name, number(s->options.search.bases), name,
+                fmt::format("{}", s->counts.voted), fmt::format("{}", s->counts.repeated),
+                number(quantile(s->times, 0.5)), number(s->score.wanted), number(s->score.found)});
+    }
+  }
+  return data;
+}
+
+Report report_of(const std::vector<Group>& groups, int scenes) {
+  Report report;
+  Plot plot{"Repeated triplets", "bases a seed", "repeated [%]", {}, true, false, {0.0}};
+  for (const Group& group : groups) {
+    const std::string family = scene::traits_of(group.plain.family).name;
+    const int bases = group.plain.options.search.bases;
+    report.findings.push_back(fmt::format(
+        "{}: with {} bases a seed {} of the consistent triplets were bases before, with one radius "
+        "{}.",
+        family, bases, percent(group.hashed.repeated()), percent(group.single.repeated())));
+    if (plot.lines.empty() || !plot.lines.back().name.starts_with(family)) {
+      plot.lines.push_back({family + ", three radii", {}, false, false, family});
+      plot.lines.push_back({family + ", one radius", {}, true, false, family});
+    }
+    (plot.lines.end() - 2)->points.emplace_back(bases, 100.0 * group.hashed.repeated());
+    plot.lines.back().points.emplace_back(bases, 100.0 * group.single.repeated());
+  }
+  report.tables = {table_of(groups, scenes)};
+  report.data = data_of(groups);
+  report.plots = {plot};
+  return report;
+}
+
+}  // namespace
+
+Report run_triplets(const Settings& settings) {
+  const int scenes = settings.quick ? 2 : 12;
+  const std::vector<scene::Family> families = {scene::Family::kMedium, scene::Family::kHard};
+  std::vector<Group> all;
+  for (const scene::Family family : families) {
+    const std::vector<Group> groups = all_groups(family, settings.quick);
+    all.insert(all.end(), groups.begin(), groups.end());
+  }
+  for_each_scene(families, scenes, settings, [&](const scene::Scene& made) {
+    const scoring::Frame frame = scoring::frame_of(made);
+    const SampleTree tree = samples_of(frame.cloud, {});
+    for (Group& group : all) {
+      if (group.plain.family != made.options.family) continue;
+      for (Setting* setting : {&group.plain, &group.hashed, &group.single}) {
+        run(frame, tree, setting);
+      }
+    }
+  });
+  return report_of(all, scenes);
+}
+
+}  // namespace quadrille::experiments

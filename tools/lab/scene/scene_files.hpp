@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "lab/scene/scene.hpp"
+
+namespace quadrille::scene {
+
+/// The truth beside a cloud: OUT.ply gives OUT.truth.json.
+std::string truth_path(const std::string& ply_path);
+
+/// Camera, noise, and one object for each surface with its q in the camera frame, pose
+/// (x_C = R x_S + t), dims, box (in S) and what the camera saw of it.
+nlohmann::ordered_json truth_json(const Scene& scene);
+
+/// Writes OUT.ply and OUT.truth.json; with labels also OUT.labels (int32 per point) and OUT.normals
+/// (3 float32 per point).
+/// @throws io::FileError if a file cannot be written
+void write_scene(const std::string& ply_path, const Scene& scene, bool labels);
+
+}  // namespace quadrille::scene

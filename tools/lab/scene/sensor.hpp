@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "lab/scene/family.hpp"
+#include "lab/scene/random.hpp"
+#include "lab/scene/render.hpp"
+
+namespace quadrille::scene {
+
+/// Labels of points that belong to no surface.
+enum Label : int { kMixed = -2, kStray = -3 };
+
+/// The points that a real depth camera would deliver, in row order without the missing ones.
+struct View {
+  std::vector<Eigen::Vector3f> points;
+  /// Index of the surface, or a Label.
+  std::vector<int> labels;
+  /// True unit normals in frame C; NaN for labels below 0.
+  std::vector<Eigen::Vector3f> normals;
+};
+
+/// Share of the noise variance that neighbouring pixels have in common.
+inline constexpr double kSmoothShare = 0.5;
+
+/// Standard deviation of the depth at depth z for a factor of the family [m].
+double depth_noise(double factor, double z);
+
+/// Adds noise, quantisation, missing pixels, mixed edges and strays to an ideal image.
+View observe(const Camera& camera, const Rendering& ideal, const FamilyTraits& traits,
+             Random* random);
+
+}  // namespace quadrille::scene

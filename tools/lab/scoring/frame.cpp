@@ -1,0 +1,120 @@
+#include "lab/scoring/frame.hpp"
+
+#include <array>
+#include <cstring>
+#include <filesystem>
+
+#include "io/cloud_file.hpp"
+#include "io/file_bytes.hpp"
+#include "lab/scene/scene_files.hpp"
+
+namespace quadrille::scoring {
+namespace {
+
+using nlohmann::ordered_json;
+
+Eigen::Vector3d vector_of(const ordered_json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+TrueSurface surface_of(const ordered_json& json) {
+  TrueSurface surface;
+  surface.id = json.at("id");
+  surface.curved = json.at("kind") == "quadric";
+  surface.type = json.at("type");
+  Vector10d q;
+  for (int i = 0; i < 10; ++i) q[i] = json.at("q").at(i);
+  surface.Q_C = Quadric(q);
+  for (int i = 0; i < 3; ++i) {
+    surface.X_CS.linear().row(i) = vector_of(json.at("pose").at("R").at(i)).transpose();
+  }
+  surface.X_CS.translation() = vector_of(json.at("pose").at("t"));
+  surface.box_S = {vector_of(json.at("box").at(0)), vector_of(json.at("box").at(1))};
+  surface.size = json.at("size");
+  surface.sigma = json.at("sigma");
+  surface.evaluate = json.at("evaluate");
+  return surface;
+}
+
+void take_truth(const ordered_json& truth, Frame* frame) {
+  frame->family = truth.at("family");
+  frame->noise = truth.at("noise_scale");
+  for (const ordered_json& object : truth.at("objects")) {
+    frame->surfaces.push_back(surface_of(object));
+  }
+}
+
+/// Leaves out points that are not finite, and gives those of no surface the normal zero.
+void clean(Frame* frame) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < frame->cloud.points.size(); ++i) {
+    if (!frame->cloud.points[i].allFinite()) continue;
+    frame->cloud.points[kept] = frame->cloud.points[i];
+    frame->labels[kept] = frame->labels[i];
+    frame->normals[kept] =
+        frame->normals[i].allFinite() ? frame->normals[i] : Eigen::Vector3f::Zero();
+    ++kept;
+  }
+  frame->cloud.points.resize(kept);
+  frame->cloud.width = frame->cloud.height = 0;
+  frame->labels.resize(kept);
+  frame->normals.resize(kept);
+}
+
+/// A file beside a cloud.
+std::vector<std::byte> read_companion(const std::string& path) {
+  if (!std::filesystem::exists(path)) {
+    throw io::FileError(path, "",
+                        "no such file; `quadrille scene --labels` makes clouds with all that is "
+                        "known of them");
+  }
+  return io::read_file(path);
+}
+
+template <class Element>
+std::vector<Element> read_elements(const std::string& path, std::size_t count) {
+  const std::vector<std::byte> bytes = read_companion(path);
+  if (bytes.size() != count * sizeof(Element)) {
+    throw io::FileError(path, "", "has not one entry per point of the cloud; make both anew");
+  }
+  std::vector<Element> elements(count);
+  std::memcpy(elements.data(), bytes.data(), bytes.size());
+  return elements;
+}
+
+}  // namespace
+
+Frame frame_of(const scene::Scene& scene) {
+  Frame frame;
+  take_truth(scene::truth_json(scene), &frame);
+  frame.name = frame.family + " " + std::to_string(scene.options.seed);
+  frame.cloud.points = scene.view.points;
+  frame.cloud.read = frame.cloud.points.size();
+  frame.labels = scene.view.labels;
+  frame.normals = scene.view.normals;
+  clean(&frame);
+  return frame;
+}
+
+Frame read_frame(const std::string& ply_path) {
+  Frame frame;
+  frame.name = ply_path;
+  frame.cloud = io::read_cloud(ply_path);
+  const std::string truth = scene::truth_path(ply_path);
+  const std::vector<std::byte> bytes = read_companion(truth);
+  const char* text = reinterpret_cast<const char*>(bytes.data());
+  try {
+    take_truth(ordered_json::parse(text, text + bytes.size()), &frame);
+  } catch (const ordered_json::exception& error) {
+    throw io::FileError(truth, "", std::string("no truth of a scene: ") + error.what());
+  }
+  const std::string base = ply_path.substr(0, ply_path.size() - std::strlen(".ply"));
+  const std::size_t count = frame.cloud.points.size();
+  frame.labels = read_elements<int>(base + ".labels", count);
+  const auto normals = read_elements<std::array<float, 3>>(base + ".normals", count);
+  for (const auto& n : normals) frame.normals.emplace_back(n[0], n[1], n[2]);
+  clean(&frame);
+  return frame;
+}
+
+}  // namespace quadrille::scoring

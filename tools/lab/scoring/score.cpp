@@ -1,0 +1,253 @@
+#include "lab/scoring/score.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "lab/scoring/matching.hpp"
+
+namespace quadrille::scoring {
+namespace {
+
+constexpr double kCover = 0.6, kPurity = 0.5;
+constexpr std::size_t kMostFindings = 100, kLeastPoints = 40, kSamples = 30000;
+const double kLeastCosine = std::cos(20.0 * std::numbers::pi / 180.0);
+
+/// True if a point lies on the quadric with its normal along the gradient, up to sign.
+bool agrees(const Quadric& Q, const Eigen::Vector3f& p, const Eigen::Vector3f& n,
+            double tolerance) {
+  const Eigen::Vector3d x = p.cast<double>(), g = Q.gradient(x);
+  const double length = g.norm();
+  return std::abs(Q.value(x)) <= tolerance * length && length > 0.0 &&
+         std::abs(g.dot(n.cast<double>())) >= kLeastCosine * length;
+}
+
+/// A surface with its points, and all those near it.
+struct Target {
+  const TrueSurface* surface = nullptr;
+  std::vector<std::size_t> own, near;
+  double tolerance = 0.0;
+};
+
+Target target_of(const TrueSurface& surface, const Frame& frame) {
+  Target target;
+  target.surface = &surface;
+  target.tolerance = std::max(2.0 * surface.sigma, std::min(0.02 * surface.size, 0.01));
+  const Eigen::Vector3d middle = surface.box_S.center(), half = 0.5 * surface.box_S.sizes();
+  const Eigen::Vector3d reach =
+      (1.2 * half).cwiseMax(half + Eigen::Vector3d::Constant(3.0 * target.tolerance));
+  const Eigen::Isometry3d X_SC = surface.X_CS.inverse();
+  for (std::size_t i = 0; i < frame.labels.size(); ++i) {
+    const bool own = frame.labels[i] == surface.id;
+    const Eigen::Vector3d x_S = X_SC * frame.cloud.points[i].cast<double>();
+    if (own) target.own.push_back(i);
+    if (own || ((x_S - middle).cwiseAbs().array() <= reach.array()).all()) target.near.push_back(i);
+  }
+  return target;
+}
+
+/// The findings and the truth of one frame.
+class Judge {
+ public:
+  Judge(const Frame& frame, const std::string& only) : frame_(frame) {
+    for (const TrueSurface& surface : frame.surfaces) {
+      Target target = target_of(surface, frame);
+      if (target.own.size() < kLeastPoints) continue;
+      const bool asked = surface.evaluate && (only.empty() || surface.type == only);
+      (!surface.curved ? planes_ : asked ? wanted_ : passed_).push_back(std::move(target));
+    }
+    const std::size_t step = std::max<std::size_t>(1, frame.labels.size() / kSamples);
+    for (std::size_t i = 0; i < frame.labels.size(); i += step) {
+      if (frame.labels[i] >= 0) samples_.push_back(i);
+    }
+  }
+
+  /// The finding of each surface that had to be found and was, by the surface's id.
+  std::map<int, int> pair_up(const std::vector<Quadric>& findings) const {
+    std::map<int, int> pairs;
+    for (const auto& [k, finding] : match_most(candidates_among(numbered(findings), wanted_))) {
+      pairs[wanted_[k].surface->id] = finding;
+    }
+    return pairs;
+  }
+
+  FrameScore score(const std::vector<Quadric>& findings) const {
+    FrameScore result;
+    result.wanted = static_cast<int>(wanted_.size());
+    std::map<int, Quadric> rest = numbered(findings);
+    const Candidates candidates = candidates_among(rest, wanted_);
+    for (const auto& [surface, finding] : match_most(candidates)) {
+      ++result.found;
+      add_width(wanted_[surface], findings[finding], &result);
+      rest.erase(finding);
+    }
+    // What also fits a surface that is found already is a double, and not excused by another.
+    std::map<int, Quadric> excusable = rest;
+    for (const auto& [finding, surfaces] : candidates) excusable.erase(finding);
+    for (const auto& [surface, finding] : match_most(candidates_among(excusable, passed_))) {
+      rest.erase(finding);
+    }
+    judge_rest(rest, &result);
+    return result;
+  }
+
+ private:
+  static std::map<int, Quadric> numbered(const std::vector<Quadric>& findings) {
+    std::map<int, Quadric> all;
+    for (std::size_t i = 0; i < findings.size(); ++i) all[static_cast<int>(i)] = findings[i];
+    return all;
+  }
+
+  double coverage(const Quadric& Q, const Target& target) const {
+    std::size_t count = 0;
+    for (const std::size_t i : target.own) count += agrees_at(Q, i, target.tolerance);
+    return static_cast<double>(count) / static_cast<double>(target.own.size());
+  }
+
+  double purity(const Quadric& Q, const Target& target) const {
+    std::size_t own = 0, all = 0;
+    for (const std::size_t i : target.near) {
+      if (!agrees_at(Q, i, target.tolerance)) continue;
+      ++all;
+      own += frame_.labels[i] == target.surface->id;
+    }
+    return all > 0 ? static_cast<double>(own) / static_cast<double>(all) : 0.0;
+  }
+
+  bool agrees_at(const Quadric& Q, std::size_t i, double tolerance) const {
+    return agrees(Q, frame_.cloud.points[i], frame_.normals[i], tolerance);
+  }
+
+  Candidates candidates_among(const std::map<int, Quadric>& findings,
+                              const std::vector<Target>& targets) const {
+    Candidates candidates;
+    for (const auto& [finding, Q] : findings) {
+      for (std::size_t k = 0; k < targets.size(); ++k) {
+        const double cover = coverage(Q, targets[k]);
+        if (cover < kCover || purity(Q, targets[k]) < kPurity) continue;
+        candidates[finding][static_cast<int>(k)] = cover;
+      }
+    }
+    return candidates;
+  }
+
+  /// True if the quadric is flat wherever the scene supports it.
+  bool is_flat(const Quadric& Q) const {
+    const Eigen::Matrix3d curved = Q.matrix().topLeftCorner<3, 3>();
+    const Eigen::Vector3d linear = Q.matrix().topRightCorner<3, 1>();
+    if (curved.cwiseAbs().maxCoeff() <= 1e-9 * linear.norm()) return true;
+    std::vector<Eigen::Vector3d> gradients;
+    Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
+    for (const std::size_t i : samples_) {
+      const double z = frame_.cloud.points[i].z();
+      const double tolerance = std::max(2.0 * scene::depth_noise(frame_.noise, z), 0.003);
+      if (!agrees_at(Q, i, tolerance)) continue;
+      gradients.push_back(Q.gradient(frame_.cloud.points[i].cast<double>()).normalized());
+      moment += gradients.back() * gradients.back().transpose();
+    }
+    if (gradients.size() < 20) return false;
+    const Eigen::Vector3d axis =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moment).eigenvectors().col(2);
+    std::vector<double> cosines;
+    for (const Eigen::Vector3d& g : gradients) cosines.push_back(std::abs(g.dot(axis)));
+    std::sort(cosines.begin(), cosines.end());
+    return cosines[cosines.size() / 10] > std::cos(12.0 * std::numbers::pi / 180.0);
+  }
+
+  void judge_rest(const std::map<int, Quadric>& rest, FrameScore* result) const {
+    std::map<int, Quadric> flat;
+    for (const auto& [finding, Q] : rest) {
+      if (is_flat(Q)) {
+        flat[finding] = Q;
+      } else {
+        ++result->wrong;
+      }
+    }
+    for (const Target& plane : planes_) result->planes_wanted += plane.surface->evaluate;
+    for (const auto& [surface, finding] : match_most(candidates_among(flat, planes_))) {
+      ++result->planes_right;
+      result->planes_found += planes_[surface].surface->evaluate;
+    }
+    result->planes_wrong = static_cast<int>(flat.size()) - result->planes_right;
+  }
+
+  /// Length of the chord of a quadric along a line; nullopt if it has none.
+  static std::optional<double> chord(const Quadric& Q, const Eigen::Vector3d& c,
+                                     const Eigen::Vector3d& u) {
+    const Eigen::Vector4d C = c.homogeneous(), U(u.x(), u.y(), u.z(), 0.0);
+    const double a = U.dot(Q.matrix() * U), b = U.dot(Q.matrix() * C), d = C.dot(Q.matrix() * C);
+    const double square = b * b - a * d;
+    if (!(square > 0.0) || a == 0.0) return std::nullopt;
+    return 2.0 * std::sqrt(square) / std::abs(a);
+  }
+
+  /// Where a surface's width is measured: the centre of what is closed, else on the axis (z of
+  /// frame S), halfway up what is seen.
+  Eigen::Vector3d middle_of(const Target& target) const {
+    const Eigen::Isometry3d& X_CS = target.surface->X_CS;
+    const std::string& type = target.surface->type;
+    if (type == "sphere" || type == "ellipsoid") return X_CS.translation();
+    std::vector<double> heights;
+    for (const std::size_t i : target.own) {
+      heights.push_back((X_CS.inverse() * frame_.cloud.points[i].cast<double>()).z());
+    }
+    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+    std::nth_element(heights.begin(), middle, heights.end());
+    return X_CS * Eigen::Vector3d(0, 0, *middle);
+  }
+
+  /// Compares the widths across the line of sight and the axis.
+  void add_width(const Target& target, const Quadric& Q, FrameScore* result) const {
+    const Eigen::Vector3d c = middle_of(target), axis = target.surface->X_CS.linear().col(2);
+    Eigen::Vector3d u = c.cross(axis);
+    // Seen along its axis, it is as wide in all directions, or as good as.
+    u = u.norm() > 1e-3 * c.norm() ? u.normalized() : c.unitOrthogonal();
+    const auto truth = chord(target.surface->Q_C, c, u);
+    if (!truth) return;
+    const double error =
+        std::abs(chord(Q, c, u).value_or(std::numeric_limits<double>::infinity()) - *truth);
+    result->width_errors.push_back(error / *truth);
+    result->widths_right += error <= std::max(0.004, 0.1 * *truth);
+  }
+
+  const Frame& frame_;
+  std::vector<Target> wanted_, passed_, planes_;
+  std::vector<std::size_t> samples_;
+};
+
+}  // namespace
+
+std::vector<Found> findings_of(const DetectionResult& result) {
+  std::vector<Found> findings;
+  for (const Detection& d : result.detections) findings.push_back({d.Q_C, d.score});
+  return findings;
+}
+
+FrameScore score(const Frame& frame, std::vector<Found> findings, const std::string& only) {
+  std::stable_sort(findings.begin(), findings.end(),
+                   [](const Found& a, const Found& b) { return a.score > b.score; });
+  std::vector<Quadric> judged;
+  int beyond = 0;
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    const Eigen::Matrix4d& Q = findings[i].Q_C.matrix();
+    if (i < kMostFindings && Q.allFinite() && !Q.isZero(0.0)) {
+      judged.push_back(findings[i].Q_C);
+    } else {
+      ++beyond;
+    }
+  }
+  FrameScore result = Judge(frame, only).score(judged);
+  result.wrong += beyond;
+  return result;
+}
+
+std::map<int, int> pair_up(const Frame& frame, const std::vector<Found>& findings) {
+  std::vector<Quadric> quadrics;
+  for (const Found& found : findings) quadrics.push_back(found.Q_C);
+  return Judge(frame, "").pair_up(quadrics);
+}
+
+}  // namespace quadrille::scoring

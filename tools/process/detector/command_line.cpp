@@ -1,0 +1,31 @@
+#include "process/detector/command_line.hpp"
+
+#include <CLI/Error.hpp>
+
+namespace quadrille {
+
+DetectorCommandLine::DetectorCommandLine(CLI::App& app) {
+  settings_.process.add_to(app, "cloud");
+  add_channel_option(app, "--in-channel", settings_.in_channel, "clouds");
+  add_channel_option(app, "--out-channel", settings_.out_channel, "quadrics");
+  add_channel_option(app, "--status-channel", settings_.status_channel, "status");
+  add_channel_option(app, "--pose-channel", settings_.pose_channel,
+                     "camera's poses (bot_core.pose_t), to track while it moves");
+  detector_.add_to(app);
+}
+
+DetectorSettings DetectorCommandLine::settings() const {
+  DetectorSettings settings = settings_;
+  settings.detector = detector_.options();
+  settings.detector.check();
+  settings.track = detector_.track_options();
+  for (const std::string& warning : detector_.warnings()) {
+    settings.warnings.push_back(detector_.config + ": " + warning);
+  }
+  if (settings.pose_channel == settings.in_channel) {
+    throw CLI::ValidationError("--pose-channel", "must not be the channel of the clouds");
+  }
+  return settings;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <CLI/App.hpp>
+
+#include "cli/detector_arguments.hpp"
+#include "process/detector/settings.hpp"
+
+namespace quadrille {
+
+/// The options of the process.
+class DetectorCommandLine {
+ public:
+  /// Adds them to an app, which must not outlive this.
+  explicit DetectorCommandLine(CLI::App& app);
+
+  /// What they ask for, once the app has read them.
+  /// @throws io::FileError if the configuration file is wrong
+  DetectorSettings settings() const;
+
+ private:
+  DetectorSettings settings_;
+  DetectorArguments detector_;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,154 @@
+#include "process/detector/node.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <utility>
+
+#include "process/runtime/status.hpp"
+#include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/bus/status_message.hpp"
+#include "quadrille/detector/detector.hpp"
+
+namespace quadrille {
+
+DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publish)
+    : settings_(settings),
+      publish_(std::move(publish)),
+      dropped_before_(bus::count_dropped_datagrams()),
+      tracker_(settings.track) {
+  for (const std::string& warning : settings.warnings) spdlog::warn("{}", warning);
+}
+
+std::vector<InChannel> DetectorNode::in_channels() const {
+  std::vector<InChannel> channels = {{"--in-channel", settings_.in_channel}};
+  if (!settings_.pose_channel.empty()) {
+    channels.push_back({"--pose-channel", settings_.pose_channel});
+  }
+  return channels;
+}
+
+std::optional<Job> DetectorNode::receive(const std::string& channel,
+                                         std::span<const std::byte> bytes) {
+  if (channel == settings_.in_channel) return receive_cloud(channel, bytes);
+  if (channel == settings_.pose_channel) receive_pose(channel, bytes);
+  return std::nullopt;
+}
+
+void DetectorNode::receive_pose(const std::string& channel, std::span<const std::byte> bytes) {
+  const bus::Decoded<bus::PoseMessage> decoded = bus::decode_pose(bytes);
+  const std::lock_guard lock(mutex_);
+  ++poses_;
+  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
+    refusals_.add(channel, *rejection);
+  } else {
+    pose_history_.add(std::get<bus::PoseMessage>(decoded));
+  }
+}
+
+std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
+                                               std::span<const std::byte> bytes) {
+  const TimePoint now = std::chrono::steady_clock::now();
+  bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(bytes);
+  const std::lock_guard lock(mutex_);
+  ++counts_.received;
+  counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
+  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
+    refusals_.add(channel, *rejection);
+    return std::nullopt;
+  }
+  ++counts_.decoded;
+  auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
+  const std::int64_t utime = cloud.utime;
+  // Chosen now, and not when the work begins, by when more poses may have come than in a replay.
+  const std::optional<Eigen::Isometry3d> X_WC = choose_pose(utime);
+  return Job{utime,
+             [this, cloud = std::move(cloud), X_WC, now] { detect_and_publish(cloud, X_WC, now); }};
+}
+
+/// The camera's pose in the fixed frame for a cloud; nullopt, counted and logged, if there is none
+/// that is fresh enough.
+std::optional<Eigen::Isometry3d> DetectorNode::choose_pose(std::int64_t utime) {
+  const std::string& channel = settings_.pose_channel;
+  if (channel.empty() || !settings_.track.enabled) return Eigen::Isometry3d::Identity();
+  const std::optional<bus::PoseMessage> pose = pose_history_.at(utime);
+  if (!pose) {
+    untracked_.add(channel, utime, PoseLack::kNoPose,
+                   pose_history_.empty()
+                       ? "no pose has come; is --pose-channel right, and does anyone send on it?"
+                       : "all poses kept are newer; do both senders use one clock?");
+    return std::nullopt;
+  }
+  // Times of hostile messages may lie further apart than integers reach.
+  const double age = 1e-6 * (static_cast<double>(utime) - static_cast<double>(pose->utime));
+  if (age <= settings_.track.pose_age) return pose->X_WC;
+  untracked_.add(channel, utime, PoseLack::kOldPose,
+                 fmt::format("the newest pose is {:.1f} s older, more than track.pose_age = {:g} s",
+                             age, settings_.track.pose_age));
+  return std::nullopt;
+}
+
+void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud,
+                                      const std::optional<Eigen::Isometry3d>& X_WC,
+                                      TimePoint received) {
+  DetectionResult result = detect(cloud.cloud, settings_.detector);
+  if (X_WC) tracker_.update(cloud.utime, *X_WC, &result.detections);
+  const auto bytes = bus::encode(bus::to_message(cloud, result));
+  publish_(settings_.out_channel, bytes);
+  const double latency = bus::ms_since(received);
+  spdlog::debug("cloud {}: {} of {} points, {} quadrics, {:.1f} ms", cloud.utime,
+                result.points_used, cloud.cloud.read, result.detections.size(), latency);
+  for (const std::string& warning : result.warnings) {
+    spdlog::debug("cloud {}: {}", cloud.utime, warning);
+  }
+  const std::lock_guard lock(mutex_);
+  ++counts_.published;
+  counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
+  counts_.cloud_utime = cloud.utime;
+  detections_ += static_cast<std::int64_t>(result.detections.size());
+  latencies_.add(latency);
+  detection_times_.add(result.total_ms);
+}
+
+void DetectorNode::publish_status(std::int64_t superseded,
+                                  const std::vector<std::string>& warnings) {
+  detector_status_t status = make_status();
+  set_transport(superseded, warnings, dropped_before_, &status);
+  publish_(settings_.status_channel, bus::encode(status));
+}
+
+detector_status_t DetectorNode::make_status() const {
+  const std::lock_guard lock(mutex_);
+  detector_status_t status = counts_;
+  status.failed = failed();
+  status.rejected = bus::to_message(refusals_.counts());
+  status.num_rejected = static_cast<std::int32_t>(status.rejected.size());
+  status.untracked = untracked_.to_message();
+  status.num_untracked = static_cast<std::int32_t>(status.untracked.size());
+  set_latency(latencies_.summary(), &status);
+  const bus::DurationSummary detection = detection_times_.summary();
+  status.detect_p50 = detection.p50;
+  status.detect_p95 = detection.p95;
+  status.detect_max = detection.max;
+  return status;
+}
+
+std::string DetectorNode::summary() const {
+  const std::lock_guard lock(mutex_);
+  const std::string poses =
+      settings_.pose_channel.empty() ? "" : fmt::format("poses in: {}, ", poses_);
+  return fmt::format("clouds in: {}, {}{}; quadrics out: {}", counts_.received, poses,
+                     describe(refusals_.counts()), detections_);
+}
+
+std::vector<std::string> DetectorNode::find_oddities() const {
+  const std::lock_guard lock(mutex_);
+  // A channel without a message is told of with the others.
+  if (poses_ == 0 || untracked_.total() == 0) return {};
+  return {
+      fmt::format("{} of {} clouds had no pose of at most {:g} s before them and were not tracked",
+                  untracked_.total(), counts_.decoded, settings_.track.pose_age)};
+}
+
+}  // namespace quadrille

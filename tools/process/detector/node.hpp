@@ -1,0 +1,59 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <lcmtypes/quadrille/detector_status_t.hpp>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "process/detector/pose_history.hpp"
+#include "process/detector/settings.hpp"
+#include "process/detector/untracked.hpp"
+#include "process/runtime/node.hpp"
+#include "process/runtime/refusals.hpp"
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/durations.hpp"
+
+namespace quadrille {
+
+/// Finds the quadrics of the clouds of one channel, and tracks them.
+class DetectorNode : public Node {
+ public:
+  DetectorNode(const DetectorSettings& settings, bus::Publish publish);
+
+  std::vector<InChannel> in_channels() const override;
+  std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
+  void publish_status(std::int64_t superseded, const std::vector<std::string>& warnings) override;
+  std::string summary() const override;
+  std::vector<std::string> find_oddities() const override;
+
+ private:
+  using TimePoint = std::chrono::steady_clock::time_point;
+
+  std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
+  void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
+  std::optional<Eigen::Isometry3d> choose_pose(std::int64_t utime);
+  void detect_and_publish(const bus::CloudMessage& cloud,
+                          const std::optional<Eigen::Isometry3d>& X_WC, TimePoint received);
+  detector_status_t make_status() const;
+
+  const DetectorSettings settings_;
+  const bus::Publish publish_;
+  const std::int64_t dropped_before_;
+
+  /// For the working thread.
+  Tracker tracker_;
+
+  mutable std::mutex mutex_;
+  detector_status_t counts_{};
+  std::int64_t detections_ = 0, poses_ = 0;
+  PoseHistory pose_history_;
+  Refusals refusals_;
+  Untracked untracked_;
+  bus::Durations latencies_, detection_times_;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,28 @@
+#include "process/detector/untracked.hpp"
+
+#include <spdlog/spdlog.h>
+
+namespace quadrille {
+
+void Untracked::add(const std::string& channel, std::int64_t cloud_utime, PoseLack lack,
+                    const std::string& detail) {
+  ++counts_[static_cast<std::size_t>(lack)];
+  const auto held_back = log_.admit();
+  if (!held_back) return;
+  spdlog::warn("{}: cloud {} is not tracked: {}; {} more since the last record", channel,
+               cloud_utime, detail, *held_back);
+}
+
+std::vector<count_t> Untracked::to_message() const {
+  constexpr std::array<const char*, 2> kNames = {"no_pose", "old_pose"};
+  std::vector<count_t> message;
+  for (std::size_t i = 0; i < kNames.size(); ++i) {
+    if (counts_[i] == 0) continue;
+    message.emplace_back();
+    message.back().name = kNames[i];
+    message.back().count = counts_[i];
+  }
+  return message;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "cli/planner_arguments.hpp"
+#include "process/planner/settings.hpp"
+
+namespace quadrille {
+
+/// The options of the process.
+class PlannerCommandLine {
+ public:
+  /// Adds them to an app, which must not outlive this.
+  explicit PlannerCommandLine(CLI::App& app);
+
+  /// What they ask for, once the app has read them.
+  /// @throws CLI::ValidationError if there is no such gripper
+  /// @throws io::FileError if the configuration or the gripper's file is wrong
+  PlannerSettings settings() const;
+
+ private:
+  PlannerSettings settings_;
+  PlannerArguments planner_;
+  std::string config_;
+};
+
+}  // namespace quadrille

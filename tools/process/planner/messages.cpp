@@ -1,0 +1,107 @@
+#include "process/planner/messages.hpp"
+
+#include <octomap/OcTree.h>
+
+#include <algorithm>
+#include <string>
+
+#include "io/octree_bytes.hpp"
+#include "io/unknown_policy.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+
+namespace quadrille {
+namespace {
+
+template <class Message>
+Message make_stamped(const bus::CloudMessage& cloud) {
+  Message m;
+  m.utime = cloud.utime;
+  m.seq = cloud.seq;
+  m.frame = cloud.cloud.frame;
+  return m;
+}
+
+template <class Element>
+std::int32_t count(const std::vector<Element>& elements) {
+  return static_cast<std::int32_t>(elements.size());
+}
+
+}  // namespace
+
+grasp_t to_message(const Grasp& grasp) {
+  grasp_t m;
+  m.target = grasp.target;
+  m.score = grasp.score;
+  m.pose = bus::to_message(grasp.X_CG);
+  m.width = grasp.width;
+  m.preshape = grasp.preshape;
+  for (int i = 0; i < 2; ++i) std::copy_n(grasp.contacts_C[i].data(), 3, m.contacts[i]);
+  m.approach = grasp.approach;
+  m.friction_needed = grasp.friction_needed;
+  m.epsilon = grasp.epsilon;
+  m.clearance = grasp.clearance;
+  m.unknown_contact = grasp.unknown_contact;
+  return m;
+}
+
+collision_shape_t to_message(const CollisionShape& shape) {
+  collision_shape_t m;
+  m.target = shape.target;
+  m.kind = shape.kind;
+  m.pose = bus::to_message(shape.X_CS);
+  m.dimensions = shape.dimensions;
+  m.num_dimensions = count(m.dimensions);
+  for (const Eigen::Vector3d& p_SV : shape.vertices_S) {
+    m.vertices.push_back({p_SV.x(), p_SV.y(), p_SV.z()});
+  }
+  m.num_vertices = count(m.vertices);
+  m.faces.assign(shape.faces.begin(), shape.faces.end());
+  m.num_faces = count(m.faces);
+  return m;
+}
+
+grasps_t make_grasps_message(const bus::CloudMessage& cloud, const GraspPlan& plan,
+                             const PlannerSettings& settings) {
+  auto m = make_stamped<grasps_t>(cloud);
+  m.gripper = settings.gripper.name;
+  m.unknown = io::to_string(settings.plan.unknown);
+  for (const Grasp& grasp : plan.grasps) m.grasps.push_back(to_message(grasp));
+  m.num_grasps = count(m.grasps);
+  for (const auto& [reason, number] : plan.rejected) {
+    count_t entry;
+    entry.name = reason;
+    entry.count = number;
+    m.rejected.push_back(entry);
+  }
+  m.num_rejected = count(m.rejected);
+  m.warnings = plan.warnings;
+  m.num_warnings = count(m.warnings);
+  return m;
+}
+
+collision_shapes_t make_shapes_message(const bus::CloudMessage& cloud, const GraspPlan& plan) {
+  auto m = make_stamped<collision_shapes_t>(cloud);
+  for (const CollisionShape& shape : plan.shapes) m.shapes.push_back(to_message(shape));
+  m.num_shapes = count(m.shapes);
+  return m;
+}
+
+occupancy_t make_occupancy_message(const bus::CloudMessage& cloud, const OccupancyGrid* space) {
+  auto m = make_stamped<occupancy_t>(cloud);
+  m.resolution = 0.0;
+  m.num_occupied = m.num_free = 0;
+  m.data_size = 0;
+  if (!space) return m;
+  const std::shared_ptr<const octomap::OcTree> made = space->to_octree();
+  const octomap::OcTree& tree = *made;
+  m.resolution = tree.getResolution();
+  for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
+    ++(tree.isNodeOccupied(*leaf) ? m.num_occupied : m.num_free);
+  }
+  const std::string bytes = io::octree_bytes(tree);
+  m.data.assign(bytes.begin(), bytes.end());
+  m.data_size = count(m.data);
+  return m;
+}
+
+}  // namespace quadrille

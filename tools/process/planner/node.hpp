@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <lcmtypes/quadrille/planner_status_t.hpp>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "process/planner/pairing.hpp"
+#include "process/planner/settings.hpp"
+#include "process/runtime/node.hpp"
+#include "process/runtime/refusals.hpp"
+#include "quadrille/bus/durations.hpp"
+
+namespace quadrille {
+
+/// Plans grasps on clouds and the quadrics that were found in them.
+class PlannerNode : public Node {
+ public:
+  PlannerNode(const PlannerSettings& settings, bus::Publish publish);
+
+  std::vector<InChannel> in_channels() const override;
+  std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
+  void publish_status(std::int64_t superseded, const std::vector<std::string>& warnings) override;
+  std::string summary() const override;
+  std::vector<std::string> find_oddities() const override;
+
+ private:
+  template <class Message>
+  std::optional<Job> accept(bus::Decoded<Message> decoded, const std::string& channel,
+                            std::int64_t* accepted, Refusals* refusals);
+  void plan_and_publish(const CloudAndQuadrics& pair);
+  template <class Message>
+  std::int64_t publish(const std::string& channel, const Message& message);
+  planner_status_t make_status() const;
+
+  const PlannerSettings settings_;
+  const bus::Publish publish_;
+  const std::int64_t dropped_before_;
+
+  mutable std::mutex mutex_;
+  Pairing pairing_;
+  planner_status_t counts_{};
+  std::int64_t grasps_ = 0;
+  Refusals refused_clouds_, refused_quadrics_;
+  bus::Durations latencies_, plan_times_;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "process/runtime/node.hpp"
+
+namespace quadrille {
+
+/// Counts the events of a log by channel, to tell a channel that is named wrong from an empty one.
+class ChannelCensus {
+ public:
+  void add(const std::string& channel) { ++events_[channel]; }
+
+  /// A line for each of the channels that had no event, with those that had some.
+  std::vector<std::string> find_missing(const std::vector<InChannel>& wanted) const;
+
+ private:
+  std::map<std::string, std::int64_t> events_;
+};
+
+}  // namespace quadrille

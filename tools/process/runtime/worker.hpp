@@ -1,0 +1,31 @@
+#pragma once
+
+#include <atomic>
+#include <thread>
+
+#include "process/runtime/node.hpp"
+#include "quadrille/bus/mailbox.hpp"
+
+namespace quadrille {
+
+/// Does the jobs of a mailbox in a thread of its own, so that no job, however long, holds up the
+/// rest of the process.
+class Worker {
+ public:
+  /// Both must outlive this.
+  Worker(bus::Mailbox<Job>& mailbox, Node& node);
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+  /// Waits for the job at hand; one that still waits in the mailbox is left.
+  ~Worker();
+
+ private:
+  void run();
+
+  bus::Mailbox<Job>& mailbox_;
+  Node& node_;
+  std::atomic<bool> stop_{false};
+  std::thread thread_;
+};
+
+}  // namespace quadrille
