@@ -31,6 +31,8 @@ build_quadrille() {
   read -r -a extra <<<"${QUADRILLE_CMAKE_ARGS:-}"
   if command -v ccache >/dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER-ccache}
+    # Precompiled headers: without these ccache takes no source that comes with one.
+    export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS-pch_defines,time_macros}
   fi
   local log=$folder/configure.log
   mkdir -p "$folder"

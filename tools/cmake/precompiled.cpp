@@ -1,0 +1,1 @@
+// The one source of the precompiled headers, which need a target.
