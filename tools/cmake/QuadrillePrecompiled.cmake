@@ -42,5 +42,5 @@ function(quadrille_share_precompiled name)
 endfunction()
 
 quadrille_precompiled(eigen Eigen3::Eigen HEADERS ${QUADRILLE_PRECOMPILED_EIGEN})
-quadrille_precompiled(json Eigen3::Eigen nlohmann_json::nlohmann_json fmt::fmt
-                      HEADERS ${QUADRILLE_PRECOMPILED_EIGEN} <nlohmann/json.hpp> <fmt/format.h>)
+quadrille_precompiled(json Eigen3::Eigen nlohmann_json::nlohmann_json
+                      HEADERS ${QUADRILLE_PRECOMPILED_EIGEN} <nlohmann/json.hpp>)
