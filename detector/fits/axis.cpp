@@ -30,7 +30,7 @@ Eigen::Matrix3Xd on_one_nappe(const OrientedPoints& points, const Eigen::Vector3
 }  // namespace
 
 std::optional<Eigen::Vector3d> direction_across_normals(const OrientedPoints& points) {
-  const auto u = least_eigenvector(Eigen::MatrixXd(points.normals * points.normals.transpose()));
+  const auto u = smallest_eigenvector(Eigen::MatrixXd(points.normals * points.normals.transpose()));
   if (!u) return std::nullopt;
   return Eigen::Vector3d(*u);
 }
@@ -43,7 +43,7 @@ std::optional<Eigen::Vector3d> cone_axis(const OrientedPoints& points,
     const Eigen::Matrix3Xd normals = on_one_nappe(points, apex, side);
     const Eigen::Matrix3Xd centred = normals.colwise() - normals.rowwise().mean().eval();
     const Eigen::MatrixXd scatter = centred * centred.transpose();
-    const auto u = least_eigenvector(scatter);
+    const auto u = smallest_eigenvector(scatter);
     if (!u || !(u->dot(scatter * *u) < least)) continue;
     least = u->dot(scatter * *u);
     best = Eigen::Vector3d(*u);
@@ -63,7 +63,7 @@ std::optional<Eigen::Vector3d> direction_of_revolution(const OrientedPoints& poi
   // Only a has a norm: the metric leaves m free.
   Eigen::Matrix<double, 6, 6> metric = Eigen::Matrix<double, 6, 6>::Zero();
   metric.topLeftCorner<3, 3>().setIdentity();
-  const auto axis = least_eigenvector(Eigen::MatrixXd(S), Eigen::MatrixXd(metric));
+  const auto axis = smallest_eigenvector(Eigen::MatrixXd(S), Eigen::MatrixXd(metric));
   if (!axis) return std::nullopt;
   return Eigen::Vector3d(axis->head<3>().normalized());
 }

@@ -17,7 +17,7 @@ struct Contender {
   /// Where it is from: the paper's equation or the reference in short.
   std::string_view source;
   /// Least number of points; a minimal fit uses just as many, the first.
-  Eigen::Index least_points;
+  Eigen::Index min_points;
   bool minimal;
   /// True for our own fits, false for those of others that they are measured against.
   bool ours;

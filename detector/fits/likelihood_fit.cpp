@@ -13,7 +13,7 @@ namespace quadrille {
 namespace {
 
 // Least noise of a coordinate and of a normal, in the unit ball: exact data stay solvable.
-constexpr double kLeastNoise = 1e-6;
+constexpr double kMinNoise = 1e-6;
 
 /// The surface beneath one point.
 struct Foot {
@@ -107,7 +107,7 @@ Noise estimate(const OrientedPoints& points, const std::vector<Foot>& feet, cons
   for (const Foot& foot : feet) distance += foot.distance * foot.distance;
   // Nine degrees of freedom are fitted to three residuals a point.
   const double freedom = std::max(1.0, count - 3.0);
-  const double point2 = std::max(kLeastNoise * kLeastNoise, distance / freedom);
+  const double point2 = std::max(kMinNoise * kMinNoise, distance / freedom);
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     const double spread = point2 * feet[i].shape.squaredNorm();
     const double excess = (feet[i].normal - points.normals.col(i)).squaredNorm() - spread;
@@ -116,7 +116,7 @@ Noise estimate(const OrientedPoints& points, const std::vector<Foot>& feet, cons
     angle += w * excess;
     weight += 2.0 * w;
   }
-  return {point2, std::max(kLeastNoise * kLeastNoise, angle / weight), before.points_per_normal};
+  return {point2, std::max(kMinNoise * kMinNoise, angle / weight), before.points_per_normal};
 }
 
 }  // namespace

@@ -18,15 +18,15 @@ bool is_unique(const Eigen::VectorXd& ascending) {
 
 }  // namespace
 
-std::optional<Eigen::VectorXd> least_eigenvector(const Eigen::MatrixXd& S) {
+std::optional<Eigen::VectorXd> smallest_eigenvector(const Eigen::MatrixXd& S) {
   if (!S.allFinite()) return std::nullopt;
   const Solver solver(S);
   if (solver.info() != Eigen::Success || !is_unique(solver.eigenvalues())) return std::nullopt;
   return Eigen::VectorXd(solver.eigenvectors().col(0));
 }
 
-std::optional<Eigen::VectorXd> least_eigenvector(const Eigen::MatrixXd& S,
-                                                 const Eigen::MatrixXd& G) {
+std::optional<Eigen::VectorXd> smallest_eigenvector(const Eigen::MatrixXd& S,
+                                                    const Eigen::MatrixXd& G) {
   if (!S.allFinite() || !G.allFinite()) return std::nullopt;
   const Solver metric(G);
   if (metric.info() != Eigen::Success) return std::nullopt;

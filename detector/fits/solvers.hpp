@@ -6,12 +6,12 @@
 namespace quadrille {
 
 /// The unit vector of least qᵀSq for a symmetric S ≥ 0; nullopt if another one is as good.
-std::optional<Eigen::VectorXd> least_eigenvector(const Eigen::MatrixXd& S);
+std::optional<Eigen::VectorXd> smallest_eigenvector(const Eigen::MatrixXd& S);
 
 /// The vector of least qᵀSq with qᵀGq = 1, for symmetric S, G ≥ 0; nullopt if another one is as
 /// good, or if one with qᵀGq = 0 fits exactly.
-std::optional<Eigen::VectorXd> least_eigenvector(const Eigen::MatrixXd& S,
-                                                 const Eigen::MatrixXd& G);
+std::optional<Eigen::VectorXd> smallest_eigenvector(const Eigen::MatrixXd& S,
+                                                    const Eigen::MatrixXd& G);
 
 /// The solution of the normal equations S q = b; nullopt if S is (nearly) singular.
 std::optional<Eigen::VectorXd> solve_normal_equations(const Eigen::MatrixXd& S,

@@ -10,8 +10,8 @@ std::optional<Quadric> fit_tangent(const OrientedPoints& points, const TangentFi
   if (!normalised) return std::nullopt;
   const Scatter scatter(normalised->data);
   const double w2 = options.weight * options.weight;
-  const auto q =
-      least_eigenvector(scatter.values + w2 * scatter.across(), Eigen::MatrixXd(scatter.gradients));
+  const auto q = smallest_eigenvector(scatter.values + w2 * scatter.across(),
+                                      Eigen::MatrixXd(scatter.gradients));
   if (!q) return std::nullopt;
   return normalised->undo(Quadric(Vector10d(*q)));
 }

@@ -10,7 +10,7 @@ std::optional<Quadric> fit_taubin(const OrientedPoints& points) {
   if (!normalised) return std::nullopt;
   const Scatter scatter(normalised->data);
   const auto q =
-      least_eigenvector(Eigen::MatrixXd(scatter.values), Eigen::MatrixXd(scatter.gradients));
+      smallest_eigenvector(Eigen::MatrixXd(scatter.values), Eigen::MatrixXd(scatter.gradients));
   if (!q) return std::nullopt;
   return normalised->undo(Quadric(Vector10d(*q)));
 }

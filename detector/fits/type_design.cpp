@@ -97,8 +97,8 @@ LinearSystem restricted(const LinearSystem& system, const Design& B) {
 
 std::optional<Quadric> fit_design(const Scatter& scatter, const Design& B, double weight) {
   const Matrix10d S = scatter.values + weight * weight * scatter.across();
-  const auto theta = least_eigenvector(Eigen::MatrixXd(B.transpose() * S * B),
-                                       Eigen::MatrixXd(B.transpose() * scatter.gradients * B));
+  const auto theta = smallest_eigenvector(Eigen::MatrixXd(B.transpose() * S * B),
+                                          Eigen::MatrixXd(B.transpose() * scatter.gradients * B));
   if (!theta) return std::nullopt;
   return Quadric(Vector10d(B * *theta));
 }

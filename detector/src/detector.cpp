@@ -61,7 +61,7 @@ std::vector<char> open_samples(const SampleTree& tree, int level,
 /// The candidate with its region in terms of the finest samples on it. Their normals do not count:
 /// at fine levels they may be noise.
 Candidate on_finest(Candidate candidate, const SampleTree& tree, int level, InlierTest test) {
-  test.least_cosine = -1.0;
+  test.min_cosine = -1.0;
   const Eigen::Matrix4f Q = candidate.Q.matrix().cast<float>();
   std::vector<int> fine;
   for (const int i : candidate.region) {
@@ -178,9 +178,9 @@ DetectorOptions sphere_options(DetectorOptions options) {
   options.search.grow.rounds = std::min(options.search.grow.rounds, 3);
   options.search.grow.families = {Family::kSphere};
   options.aggregate.families = {Family::kSphere};
-  options.aggregate.largest_residual = 1.6;
+  options.aggregate.max_residual = 1.6;
   // Of wider cells more lie at an edge.
-  options.aggregate.least_confidence = std::min(options.aggregate.least_confidence, 0.3);
+  options.aggregate.min_confidence = std::min(options.aggregate.min_confidence, 0.3);
   return options;
 }
 

@@ -33,7 +33,7 @@ bool part_of(const Detection& other, const Body& body) {
 // Points of the target lie this far beside its fitted surface [m].
 constexpr double kCarveNoise = 0.002;
 // 30 MB and about 100 ms of mapping.
-constexpr double kMostVoxels = 3e7;
+constexpr double kMaxVoxels = 3e7;
 // Wide bodies are mapped only if their rim can be held. Across a slanted box, or a body whose size
 // is poorly known, there may still be less than its smallest size.
 constexpr double kWidthToOpening = 1.5;
@@ -131,13 +131,13 @@ class Planner {
     const Eigen::Vector3d up_C =
         target.supports.empty() ? Eigen::Vector3d::Zero() : target.supports.front().n_C();
     return find_shell(target.body, inside, cloud_, *view_, up_C,
-                      {options_.wall_least, options_.wall_most});
+                      {options_.min_wall, options_.max_wall});
   }
 
   // How far the hand reaches from a target's surface.
   double reach() const {
     const double back = gripper_.finger.z() +
-                        gripper_.most_extension(gripper_.min_opening, gripper_.max_opening) +
+                        gripper_.max_extension(gripper_.min_opening, gripper_.max_opening) +
                         gripper_.palm.z() + options_.approach;
     return Eigen::Vector2d(back, 0.5 * gripper_.palm.head<2>().norm()).norm();
   }
@@ -152,8 +152,8 @@ class Planner {
     double resolution = options_.resolution;
     if (!region.isEmpty()) {
       const double voxels = region.volume() / std::pow(resolution, 3);
-      if (voxels > kMostVoxels) {
-        resolution *= std::cbrt(voxels / kMostVoxels);
+      if (voxels > kMaxVoxels) {
+        resolution *= std::cbrt(voxels / kMaxVoxels);
         warn("the targets lie far apart: occupancy is mapped at a coarser resolution");
       }
     }

@@ -19,8 +19,8 @@ void PlanOptions::check() const {
   demand(approach >= 0.0 && approach <= 1.0, "approach must lie in 0 to 1 m");
   demand(pad_margin >= 0.0 && pad_margin <= 0.1, "pad_margin must lie in 0 to 0.1 m");
   demand(baseline >= 0.0 && baseline <= 1.0, "baseline must lie in 0 to 1 m");
-  demand(wall_least >= 0.0 && wall_least <= wall_most && wall_most <= 0.05,
-         "wall_least and wall_most must lie in 0 to 0.05 m, in this order");
+  demand(min_wall >= 0.0 && min_wall <= max_wall && max_wall <= 0.05,
+         "min_wall and max_wall must lie in 0 to 0.05 m, in this order");
   demand(max_grasps >= 1, "max_grasps must be at least 1");
 }
 

@@ -13,8 +13,8 @@ namespace quadrille {
 namespace {
 
 // Effort per target. The candidates come best first, so more of it finds little.
-constexpr int kMostChecks = 4000;
-constexpr std::size_t kMostAccepted = 12;
+constexpr int kMaxChecks = 4000;
+constexpr std::size_t kMaxAccepted = 12;
 // Grasps nearer than this to an accepted one add nothing.
 constexpr double kNearby = 0.012;
 const double kAlike = std::cos(20.0 * std::numbers::pi / 180.0);
@@ -23,13 +23,13 @@ constexpr double kFrictionShare = 0.85;
 // Standard deviations of a pad's distance to keep from the target: 95 % of truths.
 constexpr double kSigmas = 2.0;
 // But no more than this [m]: what one view tells little of is seldom as wrong as it may be.
-constexpr double kMostDoubt = 0.004;
+constexpr double kMaxDoubt = 0.004;
 // The least share of a body's greatest width that its chords beside the widest part are long: the
-// farthest lie kMostBeside off, where a ball is 0.93 as wide, and others narrow faster.
+// farthest lie kMaxBeside off, where a ball is 0.93 as wide, and others narrow faster.
 constexpr double kNarrowest = 0.88;
 // Walls that are warped more under the pads turn in the hand [m]: on a pad 9 mm to either side,
 // that is 4° out of line, of the 5° that a held object may turn.
-constexpr double kMostWarp = 0.0006;
+constexpr double kMaxWarp = 0.0006;
 
 Eigen::Vector3d middle(const std::array<Eigen::Vector3d, 2>& contacts_C) {
   return 0.5 * (contacts_C[0] + contacts_C[1]);
@@ -51,10 +51,10 @@ std::string reason(Obstruction what) {
 }  // namespace
 
 double TargetPlanner::margin(const ContactLine& line) const {
-  return options_.pad_margin + std::min(kSigmas * line.std, kMostDoubt);
+  return options_.pad_margin + std::min(kSigmas * line.std, kMaxDoubt);
 }
 
-double TargetPlanner::least_opening(const ContactLine& line) const {
+double TargetPlanner::min_opening(const ContactLine& line) const {
   return line.opening + 2.0 * margin(line);
 }
 
@@ -77,7 +77,7 @@ std::vector<Grasp> TargetPlanner::plan(const Eigen::Vector3d& viewpoint_C, Count
   const std::vector<GraspCandidate> candidates = sample_approaches(lines, space, refused);
   if (refused > 0) rejected["unreachable"] += refused;
   for (const GraspCandidate& candidate : candidates) {
-    if (checks_ >= kMostChecks || accepted_.size() >= kMostAccepted) break;
+    if (checks_ >= kMaxChecks || accepted_.size() >= kMaxAccepted) break;
     try_across(lines[candidate.line], candidate.approach_C, rejected);
   }
   return std::move(accepted_);
@@ -92,7 +92,7 @@ std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C, C
   const std::vector<GraspCandidate> candidates = sample_approaches(lines, space, refused);
   if (refused > 0) rejected["unreachable"] += refused;
   for (const GraspCandidate& candidate : candidates) {
-    if (checks_ >= kMostChecks || accepted_.size() >= kMostAccepted) break;
+    if (checks_ >= kMaxChecks || accepted_.size() >= kMaxAccepted) break;
     try_rim(lines[candidate.line], candidate.approach_C, rejected);
   }
   return std::move(accepted_);
@@ -100,7 +100,7 @@ std::vector<Grasp> TargetPlanner::plan_rim(const Eigen::Vector3d& viewpoint_C, C
 
 // False, and counted, if the hand does not open as far or close as far.
 bool TargetPlanner::fits(const ContactLine& line, Counts& rejected) const {
-  if (least_opening(line) <= gripper_.max_opening && line.width >= gripper_.min_opening) {
+  if (min_opening(line) <= gripper_.max_opening && line.width >= gripper_.min_opening) {
     return true;
   }
   ++rejected["width"];
@@ -159,7 +159,7 @@ bool TargetPlanner::resembles_accepted(const ContactLine& line,
 // Medium, wide, then narrow.
 std::vector<double> TargetPlanner::preshapes(const ContactLine& line) const {
   std::vector<double> openings;
-  const double least = least_opening(line);
+  const double least = min_opening(line);
   for (const double room : {0.007, 0.014, 0.0}) {
     const double opening = std::min(least + 2.0 * room, gripper_.max_opening);
     if (std::find(openings.begin(), openings.end(), opening) == openings.end()) {
@@ -173,7 +173,7 @@ std::vector<double> TargetPlanner::preshapes(const ContactLine& line) const {
 // most candidates end here, at the cost of one check.
 bool TargetPlanner::blocked(const ContactLine& line, const Eigen::Vector3d& approach_C,
                             Counts& rejected) {
-  const double step = depth_step(), back = kMostBeside * 0.5 * line.width + gripper_.finger_front;
+  const double step = depth_step(), back = kMaxBeside * 0.5 * line.width + gripper_.finger_front;
   // The middle of a chord beside the line lies no farther to the side than the line's ends.
   const Eigen::Vector3d slack(0.0, 0.5 * line.width, 0.0);
   const Eigen::AlignedBox3d places_G(Eigen::Vector3d(0.0, 0.0, -std::max(back, step)) - slack,
@@ -188,7 +188,7 @@ bool TargetPlanner::blocked(const ContactLine& line, const Eigen::Vector3d& appr
 void TargetPlanner::try_across(const ContactLine& line, const Eigen::Vector3d& approach_C,
                                Counts& rejected) {
   if (resembles_accepted(line, approach_C) || blocked(line, approach_C, rejected)) return;
-  if (least_opening(line) <= gripper_.max_opening) {
+  if (min_opening(line) <= gripper_.max_opening) {
     const double step = depth_step();
     for (const double depth : {0.0, -step, step}) {
       if (try_depth(line, approach_C, depth, rejected)) return;
@@ -203,14 +203,14 @@ void TargetPlanner::try_rim(const ContactLine& line, const Eigen::Vector3d& appr
                             Counts& rejected) {
   const Shell& shell = *target_.shell;
   const double warp = wall_warp(shell, line, approach_C, 0.5 * gripper_.pad.x());
-  if (!(warp <= kMostWarp)) {
+  if (!(warp <= kMaxWarp)) {
     ++rejected["twist"];
     return;
   }
   const double depth = rim_above(shell, line) - gripper_.finger_front;
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
   if (on_pads(line, X_CG, gripper_)) {
-    try_hand({line, X_CG, friction_needed(line), 1.0 - warp / kMostWarp, false}, rejected);
+    try_hand({line, X_CG, friction_needed(line), 1.0 - warp / kMaxWarp, false}, rejected);
   } else {
     ++rejected["friction"];
   }
@@ -243,7 +243,7 @@ bool TargetPlanner::try_hand(const Attempt& attempt, Counts& rejected) {
     if (what) refuse(*what, rejected);
     return what.has_value();
   };
-  const auto fingers = common_fingers(gripper_, attempt.X_CG, least_opening(line), line.width);
+  const auto fingers = common_fingers(gripper_, attempt.X_CG, min_opening(line), line.width);
   if (refused(scene_.closing_obstruction(fingers))) return false;
   if (refused(scene_.palm_obstruction(swept(line.opening).palm))) return false;
   if (attempt.may_bulge &&

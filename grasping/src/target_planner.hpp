@@ -66,7 +66,7 @@ class TargetPlanner {
   using Counts = std::map<std::string, int>;
   // The farthest chord above the widest part, as a share of half the width: about as far as normal
   // friction holds a ball there.
-  static constexpr double kMostBeside = 0.36;
+  static constexpr double kMaxBeside = 0.36;
 
   // From one depth along the pads that is tried to the next [m].
   double depth_step() const { return 0.33 * gripper_.pad.y(); }
@@ -91,7 +91,7 @@ class TargetPlanner {
   Grasp describe(const Attempt& attempt, double preshape) const;
   void rate(Grasp& grasp, const Attempt& attempt) const;
   double margin(const ContactLine& line) const;
-  double least_opening(const ContactLine& line) const;
+  double min_opening(const ContactLine& line) const;
 
   const Target& target_;
   const Gripper& gripper_;

@@ -17,8 +17,8 @@ namespace {
 constexpr double kTipFrictionShare = 0.9;
 // More collision checks than this found hardly any further hold, and more holds than this are not
 // needed of a target.
-constexpr int kMostTipChecks = 4000;
-constexpr std::size_t kMostTipHolds = 8;
+constexpr int kMaxTipChecks = 4000;
+constexpr std::size_t kMaxTipHolds = 8;
 // How far the tips reach beyond a contact that only they hold [m]: their rounding, and the doubt
 // about where the contact is.
 constexpr double kTipBeyond = 0.003;
@@ -39,7 +39,7 @@ double TargetPlanner::passed_by_tips(const ContactLine& line, double off,
 bool TargetPlanner::try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C,
                                Counts& rejected) {
   const double depth = kTipBeyond - gripper_.finger_front;
-  for (const double share : {0.2, kMostBeside, 0.1, 0.28}) {
+  for (const double share : {0.2, kMaxBeside, 0.1, 0.28}) {
     const double off = 0.5 * share * line.width;
     const Eigen::Vector3d p_C = line.centre_C - off * approach_C;
     std::optional<ContactLine> beside = chord(target_.body, p_C, line.closing_C);
@@ -56,7 +56,7 @@ std::vector<Grasp> TargetPlanner::plan_tips(const Eigen::Vector3d& viewpoint_C, 
   const std::vector<TipHold> holds = tip_holds(target_.body, gripper_, approach_space(viewpoint_C),
                                                {scene_, options_.approach, friction});
   for (const TipHold& hold : holds) {
-    if (checks_ >= kMostTipChecks || accepted_.size() >= kMostTipHolds) break;
+    if (checks_ >= kMaxTipChecks || accepted_.size() >= kMaxTipHolds) break;
     if (!fits(hold.line, rejected)) continue;
     if (contradicted(hold.line)) {
       ++rejected["contradicted"];

@@ -258,8 +258,8 @@ TEST_CASE("options out of range are refused by name", "[plan]") {
   CHECK(names(message([](PlanOptions& o) { o.approach = -1.0; }), "approach"));
   CHECK(names(message([](PlanOptions& o) { o.pad_margin = 1.0; }), "pad_margin"));
   CHECK(names(message([](PlanOptions& o) { o.baseline = -0.1; }), "baseline"));
-  CHECK(names(message([](PlanOptions& o) { o.wall_least = 0.02; }), "wall_least"));
-  CHECK(names(message([](PlanOptions& o) { o.wall_most = 1.0; }), "wall_most"));
+  CHECK(names(message([](PlanOptions& o) { o.min_wall = 0.02; }), "min_wall"));
+  CHECK(names(message([](PlanOptions& o) { o.max_wall = 1.0; }), "max_wall"));
   CHECK(names(message([](PlanOptions& o) { o.max_grasps = 0; }), "max_grasps"));
 }
 

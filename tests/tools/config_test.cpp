@@ -140,8 +140,8 @@ TEST_CASE("one configuration holds the settings of the detector and of the plann
   const io::Settings settings = io::load_settings(
       folder.write("c.toml",
                    "seed = 5\n[planner]\nunknown = \"free\"\nresolution = 0.004\nfriction = 0.4\n"
-                   "approach = 0.08\npad_margin = 0.001\nbaseline = 0\nwall_least = 0.001\n"
-                   "wall_most = 0.005\nclear_above = false\n[planes]\nsigmas = 2.5\n"));
+                   "approach = 0.08\npad_margin = 0.001\nbaseline = 0\nmin_wall = 0.001\n"
+                   "max_wall = 0.005\nclear_above = false\n[planes]\nsigmas = 2.5\n"));
   CHECK(settings.detector.seed == 5);
   CHECK(settings.detector.planes.sigmas == 2.5);
   CHECK(settings.planner.unknown == UnknownPolicy::kFree);
@@ -150,8 +150,8 @@ TEST_CASE("one configuration holds the settings of the detector and of the plann
   CHECK(settings.planner.approach == 0.08);
   CHECK(settings.planner.pad_margin == 0.001);
   CHECK(settings.planner.baseline == 0.0);
-  CHECK(settings.planner.wall_least == 0.001);
-  CHECK(settings.planner.wall_most == 0.005);
+  CHECK(settings.planner.min_wall == 0.001);
+  CHECK(settings.planner.max_wall == 0.005);
   CHECK_FALSE(settings.planner.clear_above);
   CHECK(settings.planner.max_grasps == PlanOptions().max_grasps);
 }
@@ -160,7 +160,7 @@ TEST_CASE("a wrong setting of the planner is refused with its line or field", "[
   CHECK(contains(config_error("[planner]\nnonsense = 1\n"), "line 2: unknown key 'planner.non"));
   CHECK(contains(config_error("approach = 0.1\n"), "unknown key 'approach'; there are [agg"));
   CHECK(contains(config_error("[inlier]\nsigma = 3\n"),
-                 "'inlier.sigma'; there are inlier.cells, inlier.least_cosine, inlier.sigmas"));
+                 "'inlier.sigma'; there are inlier.cells, inlier.min_cosine, inlier.sigmas"));
   CHECK_FALSE(contains(config_error("[inlier]\nsigma = 3\n"), "seed"));
   CHECK(contains(config_error("[planner]\napproach = \"far\"\n"), "must be a number"));
   CHECK(contains(config_error("[planner]\nmax_grasps = 1.5\n"), "must be an integer"));
@@ -168,6 +168,6 @@ TEST_CASE("a wrong setting of the planner is refused with its line or field", "[
   CHECK(contains(config_error("[planner]\napproach = -1.0\n"), "approach must lie in"));
   CHECK(contains(config_error("[planner]\nbaseline = 2\n"), "baseline must lie in 0 to 1 m"));
   CHECK(contains(config_error("[planner]\nbaseline = nan\n"), "baseline must lie in 0 to 1 m"));
-  CHECK(contains(config_error("[planner]\nwall_most = 0.06\n"), "wall_most must lie in"));
-  CHECK(contains(config_error("[planner]\nwall_least = 0.009\n"), "in this order"));
+  CHECK(contains(config_error("[planner]\nmax_wall = 0.06\n"), "max_wall must lie in"));
+  CHECK(contains(config_error("[planner]\nmin_wall = 0.009\n"), "in this order"));
 }

@@ -37,9 +37,9 @@ std::string describe_usage_error(const CLI::App* app, const CLI::Error& error) {
 /// giving it back and taking it anew costs a twentieth of a frame's time.
 void keep_freed_memory() {
 #ifdef __GLIBC__
-  constexpr int kMost = 32 << 20;
-  mallopt(M_MMAP_THRESHOLD, kMost);
-  mallopt(M_TRIM_THRESHOLD, 16 * kMost);
+  constexpr int kMax = 32 << 20;
+  mallopt(M_MMAP_THRESHOLD, kMax);
+  mallopt(M_TRIM_THRESHOLD, 16 * kMax);
 #endif
 }
 

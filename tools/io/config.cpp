@@ -140,8 +140,8 @@ void visit_plan_options(PlanOptions& o, Visitor&& visit) {
   visit("planner.approach", o.approach);
   visit("planner.pad_margin", o.pad_margin);
   visit("planner.baseline", o.baseline);
-  visit("planner.wall_least", o.wall_least);
-  visit("planner.wall_most", o.wall_most);
+  visit("planner.min_wall", o.min_wall);
+  visit("planner.max_wall", o.max_wall);
   visit("planner.clear_above", o.clear_above);
   visit("planner.max_grasps", o.max_grasps);
 }

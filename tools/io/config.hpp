@@ -21,7 +21,7 @@ struct Settings {
 /// Reads the settings of a TOML file, which all programs share: each takes its own part of them.
 /// The detector's keys are those of visit_options() and visit_track_options(); the planner's stand
 /// in the table [planner]: unknown, resolution [m], friction, approach [m], pad_margin [m],
-/// baseline [m], wall_least and wall_most [m], max_grasps. What the file leaves out keeps its
+/// baseline [m], min_wall and max_wall [m], max_grasps. What the file leaves out keeps its
 /// default.
 /// @throws FileError naming line and key if the file is missing or no TOML, if a key is unknown, or
 ///         if a value has the wrong type or is out of range

@@ -58,7 +58,7 @@ PointLayout layout_in_place(const PlyHeader& header, const PlyElement& vertex,
   layout.x = offset_of(columns[0]);
   layout.y = offset_of(columns[1]);
   layout.z = offset_of(columns[2]);
-  layout.point_step = vertex.least_bytes(false);
+  layout.point_step = vertex.min_bytes(false);
   return layout;
 }
 

@@ -53,7 +53,7 @@ void PlyBody::fail_short(const PlyElement& element) const {
 
 void PlyBody::check_count(const PlyElement& element) const {
   const bool ascii = header_.format == PlyHeader::Format::kAscii;
-  const std::uint64_t least = element.least_bytes(ascii);
+  const std::uint64_t least = element.min_bytes(ascii);
   // The last value of an ascii file needs no separator behind it.
   const std::uint64_t left = bytes_.size() - offset_ + (ascii ? 1 : 0);
   if (least > 0 && element.count > left / least) fail_short(element);
@@ -132,7 +132,7 @@ void PlyBody::skip(const PlyElement& element) {
   const bool ascii = header_.format == PlyHeader::Format::kAscii;
   if (!ascii && !element.has_list()) {
     check_count(element);
-    offset_ += element.count * element.least_bytes(false);
+    offset_ += element.count * element.min_bytes(false);
   } else {
     walk(element, [](std::uint64_t, std::size_t, double) {});
   }

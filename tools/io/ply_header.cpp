@@ -164,7 +164,7 @@ bool PlyElement::has_list() const {
                      [](const PlyProperty& property) { return property.is_list; });
 }
 
-std::uint64_t PlyElement::least_bytes(bool ascii) const {
+std::uint64_t PlyElement::min_bytes(bool ascii) const {
   if (ascii) return 2 * properties.size();
   std::uint64_t bytes = 0;
   for (const PlyProperty& p : properties) bytes += size_of(p.is_list ? p.count : p.scalar);

@@ -32,7 +32,7 @@ struct PlyElement {
 
   bool has_list() const;
   /// Least bytes that one record takes in a file with this encoding.
-  std::uint64_t least_bytes(bool ascii) const;
+  std::uint64_t min_bytes(bool ascii) const;
 };
 
 /// What stands before the data of a PLY file.

@@ -16,7 +16,7 @@ CloudLogOptions checked(const CloudLogOptions& options) {
 }  // namespace
 
 void CloudLogOptions::check() const {
-  if (!(rate >= kLeastRate && rate <= kLargestRate)) {
+  if (!(rate >= kMinRate && rate <= kMaxRate)) {
     throw std::invalid_argument("rate = " + std::to_string(rate) +
                                 ": must lie between 0.001 and 10000");
   }

@@ -10,7 +10,7 @@
 namespace quadrille::logs {
 
 /// Rates that a log may have [Hz].
-inline constexpr double kLeastRate = 0.001, kLargestRate = 10000;
+inline constexpr double kMinRate = 0.001, kMaxRate = 10000;
 
 /// How clouds are written to a log.
 struct CloudLogOptions {

@@ -31,10 +31,9 @@ std::string check_rate(const std::string& text) {
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, rate);
   const bool fit =
-      error == std::errc{} && rest == end && rate >= logs::kLeastRate && rate <= logs::kLargestRate;
+      error == std::errc{} && rest == end && rate >= logs::kMinRate && rate <= logs::kMaxRate;
   return fit ? ""
-             : fmt::format("'{}' is no number from {} to {}", text, logs::kLeastRate,
-                           logs::kLargestRate);
+             : fmt::format("'{}' is no number from {} to {}", text, logs::kMinRate, logs::kMaxRate);
 }
 
 void run(const LogArguments& arguments) {

@@ -7,13 +7,13 @@
 namespace quadrille {
 namespace {
 
-constexpr std::size_t kLeastPoints = 50;
+constexpr std::size_t kMinPoints = 50;
 // Nothing to grasp is this far away, but in millimetres most things are.
 constexpr double kFarthest = 50.0;
 // A scene of which the standard deviation is larger [m].
 constexpr double kWidest = 5.0;
 // Larger coordinates are no measurement; their squares would overflow single precision.
-constexpr double kLargest = 1e9;
+constexpr double kMax = 1e9;
 // From here on [m] single precision steps by half a millimetre.
 constexpr double kCoarse = 4096.0;
 // Points so many times as far from the centre as half of them are outliers.
@@ -84,7 +84,7 @@ Eigen::Vector3d spread_of(const std::vector<Eigen::Vector3d>& points,
   const double usual = quantile(points, 0.9, [&](const auto& p) { return (p - centre).norm(); });
   const Eigen::Vector3d spread = spread_within(kOutlier * usual, points, centre);
   if (!coincide(spread) && !on_a_line(spread)) return spread;
-  return spread_within(kLargest, points, centre);
+  return spread_within(kMax, points, centre);
 }
 
 }  // namespace
@@ -92,10 +92,10 @@ Eigen::Vector3d spread_of(const std::vector<Eigen::Vector3d>& points,
 CloudCheck check_cloud(const PointCloud& cloud) {
   CloudCheck check;
   check.finite = count_finite(cloud.points);
-  if (check.finite < kLeastPoints) {
+  if (check.finite < kMinPoints) {
     check.warnings.push_back("only " + std::to_string(check.finite) +
                              " finite points; a surface needs at least " +
-                             std::to_string(kLeastPoints));
+                             std::to_string(kMinPoints));
     return check;
   }
   const std::vector<Eigen::Vector3d> some = some_of(cloud.points);
@@ -106,7 +106,7 @@ CloudCheck check_cloud(const PointCloud& cloud) {
   for (int axis = 0; axis < 3; ++axis) {
     check.centre[axis] = quantile(some, 0.5, [axis](const auto& p) { return p[axis]; });
   }
-  if (!(check.centre.norm() < kLargest)) {
+  if (!(check.centre.norm() < kMax)) {
     check.warnings.push_back("coordinates are too large to be a measurement in metres");
     return check;
   }

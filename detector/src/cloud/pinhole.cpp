@@ -10,9 +10,9 @@
 namespace quadrille {
 namespace {
 
-constexpr std::size_t kLeastPoints = 200;
+constexpr std::size_t kMinPoints = 200;
 // No camera has more pixels, and an image that is emptier than this is none.
-constexpr double kMostPixels = 64e6, kLeastFilled = 0.01;
+constexpr double kMaxPixels = 64e6, kMinFilled = 0.01;
 
 /// Rotation that turns the mean viewing direction to z; the identity where z serves already, so
 /// that the pixels of a depth camera stay aligned.
@@ -183,7 +183,7 @@ SeenPoints PinholeView::look(const std::vector<Eigen::Vector3f>& points, std::si
 }
 
 std::optional<PinholeView> find_view(const PointCloud& cloud, int stride) {
-  if (cloud.points.size() < kLeastPoints) return std::nullopt;
+  if (cloud.points.size() < kMinPoints) return std::nullopt;
   const std::optional<Eigen::Isometry3f> X_VC = view_frame(cloud);
   if (!X_VC) return std::nullopt;
   PinholeView view;
@@ -198,7 +198,7 @@ std::optional<PinholeView> find_view(const PointCloud& cloud, int stride) {
       unseen += static_cast<std::size_t>(count_finite(cloud, view, k) - n);
     }
   }
-  if (view.seen < kLeastPoints || unseen > (view.seen + unseen) / 50) return std::nullopt;
+  if (view.seen < kMinPoints || unseen > (view.seen + unseen) / 50) return std::nullopt;
   view.low = {*std::min_element(bounds.low_u.begin(), bounds.low_u.end()),
               *std::min_element(bounds.low_v.begin(), bounds.low_v.end())};
   view.high = {*std::max_element(bounds.high_u.begin(), bounds.high_u.end()),
@@ -216,7 +216,7 @@ std::optional<PinholeImage> find_image(const PointCloud& cloud, const PinholeVie
   image.u0 = corner.x();
   image.v0 = corner.y();
   const Eigen::Array2d size = ((view.high - corner) / image.pitch + 1.0f).cast<double>();
-  if (!(size.prod() < kMostPixels) || static_cast<double>(view.seen) < kLeastFilled * size.prod()) {
+  if (!(size.prod() < kMaxPixels) || static_cast<double>(view.seen) < kMinFilled * size.prod()) {
     return std::nullopt;
   }
   image.width = static_cast<int>(size.x());

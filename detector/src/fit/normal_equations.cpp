@@ -73,11 +73,11 @@ void evaluate(Coefficients q, Chunk* c) {
 
 /// dr/dq = (v − r ∇vᵀ g / |g|) / |g| with g the gradient, whose halves are in the chunk.
 QUADRILLE_VECTOR_CLONES
-void differentiate(const Chunk& c, float least_slope, Jacobian* J) {
+void differentiate(const Chunk& c, float min_slope, Jacobian* J) {
   auto& col = J->column;
   for (int k = 0; k < kChunk; ++k) {
     const float x = c.x[k], y = c.y[k], z = c.z[k];
-    const float inverse = 0.5f / std::max(c.slope[k], least_slope);
+    const float inverse = 0.5f / std::max(c.slope[k], min_slope);
     const float r = c.f[k] * inverse;
     const float s = 2.0f * r * inverse;
     const float rx = s * c.gx[k], ry = s * c.gy[k], rz = s * c.gz[k];
@@ -139,15 +139,15 @@ class Evaluation {
       slopes += Eigen::Map<const Eigen::ArrayXf>(chunk.slope, chunk.size).sum();
     }
     const double n = std::max(1.0, static_cast<double>(points.size()));
-    least_slope_ = std::max(1e-20f, kWeakGradient * static_cast<float>(slopes / n));
+    min_slope_ = std::max(1e-20f, kWeakGradient * static_cast<float>(slopes / n));
   }
   std::span<const Chunk> chunks() const { return {chunks_.get(), size_}; }
-  float least_slope() const { return least_slope_; }
+  float min_slope() const { return min_slope_; }
 
  private:
   std::size_t size_;
   std::unique_ptr<Chunk[]> chunks_;
-  float least_slope_;
+  float min_slope_;
 };
 
 }  // namespace
@@ -158,7 +158,7 @@ Eigen::Matrix<double, 11, 11> normal_equations(const FitPoints& points, const Ei
   N.setZero();
   Jacobian J;
   for (const Chunk& chunk : evaluation.chunks()) {
-    differentiate(chunk, evaluation.least_slope(), &J);
+    differentiate(chunk, evaluation.min_slope(), &J);
     clear_beyond(chunk.size, &J);
     add_products(J, chunk.size, N.data());
   }
@@ -171,7 +171,7 @@ double sum_of_squares(const FitPoints& points, const Eigen::Matrix4d& Q) {
   for (const Chunk& chunk : evaluation.chunks()) {
     const auto f = Eigen::Map<const Eigen::ArrayXf>(chunk.f, chunk.size);
     const auto slope = Eigen::Map<const Eigen::ArrayXf>(chunk.slope, chunk.size);
-    sum += 0.25 * static_cast<double>((f / slope.max(evaluation.least_slope())).square().sum());
+    sum += 0.25 * static_cast<double>((f / slope.max(evaluation.min_slope())).square().sum());
   }
   return sum;
 }

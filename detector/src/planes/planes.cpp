@@ -41,7 +41,7 @@ struct PlaneSums {
 /// within the angle [rad].
 std::vector<int> flat_seeds(const SurfaceSamples& samples, double angle,
                             const std::vector<char>& claimed) {
-  const float least_cosine = static_cast<float>(std::cos(angle));
+  const float min_cosine = static_cast<float>(std::cos(angle));
   std::vector<std::pair<float, int>> flat;
   for (int i = 0; i < samples.size(); ++i) {
     const auto around = samples.neighbours_of(i);
@@ -49,7 +49,7 @@ std::vector<int> flat_seeds(const SurfaceSamples& samples, double angle,
     float sum = 0;
     for (const int j : around) sum += samples.n[i].dot(samples.n[j]);
     const float mean = sum / static_cast<float>(around.size());
-    if (mean >= least_cosine) flat.emplace_back(-mean, i);
+    if (mean >= min_cosine) flat.emplace_back(-mean, i);
   }
   std::sort(flat.begin(), flat.end());
   std::vector<int> seeds;
@@ -90,8 +90,8 @@ std::pair<double, double> curvature_of(const SurfaceSamples& samples, const Plan
 bool may_bend(const SurfaceSamples& samples, const PlaneRegion& region,
               const PlaneOptions& options) {
   const auto [curvature, std] = curvature_of(samples, region);
-  return (curvature > 1.0 / options.least_radius && curvature > 3.0 * std) ||
-         curvature + 2.0 * std > 1.0 / options.least_proven_radius;
+  return (curvature > 1.0 / options.min_radius && curvature > 3.0 * std) ||
+         curvature + 2.0 * std > 1.0 / options.min_proven_radius;
 }
 
 /// Joins planes that noise or an object between had parted: nearly parallel, and the smaller one
@@ -146,7 +146,7 @@ std::optional<Eigen::Vector4d> plane_at(const SurfaceSamples& samples, int seed,
 /// number of the attempt.
 PlaneRegion grow_plane(const SurfaceSamples& samples, const PlaneOptions& options, int seed,
                        const Eigen::Vector4d& start, int attempt, std::vector<int>* taken) {
-  const float least_cosine = static_cast<float>(std::cos(options.angle));
+  const float min_cosine = static_cast<float>(std::cos(options.angle));
   const float sigmas = static_cast<float>(options.sigmas);
   PlaneRegion region{start, {seed}};
   PlaneSums sums;
@@ -158,7 +158,7 @@ PlaneRegion grow_plane(const SurfaceSamples& samples, const PlaneOptions& option
       if ((*taken)[j]) continue;
       const float distance = P.dot(samples.raw[j].homogeneous());
       const float limit = sigmas * samples.sigma[j] + 0.05f * samples.cell[j];
-      if (std::abs(distance) > limit || P.head<3>().dot(samples.n[j]) < least_cosine) continue;
+      if (std::abs(distance) > limit || P.head<3>().dot(samples.n[j]) < min_cosine) continue;
       (*taken)[j] = attempt;
       region.samples.push_back(j);
       sums.add(samples.raw[j]);
@@ -188,7 +188,7 @@ std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneO
     const std::optional<Eigen::Vector4d> start = plane_at(samples, seed, taken);
     if (!start) continue;
     PlaneRegion region = grow_plane(samples, options, seed, *start, attempt, &taken);
-    if (static_cast<int>(region.samples.size()) < options.least_samples) {
+    if (static_cast<int>(region.samples.size()) < options.min_samples) {
       for (const int i : region.samples) taken[i] = i == seed ? attempt : 0;
     } else if (may_bend(samples, region, options)) {
       // Smaller pieces of a bent surface would pass for planes: no seed among them.

@@ -14,7 +14,7 @@ bool is_inlier(const SurfaceSamples& samples, int i, const Eigen::Matrix4f& Q,
   const float limit = static_cast<float>(test.sigmas) * samples.sigma[i] +
                       static_cast<float>(test.cells) * samples.cell[i];
   return std::abs(f) <= 2.0f * slope * limit &&
-         std::abs(g.dot(samples.n[i])) >= static_cast<float>(test.least_cosine) * slope;
+         std::abs(g.dot(samples.n[i])) >= static_cast<float>(test.min_cosine) * slope;
 }
 
 std::vector<int> connected_inliers(const SurfaceSamples& samples, std::span<const int> start,

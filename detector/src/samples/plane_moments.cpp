@@ -6,7 +6,7 @@
 namespace quadrille {
 namespace {
 
-constexpr float kLeastPoints = 4;
+constexpr float kMinPoints = 4;
 // Narrower than this share of its length, and what the points lie on is a line: as a ratio of
 // eigenvalues, and as the product of two with that ratio over their squared sum.
 constexpr double kNarrow = 0.05, kNarrowProduct = kNarrow / ((1 + kNarrow) * (1 + kNarrow));
@@ -18,7 +18,7 @@ constexpr double kConverged = 1e-9;
 
 /// The least root of λ³ − λ² + bλ − c, whose roots are real and not negative: from zero Newton's
 /// steps climb to it and never past it.
-double least_root(double b, double c) {
+double min_root(double b, double c) {
   double root = 0;
   for (int k = 0; k < kSteps; ++k) {
     const double slope = (3 * root - 2) * root + b;
@@ -42,7 +42,7 @@ Eigen::Matrix3d cofactors(const Eigen::Matrix3d& S) {
 }  // namespace
 
 bool PlaneMoments::solve(Eigen::Vector3f* mean, Eigen::Vector3f* normal) const {
-  if (n < kLeastPoints) return false;
+  if (n < kMinPoints) return false;
   *mean = sum / n;
   const Eigen::Vector3d m = mean->cast<double>();
   const Eigen::Vector3d ii = squares.matrix().cast<double>() / static_cast<double>(n);
@@ -55,7 +55,7 @@ bool PlaneMoments::solve(Eigen::Vector3f* mean, Eigen::Vector3f* normal) const {
   S /= trace;
   const Eigen::Matrix3d C = cofactors(S);
   if (!(C.trace() > kLine)) return false;
-  const double least = least_root(C.trace(), S.col(0).dot(C.col(0)));
+  const double least = min_root(C.trace(), S.col(0).dot(C.col(0)));
   const double others = 1 - least;
   if (!(C.trace() - least * others > kNarrowProduct * others * others)) return false;
   // The cofactors of S − λ are nnᵀ times the product of the other eigenvalues of that.

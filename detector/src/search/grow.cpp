@@ -45,7 +45,7 @@ std::optional<Candidate> grow(const SurfaceSamples& samples, const Quadric& hypo
   candidate.Q = hypothesis;
   candidate.region = connected_inliers(samples, start, candidate.Q, inlier, free);
   const auto enough = [&] {
-    return static_cast<int>(candidate.region.size()) >= options.least_samples;
+    return static_cast<int>(candidate.region.size()) >= options.min_samples;
   };
   const bool choice = options.families.size() > 1;
   if (!choice) candidate.family = options.families[0];

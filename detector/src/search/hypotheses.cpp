@@ -14,7 +14,7 @@ namespace quadrille {
 namespace {
 
 // A basis further than this from lying on one quadric is not worth a vote; see inconsistency().
-constexpr double kMostInconsistent = 0.6;
+constexpr double kMaxInconsistent = 0.6;
 // Normals of samples are known to about this [rad].
 constexpr double kNormalNoise = 0.05;
 
@@ -39,7 +39,7 @@ std::optional<Pencil> draw_pencil(const FitPoints& voters, RandomStream& random,
     basis[i] = {voters.point(which[i]), voters.normal(which[i])};
   }
   std::optional<Pencil> pencil = make_pencil(basis);
-  if (pencil && inconsistency(basis) > kMostInconsistent) pencil.reset();
+  if (pencil && inconsistency(basis) > kMaxInconsistent) pencil.reset();
   if (!pencil || !memory) return pencil;
   for (int& index : which) index = memory->sample_of_voter[static_cast<std::size_t>(index)];
   if (!memory->triplets.insert(which)) pencil.reset();
@@ -63,7 +63,7 @@ std::vector<Eigen::Matrix4d> through_four(const FitPoints& voters, const VoteOpt
   const Eigen::Vector4d x = draw(voters, random).x.homogeneous();
   if (!pencil) return {};
   const double height = pencil->plane.dot(x);
-  if (!(std::abs(height) > options.least_height)) return {};
+  if (!(std::abs(height) > options.min_height)) return {};
   return {pencil->at(-x.dot(pencil->Q0 * x) / (height * height))};
 }
 
@@ -128,7 +128,7 @@ std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& vo
 }
 
 int count_support(const FitPoints& p, const Eigen::Matrix4d& matrix, float distance,
-                  float least_cosine) {
+                  float min_cosine) {
   const Eigen::Matrix4f Q = matrix.cast<float>();
   const Eigen::ArrayXf gx = Q(0, 0) * p.x + Q(0, 1) * p.y + Q(0, 2) * p.z + Q(0, 3);
   const Eigen::ArrayXf gy = Q(0, 1) * p.x + Q(1, 1) * p.y + Q(1, 2) * p.z + Q(1, 3);
@@ -138,7 +138,7 @@ int count_support(const FitPoints& p, const Eigen::Matrix4d& matrix, float dista
   // g is half the gradient.
   const Eigen::ArrayXf slope = (gx.square() + gy.square() + gz.square()).sqrt();
   return static_cast<int>((f.abs() <= 2.0f * distance * slope &&
-                           gx * p.nx + gy * p.ny + gz * p.nz >= least_cosine * slope)
+                           gx * p.nx + gy * p.ny + gz * p.nz >= min_cosine * slope)
                               .count());
 }
 

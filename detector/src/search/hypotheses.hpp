@@ -32,8 +32,8 @@ std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& vo
 /// @param Q             symmetric 4x4 matrix in the coordinates of the voters, its gradient on the
 ///                      side of the normals
 /// @param distance      in the unit of the voters
-/// @param least_cosine  between normal and gradient
+/// @param min_cosine  between normal and gradient
 int count_support(const FitPoints& voters, const Eigen::Matrix4d& Q, float distance,
-                  float least_cosine);
+                  float min_cosine);
 
 }  // namespace quadrille

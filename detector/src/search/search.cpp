@@ -10,7 +10,7 @@
 namespace quadrille {
 namespace {
 
-constexpr int kLeastSupport = 8;
+constexpr int kMinSupport = 8;
 
 /// Samples connected to the seed within a ball.
 std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float radius,
@@ -79,7 +79,7 @@ class Searcher {
       const std::vector<int> around =
           neighbourhood(samples_, seed, static_cast<float>(*radius) * samples_.cell[seed], open_,
                         &stamp_, ++mark_);
-      if (static_cast<int>(around.size()) < options_.grow.least_samples / 2) return std::nullopt;
+      if (static_cast<int>(around.size()) < options_.grow.min_samples / 2) return std::nullopt;
       // The same samples would be tried with the same bases.
       if (around.size() == last) continue;
       last = around.size();
@@ -106,19 +106,17 @@ class Searcher {
     const int n = static_cast<int>(voters.size());
     VoteOptions vote_options;
     vote_options.quantisation = options_.quantisation;
-    vote_options.least_height = std::max(0.1, 2.0 * limit);
-    vote_options.least_cosine = inlier_.least_cosine;
+    vote_options.min_height = std::max(0.1, 2.0 * limit);
+    vote_options.min_cosine = inlier_.min_cosine;
     Hypothesis best;
     for (int trial = 0; trial < options_.bases; ++trial) {
       for (const Eigen::Matrix4d& Q :
            draw_hypotheses(options_.basis, voters, vote_options, random, memory)) {
-        const int support =
-            count_support(voters, Q, limit, static_cast<float>(inlier_.least_cosine));
+        const int support = count_support(voters, Q, limit, static_cast<float>(inlier_.min_cosine));
         if (support > best.support) best = {local.to_frame(Q), support};
       }
     }
-    if (best.support < options_.least_support * n || best.support < kLeastSupport)
-      return std::nullopt;
+    if (best.support < options_.min_support * n || best.support < kMinSupport) return std::nullopt;
     return best;
   }
 

@@ -16,7 +16,7 @@ Eigen::Matrix4d tangent_sphere(const OrientedPoint& point, double curvature);
 /// Voting for the one parameter that an oriented point leaves of a sphere (paper, figure 2b): each
 /// other point votes for κ = −2 n·d / |d|², if its own normal is that of the sphere.
 /// @param options  `lambda_scale` is the curvature that falls into the middle of a half axis;
-///                 `least_height` is the least distance of a voter
+///                 `min_height` is the least distance of a voter
 /// @return peaks with κ in the place of λ, highest first
 std::vector<VotePeak> vote_curvature(const OrientedPoint& basis, const FitPoints& voters,
                                      const VoteOptions& options);

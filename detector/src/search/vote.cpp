@@ -27,7 +27,7 @@ std::vector<VotePeak> vote(const Pencil& pencil, const FitPoints& voters,
 
   VoteHistogram histogram(options);
   for (Eigen::Index i = 0; i < voters.size(); ++i) {
-    if (std::abs(h[i]) > options.least_height && cosine[i] > options.least_cosine) {
+    if (std::abs(h[i]) > options.min_height && cosine[i] > options.min_cosine) {
       histogram.add(lambda[i]);
     }
   }

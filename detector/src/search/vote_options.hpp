@@ -13,9 +13,9 @@ struct VoteOptions {
   double lambda_scale = 1.0;
   /// A voter must be at least this far from the data plane, in units of the points: nearer ones
   /// know nothing of λ.
-  double least_height = 0.05;
+  double min_height = 0.05;
   /// Least cosine between the voter's normal and the gradient of the quadric that it votes for.
-  double least_cosine = 0.85;
+  double min_cosine = 0.85;
   /// Peaks to return at most.
   int peaks = 2;
 };

@@ -7,9 +7,9 @@ namespace quadrille {
 namespace {
 
 // A basis whose scales have to differ by more lies on no quadric worth a vote.
-constexpr double kLeastScale = 0.25;
+constexpr double kMinScale = 0.25;
 // Of a normal's component within the plane of basis and voter: less tells no scale.
-constexpr double kLeastWithin = 0.1;
+constexpr double kMinWithin = 0.1;
 
 Eigen::Matrix4d symmetric_product(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
   return 0.5 * (a * b.transpose() + b * a.transpose());
@@ -31,7 +31,7 @@ std::optional<Web> make_web(const std::array<OrientedPoint, 2>& basis, double so
   const double size = softness * softness * square + b1 * b1 + b2 * b2;
   const double excess = size > 0.0 ? (b1 - b2) / size : 0.0;
   const std::array<double, 2> alpha = {1.0 - b1 * excess, 1.0 + b2 * excess};
-  if (!(alpha[0] > kLeastScale && alpha[1] > kLeastScale)) return std::nullopt;
+  if (!(alpha[0] > kMinScale && alpha[1] > kMinScale)) return std::nullopt;
 
   const auto affine = [&](const Eigen::Vector3d& g, double at) {
     return Eigen::Vector4d(g.x(), g.y(), g.z(), at - g.dot(basis[0].x));
@@ -48,11 +48,11 @@ std::optional<Web> make_web(const std::array<OrientedPoint, 2>& basis, double so
   return web;
 }
 
-std::optional<WebLine> line_of(const Web& web, const OrientedPoint& point, double least_height,
-                               double least_cosine) {
+std::optional<WebLine> line_of(const Web& web, const OrientedPoint& point, double min_height,
+                               double min_cosine) {
   const Eigen::Vector4d x = point.x.homogeneous();
   const double pv = web.p.dot(x), qv = web.q.dot(x), height = std::hypot(pv, qv);
-  if (!(height > least_height)) return std::nullopt;
+  if (!(height > min_height)) return std::nullopt;
   const double c = pv / height, s = qv / height;
   const Eigen::Vector3d p = c * web.p.head<3>() + s * web.q.head<3>();
   const Eigen::Vector3d q = c * web.q.head<3>() - s * web.p.head<3>();
@@ -63,7 +63,7 @@ std::optional<WebLine> line_of(const Web& web, const OrientedPoint& point, doubl
   const Eigen::Vector2d gradient(g.dot(along), g.dot(p) + 2.0 * first * height);
   const Eigen::Vector2d normal(point.n.dot(along), point.n.dot(p));
   const double within = normal.norm(), product = gradient.dot(normal);
-  if (!(within > kLeastWithin && product >= least_cosine * within * gradient.norm())) {
+  if (!(within > kMinWithin && product >= min_cosine * within * gradient.norm())) {
     return std::nullopt;
   }
   const double scale = product / (within * within);

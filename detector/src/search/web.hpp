@@ -43,10 +43,10 @@ struct WebLine {
 ///
 /// The components of the gradient within q′ do not depend on λ₂′ and λ₃′; they tell the scale of
 /// the normal, and verify the point.
-/// @param least_height  of the point over the basis's line, in units of the points
-/// @param least_cosine  between normal and gradient within the plane q′
+/// @param min_height  of the point over the basis's line, in units of the points
+/// @param min_cosine  between normal and gradient within the plane q′
 /// @return nullopt if the point is too near or has a foreign normal
-std::optional<WebLine> line_of(const Web& web, const OrientedPoint& point, double least_height,
-                               double least_cosine);
+std::optional<WebLine> line_of(const Web& web, const OrientedPoint& point, double min_height,
+                               double min_cosine);
 
 }  // namespace quadrille

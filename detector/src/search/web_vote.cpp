@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 /// As great as fits three dimensions, and as small as leaves inner cells.
-constexpr int kMostCells = 64, kLeastCells = 4;
+constexpr int kMaxCells = 64, kMinCells = 4;
 
 using Cell = std::array<int, 3>;
 
@@ -22,7 +22,7 @@ using Cell = std::array<int, 3>;
 class LineCounts {
  public:
   explicit LineCounts(const VoteOptions& options)
-      : cells_(std::clamp(options.bins / 3, kLeastCells, kMostCells)),
+      : cells_(std::clamp(options.bins / 3, kMinCells, kMaxCells)),
         count_(static_cast<std::size_t>(cells_ * cells_ * cells_), 0.0f) {
     edges_.push_back(-kNever);
     for (int k = 1; k < cells_; ++k) {
@@ -154,8 +154,8 @@ std::vector<WebPeak> vote(const Web& web, const FitPoints& voters, const VoteOpt
   LineCounts counts(options);
   std::vector<WebLine> lines;
   for (Eigen::Index i = 0; i < voters.size(); ++i) {
-    const std::optional<WebLine> line = line_of(web, {voters.point(i), voters.normal(i)},
-                                                options.least_height, options.least_cosine);
+    const std::optional<WebLine> line =
+        line_of(web, {voters.point(i), voters.normal(i)}, options.min_height, options.min_cosine);
     if (!line || !line->origin.allFinite()) continue;
     lines.push_back(*line);
     counts.add(*line);

@@ -20,8 +20,8 @@ Eigen::Matrix<double, 10, 1> coefficients_near(const Eigen::Matrix4d& matrix,
 bool one_surface(const Candidate& kept, const Candidate& other, const SurfaceSamples& samples,
                  const InlierTest& test, const AgglomerateOptions& options) {
   const Normalisation local = normalisation_of(samples, kept.region);
-  if (close_distance(local.to_local(other.Q), local.to_local(kept.Q), options.largest_difference) <=
-      options.largest_close) {
+  if (close_distance(local.to_local(other.Q), local.to_local(kept.Q), options.max_difference) <=
+      options.max_close) {
     return true;
   }
   std::set<int> either(kept.region.begin(), kept.region.end());
@@ -29,7 +29,7 @@ bool one_surface(const Candidate& kept, const Candidate& other, const SurfaceSam
   either.insert(other.region.begin(), other.region.end());
   if (either.size() == apart) return false;  // no sample in common
   const std::vector<int> region(either.begin(), either.end());
-  return far_distance(kept.Q, other.Q, samples, region, test) <= options.largest_far;
+  return far_distance(kept.Q, other.Q, samples, region, test) <= options.max_far;
 }
 
 }  // namespace

@@ -96,16 +96,16 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
     if (!claimed()[i]) open.push_back(i);
   }
   const double size = static_cast<double>(candidate.region.size());
-  if (static_cast<int>(open.size()) < options_.least_samples ||
-      static_cast<double>(open.size()) < options_.least_open * size) {
+  if (static_cast<int>(open.size()) < options_.min_samples ||
+      static_cast<double>(open.size()) < options_.min_open * size) {
     return std::nullopt;
   }
-  const double least = early ? options_.least_confidence_early : options_.least_confidence;
+  const double least = early ? options_.min_confidence_early : options_.min_confidence;
   const bool flat = candidate.family == Family::kPlane;
   if (!flat) {
     const Evidence evidence = evidence_of(open, candidate.Q);
     const double hope = confidence(evidence, family_spec(candidate.family).dof);
-    const bool curved = evidence.spread >= kNearlyFlat * options_.least_spread;
+    const bool curved = evidence.spread >= kNearlyFlat * options_.min_spread;
     if (curved ? !(hope >= (early ? 0.5 * least : kHopeless)) : early) return std::nullopt;
   }
   std::optional<Surface> surface = fitted(std::move(open));
@@ -114,8 +114,7 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
     surface = early ? std::nullopt : as_plane(std::move(surface->region));
   }
   if (!surface) return std::nullopt;
-  if (early &&
-      surface->rms > options_.largest_residual_early * mean_sigma(samples_, surface->region)) {
+  if (early && surface->rms > options_.max_residual_early * mean_sigma(samples_, surface->region)) {
     return std::nullopt;
   }
   extend(&*surface);
@@ -123,17 +122,16 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
   surface->evidence = evidence_of(surface->region, surface->Q);
   surface->confidence = confidence_of(*surface);
   // What hardly bends is reported as the plane that it nearly is.
-  if (surface->fit.family != Family::kPlane && surface->evidence.spread < options_.least_spread) {
+  if (surface->fit.family != Family::kPlane && surface->evidence.spread < options_.min_spread) {
     surface = early ? std::nullopt : as_plane(std::move(surface->region));
     if (!surface) return std::nullopt;
   }
   const bool plane = surface->fit.family == Family::kPlane;
-  if (plane && static_cast<int>(surface->region.size()) < options_.least_plane_samples) {
+  if (plane && static_cast<int>(surface->region.size()) < options_.min_plane_samples) {
     return std::nullopt;
   }
-  if (!plane &&
-      (!(surface->confidence >= least) ||
-       surface->rms > options_.largest_residual * mean_sigma(samples_, surface->region))) {
+  if (!plane && (!(surface->confidence >= least) ||
+                 surface->rms > options_.max_residual * mean_sigma(samples_, surface->region))) {
     return std::nullopt;
   }
   join(&*surface);
@@ -174,7 +172,7 @@ std::optional<Surface> Aggregation::as_plane(std::vector<int> region) const {
   if (!fit) return std::nullopt;
   surface.Q = surface.local.to_frame(fit->posed.matrix()).normalized();
   surface.rms = surface.local.scale * std::sqrt(fit->rss / static_cast<double>(points.size()));
-  if (surface.rms > options_.largest_residual_plane * mean_sigma(samples_, region)) {
+  if (surface.rms > options_.max_residual_plane * mean_sigma(samples_, region)) {
     return std::nullopt;
   }
   surface.effective_size = std::min(options_.effective_size,

@@ -13,8 +13,8 @@ namespace quadrille {
 namespace {
 
 /// Frames for which any track is remembered, and tracks that are remembered at most.
-constexpr int kLeastFramesKept = 3;
-constexpr std::size_t kMostTracks = 256;
+constexpr int kMinFramesKept = 3;
+constexpr std::size_t kMaxTracks = 256;
 
 double squared(double x) { return x * x; }
 
@@ -34,7 +34,7 @@ bool depends_on_view(std::string_view dimension) {
 /// a tenth of the value is added, for types and seen parts that change.
 double compare_dimensions(const std::vector<Dimension>& a, const std::vector<Dimension>& b) {
   // One wild fit is no other object.
-  constexpr double kMost = 4.0;
+  constexpr double kMax = 4.0;
   double sum = 0.0;
   int count = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -43,7 +43,7 @@ double compare_dimensions(const std::vector<Dimension>& a, const std::vector<Dim
     const double variance = squared(a[i].std) + squared(b[i].std) + squared(scale);
     // Deviations that could not be estimated leave nothing to compare.
     if (!std::isfinite(variance) || !(variance > 0.0)) continue;
-    sum += std::min(kMost, squared(a[i].value - b[i].value) / variance);
+    sum += std::min(kMax, squared(a[i].value - b[i].value) / variance);
     ++count;
   }
   return count > 0 ? sum / count : 0.0;
@@ -122,13 +122,13 @@ void Tracker::update(std::int64_t utime, const Eigen::Isometry3d& X_WC,
 /// Moves all tracks to the next moment, and forgets those that were last seen too long ago.
 void Tracker::advance(double seconds) {
   std::erase_if(tracks_, [&](const Track& track) {
-    return track.seconds_unseen > options_.forget_after && track.frames_unseen >= kLeastFramesKept;
+    return track.seconds_unseen > options_.forget_after && track.frames_unseen >= kMinFramesKept;
   });
-  if (tracks_.size() > kMostTracks) {
+  if (tracks_.size() > kMaxTracks) {
     std::stable_sort(tracks_.begin(), tracks_.end(), [](const Track& a, const Track& b) {
       return a.frames_unseen < b.frames_unseen;
     });
-    tracks_.resize(kMostTracks);
+    tracks_.resize(kMaxTracks);
   }
   for (Track& track : tracks_) {
     track.patch = translated(std::move(track.patch), seconds * track.v_W);

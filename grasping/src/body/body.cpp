@@ -10,7 +10,7 @@ namespace {
 using Profile = Body::Profile;
 
 // What is known no better than this is not known at all; more would only be refused as well [m].
-constexpr double kMostStd = 0.01;
+constexpr double kMaxStd = 0.01;
 
 // Near its tip a thing gives few points: a cone that ends narrower than this ends in its apex [m],
 // if that is no farther than this share of its seen length: a slender one may be cut off.
@@ -201,7 +201,7 @@ double Body::width_std(const Eigen::Vector3d& d_Q, double z) const {
   if (profile == Profile::kHyperbola || profile == Profile::kSheet) {
     sum += h * z * z / (c * c * c * std::max(scale(z), 1e-9)) * std.z();
   }
-  return std::min(sum, kMostStd);
+  return std::min(sum, kMaxStd);
 }
 
 Eigen::Vector2d Body::widest() const {
@@ -251,7 +251,7 @@ std::optional<Body> make_body(const Detection& detection, std::string* why) {
   end_cone(body);
   if (!sound(body)) return refuse(type + " has no finite, positive size");
   body.std = deviations(detection, body);
-  body.end_std = std::min(end_deviation(detection), kMostStd);
+  body.end_std = std::min(end_deviation(detection), kMaxStd);
   return body;
 }
 

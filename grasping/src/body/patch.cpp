@@ -17,7 +17,7 @@ constexpr double kThickness = 0.01;
 // What the blocks of a curved patch may leave between themselves and the surface [m], as far as so
 // many along either side do.
 constexpr double kSagitta = 0.0005;
-constexpr int kMostCells = 10;
+constexpr int kMaxCells = 10;
 
 double dimension(const Detection& d, std::size_t n) {
   return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
@@ -112,7 +112,7 @@ void add_blocks(const Graph& g, const Detection& d, std::vector<CollisionShape>&
   const Eigen::Vector2d size(box.sizes()[g.u_axis], box.sizes()[g.v_axis]);
   Eigen::Vector2i count;
   for (int i = 0; i < 2; ++i) {
-    count[i] = 1 + static_cast<int>(std::min<double>(kMostCells - 1, 0.5 * size[i] / g.cell()[i]));
+    count[i] = 1 + static_cast<int>(std::min<double>(kMaxCells - 1, 0.5 * size[i] / g.cell()[i]));
   }
   const Eigen::Vector2d half = 0.5 * size.cwiseQuotient(count.cast<double>());
   for (int j = 0; j < count.y(); ++j) {

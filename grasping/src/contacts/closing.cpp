@@ -14,7 +14,7 @@ constexpr double kOffEdge = 0.001;
 // What lies this near to a finger that closes flush does not stop it, whatever the rounding [m].
 constexpr double kFlush = 0.0003;
 // How much more one end of a chord may lean than the other: 10°.
-constexpr double kMostLopsided = 0.17;
+constexpr double kMaxLopsided = 0.17;
 
 }  // namespace
 
@@ -42,7 +42,7 @@ bool meets_too_early(const ContactLine& line, const Eigen::Isometry3d& X_CG, con
 }
 
 bool lopsided(const ContactLine& line, const Eigen::Vector3d& approach_C) {
-  return std::abs((line.normals_C[0] - line.normals_C[1]).dot(approach_C)) > kMostLopsided;
+  return std::abs((line.normals_C[0] - line.normals_C[1]).dot(approach_C)) > kMaxLopsided;
 }
 
 }  // namespace quadrille

@@ -136,7 +136,7 @@ double PadMeetingFinder::friction_between(const std::array<Eigen::Vector3d, 2>& 
   return std::sqrt(1.0 / std::max(least * least, 1e-6) - 1.0);
 }
 
-std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, double most_friction) {
+std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, double max_friction) {
   if (curvature_ < 1e-9 * quadric_.M.maxCoeff()) return std::nullopt;
   const Eigen::Vector3d p_Q = body_.X_CQ.inverse() * p_C;
   // Most that are too wide are so here, which is soon found.
@@ -150,7 +150,7 @@ std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, doubl
   // Most that need too much friction are told so, to well within what floats round, at this cost.
   const std::array<Eigen::Vector3d, 2> ends_Q = {p_Q + from_origin_Q_.col(at[0]) + out[0] * y_Q_,
                                                  p_Q + from_origin_Q_.col(at[1]) - out[1] * y_Q_};
-  if (friction_between(ends_Q) > most_friction + 0.01) return std::nullopt;
+  if (friction_between(ends_Q) > max_friction + 0.01) return std::nullopt;
   PadMeeting meeting;
   ContactLine& line = meeting.line;
   for (int i = 0; i < 2; ++i) {
@@ -166,7 +166,7 @@ std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, doubl
   line.width = line.opening = out[0] + out[1];
   line.centre_C = p_C + 0.5 * (out[0] - out[1]) * y_C_;
   meeting.friction = std::max({lean(0, out[0], p_Q), lean(1, out[1], p_Q), friction_needed(line)});
-  if (meeting.friction > most_friction) return std::nullopt;
+  if (meeting.friction > max_friction) return std::nullopt;
   return meeting;
 }
 

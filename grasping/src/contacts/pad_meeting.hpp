@@ -34,9 +34,9 @@ class PadMeetingFinder {
   void turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C);
   /// For a hand whose origin is moved along its closing direction from p_C. Nullopt if the fingers
   /// do not meet the body, meet more than they open, meet the edge of one of its ends, or need more
-  /// friction than `most_friction`.
+  /// friction than `max_friction`.
   std::optional<PadMeeting> at(const Eigen::Vector3d& p_C,
-                               double most_friction = std::numeric_limits<double>::infinity());
+                               double max_friction = std::numeric_limits<double>::infinity());
 
  private:
   static constexpr int kRows = 8, kColumns = 5, kChords = kRows * kColumns;

@@ -17,7 +17,7 @@ constexpr double kPi = std::numbers::pi;
 
 // A mouth that a finger does not enter is none; nor is a dish that the tips would bottom out in
 // [m].
-constexpr double kLeastRadius = 0.02, kLeastHeight = 0.02;
+constexpr double kMinRadius = 0.02, kMinHeight = 0.02;
 // How far below the rim the sensor must have seen past [m], and at which share of the places there:
 // the near wall hides the rest.
 constexpr double kBelowRim = 0.008, kSeenShare = 0.3;
@@ -28,9 +28,9 @@ constexpr double kUpright = 0.866;
 // Points this near to an ellipsoid are its own [m]; so many show where it ends, but for a share of
 // stray ones beyond.
 constexpr double kOwn = 0.004, kStrayShare = 0.02;
-constexpr std::size_t kLeastPoints = 100;
+constexpr std::size_t kMinPoints = 100;
 // How far a rim may lie above the detection's end, and in which steps it is looked for [m].
-constexpr double kMostRaised = 0.008, kRaise = 0.001;
+constexpr double kMaxRaised = 0.008, kRaise = 0.001;
 // How far below the rim the middle of what the pads cover lies [m]: what holds, and what is seen
 // from above. The pads close along the wall's normal there: else they would turn a bent wall.
 constexpr double kBites[] = {0.0045, 0.0065};
@@ -38,8 +38,8 @@ constexpr int kAround = 36;
 // Points within half a pad of a contact tell where the wall is there [m]; so few would be noise;
 // and no better than this is known what they tell [m].
 constexpr double kNearContact = 0.009;
-constexpr int kLeastNear = 8;
-constexpr double kLeastStd = 0.0005;
+constexpr int kMinNear = 8;
+constexpr double kMinStd = 0.0005;
 
 // The same body with its z axis the other way.
 Body turned(Body body) {
@@ -89,9 +89,9 @@ void each_point_near(const PointCloud& cloud, const Body& body, Visitor&& visit)
 void raise_to_points(const PointCloud& cloud, Shell& shell) {
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
   const double bottom = shell.body.z_max - kBelowRim;
-  shell.body.z_max += kMostRaised;
+  shell.body.z_max += kMaxRaised;
   const Eigen::AlignedBox3d box = shell.body.bounds_Q();
-  std::array<int, static_cast<int>((kBelowRim + kMostRaised) / kRaise + 0.5)> counts{};
+  std::array<int, static_cast<int>((kBelowRim + kMaxRaised) / kRaise + 0.5)> counts{};
   each_point_near(cloud, shell.body, [&](const Eigen::Vector3d& p_C) {
     const Eigen::Vector3d p_Q = X_QC * p_C;
     const double up = std::floor((p_Q.z() - bottom) / kRaise);
@@ -114,7 +114,7 @@ bool cut_at_points(const PointCloud& cloud, Shell& shell) {
     const Eigen::Vector3d p_Q = X_QC * p_C;
     if (box.contains(p_Q) && std::abs(shell.offset(p_C)) < kOwn) heights.push_back(p_Q.z());
   });
-  if (heights.size() < kLeastPoints) return false;
+  if (heights.size() < kMinPoints) return false;
   const auto last = heights.end() - 1 -
                     static_cast<std::ptrdiff_t>(kStrayShare * static_cast<double>(heights.size()));
   std::nth_element(heights.begin(), last, heights.end());
@@ -129,8 +129,8 @@ Eigen::Vector3d middle(const ContactLine& line) {
 bool open_at_top(const Shell& shell, const DepthView& view) {
   const Body& body = shell.body;
   const double z = body.z_max - kBelowRim, s = body.scale(z);
-  if (std::min(body.a, body.b) * body.scale(body.z_max) < kLeastRadius) return false;
-  if (body.z_max - body.z_min < kLeastHeight) return false;
+  if (std::min(body.a, body.b) * body.scale(body.z_max) < kMinRadius) return false;
+  if (body.z_max - body.z_min < kMinHeight) return false;
   int seen = 0, places = 0;
   for (const double r : {0.25, 0.5, 0.75}) {
     for (int k = 0; k < 12; ++k, ++places) {
@@ -168,10 +168,10 @@ ContactLine rim_line(const Shell& shell, double angle, double bite, const Grippe
   const auto [inside, outside] = bend(shell, angle, z, 0.5 * gripper.finger.x(), bite);
   const double low = shell.inner() - inside, high = shell.outer() + outside;
   ContactLine line;
-  line.width = 0.5 * (shell.wall.least + shell.wall.most);
+  line.width = 0.5 * (shell.wall.min + shell.wall.max);
   // Midway between the pads on a wall of mean thickness, so that neither pushes the vessel far; the
   // opening holds the thickest wall on either side of it.
-  const double unseen = shell.wall.most - line.width;
+  const double unseen = shell.wall.max - line.width;
   const double middle = 0.5 * (low + high + (shell.seen_inside ? -unseen : unseen));
   line.opening = 2.0 * std::max(high - middle, middle - low);
   line.std = body.width_std(n_Q, z);
@@ -280,8 +280,8 @@ std::vector<ContactLine> measured_lines(const Shell& shell, const std::vector<Co
       ++count;
       sum += beside * beside;
     }
-    if (count < kLeastNear) continue;
-    line.std = std::max(kLeastStd, std::sqrt(sum / count));
+    if (count < kMinNear) continue;
+    line.std = std::max(kMinStd, std::sqrt(sum / count));
     measured.push_back(line);
   }
   return measured;

@@ -15,7 +15,7 @@ namespace quadrille {
 
 /// Bounds of a wall's thickness, which one view does not show [m].
 struct WallThickness {
-  double least = 0.002, most = 0.008;
+  double min = 0.002, max = 0.008;
 };
 
 /// The wall of a hollow body that is open at one end: a cup, a bowl.
@@ -27,8 +27,8 @@ struct Shell {
   WallThickness wall;
 
   /// Where the wall may begin and end along the outward normal of the seen surface [m].
-  double inner() const { return seen_inside ? 0.0 : -wall.most; }
-  double outer() const { return seen_inside ? wall.most : 0.0; }
+  double inner() const { return seen_inside ? 0.0 : -wall.max; }
+  double outer() const { return seen_inside ? wall.max : 0.0; }
   /// Distance from the seen surface, negative inside, to first order [m].
   double offset(const Eigen::Vector3d& p_C) const;
   /// True if p_C lies within `margin` [m] of where the wall may be.

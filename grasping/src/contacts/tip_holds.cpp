@@ -29,7 +29,7 @@ constexpr double kBelow = 0.005;
 constexpr double kSunk = 0.005;
 // What lies so near to the body's nearest point tells where its middle is [m]: less has hardly a
 // point of the surface.
-constexpr double kLeastReached = 0.01;
+constexpr double kMinReached = 0.01;
 
 // Points all over the surface, in frame C.
 Eigen::Matrix3Xd surface(const Body& body) {
@@ -140,7 +140,7 @@ class Search {
     std::array<Eigen::AlignedBox3d, std::size(kDips)> reached;
     for (const auto& p_G : points_G_.colwise()) {
       const double deep = p_G.z() - nearest;
-      const auto dip = deep <= kLeastReached
+      const auto dip = deep <= kMinReached
                            ? std::begin(kDips)
                            : std::lower_bound(std::begin(kDips), std::end(kDips), deep);
       if (dip != std::end(kDips)) reached[dip - std::begin(kDips)].extend(Eigen::Vector3d(p_G));

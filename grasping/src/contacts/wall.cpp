@@ -11,7 +11,7 @@ namespace quadrille {
 namespace {
 
 constexpr int kSectors = 24;
-constexpr int kMostSlices = 8;
+constexpr int kMaxSlices = 8;
 // Height of a slice: the sagitta of a bowl of 70 mm over it is 0.2 mm [m].
 constexpr double kSlice = 0.01;
 
@@ -68,7 +68,7 @@ std::vector<CollisionShape> make_wall(const Shell& shell) {
   const bool straight =
       body.profile == Body::Profile::kConstant || body.profile == Body::Profile::kLinear;
   const int slices =
-      straight ? 1 : std::clamp(static_cast<int>(std::ceil(height / kSlice)), 1, kMostSlices);
+      straight ? 1 : std::clamp(static_cast<int>(std::ceil(height / kSlice)), 1, kMaxSlices);
   const double turn = 2.0 * std::numbers::pi / kSectors;
   std::vector<CollisionShape> pieces;
   for (int i = 0; i < slices; ++i) {

@@ -9,7 +9,7 @@ namespace {
 
 // Sine of the least steep wall, 17°: on flatter ones the way up to the rim, over the same rise, is
 // longer than a pad.
-constexpr double kLeastSteep = 0.3;
+constexpr double kMinSteep = 0.3;
 // Over so much of the wall its bends are taken [rad, m]: some millimetres, well within a pad, and
 // far more than rounding.
 constexpr double kTurn = 0.05, kRise = 0.002;
@@ -27,7 +27,7 @@ Eigen::Vector3d along_wall(const ContactLine& line, const Eigen::Vector3d& into_
 double rim_above(const Shell& shell, const ContactLine& line) {
   const Eigen::Vector3d seen_Q = shell.body.X_CQ.inverse() * seen_contact(shell, line);
   const double steep = (shell.body.X_CQ.linear().transpose() * line.closing_C).head<2>().norm();
-  return (shell.body.z_max - seen_Q.z()) / std::max(steep, kLeastSteep);
+  return (shell.body.z_max - seen_Q.z()) / std::max(steep, kMinSteep);
 }
 
 double geodesic_torsion(const Shell& shell, const ContactLine& line,

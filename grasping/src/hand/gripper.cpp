@@ -9,7 +9,7 @@ namespace quadrille {
 namespace {
 
 // No hand is larger; a number beyond it was meant in millimetres [m].
-constexpr double kLargest = 1.0;
+constexpr double kMax = 1.0;
 // What rounding may take from sizes that are meant to be equal [m].
 constexpr double kRounding = 1e-9;
 
@@ -20,7 +20,7 @@ void demand(bool holds, const std::string& what) {
 void demand_size(const char* field, double x) {
   demand(std::isfinite(x) && x > 0.0,
          std::string(field) + " must be positive; measure it on the hand");
-  demand(x <= kLargest,
+  demand(x <= kMax,
          std::string(field) + " is more than 1 m; give sizes in metres, not millimetres");
 }
 
@@ -58,7 +58,7 @@ void check_finger(const Gripper& hand) {
 }
 
 void check_links(const Gripper& hand) {
-  demand(hand.link_length >= 0.0 && hand.link_length <= kLargest,
+  demand(hand.link_length >= 0.0 && hand.link_length <= kMax,
          "link_length must lie in 0 to 1 m; 0 is for fingers that slide straight");
   demand(hand.link_angle >= 0.0 && hand.link_angle < 1.5,
          "link_angle must lie in 0 to 1.5 rad; give radians, not degrees");
@@ -81,7 +81,7 @@ void Gripper::check() const {
   check_links(*this);
   demand(tcp == 0.0 || tcp >= finger.z() - finger_front - kRounding,
          "finger reaches farther back than tcp; make tcp at least finger[2] - finger_front");
-  demand(tcp <= kLargest, "tcp is more than 1 m; give sizes in metres, not millimetres");
+  demand(tcp <= kMax, "tcp is more than 1 m; give sizes in metres, not millimetres");
 }
 
 double Gripper::extension(double opening) const {
@@ -91,7 +91,7 @@ double Gripper::extension(double opening) const {
   return link_length * (std::sqrt(1.0 - s * s) - std::cos(link_angle));
 }
 
-double Gripper::most_extension(double narrow, double wide) const {
+double Gripper::max_extension(double narrow, double wide) const {
   if (link_length == 0.0) return 0.0;
   // Farthest where the links lie along the approach.
   const double straight = max_opening - 2.0 * link_length * std::sin(link_angle);

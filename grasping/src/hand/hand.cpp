@@ -12,7 +12,7 @@ SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, doub
   // tips may also draw back a little at the end.
   const double back = -gripper.reach(width);
   const double tip =
-      gripper.finger_front + gripper.most_extension(width, preshape) - gripper.extension(width);
+      gripper.finger_front + gripper.max_extension(width, preshape) - gripper.extension(width);
   SweptHand hand;
   for (int i = 0; i < 2; ++i) {
     const double side = i == 0 ? 1.0 : -1.0;
@@ -42,7 +42,7 @@ std::optional<OrientedBox> common_palm(const Gripper& gripper, const Eigen::Isom
   const double narrow = gripper.min_opening, wide = gripper.max_opening;
   // Fingers on links reach farthest somewhere between, least at one of the ends.
   const double least = std::min(gripper.reach(narrow), gripper.reach(wide));
-  const double most = gripper.reach(wide) + gripper.most_extension(narrow, wide);
+  const double most = gripper.reach(wide) + gripper.max_extension(narrow, wide);
   const Eigen::Vector3d palm(0.5 * gripper.palm.x(), 0.5 * gripper.palm.y(), gripper.palm.z());
   const Eigen::Vector3d low = places_G.max() - palm - Eigen::Vector3d(0, 0, least + approach);
   const Eigen::Vector3d high = places_G.min() + Eigen::Vector3d(palm.x(), palm.y(), -most);

@@ -15,7 +15,7 @@ namespace {
 // Beyond 70° off its axis a pinhole has no use.
 constexpr double kWidest = 2.7;
 // Above what find_pixel_grid() allows: a last check before memory is taken.
-constexpr double kMostPixels = 2e7;
+constexpr double kMaxPixels = 2e7;
 
 bool in_front(const Eigen::Vector3d& p_V) {
   return p_V.z() > kNearestDepth && std::abs(p_V.x()) < kWidest * p_V.z() &&
@@ -91,7 +91,7 @@ void DepthView::choose_grid(const std::vector<Eigen::Vector2d>& tangents) {
   cu_ = -grid.phase.x() / pitch_u_ - u0;
   cv_ = -grid.phase.y() / pitch_v_ - v0;
   const double width = std::round(last.x()) - u0 + 1.0, height = std::round(last.y()) - v0 + 1.0;
-  if (!(width * height < kMostPixels)) return;
+  if (!(width * height < kMaxPixels)) return;
   width_ = static_cast<int>(width);
   height_ = static_cast<int>(height);
 }
@@ -200,11 +200,11 @@ void DepthView::build_levels() {
 
 int DepthView::nearer_end_of_gap(int u, int v) const {
   // Focal length times baseline over depth, as common sensors have it at half a metre.
-  constexpr int kMostPixels = 20;
+  constexpr int kMaxPixels = 20;
   if (u < 0 || v < 0 || u >= width_ || v >= height_) return -1;
   int best = -1;
   for (const int step : {-1, 1}) {
-    for (int k = 1; k <= kMostPixels; ++k) {
+    for (int k = 1; k <= kMaxPixels; ++k) {
       if (!measured(u + k * step, v)) continue;
       if (best < 0 || depth(u + k * step, v) < depth(best, v)) best = u + k * step;
       break;

@@ -10,7 +10,7 @@ namespace quadrille {
 
 namespace {
 
-constexpr double kMostPixels = 4e6;
+constexpr double kMaxPixels = 4e6;
 // No camera has finer pixels; steps below this are rounding, not a grid.
 constexpr double kFinestPitch = 1e-5;
 
@@ -95,8 +95,8 @@ PixelGrid find_pixel_grid(const std::vector<Eigen::Vector2d>& tangents,
   const Eigen::Vector2d found = grid.pitch;
   grid.pitch = found.cwiseMax(kFinestPitch);
   // An axis that is down to one pixel shrinks no further, so that one step may not be enough.
-  for (double excess = count_pixels(grid, bounds) / kMostPixels; excess > 1.0;
-       excess = count_pixels(grid, bounds) / kMostPixels) {
+  for (double excess = count_pixels(grid, bounds) / kMaxPixels; excess > 1.0;
+       excess = count_pixels(grid, bounds) / kMaxPixels) {
     grid.pitch *= std::max(std::sqrt(excess), 1.01);
   }
   if (grid.pitch != found) grid.phase = bounds.min();

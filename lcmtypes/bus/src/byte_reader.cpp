@@ -62,9 +62,9 @@ double ByteReader::read_finite(const char* member) {
   return value;
 }
 
-std::int32_t ByteReader::read_count(const char* member, std::size_t least_element_bytes) {
+std::int32_t ByteReader::read_count(const char* member, std::size_t min_element_bytes) {
   const std::int32_t count = read_int32(member);
-  if (count < 0 || static_cast<std::uint64_t>(count) * least_element_bytes > left()) {
+  if (count < 0 || static_cast<std::uint64_t>(count) * min_element_bytes > left()) {
     refuse(RejectReason::kBadLength, std::string(member) + " = " + std::to_string(count) +
                                          " with " + std::to_string(left()) + " bytes left");
   }

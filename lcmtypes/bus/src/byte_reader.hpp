@@ -30,7 +30,7 @@ class ByteReader {
   double read_finite(const char* member);
 
   /// A 32-bit count, not negative, of elements of at least so many bytes each.
-  std::int32_t read_count(const char* member, std::size_t least_element_bytes);
+  std::int32_t read_count(const char* member, std::size_t min_element_bytes);
 
   /// A string of at most so many bytes without its end mark.
   std::string read_string(const char* member, std::size_t max_bytes);

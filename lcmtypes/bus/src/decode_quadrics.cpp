@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxNameBytes = 256;
 /// Fixed members of a quadric, and of a dimension, with empty strings.
-constexpr std::size_t kLeastQuadricBytes = 229, kLeastDimensionBytes = 21, kLeastStringBytes = 5;
+constexpr std::size_t kMinQuadricBytes = 229, kMinDimensionBytes = 21, kMinStringBytes = 5;
 
 void check_finite(ByteReader& reader, const char* member, int count) {
   for (int i = 0; i < count; ++i) reader.read_finite(member);
@@ -37,7 +37,7 @@ void check_quadric(ByteReader& reader) {
   check_finite(reader, "rms", 1);
   check_finite(reader, "position", 3);
   check_unit(reader, "quaternion", 4);
-  const std::int32_t dimensions = reader.read_count("num_dimensions", kLeastDimensionBytes);
+  const std::int32_t dimensions = reader.read_count("num_dimensions", kMinDimensionBytes);
   for (std::int32_t i = 0; i < dimensions; ++i) {
     reader.read_string("dimension name", kMaxNameBytes);
     check_finite(reader, "dimension", 1);
@@ -62,9 +62,9 @@ void check_quadrics(std::span<const std::byte> bytes) {
   reader.read_int64("points_read");
   reader.read_int64("points_finite");
   reader.read_int64("points_used");
-  const std::int32_t detections = reader.read_count("num_detections", kLeastQuadricBytes);
+  const std::int32_t detections = reader.read_count("num_detections", kMinQuadricBytes);
   for (std::int32_t i = 0; i < detections; ++i) check_quadric(reader);
-  const std::int32_t warnings = reader.read_count("num_warnings", kLeastStringBytes);
+  const std::int32_t warnings = reader.read_count("num_warnings", kMinStringBytes);
   for (std::int32_t i = 0; i < warnings; ++i) reader.skip_string("warning");
   reader.expect_end();
 }

@@ -95,8 +95,7 @@ TEST_CASE("every fit finds quadrics of every type from exact oriented points", "
       // Too few points on one plane of two leave the other free.
       if (contender.minimal && is_flat(form.type)) continue;
       // Full gradients: the common scale of the compact system holds for them.
-      const Sampled s =
-          sample(form, contender.minimal ? contender.least_points : 60, random, false);
+      const Sampled s = sample(form, contender.minimal ? contender.min_points : 60, random, false);
       const auto Q = contender.fit(s.points);
       REQUIRE(Q);
       CHECK(Q->coefficients().norm() == Approx(1.0));
@@ -125,7 +124,7 @@ TEST_CASE("every type-specific fit finds its type with its dimensions", "[fits][
   RandomStream random(43, 0);
   for (const Case& c : type_specific_fits()) {
     CAPTURE(c.contender.name);
-    for (const int count : {std::max<int>(8, c.contender.least_points), 40}) {
+    for (const int count : {std::max<int>(8, c.contender.min_points), 40}) {
       const Sampled s = sample(c.form, count, random, true);
       const auto Q = c.contender.fit(s.points);
       REQUIRE(Q);
@@ -169,7 +168,7 @@ TEST_CASE("every fit moves, scales and flips with its data", "[fits][law]") {
     CAPTURE(c.contender.name);
     // Constraints on |q| depend on the axes.
     const bool exact_only = c.contender.name == "full" || c.contender.name == "pd_3";
-    const Eigen::Index count = c.contender.minimal ? c.contender.least_points : 80;
+    const Eigen::Index count = c.contender.minimal ? c.contender.min_points : 80;
     OrientedPoints points = sample(c.form, count, random, true).points;
     if (!exact_only) points = test::with_noise(points, 0.01, 0.02, random);
     const auto Q = c.contender.fit(points);
@@ -193,7 +192,7 @@ TEST_CASE("every fit answers degenerate input with no solution", "[fits][degener
   RandomStream random(47, 0);
   for (const Case& c : all_fits()) {
     CAPTURE(c.contender.name);
-    const Eigen::Index count = std::max<Eigen::Index>(c.contender.least_points, 12);
+    const Eigen::Index count = std::max<Eigen::Index>(c.contender.min_points, 12);
     const OrientedPoints good = sample(c.form, count, random, true).points;
     REQUIRE(c.contender.fit(good));
     const auto spoilt = [&](const auto& spoil) {
@@ -202,7 +201,7 @@ TEST_CASE("every fit answers degenerate input with no solution", "[fits][degener
       return c.contender.fit(points);
     };
     CHECK_FALSE(c.contender.fit(OrientedPoints(0)));
-    CHECK_FALSE(c.contender.fit(good.first(c.contender.least_points - 1)));
+    CHECK_FALSE(c.contender.fit(good.first(c.contender.min_points - 1)));
     CHECK_FALSE(spoilt([](auto& p) { p.points.colwise() = Eigen::Vector3d(1, 2, 3); }));
     CHECK_FALSE(spoilt([](auto& p) {
       p.points.colwise() = Eigen::Vector3d(1, 2, 3);

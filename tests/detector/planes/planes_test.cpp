@@ -63,9 +63,9 @@ TEST_CASE("what bends less than the least radius is a plane", "[planes]") {
 
 TEST_CASE("a plane has the least number of samples, or is none", "[planes]") {
   PlaneOptions options;
-  options.least_samples = 400;
+  options.min_samples = 400;
   CHECK(find_planes(plane_grid(20, 20, 0.02, 0.0, 1), options).size() == 1);
-  options.least_samples = 401;
+  options.min_samples = 401;
   CHECK(find_planes(plane_grid(20, 20, 0.02, 0.0, 1), options).empty());
 }
 

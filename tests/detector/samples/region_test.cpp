@@ -55,7 +55,7 @@ TEST_CASE("an inlier lies within its noise and has the normal of the quadric, up
   Eigen::Matrix4f Q = Eigen::Matrix4f::Zero();
   Q(0, 3) = Q(3, 0) = 3.0f;
   InlierTest test;
-  test.sigmas = 3.0, test.cells = 0.1, test.least_cosine = 0.9;
+  test.sigmas = 3.0, test.cells = 0.1, test.min_cosine = 0.9;
   const auto at = [&](float x, float angle) {
     samples.raw[0].x() = x;
     samples.n[0] = {std::cos(angle), std::sin(angle), 0.0f};
@@ -68,7 +68,7 @@ TEST_CASE("an inlier lies within its noise and has the normal of the quadric, up
   CHECK(at(0.0f, 0.44f));
   CHECK_FALSE(at(0.0f, 0.46f));
   CHECK(at(0.0f, static_cast<float>(M_PI)));
-  test.least_cosine = -1.0;
+  test.min_cosine = -1.0;
   CHECK(at(0.0f, 1.5f));
 }
 

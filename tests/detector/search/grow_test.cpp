@@ -15,7 +15,7 @@ constexpr double kCell = 0.004;
 
 InlierTest tolerance() {
   InlierTest test;
-  test.sigmas = 3.0, test.cells = 0.1, test.least_cosine = 0.9;
+  test.sigmas = 3.0, test.cells = 0.1, test.min_cosine = 0.9;
   return test;
 }
 
@@ -68,6 +68,6 @@ TEST_CASE("a hypothesis without enough support does not grow", "[grow]") {
   CHECK_FALSE(grow(samples, sphere_of(0.2), start, free, tolerance(), GrowOptions()));
   CHECK_FALSE(grow(samples, sphere_of(0.06), start, none, tolerance(), GrowOptions()));
   GrowOptions greedy;
-  greedy.least_samples = samples.size() + 1;
+  greedy.min_samples = samples.size() + 1;
   CHECK_FALSE(grow(samples, sphere_of(0.06), start, free, tolerance(), greedy));
 }

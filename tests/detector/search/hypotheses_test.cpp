@@ -92,7 +92,7 @@ TEST_CASE("a memory refuses the bases that it knows, and changes no other",
   BasisMemory memory;
   for (int k = 0; k < 12; ++k) memory.sample_of_voter.push_back(100 + k);
   VoteOptions options;
-  options.least_height = 0.0;
+  options.min_height = 0.0;
   const auto draw_many = [&](BasisMemory* known) {
     RandomStream draws(102, 0);
     int drawn = 0;

@@ -44,7 +44,7 @@ TEST_CASE("the regions hold open samples only, each once", "[search]") {
   for (const Candidate& candidate : candidates) {
     const std::set<int> region(candidate.region.begin(), candidate.region.end());
     CHECK(region.size() == candidate.region.size());
-    CHECK(candidate.region.size() >= static_cast<std::size_t>(SearchOptions().grow.least_samples));
+    CHECK(candidate.region.size() >= static_cast<std::size_t>(SearchOptions().grow.min_samples));
     for (const int i : region) CHECK(open[static_cast<std::size_t>(i)]);
   }
 }

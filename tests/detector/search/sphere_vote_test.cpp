@@ -13,7 +13,7 @@ namespace {
 
 VoteOptions vote_options() {
   VoteOptions options;
-  options.least_height = 0.1;
+  options.min_height = 0.1;
   return options;
 }
 

@@ -172,7 +172,7 @@ TEST_CASE("a box edge is no curved surface", "[aggregate]") {
 TEST_CASE("early on only clear cases are accepted, the others wait", "[aggregate]") {
   const SurfaceSamples samples = cylinder();
   AggregateOptions options;
-  options.least_confidence_early = 1.0;
+  options.min_confidence_early = 1.0;
   Aggregation aggregation(samples, options, {});
   aggregation.offer({candidate_of(cylinder_quadric(kRadius), 0, kRows)}, true);
   CHECK(aggregation.surfaces().empty());

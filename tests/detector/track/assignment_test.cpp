@@ -21,7 +21,7 @@ double sum_of(const Eigen::MatrixXd& cost, const std::vector<int>& columns, doub
 }
 
 /// The least sum over all assignments, by trying them.
-double least_sum(const Eigen::MatrixXd& cost, double alone) {
+double min_sum(const Eigen::MatrixXd& cost, double alone) {
   const int rows = static_cast<int>(cost.rows()), columns = static_cast<int>(cost.cols());
   std::vector<int> order(static_cast<std::size_t>(columns + rows));
   std::iota(order.begin(), order.end(), 0);
@@ -64,7 +64,7 @@ TEST_CASE("no assignment of random costs is cheaper", "[assign]") {
     std::erase(used, -1);
     std::sort(used.begin(), used.end());
     CHECK(std::adjacent_find(used.begin(), used.end()) == used.end());
-    CHECK(sum_of(cost, columns, 6.0) == Approx(least_sum(cost, 6.0)));
+    CHECK(sum_of(cost, columns, 6.0) == Approx(min_sum(cost, 6.0)));
   }
 }
 

@@ -90,11 +90,11 @@ TEST_CASE("fingers on links reach forward along a circle as they close", "[gripp
   CHECK(hand.extension(hand.max_opening) == Approx(0.0).margin(1e-12));
   CHECK(hand.extension(0.0) == Approx(0.05 * (1.0 - std::sqrt(0.5))));
   CHECK(hand.reach(0.0) == Approx(0.045 + hand.extension(0.0)));
-  CHECK(hand.most_extension(0.02, 0.06) == Approx(hand.extension(0.02)));
+  CHECK(hand.max_extension(0.02, 0.06) == Approx(hand.extension(0.02)));
   // With steeper links the tips pass the farthest point and draw back again.
   hand.link_angle = 0.6;
-  CHECK(hand.most_extension(0.0, hand.max_opening) == Approx(0.05 * (1.0 - std::cos(0.6))));
-  CHECK(hand.most_extension(0.0, hand.max_opening) > hand.extension(0.0));
+  CHECK(hand.max_extension(0.0, hand.max_opening) == Approx(0.05 * (1.0 - std::cos(0.6))));
+  CHECK(hand.max_extension(0.0, hand.max_opening) > hand.extension(0.0));
 }
 
 TEST_CASE("the swept hand of fingers on links holds the pads at every opening", "[gripper]") {

@@ -48,7 +48,7 @@ Contender plain_nine() { return plain("plain-nine", "plain RANSAC, nine points a
 Contender plain_four() {
   PlainOptions options;
   options.basis = PlainBasis::kFourOrientedPoints;
-  options.least_cosine = 0.85;
+  options.min_cosine = 0.85;
   options.trials = 1500;
   return plain("plain-four", "plain RANSAC, four oriented points a basis", options);
 }

@@ -11,7 +11,7 @@
 namespace quadrille::bench {
 namespace {
 
-constexpr int kLeastInVoxel = 2, kLeastNeighbours = 6;
+constexpr int kMinInVoxel = 2, kMinNeighbours = 6;
 
 // Release 1.5.0 of nanoflann renamed its search parameters and gave its results a type of their
 // own; Debian 12 still has 1.4.
@@ -50,7 +50,7 @@ std::vector<Eigen::Vector3f> centroids(const std::vector<Eigen::Vector3f>& point
     for (; last < keys.size() && keys[last].first == keys[first].first; ++last) {
       sum += points[keys[last].second];
     }
-    if (last - first >= kLeastInVoxel) result.push_back(sum / static_cast<float>(last - first));
+    if (last - first >= kMinInVoxel) result.push_back(sum / static_cast<float>(last - first));
   }
   return result;
 }
@@ -109,7 +109,7 @@ OrientedCloud orient(const std::vector<Eigen::Vector3f>& points,
   const NeighbourSearch search(thinned);
   for (const Eigen::Vector3f& p : thinned) {
     const std::vector<int> ball = search.within(p, options.normal_radius);
-    if (static_cast<int>(ball.size()) < kLeastNeighbours) continue;
+    if (static_cast<int>(ball.size()) < kMinNeighbours) continue;
     cloud.points.push_back(p);
     cloud.normals.push_back(normal_of(thinned, ball, p));
   }

@@ -34,7 +34,7 @@ class PlainRansac {
     if (cloud_.points.empty()) return found_;
     const NeighbourSearch search(cloud_.points);
     for (int round = 0; round < options_.rounds; ++round) {
-      if (static_cast<int>(open_.size()) < options_.least_points || !take_quadric(search)) break;
+      if (static_cast<int>(open_.size()) < options_.min_points || !take_quadric(search)) break;
     }
     return found_;
   }
@@ -52,7 +52,7 @@ class PlainRansac {
       const Eigen::Vector3d g = Q.gradient(p(i));
       const double length = g.norm();
       if (std::abs(Q.value(p(i))) <= epsilon * length &&
-          std::abs(g.dot(n(i))) >= options_.least_cosine * length && length > 0.0) {
+          std::abs(g.dot(n(i))) >= options_.min_cosine * length && length > 0.0) {
         result.push_back(i);
       }
     }
@@ -83,7 +83,7 @@ class PlainRansac {
       best = fit_plane(points);
       points = inliers(best, open_, options_.plane_epsilon);
     }
-    const double least = options_.least_plane * static_cast<double>(cloud_.points.size());
+    const double least = options_.min_plane * static_cast<double>(cloud_.points.size());
     if (static_cast<double>(points.size()) < least) return false;
     take(best, points);
     return true;
@@ -119,7 +119,7 @@ class PlainRansac {
     for (const int i : points) mean += n(i);
     double cosines = 0.0;
     for (const int i : points) cosines += mean.normalized().dot(n(i));
-    return cosines / static_cast<double>(points.size()) < std::cos(options_.least_spread);
+    return cosines / static_cast<double>(points.size()) < std::cos(options_.min_spread);
   }
 
   std::vector<int> open_within(const NeighbourSearch& search, int seed, double radius) const {
@@ -144,7 +144,7 @@ class PlainRansac {
     }
     if (!best) return false;
     const std::vector<int> points = refine(around, &*best);
-    if (static_cast<int>(points.size()) < options_.least_points) return false;
+    if (static_cast<int>(points.size()) < options_.min_points) return false;
     take(*best, points);
     return true;
   }

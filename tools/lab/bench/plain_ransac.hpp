@@ -24,14 +24,14 @@ struct PlainOptions {
   OrientationOptions orientation;
   std::uint64_t seed = 1;
   /// Largest distance of an inlier [m], and least cosine of its normal.
-  double epsilon = 0.006, least_cosine = 0.9;
+  double epsilon = 0.006, min_cosine = 0.9;
   /// The same for planes, and the least share of all points that is one.
-  double plane_epsilon = 0.018, least_plane = 0.05;
+  double plane_epsilon = 0.018, min_plane = 0.05;
   /// Radius of the ball that a basis is drawn from [m]; inliers are counted in twice that.
   double reach = 0.1;
-  int trials = 500, rounds = 15, least_points = 60;
+  int trials = 500, rounds = 15, min_points = 60;
   /// Least mean angle of the normals about their mean: less is flat [rad].
-  double least_spread = 0.42;
+  double min_spread = 0.42;
 };
 
 /// All that it finds, planes too.

@@ -75,7 +75,7 @@ std::vector<Plot> plots_of(const std::vector<Row>& rows) {
         fmt::format("{}, {}", row.family, row.counted.empty() ? "all quadrics" : "spheres alone");
     if (plots.empty() || plots.back().title != title) {
       plots.push_back({title, "median wall time of a frame [ms]", "recall", {}, true});
-      plots.back().least_y_range = {0.0, 1.0};
+      plots.back().min_y_range = {0.0, 1.0};
     }
     plots.back().lines.push_back(
         {row.contender, {{quantile(row.wall_ms, 0.5), row.total.recall()}}, false, true});

@@ -16,7 +16,7 @@ namespace {
 constexpr int kCounts[] = {8, 20, 40};
 constexpr double kNoises[] = {0.25, 0.5, 1.0};
 /// Of the side's pixels that would be seen without the others, below which it is not asked for.
-constexpr double kLeastSeen = 0.4;
+constexpr double kMinSeen = 0.4;
 
 /// A cylinder of a bin, if enough of its side is seen.
 struct Target {
@@ -31,7 +31,7 @@ std::vector<Target> targets_of(const scene::Scene& made) {
     for (std::size_t part = 0; part < body.surfaces.size(); ++part, ++id) {
       const int visible = made.ideal.visible[static_cast<std::size_t>(id)];
       const int alone = made.ideal.alone[static_cast<std::size_t>(id)];
-      if (!body.surfaces[part].curved || visible < kLeastPixels || visible < kLeastSeen * alone) {
+      if (!body.surfaces[part].curved || visible < kMinPixels || visible < kMinSeen * alone) {
         continue;
       }
       const Eigen::Isometry3d X_CS = made.layout.X_CW * body.X_WB * body.X_BS[part];
@@ -136,7 +136,7 @@ Report report_of(const std::vector<Outcome>& outcomes, int bins) {
       fmt::format("{} bins at each clutter and noise; asked for are cylinders of which {:.0f} % of "
                   "the pixels that their side would have alone, and {} pixels, are seen. Right: "
                   "axis to 5° and a fifth of the radius, radius to a tenth.",
-                  bins, 100.0 * kLeastSeen, kLeastPixels),
+                  bins, 100.0 * kMinSeen, kMinPixels),
       fmt::format("Of {} cylinders {} are found with axis and radius, {} with any quadric.", known,
                   percent(exact, known), percent(any, known))};
   report.tables = {table};

@@ -9,7 +9,7 @@
 namespace quadrille::experiments {
 
 /// A surface of which fewer pixels are seen is all but hidden.
-inline constexpr int kLeastPixels = 300;
+inline constexpr int kMinPixels = 300;
 
 /// Makes scenes of each family, which follow from the seed, and has each worked on, family by
 /// family; tells the progress.

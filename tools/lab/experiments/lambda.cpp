@@ -14,7 +14,7 @@ namespace quadrille::experiments {
 namespace {
 
 // As the vote has it: nearer points know nothing of λ.
-constexpr double kLeastHeight = 0.05;
+constexpr double kMinHeight = 0.05;
 constexpr int kPerQuadric = 50;
 constexpr int kBins = 48;
 constexpr const char* kOwnVoter = "voter on the quadric";
@@ -42,7 +42,7 @@ Space space_of(const Pencil& pencil) {
 std::optional<double> lambda_of(const Pencil& pencil, const Eigen::Vector3d& x) {
   const Eigen::Vector4d X = x.homogeneous();
   const double z = pencil.plane.dot(X);
-  if (std::abs(z) < kLeastHeight) return std::nullopt;
+  if (std::abs(z) < kMinHeight) return std::nullopt;
   return -X.dot(pencil.Q0 * X) / (z * z);
 }
 
@@ -56,7 +56,7 @@ struct Collected {
   /// λ of the paper.
   std::vector<double> lambda;
   /// Most different printed angles over the voters of one basis, to a millionth.
-  std::size_t most_angles = 0;
+  std::size_t max_angles = 0;
 };
 
 /// Random points of one quadric on a random side, so that bulges and hollows are equally likely.
@@ -104,7 +104,7 @@ Collected collect_all(int triplets, bool same, const Settings& settings, double 
     RandomStream random(settings.seed, static_cast<std::uint64_t>(2 * k + (same ? 0 : 1)));
     const OrientedPoints points = random_points(random, 60);
     collect(points, same ? points : random_points(random, 60), random, &collected);
-    if (k % 20 == 0) collected.most_angles = std::max(collected.most_angles, count_angles(points));
+    if (k % 20 == 0) collected.max_angles = std::max(collected.max_angles, count_angles(points));
     if (k % 100 == 0) {
       settings.progress(progress_from +
                         0.5 * static_cast<double>(collected.lambda.size()) / triplets);
@@ -127,7 +127,7 @@ double quantile_of_sorted(const std::vector<double>& sorted, double share) {
 double atan_share(double lambda, double scale) { return 0.5 + std::atan(lambda / scale) / M_PI; }
 
 /// Largest difference between the measured distribution and atan's.
-double largest_gap(const std::vector<double>& sorted, double scale) {
+double max_gap(const std::vector<double>& sorted, double scale) {
   double largest = 0.0;
   for (int k = 1; k < 1000; ++k) {
     const double share = k / 1000.0;
@@ -222,19 +222,19 @@ Report run_lambda(const Settings& settings) {
     };
     for (const double s : {1.0, scale}) {
       summary.add({name, number(quantile_of_sorted(*lambda, 0.5)), number(median_size(*lambda)),
-                   beyond(10.0), beyond(75.0), number(s), number(largest_gap(*lambda, s)),
+                   beyond(10.0), beyond(75.0), number(s), number(max_gap(*lambda, s)),
                    number(entropy_share(*lambda, s))});
     }
   }
   report.findings = {
       fmt::format("Half of all |λ| are below {}; atan(λ / λ₀) follows the measured distribution to "
                   "within {} for λ₀ = 1 and {} for λ₀ = {}.",
-                  number(scale), number(largest_gap(same.lambda, 1.0)),
-                  number(largest_gap(same.lambda, scale)), number(scale)),
+                  number(scale), number(max_gap(same.lambda, 1.0)),
+                  number(max_gap(same.lambda, scale)), number(scale)),
       fmt::format("The angle as printed, from differences of the first two coefficients, takes at "
                   "most {} values over all voters of a basis: both differences are multiples of λ, "
                   "so that it keeps the sign of λ alone.",
-                  std::max(same.most_angles, other.most_angles))};
+                  std::max(same.max_angles, other.max_angles))};
   report.tables = {summary};
   report.plots = {density_plot(same.lambda, other.lambda, scale), inverse_plot(same.lambda, scale)};
   return report;

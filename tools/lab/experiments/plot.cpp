@@ -142,7 +142,7 @@ std::string panel(const Plot& plot, double top, const Colours& colours) {
       if (x.shows(p.first) && y.shows(p.second)) x.include(p.first), y.include(p.second);
     }
   }
-  for (const double value : plot.least_y_range) y.include(value);
+  for (const double value : plot.min_y_range) y.include(value);
   x.finish(), y.finish();
   std::string svg = frame(plot, x, y, top);
   double height = top + 10;

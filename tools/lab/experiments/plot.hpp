@@ -23,7 +23,7 @@ struct Plot {
   std::vector<Series> lines;
   bool log_x = false, log_y = false;
   /// What the vertical axis shows in any case, from the least to the greatest; empty: the points.
-  std::vector<double> least_y_range = {};
+  std::vector<double> min_y_range = {};
 };
 
 /// Tick values of an axis from low to high: 1, 2 or 5 times a power of ten, and on a logarithmic

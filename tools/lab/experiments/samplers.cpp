@@ -12,7 +12,7 @@ namespace quadrille::experiments {
 namespace {
 
 // As in hypotheses.cpp.
-constexpr double kMostInconsistent = 0.6, kNormalNoise = 0.05;
+constexpr double kMaxInconsistent = 0.6, kNormalNoise = 0.05;
 
 OrientedPoints random_tuple(const Neighbourhood& from, int count, RandomStream& random) {
   OrientedPoints tuple(count);
@@ -26,8 +26,8 @@ OrientedPoints random_tuple(const Neighbourhood& from, int count, RandomStream& 
 
 VoteOptions vote_options() {
   VoteOptions options;
-  options.least_height = 0.1;
-  options.least_cosine = kSamplerCosine;
+  options.min_height = 0.1;
+  options.min_cosine = kSamplerCosine;
   return options;
 }
 
@@ -38,7 +38,7 @@ void vote_with_three(const Neighbourhood& from, const FitPoints& voters, bool ch
     point = from.points.at(random.below(static_cast<int>(from.points.size())));
   }
   const auto pencil = make_pencil(basis);
-  if (!pencil || (check && inconsistency(basis) > kMostInconsistent)) return;
+  if (!pencil || (check && inconsistency(basis) > kMaxInconsistent)) return;
   for (const VotePeak& peak : vote(*pencil, voters, vote_options())) {
     hypotheses->emplace_back(pencil->at(peak.lambda));
   }

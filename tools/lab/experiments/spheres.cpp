@@ -17,7 +17,7 @@ std::vector<KnownSphere> spheres_of(const scene::Scene& made) {
   for (const scene::Body& body : made.layout.bodies) {
     for (std::size_t part = 0; part < body.surfaces.size(); ++part, ++id) {
       const scene::Surface& surface = body.surfaces[part];
-      if (surface.type != "sphere" || made.ideal.visible[id] < kLeastPixels) continue;
+      if (surface.type != "sphere" || made.ideal.visible[id] < kMinPixels) continue;
       const Eigen::Isometry3d X_CS = made.layout.X_CW * body.X_WB * body.X_BS[part];
       const CanonicalForm form = canonical_form(surface.Q_S.transformed(X_CS));
       spheres.push_back({form.X.translation(), form.dimensions.front().second});

@@ -11,7 +11,7 @@ Outcome outcome_of(const TrialResult& trial) {
   if (trial.held) return Outcome::kHeld;
   if (!trial.touched) return Outcome::kMissed;
   if (!trial.lifted) return Outcome::kDropped;
-  return trial.slip >= kMostSlip ? Outcome::kSlipped : Outcome::kTurned;
+  return trial.slip >= kMaxSlip ? Outcome::kSlipped : Outcome::kTurned;
 }
 
 // The body with its wall behind the side that was seen, at the place of the grasp.

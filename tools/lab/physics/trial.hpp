@@ -24,7 +24,7 @@ struct TrialOptions {
 };
 
 /// From so much on an object has slipped [m] or turned [rad] in the hand.
-constexpr double kMostSlip = 0.005, kMostRotation = 5.0 * std::numbers::pi / 180.0;
+constexpr double kMaxSlip = 0.005, kMaxRotation = 5.0 * std::numbers::pi / 180.0;
 
 /// What became of one grasp.
 struct TrialResult {

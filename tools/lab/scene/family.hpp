@@ -8,15 +8,15 @@ enum class Family { kEasy, kMedium, kHard, kTabletop };
 /// Settings of a family.
 struct FamilyTraits {
   const char* name;
-  int least_quadrics, most_quadrics, least_boxes, most_boxes;
+  int min_quadrics, max_quadrics, min_boxes, max_boxes;
   /// Factor on body sizes.
-  double least_scale, most_scale;
+  double min_scale, max_scale;
   /// Tangent of half the camera's elevation above the table.
-  double least_elevation, most_elevation;
+  double min_elevation, max_elevation;
   /// Radius about the middle of the table that bodies stand in, and least gap between them [m].
   double radius, gap;
   /// Bounds on the occlusion of each quadric, and on its mean over the quadrics.
-  double most_occlusion, least_mean_occlusion, most_mean_occlusion;
+  double max_occlusion, min_mean_occlusion, max_mean_occlusion;
   /// Factor on the depth noise, and whether depth is quantised in disparity instead of millimetres.
   double noise;
   bool disparity;

@@ -36,7 +36,7 @@ bool place(const FamilyTraits& traits, const std::vector<Body>& bodies, std::siz
 
 /// A camera that looks at the middle of the table from y < 0.
 Eigen::Isometry3d camera_pose(const FamilyTraits& traits, Random* random) {
-  const double t = random->uniform(traits.least_elevation, traits.most_elevation);
+  const double t = random->uniform(traits.min_elevation, traits.max_elevation);
   const double cosine = (1 - t * t) / (1 + t * t), sine = 2 * t / (1 + t * t);
   const double distance = random->uniform(2.2, 2.7) * traits.radius + 0.15;
   const Eigen::Vector3d target(random->uniform(-0.03, 0.03), random->uniform(-0.03, 0.03), 0.04);
@@ -53,10 +53,10 @@ Layout draw_layout(const FamilyTraits& traits, Random* random) {
   layout.bodies = {make_table(random->uniform(0.6, 0.8), random->uniform(0.5, 0.6)), make_wall()};
   layout.bodies[1].X_WB.translation().y() = random->uniform(0.62, 0.9);
   const std::size_t first = layout.bodies.size();
-  const int quadrics = random->integer(traits.least_quadrics, traits.most_quadrics);
-  const int boxes = random->integer(traits.least_boxes, traits.most_boxes);
+  const int quadrics = random->integer(traits.min_quadrics, traits.max_quadrics);
+  const int boxes = random->integer(traits.min_boxes, traits.max_boxes);
   for (int i = 0; i < quadrics + boxes; ++i) {
-    const double scale = random->uniform(traits.least_scale, traits.most_scale);
+    const double scale = random->uniform(traits.min_scale, traits.max_scale);
     Body body = i < quadrics ? random_quadric(scale, random) : random_box(scale, random);
     if (place(traits, layout.bodies, first, random, &body)) layout.bodies.push_back(body);
   }
@@ -80,10 +80,10 @@ double misfit(const FamilyTraits& traits, const Layout& layout) {
       ++count;
     }
   }
-  if (count < traits.least_quadrics) return 2.0;
+  if (count < traits.min_quadrics) return 2.0;
   const double mean = sum / count;
-  return std::max({0.0, worst - traits.most_occlusion, traits.least_mean_occlusion - mean,
-                   mean - traits.most_mean_occlusion});
+  return std::max({0.0, worst - traits.max_occlusion, traits.min_mean_occlusion - mean,
+                   mean - traits.max_mean_occlusion});
 }
 
 }  // namespace

@@ -13,8 +13,8 @@ namespace quadrille::scoring {
 namespace {
 
 constexpr double kCover = 0.6, kPurity = 0.5;
-constexpr std::size_t kMostFindings = 100, kLeastPoints = 40, kSamples = 30000;
-const double kLeastCosine = std::cos(20.0 * std::numbers::pi / 180.0);
+constexpr std::size_t kMaxFindings = 100, kMinPoints = 40, kSamples = 30000;
+const double kMinCosine = std::cos(20.0 * std::numbers::pi / 180.0);
 
 /// True if a point lies on the quadric with its normal along the gradient, up to sign.
 bool agrees(const Quadric& Q, const Eigen::Vector3f& p, const Eigen::Vector3f& n,
@@ -22,7 +22,7 @@ bool agrees(const Quadric& Q, const Eigen::Vector3f& p, const Eigen::Vector3f& n
   const Eigen::Vector3d x = p.cast<double>(), g = Q.gradient(x);
   const double length = g.norm();
   return std::abs(Q.value(x)) <= tolerance * length && length > 0.0 &&
-         std::abs(g.dot(n.cast<double>())) >= kLeastCosine * length;
+         std::abs(g.dot(n.cast<double>())) >= kMinCosine * length;
 }
 
 /// A surface with its points, and all those near it.
@@ -55,7 +55,7 @@ class Judge {
   Judge(const Frame& frame, const std::string& only) : frame_(frame) {
     for (const TrueSurface& surface : frame.surfaces) {
       Target target = target_of(surface, frame);
-      if (target.own.size() < kLeastPoints) continue;
+      if (target.own.size() < kMinPoints) continue;
       const bool asked = surface.evaluate && (only.empty() || surface.type == only);
       (!surface.curved ? planes_ : asked ? wanted_ : passed_).push_back(std::move(target));
     }
@@ -233,7 +233,7 @@ FrameScore score(const Frame& frame, std::vector<Found> findings, const std::str
   int beyond = 0;
   for (std::size_t i = 0; i < findings.size(); ++i) {
     const Eigen::Matrix4d& Q = findings[i].Q_C.matrix();
-    if (i < kMostFindings && Q.allFinite() && !Q.isZero(0.0)) {
+    if (i < kMaxFindings && Q.allFinite() && !Q.isZero(0.0)) {
       judged.push_back(findings[i].Q_C);
     } else {
       ++beyond;

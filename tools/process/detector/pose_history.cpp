@@ -7,7 +7,7 @@ namespace quadrille {
 void PoseHistory::add(const bus::PoseMessage& pose) {
   if (!poses_.empty() && pose.utime < poses_.back().utime) poses_.clear();
   poses_.push_back(pose);
-  if (poses_.size() > most_) poses_.pop_front();
+  if (poses_.size() > max_) poses_.pop_front();
 }
 
 std::optional<bus::PoseMessage> PoseHistory::at(std::int64_t utime) const {

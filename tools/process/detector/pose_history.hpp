@@ -12,7 +12,7 @@ namespace quadrille {
 class PoseHistory {
  public:
   /// @param most  poses to keep, at least 1
-  explicit PoseHistory(std::size_t most = 4096) : most_(most) {}
+  explicit PoseHistory(std::size_t most = 4096) : max_(most) {}
 
   /// Adds a pose. One that is older than the last means that a log has been started again: all
   /// others are forgotten.
@@ -25,7 +25,7 @@ class PoseHistory {
   bool empty() const { return poses_.empty(); }
 
  private:
-  std::size_t most_;
+  std::size_t max_;
   std::deque<bus::PoseMessage> poses_;
 };
 

@@ -33,16 +33,16 @@ struct SamplingOptions {
 /// What counts as a plane.
 struct PlaneOptions {
   /// Samples that a plane has at least.
-  int least_samples = 40;
+  int min_samples = 40;
   /// Largest distance, in multiples of the samples' sigma.
   double sigmas = 3.0;
   /// Largest angle between the normals of sample and plane [rad].
   double angle = 0.26;
   /// A region whose quadratic fit bends with a smaller radius [m], significantly, is no plane.
-  double least_radius = 0.7;
+  double min_radius = 0.7;
   /// Nor is one that might bend with a smaller radius than this [m], for all that its noise lets
   /// one say.
-  double least_proven_radius = 0.3;
+  double min_proven_radius = 0.3;
 };
 
 /// When a sample lies on a quadric.
@@ -50,7 +50,7 @@ struct InlierTest {
   /// Largest distance in multiples of a sample's sigma, plus a share of its cell.
   double sigmas = 3.0, cells = 0.1;
   /// Least |cosine| between normal and gradient; -1 to ignore normals.
-  double least_cosine = 0.9;
+  double min_cosine = 0.9;
 };
 
 /// How hypotheses are drawn from a neighbourhood.
@@ -75,7 +75,7 @@ struct GrowOptions {
   std::vector<Family> families = {Family::kPlane, Family::kSphere, Family::kCylinder, Family::kCone,
                                   Family::kRevolution};
   /// Samples that a candidate has at least.
-  int least_samples = 25;
+  int min_samples = 25;
   /// Rounds of growing and refitting.
   int rounds = 5;
   /// Points that a fit uses at most.
@@ -96,7 +96,7 @@ struct SearchOptions {
   /// Whether a basis of three points is voted on only once (paper, section 5).
   bool hash_triplets = false;
   /// Share of a neighbourhood that a hypothesis must explain.
-  double least_support = 0.5;
+  double min_support = 0.5;
   GrowOptions grow;
 };
 
@@ -105,11 +105,11 @@ struct AgglomerateOptions {
   /// Whether to cluster before the aggregation chooses among the candidates.
   bool enabled = false;
   /// τ: largest ‖q₁ − q₂‖₁ of unit coefficients in coordinates of the region.
-  double largest_difference = 0.4;
+  double max_difference = 0.4;
   /// Largest d_close of one cluster.
-  double largest_close = 0.4;
+  double max_close = 0.4;
   /// Largest d_far of one cluster.
-  double largest_far = 0.3;
+  double max_far = 0.3;
 };
 
 /// When a surface is accepted, and how it is fitted.
@@ -119,21 +119,21 @@ struct AggregateOptions {
       Family::kPlane,      Family::kSphere,     Family::kCylinder,         Family::kCone,
       Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder, Family::kParabolic};
   /// Share of a candidate's samples that no better one has claimed.
-  double least_open = 0.5;
+  double min_open = 0.5;
   /// Samples of a surface at least, and of a plane that was not found before.
-  int least_samples = 30, least_plane_samples = 60;
+  int min_samples = 30, min_plane_samples = 60;
   /// Least confidence of a curved surface; see evidence.hpp.
-  double least_confidence = 0.45;
+  double min_confidence = 0.45;
   /// Largest rms of a curved surface, in multiples of the noise: real objects are quadrics only
   /// nearly.
-  double largest_residual = 100.0;
+  double max_residual = 100.0;
   /// Least spread of the normals of a curved surface [rad]: less is a plane, or anything.
-  double least_spread = 0.4;
+  double min_spread = 0.4;
   /// Least confidence for candidates of the coarser levels, which claim their samples before the
   /// finer ones are searched, and their largest rms in multiples of the noise.
-  double least_confidence_early = 0.8, largest_residual_early = 1.3;
+  double min_confidence_early = 0.8, max_residual_early = 1.3;
   /// Largest rms of a plane that stands in for such a surface, in multiples of the noise.
-  double largest_residual_plane = 2.0;
+  double max_residual_plane = 2.0;
   /// Points that a fit uses at most.
   int fit_points = 240;
   /// Independent measurements at most, per sample and in all. Sensor noise comes in waves, and real

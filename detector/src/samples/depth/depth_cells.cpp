@@ -13,7 +13,7 @@ namespace {
 // Of two layers the means stand nearly as far apart as the extremes, of a slope half as far.
 constexpr float kLayer = 0.75f;
 // Cells with layers, of a cell and its eight neighbours, within an area of layers.
-constexpr int kLeastAround = 8;
+constexpr int kMinAround = 8;
 
 /// Sums of tangents and inverse depth over points, and the extremes of the latter.
 struct Sums {
@@ -134,7 +134,7 @@ double layered_share(const DepthCells& cells, const std::vector<char>& layered) 
       for (const int row : {c - cells.width, c, c + cells.width}) {
         around += layered[row - 1] + layered[row] + layered[row + 1];
       }
-      inside += around >= kLeastAround;
+      inside += around >= kMinAround;
     }
   }
   return filled ? static_cast<double>(inside) / filled : 0.0;

@@ -12,9 +12,9 @@ namespace {
 
 // A larger share of cells within areas of layers, and the cloud is no single view. Depth cameras
 // show ten times less. Cells of fewer pixels have too few points to tell.
-constexpr double kMostLayered = 0.002;
+constexpr double kMaxLayered = 0.002;
 constexpr int kLayerPixels = 2;
-constexpr int kMostPixels = 32;
+constexpr int kMaxPixels = 32;
 // No sensor that stands farther away [m] sees what we look for: the viewpoint is not known.
 constexpr float kFarthest = 50.0f;
 // Half windows of the regressions, in cells.
@@ -102,13 +102,13 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
   const float z = near_depth(cloud, *view);
   if (z > kFarthest) return nullptr;
   const int pixels = static_cast<int>(
-      std::lround(std::clamp(options.cell / (image->pitch * z), 1.0, 1.0 * kMostPixels)));
+      std::lround(std::clamp(options.cell / (image->pitch * z), 1.0, 1.0 * kMaxPixels)));
   std::array<DepthCells, kLevels> cells;
   cells[0] = make_depth_cells(cloud, *view, *image, pixels);
   const double layered = pixels < kLayerPixels
                              ? make_depth_cells(cloud, *view, *image, kLayerPixels).layered
                              : cells[0].layered;
-  if (layered > kMostLayered) return nullptr;
+  if (layered > kMaxLayered) return nullptr;
   const auto coarsen = [&] {
     for (int l = 1; l < kLevels; ++l) cells[l] = coarser(cells[l - 1], {});
   };

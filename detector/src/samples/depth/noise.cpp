@@ -12,8 +12,8 @@
 namespace quadrille {
 namespace {
 
-constexpr float kLeastSigma = 1e-4f;
-constexpr int kLeastReach = 3, kLargestReach = 8;
+constexpr float kMinSigma = 1e-4f;
+constexpr int kMinReach = 3, kMaxReach = 8;
 
 /// Depth edges along each row up to each cell: of two cells of a row with the same number, and of
 /// all filled ones between, each continues the one before.
@@ -163,7 +163,7 @@ float patch_residual(const DepthCells& cells, const Patch& patch, double lost) {
   const int j = static_cast<int>((patch.v0 - cells.image.v0) / step);
   const int reach = std::max(1, static_cast<int>(1.0f / (patch.scale * step)));
   // Of a fine level's many cells those of every second row tell as much.
-  const int stride = reach > kLargestReach ? 2 : 1;
+  const int stride = reach > kMaxReach ? 2 : 1;
   Residuals sums;
   visit_disc(cells, i, j, reach, stride, [&](int first, int n) {
     for (int k = 0; k < n; k += kLanes) add(Heights(cells, patch, first + k, n - k), patch, &sums);
@@ -193,7 +193,7 @@ NoiseModel fit_growth(std::vector<std::pair<float, float>> depth_residual, doubl
       r.push_back(depth_residual[i].second);
     }
     depth[k] = quantile_of(z, 0.5);
-    residual[k] = std::max(kLeastSigma, quantile_of(r, quantile));
+    residual[k] = std::max(kMinSigma, quantile_of(r, quantile));
   }
   if (depth[1] > 1.2f * depth[0]) {
     model.exponent =
@@ -215,7 +215,7 @@ double common_share(double finest_sigma, double coarsest_sigma) {
 }
 
 float NoiseModel::sigma(float z) const {
-  return std::max(kLeastSigma,
+  return std::max(kMinSigma,
                   static_cast<float>(factor * std::pow(z, static_cast<float>(exponent))));
 }
 
@@ -232,7 +232,7 @@ std::vector<NoiseModel> measure_noise(std::span<const DepthCells> levels,
       if (cells.count[c] == 0) continue;
       const int reach =
           std::clamp(static_cast<int>(std::lround(options.radius / cells.metric(cells.w[c]))),
-                     kLeastReach, kLargestReach);
+                     kMinReach, kMaxReach);
       const std::optional<Patch> patch = fit_patch(cells, edges, i, j, reach);
       if (!patch) continue;
       for (std::size_t l = 0; l < levels.size(); ++l) {

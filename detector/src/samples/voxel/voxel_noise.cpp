@@ -12,8 +12,8 @@
 namespace quadrille {
 namespace {
 
-constexpr float kLeastSigma = 1e-4f, kUsualSigma = 1e-3f;
-constexpr std::size_t kLeastPatches = 8, kLeastInPatch = 18;
+constexpr float kMinSigma = 1e-4f, kUsualSigma = 1e-3f;
+constexpr std::size_t kMinPatches = 8, kMinInPatch = 18;
 
 /// Residual of a quadratic height over the plane of the points; negative if they are few.
 /// @param points  relative to a point near them [m]
@@ -21,7 +21,7 @@ float quadratic_residual(const std::vector<Eigen::Vector3f>& points, float radiu
   PlaneMoments sums;
   for (const Eigen::Vector3f& p : points) sums.add(p);
   Eigen::Vector3f mean, normal;
-  if (points.size() < kLeastInPatch || !sums.solve(&mean, &normal)) return -1.0f;
+  if (points.size() < kMinInPatch || !sums.solve(&mean, &normal)) return -1.0f;
   const Eigen::Vector3f e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
   HeightFit fit;
   for (const Eigen::Vector3f& p : points) {
@@ -47,12 +47,12 @@ float measure_voxel_noise(const VoxelGrid& grid, const NoiseOptions& options) {
     const float r = quadratic_residual(patch, radius);
     if (r >= 0) residual.push_back(r);
   }
-  if (residual.size() < kLeastPatches) return kUsualSigma;
+  if (residual.size() < kMinPatches) return kUsualSigma;
   const auto at =
       residual.begin() +
       static_cast<std::ptrdiff_t>(options.quantile * static_cast<double>(residual.size() - 1));
   std::nth_element(residual.begin(), at, residual.end());
-  return std::max(kLeastSigma, *at);
+  return std::max(kMinSigma, *at);
 }
 
 }  // namespace quadrille

@@ -12,7 +12,7 @@ namespace {
 
 // Radii of the windows of normals, in voxels.
 constexpr float kNormalReach = 2.6f, kPlaneReach = 1.9f;
-constexpr std::ptrdiff_t kLeastPoints = 50;
+constexpr std::ptrdiff_t kMinPoints = 50;
 
 class VoxelPyramid : public CellPyramid {
  public:
@@ -77,7 +77,7 @@ std::unique_ptr<CellPyramid> make_voxel_pyramid(const PointCloud& cloud,
                                                 const SamplingOptions& options) {
   const auto finite = std::count_if(cloud.points.begin(), cloud.points.end(),
                                     [](const Eigen::Vector3f& p) { return p.allFinite(); });
-  if (finite < kLeastPoints) return nullptr;
+  if (finite < kMinPoints) return nullptr;
   const float edge = static_cast<float>(options.cell);
   auto pyramid = std::make_unique<VoxelPyramid>(cloud, edge, options.noise);
   if (pyramid->is_noisy(options.noisiest_cell)) {

@@ -35,7 +35,7 @@ struct Gripper {
   /// and φ the links' length and angle, L(cos ψ − cos φ) where sin ψ = sin φ − (max − opening)/2L.
   double extension(double opening) const;
   /// Largest extension over all openings from `narrow` to `wide` [m].
-  double most_extension(double narrow, double wide) const;
+  double max_extension(double narrow, double wide) const;
   /// From the palm's front to the origin of G, closed to a width [m].
   double reach(double width) const;
 

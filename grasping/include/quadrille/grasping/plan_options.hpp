@@ -30,7 +30,7 @@ struct PlanOptions {
   /// that was seen to be: what stands there would be seen below. Not if things may hang down.
   bool clear_above = true;
   /// Bounds of the thickness of walls held at their rim, which one view does not show [m].
-  double wall_least = 0.002, wall_most = 0.008;
+  double min_wall = 0.002, max_wall = 0.008;
   /// Grasps to return at most.
   int max_grasps = 50;
 

@@ -58,7 +58,7 @@ TEST_CASE("the finder finds exactly the kept voxels of each ball", "[voxel]") {
 
 TEST_CASE("the finder's sums are those of the ball, and the nearest are the nearest", "[voxel]") {
   constexpr float kRadius = 0.026f, kReach = 0.019f;
-  constexpr int kMost = 9;
+  constexpr int kMax = 9;
   const VoxelGrid grid = some_grid();
   const std::vector<char> keep = two_thirds(grid);
   VoxelFinder finder(grid, kRadius, keep);
@@ -66,7 +66,7 @@ TEST_CASE("the finder's sums are those of the ball, and the nearest are the near
   std::size_t full = 0;
   for (int v = 0; v < grid.size(); v += 7) {
     const Vector3f p = grid.mean()[v];
-    const PlaneMoments moments = finder.moments(p, kReach, kMost, &nearest);
+    const PlaneMoments moments = finder.moments(p, kReach, kMax, &nearest);
     PlaneMoments truth;
     for (const int other : voxels_within(grid, keep, p, kRadius)) {
       truth.add(grid.mean()[other] - p);
@@ -80,7 +80,7 @@ TEST_CASE("the finder's sums are those of the ball, and the nearest are the near
       return (grid.mean()[a] - p).norm() < (grid.mean()[b] - p).norm();
     };
     std::sort(near.begin(), near.end(), nearer);
-    if (near.size() > kMost) near.resize(kMost), ++full;
+    if (near.size() > kMax) near.resize(kMax), ++full;
     std::sort(nearest.begin(), nearest.end(), nearer);
     CHECK(nearest == near);
   }

@@ -29,7 +29,7 @@ using Cone = CGAL::Shape_detection::Cone<Traits>;
 /// Tuned per family, which a user could not do: generous.
 struct Settings {
   OrientationOptions orientation;
-  double epsilon, cluster_epsilon, normal_threshold, probability, largest_radius;
+  double epsilon, cluster_epsilon, normal_threshold, probability, max_radius;
   std::size_t min_points;
 };
 
@@ -48,15 +48,15 @@ Eigen::Vector3d vector_of(const Triple& v) {
   return {v.x(), v.y(), v.z()};
 }
 
-void add(const Ransac::Shape& shape, double largest_radius, std::vector<Found>* found) {
+void add(const Ransac::Shape& shape, double max_radius, std::vector<Found>* found) {
   const double score = static_cast<double>(shape.indices_of_assigned_points().size());
   if (const auto* plane = dynamic_cast<const Plane*>(&shape)) {
     found->push_back(found_plane(vector_of(plane->plane_normal()), plane->d(), score));
   } else if (const auto* sphere = dynamic_cast<const Sphere*>(&shape)) {
-    if (sphere->radius() > largest_radius) return;
+    if (sphere->radius() > max_radius) return;
     found->push_back(found_sphere(vector_of(sphere->center()), sphere->radius(), score));
   } else if (const auto* cylinder = dynamic_cast<const Cylinder*>(&shape)) {
-    if (cylinder->radius() > largest_radius) return;
+    if (cylinder->radius() > max_radius) return;
     found->push_back(found_cylinder(vector_of(cylinder->axis().point(0)),
                                     vector_of(cylinder->axis().to_vector()), cylinder->radius(),
                                     score));
@@ -89,7 +89,7 @@ std::vector<Found> detect(const OrientedCloud& cloud, const std::string& family)
   parameters.normal_threshold = settings.normal_threshold;
   ransac.detect(parameters);
   std::vector<Found> found;
-  for (const auto& shape : ransac.shapes()) add(*shape, settings.largest_radius, &found);
+  for (const auto& shape : ransac.shapes()) add(*shape, settings.max_radius, &found);
   return found;
 }
 

@@ -20,7 +20,7 @@ using Normals = pcl::PointCloud<pcl::Normal>;
 /// Tuned per family, which a user could not do: generous.
 struct Settings {
   OrientationOptions orientation;
-  double epsilon, plane_epsilon, cluster, normal_weight, largest_radius, least_share;
+  double epsilon, plane_epsilon, cluster, normal_weight, max_radius, min_share;
   std::size_t min_points;
   int iterations;
 };
@@ -87,7 +87,7 @@ class Detector {
     segmentation.setDistanceThreshold(epsilon);
     // Limits on the radius mean nothing to planes and cones, and PCL complains of them.
     if (model == pcl::SACMODEL_CYLINDER || model == pcl::SACMODEL_NORMAL_SPHERE) {
-      segmentation.setRadiusLimits(0.015, settings_.largest_radius);
+      segmentation.setRadiusLimits(0.015, settings_.max_radius);
     }
     if (model == pcl::SACMODEL_CONE) segmentation.setMinMaxOpeningAngle(0.08, 1.0);
     segmentation.setInputCloud(points_);
@@ -151,7 +151,7 @@ class Detector {
         if (one.inliers.size() > best.inliers.size()) best = std::move(one);
       }
       const double least = std::max(static_cast<double>(settings_.min_points),
-                                    settings_.least_share * static_cast<double>(list.size()));
+                                    settings_.min_share * static_cast<double>(list.size()));
       if (static_cast<double>(best.inliers.size()) < least) break;
       take(best, &list);
     }

@@ -8,7 +8,7 @@ namespace {
 using Eigen::Vector3d;
 
 // How long an object is watched [s], and what it may move meanwhile [m, rad].
-constexpr double kWatched = 0.2, kMostWay = 0.002, kMostTurn = 0.035;
+constexpr double kWatched = 0.2, kMaxWay = 0.002, kMaxTurn = 0.035;
 
 }  // namespace
 
@@ -50,8 +50,8 @@ bool stands(const TrueBody& body, const Eigen::Isometry3d& X_CT, const TrialOpti
   const Eigen::Isometry3d moved = before.inverse() * thing.X_GB();
   world->removeRigidBody(thing.rigid());
   world->removeRigidBody(table.rigid());
-  return moved.translation().norm() < kMostWay &&
-         Eigen::AngleAxisd(moved.linear()).angle() < kMostTurn;
+  return moved.translation().norm() < kMaxWay &&
+         Eigen::AngleAxisd(moved.linear()).angle() < kMaxTurn;
 }
 
 }  // namespace quadrille::physics

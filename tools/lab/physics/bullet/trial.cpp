@@ -54,7 +54,7 @@ class Trial {
     lift();
     shake();
     result_.lifted = slip_ < kLost && touches(0) && touches(1);
-    result_.held = result_.lifted && result_.slip < kMostSlip && result_.rotation < kMostRotation;
+    result_.held = result_.lifted && result_.slip < kMaxSlip && result_.rotation < kMaxRotation;
     return result_;
   }
 

@@ -15,7 +15,7 @@ using Eigen::Vector3d;
 
 // Between the points of a box [m], unless it is so large that it gets at most so many a side.
 constexpr double kGrid = 0.00125;
-constexpr int kMostPoints = 45;
+constexpr int kMaxPoints = 45;
 // Nearer points than this may touch, and points this much farther than the nearest are others [m].
 constexpr double kNear = 0.0008, kAlike = 0.001;
 constexpr int kRimPoints = 48;
@@ -54,7 +54,7 @@ void add_face(const TrueBody& body, const Eigen::Isometry3d& X_SB, const Vector3
               double side, std::vector<Contact>* near) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   const auto count = [&](int i) {
-    return std::clamp(static_cast<int>(2.0 * half[i] / kGrid), 2, kMostPoints);
+    return std::clamp(static_cast<int>(2.0 * half[i] / kGrid), 2, kMaxPoints);
   };
   const int rows = count(v), columns = count(u);
   Vector3d p = Vector3d::Zero();
