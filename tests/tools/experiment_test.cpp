@@ -207,6 +207,21 @@ TEST_CASE("cylinders of generated bins are found", "[experiment][bin]") {
   }
 }
 
+TEST_CASE("what stands on the table of a fused cloud is found once there are points enough",
+          "[experiment]") {
+  const Report report = run_quick("growth");
+  REQUIRE(report.data.rows.size() == 2);
+  const auto& small = report.data.rows[0];
+  const auto& large = report.data.rows[1];
+  CHECK(value_of(small[3]) < value_of(large[3]));
+  CHECK(large[3] == "12");
+  for (const auto& row : report.data.rows) {
+    CHECK(row[4] == "12");
+    CHECK(value_of(row[1]) > 0.0);
+    CHECK(value_of(row[2]) > 0.0);
+  }
+}
+
 TEST_CASE("the ball of the real sequence is measured to a few per cent", "[experiment][real]") {
   const auto data = test::data_folder();
   if (!data) return;

@@ -23,6 +23,7 @@ const std::vector<Experiment>& all_experiments() {
       {"cylinders", "cylinders in clutter: generated bins (after table 2)", run_cylinders},
       {"deviations", "published standard deviations beside the errors, in generated scenes",
        run_deviations},
+      {"growth", "time and memory over the size of fused clouds", run_growth},
       {"sequence", "errors of a ball in a sequence of real scans (figure 6c, table 1)",
        run_sequence},
   };

@@ -38,6 +38,9 @@ Report run_cylinders(const Settings& settings);
 /// published standard deviations.
 Report run_deviations(const Settings& settings);
 
+/// Time and memory of detect() over the size of a cloud fused from many views, and what it finds.
+Report run_growth(const Settings& settings);
+
 /// Errors of radius and centre on a sequence of real scans, $QUADRILLE_DATA or ../shared.
 /// @throws io::FileError if there are no scans, or their manifest or one of them cannot be read
 Report run_sequence(const Settings& settings);

@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "documents/document.hpp"
+#include "lab/experiments/experiment.hpp"
+#include "support/catch.hpp"
+#include "tools/support_files.hpp"
+
+using namespace quadrille;
+using experiments::Report;
+using nlohmann::json;
+using test::check_says;
+using test::run_quadrille;
+
+namespace {
+
+constexpr const char* kReadme = "README.md";
+constexpr const char* kPaper = "tools/lab/experiments/PAPER.md";
+
+Report run_experiment(const char* name) { return experiments::find_experiment(name)->run({}); }
+
+/// With commas between thousands.
+std::string with_commas(int value) {
+  return value < 1000 ? fmt::format("{}", value)
+                      : with_commas(value / 1000) + fmt::format(",{:03}", value % 1000);
+}
+
+/// A share in per cent with one digit, but for 100.
+std::string share_of(const std::string& cell) {
+  const double share = std::stod(cell);
+  return fmt::format("{:.{}f}", share, share == 100.0 ? 0 : 1);
+}
+
+/// "99.0 % (100)" of "99.0 %" and "100.0 %".
+std::string pair_of_shares(const std::string& right, const std::string& any) {
+  return fmt::format("{} % ({})", share_of(right), share_of(any));
+}
+
+}  // namespace
+
+TEST_CASE("the README lists each experiment", "[documents]") {
+  for (const auto& experiment : experiments::all_experiments()) {
+    check_says(kReadme, fmt::format("| `{}` |", experiment.name));
+  }
+}
+
+TEST_CASE("the README quotes what a plan of its table gives", "[documents][slow]") {
+  const test::TempFolder folder;
+  const std::string table = folder.path("table.ply"), plan = folder.path("plan.json");
+  REQUIRE(run_quadrille("scene " + table + " --family tabletop --seed 7").code == 0);
+  const auto planned = [&](const std::string& options) {
+    REQUIRE(run_quadrille("plan " + table + " --gripper franka --json " + plan + options).code ==
+            0);
+    return json::parse(test::content_of(plan));
+  };
+  const json with = planned("");
+  int ways = static_cast<int>(with.at("grasps").size());
+  for (const auto& [reason, count] : with.at("rejected").items()) ways += count.get<int>();
+  check_says(kReadme, fmt::format("in which {} ways to hold are considered",
+                                  with_commas((ways + 50) / 100 * 100)));
+  const std::string config = folder.write("c.toml", "[planner]\nclear_above = false\n");
+  const json without = planned(" --config " + config);
+  check_says(kReadme, fmt::format("without it there are {} grasps instead of {}",
+                                  without.at("grasps").size(), with.at("grasps").size()));
+}
+
+TEST_CASE("the README shows what trying grasps prints", "[documents][slow]") {
+  const test::TempFolder folder;
+  const std::string scan = folder.path("scan.ply");
+  REQUIRE(run_quadrille("scene " + scan + " --family tabletop --seed 7").code == 0);
+  const test::Run run = run_quadrille("try --first --gripper franka " + scan);
+  REQUIRE(run.code == 0);
+  std::istringstream lines(run.out);
+  int rows = 0;
+  for (std::string line; std::getline(lines, line);) {
+    // The rows of the table begin with the number of a target.
+    std::istringstream words(line);
+    int target = 0;
+    double score = 0;
+    if (!(words >> target >> score)) continue;
+    check_says(kReadme, line);
+    ++rows;
+  }
+  CHECK(rows > 2);
+}
+
+TEST_CASE("the README says what is found in fused clouds", "[documents][slow]") {
+  const Report report = run_experiment("growth");
+  REQUIRE(report.data.rows.size() == 5);
+  const std::string readme = test::folded_document(kReadme);
+  for (const auto& row : report.data.rows) {
+    const std::string points = with_commas(std::stoi(row[0])),
+                      found = fmt::format("{} of {}", row[3], row[4]);
+    CAPTURE(points, found);
+    const std::size_t at = readme.find(fmt::format("| {} |", points));
+    REQUIRE(at != std::string::npos);
+    CHECK(readme.find(fmt::format("| {} |", found), at) < at + 60);
+  }
+}
+
+TEST_CASE("the page on the paper quotes the distribution of lambda", "[documents][slow]") {
+  const Report report = run_experiment("lambda");
+  const auto& rows = report.tables.front().rows;
+  const auto short_form = [](const std::string& number, int digits) {
+    const long units = std::lround(std::abs(std::stod(number)) * std::pow(10.0, digits));
+    return fmt::format(".{:0{}}", units, digits);
+  };
+  check_says(kPaper, fmt::format("atan(λ / λ₀) is off by {} at most for λ₀ = 1, by {} for λ₀ = "
+                                 "median \\|λ\\| = {}; median λ −{}",
+                                 short_form(rows[0][6], 3), short_form(rows[1][6], 3),
+                                 short_form(rows[1][5], 2), short_form(rows[0][1], 4)));
+}
+
+TEST_CASE("the page on the paper quotes the shares of cylinders in bins", "[documents][slow]") {
+  const Report report = run_experiment("cylinders");
+  const auto& rows = report.tables.front().rows;
+  REQUIRE(rows.size() == 9);
+  for (std::size_t i = 0; i < rows.size(); i += 3) {
+    std::string sentence =
+        fmt::format("| {} ({}{}) |", rows[i][0], rows[i][2], i > 0 ? "" : " asked for");
+    for (std::size_t k = i; k < i + 3; ++k) {
+      sentence += fmt::format(" {} |", pair_of_shares(rows[k][3], rows[k][4]));
+    }
+    check_says(kPaper, sentence);
+  }
+}
+
+TEST_CASE("the page on the paper quotes the errors of spheres", "[documents][slow]") {
+  const Report report = run_experiment("spheres");
+  std::map<std::string, std::vector<std::string>> rows;
+  for (const auto& row : report.tables.front().rows) rows[row[0]] = row;
+  const auto of = [&](const char* set, std::size_t column) {
+    const double share = std::stod(rows.at(set).at(column));
+    return share >= 1.0 ? fmt::format("{:.1f}", share)
+                        : fmt::format(".{:02}", static_cast<int>(std::lround(100.0 * share)));
+  };
+  check_says(kPaper,
+             fmt::format("medians of the radius {}, {}, {} % and of the centre {}, {}, {} %",
+                         of("easy", 4), of("medium", 4), of("hard", 4), of("easy", 6),
+                         of("medium", 6), of("hard", 6)));
+  check_says(kPaper, fmt::format("finds {}, {} and {} spheres, that for all types {}, {} and {}.",
+                                 report.tables[1].rows[0][6], report.tables[1].rows[2][6],
+                                 report.tables[1].rows[1][6], rows["easy"][2], rows["medium"][2],
+                                 rows["hard"][2]));
+}
