@@ -6,6 +6,7 @@
 
 #include "samples/inliers.hpp"
 #include "samples/region.hpp"
+#include "surfaces/smooth_parts.hpp"
 #include "surfaces/two_planes.hpp"
 
 namespace quadrille {
@@ -53,7 +54,6 @@ std::vector<float> residuals(const SurfaceSamples& samples, std::span<const int>
 void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
                      const std::vector<char>& inside, std::span<const char> beyond,
                      const std::vector<float>& residual, Evidence* e) {
-  constexpr float kSmooth = 0.87f;  // 30°
   double border = 0, smooth = 0, open = 0, edge = 0, square = 0;
   for (const int i : region) {
     int within = 0;
@@ -67,7 +67,7 @@ void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
       }
       const int next = next_along(samples, j, samples.raw[j] - samples.raw[i]);
       if (next >= 0 && !inside[next] && (beyond.empty() || !beyond[next])) {
-        smooth += samples.n[next].dot(samples.n[i]) > kSmooth;
+        smooth += samples.n[next].dot(samples.n[i]) > kMinSmoothCosine;
       }
     }
     border += 8 - within;

@@ -31,7 +31,7 @@ struct Evidence {
   /// small flaws of real objects leave: something that is no quadric deviates in patches.
   double misfit = 1.0;
   /// Open samples of the smooth parts that the region lies in and that it leaves over, per sample
-  /// of the region: an object is explained as a whole. See smooth_parts.hpp.
+  /// of the region: an object is explained as a whole. See claims.hpp.
   double remainder = 0.0;
 };
 
