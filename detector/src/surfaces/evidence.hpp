@@ -41,8 +41,4 @@ struct Evidence {
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
                           const Quadric& Q, std::span<const char> beyond = {});
 
-/// Confidence that a curved quadric with this evidence is a real surface of its own, 0 to 1: a
-/// logistic model over the evidence, to which the type's prior is added; see log_prior().
-double confidence(const Evidence& evidence, int dof, double log_prior = 0.0);
-
 }  // namespace quadrille
