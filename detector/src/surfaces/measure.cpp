@@ -98,8 +98,9 @@ void settle_frame(const Surface& surface, const SurfaceSamples& samples, const E
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   if (extends_along_z(type)) shift.z() = box.center().z();
   if (type == QuadricType::kParabolicCylinder) shift.y() = box.center().y();
-  if (is_flat(type) && type != QuadricType::kIntersectingPlanes)
+  if (is_flat(type) && type != QuadricType::kIntersectingPlanes) {
     shift.head<2>() = box.center().head<2>();
+  }
   X_CQ->translation() = *X_CQ * shift;
 }
 
