@@ -1,97 +1,21 @@
 #include "quadrille/detector/detector.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <string>
+#include <memory>
+#include <utility>
 
+#include "base/stage_clock.hpp"
 #include "cloud/cloud_check.hpp"
 #include "cloud/far_cloud.hpp"
 #include "planes/plane_claims.hpp"
 #include "planes/planes.hpp"
-#include "samples/inliers.hpp"
 #include "samples/sample_tree.hpp"
-#include "search/search.hpp"
-#include "surfaces/agglomerate.hpp"
-#include "surfaces/aggregate.hpp"
+#include "surfaces/find_surfaces.hpp"
 #include "surfaces/measure.hpp"
 #include "surfaces/plane_surface.hpp"
 
 namespace quadrille {
 namespace {
-
-/// Wall time of the stages.
-class StageClock {
- public:
-  explicit StageClock(DetectionResult* result) : result_(result) {}
-  /// Ends a stage; time of the same name adds up.
-  void end(const std::string& stage) {
-    const auto now = Clock::now();
-    const double ms = std::chrono::duration<double, std::milli>(now - last_).count();
-    last_ = now;
-    for (StageTime& known : result_->timings) {
-      if (known.stage == stage) {
-        known.ms += ms;
-        return;
-      }
-    }
-    result_->timings.push_back({stage, ms});
-  }
-  double total() const {
-    return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
-  }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  DetectionResult* result_;
-  Clock::time_point start_ = Clock::now(), last_ = start_;
-};
-
-/// Samples of a level of which no accepted surface holds half.
-std::vector<char> open_samples(const SampleTree& tree, int level,
-                               const std::vector<char>& claimed) {
-  std::vector<char> open(static_cast<std::size_t>(tree.level(level).size()));
-  for (int i = 0; i < tree.level(level).size(); ++i) {
-    int balance = 0;
-    for (const int k : tree.under(level, i)) balance += claimed[k] ? -1 : 1;
-    open[i] = balance > 0;
-  }
-  return open;
-}
-
-/// The candidate with its region in terms of the finest samples on it. Their normals do not count:
-/// at fine levels they may be noise.
-Candidate on_finest(Candidate candidate, const SampleTree& tree, int level, InlierTest test) {
-  test.min_cosine = -1.0;
-  const Eigen::Matrix4f Q = candidate.Q.matrix().cast<float>();
-  std::vector<int> fine;
-  for (const int i : candidate.region) {
-    for (const int k : tree.under(level, i)) {
-      if (is_inlier(tree.finest(), k, Q, test)) fine.push_back(k);
-    }
-  }
-  candidate.region = std::move(fine);
-  return candidate;
-}
-
-/// Coarse to fine: what a coarse level finds clearly, the finer ones need not search.
-Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options,
-                          StageClock* clock) {
-  Aggregation aggregation(tree.finest(), options.aggregate, options.inlier);
-  for (int l = kLevels - 1; l >= 0; --l) {
-    std::vector<Candidate> candidates =
-        search(tree.level(l), open_samples(tree, l, aggregation.claimed()), options.search,
-               options.inlier, options.seed + static_cast<std::uint64_t>(l));
-    for (Candidate& c : candidates) c = on_finest(std::move(c), tree, l, options.inlier);
-    if (options.agglomerate.enabled) {
-      candidates =
-          agglomerate(std::move(candidates), tree.finest(), options.inlier, options.agglomerate);
-    }
-    clock->end("search");
-    aggregation.offer(std::move(candidates), l > 0);
-    clock->end("aggregate");
-  }
-  return aggregation;
-}
 
 bool wanted(QuadricType type, const DetectorOptions& options) {
   return options.only.empty() ||
@@ -126,38 +50,57 @@ std::vector<Detection> measure_all(const Aggregation& aggregation,
 }
 
 /// Best score first, of equal ones the larger.
-void rank(std::vector<Detection>* detections) {
-  std::stable_sort(detections->begin(), detections->end(),
+std::vector<Detection> ranked(std::vector<Detection> detections) {
+  std::stable_sort(detections.begin(), detections.end(),
                    [](const Detection& a, const Detection& b) {
                      return a.score != b.score ? a.score > b.score : a.inliers > b.inliers;
                    });
   int id = 0;
-  for (Detection& d : *detections) d.id = ++id;
+  for (Detection& d : detections) d.id = ++id;
+  return detections;
+}
+
+/// What all stages make of a cloud.
+struct Findings {
+  std::vector<Detection> detections;
+  std::size_t points_used = 0;
+};
+
+std::size_t count_points(const CellPyramid& pyramid) {
+  std::size_t count = 0;
+  for (int c = 0; c < pyramid.size(0); ++c) count += static_cast<std::size_t>(pyramid.count(c));
+  return count;
 }
 
 /// All stages on a cloud near the origin.
-void find_all(const PointCloud& cloud, const DetectorOptions& options, StageClock* clock,
-              DetectionResult* result) {
+Findings find_all(const PointCloud& cloud, const DetectorOptions& options, StageClock& clock) {
   const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
-  clock->end("cells");
-  if (!pyramid) return;
-  for (int c = 0; c < pyramid->size(0); ++c) {
-    result->points_used += static_cast<std::size_t>(pyramid->count(c));
-  }
+  clock.end("cells");
+  if (!pyramid) return {};
 
   const SurfaceSamples coarse = pyramid->coarse_samples();
   const std::vector<PlaneRegion> planes = find_planes(coarse, options.planes);
   const std::vector<char> keep = cells_off_planes(*pyramid, coarse, planes, options.planes.sigmas);
-  clock->end("planes");
+  clock.end("planes");
 
   const SampleTree tree(*pyramid, pyramid->samples(keep, options.threads));
-  clock->end("samples");
+  clock.end("samples");
 
   const Aggregation aggregation = find_surfaces(tree, options, clock);
-  result->detections =
-      measure_all(aggregation, planes, coarse, tree.finest(), options, cloud.viewpoint);
-  rank(&result->detections);
-  clock->end("measure");
+  std::vector<Detection> detections =
+      ranked(measure_all(aggregation, planes, coarse, tree.finest(), options, cloud.viewpoint));
+  clock.end("measure");
+  return {std::move(detections), count_points(*pyramid)};
+}
+
+/// The same wherever the cloud lies: far from the origin its coordinates have few digits to spare.
+Findings find_anywhere(const PointCloud& cloud, const Eigen::Vector3d& centre,
+                       const DetectorOptions& options, StageClock& clock) {
+  if (!is_far(centre)) return find_all(cloud, options, clock);
+  const Eigen::Vector3d shift = -centre.array().round().matrix();
+  Findings findings = find_all(translated(cloud, shift), options, clock);
+  for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
+  return findings;
 }
 
 }  // namespace
@@ -178,6 +121,8 @@ DetectorOptions sphere_options(DetectorOptions options) {
   options.search.grow.rounds = std::min(options.search.grow.rounds, 3);
   options.search.grow.families = {Family::kSphere};
   options.aggregate.families = {Family::kSphere};
+  // With a single family to choose from, all that is round gets a sphere: its residual refuses what
+  // is none. Elsewhere richer families take that over, and the default refuses nothing.
   options.aggregate.max_residual = 1.6;
   // Of wider cells more lie at an edge.
   options.aggregate.min_confidence = std::min(options.aggregate.min_confidence, 0.3);
@@ -188,22 +133,17 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& given) {
   given.check();
   const DetectorOptions options = seeks_spheres_alone(given) ? sphere_options(given) : given;
   DetectionResult result;
-  StageClock clock(&result);
+  StageClock clock;
   const CloudCheck check = check_cloud(cloud);
   result.points_finite = check.finite;
   result.warnings = check.warnings;
-  if (!check.usable) {
-    result.total_ms = clock.total();
-    return result;
+  if (check.usable) {
+    Findings findings = find_anywhere(cloud, check.centre, options, clock);
+    result.detections = std::move(findings.detections);
+    result.points_used = findings.points_used;
+    result.timings = clock.timings();
   }
-  if (is_far(check.centre)) {
-    const Eigen::Vector3d shift = -check.centre.array().round().matrix();
-    find_all(translated(cloud, shift), options, &clock, &result);
-    for (Detection& d : result.detections) d = translated(std::move(d), -shift);
-  } else {
-    find_all(cloud, options, &clock, &result);
-  }
-  result.total_ms = clock.total();
+  result.total_ms = clock.total_ms();
   return result;
 }
 

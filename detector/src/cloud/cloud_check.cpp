@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quantile.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -51,10 +53,7 @@ template <class Measure>
 double quantile(const std::vector<Eigen::Vector3d>& points, double share, Measure&& measure) {
   std::vector<double> values;
   for (const Eigen::Vector3d& p : points) values.push_back(measure(p));
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return quadrille::quantile(values, share);
 }
 
 /// Variances along their principal axes, ascending, of the points within a distance of the centre.

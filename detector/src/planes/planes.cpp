@@ -8,34 +8,32 @@
 #include <utility>
 
 #include "samples/height_fit.hpp"
+#include "samples/plane_sums.hpp"
 
 namespace quadrille {
 namespace {
 
-constexpr double kCoplanarCosine = 0.99;
+// Least cosine between the normals of planes that are one, 8°.
+constexpr double kMinCoplanarCosine = 0.99;
+// Neighbours that tell whether a sample lies in something flat, and samples that determine a plane
+// with one to spare.
+constexpr std::size_t kMinSeedNeighbours = 5;
+constexpr int kMinPlaneSamples = 4;
+// The first refit of a growing plane; each later one at twice the samples of the last.
+constexpr std::size_t kFirstRefit = 12;
+// Distance from a plane that is allowed beside the noise, in cells: what edges of cells round off.
+constexpr float kCellShare = 0.05f;
+// A bend is significant from this many standard deviations on, and what may hide in the noise is as
+// large as so many.
+constexpr double kSignificantSigmas = 3.0, kHiddenSigmas = 2.0;
+// Samples that make one independent measurement: neighbours share their noise.
+constexpr double kSamplesPerMeasurement = 4.0;
 
-/// Running sums for a plane by total least squares.
-struct PlaneSums {
-  double n = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
-
-  void add(const Eigen::Vector3f& p) {
-    const Eigen::Vector3d x = p.cast<double>();
-    n += 1;
-    sum += x;
-    square += x * x.transpose();
-  }
-  Eigen::Vector4d plane(const Eigen::Vector3f& towards) const {
-    const Eigen::Vector3d mean = sum / n;
-    const Eigen::Matrix3d S = square / n - mean * mean.transpose();
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-    eigen.computeDirect(S);
-    Eigen::Vector3d m = eigen.eigenvectors().col(0);
-    if (m.dot(towards.cast<double>()) < 0) m = -m;
-    return {m.x(), m.y(), m.z(), -m.dot(mean)};
-  }
-};
+/// The plane of the sums, n on the side of a direction.
+Eigen::Vector4d plane_towards(const Eigen::Vector3f& side, const PlaneSums& sums) {
+  const Eigen::Vector4d plane = sums.plane();
+  return plane.head<3>().dot(side.cast<double>()) < 0 ? Eigen::Vector4d(-plane) : plane;
+}
 
 /// Samples to start from, the flattest first: those with whose normals their neighbours' agree
 /// within the angle [rad].
@@ -45,7 +43,7 @@ std::vector<int> flat_seeds(const SurfaceSamples& samples, double angle,
   std::vector<std::pair<float, int>> flat;
   for (int i = 0; i < samples.size(); ++i) {
     const auto around = samples.neighbours_of(i);
-    if (around.size() < 5 || (!claimed.empty() && claimed[i])) continue;
+    if (around.size() < kMinSeedNeighbours || (!claimed.empty() && claimed[i])) continue;
     float sum = 0;
     for (const int j : around) sum += samples.n[i].dot(samples.n[j]);
     const float mean = sum / static_cast<float>(around.size());
@@ -73,7 +71,8 @@ std::pair<double, double> curvature_of(const SurfaceSamples& samples, const Plan
   const auto ldlt = fit.factor();
   const HeightFit::Vector6 a = ldlt.solve(fit.b);
   const double n = static_cast<double>(region.samples.size());
-  const double variance = std::max(1e-12, fit.rss(a)) / std::max(1.0, n / 4 - 6);
+  const double variance =
+      std::max(1e-12, fit.rss(a)) / std::max(1.0, n / kSamplesPerMeasurement - 6);
   const HeightFit::Matrix6 covariance = variance * ldlt.solve(HeightFit::Matrix6::Identity());
   Eigen::Matrix2d H;
   H << 2 * a[3], a[4], a[4], 2 * a[5];
@@ -90,8 +89,8 @@ std::pair<double, double> curvature_of(const SurfaceSamples& samples, const Plan
 bool may_bend(const SurfaceSamples& samples, const PlaneRegion& region,
               const PlaneOptions& options) {
   const auto [curvature, std] = curvature_of(samples, region);
-  return (curvature > 1.0 / options.min_radius && curvature > 3.0 * std) ||
-         curvature + 2.0 * std > 1.0 / options.min_proven_radius;
+  return (curvature > 1.0 / options.min_radius && curvature > kSignificantSigmas * std) ||
+         curvature + kHiddenSigmas * std > 1.0 / options.min_proven_radius;
 }
 
 /// Joins planes that noise or an object between had parted: nearly parallel, and the smaller one
@@ -105,7 +104,7 @@ std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
   const auto coplanar = [&](const PlaneRegion& large, const PlaneRegion& small) {
     // Seen from within the plane, the sides that its parts turn are chance.
     const double cosine = large.plane.head<3>().dot(small.plane.head<3>());
-    if (std::abs(cosine) < kCoplanarCosine) return false;
+    if (std::abs(cosine) < kMinCoplanarCosine) return false;
     double distance = 0, limit = 0;
     for (const int i : small.samples) {
       distance += std::abs(large.plane.dot(samples.raw[i].cast<double>().homogeneous()));
@@ -124,8 +123,8 @@ std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
     }
     host->samples.insert(host->samples.end(), plane.samples.begin(), plane.samples.end());
     PlaneSums sums;
-    for (const int i : host->samples) sums.add(samples.raw[i]);
-    host->plane = sums.plane(host->plane.head<3>().cast<float>());
+    for (const int i : host->samples) sums.add(samples.raw[i].cast<double>());
+    host->plane = plane_towards(host->plane.head<3>().cast<float>(), sums);
   }
   return joined;
 }
@@ -134,12 +133,12 @@ std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
 std::optional<Eigen::Vector4d> plane_at(const SurfaceSamples& samples, int seed,
                                         const std::vector<int>& taken) {
   PlaneSums sums;
-  sums.add(samples.raw[seed]);
+  sums.add(samples.raw[seed].cast<double>());
   for (const int j : samples.neighbours_of(seed)) {
-    if (!taken[j]) sums.add(samples.raw[j]);
+    if (!taken[j]) sums.add(samples.raw[j].cast<double>());
   }
-  if (sums.n < 4) return std::nullopt;
-  return sums.plane(samples.n[seed]);
+  if (sums.n < kMinPlaneSamples) return std::nullopt;
+  return plane_towards(samples.n[seed], sums);
 }
 
 /// Grows a plane over neighbours that are free, near it and parallel to it, and marks them with the
@@ -150,25 +149,25 @@ PlaneRegion grow_plane(const SurfaceSamples& samples, const PlaneOptions& option
   const float sigmas = static_cast<float>(options.sigmas);
   PlaneRegion region{start, {seed}};
   PlaneSums sums;
-  sums.add(samples.raw[seed]);
+  sums.add(samples.raw[seed].cast<double>());
   Eigen::Vector4f P = start.cast<float>();
-  std::size_t refit_at = 12;
+  std::size_t refit_at = kFirstRefit;
   for (std::size_t k = 0; k < region.samples.size(); ++k) {
     for (const int j : samples.neighbours_of(region.samples[k])) {
       if ((*taken)[j]) continue;
       const float distance = P.dot(samples.raw[j].homogeneous());
-      const float limit = sigmas * samples.sigma[j] + 0.05f * samples.cell[j];
+      const float limit = sigmas * samples.sigma[j] + kCellShare * samples.cell[j];
       if (std::abs(distance) > limit || P.head<3>().dot(samples.n[j]) < min_cosine) continue;
       (*taken)[j] = attempt;
       region.samples.push_back(j);
-      sums.add(samples.raw[j]);
+      sums.add(samples.raw[j].cast<double>());
     }
     if (region.samples.size() >= refit_at) {
-      P = sums.plane(samples.n[seed]).cast<float>();
+      P = plane_towards(samples.n[seed], sums).cast<float>();
       refit_at = region.samples.size() * 2;
     }
   }
-  if (sums.n >= 4) region.plane = sums.plane(samples.n[seed]);
+  if (sums.n >= kMinPlaneSamples) region.plane = plane_towards(samples.n[seed], sums);
   return region;
 }
 

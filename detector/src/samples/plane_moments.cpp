@@ -6,26 +6,34 @@
 namespace quadrille {
 namespace {
 
+// Three points lie on a plane whatever they are of.
 constexpr float kMinPoints = 4;
-// Narrower than this share of its length, and what the points lie on is a line: as a ratio of
-// eigenvalues, and as the product of two with that ratio over their squared sum.
-constexpr double kNarrow = 0.05, kNarrowProduct = kNarrow / ((1 + kNarrow) * (1 + kNarrow));
-// Of eigenvalues that sum to one: where the sum of their products in pairs is less, the points lie
-// on a line; where the two larger ones' distances from the least multiply to less, all are alike.
-constexpr double kLine = 1e-3, kRound = 1e-6;
-constexpr int kSteps = 20;
-constexpr double kConverged = 1e-9;
+// The covariance is scaled to the trace one. Its eigenvalues a <= b <= c, variances along the axes
+// of the points, then sum to one.
+//
+// The points lie on a line if b < kMinWidth c. As b c / (b + c)² grows with b / c, that is
+// b c < kMinWidthProduct (b + c)², for which b and c need not be known one by one.
+constexpr double kMinWidth = 0.05;
+constexpr double kMinWidthProduct = kMinWidth / ((1 + kMinWidth) * (1 + kMinWidth));
+// They certainly do if ab + bc + ca, the trace of the cofactors, is less than this.
+constexpr double kMinPairProducts = 1e-3;
+// There is no direction of least spread if a, b and c are equal: if (b - a)(c - a) is less than
+// this.
+constexpr double kMinSeparation = 1e-6;
+// Newton's steps at most, and the step and slope at which they end.
+constexpr int kMaxSteps = 20;
+constexpr double kMinStep = 1e-9;
 
-/// The least root of λ³ − λ² + bλ − c, whose roots are real and not negative: from zero Newton's
+/// The smallest root of λ³ − λ² + bλ − c, whose roots are real and not negative: from zero Newton's
 /// steps climb to it and never past it.
 double min_root(double b, double c) {
   double root = 0;
-  for (int k = 0; k < kSteps; ++k) {
+  for (int k = 0; k < kMaxSteps; ++k) {
     const double slope = (3 * root - 2) * root + b;
-    if (!(slope > kConverged)) break;
+    if (!(slope > kMinStep)) break;
     const double step = (((root - 1) * root + b) * root - c) / slope;
     root -= step;
-    if (std::abs(step) < kConverged) break;
+    if (std::abs(step) < kMinStep) break;
   }
   return root;
 }
@@ -54,14 +62,14 @@ bool PlaneMoments::solve(Eigen::Vector3f* mean, Eigen::Vector3f* normal) const {
   if (!(trace > 0)) return false;
   S /= trace;
   const Eigen::Matrix3d C = cofactors(S);
-  if (!(C.trace() > kLine)) return false;
-  const double least = min_root(C.trace(), S.col(0).dot(C.col(0)));
-  const double others = 1 - least;
-  if (!(C.trace() - least * others > kNarrowProduct * others * others)) return false;
-  // The cofactors of S − λ are nnᵀ times the product of the other eigenvalues of that.
-  S.diagonal().array() -= least;
+  if (!(C.trace() > kMinPairProducts)) return false;
+  const double a = min_root(C.trace(), S.col(0).dot(C.col(0)));
+  const double sum_bc = 1 - a, product_bc = C.trace() - a * sum_bc;
+  if (!(product_bc > kMinWidthProduct * sum_bc * sum_bc)) return false;
+  // S - a has the eigenvalue zero for the normal n: its cofactors are (b - a)(c - a) nnᵀ.
+  S.diagonal().array() -= a;
   const Eigen::Matrix3d N = cofactors(S);
-  if (!(N.trace() > kRound)) return false;
+  if (!(N.trace() > kMinSeparation)) return false;
   Eigen::Index widest;
   N.diagonal().maxCoeff(&widest);
   *normal = N.col(widest).normalized().cast<float>();

@@ -4,7 +4,9 @@
 
 namespace quadrille {
 
-/// Sums over offsets from a point near them, for a plane by principal components.
+/// Sums over offsets from a point near them, for a plane by principal components. In single
+/// precision and solved in a closed form, for there is one for each sample; PlaneSums is for whole
+/// regions.
 struct PlaneMoments {
   float n = 0;
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
@@ -17,8 +19,8 @@ struct PlaneMoments {
     squares += d.array().square();
     products += d.array() * Eigen::Array3f(d.y(), d.z(), d.x());
   }
-  /// Mean of the offsets, from the point that they are taken from, and the unit direction of their
-  /// least spread.
+  /// Mean of the offsets, from the point that they are taken from, and the unit direction in which
+  /// they are spread least.
   /// @return false if they are few, lie on a line, or spread alike in all directions
   bool solve(Eigen::Vector3f* mean, Eigen::Vector3f* normal) const;
 };

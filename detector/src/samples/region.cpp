@@ -7,8 +7,11 @@
 namespace quadrille {
 namespace {
 
-/// The k-th of a golden-ratio sequence over 0 … n-1: even, and in step with no grid, where every
-/// m-th element of a region could be the same few columns.
+// Least scale [m]: regions of one sample have one, too.
+constexpr double kMinScale = 1e-6;
+
+/// The k-th of a golden-ratio sequence over 0 … n-1. It is as even as steps of equal length, which
+/// on a grid would fall into the same few columns.
 std::size_t golden_index(std::size_t k, std::size_t n) {
   const std::uint64_t fraction = (k + 1) * 0x9e3779b97f4a7c15u;
   return static_cast<std::size_t>((fraction >> 32) * n >> 32);
@@ -16,10 +19,10 @@ std::size_t golden_index(std::size_t k, std::size_t n) {
 
 }  // namespace
 
-std::vector<int> spread_evenly(std::span<const int> region, std::size_t most) {
-  if (region.size() <= most) return {region.begin(), region.end()};
-  std::vector<int> some(most);
-  for (std::size_t k = 0; k < most; ++k) some[k] = region[golden_index(k, region.size())];
+std::vector<int> spread_evenly(std::span<const int> region, std::size_t max_count) {
+  if (region.size() <= max_count) return {region.begin(), region.end()};
+  std::vector<int> some(max_count);
+  for (std::size_t k = 0; k < max_count; ++k) some[k] = region[golden_index(k, region.size())];
   return some;
 }
 
@@ -29,15 +32,16 @@ Normalisation normalisation_of(const SurfaceSamples& samples, std::span<const in
   for (const int i : region) result.centre += samples.raw[i].cast<double>();
   result.centre /= static_cast<double>(region.size());
   double square = 0;
-  for (const int i : region)
+  for (const int i : region) {
     square += (samples.raw[i].cast<double>() - result.centre).squaredNorm();
-  result.scale = std::max(1e-6, std::sqrt(square / static_cast<double>(region.size())));
+  }
+  result.scale = std::max(kMinScale, std::sqrt(square / static_cast<double>(region.size())));
   return result;
 }
 
 FitPoints fit_points(const SurfaceSamples& samples, std::span<const int> region,
-                     const Normalisation& normalisation, int most) {
-  const std::size_t size = std::min<std::size_t>(region.size(), most);
+                     const Normalisation& normalisation, int max_count) {
+  const std::size_t size = std::min<std::size_t>(region.size(), max_count);
   FitPoints points(static_cast<Eigen::Index>(size));
   const Eigen::Vector3f centre = normalisation.centre.cast<float>();
   const float inverse = static_cast<float>(1.0 / normalisation.scale);

@@ -12,12 +12,12 @@ namespace quadrille {
 /// Centre and mean square radius of the raw positions of a region.
 Normalisation normalisation_of(const SurfaceSamples& samples, std::span<const int> region);
 
-/// The region if it has at most so many samples, else that many, spread evenly; some of them
+/// The region if it has no more samples than max_count, else that many, spread evenly; some of them
 /// twice where it has hardly more.
-std::vector<int> spread_evenly(std::span<const int> region, std::size_t most);
+std::vector<int> spread_evenly(std::span<const int> region, std::size_t max_count);
 
-/// Up to `most` points of a region (spread evenly), raw positions in local coordinates.
+/// Up to max_count points of a region, spread evenly, raw positions in local coordinates.
 FitPoints fit_points(const SurfaceSamples& samples, std::span<const int> region,
-                     const Normalisation& normalisation, int most);
+                     const Normalisation& normalisation, int max_count);
 
 }  // namespace quadrille

@@ -7,12 +7,15 @@
 namespace quadrille {
 namespace {
 
-// Edge of a bucket, in cells of a sample in the middle of the list, and of buckets of no samples
-// [m].
-constexpr float kCells = 12.0f, kAnyEdge = 0.05f;
+// Edge of a bucket in cells of a sample: a surface then fills some dozens.
+constexpr float kEdgeCells = 12.0f;
+// Edge where there are no samples [m]: any will do.
+constexpr float kDefaultEdge = 0.05f;
+// Diagonal of a bucket over its edge, rounded up.
+constexpr float kDiagonal = 1.7321f;
 
 float edge_for(const SurfaceSamples& samples) {
-  return samples.size() == 0 ? kAnyEdge : kCells * samples.cell[samples.size() / 2];
+  return samples.size() == 0 ? kDefaultEdge : kEdgeCells * samples.cell[samples.size() / 2];
 }
 
 }  // namespace
@@ -34,7 +37,7 @@ SampleBuckets::SampleBuckets(const SurfaceSamples& samples, std::vector<int> buc
 
 std::vector<int> SampleBuckets::near(const Eigen::Vector3f& centre, float radius) const {
   // A sample is no farther from the mean of its bucket than the bucket's diagonal.
-  VoxelFinder finder(grid_, radius + 1.7321f * grid_.edge());
+  VoxelFinder finder(grid_, radius + kDiagonal * grid_.edge());
   std::vector<int> found;
   for (const int v : finder.within(centre)) {
     found.insert(found.end(), list_.begin() + first_[v], list_.begin() + first_[v + 1]);

@@ -4,6 +4,7 @@ namespace quadrille {
 
 SampleTree::SampleTree(const CellPyramid& pyramid, std::vector<SurfaceSamples> levels)
     : levels_(std::move(levels)), finest_(levels_[0]), first_(kLevels), list_(kLevels) {
+  // A copy of the finest level, as the search goes on with that level's own normals.
   // The cell at each level above each finest sample.
   std::vector<int> cell = levels_[0].source;
   for (int l = 0; l < kLevels; ++l) {

@@ -12,9 +12,9 @@ double b(const std::array<OrientedPoint, 3>& basis, int i, int j) {
   return basis[i].n.dot(basis[j].x - basis[i].x);
 }
 
-Eigen::Matrix4d symmetric_product(const Eigen::Vector4d& a, const Eigen::Vector4d& c) {
-  return 0.5 * (a * c.transpose() + c * a.transpose());
-}
+// Least area of a basis's triangle, twice, over the square of its longest side: of flatter ones the
+// plane is chance.
+constexpr double kMinAreaShare = 0.05;
 
 }  // namespace
 
@@ -29,9 +29,9 @@ std::optional<Pencil> make_pencil(const std::array<OrientedPoint, 3>& basis) {
   const Eigen::Vector3d &x1 = basis[0].x, &x2 = basis[1].x, &x3 = basis[2].x;
   const Eigen::Vector3d cross = (x2 - x1).cross(x3 - x1);
   const double area = cross.norm();
-  const double longest =
+  const double max_square =
       std::max({(x2 - x1).squaredNorm(), (x3 - x2).squaredNorm(), (x1 - x3).squaredNorm()});
-  if (!(area > 0.05 * longest)) return std::nullopt;
+  if (!(area > kMinAreaShare * max_square)) return std::nullopt;
   const Eigen::Vector3d m = cross / area;
   // Barycentric coordinates: uᵢ is 1 at xᵢ and 0 on the opposite edge.
   const Eigen::Vector3d g1 = m.cross(x3 - x2) / area;

@@ -8,13 +8,14 @@
 namespace quadrille {
 namespace {
 
+// Steps of a refit: more are taken when the surface is fitted for good.
 constexpr int kIterations = 4;
 // While a region grows, its samples' correlation is not worth measuring.
 constexpr double kEffectiveShare = 0.1;
 // A round that changes the region by less than this share is the last.
-constexpr double kSettled = 0.03;
+constexpr double kMinChange = 0.03;
 // A family is chosen anew when the region has grown or shrunk by this factor.
-constexpr double kOutgrown = 1.25;
+constexpr double kReselectionGrowth = 1.25;
 
 /// Fits a region in place, by the family it has or the one that explains it best; false if it has
 /// no fit.
@@ -53,12 +54,13 @@ std::optional<Candidate> grow(const SurfaceSamples& samples, const Quadric& hypo
   for (int round = 0; round < options.rounds; ++round) {
     if (!enough()) return std::nullopt;
     const double now = static_cast<double>(candidate.region.size());
-    const bool select = choice && (now > kOutgrown * chosen_at || now * kOutgrown < chosen_at);
+    const bool select =
+        choice && (now > kReselectionGrowth * chosen_at || now * kReselectionGrowth < chosen_at);
     if (select) chosen_at = now;
     if (!refit(samples, options, select, &candidate)) return std::nullopt;
     std::vector<int> next = connected_inliers(samples, candidate.region, candidate.Q, inlier, free);
     const double size = static_cast<double>(candidate.region.size());
-    const bool settled = std::abs(static_cast<double>(next.size()) - size) < kSettled * size;
+    const bool settled = std::abs(static_cast<double>(next.size()) - size) < kMinChange * size;
     candidate.region = std::move(next);
     if (settled && round > 0) break;
   }

@@ -7,6 +7,7 @@
 
 #include "quadrille/detector/quadric.hpp"
 #include "search/basis.hpp"
+#include "search/quadric_values.hpp"
 #include "search/sphere_vote.hpp"
 #include "search/web_vote.hpp"
 
@@ -14,16 +15,15 @@ namespace quadrille {
 namespace {
 
 // A basis further than this from lying on one quadric is not worth a vote; see inconsistency().
-constexpr double kMaxInconsistent = 0.6;
+constexpr double kMaxInconsistency = 0.6;
 // Normals of samples are known to about this [rad].
 constexpr double kNormalNoise = 0.05;
+// With less curvature a neighbourhood, of size one, passes for a plane.
+constexpr double kMinCurvature = 0.2;
 
 int draw_index(const FitPoints& voters, RandomStream& random) {
   return random.below(static_cast<int>(voters.size()));
 }
-
-// Curvature below which a neighbourhood, of size one, passes for a plane.
-constexpr double kFlattest = 0.2;
 
 OrientedPoint draw(const FitPoints& voters, RandomStream& random) {
   const int k = draw_index(voters, random);
@@ -39,7 +39,7 @@ std::optional<Pencil> draw_pencil(const FitPoints& voters, RandomStream& random,
     basis[i] = {voters.point(which[i]), voters.normal(which[i])};
   }
   std::optional<Pencil> pencil = make_pencil(basis);
-  if (pencil && inconsistency(basis) > kMaxInconsistent) pencil.reset();
+  if (pencil && inconsistency(basis) > kMaxInconsistency) pencil.reset();
   if (!pencil || !memory) return pencil;
   for (int& index : which) index = memory->sample_of_voter[static_cast<std::size_t>(index)];
   if (!memory->triplets.insert(which)) pencil.reset();
@@ -101,7 +101,7 @@ std::vector<Eigen::Matrix4d> spheres_through_one(const FitPoints& voters,
   const OrientedPoint basis = draw(voters, random);
   std::vector<Eigen::Matrix4d> list;
   for (const VotePeak& peak : vote_curvature(basis, voters, options)) {
-    if (std::abs(peak.lambda) < kFlattest) continue;
+    if (std::abs(peak.lambda) < kMinCurvature) continue;
     list.push_back(tangent_sphere(basis, peak.lambda));
   }
   return list;
@@ -129,16 +129,10 @@ std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& vo
 
 int count_support(const FitPoints& p, const Eigen::Matrix4d& matrix, float distance,
                   float min_cosine) {
-  const Eigen::Matrix4f Q = matrix.cast<float>();
-  const Eigen::ArrayXf gx = Q(0, 0) * p.x + Q(0, 1) * p.y + Q(0, 2) * p.z + Q(0, 3);
-  const Eigen::ArrayXf gy = Q(0, 1) * p.x + Q(1, 1) * p.y + Q(1, 2) * p.z + Q(1, 3);
-  const Eigen::ArrayXf gz = Q(0, 2) * p.x + Q(1, 2) * p.y + Q(2, 2) * p.z + Q(2, 3);
-  const Eigen::ArrayXf f =
-      gx * p.x + gy * p.y + gz * p.z + Q(0, 3) * p.x + Q(1, 3) * p.y + Q(2, 3) * p.z + Q(3, 3);
-  // g is half the gradient.
-  const Eigen::ArrayXf slope = (gx.square() + gy.square() + gz.square()).sqrt();
-  return static_cast<int>((f.abs() <= 2.0f * distance * slope &&
-                           gx * p.nx + gy * p.ny + gz * p.nz >= min_cosine * slope)
+  const QuadricValues q(matrix.cast<float>(), p);
+  const Eigen::ArrayXf slope = (q.gx.square() + q.gy.square() + q.gz.square()).sqrt();
+  return static_cast<int>((q.f.abs() <= 2.0f * distance * slope &&
+                           q.gx * p.nx + q.gy * p.ny + q.gz * p.nz >= min_cosine * slope)
                               .count());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "quadrille/detector/stage_options.hpp"
+
 namespace quadrille {
 
 /// Place of λ from 0 to 1.

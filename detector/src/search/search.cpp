@@ -10,7 +10,11 @@
 namespace quadrille {
 namespace {
 
+// Voters that support a hypothesis at least, however few there are: three agree with any basis.
 constexpr int kMinSupport = 8;
+// A fourth point decides if it lies this far from the plane of the others, in multiples of the
+// distance within which it would agree anyway, and in the size of the neighbourhood.
+constexpr double kMinHeightLimits = 2.0, kMinHeight = 0.1;
 
 /// Samples connected to the seed within a ball.
 std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float radius,
@@ -106,7 +110,7 @@ class Searcher {
     const int n = static_cast<int>(voters.size());
     VoteOptions vote_options;
     vote_options.quantisation = options_.quantisation;
-    vote_options.min_height = std::max(0.1, 2.0 * limit);
+    vote_options.min_height = std::max(kMinHeight, kMinHeightLimits * limit);
     vote_options.min_cosine = inlier_.min_cosine;
     Hypothesis best;
     for (int trial = 0; trial < options_.bases; ++trial) {

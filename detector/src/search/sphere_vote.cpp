@@ -26,10 +26,10 @@ std::vector<VotePeak> vote_curvature(const OrientedPoint& basis, const FitPoints
   const Eigen::ArrayXf cosine = (n.x() + curvature * dx) * voters.nx +
                                 (n.y() + curvature * dy) * voters.ny +
                                 (n.z() + curvature * dz) * voters.nz;
-  const float least = static_cast<float>(options.min_height * options.min_height);
+  const float min_square = static_cast<float>(options.min_height * options.min_height);
   VoteHistogram histogram(options);
   for (Eigen::Index i = 0; i < voters.size(); ++i) {
-    if (square[i] > least && cosine[i] > options.min_cosine) histogram.add(curvature[i]);
+    if (square[i] > min_square && cosine[i] > options.min_cosine) histogram.add(curvature[i]);
   }
   return histogram.peaks();
 }

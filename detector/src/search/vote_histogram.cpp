@@ -5,6 +5,14 @@
 #include "search/quantisation.hpp"
 
 namespace quadrille {
+namespace {
+
+// Sum of the triangular kernel 1 2 3 2 1.
+constexpr double kKernelSum = 9.0;
+// Places at the very ends stand for infinite λ.
+constexpr float kMinPlace = 1e-4f;
+
+}  // namespace
 
 VoteHistogram::VoteHistogram(const VoteOptions& options)
     : options_(options), count_(static_cast<std::size_t>(options.bins), 0.0f) {}
@@ -32,10 +40,10 @@ std::vector<VotePeak> VoteHistogram::peaks() const {
     const float mass = at(i - 1) + at(i) + at(i + 1);
     const float shift = mass > 0 ? (at(i + 1) - at(i - 1)) / mass : 0.0f;
     const float place = (static_cast<float>(i) + 0.5f + shift) / static_cast<float>(bins);
-    const float within = std::clamp(place, 1e-4f, 1.0f - 1e-4f);
+    const float within = std::clamp(place, kMinPlace, 1.0f - kMinPlace);
     peaks.push_back(
         {lambda_at(options_.quantisation, within, static_cast<float>(options_.lambda_scale)),
-         density[i] / 9.0});
+         density[i] / kKernelSum});
   }
   std::stable_sort(peaks.begin(), peaks.end(),
                    [](const VotePeak& a, const VotePeak& b) { return a.votes > b.votes; });

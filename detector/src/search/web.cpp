@@ -6,14 +6,13 @@
 namespace quadrille {
 namespace {
 
-// A basis whose scales have to differ by more lies on no quadric worth a vote.
+// A basis of which a normal has to be scaled down by more lies on no quadric worth a vote.
 constexpr double kMinScale = 0.25;
-// Of a normal's component within the plane of basis and voter: less tells no scale.
-constexpr double kMinWithin = 0.1;
-
-Eigen::Matrix4d symmetric_product(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
-  return 0.5 * (a * b.transpose() + b * a.transpose());
-}
+// Least length of a unit normal's projection to the plane of basis and voter: a shorter one tells
+// no scale.
+constexpr double kMinProjection = 0.1;
+// Least squared distance of the two points of a basis, in their unit.
+constexpr double kMinSquare = 1e-12;
 
 }  // namespace
 
@@ -25,7 +24,7 @@ Eigen::Matrix4d Web::at(const Eigen::Vector3d& lambda) const {
 std::optional<Web> make_web(const std::array<OrientedPoint, 2>& basis, double softness) {
   const Eigen::Vector3d e = basis[1].x - basis[0].x;
   const double square = e.squaredNorm();
-  if (!(square > 1e-12)) return std::nullopt;
+  if (!(square > kMinSquare)) return std::nullopt;
   // Least squares of α₁b₁ − α₂b₂ = 0 with the prior α = 1.
   const double b1 = basis[0].n.dot(e), b2 = -basis[1].n.dot(e);
   const double size = softness * softness * square + b1 * b1 + b2 * b2;
@@ -63,7 +62,7 @@ std::optional<WebLine> line_of(const Web& web, const OrientedPoint& point, doubl
   const Eigen::Vector2d gradient(g.dot(along), g.dot(p) + 2.0 * first * height);
   const Eigen::Vector2d normal(point.n.dot(along), point.n.dot(p));
   const double within = normal.norm(), product = gradient.dot(normal);
-  if (!(within > kMinWithin && product >= min_cosine * within * gradient.norm())) {
+  if (!(within > kMinProjection && product >= min_cosine * within * gradient.norm())) {
     return std::nullopt;
   }
   const double scale = product / (within * within);

@@ -12,9 +12,12 @@
 namespace quadrille {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-/// As great as fits three dimensions, and as small as leaves inner cells.
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// Cells along each coordinate: no more than fit three dimensions, and enough for inner ones.
 constexpr int kMaxCells = 64, kMinCells = 4;
+// Least pivot of the lines' normal equations, per line: parallel lines, as of voters in one plane
+// with the basis, meet nowhere.
+constexpr double kMinPivot = 1e-3;
 
 using Cell = std::array<int, 3>;
 
@@ -24,13 +27,13 @@ class LineCounts {
   explicit LineCounts(const VoteOptions& options)
       : cells_(std::clamp(options.bins / 3, kMinCells, kMaxCells)),
         count_(static_cast<std::size_t>(cells_ * cells_ * cells_), 0.0f) {
-    edges_.push_back(-kNever);
+    edges_.push_back(-kInfinity);
     for (int k = 1; k < cells_; ++k) {
       const float place = static_cast<float>(k) / static_cast<float>(cells_);
       edges_.push_back(
           lambda_at(options.quantisation, place, static_cast<float>(options.lambda_scale)));
     }
-    edges_.push_back(kNever);
+    edges_.push_back(kInfinity);
   }
 
   /// Walks from one end of the line to the other, from cell to cell.
@@ -43,7 +46,7 @@ class LineCounts {
     }
     for (;;) {
       const auto axis = std::min_element(leaves.begin(), leaves.end()) - leaves.begin();
-      if (leaves[axis] == kNever) return;
+      if (leaves[axis] == kInfinity) return;
       cell[axis] += line.direction[axis] > 0 ? 1 : -1;
       leaves[axis] = exit(line, cell[axis], static_cast<int>(axis));
       if (is_inner(cell)) count_[index(cell)] += 1.0f;
@@ -64,9 +67,9 @@ class LineCounts {
   /// The highest inner cell; afterwards it and its neighbours are low. None if all are empty.
   std::optional<Cell> take_highest() {
     std::optional<Cell> best;
-    float most = 0.0f;
+    float max_count = 0.0f;
     for_inner({1, 1, 1}, {cells_ - 2, cells_ - 2, cells_ - 2}, [&](const Cell& cell) {
-      if (count_[index(cell)] > most) most = count_[index(cell)], best = cell;
+      if (count_[index(cell)] > max_count) max_count = count_[index(cell)], best = cell;
     });
     if (!best) return best;
     Cell low = *best, high = *best;
@@ -78,7 +81,7 @@ class LineCounts {
 
   /// True if the line runs through the cell or one beside it.
   bool passes(const WebLine& line, const Cell& cell) const {
-    double from = -kNever, to = kNever;
+    double from = -kInfinity, to = kInfinity;
     for (int k = 0; k < 3; ++k) {
       const double low = edges_[cell[k] - 1], high = edges_[cell[k] + 2];
       if (line.direction[k] == 0.0) {
@@ -102,9 +105,9 @@ class LineCounts {
   /// Where along the line it leaves a cell.
   double exit(const WebLine& line, int cell, int axis) const {
     const double d = line.direction[axis];
-    if (d == 0.0) return kNever;
+    if (d == 0.0) return kInfinity;
     const double edge = edges_[d > 0.0 ? cell + 1 : cell];
-    return std::isfinite(edge) ? (edge - line.origin[axis]) / d : kNever;
+    return std::isfinite(edge) ? (edge - line.origin[axis]) / d : kInfinity;
   }
   bool is_inner(const Cell& cell) const {
     return std::all_of(cell.begin(), cell.end(), [&](int k) { return k > 0 && k < cells_ - 1; });
@@ -142,8 +145,7 @@ std::optional<WebPeak> meeting_point(const std::vector<WebLine>& lines, const Li
     ++peak.votes;
   }
   const Eigen::LDLT<Eigen::Matrix3d> ldlt(across);
-  // Parallel lines, as of voters in one plane with the basis, meet nowhere.
-  if (!(ldlt.vectorD().minCoeff() > 1e-3 * peak.votes)) return std::nullopt;
+  if (!(ldlt.vectorD().minCoeff() > kMinPivot * peak.votes)) return std::nullopt;
   peak.lambda = ldlt.solve(sum);
   return peak;
 }

@@ -10,6 +10,10 @@
 namespace quadrille {
 namespace {
 
+// Singular values below this share of the largest are zero: those of exact cones, cylinders and
+// planes are so but for rounding.
+constexpr double kMinSingularShare = 1e-6;
+
 /// |q| = 1, with the sign that brings q nearer to the reference.
 Eigen::Matrix<double, 10, 1> coefficients_near(const Eigen::Matrix4d& matrix,
                                                const Eigen::Matrix<double, 10, 1>& reference) {
@@ -40,7 +44,7 @@ double close_distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, double
   if (!((qa - qb).lpNorm<1>() < tau)) return std::numeric_limits<double>::infinity();
   const Eigen::Matrix4d A = Quadric(qa).matrix(), B = Quadric(qb).matrix();
   Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix4d> decomposition(4, 4);
-  decomposition.setThreshold(1e-6);
+  decomposition.setThreshold(kMinSingularShare);
   const Eigen::Matrix4d inverse = decomposition.compute(B).pseudoInverse();
   return ((A - B) * inverse).norm();
 }

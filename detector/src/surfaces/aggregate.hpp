@@ -4,19 +4,19 @@
 #include <span>
 #include <vector>
 
-#include "fit/model_selection.hpp"
 #include "quadrille/detector/stage_options.hpp"
-#include "samples/region.hpp"
-#include "samples/sample_buckets.hpp"
-#include "search/search.hpp"
-#include "surfaces/smooth_parts.hpp"
+#include "samples/surface_samples.hpp"
+#include "search/candidate.hpp"
+#include "surfaces/acceptance.hpp"
+#include "surfaces/claims.hpp"
+#include "surfaces/extend.hpp"
 #include "surfaces/surface.hpp"
 
 namespace quadrille {
 
 /// Chooses among overlapping candidates (paper, "Hypotheses aggregation"): the one that explains
-/// most comes first, is refitted to all that it explains, connected or not, joined with earlier
-/// ones that the same quadric explains, verified, and claims its samples.
+/// most comes first, is refitted to all that it explains, connected or not, verified, joined with
+/// earlier ones that the same quadric explains, and claims its samples.
 class Aggregation {
  public:
   /// @param samples  on which regions and claims are counted; must outlive this
@@ -24,29 +24,29 @@ class Aggregation {
               const InlierTest& inlier);
 
   /// Takes over candidates, with regions in terms of the samples, and accepts what can be accepted.
-  /// @param early  true while finer levels are still to come: only clear cases claim samples
-  void offer(std::vector<Candidate> candidates, bool early);
+  /// What a coarse level refuses is kept for the next call.
+  void offer(std::vector<Candidate> candidates, SearchLevel level);
 
   /// Per sample, nonzero if an accepted surface holds it.
-  const std::vector<char>& claimed() const { return parts_.claimed(); }
+  const std::vector<char>& claimed() const { return claims_.claimed(); }
   const std::vector<Surface>& surfaces() const { return surfaces_; }
 
  private:
-  std::optional<Surface> accept(const Candidate& candidate, bool early);
-  std::optional<Surface> fitted(std::vector<int> region) const;
-  std::optional<Surface> as_plane(std::vector<int> region) const;
+  std::optional<Surface> accept(const Candidate& candidate, const Acceptance& asked) const;
+  bool is_promising(const Candidate& candidate, std::span<const int> open,
+                    const Acceptance& asked) const;
+  bool is_acceptable(const Surface& surface, const Acceptance& asked) const;
+  std::optional<Surface> plane_instead(Surface surface, const Acceptance& asked) const;
+  Surface joined(Surface surface);
+  void weigh(Surface* surface) const;
   Evidence evidence_of(std::span<const int> region, const Quadric& Q) const;
   bool stands_off(std::span<const int> region) const;
-  void extend(Surface* surface) const;
-  void join(Surface* surface);
-  double bic_of(const Surface& surface, double effective_size) const;
-  std::vector<int> further(const Surface& surface) const;
 
   const SurfaceSamples& samples_;
   AggregateOptions options_;
   InlierTest inlier_;
-  SampleBuckets buckets_;
-  SmoothParts parts_;
+  Extender extender_;
+  Claims claims_;
   std::vector<Candidate> pending_;
   std::vector<Surface> surfaces_;
 };

@@ -7,6 +7,12 @@
 #include "samples/inliers.hpp"
 
 namespace quadrille {
+namespace {
+
+// Residuals that hang together wholly, as those of a wrong quadric do, leave this much uncertain.
+constexpr double kMaxCorrelation = 0.98;
+
+}  // namespace
 
 double effective_share(const SurfaceSamples& samples, std::span<const int> region,
                        const Quadric& quadric) {
@@ -30,7 +36,8 @@ double effective_share(const SurfaceSamples& samples, std::span<const int> regio
   }
   if (pairs == 0 || !(square > 0)) return 1.0;
   const double variance = square / static_cast<double>(region.size());
-  const double rho = std::clamp(product / (static_cast<double>(pairs) * variance), 0.0, 0.98);
+  const double rho =
+      std::clamp(product / (static_cast<double>(pairs) * variance), 0.0, kMaxCorrelation);
   const double ratio = (1 - rho) / (1 + rho);
   return ratio * ratio;
 }

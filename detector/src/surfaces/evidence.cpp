@@ -4,23 +4,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quantile.hpp"
 #include "samples/inliers.hpp"
 #include "samples/region.hpp"
+#include "surfaces/smooth_parts.hpp"
 #include "surfaces/two_planes.hpp"
 
 namespace quadrille {
 namespace {
 
-// Real objects are quadrics up to this share of their size.
-constexpr double kFlaw = 0.02;
+// Real objects are quadrics up to this share of their size: cups and posts are, as scans show.
+constexpr double kFlawShare = 0.02;
+// Neighbours of a sample that has them on all sides.
+constexpr int kAllNeighbours = 8;
+// Added to sums of squared distances [m²], so that exact fits leave a ratio of them.
+constexpr double kMinSquare = 1e-12;
 
 /// The neighbour of j that lies farthest on in the direction of a step to it; -1 if none does.
 int next_along(const SurfaceSamples& samples, int j, const Eigen::Vector3f& step) {
   int next = -1;
-  float most = 0.5f * step.squaredNorm();
+  // At least half a step.
+  float max_along = 0.5f * step.squaredNorm();
   for (const int k : samples.neighbours_of(j)) {
     const float along = (samples.raw[k] - samples.raw[j]).dot(step);
-    if (along > most) most = along, next = k;
+    if (along > max_along) max_along = along, next = k;
   }
   return next;
 }
@@ -30,15 +37,13 @@ double spread_about(const SurfaceSamples& samples, std::span<const int> region,
                     const Eigen::Vector3f& mean) {
   std::vector<float> cosine;
   for (const int i : region) cosine.push_back(samples.n[i].dot(mean));
-  const auto tenth = cosine.begin() + static_cast<std::ptrdiff_t>(cosine.size() / 10);
-  std::nth_element(cosine.begin(), tenth, cosine.end());
-  return std::acos(std::clamp(*tenth, -1.0f, 1.0f));
+  return std::acos(std::clamp(nth_smallest(cosine, cosine.size() / 10), -1.0f, 1.0f));
 }
 
 /// Distances of the region's samples in multiples of what noise and small flaws leave, per sample.
 std::vector<float> residuals(const SurfaceSamples& samples, std::span<const int> region,
                              const std::vector<float>& distance, double scale) {
-  const float flaw = static_cast<float>(kFlaw * scale);
+  const float flaw = static_cast<float>(kFlawShare * scale);
   std::vector<float> residual(static_cast<std::size_t>(samples.size()), 0.0f);
   for (std::size_t k = 0; k < region.size(); ++k) {
     const float sigma = samples.sigma[region[k]];
@@ -53,7 +58,6 @@ std::vector<float> residuals(const SurfaceSamples& samples, std::span<const int>
 void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
                      const std::vector<char>& inside, std::span<const char> beyond,
                      const std::vector<float>& residual, Evidence* e) {
-  constexpr float kSmooth = 0.87f;  // 30°
   double border = 0, smooth = 0, open = 0, edge = 0, square = 0;
   for (const int i : region) {
     int within = 0;
@@ -67,12 +71,12 @@ void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
       }
       const int next = next_along(samples, j, samples.raw[j] - samples.raw[i]);
       if (next >= 0 && !inside[next] && (beyond.empty() || !beyond[next])) {
-        smooth += samples.n[next].dot(samples.n[i]) > kSmooth;
+        smooth += samples.n[next].dot(samples.n[i]) > kMinSmoothCosine;
       }
     }
-    border += 8 - within;
+    border += kAllNeighbours - within;
     open += within < static_cast<int>(neighbours.size());
-    edge += neighbours.size() < 8;
+    edge += static_cast<int>(neighbours.size()) < kAllNeighbours;
     const float mean = sum / static_cast<float>(within + 1);
     square += static_cast<double>(mean * mean);
   }
@@ -103,7 +107,7 @@ Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> re
                           const Quadric& quadric, std::span<const char> beyond) {
   Evidence e;
   const double n = static_cast<double>(region.size());
-  double square = 1e-12 * n;
+  double square = kMinSquare * n;
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
   const Eigen::Matrix4f Q = quadric.normalized().matrix().cast<float>();
   std::vector<char> inside(static_cast<std::size_t>(samples.size()), 0);
@@ -120,25 +124,10 @@ Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> re
   e.log_count = std::log(n);
   e.spread = spread_about(samples, region, mean);
   e.thickness = thickness_of(samples, region, local);
-  e.two_planes = std::log((two_planes_rss(samples, region) + 1e-12 * n) / square);
+  e.two_planes = std::log((two_planes_rss(samples, region) + kMinSquare * n) / square);
   const std::vector<float> residual = residuals(samples, region, distance, local.scale);
   walk_neighbours(samples, region, inside, beyond, residual, &e);
   return e;
-}
-
-double confidence(const Evidence& e, int dof, double log_prior) {
-  // A logistic regression over some 2800 surfaces, labelled by the truth of generated scenes, with
-  // waves in their noise and without, and of real scans, whose surfaces count threefold. The scenes
-  // hold no types that few objects have: the prior speaks for those.
-  const double two_planes = std::clamp(e.two_planes, -2.0, 5.0);
-  // What many samples explain hardly better than two planes do is a box edge.
-  const double edge = std::max(0.0, e.log_count - 5.0) * std::max(0.0, 0.8 - two_planes);
-  const double z = log_prior - 8.75 + 2.46 * std::min(e.log_count, 6.0) - 1.2 * e.spread -
-                   12.8 * e.smooth_border - 0.906 * e.open_border - 6.22 * e.depth_edge -
-                   1.83 * e.thickness + 0.645 * two_planes - 2.23 * edge - 0.66 * dof -
-                   3.51 * std::log(std::clamp(e.misfit, 0.05, 6.0)) -
-                   0.327 * std::log(0.05 + e.remainder);
-  return 1.0 / (1.0 + std::exp(-z));
 }
 
 }  // namespace quadrille

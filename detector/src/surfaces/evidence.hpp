@@ -31,7 +31,7 @@ struct Evidence {
   /// small flaws of real objects leave: something that is no quadric deviates in patches.
   double misfit = 1.0;
   /// Open samples of the smooth parts that the region lies in and that it leaves over, per sample
-  /// of the region: an object is explained as a whole. See smooth_parts.hpp.
+  /// of the region: an object is explained as a whole. See claims.hpp.
   double remainder = 0.0;
 };
 
@@ -40,9 +40,5 @@ struct Evidence {
 /// @param beyond  per sample, nonzero where another surface begins; may be empty
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
                           const Quadric& Q, std::span<const char> beyond = {});
-
-/// Confidence that a curved quadric with this evidence is a real surface of its own, 0 to 1: a
-/// logistic model over the evidence, to which the type's prior is added; see log_prior().
-double confidence(const Evidence& evidence, int dof, double log_prior = 0.0);
 
 }  // namespace quadrille

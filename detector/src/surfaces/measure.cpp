@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
+#include "base/quantile.hpp"
 #include "fit/family_spec.hpp"
 #include "quadrille/detector/canonical.hpp"
 
@@ -12,13 +14,20 @@ namespace quadrille {
 namespace {
 
 // Share of the samples beyond each end of the extent: stray ones do not stretch it.
-constexpr double kTrim = 0.004;
-constexpr int kAround = 24, kAlong = 8;
-// Variance of white noise in the fit for that of its residuals, as scenes with known truth show it:
-// rounded depths and mixed pixels are not quite white. Samples that a wave of common noise covers.
-constexpr double kWhite = 1.5, kWave = 64.0;
-// Points for the information of a family that was not fitted.
-constexpr int kPoints = 240;
+constexpr double kTrimmedShare = 0.004;
+// Bins of which those that hold a sample were seen.
+constexpr int kBinsAround = 24, kBinsAlong = 8;
+// The variance of a fit's noise over that of independent noise with the same residuals, as measured
+// in generated scenes: rounded depths and mixed pixels make neighbours alike.
+constexpr double kNoiseFactor = 1.5;
+// Noise that neighbours have in common comes in waves. So many samples lie on one, and count as one
+// measurement of it.
+constexpr double kSamplesPerWave = 64.0;
+// Points for the information of a family that was not fitted, as many as other fits take.
+constexpr int kInformationPoints = 240;
+// Eigenvalues of the information below this share of the largest: the data leave the direction
+// open.
+constexpr double kMinInformationShare = 1e-10;
 // At an edge the last cells are mixed or lost: deviation of an extent, in cells.
 constexpr double kEdgeCells = 3.0;
 
@@ -35,13 +44,11 @@ std::vector<Eigen::Vector3d> canonical_points(const Surface& surface, const Surf
 Eigen::AlignedBox3d trimmed_box(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d low, high;
   std::vector<double> x(points.size());
-  const auto trim = static_cast<std::ptrdiff_t>(kTrim * static_cast<double>(points.size()));
+  const auto trim = static_cast<std::size_t>(kTrimmedShare * static_cast<double>(points.size()));
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t k = 0; k < points.size(); ++k) x[k] = points[k][axis];
-    std::nth_element(x.begin(), x.begin() + trim, x.end());
-    low[axis] = x[static_cast<std::size_t>(trim)];
-    std::nth_element(x.begin(), x.end() - 1 - trim, x.end());
-    high[axis] = *(x.end() - 1 - trim);
+    low[axis] = nth_smallest(x, trim);
+    high[axis] = nth_smallest(x, x.size() - 1 - trim);
   }
   return {low, high};
 }
@@ -91,8 +98,9 @@ void settle_frame(const Surface& surface, const SurfaceSamples& samples, const E
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   if (extends_along_z(type)) shift.z() = box.center().z();
   if (type == QuadricType::kParabolicCylinder) shift.y() = box.center().y();
-  if (is_flat(type) && type != QuadricType::kIntersectingPlanes)
+  if (is_flat(type) && type != QuadricType::kIntersectingPlanes) {
     shift.head<2>() = box.center().head<2>();
+  }
   X_CQ->translation() = *X_CQ * shift;
 }
 
@@ -100,19 +108,21 @@ void settle_frame(const Surface& surface, const SurfaceSamples& samples, const E
 /// areas on a sphere, and nearly so on the other round surfaces.
 double share_seen(const std::vector<Eigen::Vector3d>& points, const Eigen::AlignedBox3d& box,
                   QuadricType type) {
-  std::array<bool, kAround * kAlong> seen{};
+  std::array<bool, kBinsAround * kBinsAlong> seen{};
   const bool flat = is_flat(type);
   const auto bin = [](double x, double low, double high, int bins) {
     return std::clamp(static_cast<int>((x - low) / std::max(1e-9, high - low) * bins), 0, bins - 1);
   };
   for (const Eigen::Vector3d& p : points) {
-    const int along = flat ? bin(p.y(), box.min().y(), box.max().y(), kAlong)
-                           : bin(p.z(), box.min().z(), box.max().z(), kAlong);
-    const int around = flat ? bin(p.x(), box.min().x(), box.max().x(), kAround)
-                            : bin(std::atan2(p.y(), p.x()), -M_PI, M_PI, kAround);
-    seen[static_cast<std::size_t>(along * kAround + around)] = true;
+    const int along = flat ? bin(p.y(), box.min().y(), box.max().y(), kBinsAlong)
+                           : bin(p.z(), box.min().z(), box.max().z(), kBinsAlong);
+    const int around =
+        flat ? bin(p.x(), box.min().x(), box.max().x(), kBinsAround)
+             : bin(std::atan2(p.y(), p.x()), -std::numbers::pi, std::numbers::pi, kBinsAround);
+    seen[static_cast<std::size_t>(along * kBinsAround + around)] = true;
   }
-  return static_cast<double>(std::count(seen.begin(), seen.end(), true)) / (kAround * kAlong);
+  return static_cast<double>(std::count(seen.begin(), seen.end(), true)) /
+         (kBinsAround * kBinsAlong);
 }
 
 /// Variance of an independent measurement by the residuals and what the fit averages over: white
@@ -120,9 +130,10 @@ double share_seen(const std::vector<Eigen::Vector3d>& points, const Eigen::Align
 double variance_of_mean(const Surface& surface, double common_noise) {
   const double n = surface.fit.points;
   const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
-  const double waves = std::clamp(static_cast<double>(surface.region.size()) / kWave, 1.0, free);
+  const double waves =
+      std::clamp(static_cast<double>(surface.region.size()) / kSamplesPerWave, 1.0, free);
   const double common = common_noise * common_noise;
-  return surface.fit.rss / n * ((1.0 - common) * kWhite / free + common / waves);
+  return surface.fit.rss / n * ((1.0 - common) * kNoiseFactor / free + common / waves);
 }
 
 /// Covariance of the parameters of a family at the surface's fit; directions that the data leave
@@ -131,9 +142,9 @@ double variance_of_mean(const Surface& surface, double common_noise) {
 /// @param points       that the information sums over
 Eigen::MatrixXd covariance(const Eigen::MatrixXd& information, double points, double variance) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
-  const double largest = eigen.eigenvalues().tail<1>()[0];
+  const double min_known = kMinInformationShare * eigen.eigenvalues().tail<1>()[0];
   const Eigen::VectorXd inverse =
-      eigen.eigenvalues().unaryExpr([&](double l) { return l > 1e-10 * largest ? 1.0 / l : 0.0; });
+      eigen.eigenvalues().unaryExpr([&](double l) { return l > min_known ? 1.0 / l : 0.0; });
   return variance * points * eigen.eigenvectors() * inverse.asDiagonal() *
          eigen.eigenvectors().transpose();
 }
@@ -148,7 +159,7 @@ std::vector<double> deviations(const Surface& surface, const SurfaceSamples& sam
   double count = surface.fit.points;
   // That an ellipsoid is one of revolution is mostly our choice and not the scene's.
   if (form.type == QuadricType::kEllipsoid && family != Family::kGeneral) {
-    const FitPoints points = fit_points(samples, surface.region, surface.local, kPoints);
+    const FitPoints points = fit_points(samples, surface.region, surface.local, kInformationPoints);
     const std::optional<FamilyFit> at = refine(points, Family::kGeneral, surface.fit.posed, 0);
     if (at) {
       family = Family::kGeneral;

@@ -2,40 +2,46 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "fit/initial_fits.hpp"
 #include "samples/region.hpp"
+#include "surfaces/surface_fit.hpp"
 
 namespace quadrille {
 namespace {
 
-constexpr double kPartSigmas = 6.0, kPartShare = 0.7, kPartCosine = 0.94;
+// A strip is part of a plane if more than this share of it lies within so many sigma, which is
+// twice what a plane's own samples may be off, and if it is parallel within 20°.
+constexpr double kMinPartShare = 0.7, kMaxPartSigmas = 6.0, kMinPartCosine = 0.94;
+// A plane is large, and least squares have solved it before the first step: more points and fewer
+// steps than other fits take.
+constexpr int kFitPoints = 1000, kIterations = 2;
+// Independent measurements per sample, of which each was averaged over a cell.
+constexpr double kEffectiveShare = 0.25;
 
 /// True if most of a flat surface lies on the plane.
 bool lies_on(const Surface& flat, const SurfaceSamples& samples, const PlaneRegion& plane) {
   const Eigen::Vector3d n = plane.plane.head<3>();
-  if (std::abs(flat.Q.gradient(flat.local.centre).normalized().dot(n)) < kPartCosine) return false;
+  if (std::abs(flat.Q.gradient(flat.local.centre).normalized().dot(n)) < kMinPartCosine)
+    return false;
   const auto on = std::count_if(flat.region.begin(), flat.region.end(), [&](int i) {
     const double d = plane.plane.dot(samples.raw[i].cast<double>().homogeneous());
-    return std::abs(d) < kPartSigmas * samples.sigma[i];
+    return std::abs(d) < kMaxPartSigmas * samples.sigma[i];
   });
-  return static_cast<double>(on) > kPartShare * static_cast<double>(flat.region.size());
+  return static_cast<double>(on) > kMinPartShare * static_cast<double>(flat.region.size());
 }
 
 }  // namespace
 
 Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane) {
-  Surface surface;
-  surface.region = plane.samples;
-  surface.local = normalisation_of(samples, surface.region);
-  const FitPoints points = fit_points(samples, surface.region, surface.local, 1000);
-  PosedQuadric start;
-  if (const auto initial = initial_plane(points)) start = *initial;
-  if (auto fit = refine(points, Family::kPlane, start, 2)) surface.fit = std::move(*fit);
-  surface.Q = surface.local.to_frame(surface.fit.posed.matrix()).normalized();
-  surface.rms = surface.local.scale * std::sqrt(surface.fit.rss / surface.fit.points);
-  surface.effective_size = 0.25 * static_cast<double>(surface.region.size());
+  const Normalisation local = normalisation_of(samples, plane.samples);
+  const FitPoints points = fit_points(samples, plane.samples, local, kFitPoints);
+  const PosedQuadric start = initial_plane(points).value_or(PosedQuadric());
+  std::optional<FamilyFit> fit = refine(points, Family::kPlane, start, kIterations);
+  Surface surface = surface_of(plane.samples, local, fit ? std::move(*fit) : FamilyFit());
+  surface.effective_size = kEffectiveShare * static_cast<double>(surface.region.size());
   surface.confidence = 1.0;
   return surface;
 }

@@ -1,11 +1,14 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "samples/surface_samples.hpp"
 
 namespace quadrille {
+
+/// Where the normals of neighbours turn by less than this, 30°, the surface goes on smoothly: least
+/// cosine between them.
+inline constexpr float kMinSmoothCosine = 0.87f;
 
 /// The samples in connected parts, cut at creases and depth edges.
 class SmoothParts {
@@ -16,20 +19,8 @@ class SmoothParts {
   int part_of(int sample) const { return part_[sample]; }
   int size() const { return size_; }
 
-  /// Marks the samples as explained.
-  void claim(std::span<const int> region);
-  /// Per sample, nonzero if it was claimed.
-  const std::vector<char>& claimed() const { return claimed_; }
-
-  /// Samples that nothing has claimed, of the parts that a region lies in, and that it leaves over,
-  /// per sample of the region; each part counts by its share of the region.
-  double remainder(std::span<const int> region) const;
-
  private:
   std::vector<int> part_;
-  std::vector<char> claimed_;
-  /// Of each part, the samples that are not claimed.
-  std::vector<int> open_;
   int size_ = 0;
 };
 

@@ -6,8 +6,16 @@
 #include "fit/family_spec.hpp"
 #include "quadrille/detector/canonical.hpp"
 #include "samples/inliers.hpp"
+#include "surfaces/confidence.hpp"
 
 namespace quadrille {
+namespace {
+
+// A dimension below this many sigma is noise, and so is an angle [rad] that opens by no more over
+// the size of the region.
+constexpr double kMinLengthSigmas = 3.0, kMinAngle = 0.02;
+
+}  // namespace
 
 double mean_sigma(const SurfaceSamples& samples, std::span<const int> region) {
   double sum = 0;
@@ -23,17 +31,17 @@ double confidence_of(const Surface& surface) {
 bool is_thin(const Surface& surface, const SurfaceSamples& samples) {
   const CanonicalForm form = canonical_form(surface.fit.posed);
   if (is_imaginary(form.type)) return true;
-  double least = 3.0 * mean_sigma(samples, surface.region) / surface.local.scale;
+  double min_length = kMinLengthSigmas * mean_sigma(samples, surface.region) / surface.local.scale;
   if (form.type == QuadricType::kHyperbolicCylinder) {
-    least = std::max(least, samples.cell[surface.region.front()] / surface.local.scale);
+    min_length = std::max(min_length, samples.cell[surface.region.front()] / surface.local.scale);
   }
   const bool paraboloid = form.type == QuadricType::kEllipticParaboloid ||
                           form.type == QuadricType::kHyperbolicParaboloid;
   return std::any_of(form.dimensions.begin(), form.dimensions.end(), [&](const auto& dimension) {
     const auto& [name, value] = dimension;
     // A paraboloid x² = 4 f z is 2 √f wide at the distance one, the size of the region.
-    if (paraboloid) return 2.0 * std::sqrt(value) < least;
-    return value < (is_angle(name) ? 0.02 : least);
+    if (paraboloid) return 2.0 * std::sqrt(value) < min_length;
+    return value < (is_angle(name) ? kMinAngle : min_length);
   });
 }
 

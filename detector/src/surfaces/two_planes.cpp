@@ -1,10 +1,10 @@
 #include "surfaces/two_planes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "samples/plane_sums.hpp"
 #include "samples/region.hpp"
 
 namespace quadrille {
@@ -12,35 +12,18 @@ namespace {
 
 constexpr int kNormalRounds = 5, kDistanceRounds = 4;
 // More samples place the planes no better.
-constexpr std::size_t kEnough = 400;
+constexpr std::size_t kMaxSamples = 400;
+// The plane of too few samples: so far away that none of them is nearer to it.
+const Eigen::Vector4d kFarPlane(0, 0, 0, 1e3);
 
-/// Sums over the samples on one side, for its plane by least squares.
-struct Side {
-  double n = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  /// The lower triangle alone counts.
-  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
-
-  void add(const Eigen::Vector4d& x) {
-    n += 1;
-    sum += x.head<3>();
-    square(0, 0) += x[0] * x[0];
-    square(1, 0) += x[1] * x[0];
-    square(2, 0) += x[2] * x[0];
-    square(1, 1) += x[1] * x[1];
-    square(2, 1) += x[2] * x[1];
-    square(2, 2) += x[2] * x[2];
-  }
-  /// Far away if the samples are too few.
-  Eigen::Vector4d plane() const {
-    if (n < 3) return {0, 0, 0, 1e3};
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-    const Eigen::Matrix3d full = square.selfadjointView<Eigen::Lower>();
-    eigen.computeDirect(full / n - sum * sum.transpose() / (n * n));
-    const Eigen::Vector3d m = eigen.eigenvectors().col(0);
-    return {m.x(), m.y(), m.z(), -m.dot(sum) / n};
-  }
-};
+/// The plane through positions about the origin, where nothing is lost by taking the mean out of
+/// the sums last.
+Eigen::Vector4d plane_of(const PlaneSums& sums) {
+  if (sums.n < 3) return kFarPlane;
+  const Eigen::Vector3d m = min_spread_direction(
+      sums.squares() / sums.n - sums.sum * sums.sum.transpose() / (sums.n * sums.n));
+  return {m.x(), m.y(), m.z(), -m.dot(sums.sum) / sums.n};
+}
 
 /// The samples relative to an origin, homogeneous.
 std::vector<Eigen::Vector4d> positions_of(const SurfaceSamples& samples,
@@ -89,18 +72,18 @@ std::vector<char> part_by_normals(const SurfaceSamples& samples, std::span<const
 }  // namespace
 
 double two_planes_rss(const SurfaceSamples& samples, std::span<const int> region) {
-  const std::vector<int> some = spread_evenly(region, kEnough);
+  const std::vector<int> some = spread_evenly(region, kMaxSamples);
   std::vector<char> side = part_by_normals(samples, some);
   // Near an edge the smoothed normals lie between the faces: from here on the distance decides.
   const std::vector<Eigen::Vector4d> positions =
       positions_of(samples, some, samples.raw[some[0]].cast<double>());
   double rss = 0;
   for (int round = 0; round < kDistanceRounds; ++round) {
-    std::array<Side, 2> sides;
+    std::array<PlaneSums, 2> sides;
     for (std::size_t r = 0; r < some.size(); ++r) {
-      sides[static_cast<std::size_t>(side[r])].add(positions[r]);
+      sides[static_cast<std::size_t>(side[r])].add(positions[r].head<3>());
     }
-    const Eigen::Vector4d first = sides[0].plane(), second = sides[1].plane();
+    const Eigen::Vector4d first = plane_of(sides[0]), second = plane_of(sides[1]);
     rss = 0;
     for (std::size_t r = 0; r < some.size(); ++r) {
       const double a = std::abs(first.dot(positions[r])), b = std::abs(second.dot(positions[r]));

@@ -36,21 +36,21 @@ class Matching {
   /// Beyond the true columns each row has one of its own, in which it is alone.
   double cost(int row, int column) const {
     const int own = column - static_cast<int>(cost_.cols());
-    if (own > 0) return own == row ? alone_ : kForbidden * alone_;
+    if (own > 0) return own == row ? alone_ : kForbiddenCost * alone_;
     const double c = cost_(row - 1, column - 1);
-    return c < alone_ ? c : kForbidden * alone_;
+    return c < alone_ ? c : kForbiddenCost * alone_;
   }
 
   /// Matches one more row along the shortest augmenting path.
   void add(int row) {
-    std::vector<double> least(v_.size(), std::numeric_limits<double>::infinity());
+    std::vector<double> min_cost(v_.size(), std::numeric_limits<double>::infinity());
     std::vector<int> from(v_.size(), 0);
     std::vector<char> done(v_.size(), 0);
     row_of_[0] = row;
     int column = 0;
     do {
       done[column] = 1;
-      column = extend(column, done, &least, &from);
+      column = extend(column, done, &min_cost, &from);
     } while (row_of_[column] != 0);
     while (column != 0) {
       row_of_[column] = row_of_[from[column]];
@@ -59,7 +59,7 @@ class Matching {
   }
 
   /// Grows the tree of shortest paths by one column, which it returns.
-  int extend(int column, const std::vector<char>& done, std::vector<double>* least,
+  int extend(int column, const std::vector<char>& done, std::vector<double>* min_cost,
              std::vector<int>* from) {
     const int row = row_of_[column];
     int next = 0;
@@ -67,12 +67,12 @@ class Matching {
     for (int j = 1; j <= columns_; ++j) {
       if (done[j]) continue;
       const double reduced = cost(row, j) - u_[row] - v_[j];
-      if (reduced < (*least)[j]) {
-        (*least)[j] = reduced;
+      if (reduced < (*min_cost)[j]) {
+        (*min_cost)[j] = reduced;
         (*from)[j] = column;
       }
-      if ((*least)[j] < delta) {
-        delta = (*least)[j];
+      if ((*min_cost)[j] < delta) {
+        delta = (*min_cost)[j];
         next = j;
       }
     }
@@ -81,14 +81,14 @@ class Matching {
         u_[row_of_[j]] += delta;
         v_[j] -= delta;
       } else {
-        (*least)[j] -= delta;
+        (*min_cost)[j] -= delta;
       }
     }
     return next;
   }
 
-  /// So dear, in multiples of staying alone, that no sum gains by it.
-  static constexpr double kForbidden = 1e6;
+  /// In multiples of staying alone: so dear that no sum of costs gains by it.
+  static constexpr double kForbiddenCost = 1e6;
 
   const Eigen::MatrixXd& cost_;
   const double alone_;

@@ -7,8 +7,21 @@
 namespace quadrille {
 namespace {
 
-// Lines through the extent, on each side of the grid.
+// Lines through the extent, on each side of the grid: some forty points on a face tell where it is.
 constexpr int kLines = 6;
+// An extent counts as wider by this share of the patch's size and so many rms on each side: its
+// ends are as uncertain.
+constexpr double kMarginShare = 0.1, kMarginRms = 2.0;
+// What lies outside of the other's extent by this share of the size counts half.
+constexpr double kHalfWeightShare = 0.05;
+// Gauss-Newton steps at most, and the share of the size by which the last one moves the patch.
+constexpr int kMaxRounds = 12;
+constexpr double kMinStepShare = 1e-3;
+// Weight of no shift. Small beside the share of normals along any axis of a curved surface, so that
+// only what slides is held back.
+constexpr double kRegularisation = 0.003;
+// Least size of a patch [m].
+constexpr double kMinSize = 1e-6;
 
 /// Adds the points of the quadric on lines along one axis of the extent, as far as that axis is the
 /// one that the surface faces: the three axes together cover it about evenly.
@@ -32,8 +45,9 @@ void add_points_along(int axis, const Quadric& Q_Q, const Eigen::AlignedBox3d& b
 }
 
 /// The extent, a little wider: a plane's has no more thickness than its noise.
-Eigen::AlignedBox3d widened(const SeenPatch& patch, double share) {
-  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(share * patch.size + 2.0 * patch.rms);
+Eigen::AlignedBox3d widened(const SeenPatch& patch) {
+  const Eigen::Vector3d margin =
+      Eigen::Vector3d::Constant(kMarginShare * patch.size + kMarginRms * patch.rms);
   return {patch.extent_Q.min() - margin, patch.extent_Q.max() + margin};
 }
 
@@ -51,18 +65,19 @@ struct Meeting {
 /// The points of `patch`, moved by sign * shift, as they meet the other.
 void add_meetings(const SeenPatch& patch, const SeenPatch& other, const Eigen::Vector3d& shift_W,
                   double sign, std::vector<Meeting>* meetings) {
-  const Eigen::AlignedBox3d box = widened(other, 0.1);
-  const double largest = std::max(patch.size, other.size);
+  const Eigen::AlignedBox3d box = widened(other);
+  const double max_distance = std::max(patch.size, other.size);
   for (std::size_t i = 0; i < patch.points_W.size(); ++i) {
     const Eigen::Vector3d x = patch.points_W[i] + sign * shift_W;
     const Eigen::Vector4d h = other.Q_W.matrix() * x.homogeneous();
     const double length = h.head<3>().norm();
     Meeting meeting;
     meeting.outside = std::sqrt(box.squaredExteriorDistance(other.X_QW * x));
-    meeting.distance = largest;
+    meeting.distance = max_distance;
     if (length > 0.0) {
       const Eigen::Vector3d n = h.head<3>() / length;
-      meeting.distance = std::clamp(0.5 * x.homogeneous().dot(h) / length, -largest, largest);
+      meeting.distance =
+          std::clamp(0.5 * x.homogeneous().dot(h) / length, -max_distance, max_distance);
       meeting.slope = sign * n;
       meeting.cosine = n.dot(patch.normals_W[i]);
     }
@@ -87,18 +102,15 @@ Meetings meet(const SeenPatch& from, const SeenPatch& to, const Eigen::Vector3d&
 
 /// What lies outside of the other's extent counts little: there a fit is a guess.
 double weight_of(const Meeting& meeting, double size) {
-  const double ratio = meeting.outside / (0.05 * size);
+  const double ratio = meeting.outside / (kHalfWeightShare * size);
   return 1.0 / (1.0 + ratio * ratio);
 }
 
 /// The least shift that brings the surfaces together.
 Eigen::Vector3d find_shift(const SeenPatch& from, const SeenPatch& to) {
-  // Small beside the share of normals along any axis of a curved surface, so that only what slides
-  // is held back.
-  constexpr double kReluctance = 0.003;
-  const double size = std::max({from.size, to.size, 1e-6});
+  const double size = std::max({from.size, to.size, kMinSize});
   Eigen::Vector3d shift = to.centre_W - from.centre_W;
-  for (int round = 0; round < 12; ++round) {
+  for (int round = 0; round < kMaxRounds; ++round) {
     Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
     Eigen::Vector3d b = Eigen::Vector3d::Zero();
     double sum = 0.0;
@@ -108,11 +120,11 @@ Eigen::Vector3d find_shift(const SeenPatch& from, const SeenPatch& to) {
       b -= weight * (meeting.distance - meeting.slope.dot(shift)) * meeting.slope;
       sum += weight;
     }
-    H.diagonal().array() += kReluctance * sum + 1e-12;
+    H.diagonal().array() += kRegularisation * sum + 1e-12;
     const Eigen::Vector3d next = H.ldlt().solve(b);
     const double change = (next - shift).norm();
     shift = next;
-    if (change < 1e-3 * size) break;
+    if (change < kMinStepShare * size) break;
   }
   return shift;
 }
@@ -186,7 +198,7 @@ PatchMatch match_patches(const SeenPatch& from, const SeenPatch& to) {
   PatchMatch match;
   match.shift_W = find_shift(from, to);
   const Meetings meetings = meet(from, to, match.shift_W);
-  const double size = std::max({from.size, to.size, 1e-6});
+  const double size = std::max({from.size, to.size, kMinSize});
   double sum = 0.0, squares = 0.0, turns = 0.0;
   for (const Meeting& meeting : meetings.list) {
     const double weight = weight_of(meeting, size);

@@ -36,8 +36,8 @@ SeenPatch translated(SeenPatch patch, const Eigen::Vector3d& shift_W);
 
 /// How one patch can be carried onto another.
 struct PatchMatch {
-  /// The least translation that does: none along directions in which the surfaces slide, such as a
-  /// plane in itself or a cylinder along its axis, for there it cannot be told [m].
+  /// The shortest translation that does: none along directions in which the surfaces slide, such as
+  /// a plane in itself or a cylinder along its axis, for there it cannot be told [m].
   Eigen::Vector3d shift_W = Eigen::Vector3d::Zero();
   /// Root mean square distance of the surfaces after it, where both were seen [m].
   double residual = 0.0;

@@ -12,17 +12,30 @@
 namespace quadrille {
 namespace {
 
-/// Frames for which any track is remembered, and tracks that are remembered at most.
+// Frames for which any track is remembered, and tracks that are remembered at most: the time of an
+// assignment grows with their cube.
 constexpr int kMinFramesKept = 3;
 constexpr std::size_t kMaxTracks = 256;
+// Beside the noise, fits of two views differ by this share of the size, and by this length [m].
+constexpr double kFitShare = 0.03, kFitLength = 0.002;
+// Standard deviation of a dimension beside the published one, as a share of its value: types and
+// seen parts change.
+constexpr double kDimensionShare = 0.1;
+// What a dimension costs at most: one wild fit is no other object.
+constexpr double kMaxDimensionCost = 4.0;
+// What another type costs instead of its dimensions, which cannot be compared.
+constexpr double kOtherTypeCost = 0.5;
+// Standard deviations of the turn of normals, and of the gap over the size.
+constexpr double kTurnDeviation = 0.35, kGapDeviation = 0.25;
+// Least size, noise [m] and variance of a place [m²] to divide by.
+constexpr double kMinLength = 1e-6, kMinVariance = 1e-12;
 
 double squared(double x) { return x * x; }
 
-/// Standard deviation of where a patch is along its normals [m]. Beside the noise, fits of two
-/// views differ by some share of the size, and by what the sensor's own error changes with the
-/// view, however many points they rest on.
+/// Standard deviation of where a patch is along its normals [m], however many points it rests on:
+/// the sensor's own error changes with the view.
 double place_deviation(const SeenPatch& patch) {
-  return std::hypot(patch.rms, 0.03 * patch.size, 0.002);
+  return std::hypot(patch.rms, kFitShare * patch.size, kFitLength);
 }
 
 /// True if a dimension tells what was seen and not what is there.
@@ -30,20 +43,17 @@ bool depends_on_view(std::string_view dimension) {
   return dimension == "length" || dimension == "width" || dimension == "height";
 }
 
-/// Mean squared difference of the dimensions that both have, in standard deviations as published;
-/// a tenth of the value is added, for types and seen parts that change.
+/// Mean squared difference of the dimensions that both have, in standard deviations.
 double compare_dimensions(const std::vector<Dimension>& a, const std::vector<Dimension>& b) {
-  // One wild fit is no other object.
-  constexpr double kMax = 4.0;
   double sum = 0.0;
   int count = 0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
     if (a[i].name != b[i].name || depends_on_view(a[i].name)) continue;
-    const double scale = 0.1 * std::max(std::abs(a[i].value), std::abs(b[i].value));
+    const double scale = kDimensionShare * std::max(std::abs(a[i].value), std::abs(b[i].value));
     const double variance = squared(a[i].std) + squared(b[i].std) + squared(scale);
     // Deviations that could not be estimated leave nothing to compare.
     if (!std::isfinite(variance) || !(variance > 0.0)) continue;
-    sum += std::min(kMax, squared(a[i].value - b[i].value) / variance);
+    sum += std::min(kMaxDimensionCost, squared(a[i].value - b[i].value) / variance);
     ++count;
   }
   return count > 0 ? sum / count : 0.0;
@@ -51,11 +61,10 @@ double compare_dimensions(const std::vector<Dimension>& a, const std::vector<Dim
 
 /// Squared difference in shape and extent, in standard deviations.
 double compare_shapes(const PatchMatch& match, const SeenPatch& a, const SeenPatch& b) {
-  constexpr double kTurn = 0.35, kGap = 0.25;
-  const double size = std::max(1e-6, 0.5 * (a.size + b.size));
-  const double noise = std::hypot(a.rms, b.rms, 0.03 * size) + 1e-6;
-  return squared(match.residual / noise) + squared(match.turn / kTurn) +
-         squared(match.gap / (kGap * size)) + (1.0 - match.overlap);
+  const double size = std::max(kMinLength, 0.5 * (a.size + b.size));
+  const double noise = std::hypot(a.rms, b.rms, kFitShare * size) + kMinLength;
+  return squared(match.residual / noise) + squared(match.turn / kTurnDeviation) +
+         squared(match.gap / (kGapDeviation * size)) + (1.0 - match.overlap);
 }
 
 void require(bool fine, const char* message) {
@@ -143,18 +152,17 @@ Tracker::Pairing Tracker::compare(const Track& track, const Detection& detection
   const double variance = squared(place_deviation(track.patch)) + squared(place_deviation(patch)) +
                           track.velocity_variance * t * t +
                           squared(0.5 * options_.acceleration * t * t);
-  const double most = squared(options_.gate);
+  const double max_cost = squared(options_.gate);
   // What lies farther off is another, though a plane that slides in itself has no shift. The part
   // that was seen may have changed by as much as it is large.
-  const double reach = options_.gate * std::sqrt(variance) + track.patch.size + patch.size;
-  if ((patch.centre_W - track.patch.centre_W).norm() > reach) return {};
+  const double max_distance = options_.gate * std::sqrt(variance) + track.patch.size + patch.size;
+  if ((patch.centre_W - track.patch.centre_W).norm() > max_distance) return {};
   const PatchMatch match = match_patches(track.patch, patch);
-  const double place = match.shift_W.squaredNorm() / std::max(variance, 1e-12);
-  if (!(place < most)) return {};
-  constexpr double kOtherType = 0.5;
+  const double place = match.shift_W.squaredNorm() / std::max(variance, kMinVariance);
+  if (!(place < max_cost)) return {};
   const double named = track.type == detection.type
                            ? compare_dimensions(track.dimensions, detection.dimensions)
-                           : kOtherType;
+                           : kOtherTypeCost;
   return {match.shift_W, place + compare_shapes(match, track.patch, patch) + named};
 }
 
@@ -165,8 +173,9 @@ void Tracker::pair_those(bool just_seen, const std::vector<SeenPatch>& patches,
                          std::vector<Detection>* detections) {
   std::vector<Track*> tracks;
   for (Track& track : tracks_) {
-    if (track.frames_unseen > 0 && (track.frames_unseen == 1) == just_seen)
+    if (track.frames_unseen > 0 && (track.frames_unseen == 1) == just_seen) {
       tracks.push_back(&track);
+    }
   }
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < detections->size(); ++i) {

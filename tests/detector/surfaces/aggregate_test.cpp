@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "quadrille/detector/canonical.hpp"
 #include "support/catch.hpp"
@@ -64,7 +65,8 @@ TEST_CASE("a good candidate becomes a surface, fitted and with its samples claim
           "[aggregate]") {
   const SurfaceSamples samples = cylinder();
   Aggregation aggregation(samples, {}, {});
-  aggregation.offer({candidate_of(cylinder_quadric(1.02 * kRadius), 0, kRows)}, false);
+  aggregation.offer({candidate_of(cylinder_quadric(1.02 * kRadius), 0, kRows)},
+                    SearchLevel::kFinest);
   REQUIRE(aggregation.surfaces().size() == 1);
   const Surface& surface = aggregation.surfaces()[0];
   CHECK(surface.fit.family == Family::kCylinder);
@@ -80,7 +82,7 @@ TEST_CASE("the two ends of a cylinder behind an occluder become one surface", "[
   Candidate lower = candidate_of(cylinder_quadric(kRadius), 0, 24);
   Candidate upper = candidate_of(cylinder_quadric(0.98 * kRadius), 24, 48);
   Aggregation aggregation(samples, {}, {});
-  aggregation.offer({lower, upper}, false);
+  aggregation.offer({lower, upper}, SearchLevel::kFinest);
   REQUIRE(aggregation.surfaces().size() == 1);
   CHECK(aggregation.surfaces()[0].region.size() > 0.97 * samples.size());
   CHECK(radius_of(aggregation.surfaces()[0]) == Approx(kRadius).epsilon(0.01));
@@ -99,7 +101,7 @@ TEST_CASE("two cylinders of different radius stay two", "[aggregate]") {
   Aggregation aggregation(samples, {}, {});
   aggregation.offer({candidate_of(cylinder_quadric(kRadius), 0, kRows / 2),
                      candidate_of(cylinder_quadric(0.7 * kRadius), kRows / 2, kRows)},
-                    false);
+                    SearchLevel::kFinest);
   REQUIRE(aggregation.surfaces().size() == 2);
   std::vector<double> radii = {radius_of(aggregation.surfaces()[0]),
                                radius_of(aggregation.surfaces()[1])};
@@ -128,7 +130,7 @@ TEST_CASE("a dome that goes over smoothly into its post is a surface of its own"
   Candidate dome = candidate_of(Quadric(sphere), kPost + 2, kPost + kDome);
   dome.family = Family::kSphere;
   Aggregation aggregation(samples, {}, {});
-  aggregation.offer({post, dome}, false);
+  aggregation.offer({post, dome}, SearchLevel::kFinest);
   REQUIRE(aggregation.surfaces().size() == 2);
   CHECK(radius_of(aggregation.surfaces()[0]) == Approx(kRadius).epsilon(0.02));
   const Surface& top = aggregation.surfaces()[1];
@@ -141,32 +143,54 @@ TEST_CASE("a candidate whose samples are claimed is dropped", "[aggregate]") {
   const SurfaceSamples samples = cylinder();
   Aggregation aggregation(samples, {}, {});
   const Candidate whole = candidate_of(cylinder_quadric(kRadius), 0, kRows);
-  aggregation.offer({whole, whole, candidate_of(cylinder_quadric(kRadius), 10, 30)}, false);
+  aggregation.offer({whole, whole, candidate_of(cylinder_quadric(kRadius), 10, 30)},
+                    SearchLevel::kFinest);
   CHECK(aggregation.surfaces().size() == 1);
-  aggregation.offer({whole}, false);
+  aggregation.offer({whole}, SearchLevel::kFinest);
   CHECK(aggregation.surfaces().size() == 1);
 }
 
-TEST_CASE("a box edge is no curved surface", "[aggregate]") {
-  const SurfaceSamples samples = surface_grid(
+namespace {
+
+/// A box edge that candidates of cylinders follow.
+SurfaceSamples edge() {
+  return surface_grid(
       kColumns, kRows,
       [](int i, int j) {
         const double s = (i - 12) * 0.004, z = j * 0.004;
         // The normals of windows across the edge turn smoothly from face to face.
-        const double turn = std::clamp(0.5 + 0.2 * (i - 12), 0.0, 1.0) * M_PI_2;
+        const double turn = std::clamp(0.5 + 0.2 * (i - 12), 0.0, 1.0) * std::numbers::pi / 2;
         const Eigen::Vector3d n(std::cos(turn), std::sin(turn), 0);
         return OrientedPoint{s < 0 ? Eigen::Vector3d(0, s, z) : Eigen::Vector3d(-s, 0, z), n};
       },
       0.004, 0.0, 3);
+}
+
+long curved_surfaces_on_edge(double radius, SearchLevel level, const AggregateOptions& options) {
+  const SurfaceSamples samples = edge();
+  Aggregation aggregation(samples, options, {});
+  const Quadric Q = cylinder_quadric(radius).transformed(translation(-radius, -radius, 0));
+  aggregation.offer({candidate_of(Q, 0, kRows)}, level);
+  const std::vector<Surface>& found = aggregation.surfaces();
+  return std::count_if(found.begin(), found.end(),
+                       [](const Surface& s) { return s.fit.family != Family::kPlane; });
+}
+
+}  // namespace
+
+TEST_CASE("a box edge is no curved surface", "[aggregate]") {
+  AggregateOptions credulous;
+  credulous.min_confidence_early = 0.0;
+  credulous.max_residual_early = 100.0;
+  long found_without_confidence = 0;
   for (const double radius : {0.01, 0.03, 0.06}) {
-    Aggregation aggregation(samples, {}, {});
-    const Quadric Q(diagonal(1, 1, 0, -radius * radius));
-    Eigen::Isometry3d X = translation(-radius, -radius, 0);
-    aggregation.offer({candidate_of(Q.transformed(X), 0, kRows)}, false);
-    for (const Surface& surface : aggregation.surfaces()) {
-      CHECK(surface.fit.family == Family::kPlane);
-    }
+    CAPTURE(radius);
+    CHECK(curved_surfaces_on_edge(radius, SearchLevel::kCoarse, {}) == 0);
+    CHECK(curved_surfaces_on_edge(radius, SearchLevel::kFinest, {}) == 0);
+    found_without_confidence += curved_surfaces_on_edge(radius, SearchLevel::kCoarse, credulous);
   }
+  // The candidates are such that whoever asks for no confidence accepts them.
+  CHECK(found_without_confidence >= 2);
 }
 
 TEST_CASE("early on only clear cases are accepted, the others wait", "[aggregate]") {
@@ -174,16 +198,16 @@ TEST_CASE("early on only clear cases are accepted, the others wait", "[aggregate
   AggregateOptions options;
   options.min_confidence_early = 1.0;
   Aggregation aggregation(samples, options, {});
-  aggregation.offer({candidate_of(cylinder_quadric(kRadius), 0, kRows)}, true);
+  aggregation.offer({candidate_of(cylinder_quadric(kRadius), 0, kRows)}, SearchLevel::kCoarse);
   CHECK(aggregation.surfaces().empty());
-  aggregation.offer({}, false);
+  aggregation.offer({}, SearchLevel::kFinest);
   CHECK(aggregation.surfaces().size() == 1);
 }
 
 TEST_CASE("too few samples or no candidates make no surface", "[aggregate][degenerate]") {
   const SurfaceSamples samples = cylinder();
   Aggregation aggregation(samples, {}, {});
-  aggregation.offer({}, false);
-  aggregation.offer({candidate_of(cylinder_quadric(kRadius), 0, 1)}, false);
+  aggregation.offer({}, SearchLevel::kFinest);
+  aggregation.offer({candidate_of(cylinder_quadric(kRadius), 0, 1)}, SearchLevel::kFinest);
   CHECK(aggregation.surfaces().empty());
 }

@@ -6,6 +6,7 @@
 #include "samples/region.hpp"
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"
+#include "surfaces/confidence.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -64,13 +65,6 @@ TEST_CASE("a smooth border at which another surface begins speaks against none",
         Approx(0.5 * alone).epsilon(0.05));
 }
 
-TEST_CASE("the prior shifts the log odds of the confidence", "[evidence]") {
-  const SurfaceSamples samples = cylinder_grid(25, 40, kRadius, 0.004, 0.0005, 2);
-  const Evidence e = collect_evidence(samples, all_of(samples), cylinder_quadric());
-  const auto log_odds = [](double p) { return std::log(p / (1.0 - p)); };
-  CHECK(log_odds(confidence(e, 5, -2.0)) == Approx(log_odds(confidence(e, 5)) - 2.0));
-}
-
 TEST_CASE("border, edge and thickness are those of the closed form", "[evidence]") {
   const SurfaceSamples samples = cylinder_grid(21, 30, kRadius, 0.004, 0.0, 1);
   const Evidence whole = collect_evidence(samples, all_of(samples), cylinder_quadric());
@@ -125,41 +119,4 @@ TEST_CASE("residuals that neighbours share are a misfit, white noise and small f
   const double off = kRadius + 0.02 * size;
   const Quadric wide(diagonal(1, 1, 0, -off * off));
   CHECK(collect_evidence(exact, all_of(exact), wide).misfit == Approx(1.0).epsilon(0.05));
-}
-
-TEST_CASE("many samples that two planes explain as well are a box edge, few may be anything",
-          "[evidence]") {
-  Evidence e;
-  e.spread = 1.0;
-  const auto gain = [&](double log_count) {
-    e.log_count = log_count;
-    e.two_planes = 0.1;
-    const double edge = confidence(e, 5);
-    e.two_planes = 1.0;
-    const double round = confidence(e, 5);
-    return std::log(round / (1 - round)) - std::log(edge / (1 - edge));
-  };
-  CHECK(gain(6.0) > gain(4.0) + 1.0);
-}
-
-TEST_CASE("confidence lies in (0, 1) and moves with each piece of evidence", "[evidence]") {
-  Evidence e;
-  e.log_count = 3.0, e.spread = 1.0, e.smooth_border = 0.1, e.two_planes = 1.0;
-  const double base = confidence(e, 5);
-  CHECK(base > 0.0);
-  CHECK(base < 1.0);
-  const auto changed = [&](double Evidence::*field, double by) {
-    Evidence other = e;
-    other.*field += by;
-    return confidence(other, 5);
-  };
-  CHECK(changed(&Evidence::log_count, 1.0) > base);
-  CHECK(changed(&Evidence::smooth_border, 0.1) < base);
-  CHECK(changed(&Evidence::open_border, 0.1) < base);
-  CHECK(changed(&Evidence::depth_edge, 0.1) < base);
-  CHECK(changed(&Evidence::thickness, 0.1) < base);
-  CHECK(changed(&Evidence::two_planes, 1.0) > base);
-  CHECK(changed(&Evidence::misfit, 0.5) < base);
-  CHECK(changed(&Evidence::remainder, 0.5) < base);
-  CHECK(confidence(e, 9) < base);
 }

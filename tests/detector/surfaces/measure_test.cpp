@@ -20,7 +20,7 @@ std::optional<Surface> surface_of(const SurfaceSamples& samples, const Quadric& 
   candidate.Q = Q;
   candidate.family = family;
   candidate.region = all_of(samples);
-  aggregation.offer({candidate}, false);
+  aggregation.offer({candidate}, SearchLevel::kFinest);
   if (aggregation.surfaces().size() != 1) return std::nullopt;
   return aggregation.surfaces()[0];
 }

@@ -22,14 +22,6 @@ SurfaceSamples box_edge() {
       0.004, 0.0, 1);
 }
 
-std::vector<int> columns(int from, int to) {
-  std::vector<int> list;
-  for (int k = 0; k < kColumns * kRows; ++k) {
-    if (k % kColumns >= from && k % kColumns < to) list.push_back(k);
-  }
-  return list;
-}
-
 }  // namespace
 
 TEST_CASE("smooth parts end at creases and nowhere else", "[smooth_parts]") {
@@ -39,18 +31,4 @@ TEST_CASE("smooth parts end at creases and nowhere else", "[smooth_parts]") {
   for (int k = 0; k < edge.size(); ++k) CHECK(two.part_of(k) == (k % kColumns < 10 ? 0 : 1));
   CHECK(SmoothParts(cylinder_grid(20, 10, 0.04, 0.004, 0.0, 1)).size() == 1);
   CHECK(SmoothParts(SurfaceSamples()).size() == 0);
-}
-
-TEST_CASE("the remainder is what a region leaves over of its parts", "[smooth_parts]") {
-  SmoothParts parts(box_edge());
-  CHECK(parts.remainder(columns(0, 10)) == 0.0);
-  // Four of ten columns: six are left.
-  CHECK(parts.remainder(columns(0, 4)) == Approx(1.5));
-  // Half of the region lies in each part, each of which leaves 5 of its 10 columns over.
-  CHECK(parts.remainder(columns(5, 15)) == Approx(0.5));
-  // What another surface holds is explained, and a claimed region leaves the same over.
-  parts.claim(columns(0, 7));
-  CHECK(parts.remainder(columns(0, 4)) == Approx(0.75));
-  parts.claim(columns(0, 7));
-  CHECK(parts.remainder(columns(0, 4)) == Approx(0.75));
 }

@@ -11,9 +11,9 @@ namespace quadrille {
 namespace {
 
 // Coordinates of bricks take 19 bits.
-constexpr float kFarthestBrick = 1 << 19;
+constexpr float kMaxBrick = 1 << 19;
 
-constexpr float kFar = std::numeric_limits<float>::infinity();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // Voxels are looked at in runs of this many, side by side whatever the width of the vectors.
 constexpr int kLanes = 8;
 using Lanes __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = float;
@@ -95,8 +95,8 @@ VoxelFinder::VoxelFinder(const VoxelGrid& grid, float radius, std::span<const ch
     : grid_(grid),
       keep_(keep),
       radius_(radius),
-      reach_(static_cast<int>(std::min(kFarthestBrick, std::ceil(radius / (4 * grid.edge()))))),
-      home_(VoxelGrid::kNowhere) {}
+      reach_(static_cast<int>(std::min(kMaxBrick, std::ceil(radius / (4 * grid.edge()))))),
+      home_(VoxelGrid::kNoKey) {}
 
 void VoxelFinder::find_bricks(int x, int y, int z) {
   bricks_.clear();
@@ -137,10 +137,10 @@ void VoxelFinder::gather_around(const Eigen::Vector3f& p) {
   if (home == home_) return;
   home_ = home;
   find_bricks(x, y, z);
-  std::size_t most = kLanes;
-  for (const VoxelGrid::Brick* brick : bricks_) most += static_cast<std::size_t>(brick->size);
-  voxel_.resize(most);
-  for (std::vector<float>* axis : {&x_, &y_, &z_}) axis->resize(most);
+  std::size_t max_size = kLanes;
+  for (const VoxelGrid::Brick* brick : bricks_) max_size += static_cast<std::size_t>(brick->size);
+  voxel_.resize(max_size);
+  for (std::vector<float>* axis : {&x_, &y_, &z_}) axis->resize(max_size);
   const Eigen::AlignedBox3f box = grid_.box_of_brick(x, y, z, radius_);
   const Eigen::Vector3f low = box.min(), high = box.max();
   // Each voxel is written and stays if it counts, without a branch.
@@ -157,7 +157,7 @@ void VoxelFinder::gather_around(const Eigen::Vector3f& p) {
   voxel_.resize(n);
   for (std::vector<float>* axis : {&x_, &y_, &z_}) {
     std::fill(axis->begin() + static_cast<std::ptrdiff_t>(n),
-              axis->begin() + static_cast<std::ptrdiff_t>(padded), kFar);
+              axis->begin() + static_cast<std::ptrdiff_t>(padded), kInfinity);
     axis->resize(padded);
   }
   distance_.resize(padded);
@@ -191,11 +191,11 @@ int VoxelFinder::collect_near(int runs) {
       near_voxel_[found++] = voxel_[k];
     }
   }
-  std::fill_n(near_distance_.begin() + found, kLanes, kFar);
+  std::fill_n(near_distance_.begin() + found, kLanes, kInfinity);
   return found;
 }
 
-PlaneMoments VoxelFinder::moments(const Eigen::Vector3f& p, float reach, int most,
+PlaneMoments VoxelFinder::moments(const Eigen::Vector3f& p, float reach, int max_count,
                                   std::vector<int>* nearest) {
   gather_around(p);
   Ball ball{p.x(), p.y(), p.z(), radius_ * radius_, reach * reach, {}};
@@ -206,10 +206,10 @@ PlaneMoments VoxelFinder::moments(const Eigen::Vector3f& p, float reach, int mos
   // Equally near ones share a rank: of the last rank there may be more than there is room for.
   int last = -1, nearer = 0;
   for (int k = 0; k < near; ++k) {
-    if (rank_[k] < most) last = std::max(last, rank_[k]);
+    if (rank_[k] < max_count) last = std::max(last, rank_[k]);
   }
   for (int k = 0; k < near; ++k) nearer += rank_[k] < last;
-  int left = most - nearer;
+  int left = max_count - nearer;
   nearest->clear();
   for (int k = 0; k < near; ++k) {
     if (rank_[k] < last || (rank_[k] == last && left-- > 0)) nearest->push_back(near_voxel_[k]);

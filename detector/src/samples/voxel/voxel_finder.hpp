@@ -23,10 +23,11 @@ class VoxelFinder {
   const std::vector<int>& within(const Eigen::Vector3f& p);
 
   /// Sums over the offsets from p of the voxels' means within the radius.
-  /// @param reach    radius of what is near [m]
-  /// @param most     voxels to find there
-  /// @param nearest  gets the voxels nearest to p, also the one whose mean p is
-  PlaneMoments moments(const Eigen::Vector3f& p, float reach, int most, std::vector<int>* nearest);
+  /// @param reach      radius of what is near [m]
+  /// @param max_count  voxels to find there at most
+  /// @param nearest    gets the voxels nearest to p, also the one whose mean p is
+  PlaneMoments moments(const Eigen::Vector3f& p, float reach, int max_count,
+                       std::vector<int>* nearest);
 
  private:
   void gather_around(const Eigen::Vector3f& p);

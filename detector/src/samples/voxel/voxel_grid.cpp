@@ -7,7 +7,11 @@
 namespace quadrille {
 namespace {
 
-constexpr std::size_t kFewSlots = 64;
+// Slots of the hash table to begin with, a power of two; they double as bricks come.
+constexpr std::size_t kInitialSlots = 64;
+
+// Share of a voxel by which rounding may put a point on the other side of a face.
+constexpr double kRoundingShare = 0.01;
 
 /// Quicker than asking each number alone: x − x is zero unless x is infinite or none.
 bool is_finite(const Eigen::Vector3f& p) {
@@ -58,10 +62,9 @@ const VoxelGrid::Brick* VoxelGrid::find(std::uint64_t key) const {
 
 Eigen::AlignedBox3f VoxelGrid::box_of_brick(int bx, int by, int bz, float margin) const {
   const Eigen::Vector3d first =
-      Eigen::Vector3d(bx, by, bz) * 4.0 - Eigen::Vector3d::Constant(kFarthest);
+      Eigen::Vector3d(bx, by, bz) * 4.0 - Eigen::Vector3d::Constant(kMaxCoordinate);
   const double edge = edge_;
-  // A voxel's share wider, for points that rounding has put on the other side.
-  const Eigen::Vector3d wider = Eigen::Vector3d::Constant(margin + 0.01 * edge);
+  const Eigen::Vector3d wider = Eigen::Vector3d::Constant(margin + kRoundingShare * edge);
   return {
       Eigen::Vector3f((first * edge - wider).cast<float>()),
       Eigen::Vector3f(((first.array() + 4.0) * edge).matrix().cast<float>() + wider.cast<float>())};
@@ -97,11 +100,11 @@ int VoxelGrid::number_voxels() {
 
 VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const int> weight,
                      float edge, std::vector<int>* of_point)
-    : edge_(edge), inverse_(1.0 / static_cast<double>(edge)), slots_(kFewSlots, -1) {
+    : edge_(edge), inverse_(1.0 / static_cast<double>(edge)), slots_(kInitialSlots, -1) {
   // Per point its brick, then its voxel.
   std::vector<int> place(points.size(), -1);
   std::vector<unsigned char> bit(points.size());
-  std::uint64_t last_key = kNowhere;
+  std::uint64_t last_key = kNoKey;
   int last = -1;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Eigen::Vector3f& p = points[k];

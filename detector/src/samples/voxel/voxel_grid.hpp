@@ -16,9 +16,8 @@ class VoxelGrid {
  public:
   /// The voxels that the points fall into; points that are not finite are left out.
   /// @param weight    points that each one stands for, positive; empty for one each
-  /// @param edge      of a voxel [m], positive. Beyond a million voxels from the origin points
-  /// share
-  ///                  the outermost ones
+  /// @param edge      of a voxel [m], positive. Beyond a million voxels from the origin
+  ///                  points share the outermost ones
   /// @param of_point  if given, gets the voxel of each point; -1 if not finite
   VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const int> weight, float edge,
             std::vector<int>* of_point = nullptr);
@@ -39,14 +38,15 @@ class VoxelGrid {
     int first = 0, size = 0;
   };
 
-  static constexpr std::uint64_t kNowhere = ~std::uint64_t{0};
+  static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
   // Coordinates take 21 bits.
-  static constexpr double kFarthest = (1 << 20) - 1;
+  static constexpr double kMaxCoordinate = (1 << 20) - 1;
 
   /// Index of a voxel along an axis, shifted to be positive; far ones share the outermost.
   std::uint32_t coordinate(float x) const {
     const double c = static_cast<double>(x) * inverse_;
-    return static_cast<std::uint32_t>(std::clamp(c, -kFarthest, kFarthest) + kFarthest);
+    return static_cast<std::uint32_t>(std::clamp(c, -kMaxCoordinate, kMaxCoordinate) +
+                                      kMaxCoordinate);
   }
   std::size_t slot_of(std::uint64_t key) const {
     return (key * 0x9e3779b97f4a7c15u >> 20) & (slots_.size() - 1);

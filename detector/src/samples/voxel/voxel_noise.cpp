@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/quantile.hpp"
 #include "samples/height_fit.hpp"
 #include "samples/plane_moments.hpp"
 #include "samples/voxel/voxel_finder.hpp"
@@ -12,8 +13,12 @@
 namespace quadrille {
 namespace {
 
-constexpr float kMinSigma = 1e-4f, kUsualSigma = 1e-3f;
-constexpr std::size_t kMinPatches = 8, kMinInPatch = 18;
+// No sensor's means are better [m], and those of depth cameras are about this good.
+constexpr float kMinSigma = 1e-4f, kDefaultSigma = 1e-3f;
+// Fewer patches have no quantile, and fewer points leave little of a residual to six coefficients.
+constexpr std::size_t kMinPatches = 8, kMinPatchPoints = 18;
+// A patch is at least so many voxels wide to each side, to hold that many.
+constexpr float kMinRadiusVoxels = 3.0f;
 
 /// Residual of a quadratic height over the plane of the points; negative if they are few.
 /// @param points  relative to a point near them [m]
@@ -21,7 +26,7 @@ float quadratic_residual(const std::vector<Eigen::Vector3f>& points, float radiu
   PlaneMoments sums;
   for (const Eigen::Vector3f& p : points) sums.add(p);
   Eigen::Vector3f mean, normal;
-  if (points.size() < kMinInPatch || !sums.solve(&mean, &normal)) return -1.0f;
+  if (points.size() < kMinPatchPoints || !sums.solve(&mean, &normal)) return -1.0f;
   const Eigen::Vector3f e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
   HeightFit fit;
   for (const Eigen::Vector3f& p : points) {
@@ -35,7 +40,7 @@ float quadratic_residual(const std::vector<Eigen::Vector3f>& points, float radiu
 }  // namespace
 
 float measure_voxel_noise(const VoxelGrid& grid, const NoiseOptions& options) {
-  const float radius = std::max(static_cast<float>(options.radius), 3.0f * grid.edge());
+  const float radius = std::max(static_cast<float>(options.radius), kMinRadiusVoxels * grid.edge());
   std::vector<float> residual;
   std::vector<Eigen::Vector3f> patch;
   VoxelFinder finder(grid, radius);
@@ -47,12 +52,8 @@ float measure_voxel_noise(const VoxelGrid& grid, const NoiseOptions& options) {
     const float r = quadratic_residual(patch, radius);
     if (r >= 0) residual.push_back(r);
   }
-  if (residual.size() < kMinPatches) return kUsualSigma;
-  const auto at =
-      residual.begin() +
-      static_cast<std::ptrdiff_t>(options.quantile * static_cast<double>(residual.size() - 1));
-  std::nth_element(residual.begin(), at, residual.end());
-  return std::max(kMinSigma, *at);
+  if (residual.size() < kMinPatches) return kDefaultSigma;
+  return std::max(kMinSigma, quantile(residual, options.quantile));
 }
 
 }  // namespace quadrille

@@ -10,8 +10,10 @@
 namespace quadrille {
 namespace {
 
-// Radii of the windows of normals, in voxels.
+// Radii of the windows of normals, in voxels: a window of the two nearest voxels to each side
+// averages the noise, and the smaller one for planes keeps clear of edges.
 constexpr float kNormalReach = 2.6f, kPlaneReach = 1.9f;
+// Points of a cloud at least: of fewer no surface has samples enough.
 constexpr std::ptrdiff_t kMinPoints = 50;
 
 class VoxelPyramid : public CellPyramid {

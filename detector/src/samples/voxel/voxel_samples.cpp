@@ -12,9 +12,11 @@
 namespace quadrille {
 namespace {
 
+// As many as a cell of a depth grid has.
 constexpr int kNeighbours = 8;
-// Radius within which voxels are neighbours, in voxels.
-constexpr float kNextReach = 1.9f;
+// Radius within which voxels are neighbours, in voxels: all that touch it by a face, an edge or a
+// corner, whose means lie as far apart as their middles.
+constexpr float kNeighbourReach = 1.9f;
 
 SurfaceSamples room_for(std::ptrdiff_t count) {
   SurfaceSamples samples;
@@ -58,7 +60,8 @@ SurfaceSamples make_voxel_samples(const VoxelGrid& grid, const std::vector<char>
   for (int v = 0; v < grid.size(); ++v) {
     if (!keep[v]) continue;
     const Eigen::Vector3f p = grid.mean()[v];
-    const PlaneMoments moments = finder.moments(p, kNextReach * edge, kNeighbours + 1, &nearest);
+    const PlaneMoments moments =
+        finder.moments(p, kNeighbourReach * edge, kNeighbours + 1, &nearest);
     Eigen::Vector3f mean, n;
     if (!moments.solve(&mean, &n)) continue;
     if (n.dot(eye - p) < 0) n = -n;

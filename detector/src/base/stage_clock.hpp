@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <string_view>
+#include <vector>
+
+#include "quadrille/detector/detection.hpp"
+
+namespace quadrille {
+
+/// Measures the wall time of stages that follow each other.
+class StageClock {
+ public:
+  /// Ends the stage that began with the end of the last one; time of the same name adds up.
+  void end(std::string_view stage) {
+    const Clock::time_point now = Clock::now();
+    const double ms = milliseconds(now - last_);
+    last_ = now;
+    const auto known = std::find_if(timings_.begin(), timings_.end(),
+                                    [&](const StageTime& time) { return time.stage == stage; });
+    if (known != timings_.end()) {
+      known->ms += ms;
+    } else {
+      timings_.push_back({std::string(stage), ms});
+    }
+  }
+
+  /// In the order in which they first ended.
+  const std::vector<StageTime>& timings() const { return timings_; }
+  /// Time since the clock was made [ms].
+  double total_ms() const { return milliseconds(Clock::now() - start_); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  static double milliseconds(Clock::duration time) {
+    return std::chrono::duration<double, std::milli>(time).count();
+  }
+
+  std::vector<StageTime> timings_;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,76 @@
+#include "surfaces/extend.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "samples/inliers.hpp"
+#include "surfaces/surface_fit.hpp"
+
+namespace quadrille {
+namespace {
+
+// Share of its extent by which a surface is looked for beyond each end.
+constexpr float kMargin = 0.15f;
+// A refit is made if more is added than the region's size over this: two percent move no fit.
+constexpr std::size_t kRefitDivisor = 50;
+// A fit to a larger region may be this much worse than that to the smaller.
+constexpr double kMaxRmsGrowth = 1.3;
+
+}  // namespace
+
+Extender::Extender(const SurfaceSamples& samples, const AggregateOptions& options,
+                   const InlierTest& inlier)
+    : samples_(samples), options_(options), inlier_(inlier), buckets_(samples) {
+  inlier_.sigmas *= options.claim;
+}
+
+Surface Extender::extended(Surface surface, const std::vector<char>& claimed) const {
+  const std::vector<int> more = further(surface, claimed);
+  std::vector<int> all = surface.region;
+  all.insert(all.end(), more.begin(), more.end());
+  if (more.size() > surface.region.size() / kRefitDivisor) {
+    std::optional<Surface> refit = fit_surface(samples_, all, options_);
+    // A small region's fit can follow its noise: what the noise explains is no worse.
+    const double noise = mean_sigma(samples_, all);
+    if (refit && refit->rms < std::max(kMaxRmsGrowth * surface.rms, noise)) {
+      return std::move(*refit);
+    }
+  }
+  surface.region = std::move(all);
+  return surface;
+}
+
+std::vector<int> Extender::further(const Surface& surface, const std::vector<char>& claimed) const {
+  const Eigen::Isometry3f Y = surface.fit.posed.X.inverse().cast<float>();
+  const Eigen::Vector3f centre = surface.local.centre.cast<float>();
+  const float scale = static_cast<float>(surface.local.scale);
+  const auto posed = [&](int i) -> Eigen::Vector3f {
+    return Y * Eigen::Vector3f((samples_.raw[i] - centre) / scale);
+  };
+  std::vector<char> inside(samples_.p.size(), 0);
+  Eigen::AlignedBox3f box;
+  float max_square = 0;
+  for (const int i : surface.region) {
+    inside[i] = 1;
+    box.extend(posed(i));
+    max_square = std::max(max_square, (samples_.raw[i] - centre).squaredNorm());
+  }
+  const Eigen::Vector3f margin = kMargin * box.sizes();
+  box.extend(Eigen::Vector3f(box.min() - margin));
+  box.extend(Eigen::Vector3f(box.max() + margin));
+  // The box lies within this ball.
+  const float radius = std::sqrt(max_square) + margin.norm() * scale;
+  const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
+  std::vector<int> more;
+  for (const int i : buckets_.near(centre, radius)) {
+    if (claimed[i] || inside[i] || (samples_.raw[i] - centre).squaredNorm() > radius * radius) {
+      continue;
+    }
+    if (is_inlier(samples_, i, Q, inlier_) && box.contains(posed(i))) more.push_back(i);
+  }
+  return more;
+}
+
+}  // namespace quadrille

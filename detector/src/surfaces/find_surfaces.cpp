@@ -1,0 +1,64 @@
+#include "surfaces/find_surfaces.hpp"
+
+#include "samples/inliers.hpp"
+#include "search/search.hpp"
+#include "surfaces/agglomerate.hpp"
+
+namespace quadrille {
+namespace {
+
+/// Samples of a level of which no accepted surface holds half.
+std::vector<char> open_samples(const SampleTree& tree, int level,
+                               const std::vector<char>& claimed) {
+  std::vector<char> open(static_cast<std::size_t>(tree.level(level).size()));
+  for (int i = 0; i < tree.level(level).size(); ++i) {
+    int balance = 0;
+    for (const int k : tree.under(level, i)) balance += claimed[k] ? -1 : 1;
+    open[i] = balance > 0;
+  }
+  return open;
+}
+
+/// The candidate with its region in terms of the finest samples on it. Their normals do not count:
+/// at fine levels they may be noise.
+Candidate on_finest(Candidate candidate, const SampleTree& tree, int level, InlierTest test) {
+  test.min_cosine = -1.0;
+  const Eigen::Matrix4f Q = candidate.Q.matrix().cast<float>();
+  std::vector<int> fine;
+  for (const int i : candidate.region) {
+    for (const int k : tree.under(level, i)) {
+      if (is_inlier(tree.finest(), k, Q, test)) fine.push_back(k);
+    }
+  }
+  candidate.region = std::move(fine);
+  return candidate;
+}
+
+/// What the search finds on one level, in terms of the finest samples.
+std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::vector<char> open,
+                                       const DetectorOptions& options) {
+  std::vector<Candidate> candidates =
+      search(tree.level(level), std::move(open), options.search, options.inlier,
+             options.seed + static_cast<std::uint64_t>(level));
+  for (Candidate& c : candidates) c = on_finest(std::move(c), tree, level, options.inlier);
+  if (!options.agglomerate.enabled) return candidates;
+  return agglomerate(std::move(candidates), tree.finest(), options.inlier, options.agglomerate);
+}
+
+}  // namespace
+
+Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options,
+                          StageClock& clock) {
+  Aggregation aggregation(tree.finest(), options.aggregate, options.inlier);
+  for (int level = kLevels - 1; level >= 0; --level) {
+    std::vector<Candidate> candidates =
+        find_candidates(tree, level, open_samples(tree, level, aggregation.claimed()), options);
+    clock.end("search");
+    aggregation.offer(std::move(candidates),
+                      level > 0 ? SearchLevel::kCoarse : SearchLevel::kFinest);
+    clock.end("aggregate");
+  }
+  return aggregation;
+}
+
+}  // namespace quadrille

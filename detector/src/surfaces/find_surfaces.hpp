@@ -1,0 +1,17 @@
+#pragma once
+
+#include "base/stage_clock.hpp"
+#include "quadrille/detector/options.hpp"
+#include "samples/sample_tree.hpp"
+#include "surfaces/aggregate.hpp"
+
+namespace quadrille {
+
+/// Searches for surfaces and chooses among what is found, from coarse to fine: what a coarse level
+/// finds clearly, the finer ones need not search.
+/// @param tree   must outlive the result
+/// @param clock  ends the stages "search" and "aggregate"
+Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options,
+                          StageClock& clock);
+
+}  // namespace quadrille

@@ -1,0 +1,51 @@
+#include "surfaces/join.hpp"
+
+#include <algorithm>
+
+#include "fit/model_selection.hpp"
+#include "surfaces/surface_fit.hpp"
+
+namespace quadrille {
+namespace {
+
+// Farthest that the centres of two surfaces that meet lie apart, over the sum of their sizes. The
+// size is a root mean square: ends lie at up to about twice that.
+constexpr double kMaxApart = 2.5;
+// A joint fit may be this much worse than the worse of two: it has fewer parameters.
+constexpr double kMaxRmsGrowth = 1.25;
+
+bool is_flat(const Surface& surface) { return surface.fit.family == Family::kPlane; }
+
+double bic_of(const Surface& surface, const SurfaceSamples& samples, double effective_size) {
+  FamilyFit whole = surface.fit;
+  whole.points = static_cast<int>(surface.region.size());
+  // No fit is better than another that the noise explains.
+  const double rms = std::max(surface.rms, mean_sigma(samples, surface.region));
+  whole.rss = rms * rms * whole.points;
+  SelectionOptions selection;
+  selection.effective_share = effective_size / whole.points;
+  return bic(whole, selection);
+}
+
+}  // namespace
+
+bool may_meet(const Normalisation& a, const Normalisation& b) {
+  return (a.centre - b.centre).norm() < kMaxApart * (a.scale + b.scale);
+}
+
+std::optional<Surface> join(const Surface& a, const Surface& b, const SurfaceSamples& samples,
+                            const AggregateOptions& options) {
+  if (is_flat(a) != is_flat(b) || !may_meet(a.local, b.local)) return std::nullopt;
+  std::vector<int> all = b.region;
+  all.insert(all.end(), a.region.begin(), a.region.end());
+  std::optional<Surface> joint = fit_surface(samples, std::move(all), options);
+  if (!joint || is_flat(*joint) != is_flat(b) || is_thin(*joint, samples) ||
+      !(joint->rms < kMaxRmsGrowth * std::max(a.rms, b.rms)) ||
+      !(bic_of(*joint, samples, a.effective_size + b.effective_size) <
+        bic_of(a, samples, a.effective_size) + bic_of(b, samples, b.effective_size))) {
+    return std::nullopt;
+  }
+  return joint;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,63 @@
+#include "surfaces/surface_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fit/model_selection.hpp"
+#include "surfaces/effective_share.hpp"
+
+namespace quadrille {
+namespace {
+
+// Steps of a fit: nearly all have converged by then.
+constexpr int kIterations = 6;
+
+}  // namespace
+
+Surface surface_of(std::vector<int> region, const Normalisation& local, FamilyFit fit) {
+  Surface surface;
+  surface.local = local;
+  surface.Q = local.to_frame(fit.posed.matrix()).normalized();
+  surface.rms = local.scale * std::sqrt(fit.rss / fit.points);
+  surface.fit = std::move(fit);
+  surface.region = std::move(region);
+  return surface;
+}
+
+std::optional<Surface> fit_surface(const SurfaceSamples& samples, std::vector<int> region,
+                                   const AggregateOptions& options) {
+  const Normalisation local = normalisation_of(samples, region);
+  const FitPoints points = fit_points(samples, region, local, options.fit_points);
+  const std::optional<FamilyFit> general = fit_family(points, Family::kGeneral, kIterations);
+  if (!general) return std::nullopt;
+  const double share =
+      std::min(effective_share(samples, region, local.to_frame(general->posed.matrix())),
+               options.effective_share);
+  const double effective_size =
+      std::min(options.effective_size, share * static_cast<double>(region.size()));
+  SelectionOptions selection;
+  selection.iterations = kIterations;
+  selection.effective_share = effective_size / static_cast<double>(points.size());
+  selection.common_noise = samples.common_noise * mean_sigma(samples, region) / local.scale;
+  FamilyFit best = select_family(points, options.families, *general, selection).best;
+  Surface surface = surface_of(std::move(region), local, std::move(best));
+  surface.effective_size = effective_size;
+  return surface;
+}
+
+std::optional<Surface> fit_plane(const SurfaceSamples& samples, std::vector<int> region,
+                                 const AggregateOptions& options) {
+  const Normalisation local = normalisation_of(samples, region);
+  const FitPoints points = fit_points(samples, region, local, options.fit_points);
+  std::optional<FamilyFit> fit = fit_family(points, Family::kPlane, kIterations);
+  if (!fit) return std::nullopt;
+  Surface surface = surface_of(std::move(region), local, std::move(*fit));
+  if (surface.rms > options.max_residual_plane * mean_sigma(samples, surface.region)) {
+    return std::nullopt;
+  }
+  surface.effective_size = std::min(
+      options.effective_size, options.effective_share * static_cast<double>(surface.region.size()));
+  return surface;
+}
+
+}  // namespace quadrille
