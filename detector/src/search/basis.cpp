@@ -4,16 +4,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/monomials.hpp"
+
 namespace quadrille {
 namespace {
 
 /// b_ij = nᵢ·(x_j − xᵢ).
 double b(const std::array<OrientedPoint, 3>& basis, int i, int j) {
   return basis[i].n.dot(basis[j].x - basis[i].x);
-}
-
-Eigen::Matrix4d symmetric_product(const Eigen::Vector4d& a, const Eigen::Vector4d& c) {
-  return 0.5 * (a * c.transpose() + c * a.transpose());
 }
 
 }  // namespace

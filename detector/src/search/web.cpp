@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "fit/monomials.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -10,10 +12,6 @@ namespace {
 constexpr double kMinScale = 0.25;
 // Of a normal's component within the plane of basis and voter: less tells no scale.
 constexpr double kMinWithin = 0.1;
-
-Eigen::Matrix4d symmetric_product(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
-  return 0.5 * (a * b.transpose() + b * a.transpose());
-}
 
 }  // namespace
 

@@ -141,7 +141,7 @@ std::optional<Surface> Aggregation::accept(const Candidate& candidate, bool earl
 std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
   Surface surface;
   surface.local = normalisation_of(samples_, region);
-  const FitPoints points = fit_points(samples_, region, surface.local, options_.fit_points);
+  const OrientedPointsf points = fit_points(samples_, region, surface.local, options_.fit_points);
   const std::optional<FamilyFit> general = fit_family(points, Family::kGeneral, kIterations);
   if (!general) return std::nullopt;
   const double share =
@@ -167,7 +167,7 @@ std::optional<Surface> Aggregation::fitted(std::vector<int> region) const {
 std::optional<Surface> Aggregation::as_plane(std::vector<int> region) const {
   Surface surface;
   surface.local = normalisation_of(samples_, region);
-  const FitPoints points = fit_points(samples_, region, surface.local, options_.fit_points);
+  const OrientedPointsf points = fit_points(samples_, region, surface.local, options_.fit_points);
   std::optional<FamilyFit> fit = fit_family(points, Family::kPlane, kIterations);
   if (!fit) return std::nullopt;
   surface.Q = surface.local.to_frame(fit->posed.matrix()).normalized();

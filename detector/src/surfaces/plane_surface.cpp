@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "fit/initial_fits.hpp"
+#include "fit/initial_plane.hpp"
 #include "samples/region.hpp"
 
 namespace quadrille {
@@ -29,7 +29,7 @@ Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane) {
   Surface surface;
   surface.region = plane.samples;
   surface.local = normalisation_of(samples, surface.region);
-  const FitPoints points = fit_points(samples, surface.region, surface.local, 1000);
+  const OrientedPointsf points = fit_points(samples, surface.region, surface.local, 1000);
   PosedQuadric start;
   if (const auto initial = initial_plane(points)) start = *initial;
   if (auto fit = refine(points, Family::kPlane, start, 2)) surface.fit = std::move(*fit);
