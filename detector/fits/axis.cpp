@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <limits>
 
+#include "fit/axis_of_revolution.hpp"
+#include "fit/point_sums.hpp"
 #include "fits/solvers.hpp"
 
 namespace quadrille {
@@ -14,7 +16,7 @@ namespace {
 /// the outward normal, r − n is within 45° of the axis on one nappe and of its opposite on the
 /// other, whatever the cone's angle.
 /// @param side  1 for outward normals, -1 for inward ones, 0 to turn none
-Eigen::Matrix3Xd on_one_nappe(const OrientedPoints& points, const Eigen::Vector3d& apex,
+Eigen::Matrix3Xd on_one_nappe(const OrientedPointsd& points, const Eigen::Vector3d& apex,
                               double side) {
   Eigen::Matrix3Xd w = (points.points.colwise() - apex).colwise().normalized();
   w -= side * points.normals;
@@ -29,13 +31,13 @@ Eigen::Matrix3Xd on_one_nappe(const OrientedPoints& points, const Eigen::Vector3
 
 }  // namespace
 
-std::optional<Eigen::Vector3d> direction_across_normals(const OrientedPoints& points) {
-  const auto u = smallest_eigenvector(Eigen::MatrixXd(points.normals * points.normals.transpose()));
+std::optional<Eigen::Vector3d> direction_across_normals(const OrientedPointsd& points) {
+  const auto u = smallest_eigenvector(scatter_of(points.normals));
   if (!u) return std::nullopt;
   return Eigen::Vector3d(*u);
 }
 
-std::optional<Eigen::Vector3d> cone_axis(const OrientedPoints& points,
+std::optional<Eigen::Vector3d> cone_axis(const OrientedPointsd& points,
                                          const Eigen::Vector3d& apex) {
   std::optional<Eigen::Vector3d> best;
   double least = std::numeric_limits<double>::infinity();
@@ -51,28 +53,14 @@ std::optional<Eigen::Vector3d> cone_axis(const OrientedPoints& points,
   return best;
 }
 
-std::optional<Eigen::Vector3d> direction_of_revolution(const OrientedPoints& points) {
-  // A normal line (n, x × n) meets the axis (a, m) where n·m + (x × n)·a = 0.
-  Eigen::Matrix<double, 6, 6> S = Eigen::Matrix<double, 6, 6>::Zero();
-  for (Eigen::Index i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d x = points.points.col(i), n = points.normals.col(i);
-    Eigen::Vector<double, 6> line;
-    line << x.cross(n), n;
-    S += line * line.transpose();
-  }
-  // Only a has a norm: the metric leaves m free.
-  Eigen::Matrix<double, 6, 6> metric = Eigen::Matrix<double, 6, 6>::Zero();
-  metric.topLeftCorner<3, 3>().setIdentity();
-  const auto axis = smallest_eigenvector(Eigen::MatrixXd(S), Eigen::MatrixXd(metric));
-  if (!axis) return std::nullopt;
-  return Eigen::Vector3d(axis->head<3>().normalized());
+std::optional<Eigen::Vector3d> direction_of_revolution(const OrientedPointsd& points) {
+  const auto axis = axis_of_revolution(points, 0.0);
+  if (!axis || !is_unique(axis->misfits)) return std::nullopt;
+  return axis->direction;
 }
 
-std::optional<Eigen::Vector3d> common_point_of_planes(const OrientedPoints& points) {
-  const Eigen::Matrix3d N = points.normals * points.normals.transpose();
-  const Eigen::Vector3d b =
-      points.normals * points.normals.cwiseProduct(points.points).colwise().sum().transpose();
-  const auto p = solve_normal_equations(Eigen::MatrixXd(N), Eigen::VectorXd(b));
+std::optional<Eigen::Vector3d> common_point_of_planes(const OrientedPointsd& points) {
+  const auto p = solve_normal_equations(scatter_of(points.normals), sum_of_planes(points));
   if (!p) return std::nullopt;
   return Eigen::Vector3d(*p);
 }

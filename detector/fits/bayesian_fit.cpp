@@ -5,7 +5,7 @@
 
 namespace quadrille {
 
-std::optional<Quadric> fit_bayesian(const OrientedPoints& points,
+std::optional<Quadric> fit_bayesian(const OrientedPointsd& points,
                                     const BayesianFitOptions& options) {
   const auto normalised = normalise(points, 4, Spread::kSpace);
   if (!normalised) return std::nullopt;

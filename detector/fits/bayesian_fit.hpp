@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille {
 
@@ -22,7 +22,7 @@ struct BayesianFitOptions {
 /// the same in every frame; the article takes them from training data if there are any.
 /// @param points  4 or more; normals only choose the gradient's side
 /// @return nullopt if the points are too few or coplanar
-std::optional<Quadric> fit_bayesian(const OrientedPoints& points,
+std::optional<Quadric> fit_bayesian(const OrientedPointsd& points,
                                     const BayesianFitOptions& options = {});
 
 }  // namespace quadrille

@@ -8,7 +8,8 @@
 
 namespace quadrille {
 
-std::optional<Quadric> fit_compact(const OrientedPoints& points, const CompactFitOptions& options) {
+std::optional<Quadric> fit_compact(const OrientedPointsd& points,
+                                   const CompactFitOptions& options) {
   const auto normalised = normalise(points, 4, Spread::kSpace, NormalLengths::kAsGiven);
   if (!normalised) return std::nullopt;
   const Scatter scatter(normalised->data);
@@ -19,11 +20,11 @@ std::optional<Quadric> fit_compact(const OrientedPoints& points, const CompactFi
   return normalised->undo(Quadric(Vector10d(*q)));
 }
 
-std::optional<Quadric> fit_three_and_one(const OrientedPoints& points) {
+std::optional<Quadric> fit_three_and_one(const OrientedPointsd& points) {
   if (points.size() < 4) return std::nullopt;
   const auto normalised = normalise(points.first(4), 4, Spread::kSpace, NormalLengths::kAsGiven);
   if (!normalised) return std::nullopt;
-  const OrientedPoints& data = normalised->data;
+  const OrientedPointsd& data = normalised->data;
   const auto pencil = make_pencil({data.at(0), data.at(1), data.at(2)});
   if (!pencil) return std::nullopt;
   const Eigen::Vector4d x = data.points.col(3).homogeneous();

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille {
 
@@ -19,13 +19,13 @@ struct CompactFitOptions {
 /// |∇f − n|² = (n·∇f − 1)² + |t·∇f|².
 /// @param points  4 or more; normals' lengths are taken as the gradient's up to a common factor
 /// @return nullopt if the points are too few, coplanar, or do not determine ten coefficients
-std::optional<Quadric> fit_compact(const OrientedPoints& points,
+std::optional<Quadric> fit_compact(const OrientedPointsd& points,
                                    const CompactFitOptions& options = {});
 
 /// The minimal solve behind the vote: the pencil of three oriented points by its closed form, and
 /// theorem 3's λ of a fourth position, λ = −f₀(x₄) / z(x₄)². No decomposition is needed.
 /// @param points  4 or more; the first four are used, of the fourth the position alone
 /// @return nullopt if the first three are collinear or the fourth lies in their plane
-std::optional<Quadric> fit_three_and_one(const OrientedPoints& points);
+std::optional<Quadric> fit_three_and_one(const OrientedPointsd& points);
 
 }  // namespace quadrille

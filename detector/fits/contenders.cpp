@@ -15,7 +15,7 @@
 namespace quadrille {
 namespace {
 
-using Points = const OrientedPoints&;
+using Points = const OrientedPointsd&;
 
 Contender primal_dual(std::string_view name, const PrimalDual& kind) {
   return {name,        "paper, figure 2a",

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 #include "quadrille/detector/quadric_type.hpp"
 
 namespace quadrille {
@@ -21,10 +21,11 @@ struct Contender {
   bool minimal;
   /// True for our own fits, false for those of others that they are measured against.
   bool ours;
-  std::function<std::optional<Quadric>(const OrientedPoints&)> fit;
+  std::function<std::optional<Quadric>(const OrientedPointsd&)> fit;
 };
 
-/// All fits of general quadrics with their default options. The type is told to the
+/// All fits of general quadrics with their default options; README.md says which of them the
+/// detector uses, and why. The type is told to the
 /// type-constrained one alone, as in the paper's comparison.
 std::vector<Contender> contenders(QuadricType known_type);
 

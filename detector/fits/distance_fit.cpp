@@ -1,8 +1,9 @@
 #include "fits/distance_fit.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <limits>
 
+#include "fit/geometric_fit.hpp"
+#include "fits/normalise.hpp"
 #include "fits/projection.hpp"
 #include "fits/refine_quadric.hpp"
 #include "fits/start_quadric.hpp"
@@ -10,29 +11,10 @@
 namespace quadrille {
 namespace {
 
-// Where the gradient is weaker than this share of its root mean square, the first-order distance
-// is cut: near an apex or a centre it would explode.
-constexpr double kWeakGradient = 0.05;
+// Gains below this share of the residual are rounding.
+constexpr double kMinGain = 1e-10;
 
-std::optional<NormalEquations> first_order_distances(const OrientedPoints& points,
-                                                     const Quadric& Q) {
-  NormalEquations sums;
-  double mean = 0.0;
-  for (Eigen::Index i = 0; i < points.size(); ++i) {
-    mean += Q.gradient(points.points.col(i)).squaredNorm() / static_cast<double>(points.size());
-  }
-  const double least = kWeakGradient * std::sqrt(mean);
-  if (!(least > 0.0)) return std::nullopt;
-  for (Eigen::Index i = 0; i < points.size(); ++i) {
-    const Eigen::Vector3d x = points.points.col(i), g = Q.gradient(x);
-    const double slope = std::max(g.norm(), least), residual = Q.value(x) / slope;
-    const Vector10d change = monomial_gradients(x).transpose() * g / slope;
-    sums.add((monomials(x) - residual * change) / slope, residual);
-  }
-  return sums;
-}
-
-std::optional<NormalEquations> orthogonal_distances(const OrientedPoints& points,
+std::optional<NormalEquations> orthogonal_distances(const OrientedPointsd& points,
                                                     const Quadric& Q) {
   NormalEquations sums;
   for (Eigen::Index i = 0; i < points.size(); ++i) {
@@ -52,28 +34,39 @@ std::optional<NormalEquations> orthogonal_distances(const OrientedPoints& points
   return sums;
 }
 
-template <typename Distances>
-std::optional<Quadric> fit_distance(const OrientedPoints& points, int iterations,
-                                    const Distances& distances) {
+/// Normalises, starts from the best closed-form fit and refines it; what cannot be refined stays.
+template <typename Refine>
+std::optional<Quadric> refine_from_start(const OrientedPointsd& points, const Refine& refine_from) {
   const auto normalised = normalise(points, 9, Spread::kSpace);
   if (!normalised) return std::nullopt;
   const auto start = start_quadric(normalised->data);
   if (!start) return std::nullopt;
-  const auto Q = refine_quadric(
-      *start, [&](const Quadric& at) { return distances(normalised->data, at); }, iterations);
-  return normalised->undo(Q.value_or(*start));
+  return normalised->undo(refine_from(normalised->data, *start).value_or(*start));
 }
 
 }  // namespace
 
-std::optional<Quadric> fit_first_order_distance(const OrientedPoints& points,
+std::optional<Quadric> fit_first_order_distance(const OrientedPointsd& points,
                                                 const DistanceFitOptions& options) {
-  return fit_distance(points, options.iterations, first_order_distances);
+  const auto refined = [&](const OrientedPointsd& data,
+                           const Quadric& start) -> std::optional<Quadric> {
+    PosedQuadric general;
+    general.D = start.matrix() / start.matrix().norm();
+    const auto fit = refine(data, Family::kGeneral, general, options.iterations,
+                            std::numeric_limits<double>::infinity(), kMinGain);
+    if (!fit) return std::nullopt;
+    return Quadric(fit->posed.matrix());
+  };
+  return refine_from_start(points, refined);
 }
 
-std::optional<Quadric> fit_orthogonal_distance(const OrientedPoints& points,
+std::optional<Quadric> fit_orthogonal_distance(const OrientedPointsd& points,
                                                const DistanceFitOptions& options) {
-  return fit_distance(points, options.iterations, orthogonal_distances);
+  const auto refined = [&](const OrientedPointsd& data, const Quadric& start) {
+    const auto residuals = [&](const Quadric& Q) { return orthogonal_distances(data, Q); };
+    return refine_quadric(start, residuals, options.iterations);
+  };
+  return refine_from_start(points, refined);
 }
 
 }  // namespace quadrille

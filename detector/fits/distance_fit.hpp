@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille {
 
@@ -11,11 +11,12 @@ struct DistanceFitOptions {
   int iterations = 50;
 };
 
-/// Least squares of the first-order (Sampson) distance f / |∇f| by damped Gauss-Newton steps from
-/// the best closed-form fit.
+/// Least squares of the first-order (Sampson) distance f / |∇f| from the best closed-form fit: the
+/// detector's own refine() (fit/geometric_fit.hpp) in the general family, in double precision and
+/// to convergence.
 /// @param points  9 or more; normals help to choose the start and the gradient's side
 /// @return nullopt if the points are too few, coplanar, or give no start
-std::optional<Quadric> fit_first_order_distance(const OrientedPoints& points,
+std::optional<Quadric> fit_first_order_distance(const OrientedPointsd& points,
                                                 const DistanceFitOptions& options = {});
 
 /// Least squares of the true distance to the surface, by orthogonal projection of every point, by
@@ -25,7 +26,7 @@ std::optional<Quadric> fit_first_order_distance(const OrientedPoints& points,
 /// |∇f(y)|.
 /// @param points  9 or more; normals help to choose the start and the gradient's side
 /// @return nullopt if the points are too few, coplanar, or give no start
-std::optional<Quadric> fit_orthogonal_distance(const OrientedPoints& points,
+std::optional<Quadric> fit_orthogonal_distance(const OrientedPointsd& points,
                                                const DistanceFitOptions& options = {});
 
 }  // namespace quadrille

@@ -23,11 +23,11 @@ Reduced reduce(const Matrix10d& S, const Matrix10d& BB, double w2, double mu) {
 
 }  // namespace
 
-std::optional<FullFit> solve_full_system(const OrientedPoints& points,
+std::optional<FullFit> solve_full_system(const OrientedPointsd& points,
                                          const FullFitOptions& options) {
   const auto normalised = normalise(points, 4, Spread::kSpace);
   if (!normalised) return std::nullopt;
-  const OrientedPoints& data = normalised->data;
+  const OrientedPointsd& data = normalised->data;
   const double count = static_cast<double>(data.size());
   const double w2 = options.weight * options.weight;
   const Scatter scatter(data);
@@ -55,7 +55,7 @@ std::optional<FullFit> solve_full_system(const OrientedPoints& points,
   return fit;
 }
 
-std::optional<Quadric> fit_full(const OrientedPoints& points, const FullFitOptions& options) {
+std::optional<Quadric> fit_full(const OrientedPointsd& points, const FullFitOptions& options) {
   const auto fit = solve_full_system(points, options);
   if (!fit) return std::nullopt;
   return fit->Q;

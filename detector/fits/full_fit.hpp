@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille {
 
@@ -26,10 +26,10 @@ struct FullFit {
 /// With noise the result depends on the frame's axes, as |(q, α)| = 1 does.
 /// @param points  4 or more
 /// @return nullopt if the points are too few, coplanar, or admit another solution
-std::optional<FullFit> solve_full_system(const OrientedPoints& points,
+std::optional<FullFit> solve_full_system(const OrientedPointsd& points,
                                          const FullFitOptions& options = {});
 
 /// The quadric of solve_full_system().
-std::optional<Quadric> fit_full(const OrientedPoints& points, const FullFitOptions& options = {});
+std::optional<Quadric> fit_full(const OrientedPointsd& points, const FullFitOptions& options = {});
 
 }  // namespace quadrille

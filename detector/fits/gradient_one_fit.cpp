@@ -5,7 +5,7 @@
 
 namespace quadrille {
 
-std::optional<Quadric> fit_gradient_one(const OrientedPoints& points,
+std::optional<Quadric> fit_gradient_one(const OrientedPointsd& points,
                                         const GradientOneOptions& options) {
   const auto normalised = normalise(points, 4, Spread::kSpace, NormalLengths::kAsGiven);
   if (!normalised) return std::nullopt;

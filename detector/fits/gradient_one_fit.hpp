@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille {
 
@@ -21,7 +21,7 @@ struct GradientOneOptions {
 /// of 2001). The ridge weighs with the Frobenius norm of the quadratic part, which rotations keep.
 /// @param points  4 or more
 /// @return nullopt if the points are too few or coplanar
-std::optional<Quadric> fit_gradient_one(const OrientedPoints& points,
+std::optional<Quadric> fit_gradient_one(const OrientedPointsd& points,
                                         const GradientOneOptions& options = {});
 
 }  // namespace quadrille

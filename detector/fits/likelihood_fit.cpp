@@ -71,7 +71,7 @@ Eigen::Matrix<double, 3, 10> normal_derivative(const Foot& foot, const Quadric& 
   return M.partialPivLu().solve(direct);
 }
 
-std::optional<NormalEquations> residuals(const OrientedPoints& points,
+std::optional<NormalEquations> residuals(const OrientedPointsd& points,
                                          const std::vector<Weights>& weights, const Noise& noise,
                                          const Quadric& Q) {
   NormalEquations sums;
@@ -91,7 +91,7 @@ std::optional<NormalEquations> residuals(const OrientedPoints& points,
 }
 
 /// Noise from the residuals: σ² of the distances; of the normals' deviation what σ leaves.
-std::optional<std::vector<Foot>> feet_of(const OrientedPoints& points, const Quadric& Q) {
+std::optional<std::vector<Foot>> feet_of(const OrientedPointsd& points, const Quadric& Q) {
   std::vector<Foot> feet;
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     const auto foot = find_foot(Q, points.points.col(i));
@@ -101,7 +101,7 @@ std::optional<std::vector<Foot>> feet_of(const OrientedPoints& points, const Qua
   return feet;
 }
 
-Noise estimate(const OrientedPoints& points, const std::vector<Foot>& feet, const Noise& before) {
+Noise estimate(const OrientedPointsd& points, const std::vector<Foot>& feet, const Noise& before) {
   const double count = static_cast<double>(points.size());
   double distance = 0.0, angle = 0.0, weight = 0.0;
   for (const Foot& foot : feet) distance += foot.distance * foot.distance;
@@ -121,11 +121,11 @@ Noise estimate(const OrientedPoints& points, const std::vector<Foot>& feet, cons
 
 }  // namespace
 
-std::optional<LikelihoodFit> solve_likelihood(const OrientedPoints& points,
+std::optional<LikelihoodFit> solve_likelihood(const OrientedPointsd& points,
                                               const LikelihoodFitOptions& options) {
   const auto normalised = normalise(points, 4, Spread::kSpace);
   if (!normalised) return std::nullopt;
-  const OrientedPoints& data = normalised->data;
+  const OrientedPointsd& data = normalised->data;
   const auto start = start_quadric(data);
   if (!start) return std::nullopt;
   Quadric Q = oriented(*start, data);
@@ -144,11 +144,11 @@ std::optional<LikelihoodFit> solve_likelihood(const OrientedPoints& points,
   }
   const auto back = normalised->undo(Q);
   if (!back) return std::nullopt;
-  return LikelihoodFit{*back, normalised->scale * std::sqrt(noise.point2),
+  return LikelihoodFit{*back, normalised->local.scale * std::sqrt(noise.point2),
                        std::sqrt(noise.normal2)};
 }
 
-std::optional<Quadric> fit_likelihood(const OrientedPoints& points,
+std::optional<Quadric> fit_likelihood(const OrientedPointsd& points,
                                       const LikelihoodFitOptions& options) {
   const auto fit = solve_likelihood(points, options);
   if (!fit) return std::nullopt;

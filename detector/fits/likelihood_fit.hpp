@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille {
 
@@ -33,11 +33,11 @@ struct LikelihoodFit {
 /// for little at a sharp bend. σ and ρ follow from the residuals in turn with the fit.
 /// @param points  4 or more
 /// @return nullopt if the points are too few, coplanar, or give no start
-std::optional<LikelihoodFit> solve_likelihood(const OrientedPoints& points,
+std::optional<LikelihoodFit> solve_likelihood(const OrientedPointsd& points,
                                               const LikelihoodFitOptions& options = {});
 
 /// The quadric of solve_likelihood().
-std::optional<Quadric> fit_likelihood(const OrientedPoints& points,
+std::optional<Quadric> fit_likelihood(const OrientedPointsd& points,
                                       const LikelihoodFitOptions& options = {});
 
 }  // namespace quadrille

@@ -2,23 +2,7 @@
 
 namespace quadrille {
 
-Vector10d monomials(const Eigen::Vector3d& p) {
-  const double x = p.x(), y = p.y(), z = p.z();
-  Vector10d v;
-  v << x * x, y * y, z * z, 2 * x * y, 2 * x * z, 2 * y * z, 2 * x, 2 * y, 2 * z, 1;
-  return v;
-}
-
-Eigen::Matrix<double, 3, 10> monomial_gradients(const Eigen::Vector3d& p) {
-  const double x = p.x(), y = p.y(), z = p.z();
-  Eigen::Matrix<double, 3, 10> G;
-  G << x, 0, 0, y, z, 0, 1, 0, 0, 0,  //
-      0, y, 0, x, 0, z, 0, 1, 0, 0,   //
-      0, 0, z, 0, x, y, 0, 0, 1, 0;
-  return 2.0 * G;
-}
-
-Eigen::MatrixXd full_system(const OrientedPoints& points, double weight) {
+Eigen::MatrixXd full_system(const OrientedPointsd& points, double weight) {
   const Eigen::Index count = points.size();
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(4 * count, 10 + count);
   const LinearSystem compact = compact_system(points, weight);
@@ -29,7 +13,7 @@ Eigen::MatrixXd full_system(const OrientedPoints& points, double weight) {
   return A;
 }
 
-LinearSystem compact_system(const OrientedPoints& points, double weight) {
+LinearSystem compact_system(const OrientedPointsd& points, double weight) {
   const Eigen::Index count = points.size();
   LinearSystem system{Eigen::MatrixXd(4 * count, 10), Eigen::VectorXd::Zero(4 * count)};
   for (Eigen::Index i = 0; i < count; ++i) {

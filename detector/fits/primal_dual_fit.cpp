@@ -18,10 +18,10 @@ constexpr double kZero = 1e-9;
 using SystemSvd = Eigen::JacobiSVD<Eigen::MatrixXd>;
 
 /// Π in the coordinates of the unit ball, of unit normal.
-Eigen::Vector4d normalised_plane(const NormalisedPoints& normalised, const Eigen::Vector4d& plane) {
-  Eigen::Vector4d local;
-  local << normalised.scale * plane.head<3>(), plane.dot(normalised.centre.homogeneous());
-  return local / local.head<3>().norm();
+Eigen::Vector4d normalised_plane(const Normalisation& local, const Eigen::Vector4d& plane) {
+  Eigen::Vector4d result;
+  result << local.scale * plane.head<3>(), plane.dot(local.centre.homogeneous());
+  return result / result.head<3>().norm();
 }
 
 /// Πᵀ adj(Q₁ + s Q₂) Π as a cubic in s, from its values at four places.
@@ -41,7 +41,7 @@ std::array<double, 4> tangency(const Quadric& Q1, const Quadric& Q2, const Eigen
 
 }  // namespace
 
-std::optional<Quadric> fit_primal_dual(const OrientedPoints& points, const PrimalDual& kind) {
+std::optional<Quadric> fit_primal_dual(const OrientedPointsd& points, const PrimalDual& kind) {
   if (kind.planes > kind.points || kind.points + 2 * kind.planes < 9) {
     throw std::invalid_argument("fit_primal_dual: too few constraints or too many planes");
   }
@@ -68,7 +68,7 @@ std::vector<Quadric> fit_eight_points_and_plane(const Eigen::Matrix3Xd& points,
   if (points.cols() != 8) {
     throw std::invalid_argument("fit_eight_points_and_plane: not eight points");
   }
-  OrientedPoints data(8);
+  OrientedPointsd data(8);
   data.points = points;
   data.normals.setConstant(1.0);
   const auto normalised = normalise(data, 8, Spread::kSpace);
@@ -78,7 +78,7 @@ std::vector<Quadric> fit_eight_points_and_plane(const Eigen::Matrix3Xd& points,
   const SystemSvd svd(A, Eigen::ComputeFullV);
   if (!(svd.singularValues()[7] > kZero * svd.singularValues()[0])) return {};
   const Quadric Q1(Vector10d(svd.matrixV().col(8))), Q2(Vector10d(svd.matrixV().col(9)));
-  const auto cubic = tangency(Q1, Q2, normalised_plane(*normalised, plane));
+  const auto cubic = tangency(Q1, Q2, normalised_plane(normalised->local, plane));
   std::vector<Quadric> solutions;
   for (const double s : real_roots({cubic.begin(), cubic.end()})) {
     const auto Q = normalised->undo(Quadric(Eigen::Matrix4d(Q1.matrix() + s * Q2.matrix())));

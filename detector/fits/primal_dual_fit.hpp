@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille {
 
@@ -26,7 +26,7 @@ inline constexpr std::array<PrimalDual, 4> kPrimalDual = {{{9, 0}, {7, 1}, {5, 2
 /// @param points  `kind.points` or more; the first columns are used
 /// @return nullopt if the points are too few, coplanar, or admit another solution
 /// @throws std::invalid_argument if there are more planes than points or fewer than 9 constraints
-std::optional<Quadric> fit_primal_dual(const OrientedPoints& points, const PrimalDual& kind);
+std::optional<Quadric> fit_primal_dual(const OrientedPointsd& points, const PrimalDual& kind);
 
 /// The quadrics through eight points that touch a plane which touches them anywhere: the one dual
 /// constraint Πᵀ Q* Π = 0 (definition 2) is a cubic in the pencil of the eight points, with one to

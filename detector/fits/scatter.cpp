@@ -1,14 +1,14 @@
 #include "fits/scatter.hpp"
 
+#include "fit/taubin.hpp"
+
 namespace quadrille {
 
-Scatter::Scatter(const OrientedPoints& points) {
+Scatter::Scatter(const OrientedPointsd& points)
+    : values(scatter_of_values(points)), gradients(scatter_of_gradients(values)) {
   for (Eigen::Index i = 0; i < points.size(); ++i) {
-    const Vector10d v = monomials(points.points.col(i));
-    const Eigen::Matrix<double, 3, 10> G = monomial_gradients(points.points.col(i));
-    const Vector10d g = G.transpose() * points.normals.col(i);
-    values += v * v.transpose();
-    gradients += G.transpose() * G;
+    const Vector10d g =
+        monomial_gradients(points.points.col(i)).transpose() * points.normals.col(i);
     along += g * g.transpose();
     alignment += g;
   }

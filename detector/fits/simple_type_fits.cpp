@@ -24,19 +24,19 @@ std::optional<Quadric> fit_checked(const NormalisedPoints& points, const Design&
 
 }  // namespace
 
-std::optional<Quadric> fit_plane(const OrientedPoints& points, const SimpleTypeOptions& options) {
+std::optional<Quadric> fit_plane(const OrientedPointsd& points, const SimpleTypeOptions& options) {
   const auto normalised = normalise(points, 3, Spread::kPlane);
   if (!normalised) return std::nullopt;
   return fit_checked(*normalised, plane_design(), options.weight, QuadricType::kPlane);
 }
 
-std::optional<Quadric> fit_sphere(const OrientedPoints& points, const SimpleTypeOptions& options) {
+std::optional<Quadric> fit_sphere(const OrientedPointsd& points, const SimpleTypeOptions& options) {
   const auto normalised = normalise(points, 2, Spread::kLine);
   if (!normalised) return std::nullopt;
   return fit_checked(*normalised, sphere_design(), options.weight, QuadricType::kSphere);
 }
 
-std::optional<Quadric> fit_spheroid(const OrientedPoints& points,
+std::optional<Quadric> fit_spheroid(const OrientedPointsd& points,
                                     const SimpleTypeOptions& options) {
   const auto normalised = normalise(points, 4, Spread::kSpace);
   if (!normalised) return std::nullopt;
@@ -48,7 +48,7 @@ std::optional<Quadric> fit_spheroid(const OrientedPoints& points,
   return normalised->undo(*Q);
 }
 
-std::optional<Quadric> fit_cylinder(const OrientedPoints& points,
+std::optional<Quadric> fit_cylinder(const OrientedPointsd& points,
                                     const SimpleTypeOptions& options) {
   const auto normalised = normalise(points, 2, Spread::kLine);
   if (!normalised) return std::nullopt;
@@ -57,7 +57,7 @@ std::optional<Quadric> fit_cylinder(const OrientedPoints& points,
   return fit_checked(*normalised, cylinder_design(*axis), options.weight, QuadricType::kCylinder);
 }
 
-std::optional<Quadric> fit_cone(const OrientedPoints& points, const SimpleTypeOptions& options) {
+std::optional<Quadric> fit_cone(const OrientedPointsd& points, const SimpleTypeOptions& options) {
   const auto normalised = normalise(points, 3, Spread::kPlane);
   if (!normalised) return std::nullopt;
   const auto apex = common_point_of_planes(normalised->data);

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille {
 
@@ -16,20 +16,20 @@ struct SimpleTypeOptions {
 /// that very type: coplanar points have a plane and nothing else.
 
 /// The plane of 3 points or more.
-std::optional<Quadric> fit_plane(const OrientedPoints& points,
+std::optional<Quadric> fit_plane(const OrientedPointsd& points,
                                  const SimpleTypeOptions& options = {});
 /// The sphere of 2 oriented points or more.
-std::optional<Quadric> fit_sphere(const OrientedPoints& points,
+std::optional<Quadric> fit_sphere(const OrientedPointsd& points,
                                   const SimpleTypeOptions& options = {});
 /// The spheroid of 4 oriented points or more: axis from the normal lines, then linear.
-std::optional<Quadric> fit_spheroid(const OrientedPoints& points,
+std::optional<Quadric> fit_spheroid(const OrientedPointsd& points,
                                     const SimpleTypeOptions& options = {});
 /// The circular cylinder of 2 oriented points or more: axis across the normals, then linear.
-std::optional<Quadric> fit_cylinder(const OrientedPoints& points,
+std::optional<Quadric> fit_cylinder(const OrientedPointsd& points,
                                     const SimpleTypeOptions& options = {});
 /// The circular cone of 3 oriented points or more: apex in all tangent planes, axis at a constant
 /// angle to the normals, then linear.
-std::optional<Quadric> fit_cone(const OrientedPoints& points,
+std::optional<Quadric> fit_cone(const OrientedPointsd& points,
                                 const SimpleTypeOptions& options = {});
 
 }  // namespace quadrille

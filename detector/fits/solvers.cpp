@@ -12,11 +12,11 @@ constexpr double kZero = 1e-13;
 
 using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
 
+}  // namespace
+
 bool is_unique(const Eigen::VectorXd& ascending) {
   return ascending.size() == 1 || ascending[1] > kZero * ascending[ascending.size() - 1];
 }
-
-}  // namespace
 
 std::optional<Eigen::VectorXd> smallest_eigenvector(const Eigen::MatrixXd& S) {
   if (!S.allFinite()) return std::nullopt;

@@ -5,6 +5,9 @@
 
 namespace quadrille {
 
+/// True if the first of ascending eigenvalues is the only one of its size.
+bool is_unique(const Eigen::VectorXd& ascending);
+
 /// The unit vector of least qᵀSq for a symmetric S ≥ 0; nullopt if another one is as good.
 std::optional<Eigen::VectorXd> smallest_eigenvector(const Eigen::MatrixXd& S);
 

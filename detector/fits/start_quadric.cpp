@@ -12,7 +12,7 @@ namespace quadrille {
 namespace {
 
 /// −log likelihood per point but for constants: one Gaussian distance and two Gaussian angles.
-double cost(const Quadric& Q, const OrientedPoints& points) {
+double cost(const Quadric& Q, const OrientedPointsd& points) {
   double distance = 1e-20, angle = 1e-20;
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d g = Q.gradient(points.points.col(i));
@@ -25,7 +25,7 @@ double cost(const Quadric& Q, const OrientedPoints& points) {
 
 }  // namespace
 
-std::optional<Quadric> start_quadric(const OrientedPoints& points) {
+std::optional<Quadric> start_quadric(const OrientedPointsd& points) {
   std::optional<Quadric> best;
   double least = std::numeric_limits<double>::infinity();
   const auto offer = [&](const std::optional<Quadric>& Q) {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille {
 
@@ -10,6 +10,6 @@ namespace quadrille {
 /// points (Taubin, tangent, compact) the likeliest, with the noise of points and of normals
 /// unknown.
 /// @return nullopt if none of them has a solution
-std::optional<Quadric> start_quadric(const OrientedPoints& normalised);
+std::optional<Quadric> start_quadric(const OrientedPointsd& normalised);
 
 }  // namespace quadrille

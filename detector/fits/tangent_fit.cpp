@@ -5,7 +5,8 @@
 
 namespace quadrille {
 
-std::optional<Quadric> fit_tangent(const OrientedPoints& points, const TangentFitOptions& options) {
+std::optional<Quadric> fit_tangent(const OrientedPointsd& points,
+                                   const TangentFitOptions& options) {
   const auto normalised = normalise(points, 4, Spread::kSpace);
   if (!normalised) return std::nullopt;
   const Scatter scatter(normalised->data);

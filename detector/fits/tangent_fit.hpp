@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille {
 
@@ -17,7 +17,7 @@ struct TangentFitOptions {
 /// fit_full() makes nothing of the kind, which is why that one destabilises under noise.
 /// @param points  4 or more
 /// @return nullopt if the points are too few, coplanar, or admit another solution
-std::optional<Quadric> fit_tangent(const OrientedPoints& points,
+std::optional<Quadric> fit_tangent(const OrientedPointsd& points,
                                    const TangentFitOptions& options = {});
 
 }  // namespace quadrille

@@ -1,18 +1,17 @@
 #include "fits/taubin_fit.hpp"
 
-#include "fits/scatter.hpp"
+#include "fit/taubin.hpp"
+#include "fits/normalise.hpp"
 #include "fits/solvers.hpp"
 
 namespace quadrille {
 
-std::optional<Quadric> fit_taubin(const OrientedPoints& points) {
+std::optional<Quadric> fit_taubin(const OrientedPointsd& points) {
   const auto normalised = normalise(points, 9, Spread::kSpace);
   if (!normalised) return std::nullopt;
-  const Scatter scatter(normalised->data);
-  const auto q =
-      smallest_eigenvector(Eigen::MatrixXd(scatter.values), Eigen::MatrixXd(scatter.gradients));
-  if (!q) return std::nullopt;
-  return normalised->undo(Quadric(Vector10d(*q)));
+  const auto solution = solve_taubin(scatter_of_values(normalised->data), 0.0);
+  if (!solution || !is_unique(solution->distances)) return std::nullopt;
+  return normalised->undo(Quadric(solution->q));
 }
 
 }  // namespace quadrille

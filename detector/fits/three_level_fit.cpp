@@ -5,11 +5,11 @@
 
 namespace quadrille {
 
-std::optional<Quadric> fit_three_level(const OrientedPoints& points,
+std::optional<Quadric> fit_three_level(const OrientedPointsd& points,
                                        const ThreeLevelOptions& options) {
   const auto normalised = normalise(points, 4, Spread::kSpace);
   if (!normalised) return std::nullopt;
-  const OrientedPoints& data = normalised->data;
+  const OrientedPointsd& data = normalised->data;
   Matrix10d S = Matrix10d::Zero();
   Vector10d b = Vector10d::Zero();
   for (Eigen::Index i = 0; i < data.size(); ++i) {

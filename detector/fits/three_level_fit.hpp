@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille {
 
@@ -16,7 +16,7 @@ struct ThreeLevelOptions {
 /// polynomial curves and surfaces to data", PAMI 2000).
 /// @param points  4 or more
 /// @return nullopt if the points are too few, coplanar, or do not determine ten coefficients
-std::optional<Quadric> fit_three_level(const OrientedPoints& points,
+std::optional<Quadric> fit_three_level(const OrientedPointsd& points,
                                        const ThreeLevelOptions& options = {});
 
 }  // namespace quadrille

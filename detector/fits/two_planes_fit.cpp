@@ -16,13 +16,13 @@ constexpr Eigen::Index kStarts = 24;
 constexpr int kRounds = 20;
 
 /// Distance to a plane, or what the normal's deviation amounts to over the unit ball if it is more.
-double misfit(const OrientedPoints& p, Eigen::Index i, const Eigen::Vector4d& plane) {
+double misfit(const OrientedPointsd& p, Eigen::Index i, const Eigen::Vector4d& plane) {
   const double distance = std::abs(plane.dot(p.points.col(i).homogeneous()));
   const double sine = plane.head<3>().cross(p.normals.col(i)).norm();
   return std::max(distance, 0.3 * sine);
 }
 
-int nearest(const OrientedPoints& p, Eigen::Index i, const Planes& planes) {
+int nearest(const OrientedPointsd& p, Eigen::Index i, const Planes& planes) {
   return misfit(p, i, planes[1]) < misfit(p, i, planes[0]) ? 1 : 0;
 }
 
@@ -30,7 +30,7 @@ Eigen::Vector4d plane_of(const OrientedPoint& point) {
   return {point.n.x(), point.n.y(), point.n.z(), -point.n.dot(point.x)};
 }
 
-double total_misfit(const OrientedPoints& p, const Planes& planes) {
+double total_misfit(const OrientedPointsd& p, const Planes& planes) {
   double sum = 0.0;
   for (Eigen::Index i = 0; i < p.size(); ++i) {
     sum += misfit(p, i, planes[nearest(p, i, planes)]);
@@ -38,7 +38,7 @@ double total_misfit(const OrientedPoints& p, const Planes& planes) {
   return sum;
 }
 
-Planes best_start(const OrientedPoints& p) {
+Planes best_start(const OrientedPointsd& p) {
   Planes best;
   double least = std::numeric_limits<double>::infinity();
   const Eigen::Index stride = std::max<Eigen::Index>(1, (p.size() + kStarts - 1) / kStarts);
@@ -53,7 +53,7 @@ Planes best_start(const OrientedPoints& p) {
 }
 
 /// The plane of some of the points by their scatter.
-std::optional<Eigen::Vector4d> refit(const OrientedPoints& p, const std::vector<int>& side,
+std::optional<Eigen::Vector4d> refit(const OrientedPointsd& p, const std::vector<int>& side,
                                      int which) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
@@ -76,10 +76,10 @@ std::optional<Eigen::Vector4d> refit(const OrientedPoints& p, const std::vector<
 
 }  // namespace
 
-std::optional<Quadric> fit_two_planes(const OrientedPoints& points) {
+std::optional<Quadric> fit_two_planes(const OrientedPointsd& points) {
   const auto normalised = normalise(points, 6, Spread::kSpace);
   if (!normalised) return std::nullopt;
-  const OrientedPoints& data = normalised->data;
+  const OrientedPointsd& data = normalised->data;
   Planes planes = best_start(data);
   std::vector<int> side(data.size(), -1);
   for (int round = 0; round < kRounds; ++round) {

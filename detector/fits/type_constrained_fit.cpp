@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -66,7 +67,7 @@ std::vector<Eigen::Vector3d> signatures(QuadricType type) {
 }
 
 /// The best fit of the type with a quadratic part of the given frame and equal semi-axes.
-std::optional<Quadric> anchor(const OrientedPoints& points, const Eigen::Matrix3d& frame,
+std::optional<Quadric> anchor(const OrientedPointsd& points, const Eigen::Matrix3d& frame,
                               QuadricType type) {
   const Scatter scatter(points);
   std::optional<Quadric> best;
@@ -94,7 +95,7 @@ Eigen::Matrix3d eigenframe(const Quadric& Q) {
 }
 
 /// An open set of quadrics: the unconstrained fit if it is of the type, or steered to it.
-std::optional<Quadric> fit_open_type(const OrientedPoints& points,
+std::optional<Quadric> fit_open_type(const OrientedPointsd& points,
                                      const std::optional<Quadric>& free,
                                      const Eigen::Matrix3d& frame, QuadricType type) {
   if (!free || is_of(*free, type)) return free;
@@ -103,13 +104,13 @@ std::optional<Quadric> fit_open_type(const OrientedPoints& points,
   return steer(*free, *goal, type);
 }
 
-std::optional<Quadric> fit_central(const OrientedPoints& points, QuadricType type) {
+std::optional<Quadric> fit_central(const OrientedPointsd& points, QuadricType type) {
   const auto free = fit_taubin(points);
   if (!free) return std::nullopt;
   return fit_open_type(points, free, eigenframe(*free), type);
 }
 
-std::optional<Quadric> fit_extruded(const OrientedPoints& points, QuadricType type) {
+std::optional<Quadric> fit_extruded(const OrientedPointsd& points, QuadricType type) {
   const auto axis = direction_across_normals(points);
   if (!axis) return std::nullopt;
   const auto free = fit_design(points, extrusion_design(*axis), kNoTangents);
@@ -122,7 +123,7 @@ std::optional<Quadric> fit_extruded(const OrientedPoints& points, QuadricType ty
   return fit_open_type(points, free, frame, type);
 }
 
-std::optional<Quadric> fit_parabolic_cylinder(const OrientedPoints& points) {
+std::optional<Quadric> fit_parabolic_cylinder(const OrientedPointsd& points) {
   const auto axis = direction_across_normals(points);
   if (!axis) return std::nullopt;
   const Eigen::Vector3d e = axis->unitOrthogonal(), f = axis->cross(e);
@@ -141,7 +142,7 @@ std::optional<Quadric> fit_parabolic_cylinder(const OrientedPoints& points) {
   };
   std::optional<Quadric> best;
   double least = std::numeric_limits<double>::infinity(), angle = 0.0;
-  double step = M_PI / 36.0, from = 0.0;
+  double step = std::numbers::pi / 36.0, from = 0.0;
   int count = 36;
   for (int level = 0; level < 12; ++level) {
     for (int i = 0; i < count; ++i) {
@@ -173,13 +174,14 @@ struct DirectionSearch {
 };
 
 /// The axis by a pattern search, from wherever on a coarse hemisphere the type fits best.
-std::optional<Quadric> fit_paraboloid(const OrientedPoints& points, QuadricType type) {
+std::optional<Quadric> fit_paraboloid(const OrientedPointsd& points, QuadricType type) {
   const Scatter scatter(points);
   DirectionSearch search{scatter, type};
   constexpr int kRings = 6, kSectors = 12;
   for (int ring = 0; ring <= kRings; ++ring) {
     for (int sector = 0; sector < (ring == 0 ? 1 : kSectors); ++sector) {
-      const double polar = 0.5 * M_PI * ring / kRings, turn = 2.0 * M_PI * sector / kSectors;
+      const double polar = 0.5 * std::numbers::pi * ring / kRings,
+                   turn = 2.0 * std::numbers::pi * sector / kSectors;
       search.offer(
           {std::sin(polar) * std::cos(turn), std::sin(polar) * std::sin(turn), std::cos(polar)});
     }
@@ -196,14 +198,14 @@ std::optional<Quadric> fit_paraboloid(const OrientedPoints& points, QuadricType 
   return search.best;
 }
 
-std::optional<Quadric> fit_elliptic_cone(const OrientedPoints& points) {
+std::optional<Quadric> fit_elliptic_cone(const OrientedPointsd& points) {
   const auto apex = common_point_of_planes(points);
   if (!apex || !(apex->norm() < 1e3)) return std::nullopt;
   const auto Q = fit_design(points, elliptic_cone_design(*apex), kNoTangents);
   return Q && is_of(*Q, QuadricType::kEllipticCone) ? Q : std::nullopt;
 }
 
-std::optional<Quadric> fit_normalised(const OrientedPoints& points, QuadricType type) {
+std::optional<Quadric> fit_normalised(const OrientedPointsd& points, QuadricType type) {
   using T = QuadricType;
   switch (type) {
     case T::kEllipticCylinder:
@@ -223,7 +225,7 @@ std::optional<Quadric> fit_normalised(const OrientedPoints& points, QuadricType 
 
 }  // namespace
 
-std::optional<Quadric> fit_of_type(const OrientedPoints& points, QuadricType type) {
+std::optional<Quadric> fit_of_type(const OrientedPointsd& points, QuadricType type) {
   using T = QuadricType;
   if (is_imaginary(type)) throw std::invalid_argument("fit_of_type: the type is imaginary");
   const bool flat = type == T::kPlane || type == T::kCoincidentPlanes;

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 #include "quadrille/detector/quadric_type.hpp"
 
 namespace quadrille {
@@ -19,6 +19,6 @@ namespace quadrille {
 /// @param points  9 or more
 /// @return nullopt if the points are too few or do not determine such a surface
 /// @throws std::invalid_argument for imaginary types
-std::optional<Quadric> fit_of_type(const OrientedPoints& points, QuadricType type);
+std::optional<Quadric> fit_of_type(const OrientedPointsd& points, QuadricType type);
 
 }  // namespace quadrille

@@ -10,7 +10,7 @@ namespace {
 
 /// The 10-vector of a product of two affine functions.
 Vector10d product(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
-  return Quadric(Eigen::Matrix4d(0.5 * (a * b.transpose() + b * a.transpose()))).coefficients();
+  return Quadric(symmetric_product(a, b)).coefficients();
 }
 
 /// u·x as an affine function, and 1.
@@ -103,7 +103,7 @@ std::optional<Quadric> fit_design(const Scatter& scatter, const Design& B, doubl
   return Quadric(Vector10d(B * *theta));
 }
 
-std::optional<Quadric> fit_design(const OrientedPoints& points, const Design& B, double weight) {
+std::optional<Quadric> fit_design(const OrientedPointsd& points, const Design& B, double weight) {
   return fit_design(Scatter(points), B, weight);
 }
 

@@ -56,6 +56,6 @@ inline constexpr std::array<VotingSpace, 6> kVotingSpaces = {{{"plane", 1, 0},
 /// constraint that the squared gradient has mean 1.
 /// @param points  in normalised coordinates, as the design is
 /// @return nullopt if another member of the design fits as well
-std::optional<Quadric> fit_design(const OrientedPoints& points, const Design& B, double weight);
+std::optional<Quadric> fit_design(const OrientedPointsd& points, const Design& B, double weight);
 
 }  // namespace quadrille

@@ -42,14 +42,18 @@ inline std::vector<OrientedPoint> points_on(const Eigen::Matrix4d& D, int count,
   return points;
 }
 
-inline FitPoints to_fit_points(const std::vector<OrientedPoint>& points) {
-  FitPoints fit(static_cast<Eigen::Index>(points.size()));
-  for (Eigen::Index i = 0; i < fit.size(); ++i) {
-    const Eigen::Vector3f x = points[i].x.cast<float>(), n = points[i].n.cast<float>();
-    fit.x[i] = x.x(), fit.y[i] = x.y(), fit.z[i] = x.z();
-    fit.nx[i] = n.x(), fit.ny[i] = n.y(), fit.nz[i] = n.z();
+template <typename Scalar>
+OrientedPoints<Scalar> to_oriented_points(const std::vector<OrientedPoint>& list) {
+  OrientedPoints<Scalar> result(static_cast<Eigen::Index>(list.size()));
+  for (Eigen::Index i = 0; i < result.size(); ++i) {
+    result.points.col(i) = list[i].x.cast<Scalar>();
+    result.normals.col(i) = list[i].n.cast<Scalar>();
   }
-  return fit;
+  return result;
+}
+
+inline OrientedPointsf to_fit_points(const std::vector<OrientedPoint>& points) {
+  return to_oriented_points<float>(points);
 }
 
 /// A quadric of a family and where its points are taken.
@@ -81,7 +85,7 @@ inline std::vector<FamilyExample> family_examples() {
 
 /// Oriented points of an example in a random pose, displaced by noise along their normals.
 struct ExamplePoints {
-  FitPoints points;
+  OrientedPointsf points;
   PosedQuadric truth;
 };
 

@@ -113,7 +113,7 @@ TEST_CASE("samples lie on the quadric within the unit ball with its gradients",
   for (int k = 0; k < kCurvedTypes; ++k) {
     RandomStream random(1, static_cast<std::uint64_t>(k));
     const Quadric Q = random_quadric(curved_type(k), random);
-    const OrientedPoints points = sample(Q, 200, random);
+    const OrientedPointsd points = sample(Q, 200, random);
     CAPTURE(to_string(curved_type(k)));
     CHECK(canonical_form(Q).type == curved_type(k));
     for (Eigen::Index i = 0; i < points.size(); ++i) {
@@ -129,7 +129,7 @@ TEST_CASE("samples of a sphere are uniform by area", "[experiment][sample]") {
   RandomStream random(2, 0);
   const Quadric sphere =
       from_canonical({QuadricType::kSphere, Eigen::Isometry3d::Identity(), {{"radius", 0.8}}});
-  const OrientedPoints points = sample(sphere, 20000, random);
+  const OrientedPointsd points = sample(sphere, 20000, random);
   // Archimedes: each coordinate is uniform, so its mean square is r² / 3 and that of |z| is r / 2.
   CHECK(points.points.row(2).cwiseAbs().mean() == Approx(0.4).epsilon(0.02));
   CHECK(points.points.row(0).squaredNorm() / 20000 == Approx(0.64 / 3).epsilon(0.03));
@@ -139,8 +139,8 @@ TEST_CASE("samples of a sphere are uniform by area", "[experiment][sample]") {
 
 TEST_CASE("noise has the deviation that is asked for", "[experiment][sample]") {
   RandomStream random(3, 0);
-  const OrientedPoints exact = sample(random_quadric(QuadricType::kSphere, random), 5000, random);
-  OrientedPoints data = exact;
+  const OrientedPointsd exact = sample(random_quadric(QuadricType::kSphere, random), 5000, random);
+  OrientedPointsd data = exact;
   add_point_noise(&data, 0.03, random);
   CHECK(std::sqrt((data.points - exact.points).squaredNorm() / 15000) ==
         Approx(0.03).epsilon(0.03));
@@ -148,7 +148,7 @@ TEST_CASE("noise has the deviation that is asked for", "[experiment][sample]") {
   CHECK(std::sqrt((data.normals - exact.normals).squaredNorm() / 10000) ==
         Approx(0.05).epsilon(0.05));
   CHECK(data.normals.colwise().norm().maxCoeff() == Approx(1.0));
-  OrientedPoints estimated = exact;
+  OrientedPointsd estimated = exact;
   estimate_normals(&estimated, 12);
   CHECK((estimated.normals - exact.normals).colwise().norm().mean() < 0.05);
 }
@@ -158,7 +158,7 @@ TEST_CASE("fit errors are those of a sphere that is too large", "[experiment]") 
   const auto sphere = [](double r) {
     return from_canonical({QuadricType::kSphere, Eigen::Isometry3d::Identity(), {{"radius", r}}});
   };
-  const OrientedPoints points = sample(sphere(0.5), 100, random);
+  const OrientedPointsd points = sample(sphere(0.5), 100, random);
   const FitErrors none = errors_of(std::nullopt, sphere(0.5), points, 1.0);
   CHECK((none.point == 1.0 && none.angle == 1.0 && none.gradient == 1.0));
   const FitErrors exact = errors_of(sphere(0.5), sphere(0.5), points, 1.0);

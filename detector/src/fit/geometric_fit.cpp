@@ -11,10 +11,10 @@
 namespace quadrille {
 namespace {
 
-// A step that promises less than this share of the residual is not worth its evaluation.
-constexpr double kNegligible = 1e-4;
 // A fit that promises more than this multiple of the wanted residual will not get there.
-constexpr double kHopeless = 4.0;
+constexpr double kMaxPromised = 4.0;
+// A step that gained less than this many times the least worthwhile gain was the last.
+constexpr double kLastGain = 10.0;
 
 using Normal = Eigen::Matrix<double, 11, 11>;
 
@@ -87,8 +87,10 @@ PosedQuadric moved(Family family, PosedQuadric q, const Eigen::Ref<const Eigen::
   return q;
 }
 
-std::optional<FamilyFit> refine(const FitPoints& points, Family family, const PosedQuadric& start,
-                                int iterations, double wanted) {
+template <typename Scalar>
+std::optional<FamilyFit> refine(const OrientedPoints<Scalar>& points, Family family,
+                                const PosedQuadric& start, int iterations, double wanted,
+                                double min_gain) {
   const FamilySpec& spec = family_spec(family);
   if (points.size() < spec.dof) return std::nullopt;
   FamilyFit fit;
@@ -104,12 +106,12 @@ std::optional<FamilyFit> refine(const FitPoints& points, Family family, const Po
     const Vector change = step.solve(damping);
     if (!change.allFinite()) break;
     const double gain = -step.b.dot(change);
-    if (gain < kNegligible * fit.rss) break;
-    if (i > 0 && fit.rss - gain > kHopeless * wanted) break;
+    if (gain < min_gain * fit.rss) break;
+    if (i > 0 && fit.rss - gain > kMaxPromised * wanted) break;
     const PosedQuadric next = moved(family, fit.posed, change);
     const Normal M = normal_equations(points, next.matrix());
     if (M.allFinite() && M(10, 10) < fit.rss) {
-      const bool converged = M(10, 10) > 0.999 * fit.rss;
+      const bool converged = M(10, 10) > (1.0 - kLastGain * min_gain) * fit.rss;
       fit.posed = next;
       fit.rss = M(10, 10);
       N = M;
@@ -124,5 +126,10 @@ std::optional<FamilyFit> refine(const FitPoints& points, Family family, const Po
   fit.information = step.A;
   return fit;
 }
+
+template std::optional<FamilyFit> refine(const OrientedPointsf&, Family, const PosedQuadric&, int,
+                                         double, double);
+template std::optional<FamilyFit> refine(const OrientedPointsd&, Family, const PosedQuadric&, int,
+                                         double, double);
 
 }  // namespace quadrille

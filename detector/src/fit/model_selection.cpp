@@ -5,8 +5,15 @@
 #include <limits>
 
 #include "fit/family_spec.hpp"
-#include "fit/initial_fits.hpp"
+#include "fit/initial_cone.hpp"
+#include "fit/initial_cylinder.hpp"
+#include "fit/initial_general.hpp"
+#include "fit/initial_plane.hpp"
+#include "fit/initial_revolution.hpp"
+#include "fit/initial_sphere.hpp"
 #include "fit/normal_equations.hpp"
+#include "fit/special_generals.hpp"
+#include "fit/special_revolutions.hpp"
 #include "quadrille/detector/canonical.hpp"
 
 namespace quadrille {
@@ -15,7 +22,7 @@ namespace {
 /// Closed-form starts for fits to the same points.
 class Starts {
  public:
-  explicit Starts(const FitPoints& points) : points_(points) {}
+  explicit Starts(const OrientedPointsf& points) : points_(points) {}
 
   /// Starts for one family; `known` are the fits so far, on which some build.
   std::vector<PosedQuadric> of(Family family, const std::vector<FamilyFit>& known) {
@@ -81,12 +88,12 @@ class Starts {
     return *revolution_;
   }
 
-  const FitPoints& points_;
+  const OrientedPointsf& points_;
   std::optional<std::optional<PosedQuadric>> revolution_;
 };
 
 /// Refines the best of a family's starts.
-std::optional<FamilyFit> fit_from(Starts* starts, const FitPoints& points, Family family,
+std::optional<FamilyFit> fit_from(Starts* starts, const OrientedPointsf& points, Family family,
                                   const std::vector<FamilyFit>& known, int iterations,
                                   double wanted) {
   const PosedQuadric* best = nullptr;
@@ -124,12 +131,12 @@ double bic(const FamilyFit& fit, const SelectionOptions& options) {
          2.0 * log_prior(canonical_form(fit.posed).type);
 }
 
-std::optional<FamilyFit> fit_family(const FitPoints& points, Family family, int iterations) {
+std::optional<FamilyFit> fit_family(const OrientedPointsf& points, Family family, int iterations) {
   Starts starts(points);
   return fit_from(&starts, points, family, {}, iterations, std::numeric_limits<double>::infinity());
 }
 
-Selection select_family(const FitPoints& points, std::span<const Family> families,
+Selection select_family(const OrientedPointsf& points, std::span<const Family> families,
                         const FamilyFit& general, const SelectionOptions& options) {
   const int size = static_cast<int>(points.size());
   Starts starts(points);

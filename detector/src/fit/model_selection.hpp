@@ -36,11 +36,11 @@ double bic(const FamilyFit& fit, const SelectionOptions& options);
 
 /// The best fit of one family from its own closed-form starts; nullopt if there is none, as for
 /// the paraboloids and the elliptic cylinder, which start from other families' fits.
-std::optional<FamilyFit> fit_family(const FitPoints& points, Family family, int iterations);
+std::optional<FamilyFit> fit_family(const OrientedPointsf& points, Family family, int iterations);
 
 /// Fits the families and selects one.
 /// @param general  the fit of the general family: no other fits better, which spares most fits
-Selection select_family(const FitPoints& points, std::span<const Family> families,
+Selection select_family(const OrientedPointsf& points, std::span<const Family> families,
                         const FamilyFit& general, const SelectionOptions& options);
 
 }  // namespace quadrille

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 
 #include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 
-/// Similarity that carries a region's points to about the unit ball: x_local = (x − centre) /
-/// scale.
+/// Similarity that carries points to about the unit ball, as the paper asks (Hartley's
+/// normalisation): x_local = (x − centre) / scale.
 struct Normalisation {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double scale = 1.0;
@@ -17,5 +20,27 @@ struct Normalisation {
   /// The inverse.
   Eigen::Matrix4d to_local(const Quadric& Q) const;
 };
+
+/// What becomes 1: the root mean square distance from the centroid, which one stray point hardly
+/// changes, or the largest, which has all points in the unit ball.
+enum class Radius { kRootMeanSquare, kLargest };
+
+/// The normalisation about the centroid of some points.
+/// @param point  gives the i-th of `size` points, at least one, in double precision
+template <typename PointAt>
+Normalisation normalisation_about_centroid(std::size_t size, Radius radius, const PointAt& point) {
+  Normalisation result;
+  for (std::size_t i = 0; i < size; ++i) result.centre += point(i);
+  result.centre /= static_cast<double>(size);
+  double sum = 0.0, largest = 0.0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const double square = (point(i) - result.centre).squaredNorm();
+    sum += square;
+    largest = std::max(largest, square);
+  }
+  const bool mean = radius == Radius::kRootMeanSquare;
+  result.scale = std::sqrt(mean ? sum / static_cast<double>(size) : largest);
+  return result;
+}
 
 }  // namespace quadrille

@@ -14,6 +14,9 @@ struct PosedQuadric {
   Eigen::Matrix4d matrix() const;
 };
 
+/// The pose at a position with its z axis along a direction.
+Eigen::Isometry3d pose_along(const Eigen::Vector3d& position, const Eigen::Vector3d& z);
+
 /// The canonical form of a fit, whose zeros are exact but for rounding.
 CanonicalForm canonical_form(const PosedQuadric& fit);
 

@@ -1,7 +1,6 @@
 #include "samples/region.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace quadrille {
@@ -27,30 +26,24 @@ std::vector<int> spread_evenly(std::span<const int> region, std::size_t max_coun
 }
 
 Normalisation normalisation_of(const SurfaceSamples& samples, std::span<const int> region) {
-  Normalisation result;
-  if (region.empty()) return result;
-  for (const int i : region) result.centre += samples.raw[i].cast<double>();
-  result.centre /= static_cast<double>(region.size());
-  double square = 0;
-  for (const int i : region) {
-    square += (samples.raw[i].cast<double>() - result.centre).squaredNorm();
-  }
-  result.scale = std::max(kMinScale, std::sqrt(square / static_cast<double>(region.size())));
+  if (region.empty()) return {};
+  Normalisation result = normalisation_about_centroid(
+      region.size(), Radius::kRootMeanSquare,
+      [&](std::size_t k) { return samples.raw[region[k]].cast<double>(); });
+  result.scale = std::max(kMinScale, result.scale);
   return result;
 }
 
-FitPoints fit_points(const SurfaceSamples& samples, std::span<const int> region,
-                     const Normalisation& normalisation, int max_count) {
+OrientedPointsf fit_points(const SurfaceSamples& samples, std::span<const int> region,
+                           const Normalisation& normalisation, int max_count) {
   const std::size_t size = std::min<std::size_t>(region.size(), max_count);
-  FitPoints points(static_cast<Eigen::Index>(size));
+  OrientedPointsf points(static_cast<Eigen::Index>(size));
   const Eigen::Vector3f centre = normalisation.centre.cast<float>();
   const float inverse = static_cast<float>(1.0 / normalisation.scale);
   for (std::size_t k = 0; k < size; ++k) {
     const int i = region[size == region.size() ? k : golden_index(k, region.size())];
-    const Eigen::Vector3f x = (samples.raw[i] - centre) * inverse;
-    points.x[k] = x.x(), points.y[k] = x.y(), points.z[k] = x.z();
-    points.nx[k] = samples.n[i].x(), points.ny[k] = samples.n[i].y(),
-    points.nz[k] = samples.n[i].z();
+    points.points.col(static_cast<Eigen::Index>(k)) = (samples.raw[i] - centre) * inverse;
+    points.normals.col(static_cast<Eigen::Index>(k)) = samples.n[i];
   }
   return points;
 }

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "fit/fit_points.hpp"
 #include "fit/normalisation.hpp"
+#include "fit/oriented_points.hpp"
 #include "samples/surface_samples.hpp"
 
 namespace quadrille {
@@ -17,7 +17,7 @@ Normalisation normalisation_of(const SurfaceSamples& samples, std::span<const in
 std::vector<int> spread_evenly(std::span<const int> region, std::size_t max_count);
 
 /// Up to max_count points of a region, spread evenly, raw positions in local coordinates.
-FitPoints fit_points(const SurfaceSamples& samples, std::span<const int> region,
-                     const Normalisation& normalisation, int max_count);
+OrientedPointsf fit_points(const SurfaceSamples& samples, std::span<const int> region,
+                           const Normalisation& normalisation, int max_count);
 
 }  // namespace quadrille

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fit/monomials.hpp"
+
 namespace quadrille {
 namespace {
 

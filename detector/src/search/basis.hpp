@@ -25,11 +25,6 @@ struct Pencil {
   Eigen::Matrix4d at(double lambda) const { return Q0 + lambda * plane * plane.transpose(); }
 };
 
-/// The quadric a·x b·x of two planes, as a symmetric 4x4 matrix.
-inline Eigen::Matrix4d symmetric_product(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
-  return 0.5 * (a * b.transpose() + b * a.transpose());
-}
-
 /// How far three oriented points are from lying on one quadric, 0 to 1: they do exactly when
 /// b₁₂b₂₃b₃₁ = b₂₁b₃₂b₁₃ with b_ij = nᵢ·(x_j − xᵢ) and b_ij, b_ji of one sign.
 double inconsistency(const std::array<OrientedPoint, 3>& basis);

@@ -22,7 +22,7 @@ constexpr double kReselectionGrowth = 1.25;
 bool refit(const SurfaceSamples& samples, const GrowOptions& options, bool select,
            Candidate* candidate) {
   const Normalisation local = normalisation_of(samples, candidate->region);
-  const FitPoints points = fit_points(samples, candidate->region, local, options.fit_points);
+  const OrientedPointsf points = fit_points(samples, candidate->region, local, options.fit_points);
   std::optional<FamilyFit> best =
       fit_family(points, select ? Family::kGeneral : candidate->family, kIterations);
   if (!best) return false;

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <optional>
 
+#include "fit/half_gradient.hpp"
+#include "fit/monomials.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "search/basis.hpp"
-#include "search/quadric_values.hpp"
 #include "search/sphere_vote.hpp"
 #include "search/web_vote.hpp"
 
@@ -21,22 +22,22 @@ constexpr double kNormalNoise = 0.05;
 // With less curvature a neighbourhood, of size one, passes for a plane.
 constexpr double kMinCurvature = 0.2;
 
-int draw_index(const FitPoints& voters, RandomStream& random) {
+int draw_index(const OrientedPointsf& voters, RandomStream& random) {
   return random.below(static_cast<int>(voters.size()));
 }
 
-OrientedPoint draw(const FitPoints& voters, RandomStream& random) {
+OrientedPoint draw(const OrientedPointsf& voters, RandomStream& random) {
   const int k = draw_index(voters, random);
-  return {voters.point(k), voters.normal(k)};
+  return voters.at(k);
 }
 
-std::optional<Pencil> draw_pencil(const FitPoints& voters, RandomStream& random,
+std::optional<Pencil> draw_pencil(const OrientedPointsf& voters, RandomStream& random,
                                   BasisMemory* memory = nullptr) {
   std::array<OrientedPoint, 3> basis;
   std::array<int, 3> which;
   for (std::size_t i = 0; i < 3; ++i) {
     which[i] = draw_index(voters, random);
-    basis[i] = {voters.point(which[i]), voters.normal(which[i])};
+    basis[i] = voters.at(which[i]);
   }
   std::optional<Pencil> pencil = make_pencil(basis);
   if (pencil && inconsistency(basis) > kMaxInconsistency) pencil.reset();
@@ -46,8 +47,9 @@ std::optional<Pencil> draw_pencil(const FitPoints& voters, RandomStream& random,
   return pencil;
 }
 
-std::vector<Eigen::Matrix4d> through_three(const FitPoints& voters, const VoteOptions& options,
-                                           RandomStream& random, BasisMemory* memory) {
+std::vector<Eigen::Matrix4d> through_three(const OrientedPointsf& voters,
+                                           const VoteOptions& options, RandomStream& random,
+                                           BasisMemory* memory) {
   std::vector<Eigen::Matrix4d> list;
   if (const std::optional<Pencil> pencil = draw_pencil(voters, random, memory)) {
     for (const VotePeak& peak : vote(*pencil, voters, options)) {
@@ -57,7 +59,7 @@ std::vector<Eigen::Matrix4d> through_three(const FitPoints& voters, const VoteOp
   return list;
 }
 
-std::vector<Eigen::Matrix4d> through_four(const FitPoints& voters, const VoteOptions& options,
+std::vector<Eigen::Matrix4d> through_four(const OrientedPointsf& voters, const VoteOptions& options,
                                           RandomStream& random) {
   const std::optional<Pencil> pencil = draw_pencil(voters, random);
   const Eigen::Vector4d x = draw(voters, random).x.homogeneous();
@@ -68,13 +70,12 @@ std::vector<Eigen::Matrix4d> through_four(const FitPoints& voters, const VoteOpt
 }
 
 /// The null vector of nine rows vᵀ, its gradient on the side of most of the nine normals.
-std::vector<Eigen::Matrix4d> through_nine(const FitPoints& voters, RandomStream& random) {
+std::vector<Eigen::Matrix4d> through_nine(const OrientedPointsf& voters, RandomStream& random) {
   std::array<OrientedPoint, 9> basis;
   Eigen::Matrix<double, 10, 9> rows;
   for (int i = 0; i < 9; ++i) {
     basis[i] = draw(voters, random);
-    const double x = basis[i].x.x(), y = basis[i].x.y(), z = basis[i].x.z();
-    rows.col(i) << x * x, y * y, z * z, 2 * x * y, 2 * x * z, 2 * y * z, 2 * x, 2 * y, 2 * z, 1;
+    rows.col(i) = monomials(basis[i].x);
   }
   const Eigen::ColPivHouseholderQR<Eigen::Matrix<double, 10, 9>> qr(rows);
   if (qr.rank() < 9) return {};
@@ -86,7 +87,7 @@ std::vector<Eigen::Matrix4d> through_nine(const FitPoints& voters, RandomStream&
   return {Q.matrix()};
 }
 
-std::vector<Eigen::Matrix4d> through_two(const FitPoints& voters, const VoteOptions& options,
+std::vector<Eigen::Matrix4d> through_two(const OrientedPointsf& voters, const VoteOptions& options,
                                          RandomStream& random) {
   const OrientedPoint first = draw(voters, random), second = draw(voters, random);
   std::vector<Eigen::Matrix4d> list;
@@ -96,7 +97,7 @@ std::vector<Eigen::Matrix4d> through_two(const FitPoints& voters, const VoteOpti
   return list;
 }
 
-std::vector<Eigen::Matrix4d> spheres_through_one(const FitPoints& voters,
+std::vector<Eigen::Matrix4d> spheres_through_one(const OrientedPointsf& voters,
                                                  const VoteOptions& options, RandomStream& random) {
   const OrientedPoint basis = draw(voters, random);
   std::vector<Eigen::Matrix4d> list;
@@ -109,7 +110,7 @@ std::vector<Eigen::Matrix4d> spheres_through_one(const FitPoints& voters,
 
 }  // namespace
 
-std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& voters,
+std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const OrientedPointsf& voters,
                                              const VoteOptions& options, RandomStream& random,
                                              BasisMemory* memory) {
   switch (kind) {
@@ -127,12 +128,12 @@ std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& vo
   return {};
 }
 
-int count_support(const FitPoints& p, const Eigen::Matrix4d& matrix, float distance,
+int count_support(const OrientedPointsf& p, const Eigen::Matrix4d& Q, float distance,
                   float min_cosine) {
-  const QuadricValues q(matrix.cast<float>(), p);
-  const Eigen::ArrayXf slope = (q.gx.square() + q.gy.square() + q.gz.square()).sqrt();
-  return static_cast<int>((q.f.abs() <= 2.0f * distance * slope &&
-                           q.gx * p.nx + q.gy * p.ny + q.gz * p.nz >= min_cosine * slope)
+  const HalfGradients g(p, Q);
+  const Eigen::ArrayXf slope = (g.x.square() + g.y.square() + g.z.square()).sqrt();
+  return static_cast<int>((g.f.abs() <= 2.0f * distance * slope &&
+                           g.x * p.nx() + g.y * p.ny() + g.z * p.nz() >= min_cosine * slope)
                               .count());
 }
 

@@ -23,7 +23,7 @@ struct BasisMemory {
 /// @param voters  oriented points of a neighbourhood, normalised; at least one
 /// @param memory  refuses a basis of three points that it knows, and learns the others; null for
 ///                none. The other kinds of bases do without.
-std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& voters,
+std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const OrientedPointsf& voters,
                                              const VoteOptions& options, RandomStream& random,
                                              BasisMemory* memory = nullptr);
 
@@ -33,7 +33,7 @@ std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const FitPoints& vo
 ///                      side of the normals
 /// @param distance      in the unit of the voters
 /// @param min_cosine  between normal and gradient
-int count_support(const FitPoints& voters, const Eigen::Matrix4d& Q, float distance,
+int count_support(const OrientedPointsf& voters, const Eigen::Matrix4d& Q, float distance,
                   float min_cosine);
 
 }  // namespace quadrille

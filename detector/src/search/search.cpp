@@ -101,7 +101,7 @@ class Searcher {
     const Normalisation local = normalisation_of(samples_, around);
     const std::vector<int> chosen =
         spread_evenly(around, static_cast<std::size_t>(options_.voters));
-    const FitPoints voters = fit_points(samples_, chosen, local, options_.voters);
+    const OrientedPointsf voters = fit_points(samples_, chosen, local, options_.voters);
     BasisMemory* const memory = options_.hash_triplets ? &memory_ : nullptr;
     if (memory) memory->sample_of_voter = chosen;
     const float limit = static_cast<float>(

@@ -16,16 +16,16 @@ Eigen::Matrix4d tangent_sphere(const OrientedPoint& point, double curvature) {
   return Q;
 }
 
-std::vector<VotePeak> vote_curvature(const OrientedPoint& basis, const FitPoints& voters,
+std::vector<VotePeak> vote_curvature(const OrientedPoint& basis, const OrientedPointsf& voters,
                                      const VoteOptions& options) {
   const Eigen::Vector3f p = basis.x.cast<float>(), n = basis.n.cast<float>();
-  const Eigen::ArrayXf dx = voters.x - p.x(), dy = voters.y - p.y(), dz = voters.z - p.z();
+  const Eigen::ArrayXf dx = voters.x() - p.x(), dy = voters.y() - p.y(), dz = voters.z() - p.z();
   const Eigen::ArrayXf square = dx.square() + dy.square() + dz.square();
   const Eigen::ArrayXf curvature = -2.0f * (n.x() * dx + n.y() * dy + n.z() * dz) / square;
   // ∇f = n + κ d, of length one on the sphere.
-  const Eigen::ArrayXf cosine = (n.x() + curvature * dx) * voters.nx +
-                                (n.y() + curvature * dy) * voters.ny +
-                                (n.z() + curvature * dz) * voters.nz;
+  const Eigen::ArrayXf cosine = (n.x() + curvature * dx) * voters.nx() +
+                                (n.y() + curvature * dy) * voters.ny() +
+                                (n.z() + curvature * dz) * voters.nz();
   const float min_square = static_cast<float>(options.min_height * options.min_height);
   VoteHistogram histogram(options);
   for (Eigen::Index i = 0; i < voters.size(); ++i) {

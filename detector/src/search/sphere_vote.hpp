@@ -18,7 +18,7 @@ Eigen::Matrix4d tangent_sphere(const OrientedPoint& point, double curvature);
 /// @param options  `lambda_scale` is the curvature that falls into the middle of a half axis;
 ///                 `min_height` is the least distance of a voter
 /// @return peaks with κ in the place of λ, highest first
-std::vector<VotePeak> vote_curvature(const OrientedPoint& basis, const FitPoints& voters,
+std::vector<VotePeak> vote_curvature(const OrientedPoint& basis, const OrientedPointsf& voters,
                                      const VoteOptions& options);
 
 }  // namespace quadrille

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "fit/monomials.hpp"
+
 namespace quadrille {
 namespace {
 

@@ -152,12 +152,13 @@ std::optional<WebPeak> meeting_point(const std::vector<WebLine>& lines, const Li
 
 }  // namespace
 
-std::vector<WebPeak> vote(const Web& web, const FitPoints& voters, const VoteOptions& options) {
+std::vector<WebPeak> vote(const Web& web, const OrientedPointsf& voters,
+                          const VoteOptions& options) {
   LineCounts counts(options);
   std::vector<WebLine> lines;
   for (Eigen::Index i = 0; i < voters.size(); ++i) {
     const std::optional<WebLine> line =
-        line_of(web, {voters.point(i), voters.normal(i)}, options.min_height, options.min_cosine);
+        line_of(web, voters.at(i), options.min_height, options.min_cosine);
     if (!line || !line->origin.allFinite()) continue;
     lines.push_back(*line);
     counts.add(*line);

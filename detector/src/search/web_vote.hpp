@@ -24,6 +24,7 @@ struct WebPeak {
 /// The outermost cells do not count: there, at λ = ∞, all lines end.
 /// @param options  `bins` holds three times the cells along each coordinate
 /// @return no more than options.peaks, most votes first
-std::vector<WebPeak> vote(const Web& web, const FitPoints& voters, const VoteOptions& options);
+std::vector<WebPeak> vote(const Web& web, const OrientedPointsf& voters,
+                          const VoteOptions& options);
 
 }  // namespace quadrille

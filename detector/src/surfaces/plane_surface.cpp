@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "fit/initial_fits.hpp"
+#include "fit/initial_plane.hpp"
 #include "samples/region.hpp"
 #include "surfaces/surface_fit.hpp"
 
@@ -37,7 +37,7 @@ bool lies_on(const Surface& flat, const SurfaceSamples& samples, const PlaneRegi
 
 Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane) {
   const Normalisation local = normalisation_of(samples, plane.samples);
-  const FitPoints points = fit_points(samples, plane.samples, local, kFitPoints);
+  const OrientedPointsf points = fit_points(samples, plane.samples, local, kFitPoints);
   const PosedQuadric start = initial_plane(points).value_or(PosedQuadric());
   std::optional<FamilyFit> fit = refine(points, Family::kPlane, start, kIterations);
   Surface surface = surface_of(plane.samples, local, fit ? std::move(*fit) : FamilyFit());

@@ -27,7 +27,7 @@ Surface surface_of(std::vector<int> region, const Normalisation& local, FamilyFi
 std::optional<Surface> fit_surface(const SurfaceSamples& samples, std::vector<int> region,
                                    const AggregateOptions& options) {
   const Normalisation local = normalisation_of(samples, region);
-  const FitPoints points = fit_points(samples, region, local, options.fit_points);
+  const OrientedPointsf points = fit_points(samples, region, local, options.fit_points);
   const std::optional<FamilyFit> general = fit_family(points, Family::kGeneral, kIterations);
   if (!general) return std::nullopt;
   const double share =
@@ -48,7 +48,7 @@ std::optional<Surface> fit_surface(const SurfaceSamples& samples, std::vector<in
 std::optional<Surface> fit_plane(const SurfaceSamples& samples, std::vector<int> region,
                                  const AggregateOptions& options) {
   const Normalisation local = normalisation_of(samples, region);
-  const FitPoints points = fit_points(samples, region, local, options.fit_points);
+  const OrientedPointsf points = fit_points(samples, region, local, options.fit_points);
   std::optional<FamilyFit> fit = fit_family(points, Family::kPlane, kIterations);
   if (!fit) return std::nullopt;
   Surface surface = surface_of(std::move(region), local, std::move(*fit));

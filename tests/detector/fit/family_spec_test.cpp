@@ -27,7 +27,7 @@ TEST_CASE("the parameters of a family change its surface in as many ways as it h
       const Eigen::VectorXd step = 1e-5 * Eigen::VectorXd::Unit(size, k);
       const Quadric moved_Q(moved(example.family, data.truth, step).matrix());
       for (Eigen::Index i = 0; i < data.points.size(); ++i) {
-        J(i, k) = moved_Q.distance(data.points.point(i)) / 1e-5;
+        J(i, k) = moved_Q.distance(data.points.at(i).x) / 1e-5;
       }
     }
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(J);

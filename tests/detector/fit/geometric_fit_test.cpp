@@ -64,7 +64,7 @@ TEST_CASE("the information is JᵀJ by finite differences of the first-order dis
       const Quadric plus(moved(example.family, data.truth, step).matrix());
       const Quadric minus(moved(example.family, data.truth, -step).matrix());
       for (Eigen::Index i = 0; i < data.points.size(); ++i) {
-        const Eigen::Vector3d x = data.points.point(i);
+        const Eigen::Vector3d x = data.points.at(i).x;
         J(i, k) = (plus.distance(x) - minus.distance(x)) / (2 * h);
       }
     }
@@ -80,7 +80,7 @@ TEST_CASE("the sum of squares is that of the first-order distances", "[fit]") {
     const Quadric Q(data.truth.matrix());
     double sum = 0;
     for (Eigen::Index i = 0; i < data.points.size(); ++i) {
-      sum += std::pow(Q.distance(data.points.point(i)), 2);
+      sum += std::pow(Q.distance(data.points.at(i).x), 2);
     }
     CAPTURE(example.name);
     CHECK(sum_of_squares(data.points, data.truth.matrix()) == Approx(sum).epsilon(1e-3));
@@ -134,7 +134,7 @@ TEST_CASE("too few points, NaN and a zero quadric have no fit", "[fit][degenerat
     PosedQuadric zero = data.truth;
     zero.D.setZero();
     CHECK_FALSE(refine(data.points, example.family, zero, 5));
-    data.points.x[7] = std::numeric_limits<float>::quiet_NaN();
+    data.points.points(0, 7) = std::numeric_limits<float>::quiet_NaN();
     CHECK_FALSE(refine(data.points, example.family, data.truth, 5));
   }
 }

@@ -1,5 +1,10 @@
-#include "fit/initial_fits.hpp"
-
+#include "fit/initial_cone.hpp"
+#include "fit/initial_cylinder.hpp"
+#include "fit/initial_general.hpp"
+#include "fit/initial_plane.hpp"
+#include "fit/initial_revolution.hpp"
+#include "fit/initial_sphere.hpp"
+#include "fit/special_revolutions.hpp"
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"
 
@@ -29,7 +34,7 @@ double worst_difference(Family family, Fit&& fit) {
   return worst;
 }
 
-FitPoints repeated(const Eigen::Vector3d& x, int count) {
+OrientedPointsf repeated(const Eigen::Vector3d& x, int count) {
   return to_fit_points(
       std::vector<OrientedPoint>(static_cast<std::size_t>(count), {x, Eigen::Vector3d::UnitZ()}));
 }
@@ -42,7 +47,7 @@ TEST_CASE("exact points of each family lead to its quadric in closed form", "[fi
   CHECK(worst_difference(Family::kSphere, initial_sphere) < kRounding);
   CHECK(worst_difference(Family::kCylinder, initial_cylinder) < kRounding);
   CHECK(worst_difference(Family::kRevolution, initial_revolution) < 10 * kRounding);
-  CHECK(worst_difference(Family::kParaboloid, [](const FitPoints& p) {
+  CHECK(worst_difference(Family::kParaboloid, [](const OrientedPointsf& p) {
           const auto round = initial_revolution(p);
           return round ? initial_paraboloid(*round) : std::nullopt;
         }) < 10 * kRounding);

@@ -16,7 +16,7 @@ constexpr std::array kAll = {
     Family::kPlane,      Family::kSphere,     Family::kCylinder,         Family::kCone,
     Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder, Family::kParabolic};
 
-std::optional<Selection> select(const FitPoints& points, const SelectionOptions& options) {
+std::optional<Selection> select(const OrientedPointsf& points, const SelectionOptions& options) {
   const auto general = fit_family(points, Family::kGeneral, 15);
   if (!general) return std::nullopt;
   return select_family(points, kAll, *general, options);
@@ -96,7 +96,7 @@ TEST_CASE("fewer independent measurements argue for simpler types", "[selection]
   RandomStream random(53, 0);
   // Semi-axes 5 % apart under 2 % noise: seen with many measurements only.
   const FamilyExample example{Family::kEllipticCylinder, "", diagonal(1, 1.1, 0, -0.5)};
-  const FitPoints points = make_points(example, 600, 0.02, random).points;
+  const OrientedPointsf points = make_points(example, 600, 0.02, random).points;
   SelectionOptions options;
   options.iterations = 15;
   options.effective_share = 1.0;
@@ -107,7 +107,7 @@ TEST_CASE("fewer independent measurements argue for simpler types", "[selection]
 
 TEST_CASE("too few points have no fit", "[selection][degenerate]") {
   RandomStream random(54, 0);
-  const FitPoints points = make_points(family_examples()[1], 3, 0.0, random).points;
+  const OrientedPointsf points = make_points(family_examples()[1], 3, 0.0, random).points;
   CHECK_FALSE(fit_family(points, Family::kGeneral, 5));
   CHECK_FALSE(fit_family(points, Family::kSphere, 5));
 }

@@ -52,12 +52,15 @@ TEST_CASE("the normal equations are those of differences, for any number of poin
       CHECK(N(10, 10) == Approx(expected(10, 10)).epsilon(1e-3));
       CHECK(sum_of_squares(to_fit_points(points), Q.matrix()) ==
             Approx(expected(10, 10)).epsilon(1e-3));
+      const auto exact = to_oriented_points<double>(points);
+      CHECK((normal_equations(exact, Q.matrix()) - expected).norm() < 1e-6 * expected.norm());
+      CHECK(sum_of_squares(exact, Q.matrix()) == Approx(expected(10, 10)).epsilon(1e-9));
     }
   }
 }
 
 TEST_CASE("no point gives sums of zero", "[normal_equations]") {
-  const FitPoints none(0);
+  const OrientedPointsf none(0);
   CHECK(normal_equations(none, Eigen::Matrix4d::Identity()).norm() == 0.0);
   CHECK(sum_of_squares(none, Eigen::Matrix4d::Identity()) == 0.0);
 }

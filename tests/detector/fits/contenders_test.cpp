@@ -34,7 +34,7 @@ std::vector<Case> type_specific_fits() {
   const auto row = [](std::string_view name, T type, int least, auto fit) {
     return Case{{name, "", least, false, false, fit}, form_of(type)};
   };
-  using P = const OrientedPoints&;
+  using P = const OrientedPointsd&;
   return {
       row("plane", T::kPlane, 3, [](P p) { return fit_plane(p); }),
       row("two_planes", T::kIntersectingPlanes, 6, [](P p) { return fit_two_planes(p); }),
@@ -60,7 +60,7 @@ bool is_exact(std::string_view name) {
 }
 
 /// Largest first-order distance of the points from the fit.
-double worst_distance(const Quadric& Q, const OrientedPoints& points) {
+double worst_distance(const Quadric& Q, const OrientedPointsd& points) {
   double worst = 0.0;
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     worst = std::max(worst, std::abs(Q.distance(points.points.col(i))));
@@ -72,8 +72,8 @@ double gap(const Quadric& a, const Quadric& b) {
   return (a.coefficients() - b.coefficients()).norm();
 }
 
-OrientedPoints moved(const OrientedPoints& points, const Eigen::Isometry3d& X, double scale) {
-  OrientedPoints result = points;
+OrientedPointsd moved(const OrientedPointsd& points, const Eigen::Isometry3d& X, double scale) {
+  OrientedPointsd result = points;
   result.points = scale * (X * points.points);
   result.normals = X.linear() * points.normals;
   return result;
@@ -169,7 +169,7 @@ TEST_CASE("every fit moves, scales and flips with its data", "[fits][law]") {
     // Constraints on |q| depend on the axes.
     const bool exact_only = c.contender.name == "full" || c.contender.name == "pd_3";
     const Eigen::Index count = c.contender.minimal ? c.contender.min_points : 80;
-    OrientedPoints points = sample(c.form, count, random, true).points;
+    OrientedPointsd points = sample(c.form, count, random, true).points;
     if (!exact_only) points = test::with_noise(points, 0.01, 0.02, random);
     const auto Q = c.contender.fit(points);
     REQUIRE(Q);
@@ -180,7 +180,7 @@ TEST_CASE("every fit moves, scales and flips with its data", "[fits][law]") {
       REQUIRE(there);
       CHECK(gap(*there, moved(*Q, X, scale)) < 1e-4);
     }
-    OrientedPoints flipped = points;
+    OrientedPointsd flipped = points;
     flipped.normals *= -1.0;
     const auto other = c.contender.fit(flipped);
     REQUIRE(other);
@@ -193,14 +193,14 @@ TEST_CASE("every fit answers degenerate input with no solution", "[fits][degener
   for (const Case& c : all_fits()) {
     CAPTURE(c.contender.name);
     const Eigen::Index count = std::max<Eigen::Index>(c.contender.min_points, 12);
-    const OrientedPoints good = sample(c.form, count, random, true).points;
+    const OrientedPointsd good = sample(c.form, count, random, true).points;
     REQUIRE(c.contender.fit(good));
     const auto spoilt = [&](const auto& spoil) {
-      OrientedPoints points = good;
+      OrientedPointsd points = good;
       spoil(points);
       return c.contender.fit(points);
     };
-    CHECK_FALSE(c.contender.fit(OrientedPoints(0)));
+    CHECK_FALSE(c.contender.fit(OrientedPointsd(0)));
     CHECK_FALSE(c.contender.fit(good.first(c.contender.min_points - 1)));
     CHECK_FALSE(spoilt([](auto& p) { p.points.colwise() = Eigen::Vector3d(1, 2, 3); }));
     CHECK_FALSE(spoilt([](auto& p) {
@@ -223,7 +223,7 @@ TEST_CASE("every fit answers degenerate input with no solution", "[fits][degener
     CHECK_FALSE(spoilt([](auto& p) { p.points(1, 1) = std::nan(""); }));
     CHECK_FALSE(spoilt([](auto& p) { p.points(0, 0) = INFINITY; }));
     CHECK_FALSE(spoilt([](auto& p) { p.normals(2, 0) = std::nan(""); }));
-    OrientedPoints uneven = good;
+    OrientedPointsd uneven = good;
     uneven.normals.conservativeResize(3, count - 1);
     CHECK_THROWS_AS(c.contender.fit(uneven), std::invalid_argument);
   }

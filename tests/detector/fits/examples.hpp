@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 #include "quadrille/detector/canonical.hpp"
 #include "support/depth_camera.hpp"
 #include "support/quadric_points.hpp"
@@ -34,14 +34,14 @@ inline std::vector<CanonicalForm> curved_forms() {
 /// Points of a quadric in a random pose with its gradients as normals.
 struct Sampled {
   Quadric Q;
-  OrientedPoints points;
+  OrientedPointsd points;
 };
 
 /// @param unit  true: unit normals; false: gradients in their full lengths
 inline Sampled sample(const CanonicalForm& form, int count, RandomStream& random, bool unit) {
   const Eigen::Isometry3d X = random_pose(random, 0.5);
   const Quadric Q = from_canonical(form);
-  Sampled result{Q.transformed(X).normalized(), OrientedPoints(count)};
+  Sampled result{Q.transformed(X).normalized(), OrientedPointsd(count)};
   const auto on = points_on(Q.matrix(), count, -1e3, random);
   for (int i = 0; i < count; ++i) {
     const Eigen::Vector3d x = X * on[i].x, g = result.Q.gradient(x);
@@ -51,8 +51,8 @@ inline Sampled sample(const CanonicalForm& form, int count, RandomStream& random
   return result;
 }
 
-inline OrientedPoints with_noise(OrientedPoints points, double point_noise, double normal_noise,
-                                 RandomStream& random) {
+inline OrientedPointsd with_noise(OrientedPointsd points, double point_noise, double normal_noise,
+                                  RandomStream& random) {
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     for (int axis = 0; axis < 3; ++axis) {
       points.points(axis, i) += point_noise * gaussian(random);

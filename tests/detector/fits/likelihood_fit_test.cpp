@@ -17,7 +17,7 @@ struct Error {
 
 /// The paper's point and angle error: from each true point to the fit, and between true normal and
 /// gradient.
-Error error(const Quadric& Q, const OrientedPoints& truth) {
+Error error(const Quadric& Q, const OrientedPointsd& truth) {
   Error sum;
   const double count = static_cast<double>(truth.size());
   for (Eigen::Index i = 0; i < truth.size(); ++i) {
@@ -55,7 +55,7 @@ TEST_CASE("the likelihood fit beats every other fit in points and angles at each
       for (int trial = 0; trial < 3; ++trial) {
         RandomStream random(82 + k, trial);
         const auto truth = sample(form, 200, random, true).points;
-        OrientedPoints data = truth;
+        OrientedPointsd data = truth;
         data.points = test::with_noise(truth, noise, 0.0, random).points;
         for (std::size_t m = 0; m < all.size(); ++m) {
           const auto Q = all[m].fit(data);

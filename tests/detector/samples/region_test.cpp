@@ -30,19 +30,20 @@ TEST_CASE("a quadric comes back from local coordinates, and holds the same point
 TEST_CASE("a region is normalised to mean zero and mean square radius one", "[region]") {
   const SurfaceSamples samples = sphere_grid(20, 20, 0.1, 0.005, 0.001, 1);
   const std::vector<int> region = all_of(samples);
-  const FitPoints points = fit_points(samples, region, normalisation_of(samples, region), 1000);
+  const OrientedPointsf points =
+      fit_points(samples, region, normalisation_of(samples, region), 1000);
   REQUIRE(points.size() == 400);
-  CHECK(std::abs(points.x.mean()) < 1e-5);
-  CHECK(std::abs(points.z.mean()) < 1e-5);
-  CHECK((points.x.square() + points.y.square() + points.z.square()).mean() == Approx(1.0));
-  CHECK((points.normal(3) - samples.n[3].cast<double>()).norm() < 1e-6);
+  CHECK(std::abs(points.x().mean()) < 1e-5);
+  CHECK(std::abs(points.z().mean()) < 1e-5);
+  CHECK(points.points.colwise().squaredNorm().mean() == Approx(1.0));
+  CHECK((points.at(3).n - samples.n[3].cast<double>()).norm() < 1e-6);
 }
 
 TEST_CASE("a fit takes no more points than asked for, spread over the region", "[region]") {
   const SurfaceSamples samples = plane_grid(20, 20, 0.005, 0.0, 1);
   const std::vector<int> region = all_of(samples);
   const Normalisation local = normalisation_of(samples, region);
-  const FitPoints few = fit_points(samples, region, local, 50);
+  const OrientedPointsf few = fit_points(samples, region, local, 50);
   REQUIRE(few.size() == 50);
   CHECK(few.z.minCoeff() < -1.1f);
   CHECK(few.z.maxCoeff() > 1.0f);

@@ -12,19 +12,19 @@ using namespace quadrille::test;
 namespace {
 
 /// Mean |distance| of the points, and mean cosine between gradients and normals.
-std::pair<double, double> agreement(const Eigen::Matrix4d& matrix, const FitPoints& points) {
+std::pair<double, double> agreement(const Eigen::Matrix4d& matrix, const OrientedPointsf& points) {
   const Quadric Q(matrix);
   double distance = 0, cosine = 0;
   for (Eigen::Index i = 0; i < points.size(); ++i) {
-    distance += std::abs(Q.distance(points.point(i)));
-    cosine += Q.gradient(points.point(i)).normalized().dot(points.normal(i));
+    distance += std::abs(Q.distance(points.at(i).x));
+    cosine += Q.gradient(points.at(i).x).normalized().dot(points.at(i).n);
   }
   const double n = static_cast<double>(points.size());
   return {distance / n, cosine / n};
 }
 
 /// The best of some draws.
-std::pair<double, double> best_of(BasisKind kind, int draws, const FitPoints& points,
+std::pair<double, double> best_of(BasisKind kind, int draws, const OrientedPointsf& points,
                                   RandomStream& random) {
   std::pair<double, double> best(1e9, 0.0);
   for (int k = 0; k < draws; ++k) {
@@ -39,7 +39,8 @@ std::pair<double, double> best_of(BasisKind kind, int draws, const FitPoints& po
 
 TEST_CASE("every kind of basis finds an exact sphere, on the side of its normals", "[hypotheses]") {
   RandomStream random(97, 0);
-  const FitPoints points = to_fit_points(points_on(diagonal(1, 1, 1, -0.81), 150, 0.0, random));
+  const OrientedPointsf points =
+      to_fit_points(points_on(diagonal(1, 1, 1, -0.81), 150, 0.0, random));
   for (const BasisKind kind : {BasisKind::kThreePoints, BasisKind::kFourPoints,
                                BasisKind::kNinePoints, BasisKind::kTwoPoints, BasisKind::kSphere}) {
     CAPTURE(static_cast<int>(kind));
@@ -53,7 +54,7 @@ TEST_CASE("general bases find any quadric", "[hypotheses]") {
   RandomStream random(98, 0);
   for (const FamilyExample& example : family_examples()) {
     if (example.family == Family::kPlane) continue;
-    const FitPoints points = to_fit_points(points_on(example.D, 200, example.low, random));
+    const OrientedPointsf points = to_fit_points(points_on(example.D, 200, example.low, random));
     for (const BasisKind kind : {BasisKind::kThreePoints, BasisKind::kFourPoints,
                                  BasisKind::kNinePoints, BasisKind::kTwoPoints}) {
       CAPTURE(example.name, static_cast<int>(kind));
@@ -63,7 +64,7 @@ TEST_CASE("general bases find any quadric", "[hypotheses]") {
 }
 
 TEST_CASE("coinciding points draw no hypothesis", "[hypotheses][hostile]") {
-  FitPoints points(20);
+  OrientedPointsf points(20);
   points.x.setConstant(0.1f), points.y.setConstant(0.2f), points.z.setConstant(0.3f);
   points.nx.setConstant(1.0f), points.ny.setZero(), points.nz.setZero();
   RandomStream random(99, 0);
@@ -88,7 +89,8 @@ TEST_CASE("support counts the points that lie near a quadric, on the side of its
 TEST_CASE("a memory refuses the bases that it knows, and changes no other",
           "[hypotheses][triplets]") {
   RandomStream random(101, 0);
-  const FitPoints points = to_fit_points(points_on(diagonal(1, 1, 1, -0.81), 12, -1e3, random));
+  const OrientedPointsf points =
+      to_fit_points(points_on(diagonal(1, 1, 1, -0.81), 12, -1e3, random));
   BasisMemory memory;
   for (int k = 0; k < 12; ++k) memory.sample_of_voter.push_back(100 + k);
   VoteOptions options;

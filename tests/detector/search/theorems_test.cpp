@@ -21,8 +21,8 @@ int rank(const Eigen::MatrixXd& A) {
   return static_cast<int>(svd.rank());
 }
 
-OrientedPoints part(const OrientedPoints& points, Eigen::Index from, Eigen::Index count) {
-  OrientedPoints result(count);
+OrientedPointsd part(const OrientedPointsd& points, Eigen::Index from, Eigen::Index count) {
+  OrientedPointsd result(count);
   result.points = points.points.middleCols(from, count);
   result.normals = points.normals.middleCols(from, count);
   return result;
@@ -152,7 +152,7 @@ TEST_CASE("points of another surface vote for another λ", "[theorem][paper:theo
   RandomStream random(27, 0);
   const Sampled s = sample_basis(ellipsoid(), 4, random);
   const SolutionSpace space = solution_space(compact_system(s.points.first(3)));
-  OrientedPoints outlier = part(s.points, 3, 1);
+  OrientedPointsd outlier = part(s.points, 3, 1);
   const double inside = solve_single_lambda(space, compact_system(outlier));
   outlier.points *= 1.3;
   CHECK(std::abs(solve_single_lambda(space, compact_system(outlier)) - inside) > 1e-3);
@@ -179,7 +179,7 @@ TEST_CASE("the closed form spans the same line of solutions as the paper's null 
 TEST_CASE("degenerate surfaces lose rank: coplanar, collinear and coincident points",
           "[theorem][degenerate]") {
   RandomStream random(29, 0);
-  OrientedPoints points(8);
+  OrientedPointsd points(8);
   for (int i = 0; i < 8; ++i) {
     points.points.col(i) << random.uniform(), random.uniform(), 0.3;
     points.normals.col(i) << 0, 0, 1;

@@ -13,7 +13,7 @@ namespace {
 /// Three points of a quadric with its gradients, and all points as voters.
 struct Ballot {
   Pencil pencil;
-  FitPoints voters;
+  OrientedPointsf voters;
 };
 
 Ballot make_ballot(const Eigen::Matrix4d& D, int outliers, RandomStream& random) {
@@ -107,5 +107,5 @@ TEST_CASE("voters on the data plane or with foreign normals have no vote", "[vot
   }
   CHECK(vote(pencil, to_fit_points(circle), {}).empty());
   CHECK(vote(pencil, to_fit_points(turned), {}).empty());
-  CHECK(vote(pencil, FitPoints(), {}).empty());
+  CHECK(vote(pencil, OrientedPointsf(), {}).empty());
 }

@@ -100,10 +100,10 @@ TEST_CASE("without voters, or with voters in one plane, nothing is elected",
   const auto points = points_on(diagonal(1, 1, 1, -1), 2, -1e3, random);
   const auto web = make_web({points[0], points[1]}, 0.0);
   REQUIRE(web);
-  CHECK(vote(*web, FitPoints(), {}).empty());
+  CHECK(vote(*web, OrientedPointsf(), {}).empty());
   const std::vector<OrientedPoint> same(20, points_on(diagonal(1, 1, 1, -1), 1, -1e3, random)[0]);
   CHECK(vote(*web, to_fit_points(same), {}).empty());
-  FitPoints broken = to_fit_points(same);
+  OrientedPointsf broken = to_fit_points(same);
   broken.x.setConstant(std::nanf(""));
   CHECK(vote(*web, broken, {}).empty());
 }

@@ -105,7 +105,7 @@ class PlainRansac {
 
   std::optional<Quadric> draw(int seed, const std::vector<int>& ball) {
     const bool nine = options_.basis == PlainBasis::kNinePoints;
-    OrientedPoints basis(nine ? 9 : 4);
+    OrientedPointsd basis(nine ? 9 : 4);
     for (Eigen::Index k = 0; k < basis.size(); ++k) {
       const int i = k == 0 ? seed : any_of(ball);
       basis.points.col(k) = p(i);
@@ -153,7 +153,7 @@ class PlainRansac {
   std::vector<int> refine(const std::vector<int>& around, Quadric* Q) const {
     std::vector<int> points = inliers(*Q, around, options_.epsilon);
     for (int round = 0; round < 4; ++round) {
-      OrientedPoints data(static_cast<Eigen::Index>(points.size()));
+      OrientedPointsd data(static_cast<Eigen::Index>(points.size()));
       for (Eigen::Index k = 0; k < data.size(); ++k) {
         data.points.col(k) = p(points[static_cast<std::size_t>(k)]);
         data.normals.col(k) = n(points[static_cast<std::size_t>(k)]);

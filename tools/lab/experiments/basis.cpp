@@ -34,19 +34,11 @@ struct Trace {
   }
 };
 
-FitPoints first(const FitPoints& points, Eigen::Index count) {
-  FitPoints part(std::min(count, points.size()));
-  const Eigen::Index n = part.size();
-  part.x = points.x.head(n), part.y = points.y.head(n), part.z = points.z.head(n);
-  part.nx = points.nx.head(n), part.ny = points.ny.head(n), part.nz = points.nz.head(n);
-  return part;
-}
-
 Trace search_in(const Neighbourhood& from, const Sampler& sampler, int bases,
                 RandomStream& random) {
   Trace trace;
   std::vector<std::pair<int, Quadric>> best;
-  const FitPoints voters = first(from.voters, kVoters);
+  const OrientedPointsf voters = from.voters.first(std::min(kVoters, from.voters.size()));
   trace.time = microseconds([&] {
     int most = 0;
     std::vector<Quadric> hypotheses;

@@ -9,7 +9,7 @@ namespace quadrille::experiments {
 namespace {
 
 /// Lengths of the gradient at the points, of mean 1; zeros if there is none.
-Eigen::ArrayXd gradient_lengths(const Quadric& Q, const OrientedPoints& points) {
+Eigen::ArrayXd gradient_lengths(const Quadric& Q, const OrientedPointsd& points) {
   Eigen::ArrayXd lengths(points.size());
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     lengths[i] = Q.gradient(points.points.col(i)).norm();
@@ -21,7 +21,7 @@ Eigen::ArrayXd gradient_lengths(const Quadric& Q, const OrientedPoints& points) 
 }  // namespace
 
 FitErrors errors_of(const std::optional<Quadric>& fit, const Quadric& truth,
-                    const OrientedPoints& points, double size) {
+                    const OrientedPointsd& points, double size) {
   if (!fit) return {1.0, 1.0, 1.0};
   FitErrors errors;
   for (Eigen::Index i = 0; i < points.size(); ++i) {

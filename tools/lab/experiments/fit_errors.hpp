@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille::experiments {
 
@@ -20,6 +20,6 @@ struct FitErrors {
 /// Errors of a fit on exact points and normals; those of no fit are 1 each.
 /// @param size  of the quadric, in the unit of the points
 FitErrors errors_of(const std::optional<Quadric>& fit, const Quadric& truth,
-                    const OrientedPoints& points, double size);
+                    const OrientedPointsd& points, double size);
 
 }  // namespace quadrille::experiments

@@ -19,7 +19,8 @@ std::vector<Series> fit_times(const Settings& settings) {
       std::vector<double> times;
       for (int trial = 0; trial < repetitions; ++trial) {
         RandomStream random(settings.seed, 1000 + static_cast<std::uint64_t>(trial));
-        OrientedPoints data = sample(random_quadric(QuadricType::kEllipsoid, random), size, random);
+        OrientedPointsd data =
+            sample(random_quadric(QuadricType::kEllipsoid, random), size, random);
         add_point_noise(&data, 0.02 * size_of(data.points), random);
         // Quick fits several times, so that the clock's own time does not count.
         const int calls = std::max(1, 300 / size);

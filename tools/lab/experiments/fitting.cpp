@@ -59,15 +59,15 @@ std::vector<Contender> contenders_for(QuadricType type, Normals mode) {
   for (Contender& contender : all) {
     if (mode != Normals::kEstimated || contender.name != "likelihood") continue;
     // It is told how many points a normal comes from.
-    contender.fit = [](const OrientedPoints& points) {
+    contender.fit = [](const OrientedPointsd& points) {
       return fit_likelihood(points, {.points_per_normal = kNeighbours});
     };
   }
   return all;
 }
 
-OrientedPoints noisy(OrientedPoints data, double level, Normals mode, double size,
-                     RandomStream& random) {
+OrientedPointsd noisy(OrientedPointsd data, double level, Normals mode, double size,
+                      RandomStream& random) {
   add_point_noise(&data, level * size, random);
   if (mode == Normals::kNoisy) add_normal_noise(&data, 2.0 * level, random);
   if (mode == Normals::kEstimated) estimate_normals(&data, kNeighbours);
@@ -85,9 +85,9 @@ Means mean_errors(Normals mode, double level, const Size& size, std::uint64_t se
     for (int fit = 0; fit < size.fits; ++fit) {
       // The same points and the same noise, but for its size, at each level and in each mode.
       RandomStream random(seed, static_cast<std::uint64_t>(100 + k * size.fits + fit));
-      const OrientedPoints truth = sample(Q, size.points, random);
+      const OrientedPointsd truth = sample(Q, size.points, random);
       const double extent = size_of(truth.points);
-      const OrientedPoints data = noisy(truth, level, mode, extent, random);
+      const OrientedPointsd data = noisy(truth, level, mode, extent, random);
       for (std::size_t m = 0; m < all.size(); ++m) {
         const FitErrors errors = errors_of(all[m].fit(data), Q, truth, extent);
         means[m].point += weight * errors.point;

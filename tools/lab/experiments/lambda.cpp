@@ -60,14 +60,14 @@ struct Collected {
 };
 
 /// Random points of one quadric on a random side, so that bulges and hollows are equally likely.
-OrientedPoints random_points(RandomStream& random, int count) {
+OrientedPointsd random_points(RandomStream& random, int count) {
   const Quadric Q = random_quadric(curved_type(random.below(kCurvedTypes)), random);
-  OrientedPoints points = sample(Q, count, random);
+  OrientedPointsd points = sample(Q, count, random);
   if (random.below(2) == 0) points.normals *= -1.0;
   return points;
 }
 
-void collect(const OrientedPoints& points, const OrientedPoints& voters, RandomStream& random,
+void collect(const OrientedPointsd& points, const OrientedPointsd& voters, RandomStream& random,
              Collected* into) {
   const auto draw = [&] { return points.at(random.below(static_cast<int>(points.size()))); };
   for (int k = 0; k < kPerQuadric;) {
@@ -82,7 +82,7 @@ void collect(const OrientedPoints& points, const OrientedPoints& voters, RandomS
   }
 }
 
-std::size_t count_angles(const OrientedPoints& points) {
+std::size_t count_angles(const OrientedPointsd& points) {
   const auto pencil = make_pencil({points.at(0), points.at(1), points.at(2)});
   if (!pencil) return 0;
   const Space space = space_of(*pencil);
@@ -102,7 +102,7 @@ Collected collect_all(int triplets, bool same, const Settings& settings, double 
   collected.lambda.reserve(static_cast<std::size_t>(triplets) + kPerQuadric);
   for (int k = 0; static_cast<int>(collected.lambda.size()) < triplets; ++k) {
     RandomStream random(settings.seed, static_cast<std::uint64_t>(2 * k + (same ? 0 : 1)));
-    const OrientedPoints points = random_points(random, 60);
+    const OrientedPointsd points = random_points(random, 60);
     collect(points, same ? points : random_points(random, 60), random, &collected);
     if (k % 20 == 0) collected.max_angles = std::max(collected.max_angles, count_angles(points));
     if (k % 100 == 0) {

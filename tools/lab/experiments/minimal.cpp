@@ -24,7 +24,7 @@ struct System {
   Vector12 n;
 };
 
-System system_of(const OrientedPoints& points) {
+System system_of(const OrientedPointsd& points) {
   System system;
   system.n.setZero();
   for (int i = 0; i < 3; ++i) {
@@ -39,24 +39,24 @@ System system_of(const OrientedPoints& points) {
 struct Way {
   std::string name, label;
   bool from_svd;
-  std::function<Vector10d(const OrientedPoints&)> solve;
+  std::function<Vector10d(const OrientedPointsd&)> solve;
 };
 
 /// λ from the position alone: theorem 3 with the first row of the further point's system.
-Vector10d with_lambda(const Vector10d& p, const Vector10d& mu, const OrientedPoints& points) {
+Vector10d with_lambda(const Vector10d& p, const Vector10d& mu, const OrientedPointsd& points) {
   const Vector10d v = monomials(points.points.col(3));
   return p - v.dot(p) / v.dot(mu) * mu;
 }
 
 template <class Decomposition>
-Vector10d by_svd(const OrientedPoints& points) {
+Vector10d by_svd(const OrientedPointsd& points) {
   const System system = system_of(points);
   Decomposition svd(system.A, Eigen::ComputeFullU | Eigen::ComputeFullV);
   svd.setThreshold(1e-9);
   return with_lambda(svd.solve(system.n), svd.matrixV().col(9), points);
 }
 
-Vector10d by_qr(const OrientedPoints& points) {
+Vector10d by_qr(const OrientedPointsd& points) {
   const System system = system_of(points);
   const Eigen::ColPivHouseholderQR<Matrix12x10> qr(system.A);
   // The null vector by back substitution from the last column, whose pivot vanishes.
@@ -69,7 +69,7 @@ Vector10d by_qr(const OrientedPoints& points) {
   return with_lambda(qr.colsPermutation() * p, qr.colsPermutation() * mu, points);
 }
 
-Vector10d by_closed_form(const OrientedPoints& points) {
+Vector10d by_closed_form(const OrientedPointsd& points) {
   const auto pencil = make_pencil({points.at(0), points.at(1), points.at(2)});
   if (!pencil) return Vector10d::Zero();
   const Eigen::Vector4d x = points.points.col(3).homogeneous();
@@ -86,9 +86,9 @@ std::vector<Way> all_ways() {
   return {
       {"closed form (make_pencil, λ)", "closed form", false, by_closed_form},
       {"closed form, normalised and checked (fit_three_and_one)", "closed form, checked", false,
-       [](const OrientedPoints& p) { return coefficients_of(fit_three_and_one(p)); }},
+       [](const OrientedPointsd& p) { return coefficients_of(fit_three_and_one(p)); }},
       {"compact system of 4 points by normal equations (fit_compact)", "4 points, normal equations",
-       false, [](const OrientedPoints& p) { return coefficients_of(fit_compact(p)); }},
+       false, [](const OrientedPointsd& p) { return coefficients_of(fit_compact(p)); }},
       {"12x10, pivoted QR", "12x10, pivoted QR", false, by_qr},
       {"12x10, JacobiSVD of fixed size", "12x10, JacobiSVD, fixed size", true,
        by_svd<Eigen::JacobiSVD<Matrix12x10>>},
@@ -98,8 +98,8 @@ std::vector<Way> all_ways() {
 }
 
 /// @param types  how many of the curved types are drawn from
-std::vector<OrientedPoints> random_bases(int count, int types, std::uint64_t seed) {
-  std::vector<OrientedPoints> bases;
+std::vector<OrientedPointsd> random_bases(int count, int types, std::uint64_t seed) {
+  std::vector<OrientedPointsd> bases;
   for (int k = 0; k < count; ++k) {
     RandomStream random(seed, static_cast<std::uint64_t>(k));
     bases.push_back(sample(random_quadric(curved_type(k % types), random), 4, random));
@@ -110,7 +110,7 @@ std::vector<OrientedPoints> random_bases(int count, int types, std::uint64_t see
 /// Median difference of two ways' quadrics on spheres, where all gradients have one length.
 double difference(const Way& a, const Way& b, std::uint64_t seed) {
   std::vector<double> differences;
-  for (const OrientedPoints& basis : random_bases(101, 1, seed)) {
+  for (const OrientedPointsd& basis : random_bases(101, 1, seed)) {
     differences.push_back((a.solve(basis).normalized() - b.solve(basis).normalized()).norm());
   }
   return quantile(differences, 0.5);
@@ -120,7 +120,7 @@ double difference(const Way& a, const Way& b, std::uint64_t seed) {
 
 Report run_minimal(const Settings& settings) {
   const int rounds = settings.quick ? 5 : 301;
-  const std::vector<OrientedPoints> bases = random_bases(240, kCurvedTypes, settings.seed);
+  const std::vector<OrientedPointsd> bases = random_bases(240, kCurvedTypes, settings.seed);
   const std::vector<Way> ways = all_ways();
   std::vector<std::vector<double>> times(ways.size());
   // Volatile, so that no compiler leaves the work out.
@@ -129,7 +129,7 @@ Report run_minimal(const Settings& settings) {
     // In turn, so that all see the same machine.
     for (std::size_t k = 0; k < ways.size(); ++k) {
       const double time = microseconds([&] {
-        for (const OrientedPoints& basis : bases) sink = ways[k].solve(basis)[0];
+        for (const OrientedPointsd& basis : bases) sink = ways[k].solve(basis)[0];
       });
       times[k].push_back(time / static_cast<double>(bases.size()));
     }

@@ -12,13 +12,13 @@ namespace {
 constexpr double kRadius = 0.6;
 
 /// Points of a random quadric within a ball about one of them, which becomes the unit ball.
-OrientedPoints random_piece(Eigen::Index count, RandomStream& random) {
+OrientedPointsd random_piece(Eigen::Index count, RandomStream& random) {
   const Quadric Q = random_quadric(curved_type(random.below(kCurvedTypes)), random);
   const Eigen::Vector3d centre = sample(Q, 1, random).points.col(0);
-  OrientedPoints piece(count);
+  OrientedPointsd piece(count);
   Eigen::Index found = 0;
   while (found < count) {
-    const OrientedPoints more = sample(Q, count, random);
+    const OrientedPointsd more = sample(Q, count, random);
     for (Eigen::Index i = 0; i < more.size() && found < count; ++i) {
       const Eigen::Vector3d x = (more.points.col(i) - centre) / kRadius;
       if (x.norm() > 1.0) continue;
@@ -37,7 +37,7 @@ OrientedPoint on_plane(const Eigen::Vector3d& n, double height, RandomStream& ra
   return {height * n + radius * (std::cos(angle) * side + std::sin(angle) * other), n};
 }
 
-void add_planes(OrientedPoints* points, Eigen::Index from, RandomStream& random) {
+void add_planes(OrientedPointsd* points, Eigen::Index from, RandomStream& random) {
   std::array<Eigen::Vector3d, 3> normals;
   std::array<double, 3> heights;
   for (int k = 0; k < 3; ++k) {
@@ -51,16 +51,14 @@ void add_planes(OrientedPoints* points, Eigen::Index from, RandomStream& random)
   }
 }
 
-FitPoints to_voters(const OrientedPoints& points) {
-  FitPoints voters(points.size());
-  const Eigen::Matrix3Xf x = points.points.cast<float>(), n = points.normals.cast<float>();
-  voters.x = x.row(0).transpose().array(), voters.nx = n.row(0).transpose().array();
-  voters.y = x.row(1).transpose().array(), voters.ny = n.row(1).transpose().array();
-  voters.z = x.row(2).transpose().array(), voters.nz = n.row(2).transpose().array();
+OrientedPointsf to_voters(const OrientedPointsd& points) {
+  OrientedPointsf voters(points.size());
+  voters.points = points.points.cast<float>();
+  voters.normals = points.normals.cast<float>();
   return voters;
 }
 
-void shuffle(OrientedPoints* points, RandomStream& random) {
+void shuffle(OrientedPointsd* points, RandomStream& random) {
   for (int i = static_cast<int>(points->size()) - 1; i > 0; --i) {
     const int j = random.below(i + 1);
     points->points.col(i).swap(points->points.col(j));
@@ -75,7 +73,7 @@ Neighbourhood random_neighbourhood(const NeighbourhoodOptions& options, RandomSt
       std::lround((1.0 - options.outliers) * static_cast<double>(options.size)));
   Neighbourhood result;
   result.truth = random_piece(count, random);
-  result.points = OrientedPoints(options.size);
+  result.points = OrientedPointsd(options.size);
   result.points.points.leftCols(count) = result.truth.points;
   result.points.normals.leftCols(count) = result.truth.normals;
   add_planes(&result.points, count, random);
@@ -87,7 +85,7 @@ Neighbourhood random_neighbourhood(const NeighbourhoodOptions& options, RandomSt
 }
 
 bool is_found(const Quadric& Q, const Neighbourhood& neighbourhood, double distance) {
-  const OrientedPoints& truth = neighbourhood.truth;
+  const OrientedPointsd& truth = neighbourhood.truth;
   Eigen::Index on = 0;
   for (Eigen::Index i = 0; i < truth.size(); ++i) {
     const Eigen::Vector3d x = truth.points.col(i), g = Q.gradient(x);

@@ -4,18 +4,18 @@
 
 #include "base/random.hpp"
 #include "fit/geometric_fit.hpp"
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 namespace quadrille::experiments {
 
 /// A piece of a random quadric in the unit ball, seen with noise among pieces of planes.
 struct Neighbourhood {
   /// Noisy points with noisy unit normals, of the quadric and of the planes in random order.
-  OrientedPoints points;
+  OrientedPointsd points;
   /// The same for the vote.
-  FitPoints voters;
+  OrientedPointsf voters;
   /// Exact points and normals of the quadric.
-  OrientedPoints truth;
+  OrientedPointsd truth;
 };
 
 /// How a neighbourhood is drawn.

@@ -106,8 +106,8 @@ Quadric random_quadric(QuadricType type, RandomStream& random) {
   return from_canonical(form).normalized();
 }
 
-OrientedPoints sample(const Quadric& Q, Eigen::Index count, RandomStream& random) {
-  OrientedPoints result(count);
+OrientedPointsd sample(const Quadric& Q, Eigen::Index count, RandomStream& random) {
+  OrientedPointsd result(count);
   Eigen::Index found = 0;
   for (Eigen::Index trial = 0; found < count; ++trial) {
     if (trial > 1000 * (count + 10)) throw std::invalid_argument("no line meets the quadric");
@@ -126,11 +126,11 @@ OrientedPoints sample(const Quadric& Q, Eigen::Index count, RandomStream& random
   return result;
 }
 
-void add_point_noise(OrientedPoints* points, double deviation, RandomStream& random) {
+void add_point_noise(OrientedPointsd* points, double deviation, RandomStream& random) {
   for (double& coordinate : points->points.reshaped()) coordinate += deviation * gaussian(random);
 }
 
-void add_normal_noise(OrientedPoints* points, double deviation, RandomStream& random) {
+void add_normal_noise(OrientedPointsd* points, double deviation, RandomStream& random) {
   for (Eigen::Index i = 0; i < points->size(); ++i) {
     auto n = points->normals.col(i);
     const Eigen::Vector3d side = n.unitOrthogonal(), other = n.cross(side);
@@ -139,7 +139,7 @@ void add_normal_noise(OrientedPoints* points, double deviation, RandomStream& ra
   }
 }
 
-void estimate_normals(OrientedPoints* points, int neighbours) {
+void estimate_normals(OrientedPointsd* points, int neighbours) {
   const Eigen::Index count = std::min<Eigen::Index>(neighbours, points->size());
   const Eigen::Matrix3Xd before = points->normals;
   std::vector<Eigen::Index> order(static_cast<std::size_t>(points->size()));

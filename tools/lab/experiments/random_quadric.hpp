@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/random.hpp"
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 #include "quadrille/detector/canonical.hpp"
 
 namespace quadrille::experiments {
@@ -23,20 +23,20 @@ Quadric random_quadric(QuadricType type, RandomStream& random);
 /// Points of the quadric within the unit ball, uniform by area, with unit gradients as normals:
 /// where isotropic random lines meet it (Cauchy and Crofton).
 /// @throws std::invalid_argument if hardly a line meets the quadric
-OrientedPoints sample(const Quadric& Q, Eigen::Index count, RandomStream& random);
+OrientedPointsd sample(const Quadric& Q, Eigen::Index count, RandomStream& random);
 
 /// Adds Gaussian noise to each coordinate of the points.
 /// @param deviation  in the unit of the points
-void add_point_noise(OrientedPoints* points, double deviation, RandomStream& random);
+void add_point_noise(OrientedPointsd* points, double deviation, RandomStream& random);
 
 /// Turns each normal by Gaussian noise.
 /// @param deviation  of each of the two components across the normal, before it is scaled [-]
-void add_normal_noise(OrientedPoints* points, double deviation, RandomStream& random);
+void add_normal_noise(OrientedPointsd* points, double deviation, RandomStream& random);
 
 /// Replaces the normals by those of least-squares planes through the nearest points (Hoppe et al.
 /// 1992), on the side of the old ones.
 /// @param neighbours  points that a plane is fitted to
-void estimate_normals(OrientedPoints* points, int neighbours);
+void estimate_normals(OrientedPointsd* points, int neighbours);
 
 /// Longest side of the bounding box.
 double size_of(const Eigen::Matrix3Xd& points);

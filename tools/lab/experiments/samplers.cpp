@@ -14,8 +14,8 @@ namespace {
 // As in hypotheses.cpp.
 constexpr double kMaxInconsistent = 0.6, kNormalNoise = 0.05;
 
-OrientedPoints random_tuple(const Neighbourhood& from, int count, RandomStream& random) {
-  OrientedPoints tuple(count);
+OrientedPointsd random_tuple(const Neighbourhood& from, int count, RandomStream& random) {
+  OrientedPointsd tuple(count);
   for (int i = 0; i < count; ++i) {
     const int k = random.below(static_cast<int>(from.points.size()));
     tuple.points.col(i) = from.points.points.col(k);
@@ -31,7 +31,7 @@ VoteOptions vote_options() {
   return options;
 }
 
-void vote_with_three(const Neighbourhood& from, const FitPoints& voters, bool check,
+void vote_with_three(const Neighbourhood& from, const OrientedPointsf& voters, bool check,
                      RandomStream& random, std::vector<Quadric>* hypotheses) {
   std::array<OrientedPoint, 3> basis;
   for (OrientedPoint& point : basis) {
@@ -44,7 +44,7 @@ void vote_with_three(const Neighbourhood& from, const FitPoints& voters, bool ch
   }
 }
 
-void vote_with_two(const Neighbourhood& from, const FitPoints& voters, RandomStream& random,
+void vote_with_two(const Neighbourhood& from, const OrientedPointsf& voters, RandomStream& random,
                    std::vector<Quadric>* hypotheses) {
   std::array<OrientedPoint, 2> basis;
   for (OrientedPoint& point : basis) {
@@ -59,8 +59,8 @@ void vote_with_two(const Neighbourhood& from, const FitPoints& voters, RandomStr
 
 template <class Fit>
 Sampler tuple_sampler(const std::string& name, int count, Fit fit) {
-  return {name, [count, fit](const Neighbourhood& from, const FitPoints&, RandomStream& random,
-                             std::vector<Quadric>* hypotheses) {
+  return {name, [count, fit](const Neighbourhood& from, const OrientedPointsf&,
+                             RandomStream& random, std::vector<Quadric>* hypotheses) {
             const auto Q = fit(random_tuple(from, count, random));
             if (Q) hypotheses->push_back(*Q);
           }};
@@ -69,9 +69,9 @@ Sampler tuple_sampler(const std::string& name, int count, Fit fit) {
 }  // namespace
 
 std::vector<Sampler> all_samplers() {
-  using P = const OrientedPoints&;
+  using P = const OrientedPointsd&;
   const auto three = [](bool check) {
-    return [check](const Neighbourhood& from, const FitPoints& voters, RandomStream& random,
+    return [check](const Neighbourhood& from, const OrientedPointsf& voters, RandomStream& random,
                    std::vector<Quadric>* hypotheses) {
       vote_with_three(from, voters, check, random, hypotheses);
     };

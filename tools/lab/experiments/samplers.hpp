@@ -16,7 +16,7 @@ inline constexpr const char* kThreeName = "3 points, vote, consistency test";
 /// Turns random points of a neighbourhood into hypotheses.
 struct Sampler {
   std::string name;
-  std::function<void(const Neighbourhood&, const FitPoints& voters, RandomStream&,
+  std::function<void(const Neighbourhood&, const OrientedPointsf& voters, RandomStream&,
                      std::vector<Quadric>*)>
       draw;
 };

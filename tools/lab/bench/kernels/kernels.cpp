@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "fit/geometric_fit.hpp"
-#include "fit/initial_fits.hpp"
+#include "fit/initial_general.hpp"
+#include "fit/initial_sphere.hpp"
 #include "fit/normal_equations.hpp"
 #include "lab/scoring/frame.hpp"
 #include "samples/depth/depth_cells.hpp"
@@ -79,20 +80,19 @@ const Patch& patch() {
 }
 
 /// So many points of the patch, normalised for fits.
-FitPoints patch_points(int most) {
+OrientedPointsf patch_points(int most) {
   return fit_points(samples(), patch().region, normalisation_of(samples(), patch().region), most);
 }
 
 /// Bases of three points each, drawn evenly from the patch.
 std::vector<std::array<OrientedPoint, 3>> patch_bases() {
-  const FitPoints points = patch_points(300);
+  const OrientedPointsf points = patch_points(300);
   std::vector<std::array<OrientedPoint, 3>> bases;
   const Eigen::Index third = points.size() / 3;
   for (Eigen::Index i = 0; i < third; ++i) {
     std::array<OrientedPoint, 3> basis;
     for (Eigen::Index k = 0; k < 3; ++k) {
-      basis[static_cast<std::size_t>(k)] = {points.point(i + k * third),
-                                            points.normal(i + k * third)};
+      basis[static_cast<std::size_t>(k)] = points.at(i + k * third);
     }
     bases.push_back(basis);
   }
@@ -124,7 +124,7 @@ void pencil_of_basis(benchmark::State& state) {
 BENCHMARK(pencil_of_basis);
 
 void vote_of_points(benchmark::State& state) {
-  const FitPoints voters = patch_points(static_cast<int>(state.range(0)));
+  const OrientedPointsf voters = patch_points(static_cast<int>(state.range(0)));
   std::vector<Pencil> pencils;
   for (const auto& basis : patch_bases()) {
     if (const auto pencil = make_pencil(basis)) pencils.push_back(*pencil);
@@ -140,7 +140,7 @@ void vote_of_points(benchmark::State& state) {
 BENCHMARK(vote_of_points)->Arg(100)->Arg(1000);
 
 void support_of_hypothesis(benchmark::State& state) {
-  const FitPoints voters = patch_points(static_cast<int>(state.range(0)));
+  const OrientedPointsf voters = patch_points(static_cast<int>(state.range(0)));
   const Eigen::Matrix4d Q = truth_local();
   for (auto _ : state) benchmark::DoNotOptimize(count_support(voters, Q, 0.05f, 0.9f));
   state.SetItemsProcessed(state.iterations() * voters.size());
@@ -148,7 +148,7 @@ void support_of_hypothesis(benchmark::State& state) {
 BENCHMARK(support_of_hypothesis)->Arg(100)->Arg(1000);
 
 void hypotheses_of_neighbourhood(benchmark::State& state) {
-  const FitPoints voters = patch_points(100);
+  const OrientedPointsf voters = patch_points(100);
   RandomStream random(1, 0);
   for (auto _ : state) {
     benchmark::DoNotOptimize(
@@ -177,7 +177,7 @@ void grow_from_truth(benchmark::State& state) {
 BENCHMARK(grow_from_truth)->Unit(benchmark::kMicrosecond);
 
 void normal_equations_of_points(benchmark::State& state) {
-  const FitPoints points = patch_points(static_cast<int>(state.range(0)));
+  const OrientedPointsf points = patch_points(static_cast<int>(state.range(0)));
   const Eigen::Matrix4d Q = truth_local();
   for (auto _ : state) benchmark::DoNotOptimize(normal_equations(points, Q));
   state.SetItemsProcessed(state.iterations() * points.size());
@@ -185,7 +185,7 @@ void normal_equations_of_points(benchmark::State& state) {
 BENCHMARK(normal_equations_of_points)->Arg(128)->Arg(1000);
 
 void sum_of_squares_of_points(benchmark::State& state) {
-  const FitPoints points = patch_points(static_cast<int>(state.range(0)));
+  const OrientedPointsf points = patch_points(static_cast<int>(state.range(0)));
   const Eigen::Matrix4d Q = truth_local();
   for (auto _ : state) benchmark::DoNotOptimize(sum_of_squares(points, Q));
   state.SetItemsProcessed(state.iterations() * points.size());
@@ -193,7 +193,7 @@ void sum_of_squares_of_points(benchmark::State& state) {
 BENCHMARK(sum_of_squares_of_points)->Arg(128)->Arg(1000);
 
 void geometric_refit(benchmark::State& state) {
-  const FitPoints points = patch_points(128);
+  const OrientedPointsf points = patch_points(128);
   const bool sphere = state.range(0) == 0;
   const auto start = sphere ? initial_sphere(points) : initial_general(points);
   if (!start) return state.SkipWithError("the patch gives no start");

@@ -1,4 +1,4 @@
-#include "fits/oriented_points.hpp"
+#include "fits/normalise.hpp"
 
 #include <Eigen/SVD>
 #include <cmath>
@@ -10,43 +10,32 @@ namespace {
 // Below this share of the largest extent, an extent counts as rounding.
 constexpr double kFlat = 1e-7;
 
-bool has_spread(const Eigen::Matrix3Xd& centred, Spread spread) {
+bool has_spread(const OrientedPointsd::Matrix& centred, Spread spread) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(centred * centred.transpose()));
   // Singular values of the scatter are squared extents.
-  const double least = kFlat * kFlat * svd.singularValues()[0];
-  return svd.singularValues()[static_cast<int>(spread) - 1] > least;
+  const double min_square = kFlat * kFlat * svd.singularValues()[0];
+  return svd.singularValues()[static_cast<int>(spread) - 1] > min_square;
 }
 
 }  // namespace
 
-OrientedPoints OrientedPoints::first(Eigen::Index count) const {
-  if (points.cols() != normals.cols()) {
-    throw std::invalid_argument("fit: the numbers of points and normals differ");
-  }
-  OrientedPoints part;
-  part.points = points.leftCols(count);
-  part.normals = normals.leftCols(count);
-  return part;
-}
-
-std::optional<NormalisedPoints> normalise(const OrientedPoints& points, Eigen::Index least,
+std::optional<NormalisedPoints> normalise(const OrientedPointsd& points, Eigen::Index min_size,
                                           Spread spread, NormalLengths lengths) {
   if (points.points.cols() != points.normals.cols()) {
     throw std::invalid_argument("fit: the numbers of points and normals differ");
   }
-  if (points.size() < least || points.size() == 0) return std::nullopt;
+  if (points.size() < min_size || points.size() == 0) return std::nullopt;
   if (!points.points.allFinite() || !points.normals.allFinite()) return std::nullopt;
   const Eigen::RowVectorXd norms = points.normals.colwise().norm();
   if (!(norms.minCoeff() > 1e-12 * norms.maxCoeff())) return std::nullopt;
   NormalisedPoints result;
-  result.centre = points.points.rowwise().mean();
-  const Eigen::Matrix3Xd centred = points.points.colwise() - result.centre;
-  result.scale = centred.colwise().norm().maxCoeff();
+  result.local = normalisation_about_centroid(
+      static_cast<std::size_t>(points.size()), Radius::kLargest,
+      [&](std::size_t i) { return points.points.col(static_cast<Eigen::Index>(i)); });
+  const auto& [centre, scale] = result.local;
   // Coincident points differ by rounding alone.
-  if (!(result.scale > 1e-12 * result.centre.norm()) || !std::isfinite(result.scale)) {
-    return std::nullopt;
-  }
-  result.data.points = centred / result.scale;
+  if (!(scale > 1e-12 * centre.norm()) || !std::isfinite(scale)) return std::nullopt;
+  result.data.points = (points.points.colwise() - centre) / scale;
   if (!has_spread(result.data.points, spread)) return std::nullopt;
   if (lengths == NormalLengths::kUnit) {
     result.data.normals = points.normals.array().rowwise() / norms.array();
@@ -56,7 +45,7 @@ std::optional<NormalisedPoints> normalise(const OrientedPoints& points, Eigen::I
   return result;
 }
 
-Quadric oriented(const Quadric& Q, const OrientedPoints& points) {
+Quadric oriented(const Quadric& Q, const OrientedPointsd& points) {
   double agreement = 0.0;
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     const Eigen::Vector3d g = Q.gradient(points.points.col(i));
@@ -70,11 +59,8 @@ std::optional<Quadric> NormalisedPoints::undo(const Quadric& Q) const {
   const Eigen::Matrix4d& M = Q.matrix();
   const double size = M.norm();
   if (!M.allFinite() || !(size > 0.0) || M.topRows<3>().norm() < 1e-9 * size) return std::nullopt;
-  Eigen::Projective3d T = Eigen::Projective3d::Identity();
-  T.matrix().topLeftCorner<3, 3>() *= scale;
-  T.matrix().topRightCorner<3, 1>() = centre;
-  const Quadric back = oriented(Quadric(Eigen::Matrix4d(M / size)), data).transformed(T);
-  return back.normalized();
+  const Quadric unit(Eigen::Matrix4d(M / size));
+  return local.to_frame(oriented(unit, data).matrix()).normalized();
 }
 
 }  // namespace quadrille

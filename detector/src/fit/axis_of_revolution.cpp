@@ -1,0 +1,37 @@
+#include "fit/axis_of_revolution.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include "fit/point_sums.hpp"
+
+namespace quadrille {
+
+template <typename Scalar>
+std::optional<AxisOfRevolution> axis_of_revolution(const OrientedPoints<Scalar>& p, double ridge) {
+  // A normal line (n, x × n) meets the axis (a, m) where n·m + (x × n)·a = 0.
+  Eigen::Matrix<Scalar, Eigen::Dynamic, 6> H(p.size(), 6);
+  H << (p.y() * p.nz() - p.z() * p.ny()).matrix(), (p.z() * p.nx() - p.x() * p.nz()).matrix(),
+      (p.x() * p.ny() - p.y() * p.nx()).matrix(), p.nx().matrix(), p.ny().matrix(), p.nz().matrix();
+  const Eigen::Matrix<double, 6, 6> S = products_of_columns(H);
+  // Least |H [a m]| with |a| = 1: eliminate m.
+  const Eigen::Matrix3d Smm =
+      S.bottomRightCorner<3, 3>() +
+      ridge * S.bottomRightCorner<3, 3>().trace() * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d K = -Smm.ldlt().solve(Eigen::Matrix3d(S.bottomLeftCorner<3, 3>()));
+  const Eigen::Matrix3d reduced = S.topLeftCorner<3, 3>() + S.topRightCorner<3, 3>() * K;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
+      Eigen::Matrix3d(0.5 * (reduced + reduced.transpose())));
+  AxisOfRevolution axis;
+  axis.direction = eigen.eigenvectors().col(0);
+  axis.foot = axis.direction.cross(Eigen::Vector3d(K * axis.direction));
+  axis.misfits = eigen.eigenvalues();
+  if (!axis.foot.allFinite()) return std::nullopt;
+  return axis;
+}
+
+template std::optional<AxisOfRevolution> axis_of_revolution(const OrientedPointsf&, double);
+template std::optional<AxisOfRevolution> axis_of_revolution(const OrientedPointsd&, double);
+
+}  // namespace quadrille

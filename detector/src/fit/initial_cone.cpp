@@ -1,0 +1,29 @@
+#include "fit/initial_cone.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "fit/point_sums.hpp"
+
+namespace quadrille {
+
+std::optional<PosedQuadric> initial_cone(const OrientedPointsf& p) {
+  const Eigen::Vector3d n = mean_of(p.normals);
+  const Eigen::Matrix3d N = scatter_of(p.normals);
+  const Eigen::Matrix3d S = N - static_cast<double>(p.size()) * n * n.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(S);
+  const Eigen::Vector3d axis = eigen.eigenvectors().col(0);
+  // The apex lies in each tangent plane: nᵢ·apex = nᵢ·xᵢ.
+  const Eigen::Vector3d apex = N.ldlt().solve(sum_of_planes(p));
+  // Each unit normal has the same component along the axis, so their mean has it too.
+  const double sine = std::abs(n.dot(axis));
+  if (!apex.allFinite() || apex.norm() > 1e3 || sine < 1e-3 || sine > 0.999) return std::nullopt;
+  const double k2 = sine * sine / (1 - sine * sine);
+  PosedQuadric cone;
+  cone.X = pose_along(apex, axis);
+  cone.D.diagonal() << 1, 1, -k2, 0;
+  return cone;
+}
+
+}  // namespace quadrille

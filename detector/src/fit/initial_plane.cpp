@@ -1,0 +1,21 @@
+#include "fit/initial_plane.hpp"
+
+#include <Eigen/Eigenvalues>
+
+#include "fit/point_sums.hpp"
+
+namespace quadrille {
+
+std::optional<PosedQuadric> initial_plane(const OrientedPointsf& p) {
+  const Eigen::Vector3d mean = mean_of(p.points);
+  const Eigen::Matrix3d S =
+      scatter_of(p.points) - static_cast<double>(p.size()) * mean * mean.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(S);
+  if (!(eigen.eigenvalues()[1] > 0)) return std::nullopt;
+  PosedQuadric plane;
+  plane.X = pose_along(mean, eigen.eigenvectors().col(0));
+  plane.D(2, 3) = plane.D(3, 2) = 0.5;
+  return plane;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,38 @@
+#include "fit/initial_revolution.hpp"
+
+#include "fit/axis_of_revolution.hpp"
+#include "fit/point_sums.hpp"
+
+namespace quadrille {
+namespace {
+
+// Keeps the axis of a cylinder from running off along itself.
+constexpr double kRidge = 1e-9;
+// An axis that is further away, in radii of the points, is that of a plane.
+constexpr double kMaxFoot = 100.0;
+
+}  // namespace
+
+std::optional<PosedQuadric> initial_revolution(const OrientedPointsf& p) {
+  const auto axis = axis_of_revolution(p, kRidge);
+  if (!axis || axis->foot.norm() > kMaxFoot) return std::nullopt;
+  // Profile ρ² = α + β s + γ s².
+  const Eigen::Isometry3d X = pose_along(axis->foot, axis->direction);
+  const Eigen::Isometry3f Y = X.inverse().cast<float>();
+  const auto local = [&](int r) {
+    return Y(r, 0) * p.x() + Y(r, 1) * p.y() + Y(r, 2) * p.z() + Y(r, 3);
+  };
+  const Eigen::ArrayXf s = local(2);
+  Eigen::Matrix<float, Eigen::Dynamic, 4> M(p.size(), 4);
+  M << Eigen::VectorXf::Ones(p.size()), s.matrix(), s.square().matrix(),
+      (local(0).square() + local(1).square()).matrix();
+  const Eigen::Vector3d profile = least_squares(M);
+  if (!profile.allFinite()) return std::nullopt;
+  PosedQuadric revolution;
+  revolution.X = X;
+  revolution.D.diagonal() << 1, 1, -profile[2], -profile[0];
+  revolution.D(2, 3) = revolution.D(3, 2) = -0.5 * profile[1];
+  return revolution;
+}
+
+}  // namespace quadrille

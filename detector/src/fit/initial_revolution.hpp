@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include "fit/oriented_points.hpp"
+#include "fit/posed_quadric.hpp"
+
+namespace quadrille {
+
+/// A quadric of revolution in closed form: axis_of_revolution(), then the profile ρ² = α + β s + γ
+/// s² by linear least squares.
+/// @return nullopt where the points do not determine the surface
+std::optional<PosedQuadric> initial_revolution(const OrientedPointsf& points);
+
+}  // namespace quadrille

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+
+#include "fit/oriented_points.hpp"
+
+namespace quadrille {
+
+/// The columns' products MᵀM, summed in the precision of the points.
+template <typename Derived>
+auto products_of_columns(const Eigen::MatrixBase<Derived>& M) {
+  constexpr int size = Derived::ColsAtCompileTime;
+  return Eigen::Matrix<double, size, size>((M.transpose() * M).template cast<double>());
+}
+
+/// The x of least |A x − b| with M = [A b].
+template <typename Derived>
+auto least_squares(const Eigen::MatrixBase<Derived>& M) {
+  constexpr int size = Derived::ColsAtCompileTime - 1;
+  const auto S = products_of_columns(M);
+  const Eigen::Matrix<double, size, size> A = S.template topLeftCorner<size, size>();
+  const Eigen::Matrix<double, size, 1> b = S.template topRightCorner<size, 1>();
+  return Eigen::Matrix<double, size, 1>(A.ldlt().solve(b));
+}
+
+/// Σ n nᵀ over the normals, or Σ x xᵀ over the points.
+template <typename Scalar>
+Eigen::Matrix3d scatter_of(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic, Eigen::RowMajor>& rows) {
+  return products_of_columns(Eigen::Matrix<Scalar, Eigen::Dynamic, 3>(rows.transpose()));
+}
+
+template <typename Scalar>
+Eigen::Vector3d mean_of(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic, Eigen::RowMajor>& rows) {
+  // Of a copy: the order of a sum would depend on where in memory a row begins.
+  const auto mean = [&](Eigen::Index k) {
+    return static_cast<double>(Eigen::Array<Scalar, Eigen::Dynamic, 1>(rows.row(k)).mean());
+  };
+  return {mean(0), mean(1), mean(2)};
+}
+
+/// Σ n (n·x): with Σ n nᵀ the normal equations of the point that all tangent planes share.
+template <typename Scalar>
+Eigen::Vector3d sum_of_planes(const OrientedPoints<Scalar>& p) {
+  using Array = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
+  const Array d = p.nx() * p.x() + p.ny() * p.y() + p.nz() * p.z();
+  return Eigen::Matrix<Scalar, 3, 1>((p.nx() * d).sum(), (p.ny() * d).sum(), (p.nz() * d).sum())
+      .template cast<double>();
+}
+
+}  // namespace quadrille

@@ -1,0 +1,40 @@
+#include "fit/taubin.hpp"
+
+#include "support/catch.hpp"
+#include "support/quadric_points.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+TEST_CASE("the scatters are the sums that they stand for, in both precisions", "[taubin]") {
+  RandomStream random(96, 0);
+  const auto points = points_on(diagonal(1, 1.8, 3, -1), 50, -1e3, random);
+  Matrix10d values = Matrix10d::Zero(), gradients = Matrix10d::Zero();
+  for (const OrientedPoint& p : points) {
+    const auto G = monomial_gradients(p.x);
+    values += monomials(p.x) * monomials(p.x).transpose();
+    gradients += G.transpose() * G;
+  }
+  const Matrix10d exact = scatter_of_values(to_oriented_points<double>(points));
+  const Matrix10d rounded = scatter_of_values(to_oriented_points<float>(points));
+  CHECK((exact - values).norm() < 1e-12 * values.norm());
+  CHECK((rounded - values).norm() < 1e-5 * values.norm());
+  CHECK((scatter_of_gradients(exact) - gradients).norm() < 1e-12 * gradients.norm());
+}
+
+TEST_CASE("Taubin's distances tell whether another quadric fits as well", "[taubin]") {
+  RandomStream random(97, 0);
+  const auto ellipsoid = points_on(diagonal(1, 1.8, 3, -1), 50, -1e3, random);
+  const auto one = solve_taubin(scatter_of_values(to_oriented_points<double>(ellipsoid)), 0.0);
+  REQUIRE(one);
+  CHECK(difference(Quadric(one->q).matrix(), diagonal(1, 1.8, 3, -1)) < 1e-9);
+  CHECK(one->distances[1] > 1e-6 * one->distances[8]);
+  // A circle lies on many quadrics.
+  std::vector<OrientedPoint> ring;
+  for (int i = 0; i < 30; ++i) {
+    const Eigen::Vector3d x(std::cos(0.2 * i), std::sin(0.2 * i), 0.0);
+    ring.push_back({x, x});
+  }
+  const auto many = solve_taubin(scatter_of_values(to_oriented_points<double>(ring)), 1e-9);
+  if (many) CHECK(many->distances[1] < 1e-9 * many->distances[8]);
+}
