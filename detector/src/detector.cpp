@@ -22,7 +22,8 @@ bool wanted(QuadricType type, const DetectorOptions& options) {
          std::find(options.only.begin(), options.only.end(), type) != options.only.end();
 }
 
-/// Measures the curved surfaces and the planes, and of the samples that both leave the planes.
+/// Measures the curved surfaces, the planes, and the planes in what both leave of the finest
+/// samples.
 std::vector<Detection> measure_all(const Aggregation& aggregation,
                                    const std::vector<PlaneRegion>& planes,
                                    const SurfaceSamples& coarse, const SurfaceSamples& finest,

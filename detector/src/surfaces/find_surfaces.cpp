@@ -34,7 +34,8 @@ Candidate on_finest(Candidate candidate, const SampleTree& tree, int level, Inli
   return candidate;
 }
 
-/// What the search finds on one level, in terms of the finest samples.
+}  // namespace
+
 std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::vector<char> open,
                                        const DetectorOptions& options) {
   std::vector<Candidate> candidates =
@@ -44,8 +45,6 @@ std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::v
   if (!options.agglomerate.enabled) return candidates;
   return agglomerate(std::move(candidates), tree.finest(), options.inlier, options.agglomerate);
 }
-
-}  // namespace
 
 Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options,
                           StageClock& clock) {

@@ -1,11 +1,18 @@
 #pragma once
 
+#include <vector>
+
 #include "base/stage_clock.hpp"
 #include "quadrille/detector/options.hpp"
 #include "samples/sample_tree.hpp"
 #include "surfaces/aggregate.hpp"
 
 namespace quadrille {
+
+/// What the search finds on one level, with regions in terms of the finest samples.
+/// @param open  per sample of the level, zero to leave it out
+std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::vector<char> open,
+                                       const DetectorOptions& options);
 
 /// Searches for surfaces and chooses among what is found, from coarse to fine: what a coarse level
 /// finds clearly, the finer ones need not search.

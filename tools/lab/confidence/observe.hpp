@@ -16,9 +16,9 @@ struct Observation {
   bool right = false;
 };
 
-/// What the detector's own stages find in a frame if no confidence is asked of the finest level,
-/// judged by the rule of scoring::score(). What finds a surface that is hardly visible, or a true
-/// plane, is left out: it is neither right nor wrong.
+/// The candidates that the search finds on all levels of a frame, each weighed as if nothing else
+/// had been found, and judged by the rule of scoring::score(). What finds a surface that is hardly
+/// visible, or a true plane, is left out: it is neither right nor wrong.
 std::vector<Observation> observe(const scoring::Frame& frame);
 
 }  // namespace quadrille::confidence_training
