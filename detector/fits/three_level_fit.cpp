@@ -1,6 +1,7 @@
 #include "fits/three_level_fit.hpp"
 
-#include "fits/scatter.hpp"
+#include "fit/taubin.hpp"
+#include "fits/normalise.hpp"
 #include "fits/solvers.hpp"
 
 namespace quadrille {
@@ -12,12 +13,13 @@ std::optional<Quadric> fit_three_level(const OrientedPointsd& points,
   const OrientedPointsd& data = normalised->data;
   Matrix10d S = Matrix10d::Zero();
   Vector10d b = Vector10d::Zero();
-  for (Eigen::Index i = 0; i < data.size(); ++i) {
-    for (const double level : {-options.offset, 0.0, options.offset}) {
-      const Vector10d v = monomials(data.points.col(i) + level * data.normals.col(i));
-      S += v * v.transpose();
-      b += level * v;
-    }
+  for (const double level : {-options.offset, 0.0, options.offset}) {
+    OrientedPointsd moved = data;
+    moved.points += level * data.normals;
+    const Matrix10d values = scatter_of_values(moved);
+    S += values;
+    // The last monomial is 1.
+    b += level * values.col(9);
   }
   const auto q = solve_normal_equations(S, b);
   if (!q) return std::nullopt;

@@ -5,23 +5,23 @@
 namespace quadrille {
 namespace {
 
+/// @param from  the rows of 3xN points
+/// @param to    the rows of the 4xN results
 QUADRILLE_VECTOR_CLONES
-void evaluate(Coefficients<float> q, const OrientedPointsf& points, HalfGradients* g) {
-  const Eigen::Index size = points.size();
-  const float *x = points.x().data(), *y = points.y().data(), *z = points.z().data();
-  float *gx = g->x.data(), *gy = g->y.data(), *gz = g->z.data(), *f = g->f.data();
-#pragma GCC ivdep
+void evaluate(Coefficients<float> q, Eigen::Index size, const float* from, float* __restrict to) {
+  const float *x = from, *y = x + size, *z = y + size;
+  float *gx = to, *gy = gx + size, *gz = gy + size, *f = gz + size;
   for (Eigen::Index i = 0; i < size; ++i) {
-    const HalfGradient<float> at = half_gradient(q, x[i], y[i], z[i]);
-    gx[i] = at.x, gy[i] = at.y, gz[i] = at.z, f[i] = at.f;
+    const HalfGradient<float> g = half_gradient(q, x[i], y[i], z[i]);
+    gx[i] = g.x, gy[i] = g.y, gz[i] = g.z, f[i] = g.f;
   }
 }
 
 }  // namespace
 
 HalfGradients::HalfGradients(const OrientedPointsf& points, const Eigen::Matrix4d& Q)
-    : x(points.size()), y(points.size()), z(points.size()), f(points.size()) {
-  evaluate(Coefficients<float>(Q), points, this);
+    : rows_(4, points.size()) {
+  evaluate(Coefficients<float>(Q), points.size(), points.points.data(), rows_.data());
 }
 
 }  // namespace quadrille

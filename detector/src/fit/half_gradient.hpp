@@ -40,10 +40,21 @@ inline HalfGradient<Scalar> half_gradient(const Coefficients<Scalar>& q, Scalar 
 }
 
 /// The same for many points.
-struct HalfGradients {
-  Eigen::ArrayXf x, y, z, f;
-
+class HalfGradients {
+ public:
   HalfGradients(const OrientedPointsf& points, const Eigen::Matrix4d& Q);
+
+  OrientedPointsf::Coordinates x() const { return row(0); }
+  OrientedPointsf::Coordinates y() const { return row(1); }
+  OrientedPointsf::Coordinates z() const { return row(2); }
+  OrientedPointsf::Coordinates f() const { return row(3); }
+
+ private:
+  OrientedPointsf::Coordinates row(Eigen::Index k) const {
+    return OrientedPointsf::Coordinates(rows_.data() + k * rows_.cols(), rows_.cols());
+  }
+
+  Eigen::Matrix<float, 4, Eigen::Dynamic, Eigen::RowMajor> rows_;
 };
 
 }  // namespace quadrille

@@ -22,10 +22,10 @@ TEST_CASE("half gradients and values are those of the quadric", "[half_gradient]
         const HalfGradient<double> one = half_gradient(q, x.x(), x.y(), x.z());
         CHECK((2.0 * Eigen::Vector3d(one.x, one.y, one.z) - Q.gradient(x)).norm() < 1e-12);
         CHECK(std::abs(one.f - Q.value(x)) < 1e-12);
-        CHECK((Eigen::Vector3d(many.x[i], many.y[i], many.z[i]) -
+        CHECK((Eigen::Vector3d(many.x()[i], many.y()[i], many.z()[i]) -
                Eigen::Vector3d(one.x, one.y, one.z))
                   .norm() < 1e-5);
-        CHECK(std::abs(many.f[i] - one.f) < 1e-5);
+        CHECK(std::abs(many.f()[i] - one.f) < 1e-5);
       }
     }
   }

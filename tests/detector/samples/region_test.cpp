@@ -45,8 +45,8 @@ TEST_CASE("a fit takes no more points than asked for, spread over the region", "
   const Normalisation local = normalisation_of(samples, region);
   const OrientedPointsf few = fit_points(samples, region, local, 50);
   REQUIRE(few.size() == 50);
-  CHECK(few.z.minCoeff() < -1.1f);
-  CHECK(few.z.maxCoeff() > 1.0f);
+  CHECK(few.z().minCoeff() < -1.1f);
+  CHECK(few.z().maxCoeff() > 1.0f);
 }
 
 TEST_CASE("an inlier lies within its noise and has the normal of the quadric, up to sign",

@@ -65,8 +65,8 @@ TEST_CASE("general bases find any quadric", "[hypotheses]") {
 
 TEST_CASE("coinciding points draw no hypothesis", "[hypotheses][hostile]") {
   OrientedPointsf points(20);
-  points.x.setConstant(0.1f), points.y.setConstant(0.2f), points.z.setConstant(0.3f);
-  points.nx.setConstant(1.0f), points.ny.setZero(), points.nz.setZero();
+  points.points.colwise() = Eigen::Vector3f(0.1f, 0.2f, 0.3f);
+  points.normals.colwise() = Eigen::Vector3f::UnitX();
   RandomStream random(99, 0);
   for (const BasisKind kind : {BasisKind::kThreePoints, BasisKind::kFourPoints,
                                BasisKind::kNinePoints, BasisKind::kTwoPoints, BasisKind::kSphere}) {

@@ -104,6 +104,6 @@ TEST_CASE("without voters, or with voters in one plane, nothing is elected",
   const std::vector<OrientedPoint> same(20, points_on(diagonal(1, 1, 1, -1), 1, -1e3, random)[0]);
   CHECK(vote(*web, to_fit_points(same), {}).empty());
   OrientedPointsf broken = to_fit_points(same);
-  broken.x.setConstant(std::nanf(""));
+  broken.points.row(0).setConstant(std::nanf(""));
   CHECK(vote(*web, broken, {}).empty());
 }
