@@ -102,7 +102,7 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
   const float z = near_depth(cloud, *view);
   if (z > kFarthest) return nullptr;
   const int pixels = static_cast<int>(
-      std::lround(std::clamp(options.cell / (image->pitch * z), 1.0, 1.0 * kMaxPixels)));
+      std::lround(std::clamp(options.cell / (image->pitch.x() * z), 1.0, 1.0 * kMaxPixels)));
   std::array<DepthCells, kLevels> cells;
   cells[0] = make_depth_cells(cloud, *view, *image, pixels);
   const double layered = pixels < kLayerPixels

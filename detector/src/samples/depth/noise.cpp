@@ -137,7 +137,7 @@ std::optional<Patch> fit_patch(const DepthCells& cells, const std::vector<int>& 
   const int centre = j * cells.width + i;
   Patch patch{};
   patch.u0 = cells.u[centre], patch.v0 = cells.v[centre], patch.w0 = cells.w[centre];
-  patch.scale = 1.0f / (cells.image.pitch * static_cast<float>(cells.pixels * reach));
+  patch.scale = 1.0f / (cells.pitch() * static_cast<float>(cells.pixels * reach));
   PatchSums sums;
   bool torn = false;
   visit_disc(cells, i, j, reach, 1, [&](int first, int n) {
@@ -158,9 +158,9 @@ std::optional<Patch> fit_patch(const DepthCells& cells, const std::vector<int>& 
 
 /// Root mean square residual in depth of the level's cells over the patch; negative if none.
 float patch_residual(const DepthCells& cells, const Patch& patch, double lost) {
-  const float step = cells.image.pitch * static_cast<float>(cells.pixels);
-  const int i = static_cast<int>((patch.u0 - cells.image.u0) / step);
-  const int j = static_cast<int>((patch.v0 - cells.image.v0) / step);
+  const float step = cells.pitch() * static_cast<float>(cells.pixels);
+  const int i = static_cast<int>((patch.u0 - cells.image.corner.x()) / step);
+  const int j = static_cast<int>((patch.v0 - cells.image.corner.y()) / step);
   const int reach = std::max(1, static_cast<int>(1.0f / (patch.scale * step)));
   // Of a fine level's many cells those of every second row tell as much.
   const int stride = reach > kMaxReach ? 2 : 1;
