@@ -15,9 +15,9 @@ constexpr double kMaxPixels = 64e6, kMinFilled = 0.01;
 // Bounds of a camera's pitch, as a tangent: 100,000 or 50 pixels across 53°. Smaller steps are
 // rounding, larger ones gaps.
 constexpr float kMinPitch = 1e-5f, kMaxPitch = 0.02f;
-// Slope of a step within a row: no camera's own rows rise more.
+// Slope of a step within a row: an upright camera's rows rise less.
 constexpr float kMaxRowSlope = 0.05f;
-// Points to look at for the steps in a row, and for the phase.
+// Points to look at for the steps in a row, and for the phase: enough to average their rounding.
 constexpr std::size_t kSteps = 10000, kPhases = 2500;
 // Steps within this share of the usual one are of one pixel.
 constexpr float kStepSpread = 0.2f;
@@ -31,6 +31,8 @@ constexpr float kMinRegularity = 0.8f;
 // Points in the usual pixel of a depth image whose points come in no order: if they lie at random,
 // one pixel in seven is empty then, few enough to be filled from its neighbours.
 constexpr float kPointsPerPixel = 2.0f;
+// Points in a block that tell their density well enough for that.
+constexpr float kPointsPerBlock = 8.0f;
 // Where a row of pixels is down to one, coarser ones save nothing there: a step that helps anyway.
 constexpr float kMinCoarser = 1.01f;
 
@@ -124,9 +126,11 @@ float usual_count(const std::vector<int>& histogram) {
   return median(counts);
 }
 
-/// Pitch of pixels of which the usual one holds so many points, at the density of points over the
-/// part of the image that they cover: that in the smallest blocks that hold as many.
-float pitch_from_density(const PointCloud& cloud, const PinholeView& view, float points_per_pixel) {
+/// Pitch of pixels of which the usual one holds so many points, from the density of points over the
+/// part of the image that they cover.
+/// @param points_per_block  the density is counted in blocks of which the usual one holds as many
+float pitch_from_density(const PointCloud& cloud, const PinholeView& view, float points_per_pixel,
+                         float points_per_block) {
   constexpr float kReach = PinholeView::kMaxTangent;
   int blocks = 512;
   float edge = 2 * kReach / static_cast<float>(blocks);
@@ -139,7 +143,7 @@ float pitch_from_density(const PointCloud& cloud, const PinholeView& view, float
     if (t.z() > 0.0f) ++histogram[bin(t.y()) * blocks + bin(t.x())];
   }
   float usual = usual_count(histogram);
-  for (; usual < points_per_pixel && blocks > 1; usual = usual_count(histogram)) {
+  for (; usual < points_per_block && blocks > 1; usual = usual_count(histogram)) {
     histogram = halved(histogram, blocks);
     blocks /= 2;
     edge *= 2.0f;
@@ -220,7 +224,7 @@ Eigen::Array2f coarse_enough(const PinholeView& view, Eigen::Array2f pitch, doub
 std::optional<PinholeImage> find_image(const PointCloud& cloud, const PinholeView& view) {
   const std::optional<float> ordered = pitch_from_order(cloud, view);
   const Eigen::Array2f pitch =
-      Eigen::Array2f::Constant(ordered ? *ordered : pitch_from_density(cloud, view, 1.0f));
+      Eigen::Array2f::Constant(ordered ? *ordered : pitch_from_density(cloud, view, 1.0f, 1.0f));
   PinholeImage image = place_image(view, pitch, phase_of(cloud, view, pitch).centre);
   const Eigen::Array2d size = count_pixels(view, image.corner, pitch);
   if (!(size.prod() < kMaxPixels) || static_cast<double>(view.seen) < kMinFilled * size.prod()) {
@@ -233,11 +237,12 @@ std::optional<PinholeImage> find_image(const PointCloud& cloud, const PinholeVie
 
 PinholeImage find_pixels(const PointCloud& cloud, const PinholeView& view, double max_pixels) {
   const std::optional<Eigen::Array2f> regular = regular_pitch(cloud, view);
-  const Eigen::Array2f pitch = coarse_enough(
-      view,
-      regular ? *regular
-              : Eigen::Array2f::Constant(pitch_from_density(cloud, view, kPointsPerPixel)),
-      max_pixels);
+  const Eigen::Array2f pitch =
+      coarse_enough(view,
+                    regular ? *regular
+                            : Eigen::Array2f::Constant(pitch_from_density(
+                                  cloud, view, kPointsPerPixel, kPointsPerBlock)),
+                    max_pixels);
   PinholeImage image = place_image(view, pitch, phase_of(cloud, view, pitch).centre);
   const Eigen::Array2d size = count_pixels(view, image.corner, pitch);
   image.width = static_cast<int>(size.x());
