@@ -21,6 +21,7 @@ bool alike(float depth, float other) {
   return other > 0.0f && std::abs(other - depth) < kMaxStep * depth;
 }
 
+/// True if enough of the eight neighbours stand on one surface with the pixel.
 bool has_support(const DepthImage& image, int u, int v) {
   const float depth = image.at(u, v);
   // Mostly both neighbours in its row are.

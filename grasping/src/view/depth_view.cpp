@@ -47,7 +47,7 @@ void DepthView::place(const PinholeView& view, const PinholeImage& image) {
   image_.height = image.height;
 }
 
-// Of the points of a pixel the nearest one counts, unless it is a stray.
+/// Of the points of a pixel the nearest one counts, unless it is a stray.
 void DepthView::keep_nearest(const PointCloud& cloud) {
   image_.depth.assign(static_cast<std::size_t>(image_.width) * image_.height, 0.0f);
   std::vector<std::size_t> nearest(image_.depth.size(), 0);

@@ -10,7 +10,7 @@ namespace {
 // Pixels that the matching window of a sensor loses on either side of an edge.
 constexpr double kLostAtEdges = 3.0;
 
-// A run of missing pixels between two measured ones, `stride` apart in memory.
+/// A run of missing pixels between two measured ones, `stride` apart in memory.
 struct Gap {
   std::size_t first;
   int length;
@@ -18,7 +18,7 @@ struct Gap {
   double before, after;  // depth at its ends
 };
 
-// Calls visit(gap) for each gap of a line of pixels.
+/// Calls visit(gap) for each gap of a line of pixels.
 template <class Visitor>
 void each_gap(const std::vector<float>& depth, std::size_t start, int count, std::size_t stride,
               Visitor&& visit) {

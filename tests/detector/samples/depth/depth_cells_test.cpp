@@ -1,6 +1,7 @@
 #include "samples/depth/depth_cells.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
@@ -101,7 +102,7 @@ TEST_CASE("a step in depth is continuous up to the slope seen at 75 degrees", "[
   cells.image = image_of(1, 1, 0.003f);
   cells.pixels = 1;
   const float step = continuous_step(cells, 1.0f);
-  CHECK(step > std::tan(75.0 * M_PI / 180.0) * 0.003 * 0.98);
+  CHECK(step > std::tan(75.0 * std::numbers::pi / 180.0) * 0.003 * 0.98);
   CHECK(continuous(cells, 1.0f, 1.0f / (1.0f + 0.7f * step)));
   CHECK_FALSE(continuous(cells, 1.0f, 1.0f / (1.0f + 1.3f * step)));
 }

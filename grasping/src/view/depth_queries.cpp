@@ -13,7 +13,7 @@ namespace {
 // baseline over depth, as common sensors have it at half a metre.
 constexpr int kMaxBlindPixels = 20;
 
-// The nearest whole number below or above, of at most 1e8: std::floor is a call on plain x86-64.
+/// The nearest whole number below or above, of at most 1e8: std::floor is a call on plain x86-64.
 int whole_below(double x) {
   x = std::clamp(x, -1e8, 1e8);
   const int n = static_cast<int>(x);
@@ -87,8 +87,8 @@ std::array<DepthRange, 8> DepthView::ranges(const EightPoints& p_V,
   return result;
 }
 
-// Calls visit(u, v, depth) for each pixel whose ray passes the cube without seeing past it, until
-// one call returns false. The pixel that the centre projects to counts in any case.
+/// Calls visit(u, v, depth) for each pixel whose ray passes the cube without seeing past it, until
+/// one call returns false. The pixel that the centre projects to counts in any case.
 template <class Visitor>
 bool DepthView::visit_blockers(const Eigen::Vector3d& centre_C, double half,
                                Visitor&& visit) const {
