@@ -75,8 +75,8 @@ std::vector<OccupancyGrid::Tile> OccupancyGrid::tiles_beside(const DepthView& vi
         const Eigen::Vector3d p_V =
             view.to_view((((corner_ + low).cast<double>() * resolution_).array() + half).matrix());
         const DepthRange range = view.range(p_V, reach);
-        const bool free = range.near > p_V.z() + reach.z();
-        const bool hidden = range.near > 0.0 && range.far < p_V.z() - reach.z();
+        const bool free = range.min > p_V.z() + reach.z();
+        const bool hidden = range.min > 0.0 && range.max < p_V.z() - reach.z();
         if (free || hidden) continue;
         if (clear(view, p_V, half)) {
           tiles.push_back({low, kBlock, false});

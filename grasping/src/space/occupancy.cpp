@@ -129,8 +129,8 @@ void OccupancyGrid::mark_free(const DepthView& view, const Eigen::Vector3i& low,
   const Eigen::Vector3d p_V = view.to_view(centre_C);
   const Eigen::Vector3d reach = view.reach(half);
   const DepthRange range = view.range(p_V, reach);
-  if (p_V.z() - reach.z() > range.far) return;
-  if (p_V.z() + reach.z() < range.near) return fill_free(low, edge);
+  if (p_V.z() - reach.z() > range.max) return;
+  if (p_V.z() + reach.z() < range.min) return fill_free(low, edge);
   if (edge == 2) return mark_eight(view, low, p_V);
   const int step = edge / 2;
   for (int n = 0; n < 8; ++n) {
@@ -156,8 +156,8 @@ void OccupancyGrid::mark_eight(const DepthView& view, const Eigen::Vector3i& low
     const Eigen::Vector3i at = low + Eigen::Vector3i(n & 1, (n >> 1) & 1, n >> 2);
     Voxel& state = states_[index(at.x(), at.y(), at.z())];
     const double z = eight(n, 2), slack = reach.z() + kRounding * (1.0 + z);
-    if (state >= Voxel::kFree || z - slack > ranges[n].far) continue;
-    if (z + slack < ranges[n].near || view.sees_past(centre(at.x(), at.y(), at.z()), half)) {
+    if (state >= Voxel::kFree || z - slack > ranges[n].max) continue;
+    if (z + slack < ranges[n].min || view.sees_past(centre(at.x(), at.y(), at.z()), half)) {
       state = Voxel::kFree;
     }
   }

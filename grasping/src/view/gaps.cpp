@@ -10,7 +10,7 @@ namespace {
 // Pixels that the matching window of a sensor loses on either side of an edge.
 constexpr double kLostAtEdges = 3.0;
 
-// A run of missing pixels between two measured ones, `stride` apart in memory.
+/// A run of missing pixels between two measured ones, `stride` apart in memory.
 struct Gap {
   std::size_t first;
   int length;
@@ -18,14 +18,14 @@ struct Gap {
   double before, after;  // depth at its ends
 };
 
-// Calls visit(gap) for each gap of a line of pixels.
+/// Calls visit(gap) for each gap of a line of pixels.
 template <class Visitor>
 void each_gap(const std::vector<float>& depth, std::size_t start, int count, std::size_t stride,
               Visitor&& visit) {
   int seen = -1;  // the last measured pixel
   for (int n = 0; n < count; ++n) {
     const float z = depth[start + n * stride];
-    if (z == 0.0F) continue;
+    if (z == 0.0f) continue;
     if (seen >= 0 && n > seen + 1) {
       visit(
           Gap{start + (seen + 1) * stride, n - seen - 1, stride, depth[start + seen * stride], z});
@@ -54,7 +54,7 @@ void fill_blind(const Gap& gap, double pitch, double baseline, std::vector<float
 
 std::vector<std::uint8_t> fill_gaps(std::vector<float>& depth, int width,
                                     const Eigen::Vector2d& pitch, const GapRules& rules) {
-  std::vector<float> filled(depth.size(), 0.0F);
+  std::vector<float> filled(depth.size(), 0.0f);
   const int height = width > 0 ? static_cast<int>(depth.size() / width) : 0;
   for (int v = 0; v < height; ++v) {
     each_gap(depth, static_cast<std::size_t>(v) * width, width, 1, [&](const Gap& gap) {
@@ -68,7 +68,7 @@ std::vector<std::uint8_t> fill_gaps(std::vector<float>& depth, int width,
   }
   std::vector<std::uint8_t> mask(depth.size(), 0);
   for (std::size_t n = 0; n < depth.size(); ++n) {
-    if (filled[n] == 0.0F) continue;
+    if (filled[n] == 0.0f) continue;
     depth[n] = filled[n];
     mask[n] = 1;
   }

@@ -1,6 +1,7 @@
 #include "view/depth_view.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "grasping/mapped_scene.hpp"
 #include "support/catch.hpp"
@@ -45,8 +46,8 @@ TEST_CASE("bounds of the depth hold that of every pixel whose ray passes the box
         const Eigen::Array3d t1 = (view.to_view(p) + reach).array() / ray;
         if (t0.min(t1).maxCoeff() > t0.max(t1).minCoeff()) continue;
         ++passed;
-        REQUIRE(range.near <= view.depth(u, v));
-        REQUIRE(range.far >= view.depth(u, v));
+        REQUIRE(range.min <= view.depth(u, v));
+        REQUIRE(range.max >= view.depth(u, v));
       }
     }
   }
@@ -70,9 +71,9 @@ TEST_CASE("eight boxes at once have the bounds of each, or wider ones", "[view]"
     for (int k = 0; k < 8; ++k) {
       const Eigen::Vector3d p_V = eight.row(k).matrix().transpose().cast<double>();
       const DepthRange one = view.range(p_V, reach);
-      REQUIRE(ranges[k].near <= one.near);
-      REQUIRE(ranges[k].far >= one.far);
-      equal += ranges[k].near == one.near && ranges[k].far == one.far;
+      REQUIRE(ranges[k].min <= one.min);
+      REQUIRE(ranges[k].max >= one.max);
+      equal += ranges[k].min == one.min && ranges[k].max == one.max;
     }
   }
   CHECK(equal > 3500);
@@ -151,4 +152,27 @@ TEST_CASE("the nearest surface is the least depth that was measured around a box
   CHECK(none > 100);
   CHECK(some > 10);
   CHECK(met > 100);
+}
+
+TEST_CASE("a view of points in disorder has no more pixels than any camera", "[view][hostile]") {
+  PointCloud cloud;
+  for (int n = 0; n < 20000; ++n) cloud.points.emplace_back(std::ldexp(1.0f * n, -30), 0.0f, 1.0f);
+  for (int n = 0; n < 20; ++n) cloud.points.emplace_back(1.0f, 0.05f * n, 1.0f);
+  const DepthView view(cloud);
+  REQUIRE(view.valid());
+  CHECK(static_cast<double>(view.width()) * view.height() <= 4e6);
+}
+
+TEST_CASE("without points or a viewpoint a view is invalid", "[view][degenerate]") {
+  PointCloud nowhere = Scene().cloud;
+  nowhere.viewpoint.x() = std::numeric_limits<double>::quiet_NaN();
+  CHECK_FALSE(DepthView(nowhere).valid());
+  CHECK(DepthView(nowhere).stray().size() == nowhere.points.size());
+  const DepthView empty{PointCloud()};
+  const Eigen::Vector3d p_C(0.0, 0.0, 1.0), reach = Eigen::Vector3d::Constant(0.01);
+  CHECK_FALSE(empty.valid());
+  CHECK_FALSE(empty.sees_past(p_C, 0.01));
+  CHECK_FALSE(empty.meets_surface(p_C, 0.01));
+  CHECK(std::isinf(empty.nearest_surface(p_C, reach)));
+  CHECK(empty.range(p_C, reach).max == 0.0);
 }

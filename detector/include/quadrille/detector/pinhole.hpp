@@ -20,16 +20,21 @@ struct SeenPoints {
 
 /// How a pinhole at a cloud's viewpoint sees its points.
 struct PinholeView {
-  /// Widest field of view that one image can hold, as a tangent.
-  static constexpr float kWidestTangent = 2.0f;
+  /// Half the field of view at most, as a tangent: 63°. Depth cameras have 60° at most, and pixels
+  /// farther out would be stretched more than twofold.
+  static constexpr float kMaxTangent = 2.0f;
+  /// Inverse depth below which points are seen [1/m]: nothing stands a tenth of a millimetre before
+  /// a lens, but for points that stand for missing ones.
+  static constexpr float kMaxInverseDepth = 1e4f;
 
   /// Frame V: origin at the viewpoint, z into the scene.
   Eigen::Isometry3f X_VC = Eigen::Isometry3f::Identity();
   /// Every so many-th point is looked at; the pixels are so much wider.
   int stride = 1;
-  /// Points that it sees, and the least and greatest tangents among them.
-  std::size_t seen = 0;
-  Eigen::Array2f low = Eigen::Array2f::Zero(), high = Eigen::Array2f::Zero();
+  /// Points that it sees, and finite ones that it does not.
+  std::size_t seen = 0, unseen = 0;
+  /// The tangents (u, v) of the points that it sees.
+  Eigen::AlignedBox2f bounds;
 
   /// (u, v, w) of a point p_C [m], as in SeenPoints.
   Eigen::Vector3f operator()(const Eigen::Vector3f& p_C) const {
@@ -40,8 +45,8 @@ struct PinholeView {
     const float w = 1.0f / row(2), u = row(0) * w, v = row(1) * w;
     // Also false for NaN and for what is infinitely far. No && and ||, that would stop the compiler
     // from taking several points at once.
-    const bool inside =
-        (w > 0.0f) & (w < 1e4f) & (std::abs(u) < kWidestTangent) & (std::abs(v) < kWidestTangent);
+    const bool inside = (w > 0.0f) & (w < kMaxInverseDepth) & (std::abs(u) < kMaxTangent) &
+                        (std::abs(v) < kMaxTangent);
     return {inside ? u : 0.0f, inside ? v : 0.0f, inside ? w : 0.0f};
   }
 
@@ -54,21 +59,31 @@ struct PinholeView {
   SeenPoints look(const std::vector<Eigen::Vector3f>& points, std::size_t k) const;
 };
 
-/// Looks at a cloud from its viewpoint; nullopt if the cloud is too small or does not lie ahead of
-/// its viewpoint within a pinhole's field of view.
+/// Looks at a cloud from its viewpoint: along z of the cloud's frame if all points lie there, as in
+/// a camera's own frame, else to the middle of the points. Nullopt if it sees none.
+std::optional<PinholeView> look_from_viewpoint(const PointCloud& cloud, int stride = 1);
+
+/// The same, but nullopt also if the cloud is no single view: too small, or not all ahead of its
+/// viewpoint within a pinhole's field of view.
 std::optional<PinholeView> find_view(const PointCloud& cloud, int stride = 1);
 
-/// The image that a view fills.
+/// The pixels that a view fills.
 struct PinholeImage {
-  /// Tangents of the first pixel's near corner, and the step from pixel to pixel.
-  float u0 = 0, v0 = 0, pitch = 0;
+  /// Tangents of the first pixel's near corner, and the steps from pixel to pixel along u and v.
+  Eigen::Array2f corner = Eigen::Array2f::Zero(), pitch = Eigen::Array2f::Zero();
   /// Size in pixels.
   int width = 0, height = 0;
 };
 
-/// Finds pitch and phase of the pixels from the points themselves: from the steps between
+/// Finds pitch and phase of square pixels from the points themselves: from the steps between
 /// consecutive points where they come row by row, else from their density. Nullopt if the points
 /// fill no image.
 std::optional<PinholeImage> find_image(const PointCloud& cloud, const PinholeView& view);
+
+/// Finds the pixels one by one, for a depth image: with a pitch of their own along u and v, if
+/// they repeat so regularly that each point falls into a pixel of its own; else pixels so coarse
+/// that the usual one holds two points. Whatever the points are, the image has max_pixels at most:
+/// its pixels become coarser.
+PinholeImage find_pixels(const PointCloud& cloud, const PinholeView& view, double max_pixels);
 
 }  // namespace quadrille

@@ -10,25 +10,27 @@
 namespace quadrille {
 namespace {
 
-// Of two layers the means stand nearly as far apart as the extremes, of a slope half as far.
-constexpr float kLayer = 0.75f;
-// Cells with layers, of a cell and its eight neighbours, within an area of layers.
-constexpr int kMinAround = 8;
+// The distance between the means of a cell's two sides, as a share of that between its extremes:
+// nearly 1 if the sides are two layers, a half if they are the ends of a slope.
+constexpr float kMinLayerGap = 0.75f;
+// Within an area of layers at least so many of a cell and its eight neighbours have layers. Along a
+// depth edge no more than six have.
+constexpr int kMinLayeredAround = 8;
 
 /// Sums of tangents and inverse depth over points, and the extremes of the latter.
 struct Sums {
   float n = 0, u = 0, v = 0, w = 0;
-  float least = 1e30f, most = 0;
+  float min_w = PinholeView::kMaxInverseDepth, max_w = 0;
 
   void add(float u_k, float v_k, float w_k) {
     n += 1, u += u_k, v += v_k, w += w_k;
-    least = std::min(least, w_k);
-    most = std::max(most, w_k);
+    min_w = std::min(min_w, w_k);
+    max_w = std::max(max_w, w_k);
   }
   void add(const Sums& other) {
     n += other.n, u += other.u, v += other.v, w += other.w;
-    least = std::min(least, other.least);
-    most = std::max(most, other.most);
+    min_w = std::min(min_w, other.min_w);
+    max_w = std::max(max_w, other.max_w);
   }
 };
 
@@ -39,9 +41,9 @@ struct CellIndex {
   int width, last_i, last_j;
 
   explicit CellIndex(const DepthCells& cells)
-      : u0(cells.image.u0),
-        v0(cells.image.v0),
-        step(1.0f / (cells.image.pitch * static_cast<float>(cells.pixels))),
+      : u0(cells.image.corner.x()),
+        v0(cells.image.corner.y()),
+        step(1.0f / (cells.pitch() * static_cast<float>(cells.pixels))),
         width(cells.width),
         last_i(cells.width - 1),
         last_j(cells.height - 1) {}
@@ -96,10 +98,10 @@ std::vector<char> keep_larger_sides(const PointCloud& cloud, const PinholeView& 
   std::vector<float> middle;
   for (std::size_t c = 0; c < split.size(); ++c) {
     const Sums& sum = (*sums)[c];
-    if (sum.n < 2 || continuous(cells, sum.least, sum.most)) continue;
+    if (sum.n < 2 || continuous(cells, sum.min_w, sum.max_w)) continue;
     split[c] = static_cast<int>(sides.size());
     sides.emplace_back();
-    middle.push_back(0.5f * (sum.least + sum.most));
+    middle.push_back(0.5f * (sum.min_w + sum.max_w));
   }
   if (sides.empty()) return {};
   for (std::size_t k = 0; k < view.looked_at(cloud.points.size()); ++k) {
@@ -114,7 +116,7 @@ std::vector<char> keep_larger_sides(const PointCloud& cloud, const PinholeView& 
     const auto& [far, near] = sides[split[c]];
     const Sums& sum = (*sums)[c];
     const float gap = near.w / near.n - far.w / far.n;
-    layered[c] = near.n > 1 && far.n > 1 && gap > kLayer * (sum.most - sum.least);
+    layered[c] = near.n > 1 && far.n > 1 && gap > kMinLayerGap * (sum.max_w - sum.min_w);
     (*sums)[c] = near.n >= far.n ? near : far;
   }
   return layered;
@@ -134,7 +136,7 @@ double layered_share(const DepthCells& cells, const std::vector<char>& layered) 
       for (const int row : {c - cells.width, c, c + cells.width}) {
         around += layered[row - 1] + layered[row] + layered[row + 1];
       }
-      inside += around >= kMinAround;
+      inside += around >= kMinLayeredAround;
     }
   }
   return filled ? static_cast<double>(inside) / filled : 0.0;
@@ -165,21 +167,21 @@ QUADRILLE_VECTOR_CLONES
 void join(const DepthCells& fine, const FineRows& rows, int n, int first, DepthCells* cells,
           char* torn) {
   for (int i = 0; i < n; ++i) {
-    float total = 0, u = 0, v = 0, w = 0, least = 1e30f, most = 0;
+    float total = 0, u = 0, v = 0, w = 0, min_w = PinholeView::kMaxInverseDepth, max_w = 0;
     for (int r = 0; r < 2; ++r) {
       for (int k = 2 * i; k < 2 * i + 2; ++k) {
         const int c = rows.first[r] + k;
         const float m = rows.n[r][k], w_c = fine.w[c];
         total += m, u += m * fine.u[c], v += m * fine.v[c], w += m * w_c;
-        least = std::min(least, m > 0 ? w_c : least);
-        most = std::max(most, m > 0 ? w_c : most);
+        min_w = std::min(min_w, m > 0 ? w_c : min_w);
+        max_w = std::max(max_w, m > 0 ? w_c : max_w);
       }
     }
     const float over = 1.0f / std::max(total, 1.0f);
     const int c = first + i;
     cells->count[c] = static_cast<int>(total);
     cells->u[c] = u * over, cells->v[c] = v * over, cells->w[c] = w * over;
-    torn[i] = (total > 0) & !continuous(*cells, least, most);
+    torn[i] = (total > 0) & !continuous(*cells, min_w, max_w);
   }
 }
 

@@ -13,6 +13,7 @@ namespace quadrille {
 /// An image in square cells of several pixels: mean tangents and mean inverse depth of the points
 /// in each cell. Inverse depth is affine in (u, v) on a plane, so averages keep planes.
 struct DepthCells {
+  /// Of square pixels.
   PinholeImage image;
   /// Pixels per cell edge.
   int pixels = 1;
@@ -26,8 +27,10 @@ struct DepthCells {
   double layered = 0.0;
 
   int size() const { return width * height; }
+  /// Step from pixel to pixel, as a tangent.
+  float pitch() const { return image.pitch.x(); }
   /// Edge of a cell at inverse depth w [m].
-  float metric(float w) const { return image.pitch * static_cast<float>(pixels) / w; }
+  float metric(float w) const { return pitch() * static_cast<float>(pixels) / w; }
   /// Position of the mean of cell i in frame V [m].
   Eigen::Vector3f position_V(int i) const { return Eigen::Vector3f(u[i], v[i], 1.0f) / w[i]; }
 };

@@ -10,15 +10,21 @@
 namespace quadrille {
 namespace {
 
-// A larger share of cells within areas of layers, and the cloud is no single view. Depth cameras
-// show ten times less. Cells of fewer pixels have too few points to tell.
+// Cells within areas of layers, as a share: with more of them a cloud is no single view. Depth
+// cameras show ten times less. Cells of fewer pixels have too few points to tell.
 constexpr double kMaxLayered = 0.002;
-constexpr int kLayerPixels = 2;
-constexpr int kMaxPixels = 32;
-// No sensor that stands farther away [m] sees what we look for: the viewpoint is not known.
-constexpr float kFarthest = 50.0f;
-// Half windows of the regressions, in cells.
+constexpr int kMinLayerPixels = 2;
+// Pixels per edge of a cell: of an image of 640 x 480 at least 20 x 15 cells remain.
+constexpr int kMaxCellPixels = 32;
+// Depth of the nearer points [m]: a sensor farther away does not see what we look for, so that the
+// viewpoint is not the sensor's.
+constexpr float kMaxNearDepth = 50.0f;
+// Half windows of the regressions, in cells: small ones for planes, which are found before normals
+// have to be smooth.
 constexpr int kPlaneReach = 1, kReach = 2;
+// Tenths of the points that are nearer than the depth at which the cells have their size, and
+// points to look at for it.
+constexpr std::size_t kNearTenths = 3, kDepths = 5000;
 
 std::vector<int> parents_of(const DepthCells& fine, const DepthCells& coarse) {
   std::vector<int> parents;
@@ -73,16 +79,16 @@ class DepthPyramid : public CellPyramid {
   std::array<std::vector<int>, kLevels - 1> parents_;
 };
 
-/// Depth that three tenths of the points are nearer than [m]; 1 m if too few are seen to tell.
+/// Depth that kNearTenths of the points are nearer than [m]; 1 m if too few are seen to tell.
 float near_depth(const PointCloud& cloud, const PinholeView& view) {
   std::vector<float> w;
-  const std::size_t stride = std::max<std::size_t>(1, view.seen / 5000);
+  const std::size_t stride = std::max<std::size_t>(1, view.seen / kDepths);
   for (std::size_t i = 0; i < cloud.points.size(); i += stride) {
     const float inverse_depth = view(cloud.points[i]).z();
     if (inverse_depth > 0.0f) w.push_back(inverse_depth);
   }
   if (w.empty()) return 1.0f;
-  const auto near = w.begin() + static_cast<std::ptrdiff_t>(w.size() * 7 / 10);
+  const auto near = w.begin() + static_cast<std::ptrdiff_t>(w.size() * (10 - kNearTenths) / 10);
   std::nth_element(w.begin(), near, w.end());
   return 1.0f / *near;
 }
@@ -100,13 +106,13 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
   image->width *= options.stride;
   image->height *= options.stride;
   const float z = near_depth(cloud, *view);
-  if (z > kFarthest) return nullptr;
+  if (z > kMaxNearDepth) return nullptr;
   const int pixels = static_cast<int>(
-      std::lround(std::clamp(options.cell / (image->pitch * z), 1.0, 1.0 * kMaxPixels)));
+      std::lround(std::clamp(options.cell / (image->pitch.x() * z), 1.0, 1.0 * kMaxCellPixels)));
   std::array<DepthCells, kLevels> cells;
   cells[0] = make_depth_cells(cloud, *view, *image, pixels);
-  const double layered = pixels < kLayerPixels
-                             ? make_depth_cells(cloud, *view, *image, kLayerPixels).layered
+  const double layered = pixels < kMinLayerPixels
+                             ? make_depth_cells(cloud, *view, *image, kMinLayerPixels).layered
                              : cells[0].layered;
   if (layered > kMaxLayered) return nullptr;
   const auto coarsen = [&] {

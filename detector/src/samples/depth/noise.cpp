@@ -12,8 +12,23 @@
 namespace quadrille {
 namespace {
 
+// No depth camera's noise is smaller [m]; less is rounding, or a generated cloud without noise.
 constexpr float kMinSigma = 1e-4f;
+// Half the width of a patch in cells: fewer leave no residual, more only take time.
 constexpr int kMinReach = 3, kMaxReach = 8;
+// Cells that the fit of a patch takes for its six parameters: of the level that it is fitted on and
+// of coarser ones, and of finer ones, whose own noise it hardly touches.
+constexpr double kLostCells = 6.0, kLostFineCells = 1.5;
+// Residuals that tell a growth.
+constexpr std::size_t kMinResiduals = 8;
+// Bounds of the growth: of sensors that measure time of flight, and of those that triangulate, with
+// some room above their square.
+constexpr float kMinExponent = 1.0f, kMaxExponent = 2.5f;
+// Ratio of the depths of the two halves that tells a growth from chance.
+constexpr float kMinDepthRatio = 1.2f;
+// Noise that white noise leaves on the coarsest level, as a share of the finest one's: a quarter,
+// and what little clutter adds to it.
+constexpr double kWhiteShare = 0.35;
 
 /// Depth edges along each row up to each cell: of two cells of a row with the same number, and of
 /// all filled ones between, each continues the one before.
@@ -137,7 +152,7 @@ std::optional<Patch> fit_patch(const DepthCells& cells, const std::vector<int>& 
   const int centre = j * cells.width + i;
   Patch patch{};
   patch.u0 = cells.u[centre], patch.v0 = cells.v[centre], patch.w0 = cells.w[centre];
-  patch.scale = 1.0f / (cells.image.pitch * static_cast<float>(cells.pixels * reach));
+  patch.scale = 1.0f / (cells.pitch() * static_cast<float>(cells.pixels * reach));
   PatchSums sums;
   bool torn = false;
   visit_disc(cells, i, j, reach, 1, [&](int first, int n) {
@@ -158,9 +173,9 @@ std::optional<Patch> fit_patch(const DepthCells& cells, const std::vector<int>& 
 
 /// Root mean square residual in depth of the level's cells over the patch; negative if none.
 float patch_residual(const DepthCells& cells, const Patch& patch, double lost) {
-  const float step = cells.image.pitch * static_cast<float>(cells.pixels);
-  const int i = static_cast<int>((patch.u0 - cells.image.u0) / step);
-  const int j = static_cast<int>((patch.v0 - cells.image.v0) / step);
+  const float step = cells.pitch() * static_cast<float>(cells.pixels);
+  const int i = static_cast<int>((patch.u0 - cells.image.corner.x()) / step);
+  const int j = static_cast<int>((patch.v0 - cells.image.corner.y()) / step);
   const int reach = std::max(1, static_cast<int>(1.0f / (patch.scale * step)));
   // Of a fine level's many cells those of every second row tell as much.
   const int stride = reach > kMaxReach ? 2 : 1;
@@ -182,7 +197,7 @@ float quantile_of(std::vector<float>& values, double quantile) {
 /// The quantile at the near and at the far half gives the growth, held within what sensors show.
 NoiseModel fit_growth(std::vector<std::pair<float, float>> depth_residual, double quantile) {
   NoiseModel model;
-  if (depth_residual.size() < 8) return model;
+  if (depth_residual.size() < kMinResiduals) return model;
   std::sort(depth_residual.begin(), depth_residual.end());
   const std::size_t half = depth_residual.size() / 2;
   float depth[2], residual[2];
@@ -195,23 +210,20 @@ NoiseModel fit_growth(std::vector<std::pair<float, float>> depth_residual, doubl
     depth[k] = quantile_of(z, 0.5);
     residual[k] = std::max(kMinSigma, quantile_of(r, quantile));
   }
-  if (depth[1] > 1.2f * depth[0]) {
-    model.exponent =
-        std::clamp(std::log(residual[1] / residual[0]) / std::log(depth[1] / depth[0]), 1.0f, 2.5f);
+  if (depth[1] > kMinDepthRatio * depth[0]) {
+    model.exponent = std::clamp(std::log(residual[1] / residual[0]) / std::log(depth[1] / depth[0]),
+                                kMinExponent, kMaxExponent);
   }
   model.factor = std::sqrt(residual[0] / std::pow(depth[0], model.exponent) * residual[1] /
                            std::pow(depth[1], model.exponent));
   return model;
 }
 
-// What white noise leaves on the third level, with what little clutter adds to its quarter.
-constexpr double kWhite = 0.35;
-
 }  // namespace
 
 double common_share(double finest_sigma, double coarsest_sigma) {
-  const double ratio = std::clamp(coarsest_sigma / finest_sigma, kWhite, 1.0);
-  return std::sqrt(ratio * ratio - kWhite * kWhite);
+  const double ratio = std::clamp(coarsest_sigma / finest_sigma, kWhiteShare, 1.0);
+  return std::sqrt(ratio * ratio - kWhiteShare * kWhiteShare);
 }
 
 float NoiseModel::sigma(float z) const {
@@ -236,9 +248,7 @@ std::vector<NoiseModel> measure_noise(std::span<const DepthCells> levels,
       const std::optional<Patch> patch = fit_patch(cells, edges, i, j, reach);
       if (!patch) continue;
       for (std::size_t l = 0; l < levels.size(); ++l) {
-        // The fit has taken its six parameters from the second level's cells; on coarser ones
-        // that weighs more, on finer ones their own noise is hardly touched.
-        const float r = patch_residual(levels[l], *patch, l == 0 ? 1.5 : 6.0);
+        const float r = patch_residual(levels[l], *patch, l == 0 ? kLostFineCells : kLostCells);
         if (r >= 0) depth_residual[l].emplace_back(1.0f / patch->w0, r);
       }
     }

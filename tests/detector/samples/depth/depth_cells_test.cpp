@@ -1,6 +1,7 @@
 #include "samples/depth/depth_cells.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
@@ -23,76 +24,10 @@ PointCloud cloud_of(const std::vector<Eigen::Vector3f>& uvw) {
 }
 
 PinholeImage image_of(int width, int height, float pitch) {
-  return {0.0f, 0.0f, pitch, width, height};
+  return {Eigen::Array2f::Zero(), Eigen::Array2f::Constant(pitch), width, height};
 }
 
 }  // namespace
-
-TEST_CASE("pitch and phase of the pixels are recovered from the points", "[depth][pinhole]") {
-  for (const double pitch : {1.0 / 300.0, 1.0 / 525.3}) {
-    Camera camera;
-    camera.pitch = pitch;
-    const PointCloud cloud = render({wall(1.3)}, camera);
-    const auto view = find_view(cloud);
-    REQUIRE(view);
-    CHECK(view->X_VC.isApprox(Eigen::Isometry3f::Identity()));
-    CHECK(view->seen == 320 * 240);
-    const auto image = find_image(cloud, *view);
-    REQUIRE(image);
-    CHECK(image->pitch == Approx(pitch).epsilon(1e-4));
-    // The corner of the first pixel stands half a pixel before its centre.
-    CHECK(image->u0 == Approx(-160 * pitch).margin(0.05 * pitch));
-    CHECK(image->v0 == Approx(-120 * pitch).margin(0.05 * pitch));
-    CHECK(image->width == 320);
-    CHECK(image->height == 240);
-  }
-}
-
-TEST_CASE("without an order of points the pitch follows from their density", "[depth][pinhole]") {
-  PointCloud cloud = render({wall(1.0)});
-  RandomStream random(81, 0);
-  for (int i = static_cast<int>(cloud.points.size()) - 1; i > 0; --i) {
-    std::swap(cloud.points[static_cast<std::size_t>(i)],
-              cloud.points[static_cast<std::size_t>(random.below(i + 1))]);
-  }
-  cloud.width = cloud.height = 0;
-  const auto view = find_view(cloud);
-  REQUIRE(view);
-  const auto image = find_image(cloud, *view);
-  REQUIRE(image);
-  CHECK(image->pitch == Approx(1.0 / 300.0).epsilon(0.35));
-}
-
-TEST_CASE("a cloud in another frame is seen from its viewpoint along its mean direction",
-          "[depth][pinhole]") {
-  PointCloud cloud = render({wall(1.0)});
-  Eigen::Isometry3d X = translation(0.5, -2.0, 3.0);
-  X.rotate(Eigen::AngleAxisd(2.0, Eigen::Vector3d(1, 2, -1).normalized()));
-  for (Eigen::Vector3f& p : cloud.points) p = (X * p.cast<double>()).cast<float>();
-  cloud.viewpoint = X.translation();
-  const auto view = find_view(cloud);
-  REQUIRE(view);
-  CHECK((view->X_VC * cloud.viewpoint.cast<float>()).norm() < 1e-5f);
-  const Eigen::Vector3d axis = X.linear().col(2);
-  CHECK((view->X_VC.linear() * axis.cast<float>()).z() > 0.9999f);
-  for (const Eigen::Vector3f& p : cloud.points)
-    REQUIRE((*view)(p).z() == Approx(1.0).epsilon(1e-3));
-}
-
-TEST_CASE("points all around the viewpoint or too few of them are no single view",
-          "[depth][pinhole][degenerate]") {
-  PointCloud around;
-  RandomStream random(82, 0);
-  for (int i = 0; i < 5000; ++i) {
-    const Eigen::Vector3d d(gaussian(random), gaussian(random), gaussian(random));
-    around.points.push_back(d.normalized().cast<float>());
-  }
-  CHECK_FALSE(find_view(around));
-  PointCloud few = render({wall(1.0)});
-  few.points.resize(100);
-  CHECK_FALSE(find_view(few));
-  CHECK_FALSE(find_view(PointCloud()));
-}
 
 TEST_CASE("a cell is the mean of its points in tangents and inverse depth", "[depth][cells]") {
   const DepthCells cells = make_depth_cells(
@@ -167,7 +102,7 @@ TEST_CASE("a step in depth is continuous up to the slope seen at 75 degrees", "[
   cells.image = image_of(1, 1, 0.003f);
   cells.pixels = 1;
   const float step = continuous_step(cells, 1.0f);
-  CHECK(step > std::tan(75.0 * M_PI / 180.0) * 0.003 * 0.98);
+  CHECK(step > std::tan(75.0 * std::numbers::pi / 180.0) * 0.003 * 0.98);
   CHECK(continuous(cells, 1.0f, 1.0f / (1.0f + 0.7f * step)));
   CHECK_FALSE(continuous(cells, 1.0f, 1.0f / (1.0f + 1.3f * step)));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
@@ -49,7 +50,7 @@ TEST_CASE("normals of a sphere are right within two degrees and face the camera"
     // Within 60° of the line of sight; the windows at the rim are one-sided.
     if (n.dot(-x.normalized()) < 0.5) continue;
     ++looked;
-    CHECK(samples.n[i].cast<double>().dot(n) > std::cos(2.0 * M_PI / 180.0));
+    CHECK(samples.n[i].cast<double>().dot(n) > std::cos(2.0 * std::numbers::pi / 180.0));
   }
   CHECK(looked > 1000);
 }

@@ -1,0 +1,253 @@
+// Which pixels a camera has, from the points alone.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "quadrille/detector/pinhole.hpp"
+
+namespace quadrille {
+namespace {
+
+// No camera has more pixels, and an image that is emptier than this is none.
+constexpr double kMaxPixels = 64e6, kMinFilled = 0.01;
+// Bounds of a camera's pitch, as a tangent: 100,000 or 50 pixels across 53°. Smaller steps are
+// rounding, larger ones gaps.
+constexpr float kMinPitch = 1e-5f, kMaxPitch = 0.02f;
+// Slope of a step within a row: an upright camera's rows rise less.
+constexpr float kMaxRowSlope = 0.05f;
+// Points to look at for the steps in a row, and for the phase: enough to average their rounding.
+constexpr std::size_t kSteps = 10000, kPhases = 2500;
+// Steps within this share of the usual one are of one pixel.
+constexpr float kStepSpread = 0.2f;
+// A step back by this share of the image's width leads to the next row.
+constexpr float kMinReturn = 0.05f;
+// Fewer rows do not tell their pitch.
+constexpr std::size_t kMinRows = 10;
+// Regularity of points that lie a tenth of a pixel off the centres (one standard deviation). Of
+// more irregular ones some would share a pixel, and leave others empty.
+constexpr float kMinRegularity = 0.8f;
+// Points in the usual pixel of a depth image whose points come in no order: if they lie at random,
+// one pixel in seven is empty then, few enough to be filled from its neighbours.
+constexpr float kPointsPerPixel = 2.0f;
+// Points in a block that tell their density well enough for that.
+constexpr float kPointsPerBlock = 8.0f;
+// Where a row of pixels is down to one, coarser ones save nothing there: a step that helps anyway.
+constexpr float kMinCoarser = 1.01f;
+
+float median(std::vector<float>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Calls visit(t, next) for about so many of the points seen, evenly over the cloud: the point's
+/// (u, v, w) and that of the next one seen.
+template <class Visitor>
+void sample_pairs(const PointCloud& cloud, const PinholeView& view, std::size_t about,
+                  Visitor&& visit) {
+  const std::size_t step = static_cast<std::size_t>(view.stride), size = cloud.points.size();
+  const std::size_t stride = step * std::max<std::size_t>(1, size / step / about);
+  for (std::size_t i = 0; i + step < size; i += stride) {
+    const Eigen::Vector3f t = view(cloud.points[i]);
+    if (t.z() == 0.0f) continue;
+    for (std::size_t k = i + step; k < size; k += step) {
+      const Eigen::Vector3f next = view(cloud.points[k]);
+      if (next.z() == 0.0f) continue;
+      visit(t, next);
+      break;
+    }
+  }
+}
+
+/// The usual step: those of one pixel, averaged, which undoes the rounding of single ones.
+float usual_step(std::vector<float>& steps) {
+  const float usual = median(steps);
+  double sum = 0;
+  int n = 0;
+  for (const float s : steps) {
+    if (std::abs(s - usual) < kStepSpread * usual) sum += s, ++n;
+  }
+  return static_cast<float>(sum / n);
+}
+
+/// Pixel pitch of a cloud in row order: the usual step between consecutive points of one row.
+std::optional<float> pitch_from_order(const PointCloud& cloud, const PinholeView& view) {
+  std::vector<float> steps;
+  std::size_t looked = 0;
+  sample_pairs(cloud, view, kSteps, [&](const Eigen::Vector3f& t, const Eigen::Vector3f& next) {
+    const Eigen::Vector2f d = (next - t).head<2>().cwiseAbs();
+    if (d.x() > kMinPitch && d.x() < kMaxPitch && d.y() < kMaxRowSlope * d.x()) {
+      steps.push_back(d.x());
+    }
+    ++looked;
+  });
+  if (steps.empty() || steps.size() < looked / 2) return std::nullopt;
+  return usual_step(steps);
+}
+
+/// Pitch across the rows: the median step from the end of one to the beginning of the next. Nullopt
+/// if there are too few to tell.
+std::optional<float> pitch_across_rows(const PointCloud& cloud, const PinholeView& view) {
+  const float min_return = kMinReturn * view.bounds.sizes().x();
+  std::vector<float> steps;
+  float u = std::numeric_limits<float>::lowest(), v = 0.0f;
+  for (std::size_t first = 0; first < view.looked_at(cloud.points.size());
+       first += SeenPoints::kSize) {
+    const SeenPoints t = view.look(cloud.points, first);
+    for (int k = 0; k < SeenPoints::kSize; ++k) {
+      if (t.w[k] == 0.0f) continue;
+      if (u - t.u[k] > min_return && t.v[k] - v > kMinPitch) steps.push_back(t.v[k] - v);
+      u = t.u[k], v = t.v[k];
+    }
+  }
+  if (steps.size() < kMinRows) return std::nullopt;
+  return median(steps);
+}
+
+/// Adds up blocks of a square histogram two by two.
+std::vector<int> halved(const std::vector<int>& histogram, int blocks) {
+  std::vector<int> halves(histogram.size() / 4, 0);
+  for (int j = 0; j < blocks; ++j) {
+    for (int i = 0; i < blocks; ++i) {
+      halves[(j / 2) * (blocks / 2) + i / 2] += histogram[j * blocks + i];
+    }
+  }
+  return halves;
+}
+
+/// Points in the usual one of the blocks that hold any.
+float usual_count(const std::vector<int>& histogram) {
+  std::vector<float> counts;
+  for (const int n : histogram) {
+    if (n > 0) counts.push_back(static_cast<float>(n));
+  }
+  return median(counts);
+}
+
+/// Pitch of pixels of which the usual one holds so many points, from the density of points over the
+/// part of the image that they cover.
+/// @param points_per_block  the density is counted in blocks of which the usual one holds as many
+float pitch_from_density(const PointCloud& cloud, const PinholeView& view, float points_per_pixel,
+                         float points_per_block) {
+  constexpr float kReach = PinholeView::kMaxTangent;
+  int blocks = 512;
+  float edge = 2 * kReach / static_cast<float>(blocks);
+  std::vector<int> histogram(static_cast<std::size_t>(blocks * blocks), 0);
+  const auto bin = [&](float t) {
+    return std::clamp(static_cast<int>((t + kReach) / edge), 0, blocks - 1);
+  };
+  for (std::size_t i = 0; i < cloud.points.size(); i += static_cast<std::size_t>(view.stride)) {
+    const Eigen::Vector3f t = view(cloud.points[i]);
+    if (t.z() > 0.0f) ++histogram[bin(t.y()) * blocks + bin(t.x())];
+  }
+  float usual = usual_count(histogram);
+  for (; usual < points_per_block && blocks > 1; usual = usual_count(histogram)) {
+    histogram = halved(histogram, blocks);
+    blocks /= 2;
+    edge *= 2.0f;
+  }
+  return edge / std::sqrt(usual / points_per_pixel);
+}
+
+/// Where the points fall within pixels of a pitch.
+struct Phase {
+  /// Offsets of the pixels' centres within [0, 1) of a pixel, as circular means.
+  Eigen::Array2f centre;
+  /// 1 if all points fall on the centres, about 0 if anywhere.
+  Eigen::Array2f regularity;
+};
+
+Phase phase_of(const PointCloud& cloud, const PinholeView& view, const Eigen::Array2f& pitch) {
+  const Eigen::Array2f turns(static_cast<float>(2 * std::numbers::pi / pitch.x()),
+                             static_cast<float>(2 * std::numbers::pi / pitch.y()));
+  Eigen::Array2f c = Eigen::Array2f::Zero(), s = Eigen::Array2f::Zero();
+  int n = 0;
+  sample_pairs(cloud, view, kPhases, [&](const Eigen::Vector3f& t, const Eigen::Vector3f&) {
+    const Eigen::Array2f a = turns * t.head<2>().array();
+    c += a.cos();
+    s += a.sin();
+    ++n;
+  });
+  Phase phase;
+  for (int axis = 0; axis < 2; ++axis) {
+    const float turn = std::atan2(s[axis], c[axis]) / static_cast<float>(2 * std::numbers::pi);
+    phase.centre[axis] = turn - std::floor(turn);
+  }
+  phase.regularity = (c.square() + s.square()).sqrt() / static_cast<float>(std::max(n, 1));
+  return phase;
+}
+
+/// Columns and rows of pixels that the points fill from a corner on.
+Eigen::Array2d count_pixels(const PinholeView& view, const Eigen::Array2f& corner,
+                            const Eigen::Array2f& pitch) {
+  return ((view.bounds.max().array() - corner) / pitch + 1.0f).cast<double>();
+}
+
+/// The image that the points fill, of pixels with these centres within [0, 1) of a pixel; its size
+/// is left open.
+PinholeImage place_image(const PinholeView& view, const Eigen::Array2f& pitch,
+                         const Eigen::Array2f& centre) {
+  // Pixel centres stand at half steps from the corner.
+  const Eigen::Array2f phase = centre - 0.5f;
+  PinholeImage image;
+  image.pitch = pitch;
+  image.corner = ((view.bounds.min().array() / pitch - phase).floor() + phase) * pitch;
+  return image;
+}
+
+/// Pitches along and across the rows of points in row order; nullopt if not each point falls on
+/// the centre of a pixel.
+std::optional<Eigen::Array2f> regular_pitch(const PointCloud& cloud, const PinholeView& view) {
+  const std::optional<float> along = pitch_from_order(cloud, view);
+  if (!along) return std::nullopt;
+  const Eigen::Array2f pitch(*along, pitch_across_rows(cloud, view).value_or(*along));
+  if (!(phase_of(cloud, view, pitch).regularity >= kMinRegularity).all()) return std::nullopt;
+  return pitch;
+}
+
+/// The pitch, or a coarser one, of which the image has max_pixels at most.
+Eigen::Array2f coarse_enough(const PinholeView& view, Eigen::Array2f pitch, double max_pixels) {
+  // Wherever within a pixel the first point lies.
+  const auto excess = [&] {
+    return count_pixels(view, view.bounds.min().array() - pitch, pitch).prod() / max_pixels;
+  };
+  for (double e = excess(); e > 1.0; e = excess()) {
+    pitch *= std::max(static_cast<float>(std::sqrt(e)), kMinCoarser);
+  }
+  return pitch;
+}
+
+}  // namespace
+
+std::optional<PinholeImage> find_image(const PointCloud& cloud, const PinholeView& view) {
+  const std::optional<float> ordered = pitch_from_order(cloud, view);
+  const Eigen::Array2f pitch =
+      Eigen::Array2f::Constant(ordered ? *ordered : pitch_from_density(cloud, view, 1.0f, 1.0f));
+  PinholeImage image = place_image(view, pitch, phase_of(cloud, view, pitch).centre);
+  const Eigen::Array2d size = count_pixels(view, image.corner, pitch);
+  if (!(size.prod() < kMaxPixels) || static_cast<double>(view.seen) < kMinFilled * size.prod()) {
+    return std::nullopt;
+  }
+  image.width = static_cast<int>(size.x());
+  image.height = static_cast<int>(size.y());
+  return image;
+}
+
+PinholeImage find_pixels(const PointCloud& cloud, const PinholeView& view, double max_pixels) {
+  const std::optional<Eigen::Array2f> regular = regular_pitch(cloud, view);
+  const Eigen::Array2f pitch =
+      coarse_enough(view,
+                    regular ? *regular
+                            : Eigen::Array2f::Constant(pitch_from_density(
+                                  cloud, view, kPointsPerPixel, kPointsPerBlock)),
+                    max_pixels);
+  PinholeImage image = place_image(view, pitch, phase_of(cloud, view, pitch).centre);
+  const Eigen::Array2d size = count_pixels(view, image.corner, pitch);
+  image.width = static_cast<int>(size.x());
+  image.height = static_cast<int>(size.y());
+  return image;
+}
+
+}  // namespace quadrille

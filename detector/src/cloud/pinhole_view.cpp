@@ -1,0 +1,146 @@
+// Where a pinhole looks, and which points it sees.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "base/vector_clones.hpp"
+#include "quadrille/detector/pinhole.hpp"
+
+namespace quadrille {
+namespace {
+
+// Fewer points tell nothing of a camera's pixels.
+constexpr std::size_t kMinPoints = 200;
+// Of so many finite points a single view may leave one unseen: strays lie anywhere.
+constexpr std::size_t kPointsPerUnseen = 50;
+// Rays of so many points tell the direction of the view.
+constexpr std::size_t kRays = 10000;
+// Lengths of rays that have a direction in floats [m].
+constexpr float kMinRay = 1e-6f, kMaxRay = 1e6f;
+// A view along z of the cloud's frame is taken for a camera's own frame if the mean ray is so near
+// to it, 37°.
+constexpr float kMinCosine = 0.8f;
+
+/// Rotation that turns the mean viewing direction to z; the identity where z serves already, so
+/// that the pixels of a depth camera stay aligned. Nullopt if there is no mean direction.
+std::optional<Eigen::Isometry3f> view_frame(const PointCloud& cloud) {
+  const Eigen::Vector3f eye = cloud.viewpoint.cast<float>();
+  const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kRays);
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  std::size_t looked = 0, ahead = 0;
+  for (std::size_t i = 0; i < cloud.points.size(); i += stride) {
+    const Eigen::Vector3f ray = cloud.points[i] - eye;
+    const float length = ray.norm();
+    if (!(length > kMinRay && length < kMaxRay)) continue;
+    ++looked;
+    ahead += ray.z() > 0.0f;
+    sum += (ray / length).cast<double>();
+  }
+  if (!(sum.norm() > 0.0)) return std::nullopt;
+  const Eigen::Vector3f axis = sum.normalized().cast<float>();
+  Eigen::Isometry3f X_VC = Eigen::Isometry3f::Identity();
+  if (ahead != looked || axis.z() < kMinCosine) {
+    X_VC.linear() =
+        Eigen::Quaternionf::FromTwoVectors(axis, Eigen::Vector3f::UnitZ()).toRotationMatrix();
+  }
+  X_VC.translation() = X_VC.linear() * -eye;
+  return X_VC;
+}
+
+/// Bounds of the tangents, lane by lane.
+struct Bounds {
+  std::array<float, SeenPoints::kSize> min_u, max_u, min_v, max_v;
+
+  Bounds() {
+    min_u.fill(PinholeView::kMaxTangent), min_v = min_u;
+    max_u.fill(-PinholeView::kMaxTangent), max_v = max_u;
+  }
+  Eigen::AlignedBox2f joined() const {
+    return {Eigen::Vector2f(*std::min_element(min_u.begin(), min_u.end()),
+                            *std::min_element(min_v.begin(), min_v.end())),
+            Eigen::Vector2f(*std::max_element(max_u.begin(), max_u.end()),
+                            *std::max_element(max_v.begin(), max_v.end()))};
+  }
+};
+
+/// Takes the points that are seen into the bounds, and counts them.
+QUADRILLE_VECTOR_CLONES
+int widen(const SeenPoints& t, Bounds* bounds) {
+  int n = 0;
+  for (int k = 0; k < SeenPoints::kSize; ++k) {
+    const bool seen = t.w[k] > 0.0f;
+    n += seen;
+    bounds->min_u[k] = std::min(bounds->min_u[k], seen ? t.u[k] : bounds->min_u[k]);
+    bounds->max_u[k] = std::max(bounds->max_u[k], seen ? t.u[k] : bounds->max_u[k]);
+    bounds->min_v[k] = std::min(bounds->min_v[k], seen ? t.v[k] : bounds->min_v[k]);
+    bounds->max_v[k] = std::max(bounds->max_v[k], seen ? t.v[k] : bounds->max_v[k]);
+  }
+  return n;
+}
+
+/// Those of the kSize points from the k-th one on that are finite.
+int count_finite(const PointCloud& cloud, const PinholeView& view, std::size_t k) {
+  int n = 0;
+  for (std::size_t i = k; i < k + SeenPoints::kSize; ++i) {
+    const std::size_t at = i * static_cast<std::size_t>(view.stride);
+    n += at < cloud.points.size() && cloud.points[at].allFinite();
+  }
+  return n;
+}
+
+}  // namespace
+
+QUADRILLE_VECTOR_CLONES
+SeenPoints PinholeView::look(const std::vector<Eigen::Vector3f>& points, std::size_t k) const {
+  constexpr int kSize = SeenPoints::kSize;
+  const std::size_t step = static_cast<std::size_t>(stride), first = k * step;
+  std::array<float, kSize> x, y, z;
+  if (step == 1 && first + kSize <= points.size()) {
+    const float* p = points[first].data();
+    for (int i = 0; i < kSize; ++i) x[i] = p[3 * i], y[i] = p[3 * i + 1], z[i] = p[3 * i + 2];
+  } else {
+    const Eigen::Vector3f missing =
+        Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+    for (int i = 0; i < kSize; ++i) {
+      const std::size_t at = first + static_cast<std::size_t>(i) * step;
+      const Eigen::Vector3f& p = at < points.size() ? points[at] : missing;
+      x[i] = p.x(), y[i] = p.y(), z[i] = p.z();
+    }
+  }
+  SeenPoints seen;
+  for (int i = 0; i < kSize; ++i) {
+    const Eigen::Vector3f t = (*this)({x[i], y[i], z[i]});
+    seen.u[i] = t.x(), seen.v[i] = t.y(), seen.w[i] = t.z();
+  }
+  return seen;
+}
+
+std::optional<PinholeView> look_from_viewpoint(const PointCloud& cloud, int stride) {
+  const std::optional<Eigen::Isometry3f> X_VC = view_frame(cloud);
+  if (!X_VC) return std::nullopt;
+  PinholeView view;
+  view.X_VC = *X_VC;
+  view.stride = stride;
+  Bounds bounds;
+  for (std::size_t k = 0; k < view.looked_at(cloud.points.size()); k += SeenPoints::kSize) {
+    const int n = widen(view.look(cloud.points, k), &bounds);
+    view.seen += static_cast<std::size_t>(n);
+    if (n < SeenPoints::kSize) {
+      view.unseen += static_cast<std::size_t>(count_finite(cloud, view, k) - n);
+    }
+  }
+  if (view.seen == 0) return std::nullopt;
+  view.bounds = bounds.joined();
+  return view;
+}
+
+std::optional<PinholeView> find_view(const PointCloud& cloud, int stride) {
+  if (cloud.points.size() < kMinPoints) return std::nullopt;
+  const std::optional<PinholeView> view = look_from_viewpoint(cloud, stride);
+  if (!view || view->seen < kMinPoints) return std::nullopt;
+  if (view->unseen > (view->seen + view->unseen) / kPointsPerUnseen) return std::nullopt;
+  return view;
+}
+
+}  // namespace quadrille
