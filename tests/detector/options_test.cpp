@@ -1,11 +1,12 @@
 #include "quadrille/detector/options.hpp"
 
-#include <cmath>
 #include <limits>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
+#include <vector>
 
 #include "support/catch.hpp"
 
@@ -20,28 +21,24 @@ struct Visited {
 
 Visited visit(DetectorOptions& options) {
   Visited visited;
-  visit_options(options, [&](const char* name, auto& field) {
-    CHECK(visited.names.insert(name).second);
+  DetectorOptions::visit(options, [&](auto& field, const Setting& setting) {
+    CHECK(visited.names.insert(setting.name).second);
     CHECK(visited.fields.insert(&field).second);
   });
   return visited;
 }
 
-/// Sets one field to what is out of any range; true if it has a range.
-bool break_field(DetectorOptions* options, const std::string& wanted) {
-  bool ranged = false;
-  visit_options(*options, [&](const char* name, auto& field) {
-    using Field = std::remove_reference_t<decltype(field)>;
-    if (name != wanted) return;
-    if constexpr (std::is_same_v<Field, double>) {
-      field = std::numeric_limits<double>::quiet_NaN();
-      ranged = true;
-    } else if constexpr (std::is_same_v<Field, int>) {
-      field = -1;
-      ranged = true;
-    }
-  });
-  return ranged;
+/// Sets a field to a number if it has a range; false if it has none.
+template <class Field>
+bool set_number(Field* field, double value) {
+  if constexpr (std::is_same_v<Field, double> || std::is_same_v<Field, int>) {
+    *field = static_cast<Field>(value);
+    return true;
+  } else if constexpr (std::is_same_v<Field, std::vector<double>>) {
+    *field = {value};
+    return true;
+  }
+  return false;
 }
 
 /// What check() says against the options; empty if nothing.
@@ -58,19 +55,46 @@ std::string complaint(const DetectorOptions& options) {
 
 TEST_CASE("the defaults are in range", "[options]") { CHECK_NOTHROW(DetectorOptions().check()); }
 
-TEST_CASE("each setting out of range is refused by its name", "[options][hostile]") {
-  DetectorOptions defaults;
-  for (const std::string& name : visit(defaults).names) {
-    CAPTURE(name);
-    DetectorOptions options;
-    if (!break_field(&options, name)) {
-      CHECK(std::set<std::string>{"seed", "search.basis", "search.quantisation",
-                                  "search.hash_triplets", "agglomerate.enabled"}
-                .contains(name));
-      continue;
+TEST_CASE("each setting is taken at its bounds and refused by its name beyond them",
+          "[options][hostile]") {
+  DetectorOptions rows;
+  int ranged = 0;
+  DetectorOptions::visit(rows, [&](auto& row, const Setting& setting) {
+    using Field = std::remove_reference_t<decltype(row)>;
+    const auto complaint_at = [&](double value) {
+      DetectorOptions options;
+      DetectorOptions::visit(options, [&](auto& field, const Setting& other) {
+        if (std::string(other.name) == setting.name) ranged += set_number(&field, value);
+      });
+      return complaint(options);
+    };
+    if (Field unused{}; !set_number(&unused, 1.0)) return;
+    CAPTURE(setting.name);
+    CHECK(complaint_at(setting.min).empty());
+    CHECK(complaint_at(setting.max).empty());
+    const std::string start = std::string(setting.name) + " = ";
+    for (const double beyond : {setting.min - 1.0, setting.max * 1.01 + 1.0}) {
+      const std::string text = complaint_at(beyond);
+      CHECK(text.starts_with(start));
+      CHECK(text.find(": must lie between ") != std::string::npos);
     }
-    CHECK(complaint(options).starts_with(name + " = "));
-  }
+    if constexpr (std::is_same_v<Field, double>) {
+      CHECK(complaint_at(std::numeric_limits<double>::quiet_NaN()).starts_with(start));
+    }
+  });
+  CHECK(ranged > 36 * 4);
+}
+
+TEST_CASE("an error of range names the bounds with their unit", "[options]") {
+  DetectorOptions options;
+  options.planes.sigmas = -1.0;
+  CHECK(complaint(options) == "planes.sigmas = -1: must lie between 0.1 and 100");
+  options = {};
+  options.sampling.cell = 20.0;
+  CHECK(complaint(options) == "sampling.cell = 20: must lie between 1e-05 and 10 m");
+  options = {};
+  options.planes.min_samples = 2;
+  CHECK(complaint(options) == "planes.min_samples = 2: must lie between 4 and 1000000");
 }
 
 TEST_CASE("infinities and absurd counts are refused as well", "[options][hostile]") {
@@ -86,9 +110,14 @@ TEST_CASE("infinities and absurd counts are refused as well", "[options][hostile
   options = {};
   options.search.radii = {10.0, 5.0};
   CHECK(complaint(options) == "search.radii: must ascend");
+  options.search.radii = {};
+  CHECK(complaint(options) == "search.radii: must not be empty");
+  options = {};
+  options.search.grow.families = {};
+  CHECK(complaint(options) == "search.grow.families: must not be empty");
 }
 
-TEST_CASE("a visit reaches each scalar setting", "[options]") {
+TEST_CASE("a visit reaches each setting", "[options]") {
   // A new field stops these lines from compiling until it is listed here, and visited.
   DetectorOptions o;
   auto& [seed, threads, only, sampling, planes, inlier, search, agglomerate, aggregate] = o;
@@ -100,20 +129,63 @@ TEST_CASE("a visit reaches each scalar setting", "[options]") {
   auto& [enabled, c1, c2, c3] = agglomerate;
   auto& [grow_families, g1, g2, g3] = grow;
   auto& [families, a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13] = aggregate;
-  const std::set<const void*> scalars = {&seed,         &threads,  &cell,    &noisiest_cell,
-                                         &noise_radius, &quantile, &patches, &p1,
-                                         &p2,           &p3,       &p4,      &p5,
-                                         &i1,           &i2,       &i3,      &s1,
-                                         &s2,           &s3,       &g1,      &g2,
-                                         &g3,           &a1,       &a2,      &a3,
-                                         &a4,           &a5,       &a6,      &a7,
-                                         &a8,           &a9,       &a10,     &a11,
-                                         &a12,          &a13,      &stride,  &basis,
-                                         &quantisation, &hash,     &enabled, &c1,
-                                         &c2,           &c3};
-  CHECK(visit(o).fields == scalars);
-  CHECK(only.empty());
-  CHECK(radii.size() == 3);
-  CHECK(basis == BasisKind::kThreePoints);
-  CHECK(families.size() > grow_families.size());
+  const std::set<const void*> fields = {&seed,
+                                        &threads,
+                                        &only,
+                                        &cell,
+                                        &noisiest_cell,
+                                        &stride,
+                                        &noise_radius,
+                                        &quantile,
+                                        &patches,
+                                        &p1,
+                                        &p2,
+                                        &p3,
+                                        &p4,
+                                        &p5,
+                                        &i1,
+                                        &i2,
+                                        &i3,
+                                        &basis,
+                                        &quantisation,
+                                        &radii,
+                                        &s1,
+                                        &s2,
+                                        &hash,
+                                        &s3,
+                                        &enabled,
+                                        &c1,
+                                        &c2,
+                                        &c3,
+                                        &grow_families,
+                                        &g1,
+                                        &g2,
+                                        &g3,
+                                        &families,
+                                        &a1,
+                                        &a2,
+                                        &a3,
+                                        &a4,
+                                        &a5,
+                                        &a6,
+                                        &a7,
+                                        &a8,
+                                        &a9,
+                                        &a10,
+                                        &a11,
+                                        &a12,
+                                        &a13};
+  CHECK(visit(o).fields == fields);
+}
+
+TEST_CASE("each value of a choice has one word, but for types that are never found", "[options]") {
+  std::set<std::string_view> words;
+  for (const auto& [word, family] : words_of(Family{})) {
+    CHECK(words.insert(word).second);
+    CHECK(word_of(family) == word);
+  }
+  CHECK(words.size() == kFamilyCount);
+  CHECK(word_of(QuadricType::kEllipticCone) == "elliptic_cone");
+  CHECK(word_of(QuadricType::kCoincidentPlanes).empty());
+  CHECK(word_of(QuadricType::kImaginaryCone).empty());
 }

@@ -263,6 +263,19 @@ TEST_CASE("options out of range are refused by name", "[plan]") {
   CHECK(names(message([](PlanOptions& o) { o.max_grasps = 0; }), "max_grasps"));
 }
 
+TEST_CASE("a visit reaches each option of the planner", "[plan]") {
+  // A new field stops these lines from compiling until it is listed here, and visited.
+  PlanOptions options;
+  auto& [unknown, resolution, friction, approach, pad_margin, baseline, min_wall, max_wall,
+         clear_above, max_grasps] = options;
+  const std::set<const void*> fields = {&unknown,     &resolution, &friction, &approach,
+                                        &pad_margin,  &baseline,   &min_wall, &max_wall,
+                                        &clear_above, &max_grasps};
+  std::set<const void*> visited;
+  PlanOptions::visit(options, [&](auto& field, const Setting&) { visited.insert(&field); });
+  CHECK(visited == fields);
+}
+
 TEST_CASE("each target keeps its best grasp when only few are asked for", "[plan]") {
   const std::vector<Ball> balls = {ball_on_table(-0.1, 0.0, 0.03), ball_on_table(0.1, 0.0, 0.025)};
   PlanOptions options = with(UnknownPolicy::kFree);

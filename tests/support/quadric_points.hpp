@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "fit/geometric_fit.hpp"
-#include "quadrille/detector/family.hpp"
 #include "quadrille/detector/quadric.hpp"
+#include "quadrille/detector/quadric_type.hpp"
 #include "search/basis.hpp"
 #include "support/depth_camera.hpp"
 

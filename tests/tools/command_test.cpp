@@ -212,7 +212,26 @@ TEST_CASE("plan takes the planner's settings from the same file as the detector'
       run_quadrille(plan + folder.write("c.toml", "seed = 2\n[planner]\napproach = 0.1\n")).code ==
       0);
   check_failure(run_quadrille(plan + folder.write("d.toml", "[planner]\napproach = 9\n")),
-                "approach must lie in 0 to 1 m");
+                "planner.approach = 9: must lie between 0 and 1 m");
+}
+
+TEST_CASE("config prints the settings of a file, which reads back to the same", "[command]") {
+  const TempFolder folder;
+  const Run defaults = run_quadrille("config --defaults");
+  CHECK(defaults.code == 0);
+  CHECK(run_quadrille("config").out == defaults.out);
+  CHECK(contains(defaults.out, "\n[planner]\n"));
+  CHECK(contains(defaults.out, "\n[track]\n"));
+  const std::string file =
+      folder.write("c.toml", "seed = 9\n[planes]\nleast_samples = 50\n[planner]\nbaseline = 0\n");
+  const Run mine = run_quadrille("config --config " + file);
+  CHECK(mine.code == 0);
+  CHECK(contains(mine.out, "\nseed = 9\n"));
+  CHECK(contains(mine.out, "\nmin_samples = 50\n"));
+  CHECK(contains(mine.out, "\nbaseline = 0.0\n"));
+  CHECK(run_quadrille("config --config " + folder.write("d.toml", mine.out)).out == mine.out);
+  CHECK(run_quadrille("config --defaults --config " + file).code == 2);
+  check_failure(run_quadrille("config --config " + folder.path("none.toml")), "no such file");
 }
 
 TEST_CASE("a plan without grasps says why and what to try", "[command]") {

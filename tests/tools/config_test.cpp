@@ -1,8 +1,12 @@
-#include "io/config.hpp"
+#include "io/planner/config.hpp"
 
+#include <algorithm>
+#include <sstream>
 #include <stdexcept>
+#include <type_traits>
 
-#include "io/gripper_file.hpp"
+#include "io/planner/gripper_file.hpp"
+#include "io/setting_text.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 
@@ -15,7 +19,7 @@ namespace {
 std::string config_error(const std::string& text) {
   const test::TempFolder folder;
   const std::string path = folder.write("c.toml", text);
-  const std::string error = error_of([&] { io::load_settings(path); });
+  const std::string error = error_of([&] { io::load_config(path); });
   if (!error.empty()) CHECK(error.find(path) == 0);
   return error;
 }
@@ -29,35 +33,170 @@ std::string gripper_error(const std::string& text) {
   return error_of([&] { io::read_gripper(folder.write("g.toml", text)); });
 }
 
+/// All values of a configuration, as files have them.
+std::vector<std::string> values_of(const io::Config& config) {
+  std::vector<std::string> values;
+  const auto add = [&](const auto& field, const Setting& setting) {
+    values.push_back(setting.name + (" = " + io::toml_of(field)));
+  };
+  DetectorOptions::visit(config.detector, add);
+  TrackOptions::visit(config.track, add);
+  PlanOptions::visit(config.planner, add);
+  return values;
+}
+
+/// Sets a field to a value that is not its default, and allowed.
+template <class Field>
+void make_odd(Field* field, const Setting& setting) {
+  if constexpr (std::is_same_v<Field, bool>) {
+    *field = !*field;
+  } else if constexpr (std::is_same_v<Field, double>) {
+    // Of many digits, and within the range, for no default lies at its upper bound.
+    *field += (std::min(setting.max, 2.0 * *field + 0.1) - *field) / 3.0;
+  } else if constexpr (io::Choice<Field>) {
+    *field = words_of(*field).back().value;
+  } else if constexpr (io::List<Field>) {
+    field->push_back({});
+    make_odd(&field->back(), setting);
+  } else {
+    ++*field;
+  }
+}
+
+io::Config odd_config() {
+  io::Config config;
+  const auto change = [](auto& field, const Setting& setting) { make_odd(&field, setting); };
+  DetectorOptions::visit(config.detector, change);
+  TrackOptions::visit(config.track, change);
+  PlanOptions::visit(config.planner, change);
+  // Whole numbers, in fields of real ones, and lists that ascend.
+  config.detector.planes.sigmas = 4.0;
+  config.detector.agglomerate.max_close = 1e-7;
+  config.detector.aggregate.effective_size = 1e9;
+  config.detector.search.radii = {1.0, 100.0};
+  return config;
+}
+
 }  // namespace
 
 TEST_CASE("a configuration sets what it names and leaves the rest", "[config]") {
   const test::TempFolder folder;
   const DetectorOptions options =
-      io::load_settings(folder.write("c.toml", "# mine\nseed = 42\n")).detector;
+      io::load_config(folder.write("c.toml", "# mine\nseed = 42\n")).detector;
   CHECK(options.seed == 42);
   CHECK(options.threads == DetectorOptions().threads);
 }
 
-TEST_CASE("the printed defaults read back as the defaults", "[config]") {
+TEST_CASE("each printed setting reads back as it was", "[config]") {
   const test::TempFolder folder;
-  DetectorOptions back =
-      io::load_settings(folder.write("c.toml", io::default_detector_config())).detector;
-  DetectorOptions defaults;
-  const TrackOptions track =
-      io::load_settings(folder.write("c.toml", io::default_detector_config())).track;
-  CHECK(track.forget_after == TrackOptions().forget_after);
-  std::vector<double> a, b;
-  visit_options(back, [&](const char*, auto& field) { a.push_back(static_cast<double>(field)); });
-  visit_options(defaults,
-                [&](const char*, auto& field) { b.push_back(static_cast<double>(field)); });
-  CHECK(a == b);
+  const io::Config odd = odd_config();
+  for (const io::Config& config : {io::Config(), odd}) {
+    const std::string text = io::to_toml(config);
+    INFO(text);
+    const io::Config back = io::load_config(folder.write("c.toml", text));
+    CHECK(values_of(back) == values_of(config));
+    CHECK(back.given.size() == values_of(config).size());
+  }
+  // All settings were other than the defaults.
+  const std::vector<std::string> values = values_of(odd), defaults = values_of({});
+  REQUIRE(values.size() == defaults.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    INFO(defaults[i]);
+    CHECK(values[i] != defaults[i]);
+  }
+}
+
+TEST_CASE("a printed setting has its meaning, range, unit and default beside it", "[config]") {
+  io::Config config;
+  config.planner.approach = 1.0;
+  config.detector.planes.angle = 0.25;
+  const std::string text = io::to_toml(config);
+  INFO(text);
+  CHECK(contains(text,
+                 "\n[planes]\n# Samples that a plane has at least.\n# 4 to 1000000; default "
+                 "40\nmin_samples = 40\n"));
+  CHECK(contains(text, "# 0.01 to 1.5708 rad; default 0.26\nangle = 0.25\n"));
+  CHECK(contains(text, "# 0 to 1 m; default 0.05\napproach = 1.0\n"));
+  CHECK(contains(text, "# one of obstacle, target-shadow, free; default \"obstacle\"\n"));
+  CHECK(contains(text, "\n# default false\nenabled = false\n"));
+  CHECK(contains(text, "\nradii = [5.0, 9.0, 15.0]\n"));
+  CHECK(contains(text, "\n[search.grow]\n"));
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("#")) CHECK(line.size() <= 100);
+  }
+}
+
+TEST_CASE("lists hold numbers or words", "[config]") {
+  const test::TempFolder folder;
+  const DetectorOptions options =
+      io::load_config(folder.write("c.toml",
+                                   "only = [\"sphere\", \"cone\"]\n[search]\nradii = [4, "
+                                   "8.5]\n[aggregate]\nfamilies = []\n"))
+          .detector;
+  CHECK(options.only == std::vector{QuadricType::kSphere, QuadricType::kCone});
+  CHECK(options.search.radii == std::vector{4.0, 8.5});
+  CHECK(options.aggregate.families.empty());
+  CHECK(contains(config_error("only = [\"cube\"]\n"),
+                 "line 1: key 'only' must be a list, each element one of sphere, ellipsoid"));
+  CHECK(contains(config_error("only = [\"imaginary_cone\"]\n"), "key 'only' must be"));
+  CHECK(contains(config_error("only = \"sphere\"\n"), "key 'only' must be a list"));
+  CHECK(contains(config_error("search.radii = [4, \"far\"]\n"), "each element a number"));
+  CHECK(
+      contains(config_error("search.radii = [4, 0.1]\n"), "search.radii = 0.1: must lie between"));
+  CHECK(contains(config_error("search.radii = []\n"), "must not be empty"));
+  CHECK(contains(config_error("search.grow.families = []\n"), "must not be empty"));
+}
+
+TEST_CASE("keys as earlier versions spelt them are read", "[config]") {
+  const test::TempFolder folder;
+  const io::Config config = io::load_config(
+      folder.write("c.toml",
+                   "[planes]\nleast_samples = 50\nleast_proven_radius = 0.2\n[agglomerate]\n"
+                   "largest_far = 0.2\n[search.grow]\nleast_samples = 30\n[aggregate]\n"
+                   "largest_residual_plane = 3\nleast_confidence_early = 0.7\n[planner]\n"
+                   "wall_least = 0.001\nwall_most = 0.006\n"));
+  CHECK(config.detector.planes.min_samples == 50);
+  CHECK(config.detector.planes.min_proven_radius == 0.2);
+  CHECK(config.detector.agglomerate.max_far == 0.2);
+  CHECK(config.detector.search.grow.min_samples == 30);
+  CHECK(config.detector.aggregate.max_residual_plane == 3.0);
+  CHECK(config.detector.aggregate.min_confidence_early == 0.7);
+  CHECK(config.planner.min_wall == 0.001);
+  CHECK(config.planner.max_wall == 0.006);
+  CHECK(config.given.contains("planes.min_samples"));
+  CHECK_FALSE(config.given.contains("planes.least_samples"));
+}
+
+TEST_CASE("errors about keys name the present ones", "[config][hostile]") {
+  CHECK(
+      contains(config_error("[planes]\nleast_samples = 2\n"), "planes.min_samples = 2: must lie"));
+  CHECK(contains(config_error("[planes]\nleast_samples = 50\nmin_samples = 50\n"),
+                 "line 2: key 'planes.least_samples' is the old name of 'planes.min_samples'"));
+  const std::string unknown = config_error("[planes]\nleast_angle = 1\n");
+  CHECK(contains(unknown, "unknown key 'planes.least_angle'; there are planes.angle, planes.min_"));
+  CHECK_FALSE(contains(unknown, "least_samples"));
+}
+
+TEST_CASE("the detector leaves the planner's table alone, and checks all else", "[config]") {
+  const test::TempFolder folder;
+  const std::string path =
+      folder.write("c.toml", "seed = 4\n[planner]\nnonsense = 1\n[planner.more]\nfriction = -1\n");
+  CHECK(io::load_detector_config(path).detector.seed == 4);
+  CHECK(contains(error_of([&] { io::load_config(path); }), "'planner."));
+  const auto detector_error = [&](const std::string& text) {
+    return error_of([&] { io::load_detector_config(folder.write("d.toml", text)); });
+  };
+  CHECK(contains(detector_error("[plans]\na = 1\n"), "unknown key 'plans.a'"));
+  CHECK(contains(detector_error("planner = 1\n"), "unknown key 'planner'"));
+  CHECK(contains(detector_error("[track]\ngate = 0\n"), "track.gate = 0: must lie between"));
+  CHECK(contains(detector_error("[track]\nspeed = -1\n"), "between 0 and 1000 m/s"));
 }
 
 TEST_CASE("each kind of basis has its word, and others are refused with the list", "[config]") {
   const test::TempFolder folder;
   const auto basis = [&](const std::string& word) {
-    return io::load_settings(folder.write("c.toml", "[search]\nbasis = \"" + word + "\"\n"))
+    return io::load_config(folder.write("c.toml", "[search]\nbasis = \"" + word + "\"\n"))
         .detector.search.basis;
   };
   CHECK(basis("two_points") == BasisKind::kTwoPoints);
@@ -80,7 +219,7 @@ TEST_CASE("a wrong configuration is refused with its key and line", "[config][ho
   CHECK(contains(config_error("seed = true\n"), "'seed'"));
   CHECK(contains(config_error("threads = 0\n"), "threads"));
   CHECK(contains(config_error("seed = 1\nseed = \n"), "line 2"));
-  CHECK(contains(error_of([] { io::load_settings("/no/such.toml"); }), "no such file"));
+  CHECK(contains(error_of([] { io::load_config("/no/such.toml"); }), "no such file"));
 }
 
 TEST_CASE("a gripper is read from its file", "[gripper]") {
@@ -137,7 +276,7 @@ TEST_CASE("a wrong gripper file is refused with its key", "[gripper][hostile]") 
 
 TEST_CASE("one configuration holds the settings of the detector and of the planner", "[config]") {
   const test::TempFolder folder;
-  const io::Settings settings = io::load_settings(
+  const io::Config settings = io::load_config(
       folder.write("c.toml",
                    "seed = 5\n[planner]\nunknown = \"free\"\nresolution = 0.004\nfriction = 0.4\n"
                    "approach = 0.08\npad_margin = 0.001\nbaseline = 0\nmin_wall = 0.001\n"
@@ -164,10 +303,15 @@ TEST_CASE("a wrong setting of the planner is refused with its line or field", "[
   CHECK_FALSE(contains(config_error("[inlier]\nsigma = 3\n"), "seed"));
   CHECK(contains(config_error("[planner]\napproach = \"far\"\n"), "must be a number"));
   CHECK(contains(config_error("[planner]\nmax_grasps = 1.5\n"), "must be an integer"));
-  CHECK(contains(config_error("[planner]\nunknown = \"maybe\"\n"), "target-shadow or free"));
-  CHECK(contains(config_error("[planner]\napproach = -1.0\n"), "approach must lie in"));
-  CHECK(contains(config_error("[planner]\nbaseline = 2\n"), "baseline must lie in 0 to 1 m"));
-  CHECK(contains(config_error("[planner]\nbaseline = nan\n"), "baseline must lie in 0 to 1 m"));
-  CHECK(contains(config_error("[planner]\nmax_wall = 0.06\n"), "max_wall must lie in"));
-  CHECK(contains(config_error("[planner]\nmin_wall = 0.009\n"), "in this order"));
+  CHECK(contains(config_error("[planner]\nunknown = \"maybe\"\n"),
+                 "one of obstacle, target-shadow, free"));
+  CHECK(contains(config_error("[planner]\napproach = -1.0\n"),
+                 "approach = -1: must lie between 0 and 1 m"));
+  CHECK(contains(config_error("[planner]\nbaseline = 2\n"),
+                 "planner.baseline = 2: must lie between"));
+  CHECK(contains(config_error("[planner]\nbaseline = nan\n"), "planner.baseline = nan: must lie"));
+  CHECK(
+      contains(config_error("[planner]\nmax_wall = 0.06\n"), "max_wall = 0.06: must lie between"));
+  CHECK(contains(config_error("[planner]\nmin_wall = 0.009\n"),
+                 "planner.min_wall = 0.009: must not exceed planner.max_wall = 0.008"));
 }

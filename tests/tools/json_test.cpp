@@ -1,8 +1,10 @@
 #include "io/json.hpp"
 
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "io/describe.hpp"
+#include "io/planner/plan_json.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "lab/scene/scene_files.hpp"
 #include "quadrille/detector/quadric_type.hpp"

@@ -1,10 +1,15 @@
 #pragma once
 
-#include <CLI/App.hpp>
-#include <CLI/Error.hpp>
+#include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace quadrille {
 
@@ -12,29 +17,22 @@ namespace quadrille {
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
-/// "first|second|third".
-template <class Value>
-std::string join_names(const Choices<Value>& choices, const std::string& separator) {
-  std::string text;
-  for (const auto& [name, value] : choices) text += (text.empty() ? "" : separator) + name;
-  return text;
-}
+/// Adds an option that takes one of a few words, and nothing else.
+/// @param choose  gets the place of the word that was given
+CLI::Option* add_word_option(CLI::App& app, const std::string& name,
+                             const std::vector<std::string>& words,
+                             const std::function<void(std::size_t)>& choose,
+                             const std::string& description);
 
 /// Adds an option that takes one of a few words, and nothing else.
 /// @param value  gets what the word means; must outlive the app
 template <class Value, class Target>
 CLI::Option* add_choice_option(CLI::App& app, const std::string& name, Target& value,
                                const Choices<Value>& choices, const std::string& description) {
-  const auto choose = [name, choices, &value](const std::string& word) {
-    for (const auto& [choice, meaning] : choices) {
-      if (word != choice) continue;
-      value = meaning;
-      return;
-    }
-    throw CLI::ValidationError(name, "'" + word + "' is none of: " + join_names(choices, ", "));
-  };
-  return app.add_option_function<std::string>(name, choose, description)
-      ->type_name(join_names(choices, "|"));
+  std::vector<std::string> words;
+  for (const auto& [word, meaning] : choices) words.push_back(word);
+  const auto choose = [choices, &value](std::size_t place) { value = choices[place].second; };
+  return add_word_option(app, name, words, choose, description);
 }
 
 }  // namespace quadrille

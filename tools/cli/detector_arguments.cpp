@@ -4,10 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "cli/seed_option.hpp"
-#include "io/config.hpp"
+#include "io/setting_text.hpp"
 #include "quadrille/detector/detector.hpp"
 
 namespace quadrille {
@@ -22,41 +23,44 @@ std::vector<QuadricType> types_of(const std::string& list) {
   return types;
 }
 
-/// False for what no points can show: imaginary quadrics, and a plane doubled onto itself, which is
-/// reported as a plane.
-bool is_reported(QuadricType type) {
-  return !is_imaginary(type) && type != QuadricType::kCoincidentPlanes;
-}
-
 /// Empty if all names of the list are types that can be found, else what is wrong.
 std::string check_types(const std::string& list) {
   std::istringstream in(list);
   int count = 0;
   for (std::string name; std::getline(in, name, ','); ++count) {
     const auto type = quadric_type_from_string(name);
-    if (type && is_reported(*type)) continue;
-    std::string all;
-    for (const QuadricType one : all_quadric_types()) {
-      if (is_reported(one)) all += (all.empty() ? "" : ", ") + std::string(to_string(one));
-    }
+    if (type && !word_of(*type).empty()) continue;
     return (type ? "type '" + name + "' is never found" : "unknown type '" + name + "'") +
-           "; the types are " + all;
+           "; the types are " + io::list_words<QuadricType>();
   }
   return count > 0 ? "" : "names no type";
 }
 
 /// The settings that the search for spheres alone changes, of those that a file gives.
-std::vector<std::string> overruled_for_spheres(const io::Settings& settings) {
+std::vector<std::string> overruled_for_spheres(const DetectorOptions& options,
+                                               const std::set<std::string>& given) {
+  std::map<std::string, std::string> before;
+  DetectorOptions::visit(options, [&](const auto& field, const Setting& setting) {
+    before[setting.name] = io::toml_of(field);
+  });
   std::vector<std::string> names;
-  std::map<std::string, double> before;
-  DetectorOptions given = settings.detector, used = sphere_options(given);
-  visit_options(given,
-                [&](const char* name, auto& field) { before[name] = static_cast<double>(field); });
-  visit_options(used, [&](const char* name, auto& field) {
-    const bool changed = static_cast<double>(field) != before[name];
-    if (changed && settings.given.count(name)) names.emplace_back(name);
+  const DetectorOptions used = sphere_options(options);
+  DetectorOptions::visit(used, [&](const auto& field, const Setting& setting) {
+    const bool changed = io::toml_of(field) != before[setting.name];
+    if (changed && given.count(setting.name)) names.emplace_back(setting.name);
   });
   return names;
+}
+
+/// The bounds of the option `threads`.
+CLI::Range thread_range() {
+  CLI::Range range(0, 0);
+  const DetectorOptions options;
+  DetectorOptions::visit(options, [&](const auto& field, const Setting& setting) {
+    if (static_cast<const void*>(&field) != &options.threads) return;
+    range = CLI::Range(static_cast<int>(setting.min), static_cast<int>(setting.max));
+  });
+  return range;
 }
 
 }  // namespace
@@ -69,27 +73,23 @@ void DetectorArguments::add_to(CLI::App& command) {
   add_seed_option(command, seed, "the random stream");
   command.add_option("--threads", threads, "Threads to use; never changes the result")
       ->type_name("N")
-      ->check(CLI::Range(1, 256));
+      ->check(thread_range());
 }
 
-DetectorOptions DetectorArguments::options() const {
-  DetectorOptions options = config.empty() ? DetectorOptions() : io::load_settings(config).detector;
+DetectorSetup DetectorArguments::overrule(const io::DetectorConfig& file) const {
+  DetectorSetup setup{file.detector, file.track, {}};
+  DetectorOptions& options = setup.options;
   if (seed) options.seed = *seed;
   if (threads) options.threads = *threads;
   if (!only.empty()) options.only = types_of(only);
-  return options;
-}
-
-TrackOptions DetectorArguments::track_options() const {
-  return config.empty() ? TrackOptions() : io::load_settings(config).track;
-}
-
-std::vector<std::string> DetectorArguments::warnings() const {
-  if (config.empty() || !seeks_spheres_alone(options())) return {};
-  const std::vector<std::string> names = overruled_for_spheres(io::load_settings(config));
-  if (names.empty()) return {};
-  return {fmt::format("--only sphere sets search, families and density itself; not as given: {}",
-                      fmt::join(names, ", "))};
+  if (!seeks_spheres_alone(options)) return setup;
+  const std::vector<std::string> names = overruled_for_spheres(options, file.given);
+  if (!names.empty()) {
+    setup.warnings.push_back(
+        fmt::format("--only sphere sets search, families and density itself; not as given: {}",
+                    fmt::join(names, ", ")));
+  }
+  return setup;
 }
 
 }  // namespace quadrille

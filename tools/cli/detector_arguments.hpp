@@ -1,15 +1,25 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "quadrille/detector/options.hpp"
-#include "quadrille/detector/tracker.hpp"
+#include "io/config.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace quadrille {
+
+/// With what a command detects and tracks.
+struct DetectorSetup {
+  DetectorOptions options;
+  TrackOptions track;
+  /// What of the file is not heeded, one line each.
+  std::vector<std::string> warnings;
+};
 
 /// The detector's options on the command line, shared by the commands that detect.
 struct DetectorArguments {
@@ -20,14 +30,7 @@ struct DetectorArguments {
   /// Adds --config, --only, --seed and --threads; this must outlive the app.
   void add_to(CLI::App& command);
   /// The settings of the file, overruled by those of the command line.
-  /// @throws io::FileError if the file is wrong
-  DetectorOptions options() const;
-  /// The settings of the tracker, from the file.
-  /// @throws io::FileError if the file is wrong
-  TrackOptions track_options() const;
-  /// What of the file is not heeded, one line each.
-  /// @throws io::FileError if the file is wrong
-  std::vector<std::string> warnings() const;
+  DetectorSetup overrule(const io::DetectorConfig& file) const;
 };
 
 }  // namespace quadrille

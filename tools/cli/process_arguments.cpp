@@ -1,8 +1,5 @@
 #include "cli/process_arguments.hpp"
 
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
-
 #include <CLI/CLI.hpp>
 #include <exception>
 
@@ -40,12 +37,6 @@ void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
   copy->needs(in);
   in->excludes(url);
   app.add_flag("-v,--verbose", verbose, "Log every " + work);
-}
-
-void start_logging(const std::string& program, bool verbose) {
-  spdlog::set_default_logger(spdlog::stderr_logger_mt(program));
-  spdlog::set_pattern("%Y-%m-%dT%H:%M:%S.%e %n %l: %v");
-  spdlog::set_level(verbose ? spdlog::level::debug : spdlog::level::info);
 }
 
 }  // namespace quadrille

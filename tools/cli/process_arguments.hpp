@@ -1,7 +1,10 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace quadrille {
 
@@ -24,9 +27,5 @@ struct ProcessArguments {
 /// @param what  what the channel carries, such as "clouds"
 void add_channel_option(CLI::App& app, const std::string& name, std::string& channel,
                         const std::string& what);
-
-/// Sends the records of spdlog to stderr, one a line, with time, program and level.
-/// @param program  the name that the records carry
-void start_logging(const std::string& program, bool verbose);
 
 }  // namespace quadrille

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
-#include "quadrille/grasping/plan.hpp"
 
 namespace quadrille::io {
 
@@ -30,16 +30,10 @@ Json to_json(const Eigen::Isometry3d& X);
 /// becomes null.
 Json to_json(const Detection& detection);
 
-/// One grasp.
-Json to_json(const Grasp& grasp);
-
-/// One collision shape.
-Json to_json(const CollisionShape& shape);
+/// Detections, in their order.
+Json to_json(const std::vector<Detection>& detections);
 
 /// What `quadrille detect --json` writes for one cloud.
 Json detect_json(const InputInfo& input, const DetectionResult& result);
-
-/// What `quadrille plan --json` writes for one cloud; total_ms spans detection and planning.
-Json plan_json(const InputInfo& input, const DetectionResult& result, const GraspPlan& plan);
 
 }  // namespace quadrille::io

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 
 #include "cli/detector_arguments.hpp"
 #include "io/file_bytes.hpp"
+#include "io/planner/config.hpp"
 #include "picture/picture.hpp"
 #include "picture/png.hpp"
 #include "quadrille/detector/detector.hpp"
@@ -35,8 +37,8 @@ struct DetectArguments {
 /// Tracks the clouds of each source: of a channel of a log, or of all the files.
 class Tracking {
  public:
-  explicit Tracking(const DetectArguments& arguments)
-      : options_(arguments.detector.track_options()), files_too_(arguments.track) {}
+  Tracking(const TrackOptions& options, bool files_too)
+      : options_(options), files_too_(files_too) {}
 
   void add_to(const InputCloud& input, const std::string& path,
               std::vector<Detection>* detections) {
@@ -56,12 +58,13 @@ class Tracking {
 };
 
 void run(const DetectArguments& arguments) {
-  const DetectorOptions options = arguments.detector.options();
-  print_warnings(arguments.detector.config, arguments.detector.warnings());
+  const std::string& config = arguments.detector.config;
+  const DetectorSetup setup = arguments.detector.overrule(io::load_config(config));
+  print_warnings(config, setup.warnings);
   const bool several = arguments.inputs.size() > 1 || is_log(arguments.inputs.front());
   PicturePaths pictures(arguments.picture, several);
   JsonLines json(arguments.json);
-  Tracking tracking(arguments);
+  Tracking tracking(setup.track, arguments.track);
   const auto put_out = [&](const std::string& path, const InputCloud& input,
                            const DetectionResult& result) {
     json.write(io::detect_json(input.info, result));
@@ -74,7 +77,7 @@ void run(const DetectArguments& arguments) {
   for (const std::string& path : arguments.inputs) {
     try {
       const auto warnings = for_each_cloud(path, [&](const InputCloud& input) {
-        DetectionResult result = detect(input.cloud, options);
+        DetectionResult result = detect(input.cloud, setup.options);
         tracking.add_to(input, path, &result.detections);
         try {
           put_out(path, input, result);

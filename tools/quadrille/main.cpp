@@ -2,6 +2,7 @@
 
 #include "cli/run_program.hpp"
 #include "quadrille/bench_command.hpp"
+#include "quadrille/config_command.hpp"
 #include "quadrille/detect_command.hpp"
 #include "quadrille/experiment_command.hpp"
 #include "quadrille/log_command.hpp"
@@ -17,6 +18,7 @@ int main(int argc, char** argv) {
   quadrille::add_try_command(app);
   quadrille::add_scene_command(app);
   quadrille::add_log_command(app);
+  quadrille::add_config_command(app);
   quadrille::add_experiment_command(app);
   quadrille::add_bench_command(app);
   // The commands do their work while they are parsed.

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -11,11 +12,12 @@
 
 #include "cli/choice_option.hpp"
 #include "cli/detector_arguments.hpp"
-#include "cli/planner_arguments.hpp"
-#include "io/config.hpp"
+#include "cli/planner/planner_arguments.hpp"
 #include "io/file_bytes.hpp"
 #include "io/new_file.hpp"
-#include "io/octree_bytes.hpp"
+#include "io/planner/config.hpp"
+#include "io/planner/octree_bytes.hpp"
+#include "io/planner/plan_json.hpp"
 #include "picture/picture.hpp"
 #include "picture/png.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -57,13 +59,6 @@ void add_hands(const GraspPlan& plan, const Gripper& gripper, HandConvention con
   }
 }
 
-PlanOptions plan_options(const PlanArguments& arguments) {
-  const std::string& config = arguments.detector.config;
-  PlanOptions options = config.empty() ? PlanOptions() : io::load_settings(config).planner;
-  options.unknown = arguments.planner.unknown.value_or(options.unknown);
-  return options;
-}
-
 // A view that is given twice, or is the input itself, shows nothing more: one was meant to be
 // another.
 void refuse_same(const std::string& input, const std::vector<std::string>& views) {
@@ -98,17 +93,18 @@ void write_map(const std::string& path, const OccupancyGrid& space, io::NewFile&
 }
 
 void run(const PlanArguments& arguments) {
-  const DetectorOptions detector_options = arguments.detector.options();
-  print_warnings(arguments.detector.config, arguments.detector.warnings());
+  const io::Config config = io::load_config(arguments.detector.config);
+  const DetectorSetup setup = arguments.detector.overrule(config);
+  print_warnings(arguments.detector.config, setup.warnings);
   const Gripper gripper = arguments.planner.gripper();
-  const PlanOptions options = plan_options(arguments);
+  const PlanOptions options = arguments.planner.overrule(config.planner);
   refuse_same(arguments.input, arguments.views);
   JsonLines json(arguments.json);
   std::optional<io::NewFile> map;
   if (!arguments.map.empty()) map.emplace(arguments.map);
   const auto [input, warnings] = read_single_cloud(arguments.input);
   print_warnings(arguments.input, warnings);
-  const DetectionResult result = detect(input.cloud, detector_options);
+  const DetectionResult result = detect(input.cloud, setup.options);
   // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(result.detections);
   const GraspPlan plan =

@@ -5,14 +5,15 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "cli/detector_arguments.hpp"
-#include "cli/planner_arguments.hpp"
-#include "io/config.hpp"
+#include "cli/planner/planner_arguments.hpp"
 #include "io/file_bytes.hpp"
+#include "io/planner/config.hpp"
 #include "lab/physics/attempts.hpp"
 #include "lab/physics/plan_file.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -42,13 +43,11 @@ struct Job {
 };
 
 Job job_of(const TryArguments& arguments) {
-  Job job{arguments.planner.gripper(), arguments.detector.options(), {}};
-  print_warnings(arguments.detector.config, arguments.detector.warnings());
-  if (!arguments.detector.config.empty()) {
-    job.plan = io::load_settings(arguments.detector.config).planner;
-  }
-  job.plan.unknown = arguments.planner.unknown.value_or(job.plan.unknown);
-  return job;
+  const Gripper gripper = arguments.planner.gripper();
+  const io::Config config = io::load_config(arguments.detector.config);
+  const DetectorSetup setup = arguments.detector.overrule(config);
+  print_warnings(arguments.detector.config, setup.warnings);
+  return {gripper, setup.options, arguments.planner.overrule(config.planner)};
 }
 
 /// What is to be tried, and on what it was planned.

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "fit/posed_quadric.hpp"
-#include "quadrille/detector/family.hpp"
+#include "quadrille/detector/quadric_type.hpp"
 
 namespace quadrille {
 

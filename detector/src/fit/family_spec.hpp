@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "quadrille/detector/family.hpp"
+#include "quadrille/detector/quadric_type.hpp"
 
 namespace quadrille {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "quadrille/detector/family.hpp"
 #include "quadrille/detector/quadric.hpp"
+#include "quadrille/detector/quadric_type.hpp"
 
 namespace quadrille {
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string_view>
 
 #include "track/assignment.hpp"
@@ -67,21 +66,9 @@ double compare_shapes(const PatchMatch& match, const SeenPatch& a, const SeenPat
          squared(match.gap / (kGapDeviation * size)) + (1.0 - match.overlap);
 }
 
-void require(bool fine, const char* message) {
-  if (!fine) throw std::invalid_argument(message);
-}
-
 }  // namespace
 
-void TrackOptions::check() const {
-  require(gate > 0.0 && gate <= 100.0, "track.gate: must lie between 0 and 100");
-  require(forget_after >= 0.0 && forget_after <= 1e6,
-          "track.forget_after: must lie between 0 and 1e6 s");
-  require(speed >= 0.0 && speed <= 1e3, "track.speed: must lie between 0 and 1000 m/s");
-  require(acceleration >= 0.0 && acceleration <= 1e3,
-          "track.acceleration: must lie between 0 and 1000 m/s2");
-  require(pose_age >= 0.0 && pose_age <= 1e6, "track.pose_age: must lie between 0 and 1e6 s");
-}
+void TrackOptions::check() const { check_ranges(*this); }
 
 /// What is known of a surface that was seen before.
 struct Tracker::Track {

@@ -12,10 +12,7 @@ void copy(const Eigen::Vector3d& from, double to[3]) { std::copy_n(from.data(), 
 pose_t to_message(const Eigen::Isometry3d& X_CF) {
   pose_t pose;
   copy(X_CF.translation(), pose.position);
-  Eigen::Quaterniond R_CF(X_CF.linear());
-  R_CF.normalize();
-  // q and -q are one rotation: one of them is chosen so that equal poses give equal bytes.
-  if (R_CF.w() < 0.0) R_CF.coeffs() = -R_CF.coeffs();
+  const Eigen::Quaterniond R_CF = rotation_of(X_CF);
   pose.quaternion[0] = R_CF.w();
   pose.quaternion[1] = R_CF.x();
   pose.quaternion[2] = R_CF.y();

@@ -54,8 +54,8 @@ TEST_CASE("times and detections that make no sense are borne", "[track][hostile]
 TEST_CASE("options of the tracker out of range are refused by name", "[track][options]") {
   const auto error_of = [](const char* name, double value) -> std::string {
     TrackOptions options;
-    visit_track_options(options, [&](std::string_view field, auto& setting) {
-      if (field == name) setting = value;
+    TrackOptions::visit(options, [&](auto& field, const Setting& setting) {
+      if (std::string_view(setting.name) == name) field = value;
     });
     try {
       const Tracker tracker(options);

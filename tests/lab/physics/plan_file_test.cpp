@@ -1,9 +1,10 @@
 #include "lab/physics/plan_file.hpp"
 
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "grasping/scenes.hpp"
-#include "io/json.hpp"
+#include "io/planner/plan_json.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
 

@@ -1,6 +1,7 @@
 #include "lab/physics/true_scene.hpp"
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <random>
 
 #include "body/body.hpp"

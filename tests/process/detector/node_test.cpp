@@ -192,6 +192,17 @@ TEST_CASE("settings that the search for spheres alone does not heed are named", 
   CHECK(warnings[0].find(config + ": --only sphere sets search") == 0);
 }
 
+TEST_CASE("the detector's process leaves the planner's settings to the planner", "[process]") {
+  const test::TempFolder folder;
+  CLI::App app;
+  const DetectorCommandLine command_line(app);
+  app.parse("--threads 2 --config " +
+            folder.write("c.toml", "threads = 3\n[track]\ngate = 5\n[planner]\nnonsense = 1\n"));
+  const DetectorSettings settings = command_line.settings();
+  CHECK(settings.detector.threads == 2);
+  CHECK(settings.track.gate == 5.0);
+}
+
 TEST_CASE("clouds and poses cannot come on one channel", "[process][pose]") {
   CLI::App app;
   const DetectorCommandLine command_line(app);

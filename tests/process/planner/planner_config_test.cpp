@@ -27,6 +27,14 @@ TEST_CASE("options of the command line win over the planner's configuration", "[
   CHECK(settings.gripper.name == "franka");
 }
 
+TEST_CASE("the planner's process checks the whole file", "[planner]") {
+  const test::TempFolder folder;
+  CHECK_THROWS_AS(settings_of("--config " + folder.write("p.toml", "[planner]\nnonsense = 1\n")),
+                  io::FileError);
+  CHECK_THROWS_AS(settings_of("--config " + folder.write("q.toml", "[planes]\nsigmas = -1\n")),
+                  io::FileError);
+}
+
 TEST_CASE("a gripper that is not known is wrong usage of the planner", "[planner]") {
   CHECK_THROWS_AS(settings_of("--gripper no_such_hand"), CLI::ParseError);
   CHECK_THROWS_AS(settings_of("--gripper none.toml"), io::FileError);

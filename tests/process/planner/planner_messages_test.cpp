@@ -2,7 +2,6 @@
 
 #include <sstream>
 
-#include "io/unknown_policy.hpp"
 #include "process/planner/messages.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -117,14 +116,6 @@ TEST_CASE("a plan without a map gives a message without data", "[planner][messag
   const occupancy_t got = send(make_occupancy_message(make_cloud(), nullptr));
   CHECK(got.data.empty());
   CHECK(got.num_free == 0);
-}
-
-TEST_CASE("policies for unknown space are known by name", "[planner]") {
-  for (const UnknownPolicy policy :
-       {UnknownPolicy::kObstacle, UnknownPolicy::kTargetShadow, UnknownPolicy::kFree}) {
-    CHECK(io::unknown_policy_from_string(io::to_string(policy)) == policy);
-  }
-  CHECK(io::unknown_policy_from_string("shadow") == std::nullopt);
 }
 
 }  // namespace

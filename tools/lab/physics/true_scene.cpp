@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "io/file_bytes.hpp"
 #include "lab/physics/exact_detection.hpp"

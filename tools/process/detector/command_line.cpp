@@ -1,6 +1,6 @@
 #include "process/detector/command_line.hpp"
 
-#include <CLI/Error.hpp>
+#include <CLI/CLI.hpp>
 
 namespace quadrille {
 
@@ -16,10 +16,10 @@ DetectorCommandLine::DetectorCommandLine(CLI::App& app) {
 
 DetectorSettings DetectorCommandLine::settings() const {
   DetectorSettings settings = settings_;
-  settings.detector = detector_.options();
-  settings.detector.check();
-  settings.track = detector_.track_options();
-  for (const std::string& warning : detector_.warnings()) {
+  const DetectorSetup setup = detector_.overrule(io::load_detector_config(detector_.config));
+  settings.detector = setup.options;
+  settings.track = setup.track;
+  for (const std::string& warning : setup.warnings) {
     settings.warnings.push_back(detector_.config + ": " + warning);
   }
   if (settings.pose_channel == settings.in_channel) {

@@ -1,9 +1,11 @@
 #pragma once
 
-#include <CLI/App.hpp>
-
 #include "cli/detector_arguments.hpp"
 #include "process/detector/settings.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace quadrille {
 

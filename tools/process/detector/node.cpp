@@ -1,10 +1,10 @@
 #include "process/detector/node.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <utility>
 
+#include "process/runtime/logging.hpp"
 #include "process/runtime/status.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -18,7 +18,7 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
       publish_(std::move(publish)),
       dropped_before_(bus::count_dropped_datagrams()),
       tracker_(settings.track) {
-  for (const std::string& warning : settings.warnings) spdlog::warn("{}", warning);
+  for (const std::string& warning : settings.warnings) log_warning(warning);
 }
 
 std::vector<InChannel> DetectorNode::in_channels() const {
@@ -97,10 +97,10 @@ void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud,
   const auto bytes = bus::encode(bus::to_message(cloud, result));
   publish_(settings_.out_channel, bytes);
   const double latency = bus::ms_since(received);
-  spdlog::debug("cloud {}: {} of {} points, {} quadrics, {:.1f} ms", cloud.utime,
-                result.points_used, cloud.cloud.read, result.detections.size(), latency);
+  log_debug(fmt::format("cloud {}: {} of {} points, {} quadrics, {:.1f} ms", cloud.utime,
+                        result.points_used, cloud.cloud.read, result.detections.size(), latency));
   for (const std::string& warning : result.warnings) {
-    spdlog::debug("cloud {}: {}", cloud.utime, warning);
+    log_debug(fmt::format("cloud {}: {}", cloud.utime, warning));
   }
   const std::lock_guard lock(mutex_);
   ++counts_.published;

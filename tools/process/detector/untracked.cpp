@@ -1,6 +1,8 @@
 #include "process/detector/untracked.hpp"
 
-#include <spdlog/spdlog.h>
+#include <fmt/format.h>
+
+#include "process/runtime/logging.hpp"
 
 namespace quadrille {
 
@@ -9,8 +11,8 @@ void Untracked::add(const std::string& channel, std::int64_t cloud_utime, PoseLa
   ++counts_[static_cast<std::size_t>(lack)];
   const auto held_back = log_.admit();
   if (!held_back) return;
-  spdlog::warn("{}: cloud {} is not tracked: {}; {} more since the last record", channel,
-               cloud_utime, detail, *held_back);
+  log_warning(fmt::format("{}: cloud {} is not tracked: {}; {} more since the last record", channel,
+                          cloud_utime, detail, *held_back));
 }
 
 std::vector<count_t> Untracked::to_message() const {

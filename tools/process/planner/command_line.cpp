@@ -1,6 +1,8 @@
 #include "process/planner/command_line.hpp"
 
-#include "io/config.hpp"
+#include <CLI/CLI.hpp>
+
+#include "io/planner/config.hpp"
 
 namespace quadrille {
 
@@ -18,8 +20,7 @@ PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
 
 PlannerSettings PlannerCommandLine::settings() const {
   PlannerSettings settings = settings_;
-  if (!config_.empty()) settings.plan = io::load_settings(config_).planner;
-  settings.plan.unknown = planner_.unknown.value_or(settings.plan.unknown);
+  settings.plan = planner_.overrule(io::load_config(config_).planner);
   settings.gripper = planner_.gripper();
   return settings;
 }

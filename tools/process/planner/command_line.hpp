@@ -1,10 +1,13 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <string>
 
-#include "cli/planner_arguments.hpp"
+#include "cli/planner/planner_arguments.hpp"
 #include "process/planner/settings.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace quadrille {
 

@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "io/octree_bytes.hpp"
-#include "io/unknown_policy.hpp"
+#include "io/planner/octree_bytes.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 
 namespace quadrille {
@@ -64,7 +63,7 @@ grasps_t make_grasps_message(const bus::CloudMessage& cloud, const GraspPlan& pl
                              const PlannerSettings& settings) {
   auto m = make_stamped<grasps_t>(cloud);
   m.gripper = settings.gripper.name;
-  m.unknown = io::to_string(settings.plan.unknown);
+  m.unknown = word_of(settings.plan.unknown);
   for (const Grasp& grasp : plan.grasps) m.grasps.push_back(to_message(grasp));
   m.num_grasps = count(m.grasps);
   for (const auto& [reason, number] : plan.rejected) {

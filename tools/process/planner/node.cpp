@@ -1,11 +1,11 @@
 #include "process/planner/node.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <utility>
 
 #include "process/planner/messages.hpp"
+#include "process/runtime/logging.hpp"
 #include "process/runtime/status.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/status_message.hpp"
@@ -70,10 +70,10 @@ void PlannerNode::plan_and_publish(const CloudAndQuadrics& pair) {
   bytes += publish(settings_.shapes_channel, make_shapes_message(*pair.cloud, plan));
   bytes +=
       publish(settings_.occupancy_channel, make_occupancy_message(*pair.cloud, plan.space.get()));
-  spdlog::debug("cloud {}: {} quadrics, {} grasps, {:.1f} ms", pair.cloud->utime,
-                pair.quadrics.detections.size(), plan.grasps.size(), latency);
+  log_debug(fmt::format("cloud {}: {} quadrics, {} grasps, {:.1f} ms", pair.cloud->utime,
+                        pair.quadrics.detections.size(), plan.grasps.size(), latency));
   for (const std::string& warning : plan.warnings) {
-    spdlog::debug("cloud {}: {}", pair.cloud->utime, warning);
+    log_debug(fmt::format("cloud {}: {}", pair.cloud->utime, warning));
   }
   const std::lock_guard lock(mutex_);
   ++counts_.published;

@@ -1,8 +1,10 @@
 #include "process/runtime/node.hpp"
 
-#include <spdlog/spdlog.h>
+#include <fmt/format.h>
 
 #include <exception>
+
+#include "process/runtime/logging.hpp"
 
 namespace quadrille {
 
@@ -10,7 +12,7 @@ void Node::work(const Job& job) {
   try {
     job.run();
   } catch (const std::exception& error) {
-    spdlog::error("cloud {}: {}", job.cloud_utime, error.what());
+    log_error(fmt::format("cloud {}: {}", job.cloud_utime, error.what()));
     ++failed_;
   }
 }

@@ -1,7 +1,8 @@
 #include "process/runtime/refusals.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
+
+#include "process/runtime/logging.hpp"
 
 namespace quadrille {
 
@@ -9,8 +10,8 @@ void Refusals::add(const std::string& channel, const bus::Rejection& rejection) 
   counts_.add(rejection.reason);
   const auto held_back = log_.admit();
   if (!held_back) return;
-  spdlog::warn("{}: refused a message: {} ({}); {} more since the last record", channel,
-               to_string(rejection.reason), rejection.detail, *held_back);
+  log_warning(fmt::format("{}: refused a message: {} ({}); {} more since the last record", channel,
+                          to_string(rejection.reason), rejection.detail, *held_back));
 }
 
 std::string describe(const bus::RejectCounts& counts) {

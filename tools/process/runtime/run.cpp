@@ -1,5 +1,6 @@
 #include "process/runtime/run.hpp"
 
+#include "process/runtime/logging.hpp"
 #include "quadrille/bus/stop.hpp"
 
 namespace quadrille {

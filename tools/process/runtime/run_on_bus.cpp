@@ -1,8 +1,9 @@
-#include <spdlog/spdlog.h>
+#include <fmt/format.h>
 
 #include <chrono>
 #include <thread>
 
+#include "process/runtime/logging.hpp"
 #include "process/runtime/run.hpp"
 #include "process/runtime/worker.hpp"
 #include "quadrille/bus/connection.hpp"
@@ -30,7 +31,7 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
 
 void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
   bus::Connection connection(bus::resolve_url(arguments.lcm_url));
-  for (const std::string& warning : connection.warnings()) spdlog::warn("{}", warning);
+  for (const std::string& warning : connection.warnings()) log_warning(warning);
   const auto node = make_node([&](const std::string& channel, std::span<const std::byte> bytes) {
     connection.publish(channel, bytes);
   });
@@ -40,11 +41,11 @@ void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
                          [&](const std::string& name, std::span<const std::byte> bytes) {
                            if (auto job = node->receive(name, bytes)) mailbox.put(std::move(*job));
                          });
-    spdlog::info("listening to {} on {}", channel.name, connection.url());
+    log_info(fmt::format("listening to {} on {}", channel.name, connection.url()));
   }
   work_until_stopped(connection, mailbox, *node);
   node->publish_status(mailbox.superseded(), connection.warnings());
-  spdlog::info("stopped: {}; {} superseded", node->summary(), mailbox.superseded());
+  log_info(fmt::format("stopped: {}; {} superseded", node->summary(), mailbox.superseded()));
 }
 
 }  // namespace quadrille

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <stdexcept>
 
 #include "process/runtime/channel_census.hpp"
+#include "process/runtime/logging.hpp"
 #include "process/runtime/run.hpp"
 #include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/replay.hpp"
@@ -58,13 +58,13 @@ void run_on_log(const ProcessArguments& arguments, const NodeMaker& make_node) {
       stopped.empty() ? find_warnings(survey, census, *node) : std::vector<std::string>{};
   for (std::string& warning : warnings) {
     warning = arguments.in_log + ": " + warning;
-    spdlog::warn("{}", warning);
+    log_warning(warning);
   }
   if (!stopped.empty()) warnings.push_back(stopped);
   node->publish_status(0, warnings);
   out.flush();
   if (!stopped.empty()) throw std::runtime_error(stopped);
-  spdlog::info("{}: {}", arguments.in_log, node->summary());
+  log_info(arguments.in_log + ": " + node->summary());
   if (node->failed() == 0) return;
   throw std::runtime_error(fmt::format("{}: {} of its clouds failed; the records above say why",
                                        arguments.in_log, node->failed()));

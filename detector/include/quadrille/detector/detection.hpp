@@ -50,6 +50,10 @@ struct Detection {
   int track = 0;
 };
 
+/// The rotation of a pose as messages and files hold it: a unit quaternion with w >= 0, for q and
+/// -q are one rotation, and equal poses are to be written equally.
+Eigen::Quaterniond rotation_of(const Eigen::Isometry3d& X);
+
 /// Wall time of one stage of a computation.
 struct StageTime {
   std::string stage;

@@ -4,18 +4,19 @@
 #include <vector>
 
 #include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/setting.hpp"
 #include "quadrille/detector/stage_options.hpp"
 
 namespace quadrille {
 
+/// The types that a detector can find: not the imaginary ones, and no plane doubled onto itself,
+/// which is reported as a plane.
+std::vector<Word<QuadricType>> words_of(QuadricType);
+
 /// All settings of the detector, stage by stage.
 struct DetectorOptions {
-  /// Chooses the random stream.
   std::uint64_t seed = 1;
-  /// Threads to use; never changes the result.
   int threads = 1;
-  /// Report only these types; empty means all. The sphere alone takes the paper's type-specific
-  /// path, which sets search, families and the density of the points itself.
   std::vector<QuadricType> only;
 
   SamplingOptions sampling;
@@ -26,57 +27,25 @@ struct DetectorOptions {
   AgglomerateOptions agglomerate;
   AggregateOptions aggregate;
 
+  /// Calls v(field, Setting) for each option of each stage, in the order of the configuration file.
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.seed, {"seed", "Chooses the random stream."});
+    v(o.threads, {"threads", "", 1, 256, "Threads to use; never changes the result."});
+    v(o.only, {"only",
+               "Report only these types; empty means all. The sphere alone takes the paper's "
+               "type-specific path, which sets search, families and the density of the points "
+               "itself."});
+    SamplingOptions::visit(o.sampling, v);
+    PlaneOptions::visit(o.planes, v);
+    InlierTest::visit(o.inlier, v);
+    SearchOptions::visit(o.search, v);
+    AgglomerateOptions::visit(o.agglomerate, v);
+    AggregateOptions::visit(o.aggregate, v);
+  }
+
   /// @throws std::invalid_argument naming the field that is out of range
   void check() const;
 };
-
-/// Calls visit(name, field) for each scalar setting, in the order of the configuration file.
-/// A name is the dotted TOML key, such as "planes.sigmas"; a field is double, int, bool,
-/// std::uint64_t, BasisKind or Quantisation. Lists (only, radii, families) are left out.
-template <class Options, class Visitor>
-void visit_options(Options& o, Visitor&& visit) {
-  visit("seed", o.seed);
-  visit("threads", o.threads);
-  visit("sampling.cell", o.sampling.cell);
-  visit("sampling.noisiest_cell", o.sampling.noisiest_cell);
-  visit("sampling.stride", o.sampling.stride);
-  visit("sampling.noise.radius", o.sampling.noise.radius);
-  visit("sampling.noise.quantile", o.sampling.noise.quantile);
-  visit("sampling.noise.patches", o.sampling.noise.patches);
-  visit("planes.min_samples", o.planes.min_samples);
-  visit("planes.sigmas", o.planes.sigmas);
-  visit("planes.angle", o.planes.angle);
-  visit("planes.min_radius", o.planes.min_radius);
-  visit("planes.min_proven_radius", o.planes.min_proven_radius);
-  visit("inlier.sigmas", o.inlier.sigmas);
-  visit("inlier.cells", o.inlier.cells);
-  visit("inlier.min_cosine", o.inlier.min_cosine);
-  visit("search.basis", o.search.basis);
-  visit("search.quantisation", o.search.quantisation);
-  visit("search.bases", o.search.bases);
-  visit("search.voters", o.search.voters);
-  visit("search.hash_triplets", o.search.hash_triplets);
-  visit("search.min_support", o.search.min_support);
-  visit("search.grow.min_samples", o.search.grow.min_samples);
-  visit("search.grow.rounds", o.search.grow.rounds);
-  visit("search.grow.fit_points", o.search.grow.fit_points);
-  visit("agglomerate.enabled", o.agglomerate.enabled);
-  visit("agglomerate.max_difference", o.agglomerate.max_difference);
-  visit("agglomerate.max_close", o.agglomerate.max_close);
-  visit("agglomerate.max_far", o.agglomerate.max_far);
-  visit("aggregate.min_open", o.aggregate.min_open);
-  visit("aggregate.min_samples", o.aggregate.min_samples);
-  visit("aggregate.min_plane_samples", o.aggregate.min_plane_samples);
-  visit("aggregate.min_confidence", o.aggregate.min_confidence);
-  visit("aggregate.min_confidence_early", o.aggregate.min_confidence_early);
-  visit("aggregate.max_residual_early", o.aggregate.max_residual_early);
-  visit("aggregate.max_residual", o.aggregate.max_residual);
-  visit("aggregate.min_spread", o.aggregate.min_spread);
-  visit("aggregate.max_residual_plane", o.aggregate.max_residual_plane);
-  visit("aggregate.fit_points", o.aggregate.fit_points);
-  visit("aggregate.effective_share", o.aggregate.effective_share);
-  visit("aggregate.effective_size", o.aggregate.effective_size);
-  visit("aggregate.claim", o.aggregate.claim);
-}
 
 }  // namespace quadrille

@@ -1,56 +1,92 @@
 #pragma once
 
+#include <array>
+#include <numbers>
 #include <vector>
 
-#include "quadrille/detector/family.hpp"
+#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/setting.hpp"
 
 namespace quadrille {
 
+// Each struct's visit() calls v(field, Setting) for each of its options, in the order of the
+// configuration file: the row says what the field is.
+
 /// How the noise of the sensor is measured.
 struct NoiseOptions {
-  /// Radius of the patches [m]. Smaller windows would follow the waves of a sensor's correlated
-  /// noise and see too little of them.
   double radius = 0.04;
-  /// Of all patches' residuals this quantile is taken: clutter is no quadratic.
   double quantile = 0.25;
-  /// Patches to look at, about.
   int patches = 400;
+
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.radius, {"sampling.noise.radius", "m", 1e-4, 10.0,
+                 "Radius of the patches. Smaller windows would follow the waves of a sensor's "
+                 "correlated noise and see too little of them."});
+    v(o.quantile, {"sampling.noise.quantile", "", 0.0, 1.0,
+                   "Of all patches' residuals this quantile is taken: clutter is no quadratic."});
+    v(o.patches, {"sampling.noise.patches", "", 1, 1e6, "Patches to look at, about."});
+  }
 };
 
 /// How the points are averaged.
 struct SamplingOptions {
-  /// Edge of the finest cells [m], at the depth of the nearer third of the points: about a tenth
-  /// of the smallest object.
   double cell = 0.0031;
-  /// Noise of a finest cell's mean, in cells, above which the cells are doubled: smaller ones
-  /// would show the noise and not the surface.
   double noisiest_cell = 0.8;
-  /// Takes every so many-th point of a depth image.
   int stride = 1;
   NoiseOptions noise;
+
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.cell, {"sampling.cell", "m", 1e-5, 10.0,
+               "Edge of the finest cells, at the depth of the nearer third of the points: about a "
+               "tenth of the smallest object."});
+    v(o.noisiest_cell, {"sampling.noisiest_cell", "", 0.01, 100.0,
+                        "Noise of a finest cell's mean, in cells, above which the cells are "
+                        "doubled: smaller ones would show the noise and not the surface."});
+    v(o.stride, {"sampling.stride", "", 1, 100, "Takes every so many-th point of a depth image."});
+    NoiseOptions::visit(o.noise, v);
+  }
 };
 
 /// What counts as a plane.
 struct PlaneOptions {
-  /// Samples that a plane has at least.
   int min_samples = 40;
-  /// Largest distance, in multiples of the samples' sigma.
   double sigmas = 3.0;
-  /// Largest angle between the normals of sample and plane [rad].
   double angle = 0.26;
-  /// A region whose quadratic fit bends with a smaller radius [m], significantly, is no plane.
   double min_radius = 0.7;
-  /// Nor is one that might bend with a smaller radius than this [m], for all that its noise lets
-  /// one say.
   double min_proven_radius = 0.3;
+
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.min_samples, {"planes.min_samples", "", 4, 1e6, "Samples that a plane has at least."});
+    v(o.sigmas,
+      {"planes.sigmas", "", 0.1, 100.0, "Largest distance, in multiples of the samples' sigma."});
+    v(o.angle, {"planes.angle", "rad", 0.01, std::numbers::pi / 2.0,
+                "Largest angle between the normals of sample and plane."});
+    v(o.min_radius, {"planes.min_radius", "m", 1e-6, 1e6,
+                     "A region whose quadratic fit bends with a smaller radius, significantly, is "
+                     "no plane."});
+    v(o.min_proven_radius, {"planes.min_proven_radius", "m", 1e-6, 1e6,
+                            "Nor is one that might bend with a smaller radius than this, for all "
+                            "that its noise lets one say."});
+  }
 };
 
 /// When a sample lies on a quadric.
 struct InlierTest {
-  /// Largest distance in multiples of a sample's sigma, plus a share of its cell.
-  double sigmas = 3.0, cells = 0.1;
-  /// Least |cosine| between normal and gradient; -1 to ignore normals.
+  double sigmas = 3.0;
+  double cells = 0.1;
   double min_cosine = 0.9;
+
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.sigmas, {"inlier.sigmas", "", 0.1, 100.0,
+                 "Largest distance in multiples of a sample's sigma, plus inlier.cells."});
+    v(o.cells, {"inlier.cells", "", 0.0, 10.0, "Share of its cell that is added to that."});
+    v(o.min_cosine, {"inlier.min_cosine", "", -1.0, 1.0,
+                     "Least |cosine| between normal and gradient; -1 to ignore normals."});
+  }
 };
 
 /// How hypotheses are drawn from a neighbourhood.
@@ -62,6 +98,14 @@ enum class BasisKind {
   kSphere,       ///< one oriented point and a vote for the radius (paper, figure 2b)
 };
 
+constexpr auto words_of(BasisKind) {
+  return std::to_array<Word<BasisKind>>({{"three_points", BasisKind::kThreePoints},
+                                         {"four_points", BasisKind::kFourPoints},
+                                         {"nine_points", BasisKind::kNinePoints},
+                                         {"two_points", BasisKind::kTwoPoints},
+                                         {"sphere", BasisKind::kSphere}});
+}
+
 /// How a vote's parameter λ in (−∞, ∞) is carried to a bounded place for its bin (paper,
 /// "Quantizing λ").
 enum class Quantisation {
@@ -69,78 +113,143 @@ enum class Quantisation {
   kMeasured,    ///< the inverse of the measured distribution of λ: bins of equal mass
 };
 
+constexpr auto words_of(Quantisation) {
+  return std::to_array<Word<Quantisation>>(
+      {{"arctangent", Quantisation::kArctangent}, {"measured", Quantisation::kMeasured}});
+}
+
+constexpr auto words_of(Family) {
+  return std::to_array<Word<Family>>({{"plane", Family::kPlane},
+                                      {"sphere", Family::kSphere},
+                                      {"cylinder", Family::kCylinder},
+                                      {"cone", Family::kCone},
+                                      {"paraboloid", Family::kParaboloid},
+                                      {"revolution", Family::kRevolution},
+                                      {"elliptic_cylinder", Family::kEllipticCylinder},
+                                      {"parabolic", Family::kParabolic},
+                                      {"general", Family::kGeneral}});
+}
+
 /// How far and how often a hypothesis is grown.
 struct GrowOptions {
-  /// Families that a refit chooses from; a single one is fitted without a choice.
   std::vector<Family> families = {Family::kPlane, Family::kSphere, Family::kCylinder, Family::kCone,
                                   Family::kRevolution};
-  /// Samples that a candidate has at least.
   int min_samples = 25;
-  /// Rounds of growing and refitting.
   int rounds = 5;
-  /// Points that a fit uses at most.
   int fit_points = 128;
+
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.families, {"search.grow.families",
+                   "Families that a refit chooses from; a single one is fitted without a choice."});
+    v(o.min_samples,
+      {"search.grow.min_samples", "", 9, 1e6, "Samples that a candidate has at least."});
+    v(o.rounds, {"search.grow.rounds", "", 1, 1000, "Rounds of growing and refitting."});
+    v(o.fit_points, {"search.grow.fit_points", "", 16, 1e6, "Points that a fit uses at most."});
+  }
 };
 
 /// Where hypotheses are looked for, and how many.
 struct SearchOptions {
-  /// How hypotheses are drawn.
   BasisKind basis = BasisKind::kThreePoints;
   Quantisation quantisation = Quantisation::kArctangent;
-  /// Radii of the neighbourhoods that bases are drawn from, in cells.
   std::vector<double> radii = {5.0, 9.0, 15.0};
-  /// Bases per seed and radius.
   int bases = 5;
-  /// Voters per basis at most.
   int voters = 100;
-  /// Whether a basis of three points is voted on only once (paper, section 5).
   bool hash_triplets = false;
-  /// Share of a neighbourhood that a hypothesis must explain.
   double min_support = 0.5;
   GrowOptions grow;
+
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.basis, {"search.basis", "How hypotheses are drawn."});
+    v(o.quantisation, {"search.quantisation", "How the votes are put into bins."});
+    v(o.radii, {"search.radii", "", 0.5, 1000.0,
+                "Radii of the neighbourhoods that bases are drawn from, in cells, ascending."});
+    v(o.bases, {"search.bases", "", 1, 10000, "Bases per seed and radius."});
+    v(o.voters, {"search.voters", "", 16, 100000, "Voters per basis at most."});
+    v(o.hash_triplets, {"search.hash_triplets",
+                        "Whether a basis of three points is voted on only once (paper, section "
+                        "5)."});
+    v(o.min_support, {"search.min_support", "", 0.0, 1.0,
+                      "Share of a neighbourhood that a hypothesis must explain."});
+    GrowOptions::visit(o.grow, v);
+  }
 };
 
 /// Thresholds of the paper's clustering of hypotheses ("Hypotheses aggregation").
 struct AgglomerateOptions {
-  /// Whether to cluster before the aggregation chooses among the candidates.
   bool enabled = false;
-  /// τ: largest ‖q₁ − q₂‖₁ of unit coefficients in coordinates of the region.
   double max_difference = 0.4;
-  /// Largest d_close of one cluster.
   double max_close = 0.4;
-  /// Largest d_far of one cluster.
   double max_far = 0.3;
+
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.enabled, {"agglomerate.enabled",
+                  "Whether to cluster before the aggregation chooses among the candidates."});
+    v(o.max_difference, {"agglomerate.max_difference", "", 0.0, 10.0,
+                         "τ: largest ‖q₁ − q₂‖₁ of unit coefficients in coordinates of the "
+                         "region."});
+    v(o.max_close, {"agglomerate.max_close", "", 0.0, 1000.0, "Largest d_close of one cluster."});
+    v(o.max_far, {"agglomerate.max_far", "", 0.0, 1.0, "Largest d_far of one cluster."});
+  }
 };
 
 /// When a surface is accepted, and how it is fitted.
 struct AggregateOptions {
-  /// Families that a surface's fit chooses from, beside the general one.
   std::vector<Family> families = {
       Family::kPlane,      Family::kSphere,     Family::kCylinder,         Family::kCone,
       Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder, Family::kParabolic};
-  /// Share of a candidate's samples that no better one has claimed.
   double min_open = 0.5;
-  /// Samples of a surface at least, and of a plane that was not found before.
-  int min_samples = 30, min_plane_samples = 60;
-  /// Least confidence of a curved surface; see evidence.hpp.
+  int min_samples = 30;
+  int min_plane_samples = 60;
   double min_confidence = 0.45;
-  /// Largest rms of a curved surface, in multiples of the noise: real objects are quadrics only
-  /// nearly.
+  double min_confidence_early = 0.8;
+  double max_residual_early = 1.3;
   double max_residual = 100.0;
-  /// Least spread of the normals of a curved surface [rad]: less is a plane, or anything.
   double min_spread = 0.4;
-  /// Least confidence for candidates of the coarser levels, which claim their samples before the
-  /// finer ones are searched, and their largest rms in multiples of the noise.
-  double min_confidence_early = 0.8, max_residual_early = 1.3;
-  /// Largest rms of a plane that stands in for such a surface, in multiples of the noise.
   double max_residual_plane = 2.0;
-  /// Points that a fit uses at most.
   int fit_points = 240;
-  /// Independent measurements at most, per sample and in all. Sensor noise comes in waves, and real
-  /// objects are quadrics only nearly: more samples than this argue for no richer type.
-  double effective_share = 0.0625, effective_size = 40.0;
-  /// Factor on the distance within which an accepted quadric claims further samples.
+  double effective_share = 0.0625;
+  double effective_size = 40.0;
   double claim = 1.3;
+
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.families, {"aggregate.families",
+                   "Families that a surface's fit chooses from, beside the general one."});
+    v(o.min_open, {"aggregate.min_open", "", 0.0, 1.0,
+                   "Share of a candidate's samples that no better one has claimed."});
+    v(o.min_samples, {"aggregate.min_samples", "", 9, 1e6, "Samples of a surface at least."});
+    v(o.min_plane_samples, {"aggregate.min_plane_samples", "", 9, 1e6,
+                            "Samples at least of a plane that was not found before."});
+    v(o.min_confidence, {"aggregate.min_confidence", "", 0.0, 1.0,
+                         "Least confidence of a curved surface, from the evidence for it."});
+    v(o.min_confidence_early, {"aggregate.min_confidence_early", "", 0.0, 1.0,
+                               "The same for candidates of the coarser levels, which claim their "
+                               "samples before the finer ones are searched."});
+    v(o.max_residual_early, {"aggregate.max_residual_early", "", 0.0, 100.0,
+                             "Largest rms of such a candidate, in multiples of the noise."});
+    v(o.max_residual, {"aggregate.max_residual", "", 0.0, 1000.0,
+                       "Largest rms of a curved surface, in multiples of the noise: real objects "
+                       "are quadrics only nearly."});
+    v(o.min_spread, {"aggregate.min_spread", "rad", 0.0, std::numbers::pi,
+                     "Least spread of the normals of a curved surface: less is a plane, or "
+                     "anything."});
+    v(o.max_residual_plane, {"aggregate.max_residual_plane", "", 0.0, 100.0,
+                             "Largest rms of a plane that stands in for such a surface, in "
+                             "multiples of the noise."});
+    v(o.fit_points, {"aggregate.fit_points", "", 16, 1e6, "Points that a fit uses at most."});
+    v(o.effective_share, {"aggregate.effective_share", "", 1e-4, 1.0,
+                          "Independent measurements per sample at most. Sensor noise comes in "
+                          "waves, and real objects are quadrics only nearly: more samples than "
+                          "this argue for no richer type."});
+    v(o.effective_size,
+      {"aggregate.effective_size", "", 10.0, 1e9, "Independent measurements in all at most."});
+    v(o.claim, {"aggregate.claim", "", 0.1, 100.0,
+                "Factor on the distance within which an accepted quadric claims further samples."});
+  }
 };
 
 }  // namespace quadrille

@@ -4,41 +4,45 @@
 #include <vector>
 
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/setting.hpp"
 
 namespace quadrille {
 
 struct SeenPatch;
 
+/// How surfaces are known again from cloud to cloud.
 struct TrackOptions {
-  /// False: no detection gets a track.
   bool enabled = true;
-  /// Largest difference between a track and its next detection, in standard deviations of place,
-  /// shape and dimensions together.
   double gate = 4.0;
-  /// How long a track is remembered while nothing is seen of it [s]; three frames in any case.
   double forget_after = 1.0;
-  /// Standard deviation of the speed of what is new [m/s].
   double speed = 0.5;
-  /// Standard deviation of the acceleration, of hands that move things and so on [m/s²].
   double acceleration = 1.0;
-  /// Largest age of a camera's pose beside the cloud, where poses come as messages of their own
-  /// [s]; what is older counts as none. The Tracker itself takes whatever pose it is given.
   double pose_age = 1.0;
+
+  /// Calls v(field, Setting) for each option, in the order of the configuration file.
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.enabled, {"track.enabled", "Whether detections get tracks."});
+    v(o.gate, {"track.gate", "", 1e-6, 100.0,
+               "Largest difference between a track and its next detection, in standard deviations "
+               "of place, shape and dimensions together."});
+    v(o.forget_after, {"track.forget_after", "s", 0.0, 1e6,
+                       "How long a track is remembered while nothing is seen of it; three frames "
+                       "in any case."});
+    v(o.speed,
+      {"track.speed", "m/s", 0.0, 1000.0, "Standard deviation of the speed of what is new."});
+    v(o.acceleration, {"track.acceleration", "m/s²", 0.0, 1000.0,
+                       "Standard deviation of the acceleration, of hands that move things and so "
+                       "on."});
+    v(o.pose_age, {"track.pose_age", "s", 0.0, 1e6,
+                   "Largest age of a camera's pose beside the cloud, where poses come as messages "
+                   "of their own; what is older counts as none. The Tracker itself takes whatever "
+                   "pose it is given."});
+  }
 
   /// @throws std::invalid_argument naming the field that is out of range
   void check() const;
 };
-
-/// Calls visit(name, field) for each setting, as visit_options() does for the detector's.
-template <class Options, class Visitor>
-void visit_track_options(Options& o, Visitor&& visit) {
-  visit("track.enabled", o.enabled);
-  visit("track.gate", o.gate);
-  visit("track.forget_after", o.forget_after);
-  visit("track.speed", o.speed);
-  visit("track.acceleration", o.acceleration);
-  visit("track.pose_age", o.pose_age);
-}
 
 /// Gives the detections of successive clouds ids that last: one surface, one id, through frames in
 /// which it was not found and whatever type it was given.

@@ -1,5 +1,10 @@
 #pragma once
 
+#include <array>
+#include <limits>
+
+#include "quadrille/detector/setting.hpp"
+
 namespace quadrille {
 
 /// What unobserved space counts as while the hand moves through it.
@@ -9,30 +14,55 @@ enum class UnknownPolicy {
   kFree,          ///< unknown space never collides
 };
 
+constexpr auto words_of(UnknownPolicy) {
+  return std::to_array<Word<UnknownPolicy>>({{"obstacle", UnknownPolicy::kObstacle},
+                                             {"target-shadow", UnknownPolicy::kTargetShadow},
+                                             {"free", UnknownPolicy::kFree}});
+}
+
 /// How grasps are planned.
 struct PlanOptions {
   UnknownPolicy unknown = UnknownPolicy::kObstacle;
-  /// Voxel edge of the occupancy map, and the size of the smallest things that it is to show where
-  /// the sensor measured nothing [m].
   double resolution = 0.005;
-  /// Friction coefficient between pads and objects.
   double friction = 0.5;
-  /// Length of the straight approach to check [m].
   double approach = 0.05;
-  /// Least distance of each pad from the target on the way in [m]; grows with the uncertainty of
-  /// the target's size, by 4 mm at most.
   double pad_margin = 0.0025;
-  /// Distance between a depth sensor's two eyes, or eye and projector [m]: the largest whose blind
-  /// bands beside the edges of things count as seen through, up to the second eye's line of sight
-  /// over the edge. 0: missing pixels tell nothing.
   double baseline = 0.09;
-  /// Whether space beside the image and at missing pixels counts as free where it lies over space
-  /// that was seen to be: what stands there would be seen below. Not if things may hang down.
+  double min_wall = 0.002;
+  double max_wall = 0.008;
   bool clear_above = true;
-  /// Bounds of the thickness of walls held at their rim, which one view does not show [m].
-  double min_wall = 0.002, max_wall = 0.008;
-  /// Grasps to return at most.
   int max_grasps = 50;
+
+  /// Calls v(field, Setting) for each option, in the order of the configuration file: the row says
+  /// what the field is.
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.unknown, {"planner.unknown",
+                  "What unobserved space counts as while the hand moves through it: all of it "
+                  "collides, all but what lies behind the target itself, or none."});
+    v(o.resolution, {"planner.resolution", "m", 0.0005, 0.1,
+                     "Voxel edge of the occupancy map, and the size of the smallest things that it "
+                     "is to show where the sensor measured nothing."});
+    v(o.friction,
+      {"planner.friction", "", 1e-6, 10.0, "Friction coefficient between pads and objects."});
+    v(o.approach, {"planner.approach", "m", 0.0, 1.0, "Length of the straight approach to check."});
+    v(o.pad_margin, {"planner.pad_margin", "m", 0.0, 0.1,
+                     "Least distance of each pad from the target on the way in; grows with the "
+                     "uncertainty of the target's size, by 4 mm at most."});
+    v(o.baseline, {"planner.baseline", "m", 0.0, 1.0,
+                   "Distance between a depth sensor's two eyes, or eye and projector: the largest "
+                   "whose blind bands beside the edges of things count as seen through, up to the "
+                   "second eye's line of sight over the edge. 0: missing pixels tell nothing."});
+    v(o.min_wall, {"planner.min_wall", "m", 0.0, 0.05,
+                   "Least thickness of walls held at their rim, which one view does not show."});
+    v(o.max_wall, {"planner.max_wall", "m", 0.0, 0.05, "Largest thickness of such walls."});
+    v(o.clear_above, {"planner.clear_above",
+                      "Whether space beside the image and at missing pixels counts as free where "
+                      "it lies over space that was seen to be: what stands there would be seen "
+                      "below. Not if things may hang down."});
+    v(o.max_grasps,
+      {"planner.max_grasps", "", 1, std::numeric_limits<int>::max(), "Grasps to return at most."});
+  }
 
   /// @throws std::invalid_argument naming the field that is out of range
   void check() const;

@@ -1,11 +1,11 @@
-#include "io/gripper_file.hpp"
+#include "io/planner/gripper_file.hpp"
 
 #include <filesystem>
 #include <set>
 #include <stdexcept>
 #include <utility>
 
-#include "io/gripper_files.hpp"
+#include "io/planner/gripper_files.hpp"
 #include "io/toml_file.hpp"
 
 namespace quadrille::io {

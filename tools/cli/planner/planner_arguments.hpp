@@ -1,10 +1,14 @@
 #pragma once
 
-#include <CLI/App.hpp>
 #include <optional>
 #include <string>
 
-#include "quadrille/grasping/plan.hpp"
+#include "quadrille/grasping/gripper.hpp"
+#include "quadrille/grasping/plan_options.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace quadrille {
 
@@ -16,6 +20,8 @@ struct PlannerArguments {
   /// Adds --gripper and --unknown; this must outlive the app.
   /// @param default_gripper  empty: --gripper is required
   void add_to(CLI::App& app, const std::string& default_gripper);
+  /// The settings of the file, overruled by those of the command line.
+  PlanOptions overrule(PlanOptions file) const;
   /// The hand that is named.
   /// @throws CLI::ValidationError if there is none of that name
   /// @throws io::FileError if its file is wrong

@@ -1,4 +1,4 @@
-#include "io/octree_bytes.hpp"
+#include "io/planner/octree_bytes.hpp"
 
 #include <sstream>
 #include <stdexcept>

@@ -1,11 +1,10 @@
-#include "cli/planner_arguments.hpp"
+#include "cli/planner/planner_arguments.hpp"
 
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
 #include "cli/choice_option.hpp"
-#include "io/gripper_file.hpp"
-#include "io/unknown_policy.hpp"
+#include "io/planner/gripper_file.hpp"
 
 namespace quadrille {
 
@@ -19,10 +18,13 @@ void PlannerArguments::add_to(CLI::App& app, const std::string& default_gripper)
     gripper->capture_default_str();
   }
   Choices<UnknownPolicy> policies;
-  for (const UnknownPolicy policy : io::all_unknown_policies()) {
-    policies.emplace_back(io::to_string(policy), policy);
-  }
+  for (const auto& [word, policy] : words_of(UnknownPolicy{})) policies.emplace_back(word, policy);
   add_choice_option(app, "--unknown", unknown, policies, "What unobserved space counts as");
+}
+
+PlanOptions PlannerArguments::overrule(PlanOptions file) const {
+  file.unknown = unknown.value_or(file.unknown);
+  return file;
 }
 
 Gripper PlannerArguments::gripper() const {

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "io/config.hpp"
+#include "quadrille/grasping/plan_options.hpp"
+
+namespace quadrille::io {
+
+/// What a file of settings says to all programs.
+struct Config : DetectorConfig {
+  PlanOptions planner;
+};
+
+/// Reads a file of settings as load_detector_config() does, with the table [planner], whose keys
+/// and ranges are those of PlanOptions::visit().
+/// @param path  empty for the defaults
+/// @throws FileError likewise
+Config load_config(const std::string& path);
+
+/// A file that load_config() reads back to the same settings, with unit, range, default and meaning
+/// of each as a comment.
+std::string to_toml(const Config& config);
+
+}  // namespace quadrille::io

@@ -1,0 +1,49 @@
+#include "io/planner/plan_json.hpp"
+
+#include "io/json_parts.hpp"
+
+namespace quadrille::io {
+
+Json to_json(const Grasp& grasp) {
+  return {{"target", grasp.target},
+          {"score", grasp.score},
+          {"X_CG", to_json(grasp.X_CG)},
+          {"width", grasp.width},
+          {"preshape", grasp.preshape},
+          {"contacts", {array_of(grasp.contacts_C[0]), array_of(grasp.contacts_C[1])}},
+          {"approach", grasp.approach},
+          {"friction_needed", grasp.friction_needed},
+          {"epsilon", grasp.epsilon},
+          {"clearance", grasp.clearance},
+          {"unknown_contact", grasp.unknown_contact}};
+}
+
+Json to_json(const CollisionShape& shape) {
+  Json json = {{"target", shape.target},
+               {"kind", shape.kind},
+               {"pose", to_json(shape.X_CS)},
+               {"dimensions", shape.dimensions}};
+  if (!shape.vertices_S.empty()) {
+    json["vertices"] = Json::array();
+    for (const Eigen::Vector3d& vertex : shape.vertices_S) {
+      json["vertices"].push_back(array_of(vertex));
+    }
+    json["faces"] = shape.faces;
+  }
+  return json;
+}
+
+Json plan_json(const InputInfo& input, const DetectionResult& result, const GraspPlan& plan) {
+  Json timings = {{"read_ms", input.read_ms},
+                  {"total_ms", result.total_ms + plan.total_ms},
+                  {"detect_ms", result.total_ms},
+                  {"plan_ms", plan.total_ms}};
+  add_stages(plan.timings, &timings);
+  Json grasps = Json::array(), shapes = Json::array();
+  for (const Grasp& grasp : plan.grasps) grasps.push_back(to_json(grasp));
+  for (const CollisionShape& shape : plan.shapes) shapes.push_back(to_json(shape));
+  return {{"input", input.input}, {"detections", to_json(result.detections)}, {"timings", timings},
+          {"grasps", grasps},     {"rejected", Json(plan.rejected)},          {"shapes", shapes}};
+}
+
+}  // namespace quadrille::io
