@@ -7,7 +7,7 @@ namespace quadrille::bus {
 namespace {
 
 /// A grasp: its target, 20 doubles and a flag. A count and a warning: with empty strings.
-constexpr std::size_t kGraspBytes = 4 + 20 * 8 + 1, kMinCountBytes = 13, kMinStringBytes = 5;
+constexpr std::size_t kGraspBytes = 4 + 20 * 8 + 1, kMinCountBytes = 13, kMinWarningBytes = 5;
 
 /// Walks over all members; afterwards the generated decoder can allocate no more than a small
 /// multiple of the bytes.
@@ -28,7 +28,7 @@ void check_grasps(std::span<const std::byte> bytes) {
     reader.skip_string("name");
     reader.read_int64("count");
   }
-  const std::int32_t warnings = reader.read_count("num_warnings", kMinStringBytes);
+  const std::int32_t warnings = reader.read_count("num_warnings", kMinWarningBytes);
   for (std::int32_t i = 0; i < warnings; ++i) reader.skip_string("warning");
   reader.expect_end();
 }
