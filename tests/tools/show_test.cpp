@@ -82,7 +82,7 @@ TEST_CASE("a log without quadrics and grasps, or with damaged ones, is told",
   const test::TempFolder folder;
   auto damaged = grasps_message(3);
   damaged.resize(damaged.size() - 1);
-  const Run run = run_quadrille("show " + write_log(folder, {damaged, {std::byte{1}}}));
+  const Run run = run_quadrille("show " + write_log(folder, {damaged, std::vector<std::byte>(20)}));
   CHECK(run.code == 0);
   CHECK(run.out.empty());
   CHECK(contains(run.err, "1 message of quadrics or grasps damaged"));

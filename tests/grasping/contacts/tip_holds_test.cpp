@@ -56,7 +56,7 @@ Detection flat_ellipsoid(double b = 0.037) {
 
 // The table with the body on it, as the camera at the origin sees it.
 PointCloud render_on_table(const Body& body) {
-  PointCloud cloud = render({});
+  PointCloud cloud = render(std::vector<Ball>{});
   for (std::size_t n = 0; n < cloud.points.size(); ++n) {
     const int u = static_cast<int>(n) % kWidth, v = static_cast<int>(n) / kWidth;
     const auto through = chord(body, Eigen::Vector3d::Zero(), pixel_ray(u, v).normalized());
