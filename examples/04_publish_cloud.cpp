@@ -1,6 +1,7 @@
 // Publishes one cloud as drake.lcmt_point_cloud, as a camera driver would:
 //   04_publish_cloud [LCM_URL]
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <iostream>
 #include <lcm/lcm-cpp.hpp>

@@ -12,14 +12,15 @@ std::atomic<std::size_t> allocated{0};
 
 }  // namespace
 
-// Counts what is allocated, freed or not.
-void* operator new(std::size_t size) {
+// Counts what is allocated, freed or not. Never inlined, for compilers that saw only one half of a
+// pair would take it for mismatched.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   allocated += size;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace quadrille::bus {
 namespace {

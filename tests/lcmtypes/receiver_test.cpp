@@ -8,14 +8,14 @@
 namespace quadrille::bus {
 namespace {
 
-const std::vector<std::byte> kBytes(5, std::byte{1});
+const std::vector<std::byte> kReceived(5, std::byte{1});
 
 TEST_CASE("what ends the receiving thread is thrown where it is looked after", "[bus]") {
   Connection connection("memq://");
   connection.subscribe("A", [](const std::string&, auto) { throw std::runtime_error("broken"); });
   Receiver receiver(connection);
   CHECK_NOTHROW(receiver.check());
-  connection.publish("A", kBytes);
+  connection.publish("A", kReceived);
   std::string what;
   for (int i = 0; i < 1000 && what.empty(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -38,14 +38,14 @@ TEST_CASE("messages are handled in another thread until the receiver goes", "[bu
   });
   {
     const Receiver receiver(connection);
-    connection.publish("A", kBytes);
+    connection.publish("A", kReceived);
     for (int i = 0; i < 1000 && calls == 0; ++i) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
   }
   CHECK(calls == 1);
   CHECK(thread != std::this_thread::get_id());
-  connection.publish("A", kBytes);
+  connection.publish("A", kReceived);
   CHECK(calls == 1);
 }
 

@@ -1,8 +1,6 @@
 #include "lab/experiments/experiment.hpp"
 
 #include "support/catch.hpp"
-#include "support/data.hpp"
-#include "support/environment_variable.hpp"
 #include "tools/support_files.hpp"
 #include "tools/well_formed.hpp"
 
@@ -219,18 +217,5 @@ TEST_CASE("what stands on the table of a fused cloud is found once there are poi
     CHECK(row[4] == "12");
     CHECK(value_of(row[1]) > 0.0);
     CHECK(value_of(row[2]) > 0.0);
-  }
-}
-
-TEST_CASE("the ball of the real sequence is measured to a few per cent", "[experiment][real]") {
-  const auto data = test::data_folder();
-  if (!data) return;
-  const test::EnvironmentVariable there("QUADRILLE_DATA", data->string());
-  const Report report = run_quick("sequence");
-  REQUIRE(report.data.rows.size() == 3);
-  for (const auto& row : report.data.rows) {
-    CHECK(row[1] == "1");
-    CHECK(std::abs(value_of(row[2])) < 0.1);
-    CHECK(value_of(row[3]) < 0.2);
   }
 }

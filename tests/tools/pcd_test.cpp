@@ -17,7 +17,7 @@ namespace {
 
 PointCloud parse(const std::string& file) { return io::parse_pcd(bytes_of(file), "a.pcd"); }
 
-std::string parse_error(const std::string& file) {
+std::string pcd_error(const std::string& file) {
   return error_of([&] { parse(file); });
 }
 
@@ -173,7 +173,7 @@ TEST_CASE("wrong PCD files are refused with one line that names file and field",
       {fields + one + "DATA binary_compressed\n123", "byte"},
   };
   for (const auto& [file, place] : cases) {
-    const std::string error = parse_error(file);
+    const std::string error = pcd_error(file);
     INFO(file << "\n-> " << error);
     CHECK(error.find("a.pcd: ") == 0);
     CHECK(error.find(place) != std::string::npos);
@@ -191,11 +191,11 @@ TEST_CASE("damaged compressed PCD data is refused", "[pcd][hostile]") {
     return changed + file.substr(changed.size());
   };
   const auto packed = static_cast<std::uint32_t>(file.size() - head.size() - 8);
-  CHECK(parse_error(with_sizes(packed, 28 * 50)).empty());
-  CHECK_FALSE(parse_error(with_sizes(packed + 1, 28 * 50)).empty());
-  CHECK_FALSE(parse_error(with_sizes(packed - 1, 28 * 50)).empty());
-  CHECK_FALSE(parse_error(with_sizes(packed, 28 * 51)).empty());
-  CHECK_FALSE(parse_error(with_sizes(2, 28 * 50)).empty());
+  CHECK(pcd_error(with_sizes(packed, 28 * 50)).empty());
+  CHECK_FALSE(pcd_error(with_sizes(packed + 1, 28 * 50)).empty());
+  CHECK_FALSE(pcd_error(with_sizes(packed - 1, 28 * 50)).empty());
+  CHECK_FALSE(pcd_error(with_sizes(packed, 28 * 51)).empty());
+  CHECK_FALSE(pcd_error(with_sizes(2, 28 * 50)).empty());
 }
 
 TEST_CASE("a compressed PCD file cannot demand more memory than it can fill", "[pcd][hostile]") {
@@ -205,14 +205,14 @@ TEST_CASE("a compressed PCD file cannot demand more memory than it can fill", "[
   put(&file, std::uint32_t{100});
   put(&file, std::uint32_t{3600000000u});
   file.append(100, '\0');
-  CHECK(parse_error(file).find("can hold") != std::string::npos);
+  CHECK(pcd_error(file).find("can hold") != std::string::npos);
 }
 
 TEST_CASE("no beginning of a PCD file is taken for a whole one", "[pcd][hostile]") {
   for (const std::string& file : {binary_file<float>(3, 1), compressed_file<float>(9, 1)}) {
     for (std::size_t size = 0; size < file.size(); ++size) {
       INFO("first " << size << " bytes");
-      REQUIRE_FALSE(parse_error(file.substr(0, size)).empty());
+      REQUIRE_FALSE(pcd_error(file.substr(0, size)).empty());
     }
   }
 }

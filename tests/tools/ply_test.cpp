@@ -17,7 +17,7 @@ const std::vector<Eigen::Vector3d> kPoints = {{1.5, -2.25, 3.0}, {0.125, 4.0, -5
 
 PointCloud parse(const std::string& file) { return io::parse_ply(bytes_of(file), "a.ply"); }
 
-std::string parse_error(const std::string& file) {
+std::string ply_error(const std::string& file) {
   return error_of([&] { parse(file); });
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("wrong PLY files are refused with one line that names file and place",
       {binary_file("1537228672809129302"), "byte"},
   };
   for (const auto& [file, place] : cases) {
-    const std::string error = parse_error(file);
+    const std::string error = ply_error(file);
     INFO(file << "\n-> " << error);
     CHECK(error.find("a.ply: ") == 0);
     CHECK(error.find(place) != std::string::npos);
@@ -196,8 +196,8 @@ TEST_CASE("lists of wrong length are refused, not followed", "[ply][hostile]") {
   put(&negative, std::int32_t{-1});
   put(&huge, std::int32_t{0x7fffffff});
   for (std::string* f : {&negative, &huge}) f->append(16, '\0');
-  CHECK(parse_error(negative).find("negative") != std::string::npos);
-  CHECK(parse_error(huge).find("the file ends") != std::string::npos);
+  CHECK(ply_error(negative).find("negative") != std::string::npos);
+  CHECK(ply_error(huge).find("the file ends") != std::string::npos);
 }
 
 TEST_CASE("no beginning of a PLY file is taken for a whole one", "[ply][hostile]") {
@@ -207,7 +207,7 @@ TEST_CASE("no beginning of a PLY file is taken for a whole one", "[ply][hostile]
         file.substr(0, file.size() - (file.find("edge") < 999 ? 4 : 0));
     for (std::size_t size = 0; size < vertices_end.size(); ++size) {
       INFO("first " << size << " bytes");
-      REQUIRE_FALSE(parse_error(file.substr(0, size)).empty());
+      REQUIRE_FALSE(ply_error(file.substr(0, size)).empty());
     }
   }
 }

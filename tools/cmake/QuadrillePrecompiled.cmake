@@ -12,16 +12,17 @@ set(QUADRILLE_PRECOMPILED_EIGEN
     <cmath> <cstdint> <functional> <limits> <map> <memory> <numbers> <optional> <set> <span>
     <stdexcept> <string> <string_view> <utility> <vector>)
 
-# quadrille_precompiled(NAME LIBRARY… HEADERS HEADER…): a precompiled header that other targets may
-# share; LIBRARY says where its headers are.
+# quadrille_precompiled(NAME LIBRARY… HEADERS HEADER… [OPTIONS OPTION…]): a precompiled header that
+# other targets may share; LIBRARY says where its headers are, OPTIONS how all of them are compiled.
 function(quadrille_precompiled name)
   if(NOT QUADRILLE_PRECOMPILE)
     return()
   endif()
-  cmake_parse_arguments(ARG "" "" "HEADERS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "HEADERS;OPTIONS" ${ARGN})
   add_library(quadrille_precompiled_${name} OBJECT ${QUADRILLE_PRECOMPILED_SOURCE})
   target_link_libraries(quadrille_precompiled_${name} PRIVATE Threads::Threads ${ARG_UNPARSED_ARGUMENTS})
   target_precompile_headers(quadrille_precompiled_${name} PRIVATE ${ARG_HEADERS})
+  target_compile_options(quadrille_precompiled_${name} PRIVATE ${ARG_OPTIONS})
   quadrille_settings(quadrille_precompiled_${name})
 endfunction()
 
@@ -44,3 +45,11 @@ endfunction()
 quadrille_precompiled(eigen Eigen3::Eigen HEADERS ${QUADRILLE_PRECOMPILED_EIGEN})
 quadrille_precompiled(json Eigen3::Eigen nlohmann_json::nlohmann_json
                       HEADERS ${QUADRILLE_PRECOMPILED_EIGEN} <nlohmann/json.hpp>)
+
+# quadrille_compile_in_batches(SIZE TARGET…): compiles so many sources at once, which instantiates
+# the templates that they share once. What sources have in anonymous namespaces must not clash.
+option(QUADRILLE_BATCHES "Compile several sources of tests and commands at once" ON)
+function(quadrille_compile_in_batches size)
+  set_target_properties(${ARGN} PROPERTIES UNITY_BUILD ${QUADRILLE_BATCHES}
+                                           UNITY_BUILD_BATCH_SIZE ${size})
+endfunction()

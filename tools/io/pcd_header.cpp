@@ -16,9 +16,9 @@ using Words = std::vector<std::string_view>;
 constexpr std::uint64_t kMaxFieldValues = 1 << 20;
 constexpr std::size_t kMaxFields = 4096;
 
-class HeaderReader {
+class PcdHeaderReader {
  public:
-  HeaderReader(std::span<const std::byte> bytes, const std::string& name)
+  PcdHeaderReader(std::span<const std::byte> bytes, const std::string& name)
       : cursor_(bytes), name_(name) {}
 
   PcdHeader read() {
@@ -175,7 +175,7 @@ std::uint64_t PcdHeader::offset_of(std::size_t field) const {
 }
 
 PcdHeader parse_pcd_header(std::span<const std::byte> bytes, const std::string& name) {
-  return HeaderReader(bytes, name).read();
+  return PcdHeaderReader(bytes, name).read();
 }
 
 }  // namespace quadrille::io

@@ -40,9 +40,9 @@ std::optional<PlyScalar> scalar_of(std::string_view word) {
 }
 
 /// Reads one header line after the other and remembers where it is, for the errors.
-class HeaderReader {
+class PlyHeaderReader {
  public:
-  HeaderReader(std::span<const std::byte> bytes, const std::string& name)
+  PlyHeaderReader(std::span<const std::byte> bytes, const std::string& name)
       : cursor_(bytes), name_(name) {}
 
   PlyHeader read() {
@@ -172,7 +172,7 @@ std::uint64_t PlyElement::min_bytes(bool ascii) const {
 }
 
 PlyHeader parse_ply_header(std::span<const std::byte> bytes, const std::string& name) {
-  return HeaderReader(bytes, name).read();
+  return PlyHeaderReader(bytes, name).read();
 }
 
 }  // namespace quadrille::io

@@ -8,6 +8,7 @@
 #include "quadrille/log_command.hpp"
 #include "quadrille/plan_command.hpp"
 #include "quadrille/scene_command.hpp"
+#include "quadrille/show_command.hpp"
 #include "quadrille/try_command.hpp"
 
 int main(int argc, char** argv) {
@@ -19,6 +20,7 @@ int main(int argc, char** argv) {
   quadrille::add_scene_command(app);
   quadrille::add_log_command(app);
   quadrille::add_config_command(app);
+  quadrille::add_show_command(app);
   quadrille::add_experiment_command(app);
   quadrille::add_bench_command(app);
   // The commands do their work while they are parsed.

@@ -22,7 +22,7 @@ struct SceneArguments {
   bool labels = false;
 };
 
-const Choices<scene::Family>& families() {
+const Choices<scene::Family>& scene_families() {
   static const Choices<scene::Family> choices = {{"easy", scene::Family::kEasy},
                                                  {"medium", scene::Family::kMedium},
                                                  {"hard", scene::Family::kHard},
@@ -50,7 +50,7 @@ void add_scene_command(CLI::App& app) {
             return path.ends_with(".ply") ? std::string() : "'" + path + "' must end in .ply";
           },
           ""));
-  add_choice_option(*command, "--family", arguments->options.family, families(),
+  add_choice_option(*command, "--family", arguments->options.family, scene_families(),
                     "How hard the scene is");
   add_seed_option(*command, arguments->options.seed, "the scene");
   command->add_flag("--labels", arguments->labels,

@@ -11,7 +11,7 @@ using quadrille::test::curved_forms;
 
 namespace {
 
-Quadric diagonal(double a, double b, double c, double d) {
+Quadric diagonal_quadric(double a, double b, double c, double d) {
   return Quadric(Eigen::Matrix4d(Eigen::Vector4d(a, b, c, d).asDiagonal()));
 }
 
@@ -59,22 +59,22 @@ TEST_CASE("centres, axes and planes of symmetry project to a point at the right 
     const auto foot = project(Q, x);
     return foot ? (*foot - x).norm() : -1.0;
   };
-  CHECK(distance(diagonal(1, 1, 1, -4), {0, 0, 0}) == Approx(2.0));
-  CHECK(distance(diagonal(1, 1, 0, -0.25), {0, 0, 7}) == Approx(0.5));
+  CHECK(distance(diagonal_quadric(1, 1, 1, -4), {0, 0, 0}) == Approx(2.0));
+  CHECK(distance(diagonal_quadric(1, 1, 0, -0.25), {0, 0, 7}) == Approx(0.5));
   // Ellipsoid with semi-axes 3, 2, 1: the centre is nearest to the ends of the shortest.
-  CHECK(distance(diagonal(1.0 / 9, 0.25, 1, -1), {0, 0, 0}) == Approx(1.0));
-  CHECK(distance(diagonal(0, 0, 1, -0.25), {3, 4, 0}) == Approx(0.5));
+  CHECK(distance(diagonal_quadric(1.0 / 9, 0.25, 1, -1), {0, 0, 0}) == Approx(1.0));
+  CHECK(distance(diagonal_quadric(0, 0, 1, -0.25), {3, 4, 0}) == Approx(0.5));
   // Cone of half angle 45°: from its axis at right angles to a ruling.
-  CHECK(distance(diagonal(1, 1, -1, 0), {0, 0, 2}) == Approx(std::sqrt(2.0)));
+  CHECK(distance(diagonal_quadric(1, 1, -1, 0), {0, 0, 2}) == Approx(std::sqrt(2.0)));
 }
 
 TEST_CASE("an imaginary, zero or NaN quadric has no foot", "[projection][degenerate]") {
   const Eigen::Vector3d x(0.1, 0.2, 0.3);
-  CHECK_FALSE(project(diagonal(1, 1, 1, 1), x));
+  CHECK_FALSE(project(diagonal_quadric(1, 1, 1, 1), x));
   CHECK_FALSE(project(Quadric(), x));
-  CHECK_FALSE(project(diagonal(1, NAN, 1, -1), x));
-  CHECK_FALSE(project(diagonal(1, 1, 1, -1), {NAN, 0, 0}));
-  CHECK_FALSE(project_nearby(diagonal(1, 1, 1, 1), x));
+  CHECK_FALSE(project(diagonal_quadric(1, NAN, 1, -1), x));
+  CHECK_FALSE(project(diagonal_quadric(1, 1, 1, -1), {NAN, 0, 0}));
+  CHECK_FALSE(project_nearby(diagonal_quadric(1, 1, 1, 1), x));
 }
 
 TEST_CASE("near the surface both projections agree", "[projection]") {

@@ -10,7 +10,7 @@ using quadrille::Vector10d;
 
 namespace {
 
-Quadric sphere(double r) {
+Quadric sphere_quadric(double r) {
   return Quadric(Eigen::Matrix4d(Eigen::Vector4d(1, 1, 1, -r * r).asDiagonal()));
 }
 
@@ -28,16 +28,16 @@ TEST_CASE("the ten coefficients and the matrix hold the same quadric", "[quadric
 
 TEST_CASE("the first-order distance of a sphere is exact on its surface's linear order",
           "[quadric]") {
-  CHECK(sphere(2.0).distance({2.001, 0, 0}) == Approx(0.001).epsilon(1e-3));
-  CHECK(sphere(2.0).distance({1.999, 0, 0}) == Approx(-0.001).epsilon(1e-3));
-  CHECK(std::isinf(sphere(2.0).distance({0, 0, 0})));
+  CHECK(sphere_quadric(2.0).distance({2.001, 0, 0}) == Approx(0.001).epsilon(1e-3));
+  CHECK(sphere_quadric(2.0).distance({1.999, 0, 0}) == Approx(-0.001).epsilon(1e-3));
+  CHECK(std::isinf(sphere_quadric(2.0).distance({0, 0, 0})));
 }
 
 TEST_CASE("a transformed quadric holds the transformed points", "[quadric]") {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.rotate(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
   X.pretranslate(Eigen::Vector3d(0.4, -0.2, 0.9));
-  const Quadric moved = sphere(1.0).transformed(X);
+  const Quadric moved = sphere_quadric(1.0).transformed(X);
   const Eigen::Vector3d on = X * Eigen::Vector3d(0, 0.6, 0.8);
   CHECK(moved.value(on) == Approx(0.0).margin(1e-12));
   CHECK(moved.gradient(on).normalized().isApprox(X.linear() * Eigen::Vector3d(0, 0.6, 0.8), 1e-12));
@@ -48,7 +48,7 @@ TEST_CASE("the tangent planes of a quadric lie on its dual", "[quadric][paper:de
   saddle(2, 3) = saddle(3, 2) = 0.7;
   // 1.4 z = 2 y² − x² − 0.3 at x = 0.2, y = 0.5.
   const std::vector<std::pair<Quadric, Eigen::Vector4d>> cases = {
-      {sphere(1.5), {0.9, 0, 1.2, 1}}, {Quadric(saddle), {0.2, 0.5, 0.16 / 1.4, 1}}};
+      {sphere_quadric(1.5), {0.9, 0, 1.2, 1}}, {Quadric(saddle), {0.2, 0.5, 0.16 / 1.4, 1}}};
   for (const auto& [Q, on] : cases) {
     // Q x is the tangent plane at a point x of the quadric.
     const Eigen::Vector4d plane = Q.matrix() * on;
@@ -74,11 +74,11 @@ TEST_CASE("a projective map carries the points of a quadric along", "[quadric]")
   Eigen::Projective3d P = Eigen::Projective3d::Identity();
   P.matrix() << 1, 0.2, 0, 0.3, 0, 2, 0.1, 0, 0.1, 0, 1, -0.4, 0.2, 0.1, 0, 3;
   const Eigen::Vector4d on = P.matrix() * Eigen::Vector4d(0, 0.6, 0.8, 1);
-  CHECK(sphere(1.0).transformed(P).value(on.hnormalized()) == Approx(0.0).margin(1e-12));
+  CHECK(sphere_quadric(1.0).transformed(P).value(on.hnormalized()) == Approx(0.0).margin(1e-12));
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.pretranslate(Eigen::Vector3d(1, 2, 3));
-  CHECK(sphere(2.0).transformed(X).matrix().isApprox(
-      sphere(2.0).transformed(Eigen::Projective3d(X)).matrix(), 1e-12));
+  CHECK(sphere_quadric(2.0).transformed(X).matrix().isApprox(
+      sphere_quadric(2.0).transformed(Eigen::Projective3d(X)).matrix(), 1e-12));
   P.matrix().row(3) = P.matrix().row(2);
-  CHECK_THROWS_AS(sphere(1.0).transformed(P), std::invalid_argument);
+  CHECK_THROWS_AS(sphere_quadric(1.0).transformed(P), std::invalid_argument);
 }

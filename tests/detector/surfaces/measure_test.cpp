@@ -99,7 +99,7 @@ TEST_CASE("standard deviations are honest: the true radius lies within three of 
       const Detection d = measure(*surface, samples, kEye);
       if (d.type != (round ? QuadricType::kSphere : QuadricType::kCylinder)) continue;
       ++found;
-      const Dimension& radius = dimension(d, "radius");
+      const Dimension radius = dimension(d, "radius");
       CHECK(radius.std > 0.0);
       within += std::abs(radius.value - kRadius) <= 3.0 * radius.std;
       deviation += radius.std;

@@ -8,12 +8,12 @@ using namespace quadrille::test;
 
 namespace {
 
-constexpr int kColumns = 20, kRows = 10;
+constexpr int kStripColumns = 20, kStripRows = 10;
 
 /// Two faces of a box that meet along z in the middle column.
 SurfaceSamples box_edge() {
   return surface_grid(
-      kColumns, kRows,
+      kStripColumns, kStripRows,
       [](int i, int j) {
         const double s = (i - 9.5) * 0.004, z = j * 0.004;
         return s < 0 ? OrientedPoint{{0, s, z}, -Eigen::Vector3d::UnitX()}
@@ -28,7 +28,7 @@ TEST_CASE("smooth parts end at creases and nowhere else", "[smooth_parts]") {
   const SurfaceSamples edge = box_edge();
   const SmoothParts two(edge);
   CHECK(two.size() == 2);
-  for (int k = 0; k < edge.size(); ++k) CHECK(two.part_of(k) == (k % kColumns < 10 ? 0 : 1));
+  for (int k = 0; k < edge.size(); ++k) CHECK(two.part_of(k) == (k % kStripColumns < 10 ? 0 : 1));
   CHECK(SmoothParts(cylinder_grid(20, 10, 0.04, 0.004, 0.0, 1)).size() == 1);
   CHECK(SmoothParts(SurfaceSamples()).size() == 0);
 }

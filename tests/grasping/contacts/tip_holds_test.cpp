@@ -19,13 +19,13 @@ using namespace quadrille::test;
 
 namespace {
 
-const Eigen::Vector3d kUp = Eigen::Vector3d(0, -1, -1).normalized();
+const Eigen::Vector3d kUpwards = Eigen::Vector3d(0, -1, -1).normalized();
 
 ApproachSpace space_above(const Body& body) {
   ApproachSpace space;
   space.axes_C = body.X_CQ.linear();
   space.centre_C = body.centre_C();
-  space.up_C = kUp;
+  space.up_C = kUpwards;
   return space;
 }
 
@@ -56,7 +56,7 @@ Detection flat_ellipsoid(double b = 0.037) {
 
 // The table with the body on it, as the camera at the origin sees it.
 PointCloud render_on_table(const Body& body) {
-  PointCloud cloud = render({});
+  PointCloud cloud = render(std::vector<Ball>{});
   for (std::size_t n = 0; n < cloud.points.size(); ++n) {
     const int u = static_cast<int>(n) % kWidth, v = static_cast<int>(n) / kWidth;
     const auto through = chord(body, Eigen::Vector3d::Zero(), pixel_ray(u, v).normalized());
@@ -146,7 +146,7 @@ TEST_CASE("what is wider than the hand opens is planned to be held by the tips, 
         sweep_hand(hand, grasp.X_CG, grasp.preshape, grasp.width, grasp.approach);
     for (const OrientedBox& box : {swept.fingers[0], swept.fingers[1], swept.palm}) {
       CHECK_FALSE(solid.meets(box));
-      CHECK(-box.support(-kUp) > kUp.dot(table().X_CP.translation()));
+      CHECK(-box.support(-kUpwards) > kUpwards.dot(table().X_CP.translation()));
     }
     for (int i = 0; i < 2; ++i) {
       const Eigen::Vector3d p_G = grasp.X_CG.inverse() * grasp.contacts_C[i];

@@ -88,7 +88,8 @@ TEST_CASE("the palm keeps off the end of a target, the fingers may come close", 
     const CollisionScene scene{ObstacleMap(nothing, false), {}, {}, make_pieces(can)};
     const SweptHand hand =
         sweep_hand(gripper, Eigen::Isometry3d::Identity(), 0.036, 0.03, 0.05);  // 3 mm beside it
-    CHECK(scene.palm_obstruction(hand.palm).has_value() == (gap < 0.008));
+    const bool meets = gap < 0.008;
+    CHECK(scene.palm_obstruction(hand.palm).has_value() == meets);
     CHECK_FALSE(scene.finger_obstruction(hand));
   }
 }

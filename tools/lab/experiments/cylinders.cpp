@@ -44,7 +44,7 @@ std::vector<Target> targets_of(const scene::Scene& made) {
 }
 
 /// What is found at one clutter and noise.
-struct Outcome {
+struct CylinderOutcome {
   int cylinders;
   double noise;
   /// Found with axis and radius of a cylinder; the score has those found with any quadric.
@@ -67,7 +67,7 @@ scoring::Frame frame_of(const scene::Scene& made, const std::vector<Target>& tar
   return frame;
 }
 
-void run(const scene::Scene& made, Outcome* outcome) {
+void run(const scene::Scene& made, CylinderOutcome* outcome) {
   const std::vector<Target> targets = targets_of(made);
   std::vector<KnownCylinder> known;
   for (const Target& target : targets) known.push_back(target.cylinder);
@@ -99,7 +99,7 @@ std::string percent(int part, int whole) {
   return whole ? fmt::format("{:.1f} %", 100.0 * part / whole) : "-";
 }
 
-Report report_of(const std::vector<Outcome>& outcomes, int bins) {
+Report report_of(const std::vector<CylinderOutcome>& outcomes, int bins) {
   Report report;
   Table table{"Cylinders of which enough is seen",
               {"cylinders a bin", "noise [mm]", "asked for", "axis and radius right", "any quadric",
@@ -109,7 +109,7 @@ Report report_of(const std::vector<Outcome>& outcomes, int bins) {
   Plot plot{"Cylinders found", "cylinders a bin", "share", {}, false, false, {0.0, 1.0}};
   int known = 0, exact = 0, any = 0;
   const double height = scene::BinOptions().height;
-  for (const Outcome& o : outcomes) {
+  for (const CylinderOutcome& o : outcomes) {
     const double ms = quantile(o.times, 0.5);
     known += o.score.wanted, exact += o.exact, any += o.score.found;
     table.add({number(o.cylinders), number(1e3 * scene::depth_noise(o.noise, height)),
@@ -124,7 +124,7 @@ Report report_of(const std::vector<Outcome>& outcomes, int bins) {
         fmt::format("noise {:.2g} mm", 1e3 * scene::depth_noise(noise, height));
     Series right{name + ", axis and radius", {}, false, false, name},
         covered{name + ", any quadric", {}, true, false, name};
-    for (const Outcome& o : outcomes) {
+    for (const CylinderOutcome& o : outcomes) {
       if (o.noise != noise || !o.score.wanted) continue;
       right.points.emplace_back(o.cylinders, static_cast<double>(o.exact) / o.score.wanted);
       covered.points.emplace_back(o.cylinders, static_cast<double>(o.score.found) / o.score.wanted);
@@ -148,7 +148,7 @@ Report report_of(const std::vector<Outcome>& outcomes, int bins) {
 
 Report run_cylinders(const Settings& settings) {
   const int bins = settings.quick ? 1 : 12;
-  std::vector<Outcome> outcomes;
+  std::vector<CylinderOutcome> outcomes;
   for (const int cylinders : kCounts) {
     for (const double noise : kNoises) {
       outcomes.push_back({.cylinders = cylinders, .noise = noise, .score = {}, .times = {}});
@@ -159,7 +159,7 @@ Report run_cylinders(const Settings& settings) {
     const std::uint64_t seed = settings.seed * 1000 + static_cast<std::uint64_t>(k);
     for (const int cylinders : kCounts) {
       scene::Scene made = make_bin(cylinders, seed);
-      for (Outcome& outcome : outcomes) {
+      for (CylinderOutcome& outcome : outcomes) {
         if (outcome.cylinders != cylinders) continue;
         observe(outcome.noise, seed, &made);
         run(made, &outcome);

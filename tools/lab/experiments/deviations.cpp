@@ -16,8 +16,8 @@
 namespace quadrille::experiments {
 namespace {
 
-const std::vector<scene::Family> kFamilies = {scene::Family::kEasy, scene::Family::kMedium,
-                                              scene::Family::kHard};
+const std::vector<scene::Family> kDeviationFamilies = {scene::Family::kEasy, scene::Family::kMedium,
+                                                       scene::Family::kHard};
 
 /// A published dimension beside the true one.
 struct Observation {
@@ -160,7 +160,7 @@ Report report_of(const std::vector<Observation>& all, int scenes) {
 Report run_deviations(const Settings& settings) {
   const int scenes = settings.quick ? 3 : 40;
   std::vector<Observation> all;
-  for_each_scene(kFamilies, scenes, settings,
+  for_each_scene(kDeviationFamilies, scenes, settings,
                  [&](const scene::Scene& made) { observe(scoring::frame_of(made), &all); });
   return report_of(all, scenes);
 }

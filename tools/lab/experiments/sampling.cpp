@@ -13,19 +13,19 @@
 namespace quadrille::experiments {
 namespace {
 
-struct Way {
+struct SamplingWay {
   const char* name;
   BasisKind basis;
 };
-constexpr Way kWays[] = {{"2 points, vote", BasisKind::kTwoPoints},
-                         {"3 points, vote", BasisKind::kThreePoints},
-                         {"4 points", BasisKind::kFourPoints},
-                         {"9 points", BasisKind::kNinePoints}};
+constexpr SamplingWay kWays[] = {{"2 points, vote", BasisKind::kTwoPoints},
+                                 {"3 points, vote", BasisKind::kThreePoints},
+                                 {"4 points", BasisKind::kFourPoints},
+                                 {"9 points", BasisKind::kNinePoints}};
 
 const std::vector<scene::Family> kFamilies = {scene::Family::kMedium, scene::Family::kHard};
 
 /// One setting of the detector, and what it makes of all scenes of a family.
-struct Setting {
+struct SamplingSetting {
   const char* name;
   scene::Family family;
   DetectorOptions options;
@@ -47,7 +47,7 @@ double stage_time(const DetectionResult& result, std::string_view stage) {
   return 0.0;
 }
 
-void run(const scoring::Frame& frame, Setting* setting) {
+void run(const scoring::Frame& frame, SamplingSetting* setting) {
   DetectionResult result;
   const double us = microseconds([&] { result = detect(frame.cloud, setting->options); });
   setting->score += scoring::score(frame, scoring::findings_of(result));
@@ -57,14 +57,14 @@ void run(const scoring::Frame& frame, Setting* setting) {
 
 /// Every way at each cell with the default number of bases, and at the default cell with each
 /// number of bases.
-std::vector<Setting> all_settings(scene::Family family, bool quick) {
+std::vector<SamplingSetting> all_settings(scene::Family family, bool quick) {
   // In default cells.
   const std::vector<double> cells =
       quick ? std::vector<double>{1, 4} : std::vector<double>{0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5.6};
   const std::vector<int> bases = quick ? std::vector<int>{1} : std::vector<int>{1, 2, 10, 20};
-  std::vector<Setting> settings;
-  for (const Way& way : kWays) {
-    Setting setting{way.name, family, {}, {}, {}, {}};
+  std::vector<SamplingSetting> settings;
+  for (const SamplingWay& way : kWays) {
+    SamplingSetting setting{way.name, family, {}, {}, {}, {}};
     setting.options.search.basis = way.basis;
     for (const double cell : cells) {
       settings.push_back(setting);
@@ -78,25 +78,26 @@ std::vector<Setting> all_settings(scene::Family family, bool quick) {
   return settings;
 }
 
-bool has_default_bases(const Setting& s) {
+bool has_default_bases(const SamplingSetting& s) {
   return s.options.search.bases == DetectorOptions().search.bases;
 }
-bool has_default_cell(const Setting& s) {
+bool has_default_cell(const SamplingSetting& s) {
   return s.options.sampling.cell == DetectorOptions().sampling.cell;
 }
 
 /// The ways below each other, setting by setting.
-Table table_of(const std::string& title, std::vector<Setting> settings,
-               bool (*belongs)(const Setting&)) {
-  std::stable_sort(settings.begin(), settings.end(), [](const Setting& a, const Setting& b) {
-    return std::tuple(a.family, a.options.sampling.cell, a.options.search.bases) <
-           std::tuple(b.family, b.options.sampling.cell, b.options.search.bases);
-  });
+Table table_of(const std::string& title, std::vector<SamplingSetting> settings,
+               bool (*belongs)(const SamplingSetting&)) {
+  std::stable_sort(settings.begin(), settings.end(),
+                   [](const SamplingSetting& a, const SamplingSetting& b) {
+                     return std::tuple(a.family, a.options.sampling.cell, a.options.search.bases) <
+                            std::tuple(b.family, b.options.sampling.cell, b.options.search.bases);
+                   });
   Table table{title,
               {"scenes", "cell [mm]", "bases a seed", "way", "recall", "precision",
                "detection [ms]", "of it search [ms]"},
               {}};
-  for (const Setting& s : settings) {
+  for (const SamplingSetting& s : settings) {
     if (!belongs(s)) continue;
     table.add({scene::traits_of(s.family).name, number(1e3 * s.options.sampling.cell),
                number(s.options.search.bases), s.name, fmt::format("{:.3f}", s.score.recall()),
@@ -107,15 +108,15 @@ Table table_of(const std::string& title, std::vector<Setting> settings,
 }
 
 template <class Value>
-std::vector<Series> lines_of(const std::vector<Setting>& settings, bool (*belongs)(const Setting&),
-                             const Value& point) {
+std::vector<Series> lines_of(const std::vector<SamplingSetting>& settings,
+                             bool (*belongs)(const SamplingSetting&), const Value& point) {
   std::vector<Series> lines;
   for (const scene::Family family : kFamilies) {
-    for (const Way& way : kWays) {
+    for (const SamplingWay& way : kWays) {
       Series line{fmt::format("{}, {}", way.name, scene::traits_of(family).name), {}};
       line.way = way.name;
       line.dashed = family != kFamilies[0];
-      for (const Setting& s : settings) {
+      for (const SamplingSetting& s : settings) {
         if (belongs(s) && s.is(way.name, family)) line.points.push_back(point(s));
       }
       std::sort(line.points.begin(), line.points.end());
@@ -125,11 +126,13 @@ std::vector<Series> lines_of(const std::vector<Setting>& settings, bool (*belong
   return lines;
 }
 
-std::vector<Plot> plots_of(const std::vector<Setting>& settings) {
-  const auto cell = [](const Setting& s) { return 1e3 * s.options.sampling.cell; };
-  const auto recall = [&](const Setting& s) { return std::pair(cell(s), s.score.recall()); };
-  const auto time = [&](const Setting& s) { return std::pair(cell(s), s.median_search()); };
-  const auto trade = [](const Setting& s) {
+std::vector<Plot> plots_of(const std::vector<SamplingSetting>& settings) {
+  const auto cell = [](const SamplingSetting& s) { return 1e3 * s.options.sampling.cell; };
+  const auto recall = [&](const SamplingSetting& s) {
+    return std::pair(cell(s), s.score.recall());
+  };
+  const auto time = [&](const SamplingSetting& s) { return std::pair(cell(s), s.median_search()); };
+  const auto trade = [](const SamplingSetting& s) {
     return std::pair(s.median_search(), s.score.recall());
   };
   return {
@@ -153,15 +156,16 @@ std::vector<Plot> plots_of(const std::vector<Setting>& settings) {
 }
 
 /// The least time at which each way has a share of the best recall of a family.
-std::string fastest(const std::vector<Setting>& settings, scene::Family family, double share) {
+std::string fastest(const std::vector<SamplingSetting>& settings, scene::Family family,
+                    double share) {
   double best = 0.0;
-  for (const Setting& s : settings) {
+  for (const SamplingSetting& s : settings) {
     if (s.family == family) best = std::max(best, s.score.recall());
   }
   std::string list;
-  for (const Way& way : kWays) {
-    const Setting* least = nullptr;
-    for (const Setting& s : settings) {
+  for (const SamplingWay& way : kWays) {
+    const SamplingSetting* least = nullptr;
+    for (const SamplingSetting& s : settings) {
       const bool suits = s.is(way.name, family) && s.score.recall() >= share * best;
       if (suits && (!least || s.median_total() < least->median_total())) least = &s;
     }
@@ -174,11 +178,11 @@ std::string fastest(const std::vector<Setting>& settings, scene::Family family, 
                      100.0 * share, scene::traits_of(family).name, list);
 }
 
-Report report_of(const std::vector<Setting>& all, int scenes) {
+Report report_of(const std::vector<SamplingSetting>& all, int scenes) {
   Report report;
   for (const scene::Family family : kFamilies) {
-    const auto one =
-        std::find_if(all.begin(), all.end(), [&](const Setting& s) { return s.family == family; });
+    const auto one = std::find_if(all.begin(), all.end(),
+                                  [&](const SamplingSetting& s) { return s.family == family; });
     report.findings.push_back(fmt::format(
         "{} {} scenes with {} curved surfaces of which enough is seen; time is the median over the "
         "scenes, on one thread.",
@@ -191,7 +195,7 @@ Report report_of(const std::vector<Setting>& all, int scenes) {
       "",
       {"family", "cell_m", "bases", "way", "known", "found", "wrong", "total_ms", "search_ms"},
       {}};
-  for (const Setting& s : all) {
+  for (const SamplingSetting& s : all) {
     report.data.add({scene::traits_of(s.family).name, number(s.options.sampling.cell),
                      number(s.options.search.bases), s.name, number(s.score.wanted),
                      number(s.score.found), number(s.score.wrong), number(s.median_total()),
@@ -205,14 +209,14 @@ Report report_of(const std::vector<Setting>& all, int scenes) {
 
 Report run_sampling(const Settings& settings) {
   const int scenes = settings.quick ? 2 : 16;
-  std::vector<Setting> all;
+  std::vector<SamplingSetting> all;
   for (const scene::Family family : kFamilies) {
-    const std::vector<Setting> some = all_settings(family, settings.quick);
+    const std::vector<SamplingSetting> some = all_settings(family, settings.quick);
     all.insert(all.end(), some.begin(), some.end());
   }
   for_each_scene(kFamilies, scenes, settings, [&](const scene::Scene& made) {
     const scoring::Frame frame = scoring::frame_of(made);
-    for (Setting& setting : all) {
+    for (SamplingSetting& setting : all) {
       if (setting.family == made.options.family) run(frame, &setting);
     }
   });

@@ -18,7 +18,7 @@ std::vector<double> sizes_of(const std::vector<SphereError>& errors, double Sphe
   return sizes;
 }
 
-std::string percent(double share) { return fmt::format("{:.2f} %", 100.0 * share); }
+std::string as_percent(double share) { return fmt::format("{:.2f} %", 100.0 * share); }
 
 Series distribution(const std::string& set, const std::string& measure,
                     const std::vector<double>& sizes, bool dashed) {
@@ -69,12 +69,12 @@ Report report_errors(const std::map<std::string, std::vector<SphereError>>& grou
       continue;
     }
     table.add({name, count, fmt::format("{}", radius.size()),
-               percent(sum / static_cast<double>(radius.size())), percent(quantile(radius, 0.5)),
-               percent(quantile(radius, 0.9)), percent(quantile(centre, 0.5)),
-               percent(quantile(centre, 0.9))});
+               as_percent(sum / static_cast<double>(radius.size())),
+               as_percent(quantile(radius, 0.5)), as_percent(quantile(radius, 0.9)),
+               as_percent(quantile(centre, 0.5)), as_percent(quantile(centre, 0.9))});
     report.findings.push_back(fmt::format(
         "{}: {} of {} found; median error of the radius {}, of the centre {}.", name, radius.size(),
-        errors.size(), percent(quantile(radius, 0.5)), percent(quantile(centre, 0.5))));
+        errors.size(), as_percent(quantile(radius, 0.5)), as_percent(quantile(centre, 0.5))));
     plot.lines.push_back(distribution(name, "radius", radius, false));
     plot.lines.push_back(distribution(name, "centre", centre, true));
   }

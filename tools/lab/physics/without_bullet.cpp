@@ -5,8 +5,8 @@
 namespace quadrille::physics {
 
 std::string missing_physics() {
-  return "this quadrille was built without Bullet; install libbullet-dev (tools/setup --dev), then "
-         "configure and build again";
+  return "this quadrille was built without Bullet; install libbullet-dev (tools/setup), then "
+         "configure with -DQUADRILLE_WITH_BULLET=ON and build again";
 }
 
 TrialResult try_grasp(const TrueBody&, const Gripper&, const Grasp&, const Eigen::Isometry3d&,

@@ -10,7 +10,7 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float kEdge = 0.01f;
+constexpr float kFinderEdge = 0.01f;
 
 /// Points in a cube of 0.3 m, far from the origin.
 VoxelGrid some_grid() {
@@ -21,7 +21,7 @@ VoxelGrid some_grid() {
     points.push_back(Vector3f(-37.2f, 12.5f, 1.0f) +
                      Vector3f(Eigen::Vector3d(x - 0.5, y - 0.5, z - 0.5).cast<float>()) * 0.3f);
   }
-  return VoxelGrid(points, {}, kEdge);
+  return VoxelGrid(points, {}, kFinderEdge);
 }
 
 std::vector<char> two_thirds(const VoxelGrid& grid) {

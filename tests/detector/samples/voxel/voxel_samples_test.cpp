@@ -14,7 +14,7 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr float kEdge = 0.01f, kSigma = 0.0007f;
+constexpr float kSampleEdge = 0.01f, kSigma = 0.0007f;
 const Vector3f kNormal = Vector3f(0.3f, -0.2f, 1.0f).normalized();
 
 /// The plane through (1, 2, 3) with that normal, a point about every half voxel, with noise [m].
@@ -35,7 +35,7 @@ std::vector<Vector3f> sloping_plane(double noise) {
 
 TEST_CASE("samples of a plane have its normal, lie on it, and keep what the voxels say",
           "[voxel]") {
-  const VoxelGrid grid(sloping_plane(0.0), {}, kEdge);
+  const VoxelGrid grid(sloping_plane(0.0), {}, kSampleEdge);
   std::vector<char> keep(static_cast<std::size_t>(grid.size()), 1);
   for (int v = 0; v < grid.size(); v += 5) keep[v] = 0;
   for (const float side : {1.0f, -1.0f}) {
@@ -50,22 +50,22 @@ TEST_CASE("samples of a plane have its normal, lie on it, and keep what the voxe
       CHECK(samples.raw[i] == grid.mean()[v]);
       CHECK(samples.count[i] == grid.count()[v]);
       CHECK(samples.sigma[i] == kSigma);
-      CHECK(samples.cell[i] == kEdge);
+      CHECK(samples.cell[i] == kSampleEdge);
       for (const int j : samples.neighbours_of(i)) {
         CHECK(j != i);
-        CHECK((samples.raw[j] - samples.raw[i]).norm() < 2 * kEdge);
+        CHECK((samples.raw[j] - samples.raw[i]).norm() < 2 * kSampleEdge);
       }
     }
   }
 }
 
 TEST_CASE("no voxel kept gives no samples, and points on a line no normal", "[voxel][degenerate]") {
-  const VoxelGrid grid(sloping_plane(0.0), {}, kEdge);
+  const VoxelGrid grid(sloping_plane(0.0), {}, kSampleEdge);
   const std::vector<char> none(static_cast<std::size_t>(grid.size()), 0);
   CHECK(make_voxel_samples(grid, none, kSigma, Vector3f::Zero(), 2.6f).size() == 0);
   std::vector<Vector3f> line;
   for (int i = 0; i < 1000; ++i) line.emplace_back(0.001f * static_cast<float>(i), 0.0f, 1.0f);
-  const VoxelGrid thin(line, {}, kEdge);
+  const VoxelGrid thin(line, {}, kSampleEdge);
   const std::vector<char> all(static_cast<std::size_t>(thin.size()), 1);
   CHECK(make_voxel_samples(thin, all, kSigma, Vector3f::Zero(), 2.6f).size() == 0);
 }
@@ -81,10 +81,10 @@ TEST_CASE("the noise of voxels' means is that of their points over the root of t
       const double x = 0.5 * random.uniform(), y = 0.5 * random.uniform();
       points.push_back(Eigen::Vector3d(x, y, 0.505 + noise * gaussian(random)).cast<float>());
     }
-    const VoxelGrid grid(points, {}, kEdge);
+    const VoxelGrid grid(points, {}, kSampleEdge);
     double variance = 0.0;
     for (const int count : grid.count()) variance += noise * noise / count / grid.size();
     CHECK(measure_voxel_noise(grid, {}) == Approx(std::sqrt(variance)).epsilon(0.2));
   }
-  CHECK(measure_voxel_noise(VoxelGrid({}, {}, kEdge), {}) == Approx(0.001));
+  CHECK(measure_voxel_noise(VoxelGrid({}, {}, kSampleEdge), {}) == Approx(0.001));
 }

@@ -1,7 +1,6 @@
 #include "lab/physics/trial.hpp"
 
 #include <cmath>
-#include <iostream>
 #include <stdexcept>
 
 #include "lab/physics/bodies.hpp"
@@ -14,13 +13,6 @@ using physics::TrialResult;
 using physics::TrueBody;
 
 namespace {
-
-// Without Bullet there is nothing to test; ctest shows these tests as skipped.
-bool has_physics() {
-  const std::string missing = physics::missing_physics();
-  if (!missing.empty()) std::cerr << "no physics: " << missing << "\n";
-  return missing.empty();
-}
 
 /// A hand from above that closes along y at the origin, far above the table.
 TrialResult held(const TrueBody& body, double width, const TrialOptions& options,
@@ -65,7 +57,6 @@ TrialResult cone_held(double degrees, double friction) {
 }  // namespace
 
 TEST_CASE("friction below a ball's weight, 2μF < mg, lets it fall", "[physics][trial]") {
-  if (!has_physics()) return;
   for (const double friction : {0.2, 0.5, 1.0}) {
     CAPTURE(friction);
     const TrialResult little = ball_held_with(0.9, friction);
@@ -81,7 +72,6 @@ TEST_CASE("friction below a ball's weight, 2μF < mg, lets it fall", "[physics][
 }
 
 TEST_CASE("a cone is squeezed out if it is steeper than the friction cone", "[physics][trial]") {
-  if (!has_physics()) return;
   // atan 0.3 = 16.7°, atan 0.5 = 26.6°.
   CHECK(cone_held(14.0, 0.3).held);
   CHECK_FALSE(cone_held(20.0, 0.3).lifted);
@@ -91,7 +81,6 @@ TEST_CASE("a cone is squeezed out if it is steeper than the friction cone", "[ph
 
 TEST_CASE("a bar that is held far from its middle tips if the pads press little",
           "[physics][trial]") {
-  if (!has_physics()) return;
   const TrueBody bar = test::block({0.06, 0.02, 0.02});
   // Its weight's lever of 50 mm takes 28 mNm; patches of 17.5 by 29 mm that press with 3 N and
   // friction 0.5 hold less than 2 μF r = 3 N · 17 mm = 51 mNm even at their corners, and about half
@@ -104,7 +93,6 @@ TEST_CASE("a bar that is held far from its middle tips if the pads press little"
 }
 
 TEST_CASE("light things stay where they are under much force", "[physics][trial]") {
-  if (!has_physics()) return;
   // Their weight is a thousandth of what friction holds: nothing but rounding could move them.
   Gripper strong = franka_hand();
   strong.finger = {0.022, 0.0252, 0.0512};
@@ -133,7 +121,6 @@ TEST_CASE("light things stay where they are under much force", "[physics][trial]
 }
 
 TEST_CASE("an ellipsoid off its axes turns in the jaws and counts as turned", "[physics][trial]") {
-  if (!has_physics()) return;
   TrueBody stone = test::ellipsoid(0.03, 0.02, 0.02);
   CHECK(held(stone, 0.04, with(0.5, 0.0)).held);
   // The contacts of d at 30° lie 19° off the closing line, which friction of 0.2 (11°) lets go.
@@ -144,7 +131,6 @@ TEST_CASE("an ellipsoid off its axes turns in the jaws and counts as turned", "[
 }
 
 TEST_CASE("a vase is held at its waist, whether full or hollow", "[physics][trial]") {
-  if (!has_physics()) return;
   TrueBody vase = lying(test::vase(0.02, 0.04, 0.04));
   // A hull would be 56 mm wide here; the waist is 40 mm.
   const TrialResult full = held(vase, 0.04, with(0.5, 0.0));
@@ -156,7 +142,6 @@ TEST_CASE("a vase is held at its waist, whether full or hollow", "[physics][tria
 }
 
 TEST_CASE("a cup is held by its wall with one finger inside", "[physics][trial]") {
-  if (!has_physics()) return;
   TrueBody cup = test::cylinder(0.04, 0.04, 0.04);
   cup.wall = 0.003;
   cup.open_high = true;
@@ -168,21 +153,18 @@ TEST_CASE("a cup is held by its wall with one finger inside", "[physics][trial]"
 }
 
 TEST_CASE("a hand that closes beside its object misses it", "[physics][trial]") {
-  if (!has_physics()) return;
   const TrialResult missed = held(test::ball(0.02), 0.03, {}, {0.06, 0.0, 0.0});
   CHECK_FALSE(missed.touched);
   CHECK_FALSE(missed.held);
 }
 
 TEST_CASE("pushing an object to the middle is no slip", "[physics][trial]") {
-  if (!has_physics()) return;
   const TrialResult aside = held(test::ball(0.02), 0.04, with(0.5, 0.0), {0.0, 0.003, 0.0});
   CHECK(aside.held);
   CHECK(aside.slip < 0.001);
 }
 
 TEST_CASE("a trial gives the same bits each time", "[physics][trial][determinism]") {
-  if (!has_physics()) return;
   const TrueBody cone = lying(test::cone(0.35, 0.05, 0.1));
   const TrialResult once = held(cone, 0.05, {}, {0.075, 0.0, 0.002});
   held(test::ball(0.02), 0.04, {});
@@ -207,14 +189,4 @@ TEST_CASE("options that make no sense are refused by name", "[physics][trial]") 
   CHECK(message(with(0.5, std::nan(""))).find("force") != std::string::npos);
   options.density = 0.0;
   CHECK(message(options).find("density") != std::string::npos);
-}
-
-TEST_CASE("without Bullet a trial says which package is missing", "[physics][trial]") {
-  const std::string missing = physics::missing_physics();
-#ifdef QUADRILLE_HAS_BULLET
-  CHECK(missing.empty());
-#else
-  CHECK(missing.find("libbullet-dev") != std::string::npos);
-  CHECK_THROWS_AS(held(test::ball(0.02), 0.04, {}), std::runtime_error);
-#endif
 }

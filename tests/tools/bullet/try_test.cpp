@@ -1,8 +1,6 @@
 #include <cmath>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "lab/physics/trial.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 
@@ -16,12 +14,6 @@ using test::TempFolder;
 
 namespace {
 
-bool has_physics() {
-  const std::string missing = physics::missing_physics();
-  if (!missing.empty()) std::cerr << "no physics: " << missing << "\n";
-  return missing.empty();
-}
-
 std::string make_scene(const TempFolder& folder) {
   const std::string scene = folder.path("s.ply");
   REQUIRE(run_quadrille("scene --family tabletop --seed 3 " + scene).code == 0);
@@ -31,7 +23,6 @@ std::string make_scene(const TempFolder& folder) {
 }  // namespace
 
 TEST_CASE("grasps of a scene are tried, and the same ones from the plan's file", "[command]") {
-  if (!has_physics()) return;
   const TempFolder folder;
   const std::string scene = make_scene(folder), hand = " --gripper franka ";
   const Run table = run_quadrille("try --first" + hand + scene);
@@ -63,7 +54,6 @@ TEST_CASE("grasps of a scene are tried, and the same ones from the plan's file",
 }
 
 TEST_CASE("grasps are tried on plans of the true quadrics", "[command]") {
-  if (!has_physics()) return;
   const TempFolder folder;
   const Run run =
       run_quadrille("try --exact --first --json - --gripper wsg50 " + make_scene(folder));
@@ -80,9 +70,6 @@ TEST_CASE("what cannot be tried ends with one line, or as wrong usage", "[comman
   CHECK(run_quadrille("try " + folder.path("s.ply")).code == 2);
   CHECK(run_quadrille(hand + "a.pcd").code == 2);
   CHECK(run_quadrille(hand + "--friction -1 a.ply").code == 2);
-  if (!physics::missing_physics().empty()) {
-    return check_failure(run_quadrille(hand + "a.ply"), "libbullet-dev");
-  }
   check_failure(run_quadrille(hand + folder.path("none.ply")), "none.truth.json");
   check_failure(run_quadrille(hand + folder.write("p.json", "{}")), "p.json");
   const std::string plan =
@@ -91,7 +78,6 @@ TEST_CASE("what cannot be tried ends with one line, or as wrong usage", "[comman
 }
 
 TEST_CASE("an input that cannot be tried does not lose the others", "[command][hostile]") {
-  if (!has_physics()) return;
   const TempFolder folder;
   const std::string scene = make_scene(folder);
   const Run some = run_quadrille("try --first --exact --gripper franka " + folder.path("none.ply") +

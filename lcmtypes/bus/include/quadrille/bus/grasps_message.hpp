@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <lcmtypes/quadrille/grasps_t.hpp>
+#include <span>
+
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/rejection.hpp"
+
+namespace quadrille::bus {
+
+/// Reads grasps out of a message of type quadrille.grasps_t, with every length checked before the
+/// generated decoder sees the bytes; numbers are as they came.
+/// @param bytes      the message as it came, fingerprint first
+/// @param max_bytes  larger messages are refused [byte]
+Decoded<grasps_t> decode_grasps(std::span<const std::byte> bytes,
+                                std::size_t max_bytes = kMaxMessageBytes);
+
+}  // namespace quadrille::bus

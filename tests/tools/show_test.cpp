@@ -1,0 +1,92 @@
+#include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/event_log.hpp"
+#include "quadrille/bus/grasps_message.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+#include "support/catch.hpp"
+#include "tools/support_files.hpp"
+
+using namespace quadrille;
+using test::check_failure;
+using test::contains;
+using test::Run;
+using test::run_quadrille;
+
+namespace {
+
+std::vector<std::byte> ball_message() {
+  DetectionResult result;
+  Detection ball;
+  ball.id = 1;
+  ball.type = QuadricType::kSphere;
+  Vector10d q;
+  q << 1, 1, 1, 0, 0, 0, 0, 0, 0, -0.0025;
+  ball.Q_C = Quadric(q).normalized();
+  ball.score = 0.9;
+  ball.X_CQ = Eigen::Translation3d(0.1, -0.2, 0.7);
+  ball.dimensions = {{"radius", 0.05, 0.0002}};
+  result.detections = {ball};
+  bus::CloudMessage cloud;
+  cloud.utime = 1500;
+  cloud.cloud.frame = "camera";
+  return bus::encode(bus::to_message(cloud, result));
+}
+
+std::vector<std::byte> grasps_message(std::int32_t count) {
+  grasps_t m{};
+  m.utime = 1500;
+  m.gripper = "franka";
+  m.num_grasps = count;
+  m.grasps.resize(static_cast<std::size_t>(count));
+  for (grasp_t& grasp : m.grasps) grasp.width = 0.04;
+  m.num_rejected = 1;
+  m.rejected.resize(1);
+  m.rejected[0].name = "width";
+  m.rejected[0].count = 9;
+  return bus::encode(m);
+}
+
+std::string write_log(const test::TempFolder& folder,
+                      const std::vector<std::vector<std::byte>>& messages) {
+  const std::string path = folder.path("published.lcm");
+  bus::LogWriter log(path);
+  for (const auto& message : messages) log.write(1, "ANY", message);
+  log.flush();
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("what was published into a log is shown, whatever the channel", "[command][show]") {
+  const test::TempFolder folder;
+  const Run run = run_quadrille("show " + write_log(folder, {ball_message(), grasps_message(7)}));
+  INFO(run.out << run.err);
+  CHECK(run.code == 0);
+  CHECK(run.err.empty());
+  CHECK(contains(run.out, "ANY: cloud 1500 us, frame 'camera', quadrics: 1\n   1  sphere "));
+  CHECK(contains(run.out, "radius 50.0 mm"));
+  CHECK(contains(run.out, "ANY: cloud 1500 us, hand franka, grasps: 7\n"));
+  CHECK(test::lines_of(run.out) == 2 + 1 + 5);
+  CHECK_FALSE(contains(run.out, "refused"));
+  const Run two = run_quadrille("show --max-grasps 2 " + folder.path("published.lcm"));
+  CHECK(test::lines_of(two.out) == 2 + 1 + 2);
+}
+
+TEST_CASE("where no grasp was published the refusals are shown", "[command][show]") {
+  const test::TempFolder folder;
+  const Run run = run_quadrille("show " + write_log(folder, {grasps_message(0)}));
+  CHECK(contains(run.out, "grasps: 0\n      9 refused: width\n"));
+}
+
+TEST_CASE("a log without quadrics and grasps, or with damaged ones, is told",
+          "[command][show][hostile]") {
+  const test::TempFolder folder;
+  auto damaged = grasps_message(3);
+  damaged.resize(damaged.size() - 1);
+  const Run run = run_quadrille("show " + write_log(folder, {damaged, std::vector<std::byte>(20)}));
+  CHECK(run.code == 0);
+  CHECK(run.out.empty());
+  CHECK(contains(run.err, "1 message of quadrics or grasps damaged"));
+  CHECK(contains(run.err, "holds no quadrics and no grasps"));
+  check_failure(run_quadrille("show " + folder.path("none.lcm")), "no such file");
+  check_failure(run_quadrille("show " + folder.write("text.lcm", "no log")), "is not an LCM log");
+}

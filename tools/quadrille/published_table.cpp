@@ -1,0 +1,42 @@
+#include "quadrille/published_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "io/describe.hpp"
+
+namespace quadrille {
+
+std::string published_table(const std::string& channel, const bus::QuadricsMessage& message) {
+  std::string text = fmt::format("{}: cloud {} us, frame '{}', quadrics: {}\n", channel,
+                                 message.utime, message.frame, message.detections.size());
+  for (const Detection& d : message.detections) {
+    const Eigen::Vector3d p = d.X_CQ.translation();
+    text +=
+        fmt::format("{:>4}  {:<22} score {:.2f}  at [m] {:>7.3f} {:>7.3f} {:>7.3f}  {}\n", d.id,
+                    to_string(d.type), d.score, p.x(), p.y(), p.z(), io::describe_dimensions(d));
+  }
+  return text;
+}
+
+std::string published_table(const std::string& channel, const grasps_t& message,
+                            std::size_t max_grasps) {
+  std::string text = fmt::format("{}: cloud {} us, hand {}, grasps: {}\n", channel, message.utime,
+                                 message.gripper, message.grasps.size());
+  for (std::size_t i = 0; i < std::min(message.grasps.size(), max_grasps); ++i) {
+    const grasp_t& g = message.grasps[i];
+    text += fmt::format(
+        "      on quadric {}  score {:.2f}  at [m] {:>7.3f} {:>7.3f} {:>7.3f}"
+        "  width {:.0f} mm  clearance {:.0f} mm\n",
+        g.target, g.score, g.pose.position[0], g.pose.position[1], g.pose.position[2],
+        1000.0 * g.width, 1000.0 * g.clearance);
+  }
+  if (!message.grasps.empty()) return text;
+  for (const count_t& refused : message.rejected) {
+    text += fmt::format("      {} refused: {}\n", refused.count, refused.name);
+  }
+  return text;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,76 @@
+#include "quadrille/show_command.hpp"
+
+#include <CLI/App.hpp>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "io/describe.hpp"
+#include "quadrille/bus/event_log.hpp"
+#include "quadrille/bus/grasps_message.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/output.hpp"
+#include "quadrille/published_table.hpp"
+
+namespace quadrille {
+namespace {
+
+struct ShowArguments {
+  std::string log;
+  std::size_t max_grasps = 5;
+};
+
+/// What was found in a log so far.
+struct Shown {
+  std::size_t quadrics = 0, grasps = 0, refused = 0;
+};
+
+/// Prints the event if it holds quadrics or grasps; those that are damaged are counted.
+void show(const bus::LogReader::Event& event, std::size_t max_grasps, Shown* shown) {
+  const auto quadrics = bus::decode_quadrics(event.bytes);
+  if (const auto* message = std::get_if<bus::QuadricsMessage>(&quadrics)) {
+    print(published_table(event.channel, *message));
+    ++shown->quadrics;
+    return;
+  }
+  const auto grasps = bus::decode_grasps(event.bytes);
+  if (const auto* message = std::get_if<grasps_t>(&grasps)) {
+    print(published_table(event.channel, *message, max_grasps));
+    ++shown->grasps;
+    return;
+  }
+  const auto of_other_type = [](const auto& decoded) {
+    return std::get<bus::Rejection>(decoded).reason == bus::RejectReason::kUnknownType;
+  };
+  if (!of_other_type(quadrics) || !of_other_type(grasps)) ++shown->refused;
+}
+
+void run(const ShowArguments& arguments) {
+  bus::LogReader log(arguments.log);
+  Shown shown;
+  while (const auto event = log.next()) show(*event, arguments.max_grasps, &shown);
+  std::vector<std::string> warnings;
+  if (log.survey().defect) warnings.push_back(*log.survey().defect);
+  if (shown.refused > 0) {
+    warnings.push_back(io::count_of(shown.refused, "message") + " of quadrics or grasps damaged");
+  }
+  if (shown.quadrics + shown.grasps == 0) {
+    warnings.push_back("holds no quadrics and no grasps; record QUADRICS and GRASPS");
+  }
+  print_warnings(arguments.log, warnings);
+}
+
+}  // namespace
+
+void add_show_command(CLI::App& app) {
+  auto arguments = std::make_shared<ShowArguments>();
+  CLI::App* command =
+      app.add_subcommand("show", "Print the quadrics and grasps that an LCM log holds");
+  command->add_option("LOG", arguments->log, "What was recorded on the bus (.lcm)")->required();
+  command->add_option("--max-grasps", arguments->max_grasps, "Grasps to print of each cloud")
+      ->type_name("N");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace quadrille
