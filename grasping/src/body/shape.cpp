@@ -14,7 +14,6 @@
 #include "body/polyhedron.hpp"
 
 namespace quadrille {
-
 namespace {
 
 using Profile = Body::Profile;
@@ -22,7 +21,7 @@ using Profile = Body::Profile;
 // Tangents that a bulging profile is held in.
 constexpr int kTangents = 8;
 // What a waist's chords may leave [m].
-constexpr double kSagitta = 0.0002;
+constexpr double kMaxSagitta = 0.0002;
 
 CollisionShape placed(std::string kind, const Body& body, double z) {
   CollisionShape shape;
@@ -53,7 +52,7 @@ CollisionShape cylinder_shape(const Body& body) {
   return shape;
 }
 
-// FCL's cone points along +z; ours opens along +z or −z from its apex at the origin.
+/// FCL's cone points along +z; ours opens along +z or −z from its apex at the origin.
 CollisionShape cone_shape(const Body& body) {
   const double length = body.z_max - body.z_min;
   CollisionShape shape = placed("cone", body, 0.5 * (body.z_min + body.z_max));
@@ -64,8 +63,8 @@ CollisionShape cone_shape(const Body& body) {
   return shape;
 }
 
-// Rings of a bulging profile, from its tangents: each ring is where two neighbours of them meet, so
-// that all chords lie outside. Adds what they leave between at most to *excess.
+/// Rings of a bulging profile, from its tangents: each ring is where two neighbours of them meet,
+/// so that all chords lie outside. Adds what they leave between at most to *excess.
 std::vector<Ring> tangent_rings(const Body& body, double* excess) {
   const bool sheet = body.profile == Profile::kSheet;
   // Parameter t of the profile: s = t, z = t²; of a sheet s = sinh t, z = c cosh t.
@@ -89,7 +88,7 @@ std::vector<Ring> tangent_rings(const Body& body, double* excess) {
   return rings;
 }
 
-// A polyhedron around a convex body.
+/// A polyhedron around a convex body.
 CollisionShape polyhedron(const Body& body) {
   const bool bulges = body.profile == Profile::kRoot || body.profile == Profile::kSheet;
   if (!bulges) {
@@ -102,17 +101,18 @@ CollisionShape polyhedron(const Body& body) {
   return shape;
 }
 
-// A hyperbola's chords lie outside it, by Δz²/8 times its largest second derivative, 1/c², at most.
+/// A hyperbola's chords lie outside it, by Δz²/8 times its largest second derivative, 1/c², at
+/// most.
 std::vector<CollisionShape> waisted(const Body& body) {
-  const double length = body.z_max - body.z_min, most = std::max(body.a, body.b);
-  const double wanted = length / body.c * std::sqrt(most / (8.0 * kSagitta));
+  const double length = body.z_max - body.z_min, waist = std::max(body.a, body.b);
+  const double wanted = length / body.c * std::sqrt(waist / (8.0 * kMaxSagitta));
   const int count = static_cast<int>(std::clamp(std::ceil(wanted), 2.0, 16.0));
   const double step = length / count;
   std::vector<CollisionShape> pieces;
   for (int i = 0; i < count; ++i) {
     const double low = body.z_min + i * step, high = i + 1 < count ? low + step : body.z_max;
     pieces.push_back(make_rings(body, {{low, body.scale(low)}, {high, body.scale(high)}}));
-    pieces.back().excess += most * step * step / (8.0 * body.c * body.c);
+    pieces.back().excess += waist * step * step / (8.0 * body.c * body.c);
   }
   return pieces;
 }

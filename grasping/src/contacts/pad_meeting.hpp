@@ -46,19 +46,19 @@ class PadMeetingFinder {
   bool too_wide(const Eigen::Vector3d& q_Q) const;
   bool cross(const Eigen::Vector3d& p_Q);
   double friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q) const;
-  double lean(int side, double most, const Eigen::Vector3d& p_Q) const;
+  double lean(int side, double outermost, const Eigen::Vector3d& p_Q) const;
 
   const Body& body_;
   const Gripper& gripper_;
   DiagonalQuadric quadric_;
   Eigen::Vector3d y_C_, y_Q_;
-  // Where the chords lie from the origin of G, with wᵀMw and wᵀMy of each such w, and yᵀMy: a chord
-  // lies inside between its ends if this is positive.
+  /// Where the chords lie from the origin of G, with wᵀMw and wᵀMy of each such w, and yᵀMy: a
+  /// chord lies inside between its ends if this is positive.
   Eigen::Matrix<double, 3, kChords> from_origin_Q_;
   std::array<Chords, 3> offsets_;  // the same, axis by axis
   Chords square_, product_;
   double curvature_ = 0.0;
-  // How far out the ends of each chord lie on either side; far within if it meets no surface.
+  /// How far out the ends of each chord lie on either side; far within if it meets no surface.
   std::array<Chords, 2> out_;
 };
 

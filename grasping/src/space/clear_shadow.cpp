@@ -5,15 +5,14 @@
 #include "view/depth_view.hpp"
 
 namespace quadrille {
-
 namespace {
 
 // A measured point this near to the target's body is the target's [m].
-constexpr double kOnTarget = 0.006;
+constexpr double kTargetNoise = 0.006;
 
 }  // namespace
 
-// The cone that a body's shadow lies in, as seen by the sensor.
+/// The cone that a body's shadow lies in, as seen by the sensor.
 struct ObstacleMap::Cone {
   Eigen::Vector3d p_CV, to_body;
   double far, size, angle;
@@ -22,11 +21,11 @@ struct ObstacleMap::Cone {
     const Eigen::AlignedBox3d bounds = body.bounds_C();
     to_body = bounds.center() - p_CV;
     far = to_body.norm();
-    size = 0.5 * bounds.diagonal().norm() + kOnTarget;
+    size = 0.5 * bounds.diagonal().norm() + kTargetNoise;
     angle = far > size ? std::asin(size / far) : std::acos(-1.0);
   }
 
-  // True if the ball around p_C may reach into it.
+  /// True if the ball around p_C may reach into it.
   bool meets(const Eigen::Vector3d& p_C, double radius) const {
     const Eigen::Vector3d to_ball = p_C - p_CV;
     const double here = to_ball.norm();
@@ -59,11 +58,13 @@ void ObstacleMap::clear_shadow(const OccupancyGrid& grid, const DepthView& view,
   refresh({kEdge * low, (kEdge * (high.array() + 1) - 1).matrix()});
 }
 
-// One block of the top level, voxel by voxel.
+/// One block of the top level, voxel by voxel.
 void ObstacleMap::clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
                               const Cone& cone, const Eigen::Vector3i& first) {
   constexpr int kEdge = 1 << (kLevels - 1);
-  const auto on_target = [&](const Eigen::Vector3d& p_C) { return body.contains(p_C, kOnTarget); };
+  const auto on_target = [&](const Eigen::Vector3d& p_C) {
+    return body.contains(p_C, kTargetNoise);
+  };
   for (int n = 0; n < kEdge * kEdge * kEdge; ++n) {
     const int i = first.x() + n % kEdge, j = first.y() + n / kEdge % kEdge;
     const int k = first.z() + n / (kEdge * kEdge);
