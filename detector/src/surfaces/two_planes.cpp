@@ -10,6 +10,7 @@
 namespace quadrille {
 namespace {
 
+// Rounds of 2-means and of Lloyd's algorithm: few samples still change sides after them.
 constexpr int kNormalRounds = 5, kDistanceRounds = 4;
 // More samples place the planes no better.
 constexpr std::size_t kMaxSamples = 400;

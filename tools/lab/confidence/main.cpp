@@ -30,9 +30,9 @@ void print_rows(const scoring::Frame& frame) {
 
 }  // namespace
 
-/// Prints the evidence for each curved surface that the detector considers, and whether it is
-/// right, as CSV: of generated scenes, or of scenes in files as `quadrille scene --labels` writes
-/// them.
+// Prints the evidence for each curved surface that the detector considers, and whether it is
+// right, as CSV: of generated scenes, or of scenes in files as `quadrille scene --labels` writes
+// them.
 int main(int argc, char** argv) {
   if (argc < 2) {
     fmt::print(stderr, "usage: quadrille_confidence SCENES [SEED] | SCENE.ply…\n");

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Trains the weights of the detector's confidence anew and prints their table as C++.
 
+  cmake --build build --target quadrille_confidence
   build/bin/quadrille_confidence 200 1 > evidence.csv
   tools/lab/confidence/train_confidence.py evidence.csv
 
@@ -8,6 +9,10 @@ Takes the evidence of surfaces with whether they are right, fits a logistic mode
 the prior of each surface's type, and prints the rows of confidence_weights.hpp with the new
 weights. On stderr it says how well the weights in use and the new ones tell right from wrong, the
 new ones also for scenes that they were not trained on. Needs numpy alone.
+
+Each candidate of the search is weighed as if nothing else had been found. Where the detector is at
+work fewer are wrong, and other surfaces explain what one leaves over: trained like this, "one" and
+"log_remainder" are not those that the detector wants, and a table has to be tried before it is used.
 """
 
 import argparse
