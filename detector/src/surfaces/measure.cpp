@@ -159,7 +159,8 @@ std::vector<double> deviations(const Surface& surface, const SurfaceSamples& sam
   double count = surface.fit.points;
   // That an ellipsoid is one of revolution is mostly our choice and not the scene's.
   if (form.type == QuadricType::kEllipsoid && family != Family::kGeneral) {
-    const OrientedPointsf points = fit_points(samples, surface.region, surface.local, kInformationPoints);
+    const OrientedPointsf points =
+        fit_points(samples, surface.region, surface.local, kInformationPoints);
     const std::optional<FamilyFit> at = refine(points, Family::kGeneral, surface.fit.posed, 0);
     if (at) {
       family = Family::kGeneral;
