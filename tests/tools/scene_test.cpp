@@ -14,10 +14,10 @@ using namespace quadrille::scene;
 
 namespace {
 
-const std::vector<Family> kFamilies = {Family::kEasy, Family::kMedium, Family::kHard,
-                                       Family::kTabletop};
+const std::vector<scene::Family> kFamilies = {scene::Family::kEasy, scene::Family::kMedium,
+                                              scene::Family::kHard, scene::Family::kTabletop};
 
-SceneOptions small(Family family, std::uint64_t seed) { return {family, seed, 320, 240}; }
+SceneOptions small(scene::Family family, std::uint64_t seed) { return {family, seed, 320, 240}; }
 
 Quadric quadric_of(const nlohmann::ordered_json& object) {
   Vector10d q;
@@ -59,7 +59,7 @@ Eigen::Isometry3d pose_of(const nlohmann::ordered_json& o) {
 }  // namespace
 
 TEST_CASE("a ray meets each quadric exactly", "[scene]") {
-  for (const Family family : kFamilies) {
+  for (const scene::Family family : kFamilies) {
     const Scene scene = make_scene(small(family, 7));
     const nlohmann::ordered_json truth = truth_json(scene);
     std::size_t checked = 0;
@@ -80,7 +80,7 @@ TEST_CASE("a ray meets each quadric exactly", "[scene]") {
 }
 
 TEST_CASE("measured points lie on their true quadric within the noise", "[scene]") {
-  for (const Family family : kFamilies) {
+  for (const scene::Family family : kFamilies) {
     const Scene scene = make_scene(small(family, 3));
     const nlohmann::ordered_json truth = truth_json(scene);
     std::vector<double> ratios;
@@ -104,7 +104,7 @@ TEST_CASE("measured points lie on their true quadric within the noise", "[scene]
 TEST_CASE("the truth's q agrees with its type, dims and pose", "[scene]") {
   int checked = 0;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    const auto truth = truth_json(make_scene(small(Family::kHard, seed)));
+    const auto truth = truth_json(make_scene(small(scene::Family::kHard, seed)));
     for (const auto& object : truth["objects"]) {
       if (object["kind"] != "quadric") continue;
       const std::string type = object["type"];
@@ -124,11 +124,12 @@ TEST_CASE("the truth's q agrees with its type, dims and pose", "[scene]") {
 }
 
 TEST_CASE("a seed fixes a scene to the last bit, and seeds differ", "[scene][determinism]") {
-  const Scene a = make_scene(small(Family::kMedium, 5)), b = make_scene(small(Family::kMedium, 5));
+  const Scene a = make_scene(small(scene::Family::kMedium, 5)),
+              b = make_scene(small(scene::Family::kMedium, 5));
   CHECK(a.view.points == b.view.points);
   CHECK(a.view.labels == b.view.labels);
   CHECK(truth_json(a) == truth_json(b));
-  CHECK(make_scene(small(Family::kMedium, 6)).view.points != a.view.points);
+  CHECK(make_scene(small(scene::Family::kMedium, 6)).view.points != a.view.points);
 }
 
 TEST_CASE("random numbers follow seed and stream, and normal ones have variance one",
@@ -150,7 +151,8 @@ TEST_CASE("random numbers follow seed and stream, and normal ones have variance 
 TEST_CASE("families grow in bodies and in occlusion", "[scene]") {
   std::vector<double> occlusions;
   std::vector<int> counts;
-  for (const Family family : {Family::kEasy, Family::kMedium, Family::kHard}) {
+  for (const scene::Family family :
+       {scene::Family::kEasy, scene::Family::kMedium, scene::Family::kHard}) {
     double occlusion = 0.0;
     int count = 0;
     for (std::uint64_t seed = 0; seed < 8; ++seed) {
@@ -173,7 +175,7 @@ TEST_CASE("families grow in bodies and in occlusion", "[scene]") {
 TEST_CASE("tabletop objects are small enough for a hand", "[scene]") {
   int checked = 0;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
-    const auto truth = truth_json(make_scene(small(Family::kTabletop, seed)));
+    const auto truth = truth_json(make_scene(small(scene::Family::kTabletop, seed)));
     for (const auto& object : truth["objects"]) {
       if (object["kind"] != "quadric") continue;
       ++checked;
@@ -185,7 +187,7 @@ TEST_CASE("tabletop objects are small enough for a hand", "[scene]") {
 }
 
 TEST_CASE("bodies stand on the table without running into each other", "[scene]") {
-  const Scene scene = make_scene(small(Family::kHard, 2));
+  const Scene scene = make_scene(small(scene::Family::kHard, 2));
   const auto& bodies = scene.layout.bodies;
   for (std::size_t i = 2; i < bodies.size(); ++i) {
     for (std::size_t j = 2; j < i; ++j) {
@@ -197,7 +199,7 @@ TEST_CASE("bodies stand on the table without running into each other", "[scene]"
 
 TEST_CASE("labels and normals go beside the cloud, one for each point", "[scene]") {
   const test::TempFolder folder;
-  const Scene scene = make_scene(small(Family::kEasy, 1));
+  const Scene scene = make_scene(small(scene::Family::kEasy, 1));
   write_scene(folder.path("s.ply"), scene, true);
   const std::size_t count = scene.view.points.size();
   CHECK(test::content_of(folder.path("s.labels")).size() == 4 * count);

@@ -1,5 +1,7 @@
 #include "lab/bench/report.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "support/catch.hpp"
 
 namespace quadrille::bench {
