@@ -24,13 +24,13 @@ namespace {
 namespace fs = std::filesystem;
 
 struct BenchArguments {
-  std::vector<std::string> bench_families = {"easy", "medium", "hard"}, contenders;
+  std::vector<std::string> families = {"easy", "medium", "hard"}, contenders;
   std::string out = ".";
   bool list = false;
   bench::BenchOptions options;
 };
 
-const std::map<std::string, scene::Family>& bench_families() {
+const std::map<std::string, scene::Family>& families() {
   static const std::map<std::string, scene::Family> all = {{"easy", scene::Family::kEasy},
                                                            {"medium", scene::Family::kMedium},
                                                            {"hard", scene::Family::kHard},
@@ -58,9 +58,8 @@ std::string command_of(const BenchArguments& arguments) {
   std::string command = "quadrille bench";
   for (const std::string& cloud : arguments.options.clouds) command += " " + cloud;
   if (arguments.options.clouds.empty()) {
-    command +=
-        fmt::format(" --family {} --scenes {} --seed {}", fmt::join(arguments.bench_families, ","),
-                    arguments.options.scenes, arguments.options.seed);
+    command += fmt::format(" --family {} --scenes {} --seed {}", fmt::join(arguments.families, ","),
+                           arguments.options.scenes, arguments.options.seed);
   }
   if (!arguments.contenders.empty()) {
     command += fmt::format(" --contender {}", fmt::join(arguments.contenders, ","));
@@ -77,9 +76,9 @@ void list_contenders() {
 
 void run(BenchArguments arguments) {
   if (arguments.list) return list_contenders();
-  arguments.options.bench_families.clear();
-  for (const std::string& name : arguments.bench_families) {
-    arguments.options.bench_families.push_back(bench_families().at(name));
+  arguments.options.families.clear();
+  for (const std::string& name : arguments.families) {
+    arguments.options.families.push_back(families().at(name));
   }
   const std::vector<bench::Contender> contenders = chosen(arguments.contenders);
   for (const bench::Contender& contender : contenders) {
@@ -120,9 +119,9 @@ void add_bench_command(CLI::App& app) {
   CLI::Option* const clouds =
       command->add_option("CLOUD", arguments->options.clouds,
                           "Clouds of quadrille scene --labels, instead of new scenes");
-  command->add_option("--family", arguments->bench_families, "Families of scenes")
+  command->add_option("--family", arguments->families, "Families of scenes")
       ->delimiter(',')
-      ->check(CLI::IsMember(bench_families()))
+      ->check(CLI::IsMember(families()))
       ->type_name("NAME,...")
       ->excludes(clouds);
   command->add_option("--scenes", arguments->options.scenes, "Scenes of each family")
