@@ -8,36 +8,37 @@ namespace quadrille {
 namespace {
 
 struct Advice {
-  std::string_view reason, text;
+  Refusal reason;
+  std::string_view text;
 };
 
 constexpr std::array<Advice, 11> kAdvice = {{
-    {"no_shape",
+    {Refusal::kNoShape,
      "the quadrics that were found bound no solid; try a view that shows more of the objects"},
-    {"seen_from_inside",
+    {Refusal::kSeenFromInside,
      "only the insides of hollow things were seen; try a view that shows their rims"},
-    {"unmeasured", "the rims were not measured; try a closer view, or one from higher up"},
-    {"width",
+    {Refusal::kUnmeasured, "the rims were not measured; try a closer view, or one from higher up"},
+    {Refusal::kWidth,
      "most are wider than the gripper's opening, or thinner than it closes; try another --gripper"},
-    {"friction",
+    {Refusal::kFriction,
      "most would slip; if the pads grip better than assumed, set friction under [planner] in "
      "--config FILE"},
-    {"contradicted",
+    {Refusal::kContradicted,
      "the camera saw through most of the surfaces to be touched, so the fits are poor there; try "
      "a closer view"},
-    {"unreachable",
+    {Refusal::kUnreachable,
      "most can only be approached from behind or below; try a view from the side on which the "
      "gripper is to be"},
-    {"support",
+    {Refusal::kSupport,
      "most candidates end in the plane that the object stands on; try a --gripper with slimmer "
      "fingers, or raise the object"},
-    {"target",
+    {Refusal::kTarget,
      "most candidates touch the object before they close; try a --gripper that opens wider or has "
      "longer fingers"},
-    {"collision",
+    {Refusal::kCollision,
      "most candidates end in other things; clear the space around, try a slimmer --gripper, or a "
      "shorter approach under [planner] in --config FILE"},
-    {"unknown", "most candidates end in space the camera has not seen; "},
+    {Refusal::kUnknown, "most candidates end in space the camera has not seen; "},
 }};
 
 std::string_view cure_of_unknown(UnknownPolicy unknown) {
@@ -57,9 +58,9 @@ std::string explain_no_grasps(const GraspPlan& plan, UnknownPolicy unknown) {
            "objects";
   }
   for (const auto& [reason, text] : kAdvice) {
-    if (reason != main->first) continue;
+    if (to_string(reason) != main->first) continue;
     std::string line(text);
-    if (reason == "unknown") line += cure_of_unknown(unknown);
+    if (reason == Refusal::kUnknown) line += cure_of_unknown(unknown);
     return line;
   }
   return "most candidates are refused as '" + main->first + "'";

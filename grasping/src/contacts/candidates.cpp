@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "contacts/directions.hpp"
 #include "contacts/wall_hold.hpp"
 
 namespace quadrille {
@@ -13,14 +14,18 @@ namespace {
 // Cosines of the widest angles: 107° to the line of sight, beyond which the hand is in the shadow;
 // 60° to straight down; 45° into a mouth, as far as a wall leans; and never steeper up than 20°,
 // where the palm would be in what the target stands on.
-constexpr double kFromView = -0.3, kFromAbove = 0.5, kIntoMouth = 0.7, kUpward = 0.35;
+constexpr double kMinFromView = -0.3, kMinFromAbove = 0.5, kMinIntoMouth = 0.7, kMaxUpward = 0.35;
 
 // Into a mouth also straight along the wall, and this far beside it [rad]: half a step of the
 // directions around a line.
 constexpr double kBesideWall = 0.13;
 // The steepest approach of a line is sampled too if its sine is more than this: flatter ones are
 // not from above.
-constexpr double kSteep = 0.5;
+constexpr double kMinSteepSine = 0.5;
+// A line of sight so nearly along a line has no side of it nearest to it.
+constexpr double kMinAcross = 0.1;
+// Every 15°.
+constexpr int kApproaches = 24;
 
 double prior(const ContactLine& line, const Eigen::Vector3d& approach, const ApproachSpace& space) {
   const double across = 1.0 - std::abs(line.closing_C.dot(space.view_C));
@@ -30,66 +35,67 @@ double prior(const ContactLine& line, const Eigen::Vector3d& approach, const App
   return 0.5 * across + 0.3 * from - 0.2 * std::min(off, 1.0) + into;
 }
 
-// Every kStride-th first, then those between: the best ones are much alike, and where one is
-// blocked so are its neighbours.
-std::vector<GraspCandidate> spread_out(const std::vector<GraspCandidate>& best_first) {
-  constexpr std::size_t kStride = 16;
-  std::vector<GraspCandidate> spread;
-  spread.reserve(best_first.size());
-  for (std::size_t start = 0; start < kStride; ++start) {
-    for (std::size_t n = start; n < best_first.size(); n += kStride) {
-      spread.push_back(best_first[n]);
+/// The direction across a line that is nearest to the line of sight; where that is along the line,
+/// across an axis of the target.
+Eigen::Vector3d from_view(const Eigen::Vector3d& d, const ApproachSpace& space) {
+  Eigen::Vector3d first = -space.view_C + d * d.dot(space.view_C);
+  if (first.norm() < kMinAcross) {
+    int least = 0;
+    (space.axes_C.transpose() * d).cwiseAbs().minCoeff(&least);
+    first = d.cross(space.axes_C.col(least));
+  }
+  return first.normalized();
+}
+
+/// All that are tried around a line, reachable or not.
+std::vector<Eigen::Vector3d> approaches(const ContactLine& line, const ApproachSpace& space) {
+  const Eigen::Vector3d& d = line.closing_C;
+  std::vector<Eigen::Vector3d> directions = around_closing(d, from_view(d, space));
+  const Eigen::Vector3d down = d * d.dot(space.up_C) - space.up_C;
+  if (down.norm() > kMinSteepSine) directions.push_back(down.normalized());
+  if (!space.into_C.isZero()) {
+    const Eigen::Vector3d along = along_wall(line, space.into_C), beside = d.cross(along);
+    for (const double turn : {0.0, kBesideWall, -kBesideWall}) {
+      directions.emplace_back(std::cos(turn) * along + std::sin(turn) * beside);
     }
   }
-  return spread;
+  return directions;
 }
 
 }  // namespace
 
 bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space) {
-  if (approach.dot(space.up_C) > kUpward) return false;
-  if (!space.into_C.isZero() && approach.dot(space.into_C) < kIntoMouth) return false;
-  return -approach.dot(space.view_C) > kFromView || -approach.dot(space.up_C) > kFromAbove;
+  if (approach.dot(space.up_C) > kMaxUpward) return false;
+  if (!space.into_C.isZero() && approach.dot(space.into_C) < kMinIntoMouth) return false;
+  return -approach.dot(space.view_C) > kMinFromView || -approach.dot(space.up_C) > kMinFromAbove;
 }
 
-std::vector<GraspCandidate> sample_approaches(const std::vector<ContactLine>& lines,
-                                              const ApproachSpace& space, int& refused) {
-  constexpr int kDirections = 24;
-  std::vector<GraspCandidate> candidates;
+std::vector<Eigen::Vector3d> around_closing(const Eigen::Vector3d& closing,
+                                            const Eigen::Vector3d& first) {
+  return fan(first, closing.cross(first), kApproaches, 2.0 * std::numbers::pi);
+}
+
+SampledApproaches sample_approaches(const std::vector<ContactLine>& lines,
+                                    const ApproachSpace& space) {
+  SampledApproaches sampled;
+  std::vector<GraspCandidate> best_first;
   for (std::size_t n = 0; n < lines.size(); ++n) {
-    const Eigen::Vector3d& d = lines[n].closing_C;
-    Eigen::Vector3d first = -space.view_C + d * d.dot(space.view_C);
-    if (first.norm() < 0.1) {
-      int least = 0;
-      (space.axes_C.transpose() * d).cwiseAbs().minCoeff(&least);
-      first = d.cross(space.axes_C.col(least));
-    }
-    first.normalize();
-    const Eigen::Vector3d second = d.cross(first);
-    const auto offer = [&](const Eigen::Vector3d& approach) {
+    for (const Eigen::Vector3d& approach : approaches(lines[n], space)) {
       if (reachable(approach, space)) {
-        candidates.push_back({static_cast<int>(n), approach, prior(lines[n], approach, space)});
+        best_first.push_back({static_cast<int>(n), approach, prior(lines[n], approach, space)});
       } else {
-        ++refused;
-      }
-    };
-    for (int k = 0; k < kDirections; ++k) {
-      const double t = 2.0 * std::numbers::pi * k / kDirections;
-      offer(std::cos(t) * first + std::sin(t) * second);
-    }
-    const Eigen::Vector3d down = d * d.dot(space.up_C) - space.up_C;
-    if (down.norm() > kSteep) offer(down.normalized());
-    if (!space.into_C.isZero()) {
-      const Eigen::Vector3d along = along_wall(lines[n], space.into_C), beside = d.cross(along);
-      for (const double turn : {0.0, kBesideWall, -kBesideWall}) {
-        offer(std::cos(turn) * along + std::sin(turn) * beside);
+        ++sampled.unreachable;
       }
     }
   }
   std::stable_sort(
-      candidates.begin(), candidates.end(),
+      best_first.begin(), best_first.end(),
       [](const GraspCandidate& a, const GraspCandidate& b) { return a.prior > b.prior; });
-  return spread_out(candidates);
+  sampled.candidates.reserve(best_first.size());
+  visit_in_passes(best_first.begin(), best_first.end(), [&](const GraspCandidate& candidate) {
+    sampled.candidates.push_back(candidate);
+  });
+  return sampled;
 }
 
 Eigen::Isometry3d grasp_pose(const ContactLine& line, const Eigen::Vector3d& approach_C,

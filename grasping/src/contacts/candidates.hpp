@@ -37,14 +37,23 @@ struct ApproachSpace {
 /// True for an approach direction from the sensor's side or from above, and along a mouth.
 bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space);
 
+/// Approach directions around lines, and how many more are not reachable().
+struct SampledApproaches {
+  std::vector<GraspCandidate> candidates;
+  int unreachable = 0;
+};
+
 /// Approach directions every 15° around each line that come from the sensor's side or from above,
 /// the most promising first: along the line of sight or downward, closing across the line of sight,
-/// near the target's middle. Into a mouth also, and best, straight along the wall. They come in 16
-/// passes, each with every 16th of that ranking, so that a bounded search meets unlike ones early.
-/// Always the same order for the same input.
-/// @param refused  incremented for each direction that is neither
-std::vector<GraspCandidate> sample_approaches(const std::vector<ContactLine>& lines,
-                                              const ApproachSpace& space, int& refused);
+/// near the target's middle. Into a mouth also, and best, straight along the wall. They come in the
+/// passes of visit_in_passes(). Always the same order for the same input.
+SampledApproaches sample_approaches(const std::vector<ContactLine>& lines,
+                                    const ApproachSpace& space);
+
+/// The 24 unit directions across a closing direction, every 15° from `first` on, a unit vector at
+/// right angles to it.
+std::vector<Eigen::Vector3d> around_closing(const Eigen::Vector3d& closing,
+                                            const Eigen::Vector3d& first);
 
 /// The grasp frame of a line: z along the approach, y along the closing direction, the origin moved
 /// by `depth` [m] along the approach from the line's centre.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "body/diagonal_quadric.hpp"
+#include "contacts/directions.hpp"
 
 namespace quadrille {
 
@@ -12,6 +13,13 @@ namespace {
 
 using Profile = Body::Profile;
 constexpr double kPi = std::numbers::pi;
+// How many directions are tried of each kind: about 10° from one to the next.
+constexpr int kEven = 8, kRing = 16, kLevel = 24, kSpiral = 100;
+// From one height of the pads' centre to the next [m], at most so many steps.
+constexpr double kHeightStep = 0.008;
+constexpr int kMaxHeightSteps = 16;
+// Contacts farther from the middle than this share of the pad's shorter side lie beside it.
+constexpr double kMaxOffPad = 0.45;
 
 // The line through ±p_Q + offset_Q, with outward normal n_Q at the positive end.
 struct Pair {
@@ -36,7 +44,6 @@ ContactLine placed(const Body& body, const Pair& pair) {
 // Angles in [0, π): even ones, more around the direction across the line of sight, and the level.
 std::vector<double> cross_angles(const Eigen::Vector3d& view_Q, const Eigen::Vector3d& up_Q) {
   std::vector<double> angles;
-  constexpr int kEven = 8;
   for (int i = 0; i < kEven; ++i) angles.push_back(kPi * i / kEven);
   if (view_Q.head<2>().norm() > 0.1 * view_Q.norm()) {
     const double across = std::atan2(view_Q.y(), view_Q.x()) + 0.5 * kPi;
@@ -48,11 +55,12 @@ std::vector<double> cross_angles(const Eigen::Vector3d& view_Q, const Eigen::Vec
   return angles;
 }
 
-// Heights of the pads' centre: every 8 mm or so, kept off the ends by a third of a pad.
+// Heights of the pads' centre, kept off the ends by a third of a pad.
 std::vector<double> heights(const Body& body, const Gripper& gripper) {
   const double off = std::min(0.35 * gripper.pad.maxCoeff(), 0.25 * (body.z_max - body.z_min));
   const double low = body.z_min + off, high = body.z_max - off;
-  const int steps = std::clamp(static_cast<int>(std::ceil((high - low) / 0.008)), 1, 16);
+  const int steps =
+      std::clamp(static_cast<int>(std::ceil((high - low) / kHeightStep)), 1, kMaxHeightSteps);
   std::vector<double> z = {0.5 * (low + high)};
   for (int i = 0; i <= steps; ++i) z.push_back(low + (high - low) * i / steps);
   return z;
@@ -99,26 +107,13 @@ std::vector<Eigen::Vector3d> sphere_directions(const Eigen::Vector3d& view_Q,
                                              Eigen::Vector3d::UnitZ()};
   const Eigen::Vector3d v = view_Q.norm() > 1e-9 ? Eigen::Vector3d(view_Q.normalized())
                                                  : Eigen::Vector3d(Eigen::Vector3d::UnitZ());
-  const Eigen::Vector3d e = v.unitOrthogonal(), f = v.cross(e);
+  const Eigen::Vector3d e = v.unitOrthogonal();
+  const std::vector<Eigen::Vector3d> ring = fan(e, v.cross(e), kRing, kPi);
   for (const double tilt : {0.0, 0.2, -0.2}) {
-    for (int i = 0; i < 16; ++i) {
-      const double t = kPi * i / 16;
-      directions.push_back((std::cos(t) * e + std::sin(t) * f + tilt * v).normalized());
-    }
+    for (const Eigen::Vector3d& d : ring) directions.push_back((d + tilt * v).normalized());
   }
-  if (!up_Q.isZero()) {
-    const Eigen::Vector3d level = up_Q.unitOrthogonal(), other = up_Q.cross(level);
-    constexpr int kLevel = 24;
-    for (int i = 0; i < kLevel; ++i) {
-      const double t = kPi * i / kLevel;
-      directions.push_back(std::cos(t) * level + std::sin(t) * other);
-    }
-  }
-  constexpr int kSpiral = 100;
-  for (int i = 0; i < kSpiral; ++i) {
-    const double z = (i + 0.5) / kSpiral, r = std::sqrt(1.0 - z * z);
-    const double t = i * kPi * (3.0 - std::sqrt(5.0));
-    directions.emplace_back(r * std::cos(t), r * std::sin(t), z);
+  for (const auto& more : {level_directions(up_Q, kLevel), half_sphere(kSpiral)}) {
+    directions.insert(directions.end(), more.begin(), more.end());
   }
   return directions;
 }
@@ -129,8 +124,7 @@ void add_ellipsoid(const Body& body, const Gripper& gripper, const Eigen::Vector
   for (const Eigen::Vector3d& d : sphere_directions(view_Q, up_Q)) {
     const double h = std::sqrt(d.dot(squared.cwiseProduct(d)));
     const Eigen::Vector3d p = squared.cwiseProduct(d) / h;
-    // Contacts beside the pads are none.
-    if ((p - h * d).norm() > 0.45 * gripper.pad.minCoeff()) continue;
+    if ((p - h * d).norm() > kMaxOffPad * gripper.pad.minCoeff()) continue;
     lines.push_back(
         placed(body, {Eigen::Vector3d::Zero(), p, d, d, -d, 2.0 * h, body.width_std(d, 0.0)}));
   }

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "body/shell.hpp"
 #include "contacts/contact_line.hpp"
-#include "contacts/rim.hpp"
 
 namespace quadrille {
 

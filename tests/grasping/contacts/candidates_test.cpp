@@ -16,10 +16,9 @@ TEST_CASE("the best approach comes first and the first pass spans the whole rank
   }
   ApproachSpace space;
   space.view_C = -Eigen::Vector3d::UnitZ();
-  int refused = 0;
-  const std::vector<GraspCandidate> candidates = sample_approaches(lines, space, refused);
+  const auto [candidates, unreachable] = sample_approaches(lines, space);
   REQUIRE(candidates.size() > 160);
-  CHECK(candidates.size() + refused == 24 * lines.size());
+  CHECK(candidates.size() + unreachable == 24 * lines.size());
   const auto [worst, best] =
       std::minmax_element(candidates.begin(), candidates.end(),
                           [](const auto& a, const auto& b) { return a.prior < b.prior; });

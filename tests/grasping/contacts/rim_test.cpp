@@ -1,5 +1,6 @@
 #include "contacts/rim.hpp"
 
+#include "body/find_shell.hpp"
 #include "grasping/cup.hpp"
 #include "hand/hand.hpp"
 #include "quadrille/grasping/plan.hpp"
@@ -115,13 +116,13 @@ TEST_CASE("only where points were measured does a rim line remain", "[rim]") {
   const Cup cup;
   const Shell shell = shell_of(cup, false).value();
   const auto lines = rim_lines(shell, franka_hand());
-  CHECK(measured_lines(shell, lines, {}).empty());
-  const auto measured = measured_lines(shell, lines, render(cup));
+  CHECK(measured_lines(shell, franka_hand(), lines, {}).empty());
+  const auto measured = measured_lines(shell, franka_hand(), lines, render(cup));
   CHECK(measured.size() > 20);
   for (const ContactLine& line : measured) CHECK(line.std < 0.001);
   PointCloud off = render(cup);  // 12 mm beside the wall: another one's points
   for (Eigen::Vector3f& p : off.points) p += Eigen::Vector3f(0.0F, 0.0F, 0.2F);
-  CHECK(measured_lines(shell, lines, off).empty());
+  CHECK(measured_lines(shell, franka_hand(), lines, off).empty());
 }
 
 TEST_CASE("the wall's shapes hold all of the wall and leave the hollow open", "[rim][shape]") {

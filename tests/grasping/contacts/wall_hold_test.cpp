@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "contacts/rim.hpp"
 #include "grasping/cup.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "support/catch.hpp"

@@ -15,6 +15,7 @@
 #include "quadrille/grasping/gripper.hpp"
 #include "quadrille/grasping/occupancy.hpp"
 #include "quadrille/grasping/plan_options.hpp"
+#include "quadrille/grasping/refusal.hpp"
 
 namespace quadrille {
 
@@ -22,13 +23,7 @@ namespace quadrille {
 struct GraspPlan {
   /// Best first.
   std::vector<Grasp> grasps;
-  /// Refused, counted by reason. Detections: "no_shape" (they bound no solid),
-  /// "seen_from_inside" (a hollow whose rim was not seen). Contact lines: "unmeasured" (no points
-  /// at the rim), "width" (wider than the hand opens), "friction" (would slip), "twist" (a wall
-  /// that the pads would turn), "contradicted" (free space was seen where the surface should be).
-  /// Approach directions: "unreachable" (from behind or below). Hands: "support" (would enter the
-  /// plane the target stands on), "target" (the target itself), "collision" (occupied space or
-  /// another detection), "unknown" (unobserved space).
+  /// How much was refused, by the name of its Refusal; reasons that did not occur are left out.
   std::map<std::string, int> rejected;
   /// Of all detections that have any, those of one detection in a row.
   std::vector<CollisionShape> shapes;

@@ -88,8 +88,8 @@ Target make_target(bool unknown_blocks, double away) {
   const std::vector<ContactLine> lines = contact_lines(*aim, gripper, cloud().viewpoint);
   space.view_C = (cloud().viewpoint - aim->centre_C()).normalized();
   space.centre_C = aim->centre_C();
-  int refused = 0;
-  for (const GraspCandidate& c : sample_approaches(lines, space, refused)) {
+  const SampledApproaches sampled = sample_approaches(lines, space);
+  for (const GraspCandidate& c : sampled.candidates) {
     const ContactLine& line = lines[static_cast<std::size_t>(c.line)];
     Eigen::Isometry3d X_CG = grasp_pose(line, c.approach_C, 0.0);
     X_CG.translation() += away * space.view_C;

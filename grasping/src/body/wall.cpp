@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "body/polyhedron.hpp"
-#include "contacts/rim.hpp"
+#include "body/shell.hpp"
 
 namespace quadrille {
 

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <map>
+#include <string_view>
+
+namespace quadrille {
+
+/// Why the planner refused something.
+enum class Refusal {
+  kNoShape,         ///< a detection that bounds no solid
+  kSeenFromInside,  ///< a hollow detection whose rim was not seen
+  kUnmeasured,      ///< a contact line without points at the rim
+  kWidth,           ///< a contact line, or a detection, wider than the hand opens
+  kFriction,        ///< a contact line that would slip
+  kTwist,           ///< a contact line across a wall that the pads would turn
+  kContradicted,    ///< a contact line where free space was seen instead of the surface
+  kUnreachable,     ///< an approach direction from behind or below
+  kSupport,         ///< a hand that would enter the plane that the target stands on
+  kTarget,          ///< a hand that would enter the target itself
+  kCollision,       ///< a hand that would enter occupied space or another detection
+  kUnknown,         ///< a hand that would enter unobserved space
+};
+
+/// Its name, as in GraspPlan::rejected, in messages and in JSON: "no_shape", "width", …
+std::string_view to_string(Refusal refusal);
+
+/// How often something was refused, by reason.
+using RefusalCounts = std::map<Refusal, int>;
+
+}  // namespace quadrille

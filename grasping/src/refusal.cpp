@@ -1,0 +1,35 @@
+#include "quadrille/grasping/refusal.hpp"
+
+namespace quadrille {
+
+std::string_view to_string(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::kNoShape:
+      return "no_shape";
+    case Refusal::kSeenFromInside:
+      return "seen_from_inside";
+    case Refusal::kUnmeasured:
+      return "unmeasured";
+    case Refusal::kWidth:
+      return "width";
+    case Refusal::kFriction:
+      return "friction";
+    case Refusal::kTwist:
+      return "twist";
+    case Refusal::kContradicted:
+      return "contradicted";
+    case Refusal::kUnreachable:
+      return "unreachable";
+    case Refusal::kSupport:
+      return "support";
+    case Refusal::kTarget:
+      return "target";
+    case Refusal::kCollision:
+      return "collision";
+    case Refusal::kUnknown:
+      break;
+  }
+  return "unknown";
+}
+
+}  // namespace quadrille

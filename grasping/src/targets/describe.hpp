@@ -1,0 +1,12 @@
+#pragma once
+
+#include "quadrille/grasping/grasp.hpp"
+#include "targets/hand_trials.hpp"
+
+namespace quadrille {
+
+/// The grasp that an attempt without obstruction is, with its quality and score.
+/// @param preshape  opening of the hand on its way in [m]
+Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task);
+
+}  // namespace quadrille

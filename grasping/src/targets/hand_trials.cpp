@@ -1,0 +1,163 @@
+#include "targets/hand_trials.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "contacts/closing.hpp"
+#include "hand/hand.hpp"
+#include "targets/describe.hpp"
+
+namespace quadrille {
+namespace {
+
+// Grasps that are nearer than this [m], and turned by less than 20°, add nothing to another one.
+constexpr double kMinDistance = 0.012;
+const double kMaxTurnCosine = std::cos(20.0 * std::numbers::pi / 180.0);
+// Standard deviations of a pad's distance to keep from the target: 95 % of truths.
+constexpr double kSigmas = 2.0;
+// But no more than this [m]: what one view tells little of is seldom as wrong as it may be.
+constexpr double kMaxDoubt = 0.004;
+// Room on either side beyond what a hold needs, in 80ths of the largest opening: medium, wide, then
+// narrow. On the Franka Hand 7, 14 and 0 mm.
+constexpr int kRooms[] = {7, 14, 0};
+// Depths below a contact at which space must be free to contradict it, in voxels, but no deeper
+// than a share of the width.
+constexpr double kDepthsFree[] = {-0.5, 0.5, 1.5};
+constexpr double kMaxDepthShare = 0.4;
+
+Eigen::Vector3d middle(const std::array<Eigen::Vector3d, 2>& contacts_C) {
+  return 0.5 * (contacts_C[0] + contacts_C[1]);
+}
+
+Refusal refusal_of(Obstruction what) {
+  switch (what) {
+    case Obstruction::kSupport:
+      return Refusal::kSupport;
+    case Obstruction::kTarget:
+      return Refusal::kTarget;
+    case Obstruction::kUnknown:
+      return Refusal::kUnknown;
+    default:
+      return Refusal::kCollision;
+  }
+}
+
+/// Distance that each pad keeps from the target on the way in [m].
+double pad_margin(const ContactLine& line, const PlanOptions& options) {
+  return options.pad_margin + std::min(kSigmas * line.std, kMaxDoubt);
+}
+
+/// The openings of the hand to be tried, in this order [m].
+std::vector<double> preshapes(const ContactLine& line, const TargetTask& task) {
+  const double needed = min_opening(line, task.options);
+  const double unit = task.gripper.max_opening / 80.0;
+  std::vector<double> openings;
+  for (const int room : kRooms) {
+    const double opening = std::min(needed + 2.0 * (unit * room), task.gripper.max_opening);
+    if (std::find(openings.begin(), openings.end(), opening) == openings.end()) {
+      openings.push_back(opening);
+    }
+  }
+  return openings;
+}
+
+}  // namespace
+
+ApproachSpace approach_space(const TargetTask& task) {
+  const Body& body = task.target.body;
+  ApproachSpace space;
+  space.axes_C = body.X_CQ.linear();
+  space.centre_C = body.centre_C();
+  space.reach = 0.5 * body.bounds_Q().sizes().maxCoeff();
+  const Eigen::Vector3d ray = task.viewpoint_C - space.centre_C;
+  if (ray.norm() > 1e-9) space.view_C = ray.normalized();
+  space.up_C = task.target.up_C();
+  return space;
+}
+
+double min_opening(const ContactLine& line, const PlanOptions& options) {
+  return line.opening + 2.0 * pad_margin(line, options);
+}
+
+std::optional<Refusal> misfit(const ContactLine& line, const TargetTask& task) {
+  if (min_opening(line, task.options) <= task.gripper.max_opening &&
+      line.width >= task.gripper.min_opening) {
+    return std::nullopt;
+  }
+  return Refusal::kWidth;
+}
+
+bool contradicted(const ContactLine& line, const OccupancyGrid& space) {
+  for (int i = 0; i < 2; ++i) {
+    const Eigen::Vector3d inward = (i == 0 ? -1.0 : 1.0) * line.closing_C;
+    bool all_free = true;
+    for (const double voxels : kDepthsFree) {
+      const double depth = std::min(voxels * space.resolution(), kMaxDepthShare * line.width);
+      all_free &= space.at(line.contacts_C[i] + depth * inward) == Voxel::kFree;
+    }
+    if (all_free) return true;
+  }
+  return false;
+}
+
+bool HandTrials::resembles_accepted(const ContactLine& line,
+                                    const Eigen::Vector3d& approach_C) const {
+  const Eigen::Vector3d here = middle(line.contacts_C);
+  return std::any_of(found_.grasps.begin(), found_.grasps.end(), [&](const Grasp& other) {
+    return (middle(other.contacts_C) - here).norm() < kMinDistance &&
+           other.X_CG.linear().col(2).dot(approach_C) > kMaxTurnCosine &&
+           std::abs(other.X_CG.linear().col(1).dot(line.closing_C)) > kMaxTurnCosine;
+  });
+}
+
+// Planes are looked at first, at little cost: they do not count as effort.
+void HandTrials::obstructed(Obstruction what) {
+  refuse(refusal_of(what));
+  checks_ += what != Obstruction::kSupport;
+}
+
+bool HandTrials::palm_blocked(const ContactLine& line, const Eigen::Vector3d& approach_C,
+                              const Eigen::AlignedBox3d& places_G) {
+  const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, 0.0);
+  const auto palm = common_palm(task_.gripper, X_CG, places_G, task_.options.approach);
+  const auto what = palm ? task_.scene.palm_obstruction(*palm) : std::nullopt;
+  if (what) obstructed(*what);
+  return what.has_value();
+}
+
+bool HandTrials::try_hand(const Attempt& attempt) {
+  const ContactLine& line = attempt.line;
+  const Gripper& gripper = task_.gripper;
+  const CollisionScene& scene = task_.scene;
+  if (resembles_accepted(line, attempt.X_CG.linear().col(2))) return true;
+  const auto swept = [&](double preshape) {
+    return sweep_hand(gripper, attempt.X_CG, preshape, line.width, task_.options.approach);
+  };
+  const auto stopped_by = [&](const std::optional<Obstruction>& what) {
+    if (what) obstructed(*what);
+    return what.has_value();
+  };
+  const auto fingers =
+      common_fingers(gripper, attempt.X_CG, min_opening(line, task_.options), line.width);
+  if (stopped_by(scene.closing_obstruction(fingers))) return false;
+  if (stopped_by(scene.palm_obstruction(swept(line.opening).palm))) return false;
+  if (attempt.may_bulge &&
+      meets_too_early(line, attempt.X_CG, gripper, scene.target, pad_margin(line, task_.options))) {
+    obstructed(Obstruction::kTarget);
+    return false;
+  }
+  for (const double preshape : preshapes(line, task_)) {
+    const std::optional<Obstruction> what = scene.finger_obstruction(swept(preshape));
+    if (!stopped_by(what)) {
+      found_.grasps.push_back(describe(attempt, preshape, task_));
+      return true;
+    }
+    if (*what == Obstruction::kSupport) return false;  // another opening does not help
+  }
+  return false;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,78 @@
+#include "targets/target.hpp"
+
+#include <utility>
+
+#include "body/find_shell.hpp"
+#include "contacts/rim.hpp"
+#include "space/support.hpp"
+
+namespace quadrille {
+namespace {
+
+// Across a slanted box, or a body whose size is poorly known, there may still be less than its
+// smallest size: so many times the largest opening may be worth a try.
+constexpr double kMaxWidthToOpening = 1.5;
+// Larger hollows are no tableware [m].
+constexpr double kMaxShell = 0.4;
+
+bool graspable(const Body& body, const Gripper& gripper) {
+  return body.bounds_Q().sizes().minCoeff() < gripper.max_opening * kMaxWidthToOpening;
+}
+
+/// Finds the wall of a target, and the lines across it where it was measured.
+/// @return number of lines where it was not
+int find_rim(const PointCloud& cloud, const DepthView& view, const Gripper& gripper,
+             const PlanOptions& options, bool inside, Target& target) {
+  if (target.body.bounds_Q().sizes().maxCoeff() > kMaxShell) return 0;
+  target.shell = find_shell(target.body, inside, cloud, view, target.up_C(),
+                            {options.min_wall, options.max_wall});
+  if (!target.shell) return 0;
+  const std::vector<ContactLine> lines = rim_lines(*target.shell, gripper);
+  target.rim = measured_lines(*target.shell, gripper, lines, cloud);
+  return static_cast<int>(lines.size() - target.rim.size());
+}
+
+}  // namespace
+
+Eigen::Vector3d Target::up_C() const {
+  return supports.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : supports.front().n_C();
+}
+
+ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detection>& detections,
+                             const DepthView& view, const Gripper& gripper,
+                             const PlanOptions& options) {
+  ChosenTargets chosen;
+  for (const Detection& d : detections) {
+    if (d.type == QuadricType::kPlane) continue;
+    const std::optional<Body> body = make_body(d);
+    if (!body) continue;
+    Target target{d.id, d.score, *body, supports_of(*body, detections), {}, {}, true};
+    const bool inside = seen_from_inside(d, *body);
+    chosen.refusals[Refusal::kUnmeasured] +=
+        find_rim(cloud, view, gripper, options, inside, target);
+    // What was seen from inside is no solid: only its wall can be held.
+    target.solid = !inside && graspable(*body, gripper);
+    if (target.solid || target.shell) {
+      chosen.targets.push_back(std::move(target));
+    } else {
+      ++chosen.refusals[inside ? Refusal::kSeenFromInside : Refusal::kWidth];
+    }
+  }
+  return chosen;
+}
+
+double hand_reach(const Gripper& gripper, double approach) {
+  const double back = gripper.finger.z() +
+                      gripper.max_extension(gripper.min_opening, gripper.max_opening) +
+                      gripper.palm.z() + approach;
+  return Eigen::Vector2d(back, 0.5 * gripper.palm.head<2>().norm()).norm();
+}
+
+Eigen::AlignedBox3d around(const Body& body, double distance) {
+  Eigen::AlignedBox3d box = body.bounds_C();
+  box.min().array() -= distance;
+  box.max().array() += distance;
+  return box;
+}
+
+}  // namespace quadrille

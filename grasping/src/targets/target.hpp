@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <vector>
+
+#include "body/body.hpp"
+#include "body/shell.hpp"
+#include "contacts/contact_line.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/grasping/gripper.hpp"
+#include "quadrille/grasping/plan_options.hpp"
+#include "quadrille/grasping/refusal.hpp"
+#include "space/collision.hpp"
+#include "view/depth_view.hpp"
+
+namespace quadrille {
+
+/// One detection to be grasped, and all that its planning needs.
+struct Target {
+  int id = 0;
+  double confidence = 1.0;
+  Body body;
+  /// The planes that it stands on, the nearest first.
+  std::vector<SupportPlane> supports;
+  /// Its wall, if it is open at one end, and the lines across it where it was measured.
+  std::optional<Shell> shell;
+  std::vector<ContactLine> rim;
+  /// False if it can be held by its wall alone.
+  bool solid = true;
+
+  /// Unit normal of what it stands on; zero if that is not known.
+  Eigen::Vector3d up_C() const;
+};
+
+/// The detections that the hand may hold, across or by their rims, and what was refused.
+struct ChosenTargets {
+  std::vector<Target> targets;
+  RefusalCounts refusals;
+};
+ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detection>& detections,
+                             const DepthView& view, const Gripper& gripper,
+                             const PlanOptions& options);
+
+/// How far the hand reaches from a target's surface, its approach included [m].
+double hand_reach(const Gripper& gripper, double approach);
+
+/// The body's bounds in frame C, grown by a distance [m].
+Eigen::AlignedBox3d around(const Body& body, double distance);
+
+}  // namespace quadrille

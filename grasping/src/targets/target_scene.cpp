@@ -1,0 +1,82 @@
+#include "targets/target_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "body/pieces.hpp"
+
+namespace quadrille {
+namespace {
+
+// Points of the target lie this far beside its fitted surface [m].
+constexpr double kCarveNoise = 0.002;
+// A detection is a part of the target if its middle lies in the target's body, grown by so much
+// [m], and if it is no larger, to within a share of the body's size and an error of its own [m].
+constexpr double kPartNoise = 0.006, kMaxPartShare = 1.3, kPartSizeError = 0.01;
+
+/// A cap, a second fit or a fragment of the target.
+bool part_of(const Detection& other, const Body& body) {
+  const Eigen::Vector3d middle = other.X_CQ * Eigen::Vector3d(other.extent_Q.center());
+  const double size = body.bounds_Q().sizes().maxCoeff();
+  return body.contains(middle, kPartNoise) &&
+         other.extent_Q.sizes().maxCoeff() <= kMaxPartShare * size + kPartSizeError;
+}
+
+CollisionScene uncarved_scene(const Target& target, const Surroundings& around_it) {
+  const Eigen::AlignedBox3d region = around(target.body, around_it.reach + kFarthestClearance);
+  CollisionScene scene{around_it.map.within(region), target.supports, {}, {}};
+  for (std::size_t n = 0; n < around_it.shapes.size(); ++n) {
+    const Detection& d = around_it.detections[around_it.shape_of[n]];
+    const CollisionShape& shape = around_it.shapes[n];
+    if (d.id != target.id && !part_of(d, target.body) && may_reach(shape, region)) {
+      scene.neighbours.push_back(shape);
+    }
+  }
+  return scene;
+}
+
+/// A voxel that reaches into the target has its centre within half its diagonal, plus the noise of
+/// its points.
+double carve_margin(const OccupancyGrid& space) {
+  return 0.5 * std::sqrt(3.0) * space.resolution() + kCarveNoise;
+}
+
+/// True for voxels of what the target stands on.
+bool holds_up(const Target& target, const OccupancyGrid& space, const Eigen::Vector3d& p_C) {
+  const auto near = [&](const SupportPlane& plane) {
+    return plane.distance(p_C) < 0.5 * space.resolution();
+  };
+  return std::any_of(target.supports.begin(), target.supports.end(), near);
+}
+
+void clear_shadow(const Body& body, const Surroundings& around_it, CollisionScene& scene) {
+  if (around_it.unknown != UnknownPolicy::kTargetShadow) return;
+  scene.map.clear_shadow(around_it.space, around_it.view, body, around(body, around_it.reach));
+}
+
+}  // namespace
+
+CollisionScene solid_scene(const Target& target, const Surroundings& around_it) {
+  CollisionScene scene = uncarved_scene(target, around_it);
+  scene.target = make_pieces(target.body);
+  scene.map.carve(target.body, carve_margin(around_it.space), [&](const Eigen::Vector3d& p_C) {
+    return holds_up(target, around_it.space, p_C);
+  });
+  clear_shadow(target.body, around_it, scene);
+  return scene;
+}
+
+CollisionScene shell_scene(const Target& target, const Surroundings& around_it) {
+  CollisionScene scene = uncarved_scene(target, around_it);
+  const Shell& shell = *target.shell;
+  scene.target = make_wall(shell);
+  scene.end_doubt = scene.margin;  // find_shell() put the rim where the points end
+  const double margin = carve_margin(around_it.space);
+  scene.map.carve(shell.body, margin + shell.outer(), [&](const Eigen::Vector3d& p_C) {
+    return !shell.in_wall(p_C, margin) || holds_up(target, around_it.space, p_C);
+  });
+  clear_shadow(shell.body, around_it, scene);
+  return scene;
+}
+
+}  // namespace quadrille

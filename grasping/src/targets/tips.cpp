@@ -1,0 +1,42 @@
+// What only the tips hold, wherever they reach: where nothing better is to be had.
+#include <optional>
+
+#include "contacts/tip_holds.hpp"
+#include "targets/hand_trials.hpp"
+
+namespace quadrille {
+namespace {
+
+// Holds by the tips are exact: their normals are those of the very place, so that less is kept in
+// hand than for contacts that the pads smooth out.
+constexpr double kFrictionShare = 0.9;
+// More collision checks than this found hardly any further hold, and more holds than this are not
+// needed of a target.
+constexpr int kMaxChecks = 4000;
+constexpr std::size_t kMaxGrasps = 8;
+
+std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task) {
+  if (const auto why = misfit(line, task)) return why;
+  if (contradicted(line, task.space)) return Refusal::kContradicted;
+  return std::nullopt;
+}
+
+}  // namespace
+
+TargetGrasps grasps_by_tips(const TargetTask& task) {
+  HandTrials trials(task, kMaxChecks, kMaxGrasps);
+  const TipLimits limits{task.scene, task.options.approach, kFrictionShare * task.options.friction};
+  for (const TipHold& hold :
+       tip_holds(task.target.body, task.gripper, approach_space(task), limits)) {
+    if (trials.done()) break;
+    if (const auto why = unusable(hold.line, task)) {
+      trials.refuse(*why);
+      continue;
+    }
+    const Eigen::Isometry3d X_CG = grasp_pose(hold.line, hold.approach_C, 0.0);
+    trials.try_hand({hold.line, X_CG, hold.friction});
+  }
+  return trials.take();
+}
+
+}  // namespace quadrille
