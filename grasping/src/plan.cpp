@@ -131,7 +131,7 @@ class Planner {
     for (const Target& target : targets_) plan_target(target, around_them);
   }
 
-  // By the tips only what is held in no other way.
+  /// By the tips only what is held in no other way.
   void plan_target(const Target& target, const Surroundings& around_it) {
     const auto task = [&](const CollisionScene& scene) {
       return TargetTask{target, gripper_, options_, *plan_.space, scene, cloud_.viewpoint};
@@ -149,14 +149,14 @@ class Planner {
     if (solid && !held) keep(grasps_by_tips(task(*solid)));
   }
 
-  // True if there are any.
+  /// True if there are any.
   bool keep(const TargetGrasps& found) {
     plan_.grasps.insert(plan_.grasps.end(), found.grasps.begin(), found.grasps.end());
     count(found.refusals);
     return !found.grasps.empty();
   }
 
-  // Best first; the best grasp of each target before any second one is dropped.
+  /// Best first; the best grasp of each target before any second one is dropped.
   void select() {
     const auto better = [](const Grasp& a, const Grasp& b) { return a.score > b.score; };
     std::vector<Grasp>& grasps = plan_.grasps;

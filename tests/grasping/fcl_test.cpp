@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kWallAt = 0.4;
 
-// A region of free space with one wall of voxels across it, 5 mm thick.
+/// A region of free space with one wall of voxels across it, 5 mm thick.
 OccupancyGrid walled() {
   OccupancyGrid grid({Eigen::Vector3d(-0.1, -0.1, -0.2), Eigen::Vector3d(0.1, 0.1, 0.9)},
                      kResolution);
@@ -25,7 +25,7 @@ OccupancyGrid walled() {
     for (int j = 0; j < 48; ++j) {
       const Eigen::Vector3d p(-0.1175 + kResolution * i, -0.1175 + kResolution * j, kWallAt + 1e-4);
       wall.points.push_back(p.cast<float>());
-      beyond.points.push_back(Eigen::Vector3f(p.x(), p.y(), -0.5F));
+      beyond.points.push_back(Eigen::Vector3f(p.x(), p.y(), -0.5f));
       eyes.emplace_back(p.x(), p.y(), 1.0);
     }
   }

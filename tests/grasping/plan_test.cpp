@@ -35,7 +35,7 @@ std::set<int> targets(const GraspPlan& plan) {
   return ids;
 }
 
-// True if a finger or the palm, on its way in, holds a point of a ball.
+/// True if a finger or the palm, on its way in, holds a point of a ball.
 bool touches(const Grasp& g, const std::vector<Ball>& balls) {
   const SweptHand hand = sweep_hand(franka_hand(), g.X_CG, g.preshape, g.width, g.approach);
   for (const OrientedBox& box : {hand.fingers[0], hand.fingers[1], hand.palm}) {
@@ -118,7 +118,7 @@ TEST_CASE("the plan is the same each time, best first and diverse", "[plan][dete
 TEST_CASE("grasps move with the scene", "[plan][law]") {
   std::mt19937 random(12);
   PointCloud cloud;
-  for (int i = 0; i < 50; ++i) cloud.points.emplace_back(3.0F, 0.01F * i, 3.0F);
+  for (int i = 0; i < 50; ++i) cloud.points.emplace_back(3.0f, 0.01f * i, 3.0f);
   for (const Detection& d : solid_detections()) {
     const Eigen::Isometry3d X = random_pose(random);
     Detection here = d, there = d;
@@ -140,7 +140,7 @@ TEST_CASE("grasps move with the scene", "[plan][law]") {
 
 TEST_CASE("every solid of the hand's size is grasped where nothing is in the way", "[plan]") {
   PointCloud cloud;
-  for (int i = 0; i < 50; ++i) cloud.points.emplace_back(3.0F, 0.01F * i, 3.0F);
+  for (int i = 0; i < 50; ++i) cloud.points.emplace_back(3.0f, 0.01f * i, 3.0f);
   for (Detection d : solid_detections()) {
     d.X_CQ.translation() = Eigen::Vector3d(0.0, 0.0, 0.7);
     const GraspPlan plan = plan_grasps(cloud, {d}, franka_hand(), with(UnknownPolicy::kFree));
@@ -171,7 +171,7 @@ TEST_CASE("a neighbour without a gap keeps the fingers out", "[plan][collision]"
 
 TEST_CASE("a cap does not block the grasp of its own cylinder", "[plan]") {
   PointCloud cloud;
-  for (int i = 0; i < 50; ++i) cloud.points.emplace_back(3.0F, 0.01F * i, 3.0F);
+  for (int i = 0; i < 50; ++i) cloud.points.emplace_back(3.0f, 0.01f * i, 3.0f);
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.translation().z() = 0.7;
   const Detection can = cylinder_detection(X, 0.03, 0.06);

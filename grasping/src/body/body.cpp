@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace quadrille {
-
 namespace {
 
 using Profile = Body::Profile;
@@ -16,19 +15,19 @@ constexpr double kMaxStd = 0.01;
 // if that is no farther than this share of its seen length: a slender one may be cut off.
 constexpr double kTip = 0.006, kLongestTip = 0.5;
 
-// Value of the n-th dimension, 0 if it is missing.
+/// Value of the n-th dimension, 0 if it is missing.
 double dimension(const Detection& d, std::size_t n) {
   return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
 }
 
-// Standard deviation of the n-th dimension, 0 if it is missing. At most 1: unknown, and finite.
+/// Standard deviation of the n-th dimension, 0 if it is missing. At most 1: unknown, and finite.
 double deviation(const Detection& d, std::size_t n) {
   if (n >= d.dimensions.size()) return 0.0;
   const double std = d.dimensions[n].std;
   return std::isfinite(std) ? std::min(std, 1.0) : 1.0;
 }
 
-// Those of a, b and c, from the dimensions that these were made of.
+/// Those of a, b and c, from the dimensions that these were made of.
 Eigen::Vector3d deviations(const Detection& d, const Body& body) {
   const double first = deviation(d, 0), second = deviation(d, 1);
   switch (d.type) {
@@ -64,7 +63,7 @@ void set_extent(Body& body, const Detection& d) {
   body.z_max = d.extent_Q.max().z();
 }
 
-// The sheet that was seen, as that of z ≥ c; false if both were.
+/// The sheet that was seen, as that of z ≥ c; false if both were.
 bool fill_sheet(Body& body, const Detection& d) {
   body.profile = Profile::kSheet;
   body.a = dimension(d, 0);
@@ -134,7 +133,7 @@ bool fill_profile(Body& body, const Detection& d) {
   }
 }
 
-// Both nappes: the seen part lies mostly on one, and may not reach the apex.
+/// Both nappes: the seen part lies mostly on one, and may not reach the apex.
 void end_cone(Body& body) {
   if (body.profile != Profile::kLinear) return;
   if (body.z_min < 0.0 && body.z_max > 0.0) {

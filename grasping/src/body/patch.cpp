@@ -9,7 +9,6 @@
 #include "body/polyhedron.hpp"
 
 namespace quadrille {
-
 namespace {
 
 // How far curved patches and pairs of planes reach behind what was seen of them [m].
@@ -23,7 +22,7 @@ double dimension(const Detection& d, std::size_t n) {
   return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
 }
 
-// A surface as the graph h(u, v) over two axes of frame Q, within an interval of each.
+/// A surface as the graph h(u, v) over two axes of frame Q, within an interval of each.
 struct Graph {
   int u_axis, v_axis, h_axis;
   // h at u, v; its slopes; and how far it lies at most below and above its tangent plane at the
@@ -37,8 +36,8 @@ struct Graph {
   virtual ~Graph() = default;
 };
 
-// h = u²/4fa − v²/4fb, for an infinite fb the parabolic cylinder: beside its tangent plane it is
-// du²/4fa − dv²/4fb.
+/// h = u²/4fa − v²/4fb, for an infinite fb the parabolic cylinder: beside its tangent plane it is
+/// du²/4fa − dv²/4fb.
 struct Saddle : Graph {
   double fa, fb;
   Saddle(double focal_a, double focal_b) : Graph(0, 1, 2), fa(focal_a), fb(focal_b) {}
@@ -56,8 +55,8 @@ struct Saddle : Graph {
   }
 };
 
-// One branch of a hyperbolic cylinder: x = ±a√(1 + y²/b²), which bends by a/b² at most. Convex or
-// concave, it is farthest from its tangent at an end of a cell.
+/// One branch of a hyperbolic cylinder: x = ±a√(1 + y²/b²), which bends by a/b² at most. Convex or
+/// concave, it is farthest from its tangent at an end of a cell.
 struct Branch : Graph {
   double side, a, b;
   Branch(double sign, double semi_a, double semi_b)
@@ -77,7 +76,7 @@ struct Branch : Graph {
   }
 };
 
-// The graph over one cell, as a block along its tangent plane there.
+/// The graph over one cell, as a block along its tangent plane there.
 CollisionShape block_of(const Graph& g, const Detection& d, const Eigen::Vector2d& middle,
                         const Eigen::Vector2d& half) {
   const double h = g.value(middle.x(), middle.y());
@@ -124,7 +123,7 @@ void add_blocks(const Graph& g, const Detection& d, std::vector<CollisionShape>&
   }
 }
 
-// A slab from low to high along z of its frame.
+/// A slab from low to high along z of its frame.
 CollisionShape slab(const Eigen::Isometry3d& X_CP, Eigen::AlignedBox3d box, double low,
                     double high) {
   box.min().z() = low;
@@ -140,8 +139,8 @@ CollisionShape plane_slab(const Detection& d) {
   return slab(d.X_CQ, d.extent_Q, -thickness, 0.0);
 }
 
-// Half of one of two planes that meet in the axis z of Q: from that axis along unit direction u_Q,
-// as far as it lies within the extent. None if it does not.
+/// Half of one of two planes that meet in the axis z of Q: from that axis along unit direction u_Q,
+/// as far as it lies within the extent. None if it does not.
 void add_half(const Detection& d, const Eigen::Vector3d& u_Q, std::vector<CollisionShape>& shapes) {
   const Eigen::AlignedBox3d& box = d.extent_Q;
   double from = 0.0, to = std::numeric_limits<double>::infinity();

@@ -8,7 +8,6 @@
 #include <numbers>
 
 namespace quadrille {
-
 namespace {
 
 void push_face(std::vector<int>& faces, std::initializer_list<int> corners) {

@@ -14,7 +14,6 @@
 #include "body/polyhedron.hpp"
 
 namespace quadrille {
-
 namespace {
 
 using Profile = Body::Profile;
@@ -53,7 +52,7 @@ CollisionShape cylinder_shape(const Body& body) {
   return shape;
 }
 
-// FCL's cone points along +z; ours opens along +z or −z from its apex at the origin.
+/// FCL's cone points along +z; ours opens along +z or −z from its apex at the origin.
 CollisionShape cone_shape(const Body& body) {
   const double length = body.z_max - body.z_min;
   CollisionShape shape = placed("cone", body, 0.5 * (body.z_min + body.z_max));
@@ -64,8 +63,8 @@ CollisionShape cone_shape(const Body& body) {
   return shape;
 }
 
-// Rings of a bulging profile, from its tangents: each ring is where two neighbours of them meet, so
-// that all chords lie outside. Adds what they leave between at most to *excess.
+/// Rings of a bulging profile, from its tangents: each ring is where two neighbours of them meet,
+/// so that all chords lie outside. Adds what they leave between at most to *excess.
 std::vector<Ring> tangent_rings(const Body& body, double* excess) {
   const bool sheet = body.profile == Profile::kSheet;
   // Parameter t of the profile: s = t, z = t²; of a sheet s = sinh t, z = c cosh t.
@@ -89,7 +88,7 @@ std::vector<Ring> tangent_rings(const Body& body, double* excess) {
   return rings;
 }
 
-// A polyhedron around a convex body.
+/// A polyhedron around a convex body.
 CollisionShape polyhedron(const Body& body) {
   const bool bulges = body.profile == Profile::kRoot || body.profile == Profile::kSheet;
   if (!bulges) {
@@ -102,7 +101,8 @@ CollisionShape polyhedron(const Body& body) {
   return shape;
 }
 
-// A hyperbola's chords lie outside it, by Δz²/8 times its largest second derivative, 1/c², at most.
+/// A hyperbola's chords lie outside it, by Δz²/8 times its largest second derivative, 1/c², at
+/// most.
 std::vector<CollisionShape> waisted(const Body& body) {
   const double length = body.z_max - body.z_min, most = std::max(body.a, body.b);
   const double wanted = length / body.c * std::sqrt(most / (8.0 * kSagitta));

@@ -7,7 +7,6 @@
 #include "body/shell.hpp"
 
 namespace quadrille {
-
 namespace {
 
 constexpr int kSectors = 24;
@@ -15,7 +14,7 @@ constexpr int kMaxSlices = 8;
 // Height of a slice: the sagitta of a bowl of 70 mm over it is 0.2 mm [m].
 constexpr double kSlice = 0.01;
 
-// A cell of the wall between two angles and two heights.
+/// A cell of the wall between two angles and two heights.
 struct Cell {
   double angle0, angle1, z0, z1;
 
@@ -27,8 +26,8 @@ Eigen::Vector3d wall_point(const Shell& shell, double angle, double z, double of
   return shell.point_Q(angle, z) + off * shell.normal_Q(angle, z);
 }
 
-// How far the surface at `off` lies beyond the plane through its corners on that side, along the
-// normal of the cell's middle; side +1 outward, −1 inward.
+/// How far the surface at `off` lies beyond the plane through its corners on that side, along the
+/// normal of the cell's middle; side +1 outward, −1 inward.
 double sagitta(const Shell& shell, const Cell& cell, double off, double side) {
   const Eigen::Vector3d n = side * shell.normal_Q(cell.angle(0.5), cell.z(0.5));
   constexpr int kSteps = 4;
@@ -44,8 +43,8 @@ double sagitta(const Shell& shell, const Cell& cell, double off, double side) {
   return std::max(0.0, farthest - nearest_corner);
 }
 
-// The corners of the cell, moved out by the sagitta of either side, over the least cosine between
-// the normals of corners and middle that cells of 15° have.
+/// The corners of the cell, moved out by the sagitta of either side, over the least cosine between
+/// the normals of corners and middle that cells of 15° have.
 std::array<Eigen::Vector3d, 8> corners(const Shell& shell, const Cell& cell) {
   constexpr double kCosine = 0.95;
   const double low = shell.inner() - sagitta(shell, cell, shell.inner(), -1.0) / kCosine;

@@ -8,7 +8,6 @@
 #include "contacts/wall_hold.hpp"
 
 namespace quadrille {
-
 namespace {
 
 // Cosines of the widest angles: 107° to the line of sight, beyond which the hand is in the shadow;

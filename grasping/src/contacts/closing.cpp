@@ -6,7 +6,6 @@
 #include "space/collision.hpp"
 
 namespace quadrille {
-
 namespace {
 
 // Contacts nearer than this to the edge of a pad may lie beside it [m].

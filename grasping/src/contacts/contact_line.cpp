@@ -8,7 +8,6 @@
 #include "contacts/directions.hpp"
 
 namespace quadrille {
-
 namespace {
 
 using Profile = Body::Profile;
@@ -21,7 +20,7 @@ constexpr int kMaxHeightSteps = 16;
 // Contacts farther from the middle than this share of the pad's shorter side lie beside it.
 constexpr double kMaxOffPad = 0.45;
 
-// The line through ±p_Q + offset_Q, with outward normal n_Q at the positive end.
+/// The line through ±p_Q + offset_Q, with outward normal n_Q at the positive end.
 struct Pair {
   Eigen::Vector3d offset_Q, p_Q, closing_Q, n_plus_Q, n_minus_Q;
   double opening, std;
@@ -41,7 +40,7 @@ ContactLine placed(const Body& body, const Pair& pair) {
   return line;
 }
 
-// Angles in [0, π): even ones, more around the direction across the line of sight, and the level.
+/// Angles in [0, π): even ones, more around the direction across the line of sight, and the level.
 std::vector<double> cross_angles(const Eigen::Vector3d& view_Q, const Eigen::Vector3d& up_Q) {
   std::vector<double> angles;
   for (int i = 0; i < kEven; ++i) angles.push_back(kPi * i / kEven);
@@ -55,7 +54,7 @@ std::vector<double> cross_angles(const Eigen::Vector3d& view_Q, const Eigen::Vec
   return angles;
 }
 
-// Heights of the pads' centre, kept off the ends by a third of a pad.
+/// Heights of the pads' centre, kept off the ends by a third of a pad.
 std::vector<double> heights(const Body& body, const Gripper& gripper) {
   const double off = std::min(0.35 * gripper.pad.maxCoeff(), 0.25 * (body.z_max - body.z_min));
   const double low = body.z_min + off, high = body.z_max - off;
@@ -87,7 +86,7 @@ void add_across(const Body& body, const Gripper& gripper, const Eigen::Vector3d&
   }
 }
 
-// Both flat ends, or both planes: contacts at the middle and around it.
+/// Both flat ends, or both planes: contacts at the middle and around it.
 void add_end_on(const Body& body, std::vector<ContactLine>& lines) {
   const double middle = 0.5 * (body.z_min + body.z_max);
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
@@ -100,7 +99,7 @@ void add_end_on(const Body& body, std::vector<ContactLine>& lines) {
   }
 }
 
-// Directions over half a sphere: principal axes, a ring across the line of sight, an even spiral.
+/// Directions over half a sphere: principal axes, a ring across the line of sight, an even spiral.
 std::vector<Eigen::Vector3d> sphere_directions(const Eigen::Vector3d& view_Q,
                                                const Eigen::Vector3d& up_Q) {
   std::vector<Eigen::Vector3d> directions = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),

@@ -6,7 +6,6 @@
 #include "contacts/quality.hpp"
 
 namespace quadrille {
-
 namespace {
 
 // How far from the outermost point the contact may be in truth [m]: pads give by about as much, and
@@ -17,7 +16,7 @@ constexpr double kDoubt = 0.0015;
 // edge in truth. That is more than so much askew.
 constexpr double kNearEnd = 0.005, kAskew = 0.1;
 
-// From the tip to the back of a finger, along the approach.
+/// From the tip to the back of a finger, along the approach.
 std::array<double, 8> rows(const Gripper& gripper) {
   const double tip = gripper.finger_front, back = tip - gripper.finger.z();
   return {0.0,
@@ -32,7 +31,7 @@ std::array<double, 8> rows(const Gripper& gripper) {
 
 constexpr double kColumnsAcross[] = {0.0, -0.5, 0.5, -1.0, 1.0};
 // Farther within than any chord ends [m].
-constexpr float kNone = -1e3F;
+constexpr float kNone = -1e3f;
 
 }  // namespace
 
@@ -58,7 +57,7 @@ void PadMeetingFinder::turn(const Eigen::Vector3d& closing_C, const Eigen::Vecto
   square_ = (quadric_.M.transpose() * from_origin_Q_.cwiseAbs2()).transpose().cast<float>().array();
 }
 
-// True if the hand does not open as far as one chord is long.
+/// True if the hand does not open as far as one chord is long.
 bool PadMeetingFinder::too_wide(const Eigen::Vector3d& q_Q) const {
   const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(q_Q) + 0.5 * quadric_.g;
   const double B = half_gradient.dot(y_Q_);
@@ -72,7 +71,7 @@ bool PadMeetingFinder::too_wide(const Eigen::Vector3d& q_Q) const {
   return std::min(z0, z1) >= body_.z_min && std::max(z0, z1) <= body_.z_max;
 }
 
-// The chords' ends, from the roots t of At² + 2Bt + C of q + t·y; false if none has any.
+/// The chords' ends, from the roots t of At² + 2Bt + C of q + t·y; false if none has any.
 bool PadMeetingFinder::cross(const Eigen::Vector3d& p_Q) {
   const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(p_Q) + 0.5 * quadric_.g;
   const double C_p = p_Q.dot(half_gradient) + 0.5 * quadric_.g.dot(p_Q) + quadric_.k;
@@ -80,13 +79,13 @@ bool PadMeetingFinder::cross(const Eigen::Vector3d& p_Q) {
   const Eigen::Vector3f g = (2.0 * half_gradient).cast<float>();
   const Chords C = square_ + static_cast<float>(C_p) + g.x() * offsets_[0] + g.y() * offsets_[1] +
                    g.z() * offsets_[2];
-  const float A = static_cast<float>(curvature_), inverse = 1.0F / A;
-  const Chords D = B * B - A * C, root = D.max(0.0F).sqrt();
+  const float A = static_cast<float>(curvature_), inverse = 1.0f / A;
+  const Chords D = B * B - A * C, root = D.max(0.0f).sqrt();
   const Chords t0 = (-B - root) * inverse, t1 = (root - B) * inverse;
   const Chords z = offsets_[2] + static_cast<float>(p_Q.z());
   const float y_z = static_cast<float>(y_Q_.z());
   const Chords z0 = z + t0 * y_z, z1 = z + t1 * y_z;
-  const auto meets = (D > 0.0F && z0.min(z1) >= static_cast<float>(body_.z_min) &&
+  const auto meets = (D > 0.0f && z0.min(z1) >= static_cast<float>(body_.z_min) &&
                       z0.max(z1) <= static_cast<float>(body_.z_max))
                          .eval();
   out_[0] = meets.select(t1, kNone);
@@ -94,8 +93,8 @@ bool PadMeetingFinder::cross(const Eigen::Vector3d& p_Q) {
   return meets.any();
 }
 
-// tan θ, where cos θ is the mean cosine between the closing direction and the normals of what may
-// be the contact.
+/// tan θ, where cos θ is the mean cosine between the closing direction and the normals of what may
+/// be the contact.
 double PadMeetingFinder::lean(int side, double most, const Eigen::Vector3d& p_Q) const {
   double sum = 0.0;
   int count = 0;
@@ -124,8 +123,8 @@ bool PadMeetingFinder::on_edge(const ContactLine& line) const {
   return false;
 }
 
-// The tangent of the widest angle between the line between two points of the surface and its
-// normals there.
+/// The tangent of the widest angle between the line between two points of the surface and its
+/// normals there.
 double PadMeetingFinder::friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q) const {
   const Eigen::Vector3d between = (ends_Q[0] - ends_Q[1]).normalized();
   double least = 1.0;

@@ -52,13 +52,13 @@ class PadMeetingFinder {
   const Gripper& gripper_;
   DiagonalQuadric quadric_;
   Eigen::Vector3d y_C_, y_Q_;
-  // Where the chords lie from the origin of G, with wᵀMw and wᵀMy of each such w, and yᵀMy: a chord
-  // lies inside between its ends if this is positive.
+  /// Where the chords lie from the origin of G, with wᵀMw and wᵀMy of each such w, and yᵀMy: a
+  /// chord lies inside between its ends if this is positive.
   Eigen::Matrix<double, 3, kChords> from_origin_Q_;
   std::array<Chords, 3> offsets_;  // the same, axis by axis
   Chords square_, product_;
   double curvature_ = 0.0;
-  // How far out the ends of each chord lie on either side; far within if it meets no surface.
+  /// How far out the ends of each chord lie on either side; far within if it meets no surface.
   std::array<Chords, 2> out_;
 };
 

@@ -12,7 +12,6 @@
 #include "contacts/pad_meeting.hpp"
 
 namespace quadrille {
-
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -39,7 +38,7 @@ constexpr double kTilts[] = {0.0, -0.2, 0.2, -0.4, 0.4};
 // Straight sides need friction of about the tilt itself: more would not hold.
 constexpr double kMaxTiltOnStraight = 0.3;
 
-// Points all over the surface, in frame C.
+/// Points all over the surface, in frame C.
 Eigen::Matrix3Xd surface(const Body& body) {
   constexpr int kHeights = 9, kAngles = 16;
   Eigen::Matrix3Xd points(3, kHeights * kAngles);
@@ -91,7 +90,7 @@ int band(double friction) {
   return std::max(kFirstBand, static_cast<int>(friction / kFrictionBand));
 }
 
-// The holds on one body.
+/// The holds on one body.
 class Search {
  public:
   Search(const Body& body, const Gripper& gripper, const TipLimits& limits)
@@ -101,7 +100,7 @@ class Search {
     }
   }
 
-  // All depths and places of one orientation of the hand.
+  /// All depths and places of one orientation of the hand.
   void add(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C, double prior) {
     Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
     X_CG.linear() << closing_C.cross(approach_C), closing_C, approach_C;
@@ -167,7 +166,7 @@ class Search {
     return boxes_G;
   }
 
-  // True if the palm runs into something in all of these places, wherever along y they end up.
+  /// True if the palm runs into something in all of these places, wherever along y they end up.
   bool blocked(const Eigen::Isometry3d& X_CG, const std::vector<Eigen::Vector3d>& places_G) const {
     Eigen::AlignedBox3d places;
     for (const Eigen::Vector3d& p_G : places_G) places.extend(p_G);
@@ -177,7 +176,7 @@ class Search {
     return palm && limits_.scene.palm_obstruction(*palm);
   }
 
-  // True if the closed hand's fingers or palm lie below a plane, wherever along y it ends up.
+  /// True if the closed hand's fingers or palm lie below a plane, wherever along y it ends up.
   bool sinks(const Eigen::Isometry3d& X_CG) const {
     const double front = gripper_.finger_front, back = front - gripper_.finger.z();
     const Eigen::Vector3d palm(0.5 * gripper_.palm.x(), 0.5 * gripper_.palm.y(), 0.0);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace quadrille {
-
 namespace {
 
 // Sine of the least steep wall, 17°: on flatter ones the way up to the rim, over the same rise, is

@@ -1,10 +1,9 @@
 #include "quadrille/grasping/conventions.hpp"
 
 namespace quadrille {
-
 namespace {
 
-// Columns are the axes of H in G.
+/// Columns are the axes of H in G.
 Eigen::Matrix3d rotation(HandConvention convention) {
   Eigen::Matrix3d R_GH = Eigen::Matrix3d::Identity();
   switch (convention) {
@@ -21,7 +20,7 @@ Eigen::Matrix3d rotation(HandConvention convention) {
   return R_GH;
 }
 
-// How far the origin of H lies behind that of G [m].
+/// How far the origin of H lies behind that of G [m].
 double offset(HandConvention convention, const Gripper& gripper, double width) {
   switch (convention) {
     case HandConvention::kDrake:

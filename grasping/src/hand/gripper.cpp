@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 namespace quadrille {
-
 namespace {
 
 // No hand is larger; a number beyond it was meant in millimetres [m].
@@ -29,7 +28,7 @@ void demand_sizes(const char* field, const Sizes& sizes) {
   for (const double size : sizes) demand_size(field, size);
 }
 
-// Sine of the links' angle at an opening.
+/// Sine of the links' angle at an opening.
 double swing(const Gripper& hand, double opening) {
   return std::sin(hand.link_angle) - (hand.max_opening - opening) / (2.0 * hand.link_length);
 }

@@ -5,7 +5,6 @@
 #include "view/depth_view.hpp"
 
 namespace quadrille {
-
 namespace {
 
 // A measured point this near to the target's body is the target's [m].
@@ -13,7 +12,7 @@ constexpr double kOnTarget = 0.006;
 
 }  // namespace
 
-// The cone that a body's shadow lies in, as seen by the sensor.
+/// The cone that a body's shadow lies in, as seen by the sensor.
 struct ObstacleMap::Cone {
   Eigen::Vector3d p_CV, to_body;
   double far, size, angle;
@@ -26,7 +25,7 @@ struct ObstacleMap::Cone {
     angle = far > size ? std::asin(size / far) : std::acos(-1.0);
   }
 
-  // True if the ball around p_C may reach into it.
+  /// True if the ball around p_C may reach into it.
   bool meets(const Eigen::Vector3d& p_C, double radius) const {
     const Eigen::Vector3d to_ball = p_C - p_CV;
     const double here = to_ball.norm();
@@ -59,7 +58,7 @@ void ObstacleMap::clear_shadow(const OccupancyGrid& grid, const DepthView& view,
   refresh({kEdge * low, (kEdge * (high.array() + 1) - 1).matrix()});
 }
 
-// One block of the top level, voxel by voxel.
+/// One block of the top level, voxel by voxel.
 void ObstacleMap::clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
                               const Cone& cone, const Eigen::Vector3i& first) {
   constexpr int kEdge = 1 << (kLevels - 1);

@@ -8,12 +8,11 @@
 #include <span>
 
 namespace quadrille {
-
 namespace {
 
-// Only collide(), never distance() or continuousCollide(): those fail on half-spaces and empty
-// octrees or miss thin walls between their samples. libccd's solver, not FCL's own (GST_INDEP),
-// which lets a small box inside a Convex pass.
+/// Only collide(), never distance() or continuousCollide(): those fail on half-spaces and empty
+/// octrees or miss thin walls between their samples. libccd's solver, not FCL's own (GST_INDEP),
+/// which lets a small box inside a Convex pass.
 bool fcl_collide(const fcl::CollisionGeometryd* a, const fcl::Transform3d& X_A,
                  const fcl::CollisionGeometryd* b, const fcl::Transform3d& X_B) {
   fcl::CollisionRequestd request(1, false);
@@ -27,7 +26,7 @@ bool fcl_collide(const fcl::CollisionGeometryd* a, const fcl::Transform3d& X_A,
 // touching queries the deepest miss was between 0.1 and 1 µm [m].
 constexpr double kSolverSlack = 2e-6;
 
-// True if a face of the box, or of the box around the shape, parts them.
+/// True if a face of the box, or of the box around the shape, parts them.
 bool apart(const OrientedBox& box, const CollisionShape& shape) {
   const auto& bounds = shape.geometry->aabb_local;
   const Eigen::Vector3d half_S = (0.5 * (bounds.max_ - bounds.min_)).array() + kSolverSlack;
@@ -71,7 +70,7 @@ Hit voxel_hit(std::span<const OrientedBox> boxes, const ObstacleMap& map, double
   return Hit::kNone;
 }
 
-// `solid` stays out of everything, and by `off_target` off the target, which `closing` may touch.
+/// `solid` stays out of everything, and by `off_target` off the target, which `closing` may touch.
 std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
                                              std::span<const OrientedBox> solid,
                                              std::span<const OrientedBox> closing,

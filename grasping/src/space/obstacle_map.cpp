@@ -4,15 +4,14 @@
 #include <cmath>
 
 namespace quadrille {
-
 namespace {
 
 // Overlaps shallower than this count as touching.
 constexpr double kTouch = 1e-9;
 
-// A row of cubes, each from eight: what any of them has of the first two flags, and the last if all
-// have it. `fine` is the first of the four rows that they lie in, `row` and `layer` from each to
-// the next.
+/// A row of cubes, each from eight: what any of them has of the first two flags, and the last if
+/// all have it. `fine` is the first of the four rows that they lie in, `row` and `layer` from each
+/// to the next.
 void merge(const std::uint8_t* __restrict fine, std::size_t row, std::size_t layer, int count,
            std::uint8_t* __restrict coarse) {
   const std::uint8_t *a = fine, *b = fine + row, *c = fine + layer, *d = fine + layer + row;
@@ -30,7 +29,7 @@ constexpr double kBesidePoints = 0.001;
 
 }  // namespace
 
-// A box as the 15 axes that may separate it from a cube, each with the box's own reach on it.
+/// A box as the 15 axes that may separate it from a cube, each with the box's own reach on it.
 struct ObstacleMap::Query {
   Eigen::Vector3d p;            // centre
   Eigen::Vector3d reach;        // on the cube's axes
@@ -62,15 +61,15 @@ struct ObstacleMap::Query {
       to_eighth[n] = on_faces({(n & 1) ? 1.0 : -1.0, (n & 2) ? 1.0 : -1.0, (n & 4) ? 1.0 : -1.0});
     }
     // Floats round by less than this on the offsets of what lies within some metres [m].
-    constexpr float kRounding = 2e-6F;
+    constexpr float kRounding = 2e-6f;
     quick_reach << reach.cast<float>().array() + kRounding, half.cast<float>().array() + kRounding,
-        1.0F, 1.0F;
-    quick_spread << 1.0F, 1.0F, 1.0F, face_spread.cast<float>().array(), 0.0F, 0.0F;
+        1.0f, 1.0f;
+    quick_spread << 1.0f, 1.0f, 1.0f, face_spread.cast<float>().array(), 0.0f, 0.0f;
   }
 
   Offset on_faces(const Eigen::Vector3d& t) const {
     Offset offset;
-    offset << t.cast<float>().array(), (R.transpose() * t).cast<float>().array(), 0.0F, 0.0F;
+    offset << t.cast<float>().array(), (R.transpose() * t).cast<float>().array(), 0.0f, 0.0f;
     return offset;
   }
 
@@ -195,12 +194,12 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
   return Hit::kNone;
 }
 
-// What the box meets of a cube that holds something.
+/// What the box meets of a cube that holds something.
 std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Vector3i& at,
                                   const Offset& offset) const {
   const double h = 0.5 * resolution_ * (1 << level);
   const Offset gap = offset.abs() - query.quick_reach - static_cast<float>(h) * query.quick_spread;
-  if (gap.maxCoeff() > 0.0F) return 0;
+  if (gap.maxCoeff() > 0.0f) return 0;
   const Level& here = levels_[level];
   const std::uint8_t flags = here.flags[here.index(at.x(), at.y(), at.z())];
   const bool refined = view_ != nullptr && flags & (kAnyUnknown | (sole_view_ ? kAnyOccupied : 0));
@@ -222,9 +221,9 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Ve
   return 0;
 }
 
-// True if the box overlaps an eighth of the cube that the view, to within a margin, did not see
-// through; if so these are divided in turn, up to a depth. Of what lies between its rays it tells
-// nothing: parts are looked at only where they are larger than that.
+/// True if the box overlaps an eighth of the cube that the view, to within a margin, did not see
+/// through; if so these are divided in turn, up to a depth. Of what lies between its rays it tells
+/// nothing: parts are looked at only where they are larger than that.
 bool ObstacleMap::enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half,
                                 int depth, double margin) const {
   const double h = 0.5 * half;

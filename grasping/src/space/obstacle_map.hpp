@@ -71,8 +71,8 @@ class ObstacleMap {
   Eigen::Vector3d centre(int i, int j, int k) const {
     return corner_ + resolution_ * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
   }
-  // The middle of a cube, seen from a box's, on six axes that may part them: floats, of which the
-  // last two are zero.
+  /// The middle of a cube, seen from a box's, on six axes that may part them: floats, of which the
+  /// last two are zero.
   using Offset = Eigen::Array<float, 8, 1>;
   std::uint8_t descend(const Query& query, int level, const Eigen::Vector3i& at,
                        const Offset& offset) const;

@@ -7,7 +7,6 @@
 #include "view/depth_view.hpp"
 
 namespace quadrille {
-
 namespace {
 
 constexpr double kRange = 32000.0;
@@ -58,7 +57,7 @@ void OccupancyGrid::add_rays(const PointCloud& cloud,
   mark_occupied(cloud, std::vector<std::uint8_t>(cloud.points.size(), 0));
 }
 
-// From voxel to voxel (Amanatides and Woo), within the grid, up to the voxel of the end.
+/// From voxel to voxel (Amanatides and Woo), within the grid, up to the voxel of the end.
 void OccupancyGrid::pass(const Eigen::Vector3d& from_C, const Eigen::Vector3d& to_C) {
   const Eigen::Array3d start = from_C.array() / resolution_ - corner_.cast<double>().array();
   const Eigen::Array3d way = (to_C - from_C).array() / resolution_;
@@ -121,7 +120,7 @@ bool OccupancyGrid::wanted(const Eigen::Vector3i& block) const {
                      [&](const Eigen::AlignedBox3d& wanted) { return wanted.intersects(box); });
 }
 
-// Top-down: a block of which the image tells at once that it is free or hidden is not divided.
+/// Top-down: a block of which the image tells at once that it is free or hidden is not divided.
 void OccupancyGrid::mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge) {
   const double half = 0.5 * edge * resolution_;
   const Eigen::Vector3d centre_C =
@@ -138,7 +137,7 @@ void OccupancyGrid::mark_free(const DepthView& view, const Eigen::Vector3i& low,
   }
 }
 
-// The eight voxels around the point p_V of the view.
+/// The eight voxels around the point p_V of the view.
 void OccupancyGrid::mark_eight(const DepthView& view, const Eigen::Vector3i& low,
                                const Eigen::Vector3d& p_V) {
   constexpr double kRounding = 1e-6;  // of floats, in metres at a few metres of depth
@@ -168,13 +167,13 @@ void OccupancyGrid::mark_occupied(const PointCloud& cloud, const std::vector<std
   const float scale = static_cast<float>(1.0 / resolution_);
   for (std::size_t n = 0; n < cloud.points.size(); ++n) {
     const Eigen::Array3f x = (cloud.points[n].array() * scale).floor() - corner;
-    if (!((x >= 0.0F).all() && (x < size).all()) || stray[n]) continue;
+    if (!((x >= 0.0f).all() && (x < size).all()) || stray[n]) continue;
     states_[index(static_cast<int>(x[0]), static_cast<int>(x[1]), static_cast<int>(x[2]))] =
         Voxel::kOccupied;
   }
 }
 
-// But for what another view found occupied.
+/// But for what another view found occupied.
 void OccupancyGrid::fill_free(const Eigen::Vector3i& low, int edge) {
   for (int k = low.z(); k < low.z() + edge; ++k) {
     for (int j = low.y(); j < low.y() + edge; ++j) {

@@ -3,10 +3,9 @@
 #include "quadrille/grasping/occupancy.hpp"
 
 namespace quadrille {
-
 namespace {
 
-// OctoMap makes a root only together with a first voxel.
+/// OctoMap makes a root only together with a first voxel.
 class RootedTree : public octomap::OcTree {
  public:
   explicit RootedTree(double resolution) : octomap::OcTree(resolution) {
@@ -16,7 +15,7 @@ class RootedTree : public octomap::OcTree {
   }
 };
 
-// Writes one grid into a tree, block by block; OctoMap's own ray insertion takes seconds.
+/// Writes one grid into a tree, block by block; OctoMap's own ray insertion takes seconds.
 class TreeWriter {
  public:
   TreeWriter(const OccupancyGrid& grid, bool unknown_occupied)
@@ -40,7 +39,7 @@ class TreeWriter {
   // What was seen of a voxel.
   static Voxel seen(Voxel state) { return state == Voxel::kClear ? Voxel::kUnknown : state; }
 
-  // The state all voxels of the cube have, or −1.
+  /// The state all voxels of the cube have, or −1.
   int uniform(const Eigen::Vector3i& low, int edge) const {
     const Voxel first = seen(grid_.at(low.x(), low.y(), low.z()));
     for (int k = low.z(); k < low.z() + edge; ++k) {

@@ -4,7 +4,6 @@
 #include <optional>
 
 namespace quadrille {
-
 namespace {
 
 // Shorter planes are but neighbours: boxes, books, lids [m].
@@ -19,8 +18,8 @@ constexpr double kSupportGoesOn = 0.1;
 // does not stand on it.
 constexpr double kMinAbove = 0.25;
 
-// A large plane that the target stands on: below most of the body, no farther from the body than
-// the body is large (what stands before it may hide the body's foot).
+/// A large plane that the target stands on: below most of the body, no farther from the body than
+/// the body is large (what stands before it may hide the body's foot).
 std::optional<SupportPlane> support(const Detection& plane, const Body& body) {
   const double size = body.bounds_Q().sizes().maxCoeff();
   const double least = std::max(kMinSupport, kSupportToBody * size);

@@ -101,7 +101,7 @@ void try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C, cons
   }
 }
 
-// Most candidates end at palm_blocked(), at the cost of one check.
+/// Most candidates end at palm_blocked(), at the cost of one check.
 void try_across(const ContactLine& line, const Eigen::Vector3d& approach_C, const TargetTask& task,
                 HandTrials& trials) {
   if (trials.resembles_accepted(line, approach_C) ||

@@ -113,7 +113,7 @@ bool HandTrials::resembles_accepted(const ContactLine& line,
   });
 }
 
-// Planes are looked at first, at little cost: they do not count as effort.
+/// Planes are looked at first, at little cost: they do not count as effort.
 void HandTrials::obstructed(Obstruction what) {
   refuse(refusal_of(what));
   checks_ += what != Obstruction::kSupport;

@@ -18,8 +18,8 @@ constexpr std::size_t kMaxGrasps = 12;
 // at its corners that is 4° out of line, of the 5° that a held object may turn.
 constexpr double kMaxWarpToReach = 1.0 / 15.0;
 
-// The tips as far beyond the contacts as the rim is before them: the bend of the wall then turns it
-// neither way.
+/// The tips as far beyond the contacts as the rim is before them: the bend of the wall then turns
+/// it neither way.
 void try_rim(const ContactLine& line, const Eigen::Vector3d& approach_C, const TargetTask& task,
              HandTrials& trials) {
   const Shell& shell = *task.target.shell;

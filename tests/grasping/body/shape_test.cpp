@@ -27,7 +27,7 @@ OrientedBox random_box(std::mt19937& random, const Eigen::AlignedBox3d& around) 
   return box;
 }
 
-// Points all over a shape's inside, and its corners, in frame C.
+/// Points all over a shape's inside, and its corners, in frame C.
 std::vector<Eigen::Vector3d> points_of(const CollisionShape& shape, std::mt19937& random) {
   std::vector<Eigen::Vector3d> points;
   for (const Eigen::Vector3d& v : shape.vertices_S) points.push_back(shape.X_CS * v);

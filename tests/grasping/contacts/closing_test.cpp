@@ -32,7 +32,7 @@ GraspPlan plan_alone(Detection& detection) {
       Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 0.5).normalized()).matrix();
   detection.X_CQ.translation() = Eigen::Vector3d(0.05, 0.02, 0.7);
   PointCloud cloud;
-  for (int i = 0; i < 50; ++i) cloud.points.emplace_back(3.0F, 0.01F * i, 3.0F);
+  for (int i = 0; i < 50; ++i) cloud.points.emplace_back(3.0f, 0.01f * i, 3.0f);
   PlanOptions options;
   options.unknown = UnknownPolicy::kFree;
   return plan_grasps(cloud, {detection}, franka_hand(), options);

@@ -21,9 +21,9 @@ Body cylinder(double radius, double length) {
   return make_body(cylinder_detection(Eigen::Isometry3d::Identity(), radius, length)).value();
 }
 
-// True if the line through a point of the body along the closing direction leaves it away from its
-// flat ends. Where these cut chords off, more of the body may lie between two chords of the grid,
-// which are up to 9 mm apart.
+/// True if the line through a point of the body along the closing direction leaves it away from its
+/// flat ends. Where these cut chords off, more of the body may lie between two chords of the grid,
+/// which are up to 9 mm apart.
 bool off_ends(const Body& body, const Eigen::Vector3d& p_C, const Eigen::Vector3d& closing_C) {
   if (!body.contains(p_C)) return false;
   const auto line = chord(body, p_C, closing_C);

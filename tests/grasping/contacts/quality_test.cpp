@@ -11,7 +11,7 @@ using namespace quadrille::test;
 
 namespace {
 
-// Contacts on the y axis, the normals leaning by these angles about x.
+/// Contacts on the y axis, the normals leaning by these angles about x.
 ContactLine line(double width, double lean0, double lean1) {
   ContactLine made;
   made.width = width;
@@ -21,8 +21,8 @@ ContactLine line(double width, double lean0, double lean1) {
   return made;
 }
 
-// ε by search over wrench directions: the least, over unit u, of the largest of what either contact
-// gives, with soft fingers: h(u) = q·n + √(μ²|q_t|² + γ²(b·n)²), q = a + b × r.
+/// ε by search over wrench directions: the least, over unit u, of the largest of what either
+/// contact gives, with soft fingers: h(u) = q·n + √(μ²|q_t|² + γ²(b·n)²), q = a + b × r.
 double searched_epsilon(const ContactLine& grasp, const ContactModel& model, std::mt19937& random) {
   double least = std::numeric_limits<double>::infinity();
   const auto value = [&](const Eigen::Matrix<double, 6, 1>& u) {

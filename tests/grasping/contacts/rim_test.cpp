@@ -22,7 +22,7 @@ std::optional<Shell> shell_of(const Cup& cup, bool inner) {
   return find_shell(body, seen_from_inside(d, body), cloud, DepthView(cloud), kUp, {});
 }
 
-// Points all through the box, half a millimetre within its faces and 2 mm apart.
+/// Points all through the box, half a millimetre within its faces and 2 mm apart.
 template <class Visitor>
 void each_point(const OrientedBox& box, Visitor&& visit) {
   const Eigen::Vector3d half = box.half.array() - 0.0005;
@@ -121,7 +121,7 @@ TEST_CASE("only where points were measured does a rim line remain", "[rim]") {
   CHECK(measured.size() > 20);
   for (const ContactLine& line : measured) CHECK(line.std < 0.001);
   PointCloud off = render(cup);  // 12 mm beside the wall: another one's points
-  for (Eigen::Vector3f& p : off.points) p += Eigen::Vector3f(0.0F, 0.0F, 0.2F);
+  for (Eigen::Vector3f& p : off.points) p += Eigen::Vector3f(0.0f, 0.0f, 0.2f);
   CHECK(measured_lines(shell, franka_hand(), lines, off).empty());
 }
 

@@ -34,13 +34,13 @@ SupportPlane table() {
   return {d.X_CQ, {d.extent_Q.min().head<2>(), d.extent_Q.max().head<2>()}};
 }
 
-// Nothing in the way but planes.
+/// Nothing in the way but planes.
 CollisionScene only(std::vector<SupportPlane> planes) {
   return {
       ObstacleMap(OccupancyGrid(Eigen::AlignedBox3d(), 0.005), false), std::move(planes), {}, {}};
 }
 
-// As wide as the hand, on the table: it cannot be held across its middle.
+/// As wide as the hand, on the table: it cannot be held across its middle.
 Detection flat_ellipsoid(double b = 0.037) {
   Detection d;
   d.id = 1;
@@ -54,7 +54,7 @@ Detection flat_ellipsoid(double b = 0.037) {
   return d;
 }
 
-// The table with the body on it, as the camera at the origin sees it.
+/// The table with the body on it, as the camera at the origin sees it.
 PointCloud render_on_table(const Body& body) {
   PointCloud cloud = render({});
   for (std::size_t n = 0; n < cloud.points.size(); ++n) {

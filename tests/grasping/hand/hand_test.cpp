@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPreshape = 0.07, kClosed = 0.05, kApproach = 0.06;
 
-// The hand itself, at rest: its solid parts with the pads that far apart.
+/// The hand itself, at rest: its solid parts with the pads that far apart.
 std::array<OrientedBox, 3> hand_at(const Gripper& g, const Eigen::Isometry3d& X_CG,
                                    double opening) {
   const double tip = g.finger_front, back = tip - g.finger.z(), x = 0.5 * g.finger.x();

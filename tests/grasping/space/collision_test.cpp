@@ -21,7 +21,7 @@ struct Counts {
   int queries = 0, hits = 0, missed = 0, false_alarms = 0;
 };
 
-// Overlaps deeper than a nanometre have to be told, gaps wider than a few micrometres must not.
+/// Overlaps deeper than a nanometre have to be told, gaps wider than a few micrometres must not.
 void judge(const ExactSolid& solid, const CollisionShape& shape, const OrientedBox& box,
            Counts& counts) {
   const bool hit = overlaps(box, shape);
@@ -31,7 +31,7 @@ void judge(const ExactSolid& solid, const CollisionShape& shape, const OrientedB
   if (hit && !solid.meets(box.inflated(5e-6))) ++counts.false_alarms;
 }
 
-// Random boxes about a shape, and boxes that touch it, a little more or less.
+/// Random boxes about a shape, and boxes that touch it, a little more or less.
 void query(const CollisionShape& shape, std::mt19937& random, Counts& counts) {
   const ExactSolid solid(shape);
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(0.15), p_CS = shape.X_CS.translation();

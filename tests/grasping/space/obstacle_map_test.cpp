@@ -20,7 +20,7 @@ namespace {
 
 const Eigen::AlignedBox3d kAround(Eigen::Vector3d(-0.1, -0.1, 0.7), Eigen::Vector3d(0.1, 0.1, 0.9));
 
-// A cube of a grid as a solid.
+/// A cube of a grid as a solid.
 CollisionShape cube(const Eigen::Vector3d& centre) {
   CollisionShape shape;
   shape.kind = "box";
@@ -35,7 +35,7 @@ bool meets(const OrientedBox& box, const CollisionShape& voxel) {
   return ExactSolid(voxel).meets(box);
 }
 
-// The voxels around a box for which holds(state).
+/// The voxels around a box for which holds(state).
 template <class Holds>
 bool meets_any(const OrientedBox& box, const OccupancyGrid& grid, Holds&& holds) {
   const Eigen::Array3d scale = Eigen::Array3d::Constant(1.0 / kResolution);
@@ -56,7 +56,7 @@ bool meets_any(const OrientedBox& box, const OccupancyGrid& grid, Holds&& holds)
   return false;
 }
 
-// Single voxels and small heaps of them, far between.
+/// Single voxels and small heaps of them, far between.
 PointCloud scattered(std::mt19937& random) {
   PointCloud cloud;
   for (int n = 0; n < 40; ++n) {
@@ -149,7 +149,7 @@ TEST_CASE("the box test agrees with FCL on the octree", "[occupancy][collision]"
 TEST_CASE("a box is free up to a voxel's face and hits beyond", "[occupancy][collision]") {
   PointCloud cluster;  // a lone point would count as a stray
   for (int i = 0; i < 49; ++i) {
-    cluster.points.emplace_back(0.0005F + 0.0005F * (i % 7), 0.0005F + 0.0005F * (i / 7), 0.5025F);
+    cluster.points.emplace_back(0.0005f + 0.0005f * (i % 7), 0.0005f + 0.0005f * (i / 7), 0.5025f);
   }
   const OccupancyGrid one(cluster, DepthView(cluster),
                           {Eigen::Vector3d(-0.05, -0.05, 0.45), Eigen::Vector3d(0.05, 0.05, 0.55)},

@@ -15,7 +15,7 @@ using namespace quadrille::test;
 
 namespace {
 
-// Independent of DepthView: every pixel of the image against the voxel.
+/// Independent of DepthView: every pixel of the image against the voxel.
 bool all_rays_pass(const Scene& scene, const Eigen::Vector3d& centre, double half) {
   int rays = 0;
   for (int v = 0; v < kHeight; ++v) {
