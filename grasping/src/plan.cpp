@@ -97,7 +97,7 @@ class Planner {
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const Target& target : targets_) {
       region.extend(around(target.body, reach_));
-      boxes.push_back(around(target.body, reach_ + kFarthestClearance));
+      boxes.push_back(around(target.body, reach_ + kMaxClearance));
     }
     double resolution = options_.resolution;
     if (!region.isEmpty()) {

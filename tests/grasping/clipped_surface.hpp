@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -196,7 +197,7 @@ class ClippedSurface {
     for (int axis = 0; axis < 3; ++axis) all.push_back(Eigen::Vector3d::Unit(axis));
     const Eigen::Vector3d radial = Eigen::Vector3d(p.x(), p.y(), 0.0).normalized();
     for (int k = 0; k < 64 && radial.allFinite(); ++k) {
-      const double t = M_PI * k / 64;
+      const double t = std::numbers::pi * k / 64;
       all.push_back(std::cos(t) * radial + std::sin(t) * Eigen::Vector3d::UnitZ());
     }
     return all;

@@ -3,6 +3,7 @@
 #include <octomap/OcTree.h>
 
 #include "grasping/mapped_scene.hpp"
+#include "grasping/octree_overlap.hpp"
 #include "quadrille/grasping/shape.hpp"
 #include "space/collision.hpp"
 #include "support/catch.hpp"
@@ -13,24 +14,29 @@ using namespace quadrille::test;
 
 namespace {
 
-constexpr double kWallAt = 0.4;
+constexpr float kWallAt = 0.4f;
 
-/// A region of free space with one wall of voxels across it, 5 mm thick.
+/// A wall of points across the region, as an eye on its axis at a height sees it.
+PointCloud wall_from(double eye) {
+  PointCloud cloud;
+  cloud.viewpoint = {0.0, 0.0, eye};
+  for (int i = 0; i < 120; ++i) {
+    for (int j = 0; j < 120; ++j) {
+      cloud.points.emplace_back(-0.119f + 0.002f * i, -0.119f + 0.002f * j, kWallAt + 1e-4f);
+    }
+  }
+  return cloud;
+}
+
+/// A region of free space around its axis with one wall of voxels across it, 5 mm thick, seen from
+/// either side.
 OccupancyGrid walled() {
   OccupancyGrid grid({Eigen::Vector3d(-0.1, -0.1, -0.2), Eigen::Vector3d(0.1, 0.1, 0.9)},
                      kResolution);
-  PointCloud wall, beyond;
-  std::vector<Eigen::Vector3d> eyes;
-  for (int i = 0; i < 48; ++i) {
-    for (int j = 0; j < 48; ++j) {
-      const Eigen::Vector3d p(-0.1175 + kResolution * i, -0.1175 + kResolution * j, kWallAt + 1e-4);
-      wall.points.push_back(p.cast<float>());
-      beyond.points.push_back(Eigen::Vector3f(p.x(), p.y(), -0.5f));
-      eyes.emplace_back(p.x(), p.y(), 1.0);
-    }
+  for (const double eye : {-1.5, 2.5}) {
+    const PointCloud wall = wall_from(eye);
+    grid.add(wall, DepthView(wall));
   }
-  grid.add_rays(beyond, eyes);
-  grid.add_rays(wall, eyes);
   return grid;
 }
 
@@ -53,7 +59,7 @@ TEST_CASE("the octree's inner nodes know their children", "[fcl]") {
   REQUIRE(tree->getRoot());
   CHECK(tree->isNodeOccupied(tree->getRoot()));
   const OrientedBox at_wall{Eigen::Matrix3d::Identity(),
-                            {0, 0, kWallAt + 0.5 * kResolution},
+                            {0.0025, 0.0025, kWallAt + 0.5 * kResolution},
                             Eigen::Vector3d::Constant(0.001)};
   CHECK(overlaps(at_wall, tree));
   for (auto node = tree->begin_tree(); node != tree->end_tree(); ++node) {
@@ -65,7 +71,7 @@ TEST_CASE("the octree's inner nodes know their children", "[fcl]") {
 TEST_CASE("voxels are as occupied as can be, whatever threshold a reader sets", "[fcl]") {
   const auto tree = walled().to_octree();
   tree->setOccupancyThres(0.9);
-  const auto* node = tree->search(0.0, 0.0, kWallAt + 0.5 * kResolution);
+  const auto* node = tree->search(0.0025, 0.0025, kWallAt + 0.5 * kResolution);
   REQUIRE(node);
   CHECK(tree->isNodeOccupied(node));
 }

@@ -3,6 +3,7 @@
 #include <octomap/OcTree.h>
 
 #include <algorithm>
+#include <numbers>
 #include <set>
 #include <stdexcept>
 
@@ -178,7 +179,7 @@ TEST_CASE("a cap does not block the grasp of its own cylinder", "[plan]") {
   Detection cap = table_detection(2);
   cap.X_CQ = X;
   cap.X_CQ.translation().z() = 0.67;
-  cap.X_CQ.linear() = Eigen::AngleAxisd(3.14159265, Eigen::Vector3d::UnitX()).matrix();
+  cap.X_CQ.linear() = Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()).matrix();
   cap.extent_Q = {Eigen::Vector3d(-0.03, -0.03, 0), Eigen::Vector3d(0.03, 0.03, 0)};
   const PlanOptions options = with(UnknownPolicy::kFree);
   const auto alone = plan_grasps(cloud, {can}, franka_hand(), options);

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <utility>
 
 #include "io/cloud_file.hpp"
 #include "io/describe.hpp"
@@ -13,7 +14,7 @@
 namespace quadrille {
 namespace {
 
-using Visitor = std::function<void(const InputCloud&)>;
+using Visitor = std::function<void(InputCloud)>;
 
 InputCloud read_cloud_file(const std::string& path) {
   const auto start = std::chrono::steady_clock::now();
@@ -54,9 +55,9 @@ std::vector<std::string> warnings_about(const logs::CloudLogReader& reader, int 
 std::vector<std::string> visit_log(const std::string& path, const Visitor& visit) {
   logs::CloudLogReader reader(path);
   int clouds = 0;
-  while (const auto input = read_logged_cloud(reader, path, clouds + 1)) {
+  while (auto input = read_logged_cloud(reader, path, clouds + 1)) {
     ++clouds;
-    visit(*input);
+    visit(std::move(*input));
   }
   return warnings_about(reader, clouds);
 }
@@ -73,9 +74,9 @@ std::vector<std::string> for_each_cloud(const std::string& path, const Visitor& 
 
 SingleCloud read_single_cloud(const std::string& path) {
   std::optional<InputCloud> found;
-  auto warnings = for_each_cloud(path, [&](const InputCloud& input) {
+  auto warnings = for_each_cloud(path, [&](InputCloud input) {
     if (found) throw io::FileError(path, "", "holds more than one cloud; give a single one");
-    found = input;
+    found = std::move(input);
   });
   if (!found) throw io::FileError(path, "", "holds no cloud; record POINT_CLOUD messages");
   return {std::move(*found), std::move(warnings)};

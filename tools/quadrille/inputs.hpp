@@ -33,7 +33,7 @@ bool is_log(const std::string& path);
 ///   were refused, that it holds no cloud
 /// @throws std::runtime_error naming the file if it cannot be read
 std::vector<std::string> for_each_cloud(const std::string& path,
-                                        const std::function<void(const InputCloud&)>& visit);
+                                        const std::function<void(InputCloud)>& visit);
 
 /// The only cloud of a file or log.
 /// @throws std::runtime_error if it cannot be read or holds no cloud or several

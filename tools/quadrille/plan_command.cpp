@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "cli/choice_option.hpp"
@@ -82,9 +83,9 @@ void refuse_same(const std::string& input, const std::vector<std::string>& views
 std::vector<PointCloud> read_views(const std::vector<std::string>& paths) {
   std::vector<PointCloud> views;
   for (const std::string& path : paths) {
-    const auto [view, warnings] = read_single_cloud(path);
-    print_warnings(path, warnings);
-    views.push_back(view.cloud);
+    SingleCloud view = read_single_cloud(path);
+    print_warnings(path, view.warnings);
+    views.push_back(std::move(view.input.cloud));
   }
   return views;
 }

@@ -15,6 +15,9 @@ namespace quadrille {
 /// Each cross-section at height z is an ellipse with semi-axes a·s(z) along x and b·s(z) along y, z
 /// from z_min to z_max; for parallel planes it is a rectangle of half sizes a and b.
 struct Body {
+  /// What is known no better than this is not known at all: no deviation is larger [m].
+  static constexpr double kMaxStd = 0.01;
+
   /// How s varies along z.
   enum class Profile {
     kConstant,   ///< cylinders: s = 1
@@ -57,6 +60,9 @@ struct Body {
   /// True if p_C lies within the body grown by `margin` [m] (along its semi-axes and ends).
   bool contains(const Eigen::Vector3d& p_C, double margin = 0.0) const;
 };
+
+/// The same body with its z axis the other way.
+Body turned(Body body);
 
 /// The solid of a detection; nullopt if its type bounds none (the reason in *why).
 std::optional<Body> make_body(const Detection& detection, std::string* why = nullptr);

@@ -28,16 +28,6 @@ constexpr double kStrayShare = 0.02;
 // How far a rim may lie above the detection's end, and in which steps it is looked for [m].
 constexpr double kMaxRaised = 0.008, kRaiseStep = 0.001;
 
-/// The same body with its z axis the other way.
-Body turned(Body body) {
-  body.X_CQ.linear().col(1) *= -1.0;
-  body.X_CQ.linear().col(2) *= -1.0;
-  std::swap(body.z_min, body.z_max);
-  body.z_min *= -1.0;
-  body.z_max *= -1.0;
-  return body;
-}
-
 /// An ellipsoid's axis nearest to up_C as its z axis; a sphere's any axis.
 std::optional<Body> upright(Body body, const Eigen::Vector3d& up_C) {
   if (body.a == body.b && body.b == body.c) {

@@ -12,10 +12,10 @@ namespace quadrille {
 namespace {
 
 // How far curved patches and pairs of planes reach behind what was seen of them [m].
-constexpr double kThickness = 0.01;
+constexpr double kDepthBehind = 0.01;
 // What the blocks of a curved patch may leave between themselves and the surface [m], as far as so
 // many along either side do.
-constexpr double kSagitta = 0.0005;
+constexpr double kMaxSagitta = 0.0005;
 constexpr int kMaxCells = 10;
 
 double dimension(const Detection& d, std::size_t n) {
@@ -51,7 +51,7 @@ struct Saddle : Graph {
     return {half_v * half_v / (4.0 * fb), half_u * half_u / (4.0 * fa)};
   }
   Eigen::Vector2d cell() const override {
-    return {std::sqrt(4.0 * fa * kSagitta), std::sqrt(4.0 * fb * kSagitta)};
+    return {std::sqrt(4.0 * fa * kMaxSagitta), std::sqrt(4.0 * fb * kMaxSagitta)};
   }
 };
 
@@ -67,12 +67,12 @@ struct Branch : Graph {
   }
   Eigen::Vector2d beside(double u, double half_u, double) const override {
     const double tangent = slope(u, 0.0).x() * half_u;
-    const double most = std::max(side * (value(u + half_u, 0.0) - value(u, 0.0) - tangent),
+    const double rise = std::max(side * (value(u + half_u, 0.0) - value(u, 0.0) - tangent),
                                  side * (value(u - half_u, 0.0) - value(u, 0.0) + tangent));
-    return side > 0.0 ? Eigen::Vector2d(0.0, most) : Eigen::Vector2d(most, 0.0);
+    return side > 0.0 ? Eigen::Vector2d(0.0, rise) : Eigen::Vector2d(rise, 0.0);
   }
   Eigen::Vector2d cell() const override {
-    return {b * std::sqrt(2.0 * kSagitta / a), std::numeric_limits<double>::infinity()};
+    return {b * std::sqrt(2.0 * kMaxSagitta / a), std::numeric_limits<double>::infinity()};
   }
 };
 
@@ -87,8 +87,8 @@ CollisionShape block_of(const Graph& g, const Detection& d, const Eigen::Vector2
   p_Q[g.v_axis] = middle.y();
   p_Q[g.h_axis] = h;
   const bool from_above = d.Q_C.gradient(d.X_CQ * p_Q).dot(d.X_CQ.linear() * along_Q) >= 0.0;
-  const double low = -beside.x() - (from_above ? kThickness : 0.0);
-  const double high = beside.y() + (from_above ? 0.0 : kThickness);
+  const double low = -beside.x() - (from_above ? kDepthBehind : 0.0);
+  const double high = beside.y() + (from_above ? 0.0 : kDepthBehind);
   std::array<Eigen::Vector3d, 8> corners;
   for (unsigned n = 0; n < 8; ++n) {
     const Eigen::Vector2d step((n & 2) ? half.x() : -half.x(), (n & 4) ? half.y() : -half.y());
@@ -101,7 +101,7 @@ CollisionShape block_of(const Graph& g, const Detection& d, const Eigen::Vector2
   X_CS.translation() = d.X_CQ * p_Q;
   for (Eigen::Vector3d& corner : corners) corner -= p_Q;
   CollisionShape shape = make_block(corners, X_CS);
-  shape.excess = kThickness + beside.sum();
+  shape.excess = kDepthBehind + beside.sum();
   return shape;
 }
 
@@ -135,7 +135,7 @@ CollisionShape slab(const Eigen::Isometry3d& X_CP, Eigen::AlignedBox3d box, doub
 
 CollisionShape plane_slab(const Detection& d) {
   const double thickness =
-      std::clamp(0.25 * d.extent_Q.sizes().head<2>().minCoeff(), kThickness, 0.1);
+      std::clamp(0.25 * d.extent_Q.sizes().head<2>().minCoeff(), kDepthBehind, 0.1);
   return slab(d.X_CQ, d.extent_Q, -thickness, 0.0);
 }
 
@@ -161,7 +161,8 @@ void add_half(const Detection& d, const Eigen::Vector3d& u_Q, std::vector<Collis
                                  Eigen::Vector3d(to, box.max().z(), 0.0));
   const Eigen::Vector3d middle_C = X_CP * Eigen::Vector3d(face.center());
   const bool from_above = d.Q_C.gradient(middle_C).dot(X_CP.linear().col(2)) >= 0.0;
-  shapes.push_back(slab(X_CP, face, from_above ? -kThickness : 0.0, from_above ? 0.0 : kThickness));
+  shapes.push_back(
+      slab(X_CP, face, from_above ? -kDepthBehind : 0.0, from_above ? 0.0 : kDepthBehind));
 }
 
 bool sound(const Detection& d) {
@@ -227,7 +228,7 @@ std::vector<CollisionShape> make_patch(const Detection& detection, std::string* 
         shapes.push_back(plane_slab(detection));
         break;
       case QuadricType::kCoincidentPlanes:  // its gradient is zero: no side is known
-        shapes.push_back(slab(detection.X_CQ, detection.extent_Q, -kThickness, kThickness));
+        shapes.push_back(slab(detection.X_CQ, detection.extent_Q, -kDepthBehind, kDepthBehind));
         break;
       case QuadricType::kIntersectingPlanes:
         add_pair(detection, shapes);

@@ -21,7 +21,7 @@ using Profile = Body::Profile;
 // Tangents that a bulging profile is held in.
 constexpr int kTangents = 8;
 // What a waist's chords may leave [m].
-constexpr double kSagitta = 0.0002;
+constexpr double kMaxSagitta = 0.0002;
 
 CollisionShape placed(std::string kind, const Body& body, double z) {
   CollisionShape shape;
@@ -104,15 +104,15 @@ CollisionShape polyhedron(const Body& body) {
 /// A hyperbola's chords lie outside it, by Δz²/8 times its largest second derivative, 1/c², at
 /// most.
 std::vector<CollisionShape> waisted(const Body& body) {
-  const double length = body.z_max - body.z_min, most = std::max(body.a, body.b);
-  const double wanted = length / body.c * std::sqrt(most / (8.0 * kSagitta));
+  const double length = body.z_max - body.z_min, waist = std::max(body.a, body.b);
+  const double wanted = length / body.c * std::sqrt(waist / (8.0 * kMaxSagitta));
   const int count = static_cast<int>(std::clamp(std::ceil(wanted), 2.0, 16.0));
   const double step = length / count;
   std::vector<CollisionShape> pieces;
   for (int i = 0; i < count; ++i) {
     const double low = body.z_min + i * step, high = i + 1 < count ? low + step : body.z_max;
     pieces.push_back(make_rings(body, {{low, body.scale(low)}, {high, body.scale(high)}}));
-    pieces.back().excess += most * step * step / (8.0 * body.c * body.c);
+    pieces.back().excess += waist * step * step / (8.0 * body.c * body.c);
   }
   return pieces;
 }

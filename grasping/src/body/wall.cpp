@@ -12,7 +12,7 @@ namespace {
 constexpr int kSectors = 24;
 constexpr int kMaxSlices = 8;
 // Height of a slice: the sagitta of a bowl of 70 mm over it is 0.2 mm [m].
-constexpr double kSlice = 0.01;
+constexpr double kSliceHeight = 0.01;
 
 /// A cell of the wall between two angles and two heights.
 struct Cell {
@@ -46,9 +46,9 @@ double sagitta(const Shell& shell, const Cell& cell, double off, double side) {
 /// The corners of the cell, moved out by the sagitta of either side, over the least cosine between
 /// the normals of corners and middle that cells of 15° have.
 std::array<Eigen::Vector3d, 8> corners(const Shell& shell, const Cell& cell) {
-  constexpr double kCosine = 0.95;
-  const double low = shell.inner() - sagitta(shell, cell, shell.inner(), -1.0) / kCosine;
-  const double high = shell.outer() + sagitta(shell, cell, shell.outer(), 1.0) / kCosine;
+  constexpr double kMinCosine = 0.95;
+  const double low = shell.inner() - sagitta(shell, cell, shell.inner(), -1.0) / kMinCosine;
+  const double high = shell.outer() + sagitta(shell, cell, shell.outer(), 1.0) / kMinCosine;
   std::array<Eigen::Vector3d, 8> points;
   std::size_t n = 0;
   for (const double z : {cell.z0, cell.z1}) {
@@ -67,7 +67,7 @@ std::vector<CollisionShape> make_wall(const Shell& shell) {
   const bool straight =
       body.profile == Body::Profile::kConstant || body.profile == Body::Profile::kLinear;
   const int slices =
-      straight ? 1 : std::clamp(static_cast<int>(std::ceil(height / kSlice)), 1, kMaxSlices);
+      straight ? 1 : std::clamp(static_cast<int>(std::ceil(height / kSliceHeight)), 1, kMaxSlices);
   const double turn = 2.0 * std::numbers::pi / kSectors;
   std::vector<CollisionShape> pieces;
   for (int i = 0; i < slices; ++i) {

@@ -39,9 +39,9 @@ double prior(const ContactLine& line, const Eigen::Vector3d& approach, const App
 Eigen::Vector3d from_view(const Eigen::Vector3d& d, const ApproachSpace& space) {
   Eigen::Vector3d first = -space.view_C + d * d.dot(space.view_C);
   if (first.norm() < kMinAcross) {
-    int least = 0;
-    (space.axes_C.transpose() * d).cwiseAbs().minCoeff(&least);
-    first = d.cross(space.axes_C.col(least));
+    int axis = 0;
+    (space.axes_C.transpose() * d).cwiseAbs().minCoeff(&axis);
+    first = d.cross(space.axes_C.col(axis));
   }
   return first.normalized();
 }

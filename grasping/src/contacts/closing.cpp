@@ -9,11 +9,11 @@ namespace quadrille {
 namespace {
 
 // Contacts nearer than this to the edge of a pad may lie beside it [m].
-constexpr double kOffEdge = 0.001;
+constexpr double kEdgeMargin = 0.001;
 // What lies this near to a finger that closes flush does not stop it, whatever the rounding [m].
-constexpr double kFlush = 0.0003;
+constexpr double kFlushMargin = 0.0003;
 // How much more one end of a chord may lean than the other: 10°.
-constexpr double kMaxLopsided = 0.17;
+constexpr double kMaxLeanDifference = 0.17;
 
 }  // namespace
 
@@ -21,15 +21,15 @@ bool on_pads(const ContactLine& line, const Eigen::Isometry3d& X_CG, const Gripp
   const Eigen::Isometry3d X_GC = X_CG.inverse();
   return std::all_of(line.contacts_C.begin(), line.contacts_C.end(), [&](const auto& p_C) {
     const Eigen::Vector3d p_G = X_GC * p_C;
-    return std::abs(p_G.x()) <= 0.5 * gripper.pad.x() - kOffEdge &&
-           p_G.z() <= gripper.finger_front - kOffEdge;
+    return std::abs(p_G.x()) <= 0.5 * gripper.pad.x() - kEdgeMargin &&
+           p_G.z() <= gripper.finger_front - kEdgeMargin;
   });
 }
 
 bool meets_too_early(const ContactLine& line, const Eigen::Isometry3d& X_CG, const Gripper& gripper,
                      const std::vector<CollisionShape>& target, double margin) {
   const double back = -gripper.reach(line.width), front = gripper.finger_front;
-  const double x = 0.5 * gripper.finger.x(), y = 0.5 * line.width + margin + kFlush;
+  const double x = 0.5 * gripper.finger.x(), y = 0.5 * line.width + margin + kFlushMargin;
   for (const double side : {-1.0, 1.0}) {
     const double near = side * y, far = side * (y + gripper.finger.y());
     const OrientedBox finger =
@@ -41,7 +41,7 @@ bool meets_too_early(const ContactLine& line, const Eigen::Isometry3d& X_CG, con
 }
 
 bool lopsided(const ContactLine& line, const Eigen::Vector3d& approach_C) {
-  return std::abs((line.normals_C[0] - line.normals_C[1]).dot(approach_C)) > kMaxLopsided;
+  return std::abs((line.normals_C[0] - line.normals_C[1]).dot(approach_C)) > kMaxLeanDifference;
 }
 
 }  // namespace quadrille

@@ -10,11 +10,11 @@ namespace {
 
 // How far from the outermost point the contact may be in truth [m]: pads give by about as much, and
 // fits are no better.
-constexpr double kDoubt = 0.0015;
+constexpr double kContactDoubt = 0.0015;
 
 // Where a body ends is known no better [m]: there a pad that leans out beyond the end may meet its
 // edge in truth. That is more than so much askew.
-constexpr double kNearEnd = 0.005, kAskew = 0.1;
+constexpr double kEndDoubt = 0.005, kMaxAskew = 0.1;
 
 /// From the tip to the back of a finger, along the approach.
 std::array<double, 8> rows(const Gripper& gripper) {
@@ -30,8 +30,10 @@ std::array<double, 8> rows(const Gripper& gripper) {
 }
 
 constexpr double kColumnsAcross[] = {0.0, -0.5, 0.5, -1.0, 1.0};
+// A bound on friction that is computed in floats is no better than this.
+constexpr double kFrictionSlack = 0.01;
 // Farther within than any chord ends [m].
-constexpr float kNone = -1e3f;
+constexpr float kNoSurface = -1e3f;
 
 }  // namespace
 
@@ -88,18 +90,18 @@ bool PadMeetingFinder::cross(const Eigen::Vector3d& p_Q) {
   const auto meets = (D > 0.0f && z0.min(z1) >= static_cast<float>(body_.z_min) &&
                       z0.max(z1) <= static_cast<float>(body_.z_max))
                          .eval();
-  out_[0] = meets.select(t1, kNone);
-  out_[1] = meets.select(-t0, kNone);
+  out_[0] = meets.select(t1, kNoSurface);
+  out_[1] = meets.select(-t0, kNoSurface);
   return meets.any();
 }
 
 /// tan θ, where cos θ is the mean cosine between the closing direction and the normals of what may
 /// be the contact.
-double PadMeetingFinder::lean(int side, double most, const Eigen::Vector3d& p_Q) const {
+double PadMeetingFinder::lean(int side, double outermost, const Eigen::Vector3d& p_Q) const {
   double sum = 0.0;
   int count = 0;
   for (int n = 0; n < kChords; ++n) {
-    if (out_[side][n] < most - kDoubt) continue;
+    if (out_[side][n] < outermost - kContactDoubt) continue;
     const double t = side == 0 ? out_[side][n] : -out_[side][n];
     const Eigen::Vector3d end_Q = p_Q + from_origin_Q_.col(n) + t * y_Q_;
     const Eigen::Vector3d n_Q = 2.0 * quadric_.M.cwiseProduct(end_Q) + quadric_.g;
@@ -115,8 +117,8 @@ bool PadMeetingFinder::on_edge(const ContactLine& line) const {
   for (int i = 0; i < 2; ++i) {
     const double z = (body_.X_CQ.inverse() * line.contacts_C[i]).z();
     const double out = i == 0 ? y_Q_.z() : -y_Q_.z();
-    if ((out > kAskew && z > body_.z_max - kNearEnd) ||
-        (out < -kAskew && z < body_.z_min + kNearEnd)) {
+    if ((out > kMaxAskew && z > body_.z_max - kEndDoubt) ||
+        (out < -kMaxAskew && z < body_.z_min + kEndDoubt)) {
       return true;
     }
   }
@@ -127,18 +129,18 @@ bool PadMeetingFinder::on_edge(const ContactLine& line) const {
 /// normals there.
 double PadMeetingFinder::friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q) const {
   const Eigen::Vector3d between = (ends_Q[0] - ends_Q[1]).normalized();
-  double least = 1.0;
+  double min_cosine = 1.0;
   for (const Eigen::Vector3d& end_Q : ends_Q) {
     const Eigen::Vector3d n_Q = 2.0 * quadric_.M.cwiseProduct(end_Q) + quadric_.g;
-    least = std::min(least, std::abs(n_Q.dot(between)) / n_Q.norm());
+    min_cosine = std::min(min_cosine, std::abs(n_Q.dot(between)) / n_Q.norm());
   }
-  return std::sqrt(1.0 / std::max(least * least, 1e-6) - 1.0);
+  return std::sqrt(1.0 / std::max(min_cosine * min_cosine, 1e-6) - 1.0);
 }
 
 std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, double max_friction) {
   if (curvature_ < 1e-9 * quadric_.M.maxCoeff()) return std::nullopt;
   const Eigen::Vector3d p_Q = body_.X_CQ.inverse() * p_C;
-  // Most that are too wide are so here, which is soon found.
+  // Found first, at little cost: most bodies that are too wide are so at the pads' middle or tips.
   for (const int n : {0, kColumns}) {
     if (too_wide(p_Q + from_origin_Q_.col(n))) return std::nullopt;
   }
@@ -146,10 +148,10 @@ std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, doubl
   std::array<int, 2> at;
   const std::array<double, 2> out = {out_[0].maxCoeff(&at[0]), out_[1].maxCoeff(&at[1])};
   if (out[0] + out[1] > gripper_.max_opening) return std::nullopt;
-  // Most that need too much friction are told so, to well within what floats round, at this cost.
+  // The ends alone rule out most that need too much friction.
   const std::array<Eigen::Vector3d, 2> ends_Q = {p_Q + from_origin_Q_.col(at[0]) + out[0] * y_Q_,
                                                  p_Q + from_origin_Q_.col(at[1]) - out[1] * y_Q_};
-  if (friction_between(ends_Q) > max_friction + 0.01) return std::nullopt;
+  if (friction_between(ends_Q) > max_friction + kFrictionSlack) return std::nullopt;
   PadMeeting meeting;
   ContactLine& line = meeting.line;
   for (int i = 0; i < 2; ++i) {

@@ -46,7 +46,7 @@ class PadMeetingFinder {
   bool too_wide(const Eigen::Vector3d& q_Q) const;
   bool cross(const Eigen::Vector3d& p_Q);
   double friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q) const;
-  double lean(int side, double most, const Eigen::Vector3d& p_Q) const;
+  double lean(int side, double outermost, const Eigen::Vector3d& p_Q) const;
 
   const Body& body_;
   const Gripper& gripper_;

@@ -8,10 +8,10 @@ namespace {
 
 // Sine of the least steep wall, 17°: on flatter ones the way up to the rim, over the same rise, is
 // longer than a pad.
-constexpr double kMinSteep = 0.3;
+constexpr double kMinWallSine = 0.3;
 // Over so much of the wall its bends are taken [rad, m]: some millimetres, well within a pad, and
 // far more than rounding.
-constexpr double kTurn = 0.05, kRise = 0.002;
+constexpr double kTurnStep = 0.05, kRiseStep = 0.002;
 
 const Eigen::Vector3d& seen_contact(const Shell& shell, const ContactLine& line) {
   return line.contacts_C[shell.seen_inside ? 1 : 0];
@@ -26,7 +26,7 @@ Eigen::Vector3d along_wall(const ContactLine& line, const Eigen::Vector3d& into_
 double rim_above(const Shell& shell, const ContactLine& line) {
   const Eigen::Vector3d seen_Q = shell.body.X_CQ.inverse() * seen_contact(shell, line);
   const double steep = (shell.body.X_CQ.linear().transpose() * line.closing_C).head<2>().norm();
-  return (shell.body.z_max - seen_Q.z()) / std::max(steep, kMinSteep);
+  return (shell.body.z_max - seen_Q.z()) / std::max(steep, kMinWallSine);
 }
 
 double geodesic_torsion(const Shell& shell, const ContactLine& line,
@@ -40,8 +40,8 @@ double geodesic_torsion(const Shell& shell, const ContactLine& line,
     const Eigen::Vector3d turn = shell.normal_Q(angle_1, z_1) - shell.normal_Q(angle_0, z_0);
     return turn.dot(way) / way.squaredNorm();
   };
-  const double around = bent(angle - kTurn, p.z(), angle + kTurn, p.z());
-  const double upward = bent(angle, p.z() - kRise, angle, p.z() + kRise);
+  const double around = bent(angle - kTurnStep, p.z(), angle + kTurnStep, p.z());
+  const double upward = bent(angle, p.z() - kRiseStep, angle, p.z() + kRiseStep);
   const Eigen::Vector3d into_C = -body.X_CQ.linear().col(2);
   const double along = std::min(1.0, std::abs(approach_C.dot(along_wall(line, into_C))));
   const double across = std::sqrt(1.0 - along * along);

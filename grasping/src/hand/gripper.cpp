@@ -8,7 +8,7 @@ namespace quadrille {
 namespace {
 
 // No hand is larger; a number beyond it was meant in millimetres [m].
-constexpr double kMax = 1.0;
+constexpr double kMaxSize = 1.0;
 // What rounding may take from sizes that are meant to be equal [m].
 constexpr double kRounding = 1e-9;
 
@@ -19,7 +19,7 @@ void demand(bool holds, const std::string& what) {
 void demand_size(const char* field, double x) {
   demand(std::isfinite(x) && x > 0.0,
          std::string(field) + " must be positive; measure it on the hand");
-  demand(x <= kMax,
+  demand(x <= kMaxSize,
          std::string(field) + " is more than 1 m; give sizes in metres, not millimetres");
 }
 
@@ -57,7 +57,7 @@ void check_finger(const Gripper& hand) {
 }
 
 void check_links(const Gripper& hand) {
-  demand(hand.link_length >= 0.0 && hand.link_length <= kMax,
+  demand(hand.link_length >= 0.0 && hand.link_length <= kMaxSize,
          "link_length must lie in 0 to 1 m; 0 is for fingers that slide straight");
   demand(hand.link_angle >= 0.0 && hand.link_angle < 1.5,
          "link_angle must lie in 0 to 1.5 rad; give radians, not degrees");
@@ -80,7 +80,7 @@ void Gripper::check() const {
   check_links(*this);
   demand(tcp == 0.0 || tcp >= finger.z() - finger_front - kRounding,
          "finger reaches farther back than tcp; make tcp at least finger[2] - finger_front");
-  demand(tcp <= kMax, "tcp is more than 1 m; give sizes in metres, not millimetres");
+  demand(tcp <= kMaxSize, "tcp is more than 1 m; give sizes in metres, not millimetres");
 }
 
 double Gripper::extension(double opening) const {

@@ -41,11 +41,11 @@ std::optional<OrientedBox> common_palm(const Gripper& gripper, const Eigen::Isom
                                        const Eigen::AlignedBox3d& places_G, double approach) {
   const double narrow = gripper.min_opening, wide = gripper.max_opening;
   // Fingers on links reach farthest somewhere between, least at one of the ends.
-  const double least = std::min(gripper.reach(narrow), gripper.reach(wide));
-  const double most = gripper.reach(wide) + gripper.max_extension(narrow, wide);
+  const double min_reach = std::min(gripper.reach(narrow), gripper.reach(wide));
+  const double max_reach = gripper.reach(wide) + gripper.max_extension(narrow, wide);
   const Eigen::Vector3d palm(0.5 * gripper.palm.x(), 0.5 * gripper.palm.y(), gripper.palm.z());
-  const Eigen::Vector3d low = places_G.max() - palm - Eigen::Vector3d(0, 0, least + approach);
-  const Eigen::Vector3d high = places_G.min() + Eigen::Vector3d(palm.x(), palm.y(), -most);
+  const Eigen::Vector3d low = places_G.max() - palm - Eigen::Vector3d(0, 0, min_reach + approach);
+  const Eigen::Vector3d high = places_G.min() + Eigen::Vector3d(palm.x(), palm.y(), -max_reach);
   if ((low.array() >= high.array()).any()) return std::nullopt;
   return box_between(X_CG, low, high);
 }

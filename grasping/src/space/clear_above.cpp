@@ -9,7 +9,7 @@ namespace quadrille {
 namespace {
 
 // Edge of the tiles that a block of which the image tells a part is divided into, in voxels.
-constexpr int kTile = 4;
+constexpr int kTileEdge = 4;
 
 /// True if nothing was measured before or in a cube: no voxel in it meets a surface. The pixel
 /// nearest to a voxel's centre may lie beside what its edges project to.
@@ -43,10 +43,10 @@ struct OccupancyGrid::Tile {
 void OccupancyGrid::clear_above(const DepthView& view, const Eigen::Vector3d& up_C) {
   int axis = 0;
   if (states_.empty() || !(up_C.cwiseAbs().maxCoeff(&axis) > 0.5)) return;
-  std::vector<std::vector<Tile>> slices(size_[axis] / kTile);
+  std::vector<std::vector<Tile>> slices(size_[axis] / kTileEdge);
   for (const Tile& tile : tiles_beside(view)) {
-    const int first = tile.low[axis] / kTile;
-    for (int n = first; n < first + tile.edge / kTile; ++n) slices[n].push_back(tile);
+    const int first = tile.low[axis] / kTileEdge;
+    for (int n = first; n < first + tile.edge / kTileEdge; ++n) slices[n].push_back(tile);
   }
   const Eigen::Vector3d slope = up_C / std::abs(up_C[axis]);
   const auto shift = [&](int n) -> Eigen::Vector3i {
@@ -54,7 +54,7 @@ void OccupancyGrid::clear_above(const DepthView& view, const Eigen::Vector3d& up
   };
   for (int n = 1; n < size_[axis]; ++n) {
     const int layer = up_C[axis] > 0.0 ? n : size_[axis] - 1 - n;
-    for (Tile tile : slices[layer / kTile]) {
+    for (Tile tile : slices[layer / kTileEdge]) {
       tile.low[axis] = layer;
       clear_layer(tile.partly ? &view : nullptr, tile, axis, shift(n) - shift(n - 1));
     }
@@ -90,14 +90,14 @@ std::vector<OccupancyGrid::Tile> OccupancyGrid::tiles_beside(const DepthView& vi
 
 void OccupancyGrid::divide(const DepthView& view, const Eigen::Vector3i& block,
                            std::vector<Tile>& tiles) const {
-  const double half = 0.5 * kTile * resolution_;
-  for (int k = 0; k < kBlock; k += kTile) {
-    for (int j = 0; j < kBlock; j += kTile) {
-      for (int i = 0; i < kBlock; i += kTile) {
+  const double half = 0.5 * kTileEdge * resolution_;
+  for (int k = 0; k < kBlock; k += kTileEdge) {
+    for (int j = 0; j < kBlock; j += kTileEdge) {
+      for (int i = 0; i < kBlock; i += kTileEdge) {
         const Eigen::Vector3i low = block + Eigen::Vector3i(i, j, k);
         const Eigen::Vector3d p_V =
             view.to_view((((corner_ + low).cast<double>() * resolution_).array() + half).matrix());
-        tiles.push_back({low, kTile, !clear(view, p_V, half)});
+        tiles.push_back({low, kTileEdge, !clear(view, p_V, half)});
       }
     }
   }

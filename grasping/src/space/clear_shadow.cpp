@@ -8,7 +8,7 @@ namespace quadrille {
 namespace {
 
 // A measured point this near to the target's body is the target's [m].
-constexpr double kOnTarget = 0.006;
+constexpr double kTargetNoise = 0.006;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ struct ObstacleMap::Cone {
     const Eigen::AlignedBox3d bounds = body.bounds_C();
     to_body = bounds.center() - p_CV;
     far = to_body.norm();
-    size = 0.5 * bounds.diagonal().norm() + kOnTarget;
+    size = 0.5 * bounds.diagonal().norm() + kTargetNoise;
     angle = far > size ? std::asin(size / far) : std::acos(-1.0);
   }
 
@@ -62,7 +62,9 @@ void ObstacleMap::clear_shadow(const OccupancyGrid& grid, const DepthView& view,
 void ObstacleMap::clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
                               const Cone& cone, const Eigen::Vector3i& first) {
   constexpr int kEdge = 1 << (kLevels - 1);
-  const auto on_target = [&](const Eigen::Vector3d& p_C) { return body.contains(p_C, kOnTarget); };
+  const auto on_target = [&](const Eigen::Vector3d& p_C) {
+    return body.contains(p_C, kTargetNoise);
+  };
   for (int n = 0; n < kEdge * kEdge * kEdge; ++n) {
     const int i = first.x() + n % kEdge, j = first.y() + n / kEdge % kEdge;
     const int k = first.z() + n / (kEdge * kEdge);

@@ -1,7 +1,7 @@
 #include "space/collision.hpp"
 
-#include <fcl/fcl.h>
-#include <octomap/OcTree.h>
+#include <fcl/geometry/shape/box.h>
+#include <fcl/narrowphase/collision.h>
 
 #include <algorithm>
 #include <array>
@@ -115,14 +115,6 @@ bool overlaps(const OrientedBox& box, const CollisionShape& shape) {
   return fcl_collide(&geometry, pose(box), shape.geometry.get(), X);
 }
 
-bool overlaps(const OrientedBox& box, const std::shared_ptr<const octomap::OcTree>& tree) {
-  if (!tree || !tree->getRoot()) return false;
-  fcl::OcTreed geometry(tree);
-  geometry.computeLocalAABB();
-  const fcl::Boxd solid(2.0 * box.half);
-  return fcl_collide(&geometry, fcl::Transform3d::Identity(), &solid, pose(box));
-}
-
 std::optional<Obstruction> CollisionScene::palm_obstruction(const OrientedBox& palm) const {
   return first_obstruction(*this, {&palm, 1}, {}, end_doubt);
 }
@@ -150,7 +142,7 @@ double CollisionScene::clearance(const SweptHand& hand) const {
     }
     return voxel_hit(boxes, map, r) != Hit::kNone || hits(boxes, neighbours, r);
   };
-  double free = 0.0, hit = kFarthestClearance;
+  double free = 0.0, hit = kMaxClearance;
   if (!blocked(hit)) return hit;
   for (int step = 0; step < 5; ++step) {
     const double middle = 0.5 * (free + hit);

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -27,7 +26,7 @@ struct SupportPlane {
 };
 
 /// No clearance is looked for beyond this [m].
-inline constexpr double kFarthestClearance = 0.032;
+inline constexpr double kMaxClearance = 0.032;
 
 /// What stops a hand.
 enum class Obstruction {
@@ -62,7 +61,7 @@ struct CollisionScene {
   /// is no obstacle to it.
   std::optional<Obstruction> closing_obstruction(const std::array<OrientedBox, 2>& fingers) const;
   /// How far the hand may be inflated before it runs into anything but the target, found by
-  /// bisection to within 1 mm and at most kFarthestClearance [m].
+  /// bisection to within 1 mm and at most kMaxClearance [m].
   double clearance(const SweptHand& hand) const;
 };
 
@@ -71,8 +70,5 @@ bool may_reach(const CollisionShape& shape, const Eigen::AlignedBox3d& region_C)
 
 /// True if the box and the shape overlap, or are but some micrometres apart.
 bool overlaps(const OrientedBox& box, const CollisionShape& shape);
-
-/// FCL's own test of a box against the occupied cells of an octree: the reference for ObstacleMap.
-bool overlaps(const OrientedBox& box, const std::shared_ptr<const octomap::OcTree>& tree);
 
 }  // namespace quadrille

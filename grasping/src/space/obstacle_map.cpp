@@ -7,7 +7,7 @@ namespace quadrille {
 namespace {
 
 // Overlaps shallower than this count as touching.
-constexpr double kTouch = 1e-9;
+constexpr double kTouchDepth = 1e-9;
 
 /// A row of cubes, each from eight: what any of them has of the first two flags, and the last if
 /// all have it. `fine` is the first of the four rows that they lie in, `row` and `layer` from each
@@ -25,7 +25,7 @@ void merge(const std::uint8_t* __restrict fine, std::size_t row, std::size_t lay
 
 // How much farther than a part of an occupied voxel the view must have seen: points are known no
 // better [m].
-constexpr double kBesidePoints = 0.001;
+constexpr double kPointNoise = 0.001;
 
 }  // namespace
 
@@ -75,7 +75,7 @@ struct ObstacleMap::Query {
 
   bool overlaps(const Eigen::Vector3d& centre, double h) const {
     const Eigen::Vector3d t = centre - p;
-    const double g = h - kTouch;
+    const double g = h - kTouchDepth;
     if ((t.cwiseAbs().array() >= reach.array() + g).any()) return false;
     if (((R.transpose() * t).cwiseAbs().array() >= half.array() + g * face_spread.array()).any()) {
       return false;
@@ -207,7 +207,7 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Ve
     const Eigen::Vector3d centre = corner_ + 2.0 * h * (at.cast<double>().array() + 0.5).matrix();
     if (!query.overlaps(centre, h)) return 0;
     if (!refined) return flags;
-    const bool hit = flags & kAnyOccupied ? enters_hidden(query, centre, h, 1, kBesidePoints)
+    const bool hit = flags & kAnyOccupied ? enters_hidden(query, centre, h, 1, kPointNoise)
                                           : enters_hidden(query, centre, h, 2, 0.0);
     return hit ? flags : 0;
   }

@@ -9,7 +9,8 @@
 namespace quadrille {
 namespace {
 
-constexpr double kRange = 32000.0;
+// OctoMap numbers voxels from −32768 to 32767; the blocks at the ends need some room.
+constexpr double kMaxVoxel = 32000.0;
 
 }  // namespace
 
@@ -19,7 +20,7 @@ OccupancyGrid::OccupancyGrid(const Eigen::AlignedBox3d& region, double resolutio
   if (region.isEmpty()) return;
   const Eigen::Array3d lo = region.min().array() / resolution / kBlock;
   const Eigen::Array3d hi = region.max().array() / resolution / kBlock;
-  if (!(lo.abs().maxCoeff() * kBlock < kRange && hi.abs().maxCoeff() * kBlock < kRange)) {
+  if (!(lo.abs().maxCoeff() * kBlock < kMaxVoxel && hi.abs().maxCoeff() * kBlock < kMaxVoxel)) {
     throw std::invalid_argument(
         "occupancy: region lies farther from the origin than 32000 voxels; move the cloud's frame "
         "nearer to it, or set a larger resolution");
@@ -42,52 +43,6 @@ void OccupancyGrid::add(const PointCloud& cloud, const DepthView& view) {
   // Occupied first: whether such a voxel is free need not be found out.
   mark_occupied(cloud, view.stray());
   if (view.valid()) mark_free(view);
-}
-
-void OccupancyGrid::add_rays(const PointCloud& cloud,
-                             const std::vector<Eigen::Vector3d>& origins_C) {
-  if (origins_C.size() != cloud.points.size()) {
-    throw std::invalid_argument("occupancy: each point needs the origin of its ray");
-  }
-  for (std::size_t n = 0; n < cloud.points.size(); ++n) {
-    if (cloud.points[n].allFinite() && origins_C[n].allFinite()) {
-      pass(origins_C[n], cloud.points[n].cast<double>());
-    }
-  }
-  mark_occupied(cloud, std::vector<std::uint8_t>(cloud.points.size(), 0));
-}
-
-/// From voxel to voxel (Amanatides and Woo), within the grid, up to the voxel of the end.
-void OccupancyGrid::pass(const Eigen::Vector3d& from_C, const Eigen::Vector3d& to_C) {
-  const Eigen::Array3d start = from_C.array() / resolution_ - corner_.cast<double>().array();
-  const Eigen::Array3d way = (to_C - from_C).array() / resolution_;
-  const Eigen::Array3d top = size_.cast<double>().array();
-  double enter = 0.0, leave = 1.0;
-  for (int i = 0; i < 3; ++i) {
-    if (way[i] == 0.0 && !(start[i] >= 0.0 && start[i] < top[i])) return;
-    if (way[i] == 0.0) continue;
-    const double t0 = -start[i] / way[i], t1 = (top[i] - start[i]) / way[i];
-    enter = std::max(enter, std::min(t0, t1));
-    leave = std::min(leave, std::max(t0, t1));
-  }
-  if (!(enter < leave)) return;
-  const Eigen::Array3d first = start + enter * way;
-  Eigen::Array3i at = first.floor().cast<int>().max(0).min(size_.array() - 1), step;
-  Eigen::Array3d next, pace;  // parameter of the next border along each axis, and from one to one
-  for (int i = 0; i < 3; ++i) {
-    step[i] = way[i] < 0.0 ? -1 : 1;
-    pace[i] = way[i] == 0.0 ? kRange : 1.0 / std::abs(way[i]);
-    next[i] = way[i] == 0.0 ? kRange : (at[i] + (step[i] > 0) - start[i]) / way[i];
-  }
-  while (true) {
-    Voxel& state = states_[index(at[0], at[1], at[2])];
-    state = std::max(state, Voxel::kFree);
-    int axis = 0;
-    if (next.minCoeff(&axis) >= leave) return;
-    at[axis] += step[axis];
-    if (at[axis] < 0 || at[axis] >= size_[axis]) return;
-    next[axis] += pace[axis];
-  }
 }
 
 Eigen::AlignedBox3d OccupancyGrid::bounds() const {

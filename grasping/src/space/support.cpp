@@ -7,24 +7,24 @@ namespace quadrille {
 namespace {
 
 // Shorter planes are but neighbours: boxes, books, lids [m].
-constexpr double kMinSupport = 0.15;
+constexpr double kMinSupportSize = 0.15;
 // So many times the body's size: what is not wider than the body is a part of it.
-constexpr double kSupportToBody = 1.0;
+constexpr double kMinSupportToBody = 1.0;
 // The body itself and its shadow cut off what is seen of the plane below it, and the plane goes on
 // beyond the image [m].
-constexpr double kSupportGoesOn = 0.1;
+constexpr double kBeyondSeen = 0.1;
 
 // A body whose fitted foot goes deeper into the plane than this share of its size leaves above it
 // does not stand on it.
-constexpr double kMinAbove = 0.25;
+constexpr double kMinShareAbove = 0.25;
 
 /// A large plane that the target stands on: below most of the body, no farther from the body than
 /// the body is large (what stands before it may hide the body's foot).
 std::optional<SupportPlane> support(const Detection& plane, const Body& body) {
   const double size = body.bounds_Q().sizes().maxCoeff();
-  const double least = std::max(kMinSupport, kSupportToBody * size);
-  if (plane.extent_Q.sizes().head<2>().minCoeff() < least) return std::nullopt;
-  const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(kSupportGoesOn);
+  const double min_size = std::max(kMinSupportSize, kMinSupportToBody * size);
+  if (plane.extent_Q.sizes().head<2>().minCoeff() < min_size) return std::nullopt;
+  const Eigen::Vector2d beyond = Eigen::Vector2d::Constant(kBeyondSeen);
   const SupportPlane found{
       plane.X_CQ,
       {plane.extent_Q.min().head<2>() - beyond, plane.extent_Q.max().head<2>() + beyond}};
@@ -33,7 +33,7 @@ std::optional<SupportPlane> support(const Detection& plane, const Body& body) {
   const Eigen::Vector3d n_Q = body.X_CQ.linear().transpose() * found.n_C();
   const double reach = n_Q.cwiseAbs().dot(0.5 * body.bounds_Q().sizes());
   const double foot = middle_P.z() - reach, top = middle_P.z() + reach;
-  if (foot > size || top < kMinAbove * size) return std::nullopt;
+  if (foot > size || top < kMinShareAbove * size) return std::nullopt;
   return found;
 }
 

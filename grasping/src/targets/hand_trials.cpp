@@ -25,7 +25,7 @@ constexpr double kMaxDoubt = 0.004;
 constexpr int kRooms[] = {7, 14, 0};
 // Depths below a contact at which space must be free to contradict it, in voxels, but no deeper
 // than a share of the width.
-constexpr double kDepthsFree[] = {-0.5, 0.5, 1.5};
+constexpr double kFreeDepths[] = {-0.5, 0.5, 1.5};
 constexpr double kMaxDepthShare = 0.4;
 
 Eigen::Vector3d middle(const std::array<Eigen::Vector3d, 2>& contacts_C) {
@@ -94,7 +94,7 @@ bool contradicted(const ContactLine& line, const OccupancyGrid& space) {
   for (int i = 0; i < 2; ++i) {
     const Eigen::Vector3d inward = (i == 0 ? -1.0 : 1.0) * line.closing_C;
     bool all_free = true;
-    for (const double voxels : kDepthsFree) {
+    for (const double voxels : kFreeDepths) {
       const double depth = std::min(voxels * space.resolution(), kMaxDepthShare * line.width);
       all_free &= space.at(line.contacts_C[i] + depth * inward) == Voxel::kFree;
     }

@@ -23,7 +23,7 @@ bool part_of(const Detection& other, const Body& body) {
 }
 
 CollisionScene uncarved_scene(const Target& target, const Surroundings& around_it) {
-  const Eigen::AlignedBox3d region = around(target.body, around_it.reach + kFarthestClearance);
+  const Eigen::AlignedBox3d region = around(target.body, around_it.reach + kMaxClearance);
   CollisionScene scene{around_it.map.within(region), target.supports, {}, {}};
   for (std::size_t n = 0; n < around_it.shapes.size(); ++n) {
     const Detection& d = around_it.detections[around_it.shape_of[n]];

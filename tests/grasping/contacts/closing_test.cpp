@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "body/body.hpp"
@@ -18,7 +19,7 @@ std::vector<Eigen::Vector3d> side_of(const Body& body) {
   for (int i = 0; i <= 80; ++i) {
     const double z = body.z_min + i * (body.z_max - body.z_min) / 80.0, s = body.scale(z);
     for (int k = 0; k < 120; ++k) {
-      const double t = 2.0 * 3.14159265358979 * k / 120.0;
+      const double t = 2.0 * std::numbers::pi * k / 120.0;
       points.push_back(body.X_CQ *
                        Eigen::Vector3d(body.a * s * std::cos(t), body.b * s * std::sin(t), z));
     }
@@ -69,9 +70,12 @@ TEST_CASE("closing fingers reach the contacts before they meet the target elsewh
 
 TEST_CASE("both contacts of a grasp lie on the pads, not past their edges", "[plan][closing]") {
   const Gripper hand = franka_hand();
+  std::size_t grasps = 0;
   for (Detection d : solid_detections()) {
     CAPTURE(to_string(d.type));
-    for (const Grasp& grasp : plan_alone(d).grasps) {
+    const GraspPlan plan = plan_alone(d);
+    grasps += plan.grasps.size();
+    for (const Grasp& grasp : plan.grasps) {
       for (const Eigen::Vector3d& contact_C : grasp.contacts_C) {
         const Eigen::Vector3d p_G = grasp.X_CG.inverse() * contact_C;
         CHECK(std::abs(p_G.x()) <= 0.5 * hand.pad.x() - 0.001 + 1e-9);
@@ -79,4 +83,5 @@ TEST_CASE("both contacts of a grasp lie on the pads, not past their edges", "[pl
       }
     }
   }
+  CHECK(grasps > 50);
 }

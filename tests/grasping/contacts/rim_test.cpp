@@ -1,26 +1,14 @@
 #include "contacts/rim.hpp"
 
-#include "body/find_shell.hpp"
-#include "grasping/cup.hpp"
+#include "grasping/seen_cup.hpp"
 #include "hand/hand.hpp"
 #include "quadrille/grasping/plan.hpp"
-#include "space/collision.hpp"
 #include "support/catch.hpp"
-#include "view/depth_view.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
 
 namespace {
-
-const Eigen::Vector3d kUp = table_detection().X_CQ.linear().col(2);
-
-std::optional<Shell> shell_of(const Cup& cup, bool inner) {
-  const PointCloud cloud = render(cup);
-  const Detection d = wall_detection(cup, inner);
-  const Body body = make_body(d).value();
-  return find_shell(body, seen_from_inside(d, body), cloud, DepthView(cloud), kUp, {});
-}
 
 /// Points all through the box, half a millimetre within its faces and 2 mm apart.
 template <class Visitor>
@@ -38,57 +26,6 @@ void each_point(const OrientedBox& box, Visitor&& visit) {
 }
 
 }  // namespace
-
-TEST_CASE("an open cup has a mouth on top, a closed can has none", "[rim]") {
-  for (const bool inner : {false, true}) {
-    const std::optional<Shell> shell = shell_of({}, inner);
-    REQUIRE(shell);
-    CHECK(shell->seen_inside == inner);
-    CHECK(shell->body.X_CQ.linear().col(2).dot(kUp) == Approx(1.0));
-  }
-  Cup can;
-  can.closed = true;
-  CHECK_FALSE(shell_of(can, false));
-}
-
-TEST_CASE("a rim is raised to where the points on the wall end, and no farther", "[rim]") {
-  const Cup cup;
-  const PointCloud cloud = render(cup);
-  for (const double missing : {0.0, 0.002, 0.005}) {
-    CAPTURE(missing);
-    Detection d = wall_detection(cup, false);
-    d.extent_Q.min().z() += missing;  // whichever end is up
-    d.extent_Q.max().z() -= missing;
-    const Body body = make_body(d).value();
-    const std::optional<Shell> shell = find_shell(body, false, cloud, DepthView(cloud), kUp, {});
-    REQUIRE(shell);
-    CHECK(shell->body.z_max == Approx(0.5 * cup.height).margin(0.0015));
-  }
-}
-
-TEST_CASE("a ball on a table has no mouth", "[rim]") {
-  const Ball ball = ball_on_table(0.0, 0.0, 0.05);
-  const PointCloud cloud = render({ball});
-  const Body body = make_body(sphere_detection(ball)).value();
-  CHECK_FALSE(find_shell(body, false, cloud, DepthView(cloud), kUp, {}));
-}
-
-TEST_CASE("the signed distance of a shell vanishes on its surface and grows along normals",
-          "[rim]") {
-  for (const Detection& d : solid_detections()) {
-    if (d.type == QuadricType::kParallelPlanes) continue;
-    const Shell shell{make_body(d).value(), false, {}};
-    CAPTURE(to_string(d.type));
-    for (int k = 0; k < 12; ++k) {
-      const double z = shell.body.z_min + (0.3 + 0.04 * k) * (shell.body.z_max - shell.body.z_min);
-      const Eigen::Vector3d p = shell.point_Q(0.5 * k, z), n = shell.normal_Q(0.5 * k, z);
-      const auto at = [&](double off) { return shell.offset(shell.body.X_CQ * (p + off * n)); };
-      CHECK(at(0.0) == Approx(0.0).margin(1e-9));
-      CHECK(at(0.002) == Approx(0.002).epsilon(0.15));
-      CHECK(at(-0.002) == Approx(-0.002).epsilon(0.15));
-    }
-  }
-}
 
 TEST_CASE("rim lines lie across the wall below the rim with room for its bend", "[rim]") {
   for (const bool inner : {false, true}) {
@@ -112,6 +49,22 @@ TEST_CASE("rim lines lie across the wall below the rim with room for its bend", 
   }
 }
 
+TEST_CASE("wider pads hold a rim farther down, in proportion", "[rim]") {
+  const Shell shell = shell_of({}, false).value();
+  Gripper wide = franka_hand();
+  wide.pad.x() = wide.finger.x() = 2.0 * franka_hand().pad.x();
+  CHECK(rim_reach(franka_hand()) == Approx(0.009));
+  CHECK(rim_reach(wide) == Approx(0.018));
+  const auto below = [&](const ContactLine& line) {
+    return shell.body.z_max - (shell.body.X_CQ.inverse() * line.contacts_C[0]).z();
+  };
+  const auto narrow_lines = rim_lines(shell, franka_hand()), wide_lines = rim_lines(shell, wide);
+  REQUIRE(wide_lines.size() == narrow_lines.size());
+  for (std::size_t n = 0; n < wide_lines.size(); ++n) {
+    CHECK(below(wide_lines[n]) == Approx(2.0 * below(narrow_lines[n])));
+  }
+}
+
 TEST_CASE("only where points were measured does a rim line remain", "[rim]") {
   const Cup cup;
   const Shell shell = shell_of(cup, false).value();
@@ -123,32 +76,6 @@ TEST_CASE("only where points were measured does a rim line remain", "[rim]") {
   PointCloud off = render(cup);  // 12 mm beside the wall: another one's points
   for (Eigen::Vector3f& p : off.points) p += Eigen::Vector3f(0.0f, 0.0f, 0.2f);
   CHECK(measured_lines(shell, franka_hand(), lines, off).empty());
-}
-
-TEST_CASE("the wall's shapes hold all of the wall and leave the hollow open", "[rim][shape]") {
-  std::mt19937 random(21);
-  for (const Detection& d : solid_detections()) {
-    if (d.type == QuadricType::kParallelPlanes) continue;
-    for (const bool inside : {false, true}) {
-      const Shell shell{make_body(d).value(), inside, {0.002, 0.004}};
-      const auto pieces = make_wall(shell);
-      const auto covered = [&](const Eigen::Vector3d& p_Q) {
-        const OrientedBox dot{Eigen::Matrix3d::Identity(), shell.body.X_CQ * p_Q,
-                              Eigen::Vector3d::Constant(0.0003)};
-        return std::any_of(pieces.begin(), pieces.end(),
-                           [&](const CollisionShape& piece) { return overlaps(dot, piece); });
-      };
-      CAPTURE(to_string(d.type), inside);
-      const double height = shell.body.z_max - shell.body.z_min;
-      for (int n = 0; n < 60; ++n) {
-        const double z = shell.body.z_max - uniform(random, 0.05, 0.45) * height;
-        const double angle = uniform(random, 0.0, 6.28);
-        const double off = uniform(random, shell.inner(), shell.outer());
-        CHECK(covered(shell.point_Q(angle, z) + off * shell.normal_Q(angle, z)));
-      }
-      CHECK_FALSE(covered({0.0, 0.0, shell.body.z_max - 0.3 * height}));
-    }
-  }
 }
 
 TEST_CASE("a cup wider than the hand is held by its rim and no hand touches the cup",

@@ -1,6 +1,7 @@
 #include "quadrille/grasping/gripper.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "hand/hand.hpp"
@@ -84,7 +85,7 @@ TEST_CASE("fingers on links reach forward along a circle as they close", "[gripp
   CHECK(hand.extension(0.0) == 0.0);
   // From 45° to straight ahead: half the opening is L sin 45°, the shift L (1 − cos 45°).
   hand.link_length = 0.05;
-  hand.link_angle = 0.25 * 3.14159265358979;
+  hand.link_angle = 0.25 * std::numbers::pi;
   hand.max_opening = 2.0 * 0.05 * std::sqrt(0.5);
   hand.check();
   CHECK(hand.extension(hand.max_opening) == Approx(0.0).margin(1e-12));

@@ -6,6 +6,7 @@
 
 #include "grasping/exact_overlap.hpp"
 #include "grasping/mapped_scene.hpp"
+#include "grasping/octree_overlap.hpp"
 #include "grasping/random_box.hpp"
 #include "grasping/seen_space.hpp"
 #include "space/collision.hpp"

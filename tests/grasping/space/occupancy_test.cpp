@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "grasping/mapped_scene.hpp"
+#include "grasping/octree_overlap.hpp"
 #include "grasping/seen_space.hpp"
 #include "space/collision.hpp"
 #include "support/catch.hpp"
@@ -241,53 +242,4 @@ TEST_CASE("two views fused are free where one is, and occupied where one is", "[
   }
   CHECK(gained > 500);
   CHECK_THROWS_AS(both.add(scene.cloud, DepthView(PointCloud())), std::invalid_argument);
-}
-
-TEST_CASE("rays from many viewpoints free what they pass and occupy where they end",
-          "[occupancy][fuse]") {
-  std::mt19937 random(13);
-  PointCloud cloud;
-  std::vector<Eigen::Vector3d> origins;
-  const Eigen::AlignedBox3d around(Eigen::Vector3d(-0.3, -0.3, 0.5),
-                                   Eigen::Vector3d(0.3, 0.3, 1.1));
-  for (int n = 0; n < 60; ++n) {
-    cloud.points.push_back(random_point(random, n % 3 ? kRegion : around).cast<float>());
-    origins.push_back(n % 4 ? random_point(random, around)
-                            : Eigen::Vector3d(cloud.points[n].cast<double>() +
-                                              0.4 * Eigen::Vector3d::Unit(n % 3)));
-  }
-  OccupancyGrid grid(kRegion, kResolution);
-  grid.add_rays(cloud, origins);
-  const auto passed = [&](const Eigen::Vector3d& centre, double half) {
-    for (std::size_t n = 0; n < origins.size(); ++n) {
-      const Eigen::Vector3d way = cloud.points[n].cast<double>() - origins[n];
-      double enter = 0.0, leave = 1.0;
-      for (int i = 0; i < 3; ++i) {
-        const double a = (centre[i] - half - origins[n][i]) / way[i];
-        const double b = (centre[i] + half - origins[n][i]) / way[i];
-        if (way[i] == 0.0 && std::abs(origins[n][i] - centre[i]) > half) leave = -1.0;
-        if (way[i] == 0.0) continue;
-        enter = std::max(enter, std::min(a, b));
-        leave = std::min(leave, std::max(a, b));
-      }
-      if (enter <= leave) return true;
-    }
-    return false;
-  };
-  int free = 0, occupied = 0;
-  for (int k = 0; k < grid.size().z(); ++k) {
-    for (int j = 0; j < grid.size().y(); ++j) {
-      for (int i = 0; i < grid.size().x(); ++i) {
-        const Eigen::Vector3d c = grid.centre(i, j, k);
-        const Voxel state = grid.at(i, j, k);
-        free += state == Voxel::kFree;
-        occupied += state == Voxel::kOccupied;
-        if (state == Voxel::kUnknown) REQUIRE_FALSE(passed(c, 0.5 * kResolution - 1e-9));
-        if (state != Voxel::kUnknown) REQUIRE(passed(c, 0.5 * kResolution + 1e-9));
-      }
-    }
-  }
-  CHECK(free > 1000);
-  CHECK(occupied > 30);
-  CHECK_THROWS_AS(grid.add_rays(cloud, {}), std::invalid_argument);
 }

@@ -1,6 +1,7 @@
 // How the planner of one target behaves, through plan_grasps(): what it returns and what it counts.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "grasping/scenes.hpp"
 #include "quadrille/grasping/plan.hpp"
@@ -93,7 +94,7 @@ TEST_CASE("a wall around the target is in the way of every hand", "[plan][target
   std::vector<Ball> all = {ball};
   std::vector<Detection> detections = {table_detection(), sphere_detection(ball)};
   for (int k = 0; k < 10; ++k) {
-    const double t = 2.0 * M_PI * k / 10;
+    const double t = 2.0 * std::numbers::pi * k / 10;
     all.push_back(ball_on_table(0.062 * std::cos(t), 0.062 * std::sin(t), 0.035));
     detections.push_back(sphere_detection(all.back(), k + 2));
   }

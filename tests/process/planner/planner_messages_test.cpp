@@ -1,11 +1,14 @@
 #include <octomap/OcTree.h>
 
+#include <map>
 #include <sstream>
 
+#include "grasping/scenes.hpp"
 #include "io/unknown_policy.hpp"
 #include "process/planner/messages.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/grasping/plan.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille {
@@ -92,25 +95,35 @@ TEST_CASE("collision shapes keep their sizes, vertices and faces", "[planner][me
 }
 
 TEST_CASE("OctoMap reads the occupancy back: free, occupied and unknown", "[planner][messages]") {
-  OccupancyGrid space({Eigen::Vector3d::Constant(0.01), Eigen::Vector3d::Constant(0.79)}, 0.05);
-  PointCloud cloud;
-  cloud.points = {{0.12f, 0.22f, 0.32f}};
-  space.add_rays(cloud, {{0.12, 0.22, 0.38}});
+  const test::Ball ball = test::ball_on_table(0.0, 0.0, 0.03);
+  PlanOptions options;
+  options.clear_above = false;
+  const GraspPlan plan =
+      plan_grasps(test::render({ball}), {test::sphere_detection(ball)}, franka_hand(), options);
+  const OccupancyGrid& space = *plan.space;
   const occupancy_t got = send(make_occupancy_message(make_cloud(), &space));
-  CHECK(got.resolution == 0.05);
-  CHECK(got.num_occupied == 1);
-  CHECK(got.num_free == 1);
+  CHECK(got.resolution == space.resolution());
   std::istringstream stream(std::string(got.data.begin(), got.data.end()));
   octomap::OcTree tree(1.0);
   REQUIRE(tree.readBinary(stream));
-  CHECK(tree.getResolution() == 0.05);
-  const auto* occupied = tree.search(0.12, 0.22, 0.32);
-  const auto* free = tree.search(0.12, 0.22, 0.37);
-  REQUIRE(occupied);
-  REQUIRE(free);
-  CHECK(tree.isNodeOccupied(occupied));
-  CHECK_FALSE(tree.isNodeOccupied(free));
-  CHECK(tree.search(1.0, 1.0, 1.0) == nullptr);
+  CHECK(tree.getResolution() == space.resolution());
+  int occupied = 0, leaves = 0;
+  for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf, ++leaves) {
+    occupied += tree.isNodeOccupied(*leaf);
+  }
+  CHECK(got.num_occupied == occupied);
+  CHECK(got.num_free == leaves - occupied);
+  std::map<Voxel, int> compared;
+  for (int n = 0; n < space.size().minCoeff(); ++n) {  // along a diagonal
+    const Eigen::Vector3d p_C = space.centre(n, n, n);
+    const auto* node = tree.search(p_C.x(), p_C.y(), p_C.z());
+    const Voxel state = space.at(n, n, n);
+    ++compared[state];
+    REQUIRE((node == nullptr) == (state == Voxel::kUnknown));
+    if (node) REQUIRE(tree.isNodeOccupied(node) == (state == Voxel::kOccupied));
+  }
+  CHECK(compared.size() == 3);
+  CHECK(tree.search(9.0, 9.0, 9.0) == nullptr);
 }
 
 TEST_CASE("a plan without a map gives a message without data", "[planner][messages]") {

@@ -48,11 +48,6 @@ class OccupancyGrid {
   /// @param view  the view of that cloud
   /// @throws std::invalid_argument if it is that of another one
   void add(const PointCloud& cloud, const DepthView& view);
-  /// Adds a cloud without a single viewpoint: each point's voxel is occupied, those that the ray to
-  /// it passes are free. Without pixels it is not known what passes between the rays.
-  /// @param origins_C  for each point where its sensor stood [m]
-  /// @throws std::invalid_argument if there is not one for each point
-  void add_rays(const PointCloud& cloud, const std::vector<Eigen::Vector3d>& origins_C);
 
   /// Marks unknown voxels over free ones as clear: things stand, and what would reach up there
   /// would be seen below. Only voxels beside the image and at missing pixels, not what a surface
@@ -95,7 +90,6 @@ class OccupancyGrid {
   void clear_layer(const DepthView* view, const Tile& tile, int axis, const Eigen::Vector3i& up);
   bool wanted(const Eigen::Vector3i& block) const;
   void fill_free(const Eigen::Vector3i& low, int edge);
-  void pass(const Eigen::Vector3d& from_C, const Eigen::Vector3d& to_C);
 
   double resolution_ = 0.0;
   Eigen::Vector3i corner_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();

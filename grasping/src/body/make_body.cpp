@@ -1,0 +1,179 @@
+// The solid that a detection stands for.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "body/body.hpp"
+
+namespace quadrille {
+namespace {
+
+using Profile = Body::Profile;
+
+// Near its apex a cone gives few points. One whose narrow end is seen down to this radius [m] ends
+// in its apex, if that lies no farther on than this share of the seen length: a slender one may be
+// cut off.
+constexpr double kMaxApexRadius = 0.006, kMaxApexShare = 0.5;
+
+/// Value of the n-th dimension, 0 if it is missing.
+double dimension(const Detection& d, std::size_t n) {
+  return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
+}
+
+/// Standard deviation of the n-th dimension, 0 if it is missing. At most 1: unknown, and finite.
+double deviation(const Detection& d, std::size_t n) {
+  if (n >= d.dimensions.size()) return 0.0;
+  const double std = d.dimensions[n].std;
+  return std::isfinite(std) ? std::min(std, 1.0) : 1.0;
+}
+
+/// Those of a, b and c, from the dimensions that these were made of.
+Eigen::Vector3d deviations(const Detection& d, const Body& body) {
+  const double first = deviation(d, 0), second = deviation(d, 1);
+  switch (d.type) {
+    case QuadricType::kSphere:
+      return {first, first, first};
+    case QuadricType::kCylinder:
+      return {first, first, 0.0};
+    case QuadricType::kEllipticCylinder:
+      return {first, second, 0.0};
+    case QuadricType::kCone:
+      return Eigen::Vector3d(1.0, 1.0, 0.0) * first * (1.0 + body.a * body.a);
+    case QuadricType::kEllipticCone:
+      return {first * (1.0 + body.a * body.a), second * (1.0 + body.b * body.b), 0.0};
+    case QuadricType::kEllipticParaboloid:  // a = √(4f)
+      return {2.0 * first / body.a, 2.0 * second / body.b, 0.0};
+    case QuadricType::kParallelPlanes:
+      return Eigen::Vector3d::Zero();
+    default:
+      return {first, second, deviation(d, 2)};
+  }
+}
+
+double end_deviation(const Detection& d) {
+  if (d.type == QuadricType::kParallelPlanes) return 0.5 * deviation(d, 0);
+  for (std::size_t n = 0; n < d.dimensions.size(); ++n) {
+    if (d.dimensions[n].name == "length") return deviation(d, n);
+  }
+  return 0.0;
+}
+
+void set_extent(Body& body, const Detection& d) {
+  body.z_min = d.extent_Q.min().z();
+  body.z_max = d.extent_Q.max().z();
+}
+
+/// The sheet that was seen, as that of z ≥ c; false if both were.
+bool fill_sheet(Body& body, const Detection& d) {
+  body.profile = Profile::kSheet;
+  body.a = dimension(d, 0);
+  body.b = dimension(d, 1);
+  body.c = dimension(d, 2);
+  if (body.z_max <= 0.0) body = turned(body);
+  if (!(body.z_min > 0.0)) return false;
+  body.z_min = std::max(body.z_min, body.c);
+  return body.z_max > body.z_min;
+}
+
+void fill_ellipsoid(Body& body, const Detection& d) {
+  const bool sphere = d.type == QuadricType::kSphere;
+  body.profile = Profile::kEllipse;
+  body.a = dimension(d, 0);
+  body.b = sphere ? body.a : dimension(d, 1);
+  body.c = sphere ? body.a : dimension(d, 2);
+  body.z_min = -body.c;
+  body.z_max = body.c;
+}
+
+/// Two planes, each as far as it was seen.
+void fill_box(Body& body, const Detection& d) {
+  body.profile = Profile::kBox;
+  body.a = 0.5 * d.extent_Q.sizes().x();
+  body.b = 0.5 * d.extent_Q.sizes().y();
+  body.X_CQ.translation() = d.X_CQ * Eigen::Vector3d(d.extent_Q.center());
+  body.z_max = 0.5 * dimension(d, 0);
+  body.z_min = -body.z_max;
+}
+
+/// False if the type bounds no solid, or not where it was seen.
+bool fill_profile(Body& body, const Detection& d) {
+  set_extent(body, d);
+  switch (d.type) {
+    case QuadricType::kSphere:
+    case QuadricType::kEllipsoid:
+      fill_ellipsoid(body, d);
+      return true;
+    case QuadricType::kCylinder:
+    case QuadricType::kEllipticCylinder:
+      body.a = dimension(d, 0);
+      body.b = d.type == QuadricType::kCylinder ? body.a : dimension(d, 1);
+      return true;
+    case QuadricType::kCone:
+    case QuadricType::kEllipticCone:
+      body.profile = Profile::kLinear;
+      body.a = std::tan(dimension(d, 0));
+      body.b = d.type == QuadricType::kCone ? body.a : std::tan(dimension(d, 1));
+      return true;
+    case QuadricType::kEllipticParaboloid:
+      body.profile = Profile::kRoot;
+      body.a = std::sqrt(4.0 * std::abs(dimension(d, 0)));
+      body.b = std::sqrt(4.0 * std::abs(dimension(d, 1)));
+      body.z_min = 0.0;
+      return true;
+    case QuadricType::kHyperboloidOneSheet:
+      body.profile = Profile::kHyperbola;
+      body.a = dimension(d, 0);
+      body.b = dimension(d, 1);
+      body.c = dimension(d, 2);
+      return true;
+    case QuadricType::kHyperboloidTwoSheets:
+      return fill_sheet(body, d);
+    case QuadricType::kParallelPlanes:
+      fill_box(body, d);
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// Both nappes: the seen part lies mostly on one, and may not reach the apex.
+void end_cone(Body& body) {
+  if (body.profile != Profile::kLinear) return;
+  if (body.z_min < 0.0 && body.z_max > 0.0) {
+    (body.z_max > -body.z_min ? body.z_min : body.z_max) = 0.0;
+  }
+  double& narrow = body.z_max <= 0.0 ? body.z_max : body.z_min;
+  if (std::max(body.a, body.b) * std::abs(narrow) >= kMaxApexRadius ||
+      std::abs(narrow) > kMaxApexShare * (body.z_max - body.z_min)) {
+    return;
+  }
+  body.beyond = std::abs(narrow);
+  narrow = 0.0;
+}
+
+bool sound(const Body& body) {
+  if (!body.X_CQ.matrix().allFinite()) return false;
+  const Eigen::Vector3d size = body.bounds_Q().sizes();
+  return size.allFinite() && size.minCoeff() > 1e-4 && size.maxCoeff() < 100.0;
+}
+
+}  // namespace
+
+std::optional<Body> make_body(const Detection& detection, std::string* why) {
+  const auto refuse = [&](const std::string& reason) {
+    if (why) *why = reason;
+    return std::nullopt;
+  };
+  Body body;
+  body.X_CQ = detection.X_CQ;
+  const std::string type(to_string(detection.type));
+  if (is_imaginary(detection.type)) return refuse(type + " has no real surface");
+  if (!fill_profile(body, detection)) return refuse(type + " bounds no solid");
+  end_cone(body);
+  if (!sound(body)) return refuse(type + " has no finite, positive size");
+  body.std = deviations(detection, body);
+  body.end_std = std::min(end_deviation(detection), Body::kMaxStd);
+  return body;
+}
+
+}  // namespace quadrille
