@@ -15,11 +15,10 @@ namespace quadrille {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// How far the tips reach beyond the nearest point of the body, in 54ths of a finger's length: from
-// the least that holds, by steps that grow, to most of the finger. On the Franka Hand 4 to 37 mm.
-constexpr double kFingerParts = 54.0;
-constexpr std::array kDips = {4.0, 8.0, 13.0, 19.0, 27.0, 37.0};
-using Dips = std::array<double, kDips.size()>;
+// How far the tips reach beyond the nearest point of the body [m]: from the least that holds, by
+// steps that grow, as far as a share of the finger's length. The Franka Hand has the first six.
+constexpr std::array kDips = {0.004, 0.008, 0.013, 0.019, 0.027, 0.037, 0.049, 0.063};
+constexpr double kMaxDipToFinger = 0.75;
 // Where the tips are put beside the middle of what they reach: by about the doubt about where that
 // is [m], and by shares of half its breadth, for bodies that are blocked or too wide in the middle.
 constexpr double kOffMiddle[] = {0.0, -0.005, 0.005};
@@ -95,8 +94,8 @@ class Search {
  public:
   Search(const Body& body, const Gripper& gripper, const TipLimits& limits)
       : gripper_(gripper), limits_(limits), points_(surface(body)), finder_(body, gripper) {
-    for (std::size_t n = 0; n < dips_.size(); ++n) {
-      dips_[n] = gripper.finger.z() * kDips[n] / kFingerParts;
+    for (const double dip : kDips) {
+      if (dips_.empty() || dip <= kMaxDipToFinger * gripper.finger.z()) dips_.push_back(dip);
     }
   }
 
@@ -136,7 +135,7 @@ class Search {
   std::vector<Eigen::Vector3d> places(const Eigen::Isometry3d& X_CG) {
     points_G_.noalias() = X_CG.linear().transpose() * points_;
     const double nearest = points_G_.row(2).minCoeff(), farthest = points_G_.row(2).maxCoeff();
-    const auto between = between_dips(nearest);
+    const std::vector<Eigen::AlignedBox3d> between = between_dips(nearest);
     std::vector<Eigen::Vector3d> places;
     Eigen::AlignedBox3d reached_G;
     for (std::size_t n = 0; n < dips_.size(); ++n) {
@@ -154,8 +153,8 @@ class Search {
   }
 
   /// What each dip reaches of the surface beyond the dips before it.
-  std::array<Eigen::AlignedBox3d, std::tuple_size_v<Dips>> between_dips(double nearest) const {
-    std::array<Eigen::AlignedBox3d, std::tuple_size_v<Dips>> boxes_G;
+  std::vector<Eigen::AlignedBox3d> between_dips(double nearest) const {
+    std::vector<Eigen::AlignedBox3d> boxes_G(dips_.size());
     for (const auto& p_G : points_G_.colwise()) {
       const double deep = p_G.z() - nearest;
       const auto dip =
@@ -193,7 +192,7 @@ class Search {
 
   const Gripper& gripper_;
   const TipLimits& limits_;
-  Dips dips_;
+  std::vector<double> dips_;
   Eigen::Matrix3Xd points_, points_G_;
   PadMeetingFinder finder_;
   std::vector<Rated> rated_;

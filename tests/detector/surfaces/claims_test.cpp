@@ -8,12 +8,12 @@ using namespace quadrille::test;
 
 namespace {
 
-constexpr int kColumns = 20, kRows = 10;
+constexpr int kClaimedColumns = 20, kClaimedRows = 10;
 
 /// Two faces of a box that meet along z in the middle column.
 SurfaceSamples box_edge() {
   return surface_grid(
-      kColumns, kRows,
+      kClaimedColumns, kClaimedRows,
       [](int i, int j) {
         const double s = (i - 9.5) * 0.004, z = j * 0.004;
         return s < 0 ? OrientedPoint{{0, s, z}, -Eigen::Vector3d::UnitX()}
@@ -24,8 +24,8 @@ SurfaceSamples box_edge() {
 
 std::vector<int> columns(int from, int to) {
   std::vector<int> list;
-  for (int k = 0; k < kColumns * kRows; ++k) {
-    if (k % kColumns >= from && k % kColumns < to) list.push_back(k);
+  for (int k = 0; k < kClaimedColumns * kClaimedRows; ++k) {
+    if (k % kClaimedColumns >= from && k % kClaimedColumns < to) list.push_back(k);
   }
   return list;
 }
@@ -51,5 +51,5 @@ TEST_CASE("what was claimed is open no more", "[claims]") {
   CHECK(claims.open_of(columns(0, 4)) == columns(0, 4));
   claims.add(columns(0, 2));
   CHECK(claims.open_of(columns(0, 4)) == columns(2, 4));
-  for (const int k : columns(0, kColumns)) CHECK((claims.claimed()[k] != 0) == (k % kColumns < 2));
+  for (const int k : columns(0, kClaimedColumns)) CHECK((claims.claimed()[k] != 0) == (k % kClaimedColumns < 2));
 }

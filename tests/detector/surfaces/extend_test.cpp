@@ -11,14 +11,14 @@ using namespace quadrille::test;
 
 namespace {
 
-constexpr int kColumns = 25, kRows = 60;
+constexpr int kExtendColumns = 25, kExtendRows = 60;
 
 }  // namespace
 
 TEST_CASE("a surface is extended over open samples near its ends, once each", "[extend]") {
-  const SurfaceSamples samples = cylinder_grid(kColumns, kRows, 0.04, 0.004, 0.0005, 1);
+  const SurfaceSamples samples = cylinder_grid(kExtendColumns, kExtendRows, 0.04, 0.004, 0.0005, 1);
   std::vector<int> middle;
-  for (int i = 10 * kColumns; i < 50 * kColumns; ++i) middle.push_back(i);
+  for (int i = 10 * kExtendColumns; i < 50 * kExtendColumns; ++i) middle.push_back(i);
   const auto piece = fit_surface(samples, middle, {});
   REQUIRE(piece);
   const Extender extender(samples, {}, {});
@@ -30,8 +30,8 @@ TEST_CASE("a surface is extended over open samples near its ends, once each", "[
   std::sort(region.begin(), region.end());
   CHECK(std::adjacent_find(region.begin(), region.end()) == region.end());
   // What is claimed above stays there.
-  for (int i = 50 * kColumns; i < samples.size(); ++i) claimed[static_cast<std::size_t>(i)] = 1;
+  for (int i = 50 * kExtendColumns; i < samples.size(); ++i) claimed[static_cast<std::size_t>(i)] = 1;
   region = extender.extended(*piece, claimed).region;
   CHECK(region.size() > middle.size());
-  CHECK(std::none_of(region.begin(), region.end(), [](int i) { return i >= 50 * kColumns; }));
+  CHECK(std::none_of(region.begin(), region.end(), [](int i) { return i >= 50 * kExtendColumns; }));
 }

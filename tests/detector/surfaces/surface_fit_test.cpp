@@ -8,13 +8,13 @@ using namespace quadrille::test;
 
 namespace {
 
-SurfaceSamples cylinder() { return cylinder_grid(25, 60, 0.04, 0.004, 0.0005, 1); }
+SurfaceSamples fitted_cylinder() { return cylinder_grid(25, 60, 0.04, 0.004, 0.0005, 1); }
 
 }  // namespace
 
 TEST_CASE("a region is fitted by the family that it is of, and a bent one is no plane",
           "[surface_fit]") {
-  const SurfaceSamples samples = cylinder();
+  const SurfaceSamples samples = fitted_cylinder();
   const auto surface = fit_surface(samples, all_of(samples), {});
   REQUIRE(surface);
   CHECK(surface->fit.family == Family::kCylinder);
