@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "detector/pipe.hpp"
 #include "quadrille/detector/canonical.hpp"
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"
@@ -13,17 +14,13 @@ using namespace quadrille::test;
 
 namespace {
 
-constexpr double kRadius = 0.04;
-constexpr int kColumns = 25, kRows = 60;
-
-SurfaceSamples cylinder() { return cylinder_grid(kColumns, kRows, kRadius, 0.004, 0.0005, 1); }
-
 /// A candidate on the samples of some rows.
 Candidate candidate_of(const Quadric& Q, int from_row, int to_row) {
   Candidate candidate;
   candidate.Q = Q;
   candidate.family = Family::kCylinder;
-  for (int i = from_row * kColumns; i < to_row * kColumns; ++i) candidate.region.push_back(i);
+  for (int i = from_row * kPipeColumns; i < to_row * kPipeColumns; ++i)
+    candidate.region.push_back(i);
   candidate.rms = 0.0005;
   return candidate;
 }
@@ -41,7 +38,7 @@ SurfaceSamples occluded(const SurfaceSamples& all, int from_row, int to_row) {
   SurfaceSamples rest;
   std::vector<int> index(static_cast<std::size_t>(all.size()), -1);
   for (int i = 0; i < all.size(); ++i) {
-    if (i / kColumns >= from_row && i / kColumns < to_row) continue;
+    if (i / kPipeColumns >= from_row && i / kPipeColumns < to_row) continue;
     index[static_cast<std::size_t>(i)] = rest.size();
     rest.p.push_back(all.p[i]), rest.n.push_back(all.n[i]), rest.raw.push_back(all.raw[i]);
     rest.sigma.push_back(all.sigma[i]), rest.cell.push_back(all.cell[i]);
@@ -63,14 +60,14 @@ SurfaceSamples occluded(const SurfaceSamples& all, int from_row, int to_row) {
 
 TEST_CASE("a good candidate becomes a surface, fitted and with its samples claimed",
           "[aggregate]") {
-  const SurfaceSamples samples = cylinder();
+  const SurfaceSamples samples = pipe();
   Aggregation aggregation(samples, {}, {});
-  aggregation.offer({candidate_of(cylinder_quadric(1.02 * kRadius), 0, kRows)},
+  aggregation.offer({candidate_of(cylinder_quadric(1.02 * kPipeRadius), 0, kPipeRows)},
                     SearchLevel::kFinest);
   REQUIRE(aggregation.surfaces().size() == 1);
   const Surface& surface = aggregation.surfaces()[0];
   CHECK(surface.fit.family == Family::kCylinder);
-  CHECK(radius_of(surface) == Approx(kRadius).epsilon(0.01));
+  CHECK(radius_of(surface) == Approx(kPipeRadius).epsilon(0.01));
   CHECK(surface.rms == Approx(0.0005).epsilon(0.2));
   CHECK(surface.confidence > 0.9);
   const auto claimed = std::count(aggregation.claimed().begin(), aggregation.claimed().end(), 1);
@@ -78,72 +75,72 @@ TEST_CASE("a good candidate becomes a surface, fitted and with its samples claim
 }
 
 TEST_CASE("the two ends of a cylinder behind an occluder become one surface", "[aggregate]") {
-  const SurfaceSamples samples = occluded(cylinder(), 24, 36);
-  Candidate lower = candidate_of(cylinder_quadric(kRadius), 0, 24);
-  Candidate upper = candidate_of(cylinder_quadric(0.98 * kRadius), 24, 48);
+  const SurfaceSamples samples = occluded(pipe(), 24, 36);
+  Candidate lower = candidate_of(cylinder_quadric(kPipeRadius), 0, 24);
+  Candidate upper = candidate_of(cylinder_quadric(0.98 * kPipeRadius), 24, 48);
   Aggregation aggregation(samples, {}, {});
   aggregation.offer({lower, upper}, SearchLevel::kFinest);
   REQUIRE(aggregation.surfaces().size() == 1);
   CHECK(aggregation.surfaces()[0].region.size() > 0.97 * samples.size());
-  CHECK(radius_of(aggregation.surfaces()[0]) == Approx(kRadius).epsilon(0.01));
+  CHECK(radius_of(aggregation.surfaces()[0]) == Approx(kPipeRadius).epsilon(0.01));
 }
 
 TEST_CASE("two cylinders of different radius stay two", "[aggregate]") {
   const SurfaceSamples samples = surface_grid(
-      kColumns, kRows,
+      kPipeColumns, kPipeRows,
       [](int i, int j) {
-        const double r = j < kRows / 2 ? kRadius : 0.7 * kRadius;
+        const double r = j < kPipeRows / 2 ? kPipeRadius : 0.7 * kPipeRadius;
         const double a = (i - 12) * 0.1;
         const Eigen::Vector3d n(std::cos(a), std::sin(a), 0);
         return OrientedPoint{r * n + j * 0.004 * Eigen::Vector3d::UnitZ(), n};
       },
       0.004, 0.0005, 2);
   Aggregation aggregation(samples, {}, {});
-  aggregation.offer({candidate_of(cylinder_quadric(kRadius), 0, kRows / 2),
-                     candidate_of(cylinder_quadric(0.7 * kRadius), kRows / 2, kRows)},
+  aggregation.offer({candidate_of(cylinder_quadric(kPipeRadius), 0, kPipeRows / 2),
+                     candidate_of(cylinder_quadric(0.7 * kPipeRadius), kPipeRows / 2, kPipeRows)},
                     SearchLevel::kFinest);
   REQUIRE(aggregation.surfaces().size() == 2);
   std::vector<double> radii = {radius_of(aggregation.surfaces()[0]),
                                radius_of(aggregation.surfaces()[1])};
   std::sort(radii.begin(), radii.end());
-  CHECK(radii[0] == Approx(0.7 * kRadius).epsilon(0.02));
-  CHECK(radii[1] == Approx(kRadius).epsilon(0.02));
+  CHECK(radii[0] == Approx(0.7 * kPipeRadius).epsilon(0.02));
+  CHECK(radii[1] == Approx(kPipeRadius).epsilon(0.02));
 }
 
 TEST_CASE("a dome that goes over smoothly into its post is a surface of its own", "[aggregate]") {
   constexpr double kStep = 0.004;
   static constexpr int kPost = 50, kDome = 9;  // rows
   const SurfaceSamples samples = surface_grid(
-      kColumns, kPost + kDome,
+      kPipeColumns, kPost + kDome,
       [](int i, int j) {
-        const double a = (i - 12) * 0.1, t = std::max(0.0, (j - kPost) * kStep / kRadius);
+        const double a = (i - 12) * 0.1, t = std::max(0.0, (j - kPost) * kStep / kPipeRadius);
         const Eigen::Vector3d n(std::cos(t) * std::cos(a), std::cos(t) * std::sin(a), std::sin(t));
         const double z = (j < kPost ? j : kPost) * kStep;
-        return OrientedPoint{kRadius * n + z * Eigen::Vector3d::UnitZ(), n};
+        return OrientedPoint{kPipeRadius * n + z * Eigen::Vector3d::UnitZ(), n};
       },
       kStep, 0.0005, 4);
-  const Candidate post = candidate_of(cylinder_quadric(kRadius), 0, kPost + 2);
+  const Candidate post = candidate_of(cylinder_quadric(kPipeRadius), 0, kPost + 2);
   const double z = kPost * kStep;
   Eigen::Matrix4d sphere = Eigen::Matrix4d::Identity();
   sphere(2, 3) = sphere(3, 2) = -z;
-  sphere(3, 3) = z * z - kRadius * kRadius;
+  sphere(3, 3) = z * z - kPipeRadius * kPipeRadius;
   Candidate dome = candidate_of(Quadric(sphere), kPost + 2, kPost + kDome);
   dome.family = Family::kSphere;
   Aggregation aggregation(samples, {}, {});
   aggregation.offer({post, dome}, SearchLevel::kFinest);
   REQUIRE(aggregation.surfaces().size() == 2);
-  CHECK(radius_of(aggregation.surfaces()[0]) == Approx(kRadius).epsilon(0.02));
+  CHECK(radius_of(aggregation.surfaces()[0]) == Approx(kPipeRadius).epsilon(0.02));
   const Surface& top = aggregation.surfaces()[1];
   const CanonicalForm form = canonical_form(top.fit.posed);
   REQUIRE(form.type == QuadricType::kSphere);
-  CHECK(top.local.scale * form.dimensions[0].second == Approx(kRadius).epsilon(0.05));
+  CHECK(top.local.scale * form.dimensions[0].second == Approx(kPipeRadius).epsilon(0.05));
 }
 
 TEST_CASE("a candidate whose samples are claimed is dropped", "[aggregate]") {
-  const SurfaceSamples samples = cylinder();
+  const SurfaceSamples samples = pipe();
   Aggregation aggregation(samples, {}, {});
-  const Candidate whole = candidate_of(cylinder_quadric(kRadius), 0, kRows);
-  aggregation.offer({whole, whole, candidate_of(cylinder_quadric(kRadius), 10, 30)},
+  const Candidate whole = candidate_of(cylinder_quadric(kPipeRadius), 0, kPipeRows);
+  aggregation.offer({whole, whole, candidate_of(cylinder_quadric(kPipeRadius), 10, 30)},
                     SearchLevel::kFinest);
   CHECK(aggregation.surfaces().size() == 1);
   aggregation.offer({whole}, SearchLevel::kFinest);
@@ -155,7 +152,7 @@ namespace {
 /// A box edge that candidates of cylinders follow.
 SurfaceSamples edge() {
   return surface_grid(
-      kColumns, kRows,
+      kPipeColumns, kPipeRows,
       [](int i, int j) {
         const double s = (i - 12) * 0.004, z = j * 0.004;
         // The normals of windows across the edge turn smoothly from face to face.
@@ -170,7 +167,7 @@ long curved_surfaces_on_edge(double radius, SearchLevel level, const AggregateOp
   const SurfaceSamples samples = edge();
   Aggregation aggregation(samples, options, {});
   const Quadric Q = cylinder_quadric(radius).transformed(translation(-radius, -radius, 0));
-  aggregation.offer({candidate_of(Q, 0, kRows)}, level);
+  aggregation.offer({candidate_of(Q, 0, kPipeRows)}, level);
   const std::vector<Surface>& found = aggregation.surfaces();
   return std::count_if(found.begin(), found.end(),
                        [](const Surface& s) { return s.fit.family != Family::kPlane; });
@@ -194,20 +191,21 @@ TEST_CASE("a box edge is no curved surface", "[aggregate]") {
 }
 
 TEST_CASE("early on only clear cases are accepted, the others wait", "[aggregate]") {
-  const SurfaceSamples samples = cylinder();
+  const SurfaceSamples samples = pipe();
   AggregateOptions options;
   options.min_confidence_early = 1.0;
   Aggregation aggregation(samples, options, {});
-  aggregation.offer({candidate_of(cylinder_quadric(kRadius), 0, kRows)}, SearchLevel::kCoarse);
+  aggregation.offer({candidate_of(cylinder_quadric(kPipeRadius), 0, kPipeRows)},
+                    SearchLevel::kCoarse);
   CHECK(aggregation.surfaces().empty());
   aggregation.offer({}, SearchLevel::kFinest);
   CHECK(aggregation.surfaces().size() == 1);
 }
 
 TEST_CASE("too few samples or no candidates make no surface", "[aggregate][degenerate]") {
-  const SurfaceSamples samples = cylinder();
+  const SurfaceSamples samples = pipe();
   Aggregation aggregation(samples, {}, {});
   aggregation.offer({}, SearchLevel::kFinest);
-  aggregation.offer({candidate_of(cylinder_quadric(kRadius), 0, 1)}, SearchLevel::kFinest);
+  aggregation.offer({candidate_of(cylinder_quadric(kPipeRadius), 0, 1)}, SearchLevel::kFinest);
   CHECK(aggregation.surfaces().empty());
 }

@@ -51,5 +51,6 @@ TEST_CASE("what was claimed is open no more", "[claims]") {
   CHECK(claims.open_of(columns(0, 4)) == columns(0, 4));
   claims.add(columns(0, 2));
   CHECK(claims.open_of(columns(0, 4)) == columns(2, 4));
-  for (const int k : columns(0, kClaimedColumns)) CHECK((claims.claimed()[k] != 0) == (k % kClaimedColumns < 2));
+  for (const int k : columns(0, kClaimedColumns))
+    CHECK((claims.claimed()[k] != 0) == (k % kClaimedColumns < 2));
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "detector/pipe.hpp"
 #include "fit/family_spec.hpp"
 #include "samples/region.hpp"
 #include "support/catch.hpp"
@@ -12,8 +13,6 @@ using namespace quadrille;
 using namespace quadrille::test;
 
 namespace {
-
-constexpr double kPipeRadius = 0.04;
 
 Quadric cylinder_quadric() { return Quadric(diagonal(1, 1, 0, -kPipeRadius * kPipeRadius)); }
 

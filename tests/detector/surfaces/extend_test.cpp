@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "detector/pipe.hpp"
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"
 #include "surfaces/surface_fit.hpp"
@@ -9,16 +10,12 @@
 using namespace quadrille;
 using namespace quadrille::test;
 
-namespace {
-
-constexpr int kExtendColumns = 25, kExtendRows = 60;
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a surface is extended over open samples near its ends, once each", "[extend]") {
-  const SurfaceSamples samples = cylinder_grid(kExtendColumns, kExtendRows, 0.04, 0.004, 0.0005, 1);
+  const SurfaceSamples samples = cylinder_grid(kPipeColumns, kPipeRows, 0.04, 0.004, 0.0005, 1);
   std::vector<int> middle;
-  for (int i = 10 * kExtendColumns; i < 50 * kExtendColumns; ++i) middle.push_back(i);
+  for (int i = 10 * kPipeColumns; i < 50 * kPipeColumns; ++i) middle.push_back(i);
   const auto piece = fit_surface(samples, middle, {});
   REQUIRE(piece);
   const Extender extender(samples, {}, {});
@@ -30,8 +27,8 @@ TEST_CASE("a surface is extended over open samples near its ends, once each", "[
   std::sort(region.begin(), region.end());
   CHECK(std::adjacent_find(region.begin(), region.end()) == region.end());
   // What is claimed above stays there.
-  for (int i = 50 * kExtendColumns; i < samples.size(); ++i) claimed[static_cast<std::size_t>(i)] = 1;
+  for (int i = 50 * kPipeColumns; i < samples.size(); ++i) claimed[static_cast<std::size_t>(i)] = 1;
   region = extender.extended(*piece, claimed).region;
   CHECK(region.size() > middle.size());
-  CHECK(std::none_of(region.begin(), region.end(), [](int i) { return i >= 50 * kExtendColumns; }));
+  CHECK(std::none_of(region.begin(), region.end(), [](int i) { return i >= 50 * kPipeColumns; }));
 }

@@ -1,5 +1,6 @@
 #include "surfaces/join.hpp"
 
+#include "detector/pipe.hpp"
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"
 #include "surfaces/surface_fit.hpp"
@@ -9,23 +10,18 @@ using namespace quadrille::test;
 
 namespace {
 
-constexpr double kRadius = 0.04;
-constexpr int kColumns = 25, kRows = 60;
-
-SurfaceSamples cylinder() { return cylinder_grid(kColumns, kRows, kRadius, 0.004, 0.0005, 1); }
-
 std::vector<int> rows(int from, int to) {
   std::vector<int> region;
-  for (int i = from * kColumns; i < to * kColumns; ++i) region.push_back(i);
+  for (int i = from * kPipeColumns; i < to * kPipeColumns; ++i) region.push_back(i);
   return region;
 }
 
 }  // namespace
 
 TEST_CASE("two pieces of a cylinder join, a piece and a plane do not", "[join]") {
-  const SurfaceSamples samples = cylinder();
+  const SurfaceSamples samples = pipe();
   const auto lower = fit_surface(samples, rows(0, 25), {});
-  const auto upper = fit_surface(samples, rows(35, kRows), {});
+  const auto upper = fit_surface(samples, rows(35, kPipeRows), {});
   REQUIRE(lower);
   REQUIRE(upper);
   const auto whole = join(*lower, *upper, samples, {});

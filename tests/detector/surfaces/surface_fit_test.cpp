@@ -1,20 +1,17 @@
 #include "surfaces/surface_fit.hpp"
 
+#include "detector/pipe.hpp"
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
 
-namespace {
-
-SurfaceSamples fitted_cylinder() { return cylinder_grid(25, 60, 0.04, 0.004, 0.0005, 1); }
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a region is fitted by the family that it is of, and a bent one is no plane",
           "[surface_fit]") {
-  const SurfaceSamples samples = fitted_cylinder();
+  const SurfaceSamples samples = pipe();
   const auto surface = fit_surface(samples, all_of(samples), {});
   REQUIRE(surface);
   CHECK(surface->fit.family == Family::kCylinder);
