@@ -9,12 +9,14 @@
 namespace quadrille {
 namespace {
 
-// Rims were held best with these lengths on the pads of the Franka Hand, 17.5 mm wide: 9 mm to
-// either side, and the middle of what the pads cover 4.5 and 6.5 mm below the rim, which holds and
-// is seen from above. Other hands have them in proportion. The pads close along the wall's normal
-// there: else they would turn a bent wall.
+// How far to either side a pad holds a wall, as a share of its width: 9 mm on the Franka Hand,
+// whose pads are 17.5 mm wide.
 constexpr double kReachToPadWidth = 18.0 / 35.0;
-constexpr std::array<double, 2> kBitesToReach = {1.0 / 2.0, 13.0 / 18.0};
+// How far below the rim the middle of what the pads cover lies [m]: what holds, and what is seen
+// from above; wide pads that went deeper ran into more. On small pads no more than a share of their
+// reach. The pads close along the wall's normal there: else they would turn a bent wall.
+constexpr std::array<double, 2> kBites = {0.0045, 0.0065};
+constexpr std::array<double, 2> kMaxBitesToReach = {1.0 / 2.0, 13.0 / 18.0};
 constexpr int kAround = 36;
 // So few points at a contact would be noise; and no better than this is known what they tell [m].
 constexpr int kMinNear = 8;
@@ -73,7 +75,8 @@ using WallPoint = std::pair<Eigen::Vector3d, double>;
 std::vector<WallPoint> points_near(const std::vector<ContactLine>& lines, double reach,
                                    const Shell& shell, const PointCloud& cloud) {
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
-  const double lowest = shell.body.z_max - kBitesToReach.back() * reach - reach;
+  const double lowest =
+      shell.body.z_max - std::min(kBites.back(), kMaxBitesToReach.back() * reach) - reach;
   Eigen::AlignedBox3d near;
   for (const ContactLine& line : lines) near.extend(middle(line));
   near.min().array() -= reach;
@@ -95,8 +98,8 @@ double rim_reach(const Gripper& gripper) { return kReachToPadWidth * gripper.pad
 
 std::vector<ContactLine> rim_lines(const Shell& shell, const Gripper& gripper) {
   std::vector<ContactLine> lines;
-  for (const double share : kBitesToReach) {
-    const double bite = rim_reach(gripper) * share;
+  for (std::size_t n = 0; n < kBites.size(); ++n) {
+    const double bite = std::min(kBites[n], kMaxBitesToReach[n] * rim_reach(gripper));
     for (int k = 0; k < kAround; ++k) {
       lines.push_back(rim_line(shell, 2.0 * std::numbers::pi * k / kAround, bite, gripper));
     }

@@ -9,7 +9,7 @@
 
 namespace quadrille {
 
-/// How far to either side a pad holds a wall, of which the lengths at a rim are shares [m].
+/// How far to either side a pad holds a wall [m]: the points of the wall within it count.
 double rim_reach(const Gripper& gripper);
 
 /// Contact lines across the wall, all around the rim, some millimetres below it: one pad inside,
