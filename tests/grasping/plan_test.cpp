@@ -200,7 +200,7 @@ TEST_CASE("without a cloud all space is unknown and the answer says so", "[plan]
 }
 
 TEST_CASE("without detections there is nothing to grasp and no failure", "[plan][hostile]") {
-  const GraspPlan plan = plan_grasps(render({}), {}, franka_hand());
+  const GraspPlan plan = plan_grasps(render(std::vector<Ball>{}), {}, franka_hand());
   CHECK(plan.grasps.empty());
   CHECK(plan.shapes.empty());
   REQUIRE(plan.space);
@@ -224,7 +224,7 @@ TEST_CASE("a viewpoint inside the object, at infinity or on a point never crashe
 }
 
 TEST_CASE("a detection where free space was seen is contradicted", "[plan]") {
-  const PointCloud cloud = render({});
+  const PointCloud cloud = render(std::vector<Ball>{});
   const Detection ghost = sphere_detection(ball_on_table(0.0, 0.0, 0.03));
   Detection high = ghost;
   high.X_CQ.translation() += 0.08 * table_detection().X_CQ.linear().col(2);
@@ -236,7 +236,7 @@ TEST_CASE("a detection where free space was seen is contradicted", "[plan]") {
 TEST_CASE("targets far apart are mapped more coarsely, with a warning", "[plan][hostile]") {
   Detection near = sphere_detection({{0, 0, 0.7}, 0.03}, 1);
   Detection far = sphere_detection({{40, 30, 20}, 0.03}, 2);
-  const GraspPlan plan = plan_grasps(render({}), {near, far}, franka_hand());
+  const GraspPlan plan = plan_grasps(render(std::vector<Ball>{}), {near, far}, franka_hand());
   CHECK_FALSE(plan.warnings.empty());
 }
 
@@ -290,7 +290,7 @@ TEST_CASE("a detection without a shape is counted, and a warning says why", "[pl
   Detection flat = table_detection(7);
   flat.extent_Q = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   flat.dimensions.clear();
-  const GraspPlan plan = plan_grasps(render({}), {flat}, franka_hand());
+  const GraspPlan plan = plan_grasps(render(std::vector<Ball>{}), {flat}, franka_hand());
   CHECK(plan.rejected.at("no_shape") == 1);
   REQUIRE(plan.warnings.size() == 1);
   CHECK(plan.warnings[0] == "quadric 7 has no collision shape: plane has no finite, positive size");
