@@ -5,8 +5,8 @@
 #include <Eigen/Geometry>
 #include <limits>
 
-#include "fit/axis_of_revolution.hpp"
-#include "fit/point_sums.hpp"
+#include "fit/closed_form/axis_of_revolution.hpp"
+#include "fit/closed_form/point_sums.hpp"
 #include "fits/solvers.hpp"
 
 namespace quadrille {

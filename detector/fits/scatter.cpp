@@ -1,6 +1,6 @@
 #include "fits/scatter.hpp"
 
-#include "fit/taubin.hpp"
+#include "fit/closed_form/taubin.hpp"
 
 namespace quadrille {
 

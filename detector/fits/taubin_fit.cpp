@@ -1,6 +1,6 @@
 #include "fits/taubin_fit.hpp"
 
-#include "fit/taubin.hpp"
+#include "fit/closed_form/taubin.hpp"
 #include "fits/normalise.hpp"
 #include "fits/solvers.hpp"
 

@@ -1,6 +1,6 @@
 #include "fits/three_level_fit.hpp"
 
-#include "fit/taubin.hpp"
+#include "fit/closed_form/taubin.hpp"
 #include "fits/normalise.hpp"
 #include "fits/solvers.hpp"
 

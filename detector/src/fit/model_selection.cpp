@@ -4,16 +4,16 @@
 #include <cmath>
 #include <limits>
 
+#include "fit/closed_form/initial_cone.hpp"
+#include "fit/closed_form/initial_cylinder.hpp"
+#include "fit/closed_form/initial_general.hpp"
+#include "fit/closed_form/initial_plane.hpp"
+#include "fit/closed_form/initial_revolution.hpp"
+#include "fit/closed_form/initial_sphere.hpp"
+#include "fit/closed_form/special_generals.hpp"
+#include "fit/closed_form/special_revolutions.hpp"
 #include "fit/family_spec.hpp"
-#include "fit/initial_cone.hpp"
-#include "fit/initial_cylinder.hpp"
-#include "fit/initial_general.hpp"
-#include "fit/initial_plane.hpp"
-#include "fit/initial_revolution.hpp"
-#include "fit/initial_sphere.hpp"
 #include "fit/normal_equations.hpp"
-#include "fit/special_generals.hpp"
-#include "fit/special_revolutions.hpp"
 #include "quadrille/detector/canonical.hpp"
 
 namespace quadrille {

@@ -6,7 +6,7 @@
 
 #include "fit/family_spec.hpp"
 #include "samples/inliers.hpp"
-#include "surfaces/confidence.hpp"
+#include "surfaces/evidence/confidence.hpp"
 #include "surfaces/join.hpp"
 #include "surfaces/surface_fit.hpp"
 

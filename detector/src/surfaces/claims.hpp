@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "samples/surface_samples.hpp"
-#include "surfaces/smooth_parts.hpp"
+#include "surfaces/evidence/smooth_parts.hpp"
 
 namespace quadrille {
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "fit/initial_plane.hpp"
+#include "fit/closed_form/initial_plane.hpp"
 #include "samples/region.hpp"
 #include "surfaces/surface_fit.hpp"
 

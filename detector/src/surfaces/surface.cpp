@@ -6,7 +6,7 @@
 #include "fit/family_spec.hpp"
 #include "quadrille/detector/canonical.hpp"
 #include "samples/inliers.hpp"
-#include "surfaces/confidence.hpp"
+#include "surfaces/evidence/confidence.hpp"
 
 namespace quadrille {
 namespace {

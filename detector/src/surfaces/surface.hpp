@@ -7,7 +7,7 @@
 #include "quadrille/detector/quadric.hpp"
 #include "samples/region.hpp"
 #include "samples/surface_samples.hpp"
-#include "surfaces/evidence.hpp"
+#include "surfaces/evidence/evidence.hpp"
 
 namespace quadrille {
 

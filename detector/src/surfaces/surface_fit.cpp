@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fit/model_selection.hpp"
-#include "surfaces/effective_share.hpp"
+#include "surfaces/evidence/effective_share.hpp"
 
 namespace quadrille {
 namespace {

@@ -7,7 +7,7 @@
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"
 #include "support/surface_grid.hpp"
-#include "surfaces/effective_share.hpp"
+#include "surfaces/evidence/effective_share.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;

@@ -11,7 +11,7 @@ namespace {
 constexpr int kClaimedColumns = 20, kClaimedRows = 10;
 
 /// Two faces of a box that meet along z in the middle column.
-SurfaceSamples box_edge() {
+SurfaceSamples claimed_edge() {
   return surface_grid(
       kClaimedColumns, kClaimedRows,
       [](int i, int j) {
@@ -33,7 +33,7 @@ std::vector<int> columns(int from, int to) {
 }  // namespace
 
 TEST_CASE("the remainder is what a region leaves over of its parts", "[claims]") {
-  Claims claims(box_edge());
+  Claims claims(claimed_edge());
   CHECK(claims.remainder(columns(0, 10)) == 0.0);
   // Four of ten columns: six are left.
   CHECK(claims.remainder(columns(0, 4)) == Approx(1.5));
@@ -47,7 +47,7 @@ TEST_CASE("the remainder is what a region leaves over of its parts", "[claims]")
 }
 
 TEST_CASE("what was claimed is open no more", "[claims]") {
-  Claims claims(box_edge());
+  Claims claims(claimed_edge());
   CHECK(claims.open_of(columns(0, 4)) == columns(0, 4));
   claims.add(columns(0, 2));
   CHECK(claims.open_of(columns(0, 4)) == columns(2, 4));

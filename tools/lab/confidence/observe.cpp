@@ -8,7 +8,7 @@
 #include "planes/plane_claims.hpp"
 #include "quadrille/detector/canonical.hpp"
 #include "samples/cell_pyramid.hpp"
-#include "surfaces/confidence.hpp"
+#include "surfaces/evidence/confidence.hpp"
 #include "surfaces/find_surfaces.hpp"
 #include "surfaces/surface_fit.hpp"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lab/scoring/frame.hpp"
-#include "surfaces/confidence_weights.hpp"
+#include "surfaces/evidence/confidence_weights.hpp"
 
 namespace quadrille::confidence_training {
 

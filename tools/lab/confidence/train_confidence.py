@@ -24,7 +24,7 @@ import sys
 import numpy
 
 TABLE = (pathlib.Path(__file__).resolve().parents[3]
-         / "detector/src/surfaces/confidence_weights.hpp")
+         / "detector/src/surfaces/evidence/confidence_weights.hpp")
 ROW = re.compile(r'(\{"(\w+)", )(-?[0-9.]+)(,.*)')
 FOLDS = 5
 

@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "fit/closed_form/initial_general.hpp"
+#include "fit/closed_form/initial_sphere.hpp"
 #include "fit/geometric_fit.hpp"
-#include "fit/initial_general.hpp"
-#include "fit/initial_sphere.hpp"
 #include "fit/normal_equations.hpp"
 #include "lab/scoring/frame.hpp"
 #include "samples/depth/depth_cells.hpp"

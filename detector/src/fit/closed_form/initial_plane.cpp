@@ -1,8 +1,8 @@
-#include "fit/initial_plane.hpp"
+#include "fit/closed_form/initial_plane.hpp"
 
 #include <Eigen/Eigenvalues>
 
-#include "fit/point_sums.hpp"
+#include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {
 

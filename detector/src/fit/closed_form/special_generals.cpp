@@ -1,4 +1,4 @@
-#include "fit/special_generals.hpp"
+#include "fit/closed_form/special_generals.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>

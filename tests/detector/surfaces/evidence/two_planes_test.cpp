@@ -1,4 +1,4 @@
-#include "surfaces/two_planes.hpp"
+#include "surfaces/evidence/two_planes.hpp"
 
 #include <cmath>
 

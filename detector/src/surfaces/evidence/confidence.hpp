@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "surfaces/confidence_weights.hpp"
-#include "surfaces/evidence.hpp"
+#include "surfaces/evidence/confidence_weights.hpp"
+#include "surfaces/evidence/evidence.hpp"
 
 namespace quadrille {
 

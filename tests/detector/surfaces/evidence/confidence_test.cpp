@@ -1,4 +1,4 @@
-#include "surfaces/confidence.hpp"
+#include "surfaces/evidence/confidence.hpp"
 
 #include <cmath>
 #include <set>

@@ -1,4 +1,4 @@
-#include "fit/taubin.hpp"
+#include "fit/closed_form/taubin.hpp"
 
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"

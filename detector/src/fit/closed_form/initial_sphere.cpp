@@ -1,6 +1,6 @@
-#include "fit/initial_sphere.hpp"
+#include "fit/closed_form/initial_sphere.hpp"
 
-#include "fit/point_sums.hpp"
+#include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {
 

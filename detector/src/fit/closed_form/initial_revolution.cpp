@@ -1,7 +1,7 @@
-#include "fit/initial_revolution.hpp"
+#include "fit/closed_form/initial_revolution.hpp"
 
-#include "fit/axis_of_revolution.hpp"
-#include "fit/point_sums.hpp"
+#include "fit/closed_form/axis_of_revolution.hpp"
+#include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {
 namespace {

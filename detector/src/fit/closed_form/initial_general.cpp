@@ -1,6 +1,6 @@
-#include "fit/initial_general.hpp"
+#include "fit/closed_form/initial_general.hpp"
 
-#include "fit/taubin.hpp"
+#include "fit/closed_form/taubin.hpp"
 #include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {

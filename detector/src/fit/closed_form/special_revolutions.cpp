@@ -1,4 +1,4 @@
-#include "fit/special_revolutions.hpp"
+#include "fit/closed_form/special_revolutions.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "surfaces/evidence.hpp"
+#include "surfaces/evidence/evidence.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -7,8 +7,8 @@
 #include "base/quantile.hpp"
 #include "samples/inliers.hpp"
 #include "samples/region.hpp"
-#include "surfaces/smooth_parts.hpp"
-#include "surfaces/two_planes.hpp"
+#include "surfaces/evidence/smooth_parts.hpp"
+#include "surfaces/evidence/two_planes.hpp"
 
 namespace quadrille {
 namespace {

@@ -1,4 +1,4 @@
-#include "surfaces/smooth_parts.hpp"
+#include "surfaces/evidence/smooth_parts.hpp"
 
 namespace quadrille {
 

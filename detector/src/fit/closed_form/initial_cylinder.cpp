@@ -1,10 +1,10 @@
-#include "fit/initial_cylinder.hpp"
+#include "fit/closed_form/initial_cylinder.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <utility>
 
-#include "fit/point_sums.hpp"
+#include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {
 namespace {

@@ -1,4 +1,4 @@
-#include "fit/axis_of_revolution.hpp"
+#include "fit/closed_form/axis_of_revolution.hpp"
 
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"

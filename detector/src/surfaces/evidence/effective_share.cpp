@@ -1,4 +1,4 @@
-#include "surfaces/effective_share.hpp"
+#include "surfaces/evidence/effective_share.hpp"
 
 #include <algorithm>
 #include <cstddef>

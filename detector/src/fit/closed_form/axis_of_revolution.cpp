@@ -1,10 +1,10 @@
-#include "fit/axis_of_revolution.hpp"
+#include "fit/closed_form/axis_of_revolution.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include "fit/point_sums.hpp"
+#include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {
 

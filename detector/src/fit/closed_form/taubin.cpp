@@ -1,8 +1,8 @@
-#include "fit/taubin.hpp"
+#include "fit/closed_form/taubin.hpp"
 
 #include <Eigen/Eigenvalues>
 
-#include "fit/point_sums.hpp"
+#include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {
 

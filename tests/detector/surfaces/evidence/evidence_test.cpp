@@ -1,4 +1,4 @@
-#include "surfaces/evidence.hpp"
+#include "surfaces/evidence/evidence.hpp"
 
 #include <cmath>
 
@@ -7,7 +7,7 @@
 #include "samples/region.hpp"
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"
-#include "surfaces/confidence.hpp"
+#include "surfaces/evidence/confidence.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;

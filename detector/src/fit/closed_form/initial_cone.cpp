@@ -1,10 +1,10 @@
-#include "fit/initial_cone.hpp"
+#include "fit/closed_form/initial_cone.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "fit/point_sums.hpp"
+#include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {
 
