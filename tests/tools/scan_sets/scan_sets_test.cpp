@@ -36,8 +36,9 @@ json scene_named(const json& manifest, const std::string& name) {
 
 TEST_CASE("all scans of the set are read whole and give no number that is not finite",
           "[command][real]") {
+  const json manifest = test::manifest_of(scan_set());
   int read = 0;
-  for (const json& scan : test::manifest_of(scan_set())["scenes"]) {
+  for (const json& scan : manifest["scenes"]) {
     if (!scan.contains("n_points")) continue;
     test::check_read_whole(scan_set(), scan);
     ++read;
