@@ -26,7 +26,9 @@ TEST_CASE("real scans are read whole and give no number that is not finite", "[c
 }
 
 TEST_CASE("the annotated objects of real scans are found, with their type", "[command][real]") {
-  for (const json& scan : test::manifest_of(test::scans_folder())["scenes"]) {
+  const json manifest = test::manifest_of(test::scans_folder());
+  REQUIRE(manifest["scenes"].size() == 3);
+  for (const json& scan : manifest["scenes"]) {
     const std::string file = scan["file"];
     const json detections = test::detect(test::scans_folder() / file)["detections"];
     INFO(file << " " << detections.dump(1));
