@@ -13,7 +13,7 @@ namespace quadrille {
 namespace {
 
 // Singular values below this share of the largest count as zero.
-constexpr double kZero = 1e-9;
+constexpr double kMinSingularShare = 1e-9;
 
 using SystemSvd = Eigen::JacobiSVD<Eigen::MatrixXd>;
 
@@ -57,7 +57,7 @@ std::optional<Quadric> fit_primal_dual(const OrientedPointsd& points, const Prim
     A.row(kind.points + 2 * i + 1) = n.cross(t).transpose() * G;
   }
   const SystemSvd svd(A, Eigen::ComputeFullV);
-  if (!(svd.singularValues()[8] > kZero * svd.singularValues()[0])) return std::nullopt;
+  if (!(svd.singularValues()[8] > kMinSingularShare * svd.singularValues()[0])) return std::nullopt;
   const auto Q = normalised->undo(Quadric(Vector10d(svd.matrixV().col(9))));
   if (!Q) return std::nullopt;
   return oriented(*Q, points);
@@ -76,7 +76,7 @@ std::vector<Quadric> fit_eight_points_and_plane(const Eigen::Matrix3Xd& points,
   Eigen::MatrixXd A(8, 10);
   for (int i = 0; i < 8; ++i) A.row(i) = monomials(normalised->data.points.col(i));
   const SystemSvd svd(A, Eigen::ComputeFullV);
-  if (!(svd.singularValues()[7] > kZero * svd.singularValues()[0])) return {};
+  if (!(svd.singularValues()[7] > kMinSingularShare * svd.singularValues()[0])) return {};
   const Quadric Q1(Vector10d(svd.matrixV().col(8))), Q2(Vector10d(svd.matrixV().col(9)));
   const auto cubic = tangency(Q1, Q2, normalised_plane(normalised->local, plane));
   std::vector<Quadric> solutions;

@@ -8,17 +8,17 @@ namespace quadrille {
 namespace {
 
 // The designs hold in the frame of the data: types are exact but for rounding.
-constexpr double kTypeTolerance = 1e-8;
+constexpr double kSimpleTypeTolerance = 1e-8;
 
 bool is_spheroid(const Quadric& Q) {
-  const QuadricType type = canonical_form(Q, kTypeTolerance).type;
+  const QuadricType type = canonical_form(Q, kSimpleTypeTolerance).type;
   return type == QuadricType::kEllipsoid || type == QuadricType::kSphere;
 }
 
 std::optional<Quadric> fit_checked(const NormalisedPoints& points, const Design& B, double weight,
                                    QuadricType type) {
   const auto Q = fit_design(points.data, B, weight);
-  if (!Q || canonical_form(*Q, kTypeTolerance).type != type) return std::nullopt;
+  if (!Q || canonical_form(*Q, kSimpleTypeTolerance).type != type) return std::nullopt;
   return points.undo(*Q);
 }
 
