@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "cli/output.hpp"
 #include "io/planner/config.hpp"
-#include "quadrille/output.hpp"
 
 namespace quadrille {
 namespace {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cli/detector_arguments.hpp"
+#include "cli/output.hpp"
 #include "io/file_bytes.hpp"
 #include "io/planner/config.hpp"
 #include "picture/picture.hpp"
@@ -20,7 +21,6 @@
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/tracker.hpp"
 #include "quadrille/inputs.hpp"
-#include "quadrille/output.hpp"
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
 

@@ -1,10 +1,9 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/run_program.hpp"
-#include "quadrille/bench_command.hpp"
 #include "quadrille/config_command.hpp"
 #include "quadrille/detect_command.hpp"
-#include "quadrille/experiment_command.hpp"
+#include "quadrille/lab_commands.hpp"
 #include "quadrille/log_command.hpp"
 #include "quadrille/plan_command.hpp"
 #include "quadrille/scene_command.hpp"
@@ -12,6 +11,7 @@
 #include "quadrille/try_command.hpp"
 
 int main(int argc, char** argv) {
+  if (quadrille::is_lab_command(argc, argv)) return quadrille::run_lab(argv);
   CLI::App app("Finds quadrics in point clouds and plans grasps on them", "quadrille");
   app.require_subcommand(1);
   quadrille::add_detect_command(app);
@@ -21,8 +21,7 @@ int main(int argc, char** argv) {
   quadrille::add_log_command(app);
   quadrille::add_config_command(app);
   quadrille::add_show_command(app);
-  quadrille::add_experiment_command(app);
-  quadrille::add_bench_command(app);
+  quadrille::add_lab_commands(app);
   // The commands do their work while they are parsed.
   return quadrille::run_program(app, argc, argv, [] {});
 }

@@ -13,6 +13,7 @@
 
 #include "cli/choice_option.hpp"
 #include "cli/detector_arguments.hpp"
+#include "cli/output.hpp"
 #include "cli/planner/planner_arguments.hpp"
 #include "io/file_bytes.hpp"
 #include "io/new_file.hpp"
@@ -26,7 +27,6 @@
 #include "quadrille/grasping/conventions.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "quadrille/inputs.hpp"
-#include "quadrille/output.hpp"
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
 

@@ -7,11 +7,11 @@
 #include <string>
 
 #include "cli/choice_option.hpp"
+#include "cli/output.hpp"
 #include "cli/seed_option.hpp"
 #include "io/describe.hpp"
 #include "lab/scene/scene.hpp"
 #include "lab/scene/scene_files.hpp"
-#include "quadrille/output.hpp"
 
 namespace quadrille {
 namespace {

@@ -6,11 +6,11 @@
 #include <variant>
 #include <vector>
 
+#include "cli/output.hpp"
 #include "io/describe.hpp"
 #include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
-#include "quadrille/output.hpp"
 #include "quadrille/published_table.hpp"
 
 namespace quadrille {

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "cli/detector_arguments.hpp"
+#include "cli/output.hpp"
 #include "cli/planner/planner_arguments.hpp"
+#include "cli/progress_line.hpp"
 #include "io/file_bytes.hpp"
 #include "io/planner/config.hpp"
 #include "lab/physics/attempts.hpp"
@@ -19,8 +21,6 @@
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/inputs.hpp"
-#include "quadrille/output.hpp"
-#include "quadrille/progress_line.hpp"
 #include "quadrille/try_table.hpp"
 
 namespace quadrille {

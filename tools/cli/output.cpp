@@ -1,4 +1,4 @@
-#include "quadrille/output.hpp"
+#include "cli/output.hpp"
 
 #include <fmt/format.h>
 

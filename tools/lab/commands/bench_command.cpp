@@ -1,4 +1,4 @@
-#include "quadrille/bench_command.hpp"
+#include "lab/commands/bench_command.hpp"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "cli/output.hpp"
+#include "cli/progress_line.hpp"
 #include "cli/seed_option.hpp"
 #include "lab/bench/bench.hpp"
 #include "lab/bench/report.hpp"
-#include "quadrille/output.hpp"
-#include "quadrille/output_folder.hpp"
-#include "quadrille/progress_line.hpp"
+#include "lab/commands/output_folder.hpp"
 
 namespace quadrille {
 namespace {

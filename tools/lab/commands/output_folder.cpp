@@ -1,4 +1,4 @@
-#include "quadrille/output_folder.hpp"
+#include "lab/commands/output_folder.hpp"
 
 #include <filesystem>
 

@@ -1,4 +1,4 @@
-#include "quadrille/experiment_command.hpp"
+#include "lab/commands/experiment_command.hpp"
 
 #include <fmt/format.h>
 
@@ -6,11 +6,11 @@
 #include <memory>
 #include <string>
 
+#include "cli/output.hpp"
+#include "cli/progress_line.hpp"
 #include "cli/seed_option.hpp"
+#include "lab/commands/output_folder.hpp"
 #include "lab/experiments/experiment.hpp"
-#include "quadrille/output.hpp"
-#include "quadrille/output_folder.hpp"
-#include "quadrille/progress_line.hpp"
 
 namespace quadrille {
 namespace {
