@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 
@@ -86,6 +87,14 @@ TEST_CASE("the README shows what trying grasps prints", "[documents][slow]") {
     check_says(kReadme, line);
     ++rows;
   }
+  // No row stands there that is not printed.
+  const std::string readme = test::folded_document(kReadme);
+  const std::size_t begin = readme.find("slip/mm turn/deg outcome");
+  const std::size_t end = readme.find("```", begin);
+  REQUIRE(end != std::string::npos);
+  const std::string block = readme.substr(begin, end - begin);
+  const std::regex row("\\d+ 0\\.\\d\\d [a-z]");
+  CHECK(std::distance(std::sregex_iterator(block.begin(), block.end(), row), {}) == rows);
   CHECK(rows > 2);
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <regex>
 #include <set>
@@ -28,7 +29,7 @@ std::set<std::string> files_of_repository() {
 
 TEST_CASE("the files that documents name are there", "[documents]") {
   const std::set<std::string> files = files_of_repository();
-  // Between backticks: paths and names of sources, and folders that end in a slash.
+  // Between backticks: paths and names of sources.
   const std::regex quoted("`([A-Za-z0-9_./-]*?)([a-z0-9_-]+\\.(cpp|hpp|lcm|cmake))`");
   int found = 0;
   for (const std::string& document : test::all_documents()) {

@@ -15,10 +15,10 @@ namespace {
 
 const std::vector<Eigen::Vector3d> kPoints = {{1.5, -2.25, 3.0}, {0.125, 4.0, -5.5}, {7, 8, 9}};
 
-PointCloud parse(const std::string& file) { return io::parse_ply(bytes_of(file), "a.ply"); }
+PointCloud parse_ply(const std::string& file) { return io::parse_ply(bytes_of(file), "a.ply"); }
 
 std::string ply_error(const std::string& file) {
-  return error_of([&] { parse(file); });
+  return error_of([&] { parse_ply(file); });
 }
 
 void check_points(const PointCloud& cloud) {
@@ -76,20 +76,20 @@ std::string binary_file(const std::string& count) {
 
 TEST_CASE("binary PLY is read in both byte orders, both widths and any property order", "[ply]") {
   for (const bool list : {false, true}) {
-    check_points(parse(mixed_file<float>("binary_little_endian", "float", false, list)));
-    check_points(parse(mixed_file<float>("binary_big_endian", "float32", true, list)));
-    check_points(parse(mixed_file<double>("binary_little_endian", "double", false, list)));
-    check_points(parse(mixed_file<double>("binary_big_endian", "float64", true, list)));
+    check_points(parse_ply(mixed_file<float>("binary_little_endian", "float", false, list)));
+    check_points(parse_ply(mixed_file<float>("binary_big_endian", "float32", true, list)));
+    check_points(parse_ply(mixed_file<double>("binary_little_endian", "double", false, list)));
+    check_points(parse_ply(mixed_file<double>("binary_big_endian", "float64", true, list)));
   }
 }
 
 TEST_CASE("ascii PLY is read with other elements and lists around the positions", "[ply]") {
-  check_points(parse(ascii_file("")));
-  check_points(
-      parse("ply\nformat ascii 1.0\nelement face 2\nproperty list uchar int i\nelement vertex 3\n"
-            "property double y\nproperty list uchar float l\nproperty float x\nproperty uchar c\n"
-            "property float z\nend_header\n3 0 1 2\n0\n-2.25 1 9 1.5 7 3\n4 0 0.125 7 -5.5\n"
-            "8 2 1 1 7 7 9"));
+  check_points(parse_ply(ascii_file("")));
+  check_points(parse_ply(
+      "ply\nformat ascii 1.0\nelement face 2\nproperty list uchar int i\nelement vertex 3\n"
+      "property double y\nproperty list uchar float l\nproperty float x\nproperty uchar c\n"
+      "property float z\nend_header\n3 0 1 2\n0\n-2.25 1 9 1.5 7 3\n4 0 0.125 7 -5.5\n"
+      "8 2 1 1 7 7 9"));
 }
 
 TEST_CASE("positions of different widths are read from binary PLY", "[ply]") {
@@ -99,18 +99,18 @@ TEST_CASE("positions of different widths are read from binary PLY", "[ply]") {
   put(&file, 1.0f);
   put(&file, 2.0);
   put(&file, 3.0f);
-  CHECK(parse(file).points.at(0) == Eigen::Vector3f(1, 2, 3));
+  CHECK(parse_ply(file).points.at(0) == Eigen::Vector3f(1, 2, 3));
 }
 
 TEST_CASE("comments of a PLY file give viewpoint, frame and size", "[ply]") {
-  const PointCloud cloud = parse(ascii_file("comment viewpoint 1 -2 0.5\ncomment frame arm\n"));
+  const PointCloud cloud = parse_ply(ascii_file("comment viewpoint 1 -2 0.5\ncomment frame arm\n"));
   CHECK(cloud.viewpoint == Eigen::Vector3d(1, -2, 0.5));
   CHECK(cloud.frame == "arm");
   CHECK_FALSE(cloud.organised());
   const auto grid = [](const std::string& comments) {
-    return parse("ply\nformat ascii 1.0\n" + comments +
-                 "element vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
-                 "end_header\n1 1 1 2 2 2 nan nan nan 0 0 0 5 5 5 6 6 6\n");
+    return parse_ply("ply\nformat ascii 1.0\n" + comments +
+                     "element vertex 6\nproperty float x\nproperty float y\nproperty float z\n"
+                     "end_header\n1 1 1 2 2 2 nan nan nan 0 0 0 5 5 5 6 6 6\n");
   };
   for (const char* comments : {"comment width 3 height 2\n", "comment width 3\ncomment height 2\n",
                                "obj_info num_cols 3\nobj_info num_rows 2\n"}) {
@@ -213,8 +213,8 @@ TEST_CASE("no beginning of a PLY file is taken for a whole one", "[ply][hostile]
 }
 
 TEST_CASE("a PLY file without points gives an empty cloud", "[ply]") {
-  CHECK(parse(binary_file("0")).points.empty());
-  CHECK(parse("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
-              "property float z\nend_header\n")
+  CHECK(parse_ply(binary_file("0")).points.empty());
+  CHECK(parse_ply("ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\n"
+                  "property float z\nend_header\n")
             .points.empty());
 }

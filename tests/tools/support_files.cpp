@@ -27,6 +27,13 @@ void check_failure(const Run& run, const std::string& part) {
   CHECK(contains(run.err, part));
 }
 
+std::string ply_of(const std::vector<std::string>& points) {
+  std::string text = "ply\nformat ascii 1.0\nelement vertex " + std::to_string(points.size()) +
+                     "\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+  for (const std::string& point : points) text += point + "\n";
+  return text;
+}
+
 int lines_of(const std::string& text) {
   return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "support/temp_folder.hpp"
 
@@ -22,6 +23,9 @@ Run run_quadrille(const std::string& arguments);
 /// Sees to it that a run failed as it should: code 1, nothing on stdout, one line on stderr that
 /// contains the part.
 void check_failure(const Run& run, const std::string& part);
+
+/// An ascii cloud of the given points.
+std::string ply_of(const std::vector<std::string>& points);
 
 int lines_of(const std::string& text);
 

@@ -14,7 +14,7 @@ std::string old_spelling(const std::string& name) {
   if (key == "min_wall") return table + "wall_least";
   if (key == "max_wall") return table + "wall_most";
   if (key.starts_with("min_")) return table + "least_" + key.substr(4);
-  if (key.starts_with("max_")) return table + "largest_" + key.substr(4);
+  if (key.starts_with("max_") && key != "max_grasps") return table + "largest_" + key.substr(4);
   return name;
 }
 

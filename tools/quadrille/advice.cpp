@@ -12,7 +12,7 @@ struct Advice {
   std::string_view text;
 };
 
-constexpr std::array<Advice, 11> kAdvice = {{
+constexpr std::array<Advice, 12> kAdvice = {{
     {Refusal::kNoShape,
      "the quadrics that were found bound no solid; try a view that shows more of the objects"},
     {Refusal::kSeenFromInside,
@@ -23,6 +23,8 @@ constexpr std::array<Advice, 11> kAdvice = {{
     {Refusal::kFriction,
      "most would slip; if the pads grip better than assumed, set friction under [planner] in "
      "--config FILE"},
+    {Refusal::kTwist,
+     "most would twist the walls that they hold; try a --gripper with narrower pads"},
     {Refusal::kContradicted,
      "the camera saw through most of the surfaces to be touched, so the fits are poor there; try "
      "a closer view"},

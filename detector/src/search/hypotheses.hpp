@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/random.hpp"
-#include "fit/geometric_fit.hpp"
+#include "fit/oriented_points.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "search/triplet_set.hpp"
 #include "search/vote.hpp"

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "fit/geometric_fit.hpp"
+#include "fit/oriented_points.hpp"
 #include "search/vote.hpp"
 #include "search/web.hpp"
 

@@ -83,20 +83,5 @@ TEST_CASE("a peer's program that fails is named", "[bench][contender][hostile]")
   CHECK(error.find(path + ": failed") == 0);
 }
 
-TEST_CASE("the peers that are built find the ball", "[bench][contender][peers]") {
-  const Frame frame = test::make_known_frame();
-  for (const Contender& contender : all_contenders(QUADRILLE_PROGRAMS)) {
-    if (contender.name != "cgal" && contender.name != "pcl") continue;
-    if (!contender.absent.empty()) {
-      WARN(contender.name << " is " << contender.absent);
-      continue;
-    }
-    INFO(contender.name);
-    const FrameScore s = score_of(contender, frame);
-    CHECK(s.found == 1);
-    CHECK(s.planes_found == 1);
-  }
-}
-
 }  // namespace
 }  // namespace quadrille::bench

@@ -19,7 +19,7 @@ struct Grasp {
   /// Length of the straight approach that was checked [m].
   double approach = 0.0;
   /// Least friction coefficient μ* that closes the grasp; of a hold by the tips, with the contacts
-  /// where they are least good within what is known of them, PadMeeting::friction.
+  /// where they are least good within what is known of them.
   double friction_needed = 0.0;
   /// Grasp quality ε: the largest wrench, of any direction, that a unit contact force resists.
   double epsilon = 0.0;

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <Eigen/Geometry>
-#include <array>
-#include <functional>
 #include <map>
 #include <memory>
 #include <string>
