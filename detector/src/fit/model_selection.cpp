@@ -19,6 +19,12 @@
 namespace quadrille {
 namespace {
 
+/// The same surface with another scale of its matrix.
+std::optional<PosedQuadric> divided(PosedQuadric q, double by) {
+  q.D /= by;
+  return q;
+}
+
 /// Closed-form starts for fits to the same points.
 class Starts {
  public:
@@ -60,19 +66,11 @@ class Starts {
         break;
       case Family::kEllipticCylinder:
         add_known(Family::kGeneral, nearest_cylindrical);
-        add_known(Family::kCylinder, [](const PosedQuadric& q) {
-          PosedQuadric unit = q;
-          unit.D /= -q.D(3, 3);
-          return std::optional(unit);
-        });
+        add_known(Family::kCylinder, [](const auto& q) { return divided(q, -q.D(3, 3)); });
         break;
       case Family::kParabolic:
         add_known(Family::kGeneral, nearest_parabolic);
-        add_known(Family::kParaboloid, [](const PosedQuadric& q) {
-          PosedQuadric unit = q;
-          unit.D /= q.D(2, 3);
-          return std::optional(unit);
-        });
+        add_known(Family::kParaboloid, [](const auto& q) { return divided(q, q.D(2, 3)); });
         break;
       case Family::kGeneral:
         add(initial_general(points_));
