@@ -1,6 +1,8 @@
 #include "quadrille/detector/detector.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <memory>
 #include <utility>
 
@@ -22,8 +24,18 @@ bool wanted(QuadricType type, const DetectorOptions& options) {
          std::find(options.only.begin(), options.only.end(), type) != options.only.end();
 }
 
-/// Measures the curved surfaces, the planes, and the planes in what both leave of the finest
-/// samples.
+/// True if a plane may be a piece that waves have cut off a larger one: one of those before it, the
+/// largest first, is parallel to it within 20°.
+bool has_larger_parallel(const std::vector<PlaneRegion>& planes, std::size_t k) {
+  constexpr double kMinCosine = 0.94;
+  return std::any_of(planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(k),
+                     [&](const PlaneRegion& larger) {
+                       return std::abs(larger.plane.head<3>().dot(planes[k].plane.head<3>())) >
+                              kMinCosine;
+                     });
+}
+
+/// Measures the surfaces and the planes.
 std::vector<Detection> measure_all(const Aggregation& aggregation,
                                    const std::vector<PlaneRegion>& planes,
                                    const SurfaceSamples& coarse, const SurfaceSamples& finest,
@@ -32,18 +44,16 @@ std::vector<Detection> measure_all(const Aggregation& aggregation,
   std::vector<Detection> detections;
   const auto report = [&](const Surface& surface) {
     const bool flat = surface.fit.family == Family::kPlane;
-    if (flat && is_part_of(surface, finest, planes)) return;
+    if (flat && is_part_of(surface, finest, planes, coarse)) return;
     detections.push_back(measure(surface, finest, viewpoint));
   };
   for (const Surface& surface : aggregation.surfaces()) report(surface);
   if (wanted(QuadricType::kPlane, options)) {
-    for (const PlaneRegion& plane : planes) {
-      detections.push_back(measure(plane_surface(coarse, plane), coarse, viewpoint));
-    }
-    // The faces of boxes and the caps of cans have too few coarse samples, and among the finest
-    // ones too much passes for flat before the curved surfaces have theirs.
-    for (const PlaneRegion& plane : find_planes(finest, options.planes, aggregation.claimed())) {
-      report(plane_surface(finest, plane));
+    const std::vector<Surface> weighed = weighed_planes(coarse, planes);
+    for (std::size_t k = 0; k < planes.size(); ++k) {
+      const bool doubtful = weighed[k].confidence < options.aggregate.min_plane_confidence;
+      if (doubtful && has_larger_parallel(planes, k)) continue;
+      detections.push_back(measure(weighed[k], coarse, viewpoint));
     }
   }
   std::erase_if(detections, [&](const Detection& d) { return !wanted(d.type, options); });

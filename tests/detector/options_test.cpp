@@ -128,7 +128,7 @@ TEST_CASE("a visit reaches each setting", "[options]") {
   auto& [basis, quantisation, radii, s1, s2, hash, s3, grow] = search;
   auto& [enabled, c1, c2, c3] = agglomerate;
   auto& [grow_families, g1, g2, g3] = grow;
-  auto& [families, a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13] = aggregate;
+  auto& [families, a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13, a14, a15] = aggregate;
   const std::set<const void*> fields = {&seed,
                                         &threads,
                                         &only,
@@ -174,7 +174,9 @@ TEST_CASE("a visit reaches each setting", "[options]") {
                                         &a10,
                                         &a11,
                                         &a12,
-                                        &a13};
+                                        &a13,
+                                        &a14,
+                                        &a15};
   CHECK(visit(o).fields == fields);
 }
 

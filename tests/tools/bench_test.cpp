@@ -72,6 +72,26 @@ TEST_CASE("scenes from files are judged as scenes made at once", "[command][benc
   CHECK(rows_of(folder.path("files")) == rows_of(folder.path("made")));
 }
 
+TEST_CASE("the benchmark tells at which stage surfaces are lost, and writes no files",
+          "[command][bench]") {
+  const test::TempFolder folder;
+  const std::string cloud = folder.path("a.ply");
+  REQUIRE(run_quadrille("scene --family medium --seed 1000 --labels " + cloud).code == 0);
+  const Run read = run_quadrille("bench --stages " + cloud);
+  INFO(read.err);
+  REQUIRE(read.code == 0);
+  CHECK(contains(read.out, "| family | scenes | wanted | no hypothesis | claimed | first look |"));
+  CHECK(contains(read.out, "| medium | 1 |"));
+  CHECK(std::count(read.out.begin(), read.out.end(), '\n') == 3);
+  CHECK(run_quadrille("bench --stages --scenes 1 --family medium").out == read.out);
+  for (const std::string option : {"--contender quadrille", "--list", "--out ."}) {
+    const Run run = run_quadrille("bench --stages " + option);
+    INFO(run.err);
+    CHECK(run.code == 2);
+    CHECK(contains(run.err, "excludes"));
+  }
+}
+
 TEST_CASE("what the benchmark cannot use ends with one line", "[command][bench][hostile]") {
   const test::TempFolder folder;
   const std::string cloud = folder.path("a.ply");

@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "support/catch.hpp"
@@ -15,6 +16,25 @@ bool is_cylinder_as_annotated(const json& detection, const json& object) {
   const json& params = object["params"];
   return test::is_cylinder_of(detection, params["radius"], 0.003) &&
          detection["dimensions"]["length"] > 0.9 * params["length"].get<double>();
+}
+
+Eigen::Vector3d vector_of(const json& list) {
+  return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
+}
+
+/// The middle of a detection's extent, in the frame of the cloud.
+Eigen::Vector3d middle_of(const json& detection) {
+  const json& q = detection["pose"]["quaternion"];
+  const Eigen::Quaterniond rotation(q[0].get<double>(), q[1].get<double>(), q[2].get<double>(),
+                                    q[3].get<double>());
+  const Eigen::Vector3d low = vector_of(detection["extent"]["min"]);
+  const Eigen::Vector3d high = vector_of(detection["extent"]["max"]);
+  return rotation * (0.5 * (low + high)) + vector_of(detection["pose"]["position"]);
+}
+
+double distance_from_axis(const Eigen::Vector3d& x, const json& cylinder) {
+  const Eigen::Vector3d along = vector_of(cylinder["axis_dir"]).normalized();
+  return (x - vector_of(cylinder["axis_point"])).cross(along).norm();
 }
 
 }  // namespace
@@ -41,14 +61,25 @@ TEST_CASE("the annotated objects of real scans are found, with their type", "[co
   }
 }
 
-TEST_CASE("a mug and a bottle stand on a table, and nothing else is curved", "[command][real]") {
-  for (const std::string scan : {"mug.pcd", "bottle.pcd"}) {
-    const json detections = test::detect(test::scans_folder() / scan)["detections"];
-    INFO(scan << " " << detections.dump(1));
-    CHECK(detections[0]["type"] == "plane");
-    const auto curved = std::count_if(detections.begin(), detections.end(),
-                                      [](const json& d) { return d["type"] != "plane"; });
-    CHECK(curved == 1);
+TEST_CASE("a mug and a bottle stand on a table, and nothing beside them is curved",
+          "[command][real]") {
+  const json manifest = test::manifest_of(test::scans_folder());
+  for (const json& scan : manifest["scenes"]) {
+    const std::string file = scan["file"];
+    if (file == "boxes.pcd") continue;
+    const json detections = test::detect(test::scans_folder() / file)["detections"];
+    INFO(file << " " << detections.dump(1));
+    CHECK(std::any_of(detections.begin(), detections.end(),
+                      [](const json& d) { return d["type"] == "plane"; }));
+    const json& cylinder = scan["objects"][0]["params"];
+    int curved = 0;
+    for (const json& d : detections) {
+      if (d["type"] == "plane") continue;
+      ++curved;
+      // The inside of the mug, the shoulder and the handle of the bottle are parts of them.
+      CHECK(distance_from_axis(middle_of(d), cylinder) < cylinder["radius"].get<double>() + 0.02);
+    }
+    CHECK(curved <= 3);
   }
 }
 

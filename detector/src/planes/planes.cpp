@@ -13,8 +13,8 @@
 namespace quadrille {
 namespace {
 
-// Least cosine between the normals of planes that are one, 8°.
-constexpr double kMinCoplanarCosine = 0.99;
+// Least cosine between the normals of planes that are one, 14°.
+constexpr double kMinCoplanarCosine = 0.97;
 // Neighbours that tell whether a sample lies in something flat, and samples that determine a plane
 // with one to spare.
 constexpr std::size_t kMinSeedNeighbours = 5;
@@ -94,7 +94,7 @@ bool may_bend(const SurfaceSamples& samples, const PlaneRegion& region,
 }
 
 /// Joins planes that noise or an object between had parted: nearly parallel, and the smaller one
-/// within the noise of the larger.
+/// within the noise of the larger, or within the waves that it may have over their distance.
 std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
                                        std::vector<PlaneRegion> planes,
                                        const PlaneOptions& options) {
@@ -105,12 +105,14 @@ std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
     // Seen from within the plane, the sides that its parts turn are chance.
     const double cosine = large.plane.head<3>().dot(small.plane.head<3>());
     if (std::abs(cosine) < kMinCoplanarCosine) return false;
-    double distance = 0, limit = 0;
+    const double n = static_cast<double>(small.samples.size());
+    double distance = 0, sigma = 0;
     for (const int i : small.samples) {
-      distance += std::abs(large.plane.dot(samples.raw[i].cast<double>().homogeneous()));
-      limit += options.sigmas * samples.sigma[i];
+      distance += std::abs(large.plane.dot(samples.raw[i].cast<double>().homogeneous())) / n;
+      sigma += samples.sigma[i] / n;
     }
-    return distance < limit;
+    const double apart = (middle_of(samples, large) - middle_of(samples, small)).norm();
+    return distance < std::max(options.sigmas * sigma, kMaxWaviness * apart);
   };
   std::vector<PlaneRegion> joined;
   for (PlaneRegion& plane : planes) {
@@ -172,6 +174,12 @@ PlaneRegion grow_plane(const SurfaceSamples& samples, const PlaneOptions& option
 }
 
 }  // namespace
+
+Eigen::Vector3d middle_of(const SurfaceSamples& samples, const PlaneRegion& plane) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const int i : plane.samples) sum += samples.raw[i].cast<double>();
+  return sum / static_cast<double>(plane.samples.size());
+}
 
 std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options,
                                      const std::vector<char>& claimed) {

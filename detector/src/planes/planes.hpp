@@ -14,6 +14,13 @@ struct PlaneRegion {
   std::vector<int> samples;
 };
 
+/// Distance from a plane over the distance along it that the waves of a sensor may feign: tables
+/// and walls come in pieces that are bent this much, and more than noise within a patch explains.
+inline constexpr double kMaxWaviness = 0.015;
+
+/// Mean of the samples' raw positions.
+Eigen::Vector3d middle_of(const SurfaceSamples& samples, const PlaneRegion& plane);
+
 /// Grows planes over neighbours from the flattest seeds (type-specific fit: one oriented point
 /// determines a plane, paper, table of minimal cases).
 /// @param claimed  per sample, nonzero to leave it out; empty for none

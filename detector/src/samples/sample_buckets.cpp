@@ -1,7 +1,5 @@
 #include "samples/sample_buckets.hpp"
 
-#include <algorithm>
-
 #include "samples/voxel/voxel_finder.hpp"
 
 namespace quadrille {
@@ -42,7 +40,6 @@ std::vector<int> SampleBuckets::near(const Eigen::Vector3f& centre, float radius
   for (const int v : finder.within(centre)) {
     found.insert(found.end(), list_.begin() + first_[v], list_.begin() + first_[v + 1]);
   }
-  std::sort(found.begin(), found.end());
   return found;
 }
 

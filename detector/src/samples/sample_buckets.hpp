@@ -14,7 +14,7 @@ class SampleBuckets {
   explicit SampleBuckets(const SurfaceSamples& samples);
 
   /// All samples whose raw positions lie within the radius [m] of the centre, and some around, in
-  /// ascending order.
+  /// no particular order.
   std::vector<int> near(const Eigen::Vector3f& centre, float radius) const;
 
  private:

@@ -5,10 +5,9 @@
 namespace quadrille {
 namespace {
 
-// The better fit raises the confidence of many a candidate, to twice and more: on coarse levels it
-// is tried from half the confidence that is asked for in the end, and on the last one, where
-// nothing follows, from nearly none.
-constexpr double kCoarseShare = 0.5, kMinFinestConfidence = 0.1;
+// On coarse levels a better fit is tried from this share of the confidence that is asked for in the
+// end; what is left out is offered again.
+constexpr double kCoarseShare = 0.5;
 
 }  // namespace
 
@@ -20,7 +19,7 @@ Acceptance acceptance_at(SearchLevel level, const AggregateOptions& options) {
             .min_confidence = options.min_confidence_early,
             .max_residual = options.max_residual};
   }
-  return {.min_candidate_confidence = kMinFinestConfidence,
+  return {.min_candidate_confidence = options.min_first_look,
           .max_candidate_residual = std::numeric_limits<double>::infinity(),
           .takes_planes_instead = true,
           .min_confidence = options.min_confidence,

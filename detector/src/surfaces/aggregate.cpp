@@ -5,9 +5,12 @@
 #include <cmath>
 
 #include "fit/family_spec.hpp"
+#include "quadrille/detector/canonical.hpp"
 #include "samples/inliers.hpp"
 #include "surfaces/evidence/confidence.hpp"
+#include "surfaces/evidence/intruders.hpp"
 #include "surfaces/join.hpp"
+#include "surfaces/plane_surface.hpp"
 #include "surfaces/surface_fit.hpp"
 
 namespace quadrille {
@@ -46,11 +49,13 @@ bool is_flat(const Surface& surface) { return surface.fit.family == Family::kPla
 }  // namespace
 
 Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,
-                         const InlierTest& inlier)
+                         const InlierTest& inlier, TrialObserver observer)
     : samples_(samples),
       options_(options),
       inlier_(inlier),
-      extender_(samples, options, inlier),
+      observer_(std::move(observer)),
+      buckets_(samples),
+      extender_(samples, buckets_, options, inlier),
       claims_(samples) {}
 
 void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
@@ -68,12 +73,13 @@ void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
     if (best == value.end() || *best <= 0) break;
     Candidate& candidate = pending_[static_cast<std::size_t>(best - value.begin())];
     *best = 0;
-    std::optional<Surface> accepted = accept(candidate, asked);
-    if (!accepted) {
+    Trial trial = try_out(candidate, asked);
+    if (observer_) observer_(candidate, level, trial);
+    if (trial.end != TrialEnd::kAccepted) {
       if (level == SearchLevel::kCoarse) later.push_back(std::move(candidate));
       continue;
     }
-    const Surface& surface = surfaces_.emplace_back(joined(std::move(*accepted)));
+    const Surface& surface = surfaces_.emplace_back(joined(std::move(*trial.surface)));
     claims_.add(surface.region);
     const Eigen::AlignedBox3f claim = box_of(samples_, surface.region);
     for (std::size_t c = 0; c < pending_.size(); ++c) {
@@ -85,45 +91,61 @@ void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
   pending_ = std::move(later);
 }
 
-/// The candidate's samples that are open, as a surface with its evidence; nullopt where a check
-/// fails.
-std::optional<Surface> Aggregation::accept(const Candidate& candidate,
-                                           const Acceptance& asked) const {
-  std::vector<int> open = claims_.open_of(candidate.region);
-  if (!is_promising(candidate, open, asked)) return std::nullopt;
-  std::optional<Surface> surface = fit_surface(samples_, std::move(open), options_);
+void Aggregation::offer_planes(const std::vector<PlaneRegion>& planes) {
+  for (const PlaneRegion& plane : planes) {
+    Surface surface = plane_surface(samples_, plane);
+    weigh(&surface);
+    if (surface.confidence < options_.min_plane_confidence) continue;
+    claims_.add(surface.region);
+    surfaces_.push_back(std::move(surface));
+  }
+}
+
+/// Fits the candidate's open samples anew, extends the fit, and weighs it.
+Trial Aggregation::try_out(const Candidate& candidate, const Acceptance& asked) const {
+  Trial trial;
+  if (!is_promising(candidate, asked, &trial)) return trial;
+  trial.end = TrialEnd::kFit;
+  std::optional<Surface>& surface = trial.surface;
+  surface = fit_surface(samples_, claims_.open_of(candidate.region), options_);
   // The general fit of a plane is a doubled plane.
   if (surface && is_thin(*surface, samples_)) surface = plane_instead(std::move(*surface), asked);
   if (!surface ||
       surface->rms > asked.max_candidate_residual * mean_sigma(samples_, surface->region)) {
-    return std::nullopt;
+    return trial;
   }
   surface = extender_.extended(std::move(*surface), claimed());
   // The fit may be another now.
-  if (is_thin(*surface, samples_)) return std::nullopt;
+  if (is_thin(*surface, samples_)) return trial;
   weigh(&*surface);
   // What hardly bends is reported as the plane that it nearly is.
   if (!is_flat(*surface) && surface->evidence.spread < options_.min_spread) {
     surface = plane_instead(std::move(*surface), asked);
-    if (surface) weigh(&*surface);
+    if (!surface) return trial;
+    weigh(&*surface);
   }
-  if (!surface || !is_acceptable(*surface, asked)) return std::nullopt;
-  return surface;
+  trial.end = is_acceptable(*surface, asked) ? TrialEnd::kAccepted : TrialEnd::kConfidence;
+  return trial;
 }
 
 /// True if enough of a candidate is open, and its own fit makes a better one worth while.
-bool Aggregation::is_promising(const Candidate& candidate, std::span<const int> open,
-                               const Acceptance& asked) const {
+bool Aggregation::is_promising(const Candidate& candidate, const Acceptance& asked,
+                               Trial* trial) const {
+  const std::vector<int> open = claims_.open_of(candidate.region);
   const double min_open = options_.min_open * static_cast<double>(candidate.region.size());
   if (static_cast<int>(open.size()) < options_.min_samples ||
       static_cast<double>(open.size()) < min_open) {
     return false;
   }
+  trial->end = TrialEnd::kFirstLook;
   if (candidate.family == Family::kPlane) return true;
-  const Evidence evidence = evidence_of(open, candidate.Q);
-  const bool bends = evidence.spread >= kCandidateSpreadShare * options_.min_spread;
-  if (!bends) return asked.takes_planes_instead;
-  return confidence(evidence, family_spec(candidate.family).dof) >= asked.min_candidate_confidence;
+  const double min_spread = kCandidateSpreadShare * options_.min_spread;
+  if (normal_spread(samples_, open) < min_spread) return asked.takes_planes_instead;
+  trial->first_look = evidence_of(open, candidate.Q);
+  const QuadricType type = canonical_form(candidate.Q).type;
+  const auto terms =
+      confidence_terms(*trial->first_look, family_spec(candidate.family).dof, log_prior(type));
+  return confidence(terms, SurfaceKind::kCurved) >= asked.min_candidate_confidence;
 }
 
 std::optional<Surface> Aggregation::plane_instead(Surface surface, const Acceptance& asked) const {
@@ -132,8 +154,10 @@ std::optional<Surface> Aggregation::plane_instead(Surface surface, const Accepta
 }
 
 bool Aggregation::is_acceptable(const Surface& surface, const Acceptance& asked) const {
-  if (is_flat(surface))
-    return static_cast<int>(surface.region.size()) >= options_.min_plane_samples;
+  if (is_flat(surface)) {
+    return static_cast<int>(surface.region.size()) >= options_.min_plane_samples &&
+           surface.confidence >= options_.min_plane_confidence;
+  }
   return surface.confidence >= asked.min_confidence &&
          !(surface.rms > asked.max_residual * mean_sigma(samples_, surface.region));
 }
@@ -167,6 +191,7 @@ Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q)
   if (stands_off(region)) beyond = claimed();
   Evidence evidence = collect_evidence(samples_, region, Q, beyond);
   evidence.remainder = claims_.remainder(region);
+  add_intruders(samples_, buckets_, region, Q, &evidence);
   return evidence;
 }
 

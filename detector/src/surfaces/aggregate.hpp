@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "planes/planes.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/surface_samples.hpp"
 #include "search/candidate.hpp"
@@ -11,6 +12,7 @@
 #include "surfaces/claims.hpp"
 #include "surfaces/extend.hpp"
 #include "surfaces/surface.hpp"
+#include "surfaces/trial.hpp"
 
 namespace quadrille {
 
@@ -20,21 +22,25 @@ namespace quadrille {
 class Aggregation {
  public:
   /// @param samples  on which regions and claims are counted; must outlive this
+  /// @param observer  told of each candidate that is tried; may be empty
   Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,
-              const InlierTest& inlier);
+              const InlierTest& inlier, TrialObserver observer = {});
 
   /// Takes over candidates, with regions in terms of the samples, and accepts what can be accepted.
   /// What a coarse level refuses is kept for the next call.
   void offer(std::vector<Candidate> candidates, SearchLevel level);
+
+  /// Takes over planes, found among the samples that nothing has claimed, that are surfaces of
+  /// their own.
+  void offer_planes(const std::vector<PlaneRegion>& planes);
 
   /// Per sample, nonzero if an accepted surface holds it.
   const std::vector<char>& claimed() const { return claims_.claimed(); }
   const std::vector<Surface>& surfaces() const { return surfaces_; }
 
  private:
-  std::optional<Surface> accept(const Candidate& candidate, const Acceptance& asked) const;
-  bool is_promising(const Candidate& candidate, std::span<const int> open,
-                    const Acceptance& asked) const;
+  Trial try_out(const Candidate& candidate, const Acceptance& asked) const;
+  bool is_promising(const Candidate& candidate, const Acceptance& asked, Trial* trial) const;
   bool is_acceptable(const Surface& surface, const Acceptance& asked) const;
   std::optional<Surface> plane_instead(Surface surface, const Acceptance& asked) const;
   Surface joined(Surface surface);
@@ -45,6 +51,8 @@ class Aggregation {
   const SurfaceSamples& samples_;
   AggregateOptions options_;
   InlierTest inlier_;
+  TrialObserver observer_;
+  SampleBuckets buckets_;
   Extender extender_;
   Claims claims_;
   std::vector<Candidate> pending_;

@@ -20,9 +20,9 @@ constexpr double kMaxRmsGrowth = 1.3;
 
 }  // namespace
 
-Extender::Extender(const SurfaceSamples& samples, const AggregateOptions& options,
-                   const InlierTest& inlier)
-    : samples_(samples), options_(options), inlier_(inlier), buckets_(samples) {
+Extender::Extender(const SurfaceSamples& samples, const SampleBuckets& buckets,
+                   const AggregateOptions& options, const InlierTest& inlier)
+    : samples_(samples), options_(options), inlier_(inlier), buckets_(buckets) {
   inlier_.sigmas *= options.claim;
 }
 
@@ -70,6 +70,7 @@ std::vector<int> Extender::further(const Surface& surface, const std::vector<cha
     }
     if (is_inlier(samples_, i, Q, inlier_) && box.contains(posed(i))) more.push_back(i);
   }
+  std::sort(more.begin(), more.end());
   return more;
 }
 

@@ -13,8 +13,9 @@ namespace quadrille {
 class Extender {
  public:
   /// @param samples  of all surfaces; must outlive this
-  Extender(const SurfaceSamples& samples, const AggregateOptions& options,
-           const InlierTest& inlier);
+  /// @param buckets  of the samples; must outlive this
+  Extender(const SurfaceSamples& samples, const SampleBuckets& buckets,
+           const AggregateOptions& options, const InlierTest& inlier);
 
   /// The surface with all open samples within and near its extent that lie on it, refitted if they
   /// are many. Its evidence is left as it was.
@@ -27,7 +28,7 @@ class Extender {
   const SurfaceSamples& samples_;
   AggregateOptions options_;
   InlierTest inlier_;
-  SampleBuckets buckets_;
+  const SampleBuckets& buckets_;
 };
 
 }  // namespace quadrille

@@ -1,5 +1,6 @@
 #include "surfaces/find_surfaces.hpp"
 
+#include "planes/planes.hpp"
 #include "samples/inliers.hpp"
 #include "search/search.hpp"
 #include "surfaces/agglomerate.hpp"
@@ -46,9 +47,9 @@ std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::v
   return agglomerate(std::move(candidates), tree.finest(), options.inlier, options.agglomerate);
 }
 
-Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options,
-                          StageClock& clock) {
-  Aggregation aggregation(tree.finest(), options.aggregate, options.inlier);
+Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options, StageClock& clock,
+                          TrialObserver observer) {
+  Aggregation aggregation(tree.finest(), options.aggregate, options.inlier, std::move(observer));
   for (int level = kLevels - 1; level >= 0; --level) {
     std::vector<Candidate> candidates =
         find_candidates(tree, level, open_samples(tree, level, aggregation.claimed()), options);
@@ -57,6 +58,10 @@ Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options
                       level > 0 ? SearchLevel::kCoarse : SearchLevel::kFinest);
     clock.end("aggregate");
   }
+  // The faces of boxes and the caps of cans have too few coarse samples, and among the finest ones
+  // too much passes for flat before the curved surfaces have theirs.
+  aggregation.offer_planes(find_planes(tree.finest(), options.planes, aggregation.claimed()));
+  clock.end("aggregate");
   return aggregation;
 }
 

@@ -17,8 +17,9 @@ std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::v
 /// Searches for surfaces and chooses among what is found, from coarse to fine: what a coarse level
 /// finds clearly, the finer ones need not search.
 /// @param tree   must outlive the result
-/// @param clock  ends the stages "search" and "aggregate"
-Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options,
-                          StageClock& clock);
+/// @param clock     ends the stages "search" and "aggregate"
+/// @param observer  told of each candidate that is tried; may be empty
+Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options, StageClock& clock,
+                          TrialObserver observer = {});
 
 }  // namespace quadrille

@@ -7,6 +7,8 @@
 
 #include "fit/closed_form/initial_plane.hpp"
 #include "samples/region.hpp"
+#include "samples/sample_buckets.hpp"
+#include "surfaces/evidence/intruders.hpp"
 #include "surfaces/surface_fit.hpp"
 
 namespace quadrille {
@@ -22,13 +24,15 @@ constexpr int kFitPoints = 1000, kIterations = 2;
 constexpr double kEffectiveShare = 0.25;
 
 /// True if most of a flat surface lies on the plane.
-bool lies_on(const Surface& flat, const SurfaceSamples& samples, const PlaneRegion& plane) {
+bool lies_on(const Surface& flat, const SurfaceSamples& samples, const PlaneRegion& plane,
+             const SurfaceSamples& coarse) {
   const Eigen::Vector3d n = plane.plane.head<3>();
   if (std::abs(flat.Q.gradient(flat.local.centre).normalized().dot(n)) < kMinPartCosine)
     return false;
+  const double wave = kMaxWaviness * (middle_of(coarse, plane) - flat.local.centre).norm();
   const auto on = std::count_if(flat.region.begin(), flat.region.end(), [&](int i) {
     const double d = plane.plane.dot(samples.raw[i].cast<double>().homogeneous());
-    return std::abs(d) < kMaxPartSigmas * samples.sigma[i];
+    return std::abs(d) < std::max(kMaxPartSigmas * samples.sigma[i], wave);
   });
   return static_cast<double>(on) > kMinPartShare * static_cast<double>(flat.region.size());
 }
@@ -42,14 +46,27 @@ Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane) {
   std::optional<FamilyFit> fit = refine(points, Family::kPlane, start, kIterations);
   Surface surface = surface_of(plane.samples, local, fit ? std::move(*fit) : FamilyFit());
   surface.effective_size = kEffectiveShare * static_cast<double>(surface.region.size());
-  surface.confidence = 1.0;
   return surface;
 }
 
+std::vector<Surface> weighed_planes(const SurfaceSamples& samples,
+                                    const std::vector<PlaneRegion>& planes) {
+  const SampleBuckets buckets(samples);
+  std::vector<Surface> surfaces;
+  for (const PlaneRegion& plane : planes) {
+    Surface& surface = surfaces.emplace_back(plane_surface(samples, plane));
+    surface.evidence = collect_evidence(samples, surface.region, surface.Q);
+    add_intruders(samples, buckets, surface.region, surface.Q, &surface.evidence);
+    surface.confidence = confidence_of(surface);
+  }
+  return surfaces;
+}
+
 bool is_part_of(const Surface& flat, const SurfaceSamples& samples,
-                const std::vector<PlaneRegion>& planes) {
-  return std::any_of(planes.begin(), planes.end(),
-                     [&](const PlaneRegion& plane) { return lies_on(flat, samples, plane); });
+                const std::vector<PlaneRegion>& planes, const SurfaceSamples& coarse) {
+  return std::any_of(planes.begin(), planes.end(), [&](const PlaneRegion& plane) {
+    return lies_on(flat, samples, plane, coarse);
+  });
 }
 
 }  // namespace quadrille

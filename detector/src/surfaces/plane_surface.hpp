@@ -12,9 +12,16 @@ namespace quadrille {
 /// @param samples  the samples that the plane was found on
 Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane);
 
+/// Planes as surfaces, each with its evidence and confidence, as if nothing else had been found.
+/// @param samples  the samples that the planes were found on
+std::vector<Surface> weighed_planes(const SurfaceSamples& samples,
+                                    const std::vector<PlaneRegion>& planes);
+
 /// True if most of a flat surface lies within a few sigma of one of the planes and parallel to it:
 /// a strip of table or wall that waves in the noise had cut off.
+/// @param samples  on which the surface was found
+/// @param coarse   on which the planes were found
 bool is_part_of(const Surface& flat, const SurfaceSamples& samples,
-                const std::vector<PlaneRegion>& planes);
+                const std::vector<PlaneRegion>& planes, const SurfaceSamples& coarse);
 
 }  // namespace quadrille

@@ -6,7 +6,6 @@
 #include "fit/family_spec.hpp"
 #include "quadrille/detector/canonical.hpp"
 #include "samples/inliers.hpp"
-#include "surfaces/evidence/confidence.hpp"
 
 namespace quadrille {
 namespace {
@@ -23,9 +22,14 @@ double mean_sigma(const SurfaceSamples& samples, std::span<const int> region) {
   return sum / static_cast<double>(region.size());
 }
 
-double confidence_of(const Surface& surface) {
+std::array<double, kConfidenceTerms.size()> terms_of(const Surface& surface) {
   const QuadricType type = canonical_form(surface.fit.posed).type;
-  return confidence(surface.evidence, family_spec(surface.fit.family).dof, log_prior(type));
+  return confidence_terms(surface.evidence, family_spec(surface.fit.family).dof, log_prior(type));
+}
+
+double confidence_of(const Surface& surface) {
+  const bool flat = surface.fit.family == Family::kPlane;
+  return confidence(terms_of(surface), flat ? SurfaceKind::kFlat : SurfaceKind::kCurved);
 }
 
 bool is_thin(const Surface& surface, const SurfaceSamples& samples) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "quadrille/detector/quadric.hpp"
 #include "samples/region.hpp"
 #include "samples/surface_samples.hpp"
+#include "surfaces/evidence/confidence.hpp"
 #include "surfaces/evidence/evidence.hpp"
 
 namespace quadrille {
@@ -30,7 +32,10 @@ struct Surface {
 /// Mean standard deviation of the samples of a region that is not empty, along their normals [m].
 double mean_sigma(const SurfaceSamples& samples, std::span<const int> region);
 
-/// Confidence in a surface whose evidence is known, with the prior of its type.
+/// The terms of a surface's confidence; see confidence_terms(). Its evidence must be known.
+std::array<double, kConfidenceTerms.size()> terms_of(const Surface& surface);
+
+/// Confidence in a surface whose evidence is known, by the model of curved or of flat ones.
 double confidence_of(const Surface& surface);
 
 /// True if the surface is so thin that its two sides lie within the noise of each other: next to a

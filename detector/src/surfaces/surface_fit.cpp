@@ -38,7 +38,8 @@ std::optional<Surface> fit_surface(const SurfaceSamples& samples, std::vector<in
   SelectionOptions selection;
   selection.iterations = kIterations;
   selection.effective_share = effective_size / static_cast<double>(points.size());
-  selection.common_noise = samples.common_noise * mean_sigma(samples, region) / local.scale;
+  const double common_noise = samples.common_noise * mean_sigma(samples, region) / local.scale;
+  selection.common_noise = std::hypot(common_noise, kFlawShare);
   FamilyFit best = select_family(points, options.families, *general, selection).best;
   Surface surface = surface_of(std::move(region), local, std::move(best));
   surface.effective_size = effective_size;

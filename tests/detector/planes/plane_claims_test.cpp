@@ -66,11 +66,43 @@ TEST_CASE("a flat piece near a plane and parallel to it is part of it, another i
   const Surface flat = plane_surface(samples, region_of(samples, {1, 0, 0, 0}));
   const auto part_of = [&](double angle, double offset) {
     const PlaneRegion plane{{std::cos(angle), std::sin(angle), 0.0, offset}, {}};
-    return is_part_of(flat, samples, {plane});
+    return is_part_of(flat, samples, {plane}, samples);
   };
   CHECK(part_of(0.0, 0.0));
   CHECK(part_of(0.0, 0.003));
   CHECK(part_of(M_PI, 0.003));
   CHECK_FALSE(part_of(0.0, 0.02));
   CHECK_FALSE(part_of(0.5, 0.0));
+}
+
+TEST_CASE("a piece that waves have moved off a table is still part of it, nearby it is not",
+          "[planes][claims]") {
+  // Two pieces of one grid, 20 cells wide each, the second lifted by 8 mm.
+  SurfaceSamples samples = plane_grid(120, 20, 0.01, 0.0003, 3);
+  PlaneRegion table{{1, 0, 0, 0}, {}};
+  std::vector<int> far, near;
+  for (int i = 0; i < samples.size(); ++i) {
+    const int column = i % 120;
+    if (column < 20) table.samples.push_back(i);
+    if (column >= 20 && column < 40) near.push_back(i);
+    if (column >= 100) far.push_back(i);
+  }
+  for (auto* x : {&samples.raw, &samples.p}) {
+    for (const int i : near) (*x)[i].x() += 0.008f;
+    for (const int i : far) (*x)[i].x() += 0.008f;
+  }
+  const auto part_of = [&](const std::vector<int>& piece) {
+    const PlaneRegion lifted{{1, 0, 0, -0.008}, piece};
+    return is_part_of(plane_surface(samples, lifted), samples, {table}, samples);
+  };
+  CHECK(part_of(far));
+  CHECK_FALSE(part_of(near));
+}
+
+TEST_CASE("planes are weighed as surfaces", "[planes][claims]") {
+  const SurfaceSamples samples = plane_grid(40, 40, 0.01, 0.001, 1);
+  const auto surfaces = weighed_planes(samples, {region_of(samples, {1, 0, 0, 0})});
+  REQUIRE(surfaces.size() == 1);
+  CHECK(surfaces[0].confidence > 0.5);
+  CHECK(surfaces[0].evidence.log_count == Approx(std::log(1600.0)));
 }

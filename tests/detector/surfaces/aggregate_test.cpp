@@ -209,3 +209,41 @@ TEST_CASE("too few samples or no candidates make no surface", "[aggregate][degen
   aggregation.offer({candidate_of(cylinder_quadric(kPipeRadius), 0, 1)}, SearchLevel::kFinest);
   CHECK(aggregation.surfaces().empty());
 }
+
+TEST_CASE("an observer is told what becomes of each candidate", "[aggregate]") {
+  const SurfaceSamples samples = pipe();
+  std::vector<TrialEnd> ends;
+  const auto note = [&](const Candidate&, SearchLevel level, const Trial& trial) {
+    CHECK(level == SearchLevel::kFinest);
+    CHECK(trial.first_look.has_value() == (trial.end != TrialEnd::kClaimed));
+    if (trial.end == TrialEnd::kAccepted) {
+      REQUIRE(trial.surface);
+      CHECK(radius_of(*trial.surface) == Approx(kPipeRadius).epsilon(0.01));
+    }
+    ends.push_back(trial.end);
+  };
+  Aggregation aggregation(samples, {}, {}, note);
+  // A third of the second lies beyond the first.
+  aggregation.offer({candidate_of(cylinder_quadric(kPipeRadius), 0, 50),
+                     candidate_of(cylinder_quadric(kPipeRadius), 30, kPipeRows)},
+                    SearchLevel::kFinest);
+  REQUIRE_FALSE(ends.empty());
+  CHECK(ends.front() == TrialEnd::kAccepted);
+  CHECK(std::count(ends.begin(), ends.end(), TrialEnd::kAccepted) == 1);
+}
+
+TEST_CASE("planes among what is left become surfaces, if their evidence is good", "[aggregate]") {
+  const SurfaceSamples samples = plane_grid(40, 40, 0.01, 0.001, 1);
+  const PlaneRegion plane{{1, 0, 0, 0}, all_of(samples)};
+  AggregateOptions options;
+  Aggregation aggregation(samples, options, {});
+  aggregation.offer_planes({plane});
+  REQUIRE(aggregation.surfaces().size() == 1);
+  CHECK(aggregation.surfaces()[0].fit.family == Family::kPlane);
+  CHECK(std::count(aggregation.claimed().begin(), aggregation.claimed().end(), 1) ==
+        samples.size());
+  options.min_plane_confidence = 1.0;
+  Aggregation doubtful(samples, options, {});
+  doubtful.offer_planes({plane});
+  CHECK(doubtful.surfaces().empty());
+}

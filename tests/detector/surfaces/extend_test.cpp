@@ -10,15 +10,14 @@
 using namespace quadrille;
 using namespace quadrille::test;
 
-namespace {}  // namespace
-
 TEST_CASE("a surface is extended over open samples near its ends, once each", "[extend]") {
   const SurfaceSamples samples = cylinder_grid(kPipeColumns, kPipeRows, 0.04, 0.004, 0.0005, 1);
   std::vector<int> middle;
   for (int i = 10 * kPipeColumns; i < 50 * kPipeColumns; ++i) middle.push_back(i);
   const auto piece = fit_surface(samples, middle, {});
   REQUIRE(piece);
-  const Extender extender(samples, {}, {});
+  const SampleBuckets buckets(samples);
+  const Extender extender(samples, buckets, {}, {});
   std::vector<char> claimed(static_cast<std::size_t>(samples.size()), 0);
   std::vector<int> region = extender.extended(*piece, claimed).region;
   // By a tenth and more at each end, and no farther than the margin.

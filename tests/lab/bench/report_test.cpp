@@ -41,6 +41,18 @@ TEST_CASE("a row tells its shares and medians", "[bench][report]") {
       std::string::npos);
 }
 
+TEST_CASE("the table of stages has its counts in the order of the stages", "[bench][report]") {
+  StageCounts counts;
+  counts.family = "stereo kitchen";
+  counts.scenes = 8, counts.wanted = 21;
+  counts.no_hypothesis = 1, counts.claimed = 2, counts.first_look = 3;
+  counts.fit = 4, counts.confidence = 5, counts.accepted = 6;
+  counts.detected = 7, counts.wrong = 9;
+  const std::string table = to_markdown(to_table(std::vector{counts}));
+  CHECK(table.find("| stereo kitchen | 8 | 21 | 1 | 2 | 3 | 4 | 5 | 6 | 7 | 9 |") !=
+        std::string::npos);
+}
+
 TEST_CASE("who also finds what is not counted has no precision", "[bench][report]") {
   const auto json = to_json({row_of("all", "sphere", true)})[0];
   CHECK(json["precision"].is_null());

@@ -1,12 +1,28 @@
 #include "lab/scoring/frame.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
 
+#include "lab/scene/scene_files.hpp"
 #include "support/catch.hpp"
+#include "support/temp_folder.hpp"
 
 namespace quadrille::scoring {
 namespace {
+
+/// What is wrong with a frame in files; empty if nothing is.
+std::string error_of(const std::string& ply_path) {
+  try {
+    read_frame(ply_path);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
 
 TEST_CASE("the points of a generated frame lie on the surfaces that they are labelled with",
           "[scoring][frame]") {
@@ -32,6 +48,32 @@ TEST_CASE("the points of a generated frame lie on the surfaces that they are lab
   }
   CHECK(all > 100000);
   CHECK(on > 0.97 * all);
+}
+
+TEST_CASE("a frame of a sensor is read with the truth that other tools write", "[scoring][frame]") {
+  const test::TempFolder folder;
+  const std::string cloud = folder.path("a.ply");
+  const scene::Scene scene = scene::make_scene({scene::Family::kEasy, 1000});
+  write_scene(cloud, scene, true);
+  std::filesystem::remove(scene::truth_path(cloud));
+  CHECK(error_of(cloud).find("a.truth.json: no such file") != std::string::npos);
+  nlohmann::ordered_json truth = scene::truth_json(scene);
+  truth["sensor"] = "stereo";
+  folder.write("a.json", truth.dump());
+  const Frame frame = read_frame(cloud);
+  CHECK(frame.family == "stereo easy");
+  CHECK(frame.surfaces.size() == frame_of(scene).surfaces.size());
+}
+
+TEST_CASE("the truth that we write counts before a file that is merely named as a cloud",
+          "[scoring][frame]") {
+  const test::TempFolder folder;
+  const std::string cloud = folder.path("a.ply");
+  write_scene(cloud, scene::make_scene({scene::Family::kEasy, 1000}), true);
+  folder.write("a.json", "{}");
+  CHECK(read_frame(cloud).family == "easy");
+  std::filesystem::remove(scene::truth_path(cloud));
+  CHECK(error_of(cloud).find("a.json: no truth of a scene") != std::string::npos);
 }
 
 }  // namespace

@@ -58,27 +58,10 @@ double Row::width_error() const {
   return total.width_errors.empty() ? std::nan("") : experiments::quantile(total.width_errors, 0.5);
 }
 
-std::vector<Row> run_bench(const std::vector<Contender>& contenders, const BenchOptions& options) {
+std::vector<Row> run_bench(const std::vector<Contender>& contenders, const FrameOptions& frames) {
   Rows rows;
-  double done = 0.0;
-  if (!options.clouds.empty()) {
-    std::map<std::string, int> families;
-    for (const std::string& path : options.clouds) {
-      const Frame frame = scoring::read_frame(path);
-      const int next = static_cast<int>(families.size());
-      run_on(frame, families.emplace(frame.family, next).first->second, contenders, &rows);
-      options.progress(++done / static_cast<double>(options.clouds.size()));
-    }
-    return rows.list();
-  }
-  for (int family = 0; family < static_cast<int>(options.families.size()); ++family) {
-    for (int k = 0; k < options.scenes; ++k) {
-      const std::uint64_t seed = options.seed + static_cast<std::uint64_t>(k);
-      const Frame frame = scoring::frame_of(scene::make_scene({options.families[family], seed}));
-      run_on(frame, family, contenders, &rows);
-      options.progress(++done / (options.scenes * static_cast<double>(options.families.size())));
-    }
-  }
+  for_each_frame(frames,
+                 [&](const Frame& frame, int family) { run_on(frame, family, contenders, &rows); });
   return rows.list();
 }
 

@@ -1,25 +1,12 @@
 #pragma once
 
-#include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "lab/bench/contender.hpp"
+#include "lab/bench/frames.hpp"
 
 namespace quadrille::bench {
-
-struct BenchOptions {
-  /// Families of generated scenes, with so many scenes of each; the first has this seed.
-  std::vector<scene::Family> families = {scene::Family::kEasy, scene::Family::kMedium,
-                                         scene::Family::kHard};
-  int scenes = 20;
-  std::uint64_t seed = 1000;
-  /// Clouds with their truth, instead of generated ones.
-  std::vector<std::string> clouds;
-  /// Told the share that is done, 0 to 1.
-  std::function<void(double)> progress = [](double) {};
-};
 
 /// What a contender made of all frames of a family.
 struct Row {
@@ -45,6 +32,6 @@ struct Row {
 /// contenders that look for one type alone; and, for all of them, spheres alone.
 /// @return by family, then counted type, then contender
 /// @throws std::runtime_error if a cloud cannot be read or a peer fails
-std::vector<Row> run_bench(const std::vector<Contender>& contenders, const BenchOptions& options);
+std::vector<Row> run_bench(const std::vector<Contender>& contenders, const FrameOptions& frames);
 
 }  // namespace quadrille::bench

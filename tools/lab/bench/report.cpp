@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "lab/experiments/measure.hpp"
 
@@ -42,6 +43,23 @@ Table to_table(const std::vector<Row>& rows) {
                percent(row.total.plane_precision()),
                fmt::format("{:.1f}", quantile(row.wall_ms, 0.5)),
                fmt::format("{:.1f}", quantile(row.cpu_ms, 0.5))});
+  }
+  return table;
+}
+
+Table to_table(const std::vector<StageCounts>& families) {
+  Table table{"",
+              {"family", "scenes", "wanted", "no hypothesis", "claimed", "first look", "fit",
+               "confidence", "accepted", "detected", "wrong accepted"},
+              {}};
+  for (const StageCounts& counts : families) {
+    std::vector<std::string> row = {counts.family};
+    for (const int n :
+         {counts.scenes, counts.wanted, counts.no_hypothesis, counts.claimed, counts.first_look,
+          counts.fit, counts.confidence, counts.accepted, counts.detected, counts.wrong}) {
+      row.push_back(fmt::format("{}", n));
+    }
+    table.add(std::move(row));
   }
   return table;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lab/bench/bench.hpp"
+#include "lab/bench/stages.hpp"
 #include "lab/experiments/plot.hpp"
 #include "lab/experiments/table.hpp"
 
@@ -12,6 +13,9 @@ namespace quadrille::bench {
 
 /// The rows as text: shares in per cent, widths in per cent of the true one, times in milliseconds.
 experiments::Table to_table(const std::vector<Row>& rows);
+
+/// Counts of surfaces as text.
+experiments::Table to_table(const std::vector<StageCounts>& families);
 
 /// The rows with all their digits; null for what has no value.
 nlohmann::ordered_json to_json(const std::vector<Row>& rows);

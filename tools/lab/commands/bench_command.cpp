@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/output.hpp"
@@ -16,6 +17,7 @@
 #include "cli/seed_option.hpp"
 #include "lab/bench/bench.hpp"
 #include "lab/bench/report.hpp"
+#include "lab/bench/stages.hpp"
 #include "lab/commands/output_folder.hpp"
 
 namespace quadrille {
@@ -26,8 +28,8 @@ namespace fs = std::filesystem;
 struct BenchArguments {
   std::vector<std::string> families = {"easy", "medium", "hard"}, contenders;
   std::string out = ".";
-  bool list = false;
-  bench::BenchOptions options;
+  bool list = false, stages = false;
+  bench::FrameOptions frames;
 };
 
 const std::map<std::string, scene::Family>& families() {
@@ -56,10 +58,10 @@ std::vector<bench::Contender> chosen(const std::vector<std::string>& names) {
 
 std::string command_of(const BenchArguments& arguments) {
   std::string command = "quadrille bench";
-  for (const std::string& cloud : arguments.options.clouds) command += " " + cloud;
-  if (arguments.options.clouds.empty()) {
+  for (const std::string& cloud : arguments.frames.clouds) command += " " + cloud;
+  if (arguments.frames.clouds.empty()) {
     command += fmt::format(" --family {} --scenes {} --seed {}", fmt::join(arguments.families, ","),
-                           arguments.options.scenes, arguments.options.seed);
+                           arguments.frames.scenes, arguments.frames.seed);
   }
   if (!arguments.contenders.empty()) {
     command += fmt::format(" --contender {}", fmt::join(arguments.contenders, ","));
@@ -74,12 +76,18 @@ void list_contenders() {
   }
 }
 
-void run(BenchArguments arguments) {
-  if (arguments.list) return list_contenders();
-  arguments.options.families.clear();
-  for (const std::string& name : arguments.families) {
-    arguments.options.families.push_back(families().at(name));
+void print_stages(const bench::FrameOptions& frames) {
+  std::vector<bench::StageCounts> families;
+  {
+    ProgressLine line;
+    bench::FrameOptions shown = frames;
+    shown.progress = [&](double share) { line.show(share); };
+    families = bench::count_stages(shown);
   }
+  print(to_markdown(bench::to_table(families)));
+}
+
+void compare(BenchArguments arguments) {
   const std::vector<bench::Contender> contenders = chosen(arguments.contenders);
   for (const bench::Contender& contender : contenders) {
     if (contender.absent.empty()) continue;
@@ -89,8 +97,8 @@ void run(BenchArguments arguments) {
   std::vector<bench::Row> rows;
   {
     ProgressLine line;
-    arguments.options.progress = [&](double share) { line.show(share); };
-    rows = bench::run_bench(contenders, arguments.options);
+    arguments.frames.progress = [&](double share) { line.show(share); };
+    rows = bench::run_bench(contenders, arguments.frames);
   }
   files.write("bench.md",
               bench::to_markdown(rows, contenders, command_of(arguments), QUADRILLE_VERSION));
@@ -99,6 +107,16 @@ void run(BenchArguments arguments) {
   files.write("bench.svg", experiments::to_svg(bench::plots_of(rows)));
   print(to_markdown(bench::to_table(rows)));
   print(files.list() + "\n");
+}
+
+void run(BenchArguments arguments) {
+  if (arguments.list) return list_contenders();
+  arguments.frames.families.clear();
+  for (const std::string& name : arguments.families) {
+    arguments.frames.families.push_back(families().at(name));
+  }
+  if (arguments.stages) return print_stages(arguments.frames);
+  compare(std::move(arguments));
 }
 
 std::string check_contender(const std::string& name) {
@@ -116,27 +134,36 @@ void add_bench_command(CLI::App& app) {
   auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command =
       app.add_subcommand("bench", "Compare the detector with its variants, baselines and peers");
-  CLI::Option* const clouds =
-      command->add_option("CLOUD", arguments->options.clouds,
-                          "Clouds of quadrille scene --labels, instead of new scenes");
+  CLI::Option* const clouds = command->add_option(
+      "CLOUD", arguments->frames.clouds,
+      "Clouds with their truth, as of quadrille scene --labels, instead of new scenes");
   command->add_option("--family", arguments->families, "Families of scenes")
       ->delimiter(',')
       ->check(CLI::IsMember(families()))
       ->type_name("NAME,...")
       ->excludes(clouds);
-  command->add_option("--scenes", arguments->options.scenes, "Scenes of each family")
+  command->add_option("--scenes", arguments->frames.scenes, "Scenes of each family")
       ->check(CLI::Range(1, 100000))
       ->capture_default_str()
       ->excludes(clouds);
-  add_seed_option(*command, arguments->options.seed, "the first scene of each family")
+  add_seed_option(*command, arguments->frames.seed, "the first scene of each family")
       ->excludes(clouds);
-  command->add_option("--contender", arguments->contenders, "Only these; see --list")
-      ->delimiter(',')
-      ->check(CLI::Validator(check_contender, ""))
-      ->type_name("NAME,...");
-  command->add_flag("--list", arguments->list, "Only list the contenders");
-  command->add_option("--out", arguments->out, "Folder for bench.md, .csv, .json and .svg")
-      ->type_name("FOLDER");
+  CLI::Option* const contenders =
+      command->add_option("--contender", arguments->contenders, "Only these; see --list")
+          ->delimiter(',')
+          ->check(CLI::Validator(check_contender, ""))
+          ->type_name("NAME,...");
+  CLI::Option* const list =
+      command->add_flag("--list", arguments->list, "Only list the contenders");
+  CLI::Option* const out =
+      command->add_option("--out", arguments->out, "Folder for bench.md, .csv, .json and .svg")
+          ->type_name("FOLDER");
+  command
+      ->add_flag("--stages", arguments->stages,
+                 "Only print at which stage the detector loses surfaces")
+      ->excludes(contenders)
+      ->excludes(list)
+      ->excludes(out);
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <string>
+#include <string_view>
+#include <vector>
 
 #include "lab/confidence/observe.hpp"
 
@@ -11,45 +11,43 @@ using namespace quadrille;
 
 namespace {
 
-constexpr scene::Family kFamilies[] = {scene::Family::kEasy, scene::Family::kMedium,
-                                       scene::Family::kHard, scene::Family::kTabletop};
+// More than any surface has.
+constexpr double kCertain = 0.9999;
 
 void print_header() {
-  fmt::print("scene,right,log_prior");
-  for (const ConfidenceWeight& row : kConfidenceWeights) fmt::print(",{}", row.term);
+  fmt::print("scene,kind,right");
+  for (const ConfidenceTerm& term : kConfidenceTerms) fmt::print(",{}", term.name);
   fmt::print("\n");
 }
 
-void print_rows(const scoring::Frame& frame) {
-  for (const auto& observation : confidence_training::observe(frame)) {
-    fmt::print("{},{:d},{}", frame.name, observation.right, observation.log_prior);
-    for (const double term : observation.terms) fmt::print(",{}", term);
+void print_rows(const scoring::Frame& frame, const DetectorOptions& options) {
+  for (const auto& observation : confidence_training::observe(frame, options)) {
+    fmt::print("{},{},{:d}", frame.name, observation.flat ? "flat" : "curved", observation.right);
+    for (const double term : observation.terms) fmt::print(",{:.7g}", term);
     fmt::print("\n");
   }
 }
 
 }  // namespace
 
-// Prints the evidence for each curved surface that the detector considers, and whether it is
-// right, as CSV: of generated scenes, or of scenes in files as `quadrille scene --labels` writes
-// them.
+// Prints the evidence for each surface that the detector weighs, and whether it is right, as CSV,
+// of scenes with their truth as `quadrille scene --labels` writes them. With --accept-none no
+// candidate claims its samples, so that each is weighed as if nothing else had been found.
 int main(int argc, char** argv) {
-  if (argc < 2) {
-    fmt::print(stderr, "usage: quadrille_confidence SCENES [SEED] | SCENE.ply…\n");
+  std::vector<std::string_view> arguments(argv + 1, argv + argc);
+  DetectorOptions options;
+  if (!arguments.empty() && arguments.front() == "--accept-none") {
+    options.aggregate.min_confidence = options.aggregate.min_confidence_early = kCertain;
+    arguments.erase(arguments.begin());
+  }
+  if (arguments.empty()) {
+    fmt::print(stderr, "usage: quadrille_confidence [--accept-none] SCENE.ply…\n");
     return 2;
   }
+  print_header();
   try {
-    print_header();
-    if (std::string(argv[1]).ends_with(".ply")) {
-      for (int k = 1; k < argc; ++k) print_rows(scoring::read_frame(argv[k]));
-      return 0;
-    }
-    const int scenes = std::stoi(argv[1]);
-    const std::uint64_t seed = argc > 2 ? std::stoull(argv[2]) : 1;
-    for (int k = 0; k < scenes; ++k) {
-      const scene::Family family = kFamilies[static_cast<std::size_t>(k) % std::size(kFamilies)];
-      print_rows(scoring::frame_of(
-          scene::make_scene({family, 1000 * seed + static_cast<std::uint64_t>(k)})));
+    for (const std::string_view path : arguments) {
+      print_rows(scoring::read_frame(std::string(path)), options);
     }
   } catch (const std::exception& error) {
     fmt::print(stderr, "quadrille_confidence: {}\n", error.what());

@@ -2,70 +2,70 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
-#include "fit/family_spec.hpp"
+#include "base/stage_clock.hpp"
 #include "lab/scoring/score.hpp"
-#include "planes/plane_claims.hpp"
-#include "quadrille/detector/canonical.hpp"
-#include "samples/cell_pyramid.hpp"
-#include "surfaces/evidence/confidence.hpp"
+#include "lab/trials/search_samples.hpp"
+#include "planes/planes.hpp"
 #include "surfaces/find_surfaces.hpp"
-#include "surfaces/surface_fit.hpp"
+#include "surfaces/plane_surface.hpp"
 
 namespace quadrille::confidence_training {
 namespace {
 
-/// The samples that the stages before the search make of a cloud; null if they make none.
-std::unique_ptr<SampleTree> samples_of(const PointCloud& cloud, const DetectorOptions& options) {
-  const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
-  if (!pyramid) return nullptr;
-  const SurfaceSamples coarse = pyramid->coarse_samples();
-  const std::vector<PlaneRegion> planes = find_planes(coarse, options.planes);
-  const std::vector<char> keep = cells_off_planes(*pyramid, coarse, planes, options.planes.sigmas);
-  return std::make_unique<SampleTree>(*pyramid, pyramid->samples(keep, options.threads));
-}
+bool is_flat(const Surface& surface) { return surface.fit.family == Family::kPlane; }
 
-/// A candidate's better fit with its evidence, as if nothing else had been found; nullopt where the
-/// detector asks for no confidence, because it is refused or flat.
-std::optional<Surface> weighed(Candidate candidate, const SurfaceSamples& samples,
-                               const Claims& claims, const AggregateOptions& options) {
-  if (static_cast<int>(candidate.region.size()) < options.min_samples) return std::nullopt;
-  std::optional<Surface> surface = fit_surface(samples, std::move(candidate.region), options);
-  if (!surface || surface->fit.family == Family::kPlane || is_thin(*surface, samples)) {
-    return std::nullopt;
+/// Whether a surface is right; nullopt if it is neither right nor wrong.
+std::optional<bool> is_right(scoring::Verdict verdict, bool flat) {
+  switch (verdict) {
+    case scoring::Verdict::kRight:
+      return flat ? std::nullopt : std::optional(true);
+    case scoring::Verdict::kPlane:
+      return flat ? std::optional(true) : std::nullopt;
+    case scoring::Verdict::kHardlyVisible:
+      return std::nullopt;
+    case scoring::Verdict::kNoPlane:
+    case scoring::Verdict::kWrong:
+      return false;
   }
-  surface->evidence = collect_evidence(samples, surface->region, surface->Q);
-  surface->evidence.remainder = claims.remainder(surface->region);
-  if (surface->evidence.spread < options.min_spread) return std::nullopt;
-  return surface;
+  return std::nullopt;
 }
 
-std::optional<bool> is_right(const Surface& surface, const scoring::Frame& frame) {
-  const scoring::FrameScore score = scoring::score(frame, {{surface.Q, 1.0}});
-  if (score.found > 0) return true;
-  if (score.wrong + score.planes_wrong > 0) return false;
-  return std::nullopt;
+/// All that the detector weighs.
+std::vector<Surface> weighed_surfaces(const trials::SearchSamples& found,
+                                      const DetectorOptions& options) {
+  std::vector<Surface> weighed = weighed_planes(found.coarse, found.planes);
+  StageClock clock;
+  const auto take_curved = [&](const Candidate&, SearchLevel, const Trial& trial) {
+    if (trial.end >= TrialEnd::kConfidence && !is_flat(*trial.surface)) {
+      weighed.push_back(*trial.surface);
+    }
+  };
+  const Aggregation aggregation = find_surfaces(*found.tree, options, clock, take_curved);
+  for (const Surface& surface : aggregation.surfaces()) {
+    if (is_flat(surface)) weighed.push_back(surface);
+  }
+  return weighed;
 }
 
 }  // namespace
 
-std::vector<Observation> observe(const scoring::Frame& frame) {
-  const DetectorOptions options;
-  const std::unique_ptr<SampleTree> tree = samples_of(frame.cloud, options);
-  if (!tree) return {};
-  const Claims claims(tree->finest());
+std::vector<Observation> observe(const scoring::Frame& frame, DetectorOptions options) {
+  // What is refused before it is weighed teaches nothing.
+  options.aggregate.min_first_look = 0.0;
+  options.aggregate.min_plane_confidence = 0.0;
+  const std::optional<trials::SearchSamples> samples = trials::search_samples(frame.cloud, options);
+  if (!samples) return {};
+  const std::vector<Surface> surfaces = weighed_surfaces(*samples, options);
+  std::vector<Quadric> quadrics;
+  for (const Surface& surface : surfaces) quadrics.push_back(surface.Q);
+  const std::vector<scoring::Judgement> judgements = scoring::judge_each(frame, quadrics);
   std::vector<Observation> observations;
-  for (int level = 0; level < kLevels; ++level) {
-    std::vector<char> open(static_cast<std::size_t>(tree->level(level).size()), 1);
-    for (Candidate& candidate : find_candidates(*tree, level, std::move(open), options)) {
-      const auto surface = weighed(std::move(candidate), tree->finest(), claims, options.aggregate);
-      if (!surface) continue;
-      const std::optional<bool> right = is_right(*surface, frame);
-      if (!right) continue;
-      const int dof = family_spec(surface->fit.family).dof;
-      observations.push_back({confidence_terms(surface->evidence, dof),
-                              log_prior(canonical_form(surface->fit.posed).type), *right});
-    }
+  for (std::size_t k = 0; k < surfaces.size(); ++k) {
+    const bool flat = is_flat(surfaces[k]);
+    const std::optional<bool> right = is_right(judgements[k].verdict, flat);
+    if (right) observations.push_back({terms_of(surfaces[k]), flat, *right});
   }
   return observations;
 }

@@ -4,21 +4,21 @@
 #include <vector>
 
 #include "lab/scoring/frame.hpp"
-#include "surfaces/evidence/confidence_weights.hpp"
+#include "quadrille/detector/options.hpp"
+#include "surfaces/evidence/confidence_model.hpp"
 
 namespace quadrille::confidence_training {
 
-/// A curved surface that the detector considered, and whether it is there.
+/// A surface that the detector considered, and whether it is there.
 struct Observation {
-  /// See confidence_terms() and log_prior().
-  std::array<double, kConfidenceWeights.size()> terms{};
-  double log_prior = 0.0;
-  bool right = false;
+  /// See confidence_terms().
+  std::array<double, kConfidenceTerms.size()> terms{};
+  bool flat = false, right = false;
 };
 
-/// The candidates that the search finds on all levels of a frame, each weighed as if nothing else
-/// had been found, and judged by the rule of scoring::score(). What finds a surface that is hardly
-/// visible, or a true plane, is left out: it is neither right nor wrong.
-std::vector<Observation> observe(const scoring::Frame& frame);
+/// What the detector weighs in a frame, judged by the rule of scoring::score(): its better fits to
+/// candidates, and its planes. What finds a surface that is hardly visible is left out, as is a
+/// curved one that is a true plane: it is neither right nor wrong.
+std::vector<Observation> observe(const scoring::Frame& frame, DetectorOptions options);
 
 }  // namespace quadrille::confidence_training

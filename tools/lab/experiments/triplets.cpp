@@ -4,22 +4,12 @@
 #include "lab/experiments/generated_scenes.hpp"
 #include "lab/experiments/measure.hpp"
 #include "lab/scoring/score.hpp"
-#include "planes/plane_claims.hpp"
+#include "lab/trials/search_samples.hpp"
 #include "quadrille/detector/detector.hpp"
-#include "samples/sample_tree.hpp"
 #include "search/search.hpp"
 
 namespace quadrille::experiments {
 namespace {
-
-/// What the search sees of a scene: its samples without the planes.
-SampleTree samples_of(const PointCloud& cloud, const DetectorOptions& options) {
-  const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
-  const SurfaceSamples coarse = pyramid->coarse_samples();
-  const std::vector<char> keep = cells_off_planes(
-      *pyramid, coarse, find_planes(coarse, options.planes), options.planes.sigmas);
-  return {*pyramid, pyramid->samples(keep, 1)};
-}
 
 /// The search with a number of bases, with or without the hash, over all scenes of a family.
 struct Setting {
@@ -140,11 +130,11 @@ Report run_triplets(const Settings& settings) {
   }
   for_each_scene(families, scenes, settings, [&](const scene::Scene& made) {
     const scoring::Frame frame = scoring::frame_of(made);
-    const SampleTree tree = samples_of(frame.cloud, {});
+    const auto samples = trials::search_samples(frame.cloud, {});
     for (Group& group : all) {
       if (group.plain.family != made.options.family) continue;
       for (Setting* setting : {&group.plain, &group.hashed, &group.single}) {
-        run(frame, tree, setting);
+        run(frame, *samples->tree, setting);
       }
     }
   });

@@ -1,9 +1,9 @@
 #include "lab/physics/true_scene.hpp"
 
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "io/file_bytes.hpp"
 #include "lab/physics/exact_detection.hpp"
@@ -154,21 +154,19 @@ TrueScene true_scene(const ordered_json& truth) {
 }
 
 TrueScene read_true_scene(const std::string& cloud_path) {
-  std::filesystem::path path = scene::truth_path(cloud_path);
-  if (!std::filesystem::exists(path))
-    path = std::filesystem::path(cloud_path).replace_extension(".json");
-  if (!std::filesystem::exists(path)) {
+  const std::optional<std::string> path = scene::find_truth(cloud_path);
+  if (!path) {
     throw io::FileError(scene::truth_path(cloud_path), "",
                         "no such file; `quadrille scene` makes clouds with their truth");
   }
-  const std::vector<std::byte> bytes = io::read_file(path.string());
+  const std::vector<std::byte> bytes = io::read_file(*path);
   const char* text = reinterpret_cast<const char*>(bytes.data());
   try {
     return true_scene(ordered_json::parse(text, text + bytes.size()));
   } catch (const io::FileError&) {
     throw;
   } catch (const std::exception& error) {
-    throw io::FileError(path.string(), "", std::string("no truth of a scene: ") + error.what());
+    throw io::FileError(*path, "", std::string("no truth of a scene: ") + error.what());
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
@@ -100,6 +101,13 @@ std::string without_extension(const std::string& ply_path) {
 
 std::string truth_path(const std::string& ply_path) {
   return without_extension(ply_path) + ".truth.json";
+}
+
+std::optional<std::string> find_truth(const std::string& ply_path) {
+  namespace fs = std::filesystem;
+  if (const std::string path = truth_path(ply_path); fs::exists(path)) return path;
+  const fs::path other = fs::path(ply_path).replace_extension(".json");
+  return fs::exists(other) ? std::optional(other.string()) : std::nullopt;
 }
 
 Json truth_json(const Scene& scene) {

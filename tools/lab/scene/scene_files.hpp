@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 
 #include "lab/scene/scene.hpp"
@@ -9,6 +10,10 @@ namespace quadrille::scene {
 
 /// The truth beside a cloud: OUT.ply gives OUT.truth.json.
 std::string truth_path(const std::string& ply_path);
+
+/// The truth that stands beside a cloud: OUT.truth.json, or else OUT.json, as other tools name it;
+/// nullopt if neither is there.
+std::optional<std::string> find_truth(const std::string& ply_path);
 
 /// Camera, noise, and one object for each surface with its q in the camera frame, pose
 /// (x_C = R x_S + t), dims, box (in S) and what the camera saw of it.

@@ -32,16 +32,22 @@ TrueSurface surface_of(const ordered_json& json) {
   surface.X_CS.translation() = vector_of(json.at("pose").at("t"));
   surface.box_S = {vector_of(json.at("box").at(0)), vector_of(json.at("box").at(1))};
   surface.size = json.at("size");
-  surface.sigma = json.at("sigma");
+  // Of surfaces that too few points show it is unknown.
+  if (!json.at("sigma").is_null()) surface.sigma = json.at("sigma");
   surface.evaluate = json.at("evaluate");
   return surface;
 }
 
 void take_truth(const ordered_json& truth, Frame* frame) {
   frame->family = truth.at("family");
+  // Scenes of sensors name theirs.
+  if (truth.contains("sensor")) {
+    frame->family = truth.at("sensor").get<std::string>() + " " + frame->family;
+  }
   frame->noise = truth.at("noise_scale");
   for (const ordered_json& object : truth.at("objects")) {
-    frame->surfaces.push_back(surface_of(object));
+    // Clutter that is no surface of a formula has none.
+    if (!object.at("q").is_null()) frame->surfaces.push_back(surface_of(object));
   }
 }
 
@@ -101,7 +107,7 @@ Frame read_frame(const std::string& ply_path) {
   Frame frame;
   frame.name = ply_path;
   frame.cloud = io::read_cloud(ply_path);
-  const std::string truth = scene::truth_path(ply_path);
+  const std::string truth = scene::find_truth(ply_path).value_or(scene::truth_path(ply_path));
   const std::vector<std::byte> bytes = read_companion(truth);
   const char* text = reinterpret_cast<const char*>(bytes.data());
   try {

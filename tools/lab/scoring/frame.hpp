@@ -29,7 +29,9 @@ struct TrueSurface {
 
 /// A cloud of which all is known.
 struct Frame {
-  std::string name, family;
+  std::string name;
+  /// Such as "hard", or "stereo kitchen" where the truth names a sensor.
+  std::string family;
   PointCloud cloud;
   /// Per point the id of its surface, negative for none, and its true unit normal, zero for none.
   std::vector<int> labels;
@@ -43,7 +45,8 @@ struct Frame {
 Frame frame_of(const scene::Scene& scene);
 
 /// A frame from files: OUT.ply with OUT.truth.json, OUT.labels and OUT.normals beside it, as
-/// `quadrille scene --labels` writes them. Points that are not finite are left out.
+/// `quadrille scene --labels` writes them. Without OUT.truth.json OUT.json is taken, as scenes of
+/// sensors have it. Points that are not finite are left out.
 /// @throws std::runtime_error naming the file that is missing or wrong
 Frame read_frame(const std::string& ply_path);
 

@@ -74,6 +74,14 @@ class Judge {
     return pairs;
   }
 
+  Judgement judge(const Quadric& Q) const {
+    if (const auto id = best_among(Q, wanted_)) return {Verdict::kRight, *id};
+    if (const auto id = best_among(Q, passed_)) return {Verdict::kHardlyVisible, *id};
+    if (!is_flat(Q)) return {};
+    if (const auto id = best_among(Q, planes_)) return {Verdict::kPlane, *id};
+    return {Verdict::kNoPlane, -1};
+  }
+
   FrameScore score(const std::vector<Quadric>& findings) const {
     FrameScore result;
     result.wanted = static_cast<int>(wanted_.size());
@@ -132,6 +140,17 @@ class Judge {
       }
     }
     return candidates;
+  }
+
+  /// The id of the surface that a quadric covers best; nullopt if it is none of them.
+  std::optional<int> best_among(const Quadric& Q, const std::vector<Target>& targets) const {
+    const Candidates candidates = candidates_among({{0, Q}}, targets);
+    if (candidates.empty()) return std::nullopt;
+    const std::map<int, double>& surfaces = candidates.at(0);
+    const auto best =
+        std::max_element(surfaces.begin(), surfaces.end(),
+                         [](const auto& a, const auto& b) { return a.second < b.second; });
+    return targets[static_cast<std::size_t>(best->first)].surface->id;
   }
 
   /// True if the quadric is flat wherever the scene supports it.
@@ -242,6 +261,13 @@ FrameScore score(const Frame& frame, std::vector<Found> findings, const std::str
   FrameScore result = Judge(frame, only).score(judged);
   result.wrong += beyond;
   return result;
+}
+
+std::vector<Judgement> judge_each(const Frame& frame, const std::vector<Quadric>& quadrics) {
+  const Judge judge(frame, "");
+  std::vector<Judgement> judgements;
+  for (const Quadric& Q : quadrics) judgements.push_back(judge.judge(Q));
+  return judgements;
 }
 
 std::map<int, int> pair_up(const Frame& frame, const std::vector<Found>& findings) {

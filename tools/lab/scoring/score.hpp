@@ -56,6 +56,24 @@ std::vector<Found> findings_of(const DetectionResult& result);
 /// @param only  count surfaces of this type alone, and let those of others pass; empty for all
 FrameScore score(const Frame& frame, std::vector<Found> findings, const std::string& only = "");
 
+/// What the truth says of one quadric, whatever else is found.
+enum class Verdict {
+  kRight,          ///< a surface that had to be found
+  kHardlyVisible,  ///< a surface that need not be found
+  kPlane,          ///< flat, and a plane of the scene
+  kNoPlane,        ///< flat, and none of them
+  kWrong,
+};
+
+/// A verdict, and the id of the surface that is meant; -1 if none is.
+struct Judgement {
+  Verdict verdict = Verdict::kWrong;
+  int surface = -1;
+};
+
+/// Judges each quadric as if it were the only finding, by the rule of score().
+std::vector<Judgement> judge_each(const Frame& frame, const std::vector<Quadric>& quadrics);
+
 /// Pairs findings with the curved surfaces that had to be found, by the rule of score().
 /// @return the index of the finding of each surface that was found, by the surface's id
 std::map<int, int> pair_up(const Frame& frame, const std::vector<Found>& findings);

@@ -76,7 +76,7 @@ struct PlaneOptions {
 /// When a sample lies on a quadric.
 struct InlierTest {
   double sigmas = 3.0;
-  double cells = 0.1;
+  double cells = 0.2;
   double min_cosine = 0.9;
 
   template <class Options, class Visitor>
@@ -204,7 +204,9 @@ struct AggregateOptions {
   double min_open = 0.5;
   int min_samples = 30;
   int min_plane_samples = 60;
-  double min_confidence = 0.45;
+  double min_first_look = 0.05;
+  double min_confidence = 0.55;
+  double min_plane_confidence = 0.5;
   double min_confidence_early = 0.8;
   double max_residual_early = 1.3;
   double max_residual = 100.0;
@@ -224,8 +226,13 @@ struct AggregateOptions {
     v(o.min_samples, {"aggregate.min_samples", "", 9, 1e6, "Samples of a surface at least."});
     v(o.min_plane_samples, {"aggregate.min_plane_samples", "", 9, 1e6,
                             "Samples at least of a plane that was not found before."});
+    v(o.min_first_look, {"aggregate.min_first_look", "", 0.0, 1.0,
+                         "Least confidence in a candidate as the search found it, before it gets a "
+                         "better fit, which raises the confidence of many to twice and more."});
     v(o.min_confidence, {"aggregate.min_confidence", "", 0.0, 1.0,
                          "Least confidence of a curved surface, from the evidence for it."});
+    v(o.min_plane_confidence, {"aggregate.min_plane_confidence", "", 0.0, 1.0,
+                               "Least confidence of a plane that was not found before."});
     v(o.min_confidence_early, {"aggregate.min_confidence_early", "", 0.0, 1.0,
                                "The same for candidates of the coarser levels, which claim their "
                                "samples before the finer ones are searched."});

@@ -2,47 +2,60 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+
+#include "surfaces/evidence/confidence_weights.hpp"
 
 namespace quadrille {
 namespace {
 
-// Beyond 400 samples a surface is as certain as its fit.
-constexpr double kMaxLogCount = 6.0;
-// Ratios beyond these say no more: the fit is worse than two planes, or exact.
-constexpr double kMinTwoPlanes = -2.0, kMaxTwoPlanes = 5.0;
-// What more than 150 samples explain hardly better than two planes do, by less than a factor of two
-// in the residual, is a box edge; few may be anything.
-constexpr double kEdgeLogCount = 5.0, kEdgeTwoPlanes = 0.8;
-// Misfits in whose range the training had surfaces.
-constexpr double kMinMisfit = 0.05, kMaxMisfit = 6.0;
-// A remainder well below this is none.
-constexpr double kNoRemainder = 0.05;
+// A remainder, or intruders, well below this are none.
+constexpr double kNone = 0.05;
+// A logarithm of less than this share of anything tells nothing.
+constexpr double kLeast = 1e-3;
+
+double log_of(double x) { return std::log(std::max(kLeast, x)); }
 
 }  // namespace
 
-std::array<double, kConfidenceWeights.size()> confidence_terms(const Evidence& e, int dof) {
-  const double two_planes = std::clamp(e.two_planes, kMinTwoPlanes, kMaxTwoPlanes);
-  const double box_edge =
-      std::max(0.0, e.log_count - kEdgeLogCount) * std::max(0.0, kEdgeTwoPlanes - two_planes);
-  return {1.0,
-          std::min(e.log_count, kMaxLogCount),
+std::array<double, kConfidenceTerms.size()> confidence_terms(const Evidence& e, int dof,
+                                                             double log_prior) {
+  return {e.log_count,
           e.spread,
           e.smooth_border,
           e.open_border,
           e.depth_edge,
           e.thickness,
-          two_planes,
-          box_edge,
+          std::log(e.size),
+          std::log(e.cell / e.size),
+          e.two_planes,
+          e.one_plane,
+          log_of(e.misfit),
+          std::log(e.sigma),
+          e.common_noise,
+          log_of(e.residual),
+          log_of(e.roughness),
+          e.correlation,
+          e.normal_error,
+          e.convexity,
+          std::log(kNone + e.in_front),
+          std::log(kNone + e.behind),
+          std::log(kNone + e.remainder),
           static_cast<double>(dof),
-          std::log(std::clamp(e.misfit, kMinMisfit, kMaxMisfit)),
-          std::log(kNoRemainder + e.remainder)};
+          log_prior};
 }
 
-double confidence(const Evidence& evidence, int dof, double log_prior) {
-  const auto terms = confidence_terms(evidence, dof);
-  double log_odds = log_prior;
+double confidence(const std::array<double, kConfidenceTerms.size()>& terms, SurfaceKind kind) {
+  const ConfidenceModel& model = kind == SurfaceKind::kFlat ? kFlatModel : kCurvedModel;
+  std::array<double, ConfidenceModel::kSize + 1> z{1.0};
   for (std::size_t k = 0; k < terms.size(); ++k) {
-    log_odds += kConfidenceWeights[k].weight * terms[k];
+    const TermScale& scale = model.scales[k];
+    z[k + 1] = (std::clamp(terms[k], scale.min, scale.max) - scale.mean) / scale.deviation;
+  }
+  double log_odds = 0.0;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < z.size(); ++i) {
+    for (std::size_t j = i; j < z.size(); ++j) log_odds += model.form[next++] * z[i] * z[j];
   }
   return 1.0 / (1.0 + std::exp(-log_odds));
 }

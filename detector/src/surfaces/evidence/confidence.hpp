@@ -2,17 +2,22 @@
 
 #include <array>
 
-#include "surfaces/evidence/confidence_weights.hpp"
+#include "surfaces/evidence/confidence_model.hpp"
 #include "surfaces/evidence/evidence.hpp"
 
 namespace quadrille {
 
-/// The evidence in the form in which it adds to the log odds, in the order of kConfidenceWeights.
-/// @param dof  degrees of freedom of the quadric's family
-std::array<double, kConfidenceWeights.size()> confidence_terms(const Evidence& evidence, int dof);
+/// Which model weighs a surface.
+enum class SurfaceKind { kCurved, kFlat };
 
-/// Confidence that a curved quadric with this evidence is a real surface of its own, 0 to 1: a
-/// logistic model over the evidence, to which the type's prior is added; see log_prior().
-double confidence(const Evidence& evidence, int dof, double log_prior = 0.0);
+/// The evidence as the models weigh it, in the order of kConfidenceTerms.
+/// @param dof        degrees of freedom of the quadric's family
+/// @param log_prior  of its type; see log_prior()
+std::array<double, kConfidenceTerms.size()> confidence_terms(const Evidence& evidence, int dof,
+                                                             double log_prior);
+
+/// Probability that a quadric with these terms is a real surface of its own, 0 to 1: a logistic
+/// model whose log odds are quadratic in the terms, trained on scenes of which all is known.
+double confidence(const std::array<double, kConfidenceTerms.size()>& terms, SurfaceKind kind);
 
 }  // namespace quadrille

@@ -6,6 +6,7 @@
 
 #include "base/quantile.hpp"
 #include "samples/inliers.hpp"
+#include "samples/plane_sums.hpp"
 #include "samples/region.hpp"
 #include "surfaces/evidence/smooth_parts.hpp"
 #include "surfaces/evidence/two_planes.hpp"
@@ -13,8 +14,6 @@
 namespace quadrille {
 namespace {
 
-// Real objects are quadrics up to this share of their size: cups and posts are, as scans show.
-constexpr double kFlawShare = 0.02;
 // Neighbours of a sample that has them on all sides.
 constexpr int kAllNeighbours = 8;
 // Added to sums of squared distances [m²], so that exact fits leave a ratio of them.
@@ -30,14 +29,6 @@ int next_along(const SurfaceSamples& samples, int j, const Eigen::Vector3f& step
     if (along > max_along) max_along = along, next = k;
   }
   return next;
-}
-
-/// Angle between normals and their mean, 90th percentile [rad].
-double spread_about(const SurfaceSamples& samples, std::span<const int> region,
-                    const Eigen::Vector3f& mean) {
-  std::vector<float> cosine;
-  for (const int i : region) cosine.push_back(samples.n[i].dot(mean));
-  return std::acos(std::clamp(nth_smallest(cosine, cosine.size() / 10), -1.0f, 1.0f));
 }
 
 /// Distances of the region's samples in multiples of what noise and small flaws leave, per sample.
@@ -101,14 +92,78 @@ double thickness_of(const SurfaceSamples& samples, std::span<const int> region,
   return std::sqrt(std::max(0.0, v[0]) / v[2]);
 }
 
+/// Sum of squared distances from the best plane [m²].
+double one_plane_rss(const SurfaceSamples& samples, std::span<const int> region) {
+  PlaneSums sums;
+  for (const int i : region) sums.add(samples.raw[i].cast<double>());
+  const Eigen::Vector4d plane = sums.plane();
+  double square = 0;
+  for (const int i : region) {
+    const double d = plane.dot(samples.raw[i].cast<double>().homogeneous());
+    square += d * d;
+  }
+  return square;
+}
+
+/// Fills in how the distances of neighbours hang together.
+/// @param square  mean square of the distances [m²]
+void compare_neighbours(const SurfaceSamples& samples, std::span<const int> region,
+                        const std::vector<char>& inside, const std::vector<float>& distance,
+                        double square, Evidence* e) {
+  std::vector<float> distance_of(static_cast<std::size_t>(samples.size()), 0.0f);
+  for (std::size_t k = 0; k < region.size(); ++k) distance_of[region[k]] = distance[k];
+  double product = 0, difference = 0;
+  int pairs = 0;
+  for (const int i : region) {
+    for (const int j : samples.neighbours_of(i)) {
+      if (!inside[j]) continue;
+      const float d_i = distance_of[i], d_j = distance_of[j];
+      product += static_cast<double>(d_i * d_j);
+      difference += static_cast<double>((d_i - d_j) * (d_i - d_j));
+      ++pairs;
+    }
+  }
+  e->residual = std::sqrt(square) / e->sigma;
+  if (pairs == 0) return;
+  e->roughness = std::sqrt(0.5 * difference / pairs) / e->sigma;
+  e->correlation = product / pairs / square;
+}
+
+/// Fills in how the quadric's normals and curvature compare with the samples'.
+void compare_normals(const SurfaceSamples& samples, std::span<const int> region,
+                     const Eigen::Matrix4f& Q, Evidence* e) {
+  const Eigen::Matrix3f H = Q.topLeftCorner<3, 3>();
+  double square = 0, curvature = 0;
+  for (const int i : region) {
+    const Eigen::Vector3f h = (Q * samples.raw[i].homogeneous()).head<3>();
+    const float slope = h.norm();
+    const Eigen::Vector3f g = h / slope;
+    const float cosine = g.dot(samples.n[i]);
+    square += static_cast<double>(1.0f - cosine * cosine);
+    const float bend = (H.trace() - g.dot(H * g)) / slope;
+    curvature += static_cast<double>(cosine > 0 ? bend : -bend);
+  }
+  const double n = static_cast<double>(region.size());
+  e->normal_error = std::sqrt(std::max(0.0, square / n));
+  e->convexity = curvature / n * e->size;
+}
+
 }  // namespace
+
+double normal_spread(const SurfaceSamples& samples, std::span<const int> region) {
+  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
+  for (const int i : region) mean += samples.n[i];
+  mean.normalize();
+  std::vector<float> cosine;
+  for (const int i : region) cosine.push_back(samples.n[i].dot(mean));
+  return std::acos(std::clamp(nth_smallest(cosine, cosine.size() / 10), -1.0f, 1.0f));
+}
 
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
                           const Quadric& quadric, std::span<const char> beyond) {
   Evidence e;
   const double n = static_cast<double>(region.size());
   double square = kMinSquare * n;
-  Eigen::Vector3f mean = Eigen::Vector3f::Zero();
   const Eigen::Matrix4f Q = quadric.normalized().matrix().cast<float>();
   std::vector<char> inside(static_cast<std::size_t>(samples.size()), 0);
   std::vector<float> distance(region.size());
@@ -116,15 +171,19 @@ Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> re
     const int i = region[k];
     const float d = distance[k] = distance_to(Q, samples.raw[i]);
     square += static_cast<double>(d * d);
-    mean += samples.n[i];
     inside[i] = 1;
   }
-  mean.normalize();
   const Normalisation local = normalisation_of(samples, region);
   e.log_count = std::log(n);
-  e.spread = spread_about(samples, region, mean);
+  e.size = local.scale;
+  for (const int i : region) e.sigma += samples.sigma[i] / n, e.cell += samples.cell[i] / n;
+  e.common_noise = samples.common_noise;
+  e.spread = normal_spread(samples, region);
   e.thickness = thickness_of(samples, region, local);
   e.two_planes = std::log((two_planes_rss(samples, region) + kMinSquare * n) / square);
+  e.one_plane = std::log((one_plane_rss(samples, region) + kMinSquare * n) / square);
+  compare_neighbours(samples, region, inside, distance, square / n, &e);
+  compare_normals(samples, region, Q, &e);
   const std::vector<float> residual = residuals(samples, region, distance, local.scale);
   walk_neighbours(samples, region, inside, beyond, residual, &e);
   return e;

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+#include "quadrille/detector/quadric.hpp"
+#include "samples/sample_buckets.hpp"
+#include "samples/surface_samples.hpp"
+#include "surfaces/evidence/evidence.hpp"
+
+namespace quadrille {
+
+/// Fills in the intruders of the evidence: samples within the region's box, along its principal
+/// axes, that lie off its quadric. The inside of a mug lies behind its outside, too: they speak
+/// against a quadric, but do not refute it.
+/// @param buckets  of the samples
+/// @param region   not empty
+void add_intruders(const SurfaceSamples& samples, const SampleBuckets& buckets,
+                   std::span<const int> region, const Quadric& Q, Evidence* evidence);
+
+}  // namespace quadrille

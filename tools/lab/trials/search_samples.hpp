@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "planes/planes.hpp"
+#include "quadrille/detector/options.hpp"
+#include "quadrille/detector/point_cloud.hpp"
+#include "samples/sample_tree.hpp"
+
+namespace quadrille::trials {
+
+/// What the detector's search sees of a cloud near the origin.
+struct SearchSamples {
+  /// The coarsest samples, and the planes among them.
+  SurfaceSamples coarse;
+  std::vector<PlaneRegion> planes;
+  /// The samples off the planes.
+  std::unique_ptr<SampleTree> tree;
+};
+
+/// Makes them as the detector does; nullopt if no samples can be made of the cloud.
+std::optional<SearchSamples> search_samples(const PointCloud& cloud,
+                                            const DetectorOptions& options);
+
+}  // namespace quadrille::trials
