@@ -45,7 +45,7 @@ struct Evidence {
   double correlation = 0.0;
   /// Root mean square sine of the angle between normal and gradient.
   double normal_error = 0.0;
-  /// Sum of the principal curvatures times the size, negative where the quadric bulges towards the
+  /// Sum of the principal curvatures times the size, positive where the quadric bulges towards the
   /// sensor: mean over the samples.
   double convexity = 0.0;
   /// Samples within the box of the region that lie off the quadric, towards the sensor and behind

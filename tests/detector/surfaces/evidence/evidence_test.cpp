@@ -167,7 +167,7 @@ TEST_CASE("a surface seen from outside and from inside has convexities of opposi
   const Quadric ball(diagonal(1, 1, 1, -0.05 * 0.05));
   const Evidence outside = collect_evidence(samples, all_of(samples), ball);
   // Both principal curvatures are 1/R.
-  CHECK(std::abs(outside.convexity) == Approx(2.0 / 0.05 * outside.size).epsilon(0.01));
+  CHECK(outside.convexity == Approx(2.0 / 0.05 * outside.size).epsilon(0.01));
   for (auto& n : samples.n) n = -n;
   const Evidence inside = collect_evidence(samples, all_of(samples), ball);
   CHECK(inside.convexity == Approx(-outside.convexity));
