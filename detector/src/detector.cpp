@@ -39,7 +39,7 @@ bool has_larger_parallel(const std::vector<PlaneRegion>& planes, std::size_t k) 
 std::vector<Detection> measure_all(const Aggregation& aggregation,
                                    const std::vector<PlaneRegion>& planes,
                                    const SurfaceSamples& coarse, const SurfaceSamples& finest,
-                                   const DetectorOptions& options,
+                                   const Surroundings& surroundings, const DetectorOptions& options,
                                    const Eigen::Vector3d& viewpoint) {
   std::vector<Detection> detections;
   const auto report = [&](const Surface& surface) {
@@ -49,7 +49,7 @@ std::vector<Detection> measure_all(const Aggregation& aggregation,
   };
   for (const Surface& surface : aggregation.surfaces()) report(surface);
   if (wanted(QuadricType::kPlane, options)) {
-    const std::vector<Surface> weighed = weighed_planes(coarse, planes);
+    const std::vector<Surface> weighed = weighed_planes(coarse, planes, surroundings);
     for (std::size_t k = 0; k < planes.size(); ++k) {
       const bool doubtful = weighed[k].confidence < options.aggregate.min_plane_confidence;
       if (doubtful && has_larger_parallel(planes, k)) continue;
@@ -97,9 +97,10 @@ Findings find_all(const PointCloud& cloud, const DetectorOptions& options, Stage
   const SampleTree tree(*pyramid, pyramid->samples(keep, options.threads));
   clock.end("samples");
 
-  const Aggregation aggregation = find_surfaces(tree, options, clock);
-  std::vector<Detection> detections =
-      ranked(measure_all(aggregation, planes, coarse, tree.finest(), options, cloud.viewpoint));
+  const Surroundings surroundings = {normal_of_largest(planes), pyramid->sight()};
+  const Aggregation aggregation = find_surfaces(tree, surroundings, options, clock);
+  std::vector<Detection> detections = ranked(measure_all(aggregation, planes, coarse, tree.finest(),
+                                                         surroundings, options, cloud.viewpoint));
   clock.end("measure");
   return {std::move(detections), count_points(*pyramid)};
 }

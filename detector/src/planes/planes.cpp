@@ -210,4 +210,13 @@ std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneO
   return join_coplanar(samples, std::move(planes), options);
 }
 
+std::optional<Eigen::Vector3d> normal_of_largest(const std::vector<PlaneRegion>& planes) {
+  const auto largest = std::max_element(planes.begin(), planes.end(),
+                                        [](const PlaneRegion& a, const PlaneRegion& b) {
+                                          return a.samples.size() < b.samples.size();
+                                        });
+  if (largest == planes.end()) return std::nullopt;
+  return largest->plane.head<3>();
+}
+
 }  // namespace quadrille

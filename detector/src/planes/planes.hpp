@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "quadrille/detector/quadric.hpp"
@@ -26,5 +27,8 @@ Eigen::Vector3d middle_of(const SurfaceSamples& samples, const PlaneRegion& plan
 /// @param claimed  per sample, nonzero to leave it out; empty for none
 std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options,
                                      const std::vector<char>& claimed = {});
+
+/// Normal of the plane with the most samples; nullopt without planes.
+std::optional<Eigen::Vector3d> normal_of_largest(const std::vector<PlaneRegion>& planes);
 
 }  // namespace quadrille

@@ -6,6 +6,7 @@
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/depth/noise.hpp"
+#include "samples/sight.hpp"
 #include "samples/surface_samples.hpp"
 
 namespace quadrille {
@@ -27,6 +28,8 @@ class CellPyramid {
   virtual int count(int cell) const = 0;
   virtual Eigen::Vector3f mean(int cell) const = 0;
   virtual float sigma(int cell) const = 0;
+  /// What was seen along each finest cell; without cells if they are those of no single view.
+  virtual Sight sight() const { return {}; }
   /// Samples of the coarsest level, with the smallest windows: what planes are found on.
   virtual SurfaceSamples coarse_samples() const = 0;
   /// Samples of all levels without some finest cells, so that normals do not mix surfaces.

@@ -9,6 +9,8 @@
 #include "samples/inliers.hpp"
 #include "surfaces/evidence/confidence.hpp"
 #include "surfaces/evidence/intruders.hpp"
+#include "surfaces/evidence/see_through.hpp"
+#include "surfaces/evidence/upright.hpp"
 #include "surfaces/join.hpp"
 #include "surfaces/plane_surface.hpp"
 #include "surfaces/surface_fit.hpp"
@@ -49,10 +51,12 @@ bool is_flat(const Surface& surface) { return surface.fit.family == Family::kPla
 }  // namespace
 
 Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,
-                         const InlierTest& inlier, TrialObserver observer)
+                         const InlierTest& inlier, Surroundings surroundings,
+                         TrialObserver observer)
     : samples_(samples),
       options_(options),
       inlier_(inlier),
+      surroundings_(std::move(surroundings)),
       observer_(std::move(observer)),
       buckets_(samples),
       extender_(samples, buckets_, options, inlier),
@@ -141,10 +145,10 @@ bool Aggregation::is_promising(const Candidate& candidate, const Acceptance& ask
   if (candidate.family == Family::kPlane) return true;
   const double min_spread = kCandidateSpreadShare * options_.min_spread;
   if (normal_spread(samples_, open) < min_spread) return asked.takes_planes_instead;
-  trial->first_look = evidence_of(open, candidate.Q);
-  const QuadricType type = canonical_form(candidate.Q).type;
+  const CanonicalForm form = canonical_form(candidate.Q);
+  trial->first_look = evidence_of(open, candidate.Q, form);
   const auto terms =
-      confidence_terms(*trial->first_look, family_spec(candidate.family).dof, log_prior(type));
+      confidence_terms(*trial->first_look, family_spec(candidate.family).dof, log_prior(form.type));
   return confidence(terms, SurfaceKind::kCurved) >= asked.min_candidate_confidence;
 }
 
@@ -182,16 +186,19 @@ Surface Aggregation::joined(Surface surface) {
 
 /// Sets the evidence and the confidence.
 void Aggregation::weigh(Surface* surface) const {
-  surface->evidence = evidence_of(surface->region, surface->Q);
+  surface->evidence = evidence_of(surface->region, surface->Q, canonical_form(surface->fit.posed));
   surface->confidence = confidence_of(*surface);
 }
 
-Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q) const {
+Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q,
+                                  const CanonicalForm& form) const {
   std::span<const char> beyond;
   if (stands_off(region)) beyond = claimed();
   Evidence evidence = collect_evidence(samples_, region, Q, beyond);
   evidence.remainder = claims_.remainder(region);
   add_intruders(samples_, buckets_, region, Q, &evidence);
+  evidence.uprightness = uprightness(form, surroundings_.up);
+  evidence.see_through = see_through(surroundings_, samples_, region, Q, form);
   return evidence;
 }
 

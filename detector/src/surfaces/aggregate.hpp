@@ -10,6 +10,7 @@
 #include "search/candidate.hpp"
 #include "surfaces/acceptance.hpp"
 #include "surfaces/claims.hpp"
+#include "surfaces/evidence/surroundings.hpp"
 #include "surfaces/extend.hpp"
 #include "surfaces/surface.hpp"
 #include "surfaces/trial.hpp"
@@ -24,7 +25,8 @@ class Aggregation {
   /// @param samples  on which regions and claims are counted; must outlive this
   /// @param observer  told of each candidate that is tried; may be empty
   Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,
-              const InlierTest& inlier, TrialObserver observer = {});
+              const InlierTest& inlier, Surroundings surroundings = {},
+              TrialObserver observer = {});
 
   /// Takes over candidates, with regions in terms of the samples, and accepts what can be accepted.
   /// What a coarse level refuses is kept for the next call.
@@ -45,12 +47,14 @@ class Aggregation {
   std::optional<Surface> plane_instead(Surface surface, const Acceptance& asked) const;
   Surface joined(Surface surface);
   void weigh(Surface* surface) const;
-  Evidence evidence_of(std::span<const int> region, const Quadric& Q) const;
+  Evidence evidence_of(std::span<const int> region, const Quadric& Q,
+                       const CanonicalForm& form) const;
   bool stands_off(std::span<const int> region) const;
 
   const SurfaceSamples& samples_;
   AggregateOptions options_;
   InlierTest inlier_;
+  Surroundings surroundings_;
   TrialObserver observer_;
   SampleBuckets buckets_;
   Extender extender_;

@@ -47,9 +47,11 @@ std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::v
   return agglomerate(std::move(candidates), tree.finest(), options.inlier, options.agglomerate);
 }
 
-Aggregation find_surfaces(const SampleTree& tree, const DetectorOptions& options, StageClock& clock,
+Aggregation find_surfaces(const SampleTree& tree, Surroundings surroundings,
+                          const DetectorOptions& options, StageClock& clock,
                           TrialObserver observer) {
-  Aggregation aggregation(tree.finest(), options.aggregate, options.inlier, std::move(observer));
+  Aggregation aggregation(tree.finest(), options.aggregate, options.inlier, std::move(surroundings),
+                          std::move(observer));
   for (int level = kLevels - 1; level >= 0; --level) {
     std::vector<Candidate> candidates =
         find_candidates(tree, level, open_samples(tree, level, aggregation.claimed()), options);

@@ -9,6 +9,8 @@
 #include "samples/region.hpp"
 #include "samples/sample_buckets.hpp"
 #include "surfaces/evidence/intruders.hpp"
+#include "surfaces/evidence/see_through.hpp"
+#include "surfaces/evidence/upright.hpp"
 #include "surfaces/surface_fit.hpp"
 
 namespace quadrille {
@@ -50,13 +52,18 @@ Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane) {
 }
 
 std::vector<Surface> weighed_planes(const SurfaceSamples& samples,
-                                    const std::vector<PlaneRegion>& planes) {
+                                    const std::vector<PlaneRegion>& planes,
+                                    const Surroundings& surroundings) {
   const SampleBuckets buckets(samples);
   std::vector<Surface> surfaces;
   for (const PlaneRegion& plane : planes) {
     Surface& surface = surfaces.emplace_back(plane_surface(samples, plane));
     surface.evidence = collect_evidence(samples, surface.region, surface.Q);
     add_intruders(samples, buckets, surface.region, surface.Q, &surface.evidence);
+    const CanonicalForm form = canonical_form(surface.fit.posed);
+    surface.evidence.uprightness = uprightness(form, surroundings.up);
+    surface.evidence.see_through =
+        see_through(surroundings, samples, surface.region, surface.Q, form);
     surface.confidence = confidence_of(surface);
   }
   return surfaces;

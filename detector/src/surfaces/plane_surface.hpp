@@ -4,6 +4,7 @@
 
 #include "planes/planes.hpp"
 #include "samples/surface_samples.hpp"
+#include "surfaces/evidence/surroundings.hpp"
 #include "surfaces/surface.hpp"
 
 namespace quadrille {
@@ -15,7 +16,8 @@ Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane);
 /// Planes as surfaces, each with its evidence and confidence, as if nothing else had been found.
 /// @param samples  the samples that the planes were found on
 std::vector<Surface> weighed_planes(const SurfaceSamples& samples,
-                                    const std::vector<PlaneRegion>& planes);
+                                    const std::vector<PlaneRegion>& planes,
+                                    const Surroundings& surroundings);
 
 /// True if most of a flat surface lies within a few sigma of one of the planes and parallel to it:
 /// a strip of table or wall that waves in the noise had cut off.

@@ -101,7 +101,7 @@ TEST_CASE("a piece that waves have moved off a table is still part of it, nearby
 
 TEST_CASE("planes are weighed as surfaces", "[planes][claims]") {
   const SurfaceSamples samples = plane_grid(40, 40, 0.01, 0.001, 1);
-  const auto surfaces = weighed_planes(samples, {region_of(samples, {1, 0, 0, 0})});
+  const auto surfaces = weighed_planes(samples, {region_of(samples, {1, 0, 0, 0})}, {});
   REQUIRE(surfaces.size() == 1);
   CHECK(surfaces[0].confidence > 0.5);
   CHECK(surfaces[0].evidence.log_count == Approx(std::log(1600.0)));

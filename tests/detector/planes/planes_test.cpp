@@ -113,3 +113,10 @@ TEST_CASE("samples that another surface holds belong to no plane", "[planes]") {
   for (const int i : planes[0].samples) CHECK_FALSE(claimed[i]);
   CHECK(planes[0].samples.size() > 380);
 }
+
+TEST_CASE("the normal of the largest plane", "[planes]") {
+  CHECK_FALSE(normal_of_largest({}));
+  const std::vector<PlaneRegion> planes = {
+      {{0, 1, 0, 0}, {1}}, {{1, 0, 0, 2}, {2, 3}}, {{0, 0, 1, 0}, {4, 5}}};
+  CHECK(*normal_of_largest(planes) == Eigen::Vector3d::UnitX());
+}

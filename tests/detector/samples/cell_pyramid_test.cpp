@@ -156,3 +156,26 @@ TEST_CASE("too small a cloud has no pyramid", "[pyramid][degenerate]") {
   cloud.points.assign(5000, Eigen::Vector3f::Constant(NAN));
   CHECK_FALSE(make_pyramid(cloud, {}));
 }
+
+TEST_CASE("a single view tells what it sees along its rays, a cloud of many views does not",
+          "[pyramid]") {
+  const Eigen::Vector3d eye(0.0, -0.7, 0.5);
+  const std::unique_ptr<CellPyramid> one = make_pyramid(balls_seen_from({eye}), {});
+  const Sight sight = one->sight();
+  REQUIRE(static_cast<int>(sight.w.size()) == one->size(0));
+  CHECK(sight.width * sight.height == one->size(0));
+  int seen = 0;
+  for (int c = 0; c < one->size(0); ++c) {
+    CHECK((sight.w[c] > 0.0f) == (one->count(c) > 0));
+    if (one->count(c) == 0) continue;
+    ++seen;
+    // The mean of a cell's points lies within it, at that depth.
+    const Eigen::Vector3f p = sight.X_VC * one->mean(c);
+    REQUIRE(p.z() == Approx(1.0 / static_cast<double>(sight.w[c])).epsilon(1e-4));
+    const Eigen::Array2f cell = (p.head<2>().array() / p.z() - sight.corner) / sight.step;
+    REQUIRE(static_cast<int>(cell.x()) == c % sight.width);
+    REQUIRE(static_cast<int>(cell.y()) == c / sight.width);
+  }
+  CHECK(seen > 1000);
+  CHECK(make_pyramid(all_around(0.001), {})->sight().w.empty());
+}

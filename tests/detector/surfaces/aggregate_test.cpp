@@ -222,7 +222,7 @@ TEST_CASE("an observer is told what becomes of each candidate", "[aggregate]") {
     }
     ends.push_back(trial.end);
   };
-  Aggregation aggregation(samples, {}, {}, note);
+  Aggregation aggregation(samples, {}, {}, {}, note);
   // A third of the second lies beyond the first.
   aggregation.offer({candidate_of(cylinder_quadric(kPipeRadius), 0, 50),
                      candidate_of(cylinder_quadric(kPipeRadius), 30, kPipeRows)},

@@ -10,10 +10,10 @@
 namespace quadrille::trials {
 namespace {
 
-std::vector<JudgedTrial> all_trials(const SampleTree& tree, const DetectorOptions& options) {
+std::vector<JudgedTrial> all_trials(const SearchSamples& samples, const DetectorOptions& options) {
   std::vector<JudgedTrial> trials;
   StageClock clock;
-  find_surfaces(tree, options, clock,
+  find_surfaces(*samples.tree, samples.surroundings, options, clock,
                 [&](const Candidate& candidate, SearchLevel level, const Trial& trial) {
                   trials.push_back({candidate, level, trial, {}, std::nullopt});
                 });
@@ -41,7 +41,7 @@ std::vector<JudgedTrial> judged_trials(const scoring::Frame& frame,
                                        const DetectorOptions& options) {
   const std::optional<SearchSamples> samples = search_samples(frame.cloud, options);
   if (!samples) return {};
-  std::vector<JudgedTrial> trials = all_trials(*samples->tree, options);
+  std::vector<JudgedTrial> trials = all_trials(*samples, options);
   judge(frame, &trials);
   return trials;
 }

@@ -49,9 +49,9 @@ bool is_flat(QuadricType type);
 /// True for the types without real points, or with a single one or a single line of them.
 bool is_imaginary(QuadricType type);
 
-/// Natural logarithm of how often objects have this type, compared with the common ones: few are
-/// saddles, hyperboloids of two sheets, or parabolic or hyperbolic cylinders, which the noise on
-/// other shapes and the rounded edges of boxes pass for.
+/// Natural logarithm of how often objects have this type, compared with the common ones, which are
+/// circular: few are saddles, hyperboloids of two sheets, or parabolic or hyperbolic cylinders,
+/// which the noise on other shapes and the rounded edges of boxes pass for.
 double log_prior(QuadricType type);
 
 /// Sets of quadrics that a fit can be restricted to, simplest first.

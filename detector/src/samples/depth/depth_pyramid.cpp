@@ -53,6 +53,12 @@ class DepthPyramid : public CellPyramid {
   Eigen::Vector3f mean(int cell) const override { return X_CV_ * cells_[0].position_V(cell); }
   float sigma(int cell) const override { return noise_[0].sigma(1.0f / cells_[0].w[cell]); }
 
+  Sight sight() const override {
+    const DepthCells& cells = cells_[0];
+    return {X_CV_.inverse(), cells.image.corner, cells.pitch() * static_cast<float>(cells.pixels),
+            cells.width,     cells.height,       cells.w};
+  }
+
   SurfaceSamples coarse_samples() const override {
     return make_depth_samples(cells_[kLevels - 1], {}, noise_[kLevels - 1], X_CV_, kPlaneReach);
   }

@@ -31,33 +31,18 @@ int next_along(const SurfaceSamples& samples, int j, const Eigen::Vector3f& step
   return next;
 }
 
-/// Distances of the region's samples in multiples of what noise and small flaws leave, per sample.
-std::vector<float> residuals(const SurfaceSamples& samples, std::span<const int> region,
-                             const std::vector<float>& distance, double scale) {
-  const float flaw = static_cast<float>(kFlawShare * scale);
-  std::vector<float> residual(static_cast<std::size_t>(samples.size()), 0.0f);
-  for (std::size_t k = 0; k < region.size(); ++k) {
-    const float sigma = samples.sigma[region[k]];
-    residual[region[k]] = distance[k] / std::sqrt(sigma * sigma + flaw * flaw);
-  }
-  return residual;
-}
-
-/// Fills in the evidence that lies in the neighbours, of the region's border and misfit. Windows of
+/// Fills in the evidence that lies in the neighbours, of the region's border. Windows of
 /// neighbouring normals overlap, so that even a crease looks smooth from one sample to the next:
 /// the walk goes one sample further before it compares the normals.
 void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
-                     const std::vector<char>& inside, std::span<const char> beyond,
-                     const std::vector<float>& residual, Evidence* e) {
-  double border = 0, smooth = 0, open = 0, edge = 0, square = 0;
+                     const std::vector<char>& inside, std::span<const char> beyond, Evidence* e) {
+  double border = 0, smooth = 0, open = 0, edge = 0, interior = 0;
   for (const int i : region) {
     int within = 0;
-    float sum = residual[i];
     const std::span<const int> neighbours = samples.neighbours_of(i);
     for (const int j : neighbours) {
       if (inside[j]) {
         ++within;
-        sum += residual[j];
         continue;
       }
       const int next = next_along(samples, j, samples.raw[j] - samples.raw[i]);
@@ -68,15 +53,13 @@ void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
     border += kAllNeighbours - within;
     open += within < static_cast<int>(neighbours.size());
     edge += static_cast<int>(neighbours.size()) < kAllNeighbours;
-    const float mean = sum / static_cast<float>(within + 1);
-    square += static_cast<double>(mean * mean);
+    interior += within == kAllNeighbours;
   }
   const double n = static_cast<double>(region.size());
   e->smooth_border = smooth / std::max(1.0, border);
   e->open_border = open / n;
   e->depth_edge = edge / n;
-  // What neighbours have in common of the noise does not average out.
-  e->misfit = std::sqrt(square / n / (1.0 + 2.0 * samples.common_noise));
+  e->interior = interior / n;
 }
 
 double thickness_of(const SurfaceSamples& samples, std::span<const int> region,
@@ -129,23 +112,21 @@ void compare_neighbours(const SurfaceSamples& samples, std::span<const int> regi
   e->correlation = product / pairs / square;
 }
 
-/// Fills in how the quadric's normals and curvature compare with the samples'.
-void compare_normals(const SurfaceSamples& samples, std::span<const int> region,
-                     const Eigen::Matrix4f& Q, Evidence* e) {
+/// Sum of the principal curvatures, positive where the quadric bulges towards the sensor: mean over
+/// the samples [1/m].
+double mean_curvature(const SurfaceSamples& samples, std::span<const int> region,
+                      const Eigen::Matrix4f& Q) {
   const Eigen::Matrix3f H = Q.topLeftCorner<3, 3>();
-  double square = 0, curvature = 0;
+  double curvature = 0;
   for (const int i : region) {
     const Eigen::Vector3f h = (Q * samples.raw[i].homogeneous()).head<3>();
     const float slope = h.norm();
     const Eigen::Vector3f g = h / slope;
     const float cosine = g.dot(samples.n[i]);
-    square += static_cast<double>(1.0f - cosine * cosine);
     const float bend = (H.trace() - g.dot(H * g)) / slope;
     curvature += static_cast<double>(cosine > 0 ? bend : -bend);
   }
-  const double n = static_cast<double>(region.size());
-  e->normal_error = std::sqrt(std::max(0.0, square / n));
-  e->convexity = curvature / n * e->size;
+  return curvature / static_cast<double>(region.size());
 }
 
 }  // namespace
@@ -183,9 +164,8 @@ Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> re
   e.two_planes = std::log((two_planes_rss(samples, region) + kMinSquare * n) / square);
   e.one_plane = std::log((one_plane_rss(samples, region) + kMinSquare * n) / square);
   compare_neighbours(samples, region, inside, distance, square / n, &e);
-  compare_normals(samples, region, Q, &e);
-  const std::vector<float> residual = residuals(samples, region, distance, local.scale);
-  walk_neighbours(samples, region, inside, beyond, residual, &e);
+  e.convexity = mean_curvature(samples, region, Q) * e.size;
+  walk_neighbours(samples, region, inside, beyond, &e);
   return e;
 }
 

@@ -54,9 +54,10 @@ TEST_CASE("the terms are named, each once, and in the order of their values", "[
   Evidence e;
   e.log_count = 5.5, e.spread = 2.0, e.smooth_border = 3.0, e.open_border = 4.0;
   e.depth_edge = 5.0, e.thickness = 6.0, e.size = 0.1, e.cell = 0.01, e.two_planes = 0.4;
-  e.one_plane = 0.7, e.misfit = 2.0, e.sigma = 0.001, e.common_noise = 0.3, e.residual = 3.0;
-  e.roughness = 0.5, e.correlation = 0.2, e.normal_error = 0.15, e.convexity = -1.0;
+  e.one_plane = 0.7, e.interior = 0.6, e.sigma = 0.001, e.common_noise = 0.3, e.residual = 3.0;
+  e.roughness = 0.5, e.correlation = 0.2, e.convexity = -1.0;
   e.in_front = 0.95, e.behind = 1.95, e.remainder = 2.95;
+  e.uprightness = 0.9, e.see_through = 0.25;
   const Terms terms = confidence_terms(e, 7, -2.0);
   const auto value = [&](std::string_view name) { return terms[index_of(name)]; };
   CHECK(value("log_count") == 5.5);
@@ -69,17 +70,18 @@ TEST_CASE("the terms are named, each once, and in the order of their values", "[
   CHECK(value("log_cell") == Approx(std::log(0.1)));
   CHECK(value("two_planes") == 0.4);
   CHECK(value("one_plane") == 0.7);
-  CHECK(value("log_misfit") == Approx(std::log(2.0)));
+  CHECK(value("interior") == 0.6);
   CHECK(value("log_sigma") == Approx(std::log(0.001)));
   CHECK(value("common_noise") == 0.3);
   CHECK(value("log_residual") == Approx(std::log(3.0)));
   CHECK(value("log_roughness") == Approx(std::log(0.5)));
   CHECK(value("correlation") == 0.2);
-  CHECK(value("normal_error") == 0.15);
   CHECK(value("convexity") == -1.0);
   CHECK(value("log_in_front") == Approx(0.0).margin(1e-12));
   CHECK(value("log_behind") == Approx(std::log(2.0)));
   CHECK(value("log_remainder") == Approx(std::log(3.0)));
+  CHECK(value("uprightness") == 0.9);
+  CHECK(value("see_through") == 0.25);
   CHECK(value("dof") == 7.0);
   CHECK(value("log_prior") == -2.0);
 }

@@ -1,0 +1,151 @@
+#include "surfaces/evidence/see_through.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "fit/posed_quadric.hpp"
+#include "samples/region.hpp"
+#include "surfaces/evidence/upright.hpp"
+
+namespace quadrille {
+namespace {
+
+// Rays to look along, about: with more the share is the same.
+constexpr double kRays = 400.0;
+// A quadric is looked for within this multiple of its region's size.
+constexpr double kReach = 3.0;
+// Rays that meet it at less than about 20° see the smear at the edges of things.
+constexpr double kMinCosine = 0.35;
+// Closed cross sections end here, which is farther than anything is seen [m].
+constexpr double kFar = 1e6;
+// What is seen this far off a quadric is not on it: in sizes of the region and sigma.
+constexpr double kOffSizes = 0.1, kOffSigmas = 2.0;
+
+bool has_closed_section(QuadricType type) {
+  switch (type) {
+    case QuadricType::kSphere:
+    case QuadricType::kEllipsoid:
+    case QuadricType::kCylinder:
+    case QuadricType::kEllipticCylinder:
+    case QuadricType::kCone:
+    case QuadricType::kEllipticCone:
+    case QuadricType::kEllipticParaboloid:
+    case QuadricType::kHyperboloidOneSheet:
+      return true;
+    default:
+      return false;
+  }
+}
+
+/// The part of a quadric that its region vouches for.
+struct VouchedPart {
+  Eigen::Matrix4d Q;
+  /// +1 if the side that the gradient points to is seen, else -1.
+  double side;
+  /// Within a ball, and along the directions x, y, z of a frame.
+  Eigen::Vector3d centre;
+  double reach;
+  Eigen::Matrix3d axes;
+  Eigen::AlignedBox3d box;
+  /// Distance from Q beyond which a point is not on it [m].
+  double off;
+
+  /// Cosine of the angle at which a unit ray meets the seen side at x; 0 where it does not.
+  double cosine_at(const Eigen::Vector3d& x, const Eigen::Vector3d& ray) const {
+    // Also false for NaN.
+    if (!((x - centre).norm() < reach) || !box.contains(axes.transpose() * x)) return 0.0;
+    return std::max(0.0, -side * ray.dot((Q * x.homogeneous()).head<3>().normalized()));
+  }
+};
+
+VouchedPart vouched_part(const SurfaceSamples& samples, std::span<const int> region,
+                         const Quadric& Q, const CanonicalForm& form,
+                         const std::optional<Eigen::Vector3d>& up) {
+  VouchedPart part{};
+  part.Q = Q.normalized().matrix();
+  part.axes = form.X.linear();
+  if (!has_axis(form.type) && up) part.axes = pose_along(Eigen::Vector3d::Zero(), *up).linear();
+  const Normalisation local = normalisation_of(samples, region);
+  part.centre = local.centre;
+  part.reach = kReach * local.scale;
+  part.off = kOffSizes * local.scale;
+  for (const int i : region) {
+    const Eigen::Vector3d x = samples.raw[i].cast<double>();
+    part.box.extend(Eigen::Vector3d(part.axes.transpose() * x));
+    part.side += (part.Q * x.homogeneous()).head<3>().normalized().dot(samples.n[i].cast<double>());
+    part.off += kOffSigmas * samples.sigma[i] / static_cast<double>(region.size());
+  }
+  part.side = part.side > 0 ? 1.0 : -1.0;
+  if (has_closed_section(form.type)) {
+    part.box.min().head<2>().setConstant(-kFar);
+    part.box.max().head<2>().setConstant(kFar);
+  }
+  return part;
+}
+
+/// The depths z at which eye + z ray meets Q; not finite if it does not.
+std::array<double, 2> depths_along(const Eigen::Matrix4d& Q, const Eigen::Vector3d& eye,
+                                   const Eigen::Vector3d& ray) {
+  // a z² + 2 b z + c = 0, solved without loss of digits.
+  Eigen::Vector4d direction;
+  direction << ray, 0.0;
+  const Eigen::Vector4d at_eye = Q * eye.homogeneous();
+  const double a = direction.dot(Q * direction), b = direction.dot(at_eye);
+  const double c = eye.homogeneous().dot(at_eye);
+  const double s = -(b + std::copysign(std::sqrt(b * b - a * c), b));
+  return {s / a, c / s};
+}
+
+/// The cells about a position, every so many-th one.
+struct Window {
+  int first_i, last_i, first_j, last_j, stride;
+};
+
+Window window_about(const Sight& sight, const Eigen::Vector3d& p_V, double reach) {
+  const auto cell = [&](double tangent, float corner, int size) {
+    return static_cast<int>(std::clamp((tangent - corner) / sight.step, 0.0, size - 1.0));
+  };
+  const double u = p_V.x() / p_V.z(), v = p_V.y() / p_V.z(), r = reach / p_V.z();
+  Window w{cell(u - r, sight.corner.x(), sight.width), cell(u + r, sight.corner.x(), sight.width),
+           cell(v - r, sight.corner.y(), sight.height), cell(v + r, sight.corner.y(), sight.height),
+           1};
+  const double cells = (w.last_i - w.first_i + 1.0) * (w.last_j - w.first_j + 1.0);
+  w.stride = std::max(1, static_cast<int>(std::sqrt(cells / kRays)));
+  return w;
+}
+
+}  // namespace
+
+double see_through(const Surroundings& surroundings, const SurfaceSamples& samples,
+                   std::span<const int> region, const Quadric& Q, const CanonicalForm& form) {
+  const Sight& sight = surroundings.sight;
+  if (sight.w.empty()) return 0.0;
+  const VouchedPart part = vouched_part(samples, region, Q, form, surroundings.up);
+  const Eigen::Vector3d p_V = sight.X_VC.cast<double>() * part.centre;
+  if (!(p_V.z() > 0.0)) return 0.0;
+  const Eigen::Isometry3d X_CV = sight.X_VC.inverse().cast<double>();
+  const Eigen::Vector3d eye = X_CV.translation();
+  const Window window = window_about(sight, p_V, part.reach);
+  int through = 0, all = 0;
+  for (int j = window.first_j; j <= window.last_j; j += window.stride) {
+    for (int i = window.first_i; i <= window.last_i; i += window.stride) {
+      const float w = sight.w[static_cast<std::size_t>(j * sight.width + i)];
+      if (w == 0.0f) continue;
+      const Eigen::Vector3d ray =
+          X_CV.linear() * Eigen::Vector3d(sight.corner.x() + (i + 0.5) * sight.step,
+                                          sight.corner.y() + (j + 0.5) * sight.step, 1.0);
+      for (const double z : depths_along(part.Q, eye, ray)) {
+        if (!(z > 0.0)) continue;
+        const double cosine = part.cosine_at(eye + z * ray, ray.normalized());
+        if (cosine < kMinCosine) continue;
+        ++all;
+        through += (1.0 / w - z) * cosine > part.off;
+      }
+    }
+  }
+  return all == 0 ? 0.0 : static_cast<double>(through) / all;
+}
+
+}  // namespace quadrille

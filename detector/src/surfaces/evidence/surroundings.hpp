@@ -1,0 +1,18 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "samples/sight.hpp"
+
+namespace quadrille {
+
+/// What is known of a scene beside its samples.
+struct Surroundings {
+  /// Unit normal of the largest plane, in frame C: things stand and lie on tables and floors.
+  std::optional<Eigen::Vector3d> up;
+  /// What the sensor saw.
+  Sight sight;
+};
+
+}  // namespace quadrille
