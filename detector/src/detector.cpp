@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "base/stage_clock.hpp"
@@ -11,6 +12,7 @@
 #include "cloud/far_cloud.hpp"
 #include "planes/plane_claims.hpp"
 #include "planes/planes.hpp"
+#include "quadrille/detector/viewpoint_check.hpp"
 #include "samples/sample_tree.hpp"
 #include "surfaces/find_surfaces.hpp"
 #include "surfaces/measure.hpp"
@@ -19,9 +21,9 @@
 namespace quadrille {
 namespace {
 
-bool wanted(QuadricType type, const DetectorOptions& options) {
-  return options.only.empty() ||
-         std::find(options.only.begin(), options.only.end(), type) != options.only.end();
+/// True if a list of types names this one, or names none.
+bool lets_pass(const std::vector<QuadricType>& types, QuadricType type) {
+  return types.empty() || std::find(types.begin(), types.end(), type) != types.end();
 }
 
 /// True if a plane may be a piece that waves have cut off a larger one: one of those before it, the
@@ -39,7 +41,7 @@ bool has_larger_parallel(const std::vector<PlaneRegion>& planes, std::size_t k) 
 std::vector<Detection> measure_all(const Aggregation& aggregation,
                                    const std::vector<PlaneRegion>& planes,
                                    const SurfaceSamples& coarse, const SurfaceSamples& finest,
-                                   const Surroundings& surroundings, const DetectorOptions& options,
+                                   const SceneContext& context, const DetectorOptions& options,
                                    const Eigen::Vector3d& viewpoint) {
   std::vector<Detection> detections;
   const auto report = [&](const Surface& surface) {
@@ -48,26 +50,32 @@ std::vector<Detection> measure_all(const Aggregation& aggregation,
     detections.push_back(measure(surface, finest, viewpoint));
   };
   for (const Surface& surface : aggregation.surfaces()) report(surface);
-  if (wanted(QuadricType::kPlane, options)) {
-    const std::vector<Surface> weighed = weighed_planes(coarse, planes, surroundings);
+  if (lets_pass(options.only, QuadricType::kPlane)) {
+    const std::vector<Surface> weighed = weighed_planes(coarse, planes, context);
     for (std::size_t k = 0; k < planes.size(); ++k) {
       const bool doubtful = weighed[k].confidence < options.aggregate.min_plane_confidence;
       if (doubtful && has_larger_parallel(planes, k)) continue;
       detections.push_back(measure(weighed[k], coarse, viewpoint));
     }
   }
-  std::erase_if(detections, [&](const Detection& d) { return !wanted(d.type, options); });
+  std::erase_if(detections, [&](const Detection& d) { return !lets_pass(options.only, d.type); });
   return detections;
 }
 
-/// Best score first, of equal ones the larger.
-std::vector<Detection> ranked(std::vector<Detection> detections) {
+/// Those to report first; best score first, of equal ones the larger.
+std::vector<Detection> ranked(std::vector<Detection> detections,
+                              const std::vector<QuadricType>& report) {
   std::stable_sort(detections.begin(), detections.end(),
                    [](const Detection& a, const Detection& b) {
                      return a.score != b.score ? a.score > b.score : a.inliers > b.inliers;
                    });
+  const auto others =
+      std::stable_partition(detections.begin(), detections.end(),
+                            [&](const Detection& d) { return lets_pass(report, d.type); });
   int id = 0;
-  for (Detection& d : detections) d.id = ++id;
+  for (auto d = detections.begin(); d != others; ++d) d->id = ++id;
+  id = 0;
+  for (auto d = others; d != detections.end(); ++d) d->id = --id;
   return detections;
 }
 
@@ -97,10 +105,11 @@ Findings find_all(const PointCloud& cloud, const DetectorOptions& options, Stage
   const SampleTree tree(*pyramid, pyramid->samples(keep, options.threads));
   clock.end("samples");
 
-  const Surroundings surroundings = {normal_of_largest(planes), pyramid->sight()};
-  const Aggregation aggregation = find_surfaces(tree, surroundings, options, clock);
-  std::vector<Detection> detections = ranked(measure_all(aggregation, planes, coarse, tree.finest(),
-                                                         surroundings, options, cloud.viewpoint));
+  const SceneContext context = {normal_of_largest(planes), pyramid->sight()};
+  const Aggregation aggregation = find_surfaces(tree, context, options, clock);
+  std::vector<Detection> detections = ranked(
+      measure_all(aggregation, planes, coarse, tree.finest(), context, options, cloud.viewpoint),
+      options.report);
   clock.end("measure");
   return {std::move(detections), count_points(*pyramid)};
 }
@@ -154,6 +163,8 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& given) {
     result.detections = std::move(findings.detections);
     result.points_used = findings.points_used;
     result.timings = clock.timings();
+    const std::string doubt = contradict_viewpoint(cloud, result.detections);
+    if (!doubt.empty()) result.warnings.push_back(doubt);
   }
   result.total_ms = clock.total_ms();
   return result;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "body/body.hpp"
+#include "quadrille/detector/viewpoint_check.hpp"
 #include "quadrille/grasping/shape.hpp"
 #include "targets/target.hpp"
 #include "targets/target_grasps.hpp"
@@ -43,10 +44,13 @@ class Planner {
     stage("shapes", [&] { make_shapes(); });
     if (cloud_.points.empty()) warn("the cloud is empty");
     stage("view", [&] { view_.emplace(cloud_, options_.baseline, options_.resolution); });
-    if (!view_->valid()) warn("no point lies before the viewpoint: all space counts as unknown");
-    stage("targets", [&] { choose_targets(); });
+    const bool seen_so = has_viewpoint();
+    if (seen_so && !view_->valid()) {
+      warn("no point lies before the viewpoint: all space counts as unknown");
+    }
+    if (seen_so) stage("targets", [&] { choose_targets(); });
     stage("occupancy", [&] { map_space(); });
-    stage("grasps", [&] { plan_targets(); });
+    if (seen_so) stage("grasps", [&] { plan_targets(); });
     select();
     for (const auto& [why, count] : refusals_) {
       if (count > 0) plan_.rejected.emplace(to_string(why), count);
@@ -72,6 +76,7 @@ class Planner {
       const std::vector<CollisionShape> shapes = quadrille::make_shapes(d, &why);
       plan_.shapes.insert(plan_.shapes.end(), shapes.begin(), shapes.end());
       shape_of_.resize(plan_.shapes.size(), i);
+      if (!is_wanted(d, options_)) continue;
       if (shapes.empty() || (d.type != QuadricType::kPlane && !make_body(d))) {
         ++refusals_[Refusal::kNoShape];
       }
@@ -79,6 +84,22 @@ class Planner {
         warn("quadric " + std::to_string(d.id) + " has no collision shape: " + why);
       }
     }
+  }
+
+  /// False, and says why, if the cloud or another view cannot have been seen from its viewpoint:
+  /// what counts as free would not be.
+  bool has_viewpoint() {
+    std::vector<std::string> doubts = {contradict_viewpoint(cloud_, detections_)};
+    for (const PointCloud& cloud : further_) {
+      doubts.push_back(contradict_viewpoint(cloud, detections_));
+    }
+    std::erase(doubts, "");
+    for (const std::string& doubt : doubts) warn(doubt);
+    if (doubts.empty()) return true;
+    for (const Detection& d : detections_) {
+      if (d.type != QuadricType::kPlane && is_wanted(d, options_)) ++refusals_[Refusal::kViewpoint];
+    }
+    return false;
   }
 
   void choose_targets() {
@@ -128,7 +149,9 @@ class Planner {
     if (view_->valid()) map.refine(*view_, further_.empty());
     const Surroundings around_them{*plan_.space, *view_,           map,   detections_, plan_.shapes,
                                    shape_of_,    options_.unknown, reach_};
-    for (const Target& target : targets_) plan_target(target, around_them);
+    for (const Target& target : targets_) {
+      if (target.wanted) plan_target(target, around_them);
+    }
   }
 
   /// By the tips only what is held in no other way.

@@ -4,6 +4,8 @@ namespace quadrille {
 
 std::string_view to_string(Refusal refusal) {
   switch (refusal) {
+    case Refusal::kViewpoint:
+      return "viewpoint";
     case Refusal::kNoShape:
       return "no_shape";
     case Refusal::kSeenFromInside:

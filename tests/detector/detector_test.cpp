@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "detector/table_scene.hpp"
 #include "support/catch.hpp"
@@ -111,6 +112,31 @@ TEST_CASE("only the wanted types are reported", "[detector]") {
   CHECK(result.detections[0].id == 1);
   options.only = {QuadricType::kCone};
   CHECK(detect(table_cloud(), options).detections.empty());
+}
+
+TEST_CASE("what is not to be reported is found all the same, and marked by its id", "[detector]") {
+  const DetectionResult all = detect(table_cloud());
+  DetectorOptions options;
+  options.report = {QuadricType::kCylinder};
+  const DetectionResult some = detect(table_cloud(), options);
+  REQUIRE(some.detections.size() == all.detections.size());
+  std::set<std::vector<double>> quadrics, marked;
+  const auto numbers_of = [](const Detection& d) {
+    const Vector10d q = d.Q_C.coefficients();
+    return std::vector<double>(q.data(), q.data() + q.size());
+  };
+  for (const Detection& d : all.detections) quadrics.insert(numbers_of(d));
+  int reported = 0, others = 0;
+  for (const Detection& d : some.detections) {
+    marked.insert(numbers_of(d));
+    CHECK(is_reported(d) == (d.type == QuadricType::kCylinder));
+    CHECK(d.id == (is_reported(d) ? ++reported : --others));
+    // Those that were asked for come first.
+    CHECK((others == 0 || !is_reported(d)));
+  }
+  CHECK(marked == quadrics);
+  CHECK(reported == 1);
+  CHECK(others < 0);
 }
 
 TEST_CASE("a bowl's inside is a sphere whose gradient points inwards", "[detector][law]") {

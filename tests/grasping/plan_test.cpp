@@ -267,11 +267,11 @@ TEST_CASE("options out of range are refused by name", "[plan]") {
 TEST_CASE("a visit reaches each option of the planner", "[plan]") {
   // A new field stops these lines from compiling until it is listed here, and visited.
   PlanOptions options;
-  auto& [unknown, resolution, friction, approach, pad_margin, baseline, min_wall, max_wall,
+  auto& [unknown, types, resolution, friction, approach, pad_margin, baseline, min_wall, max_wall,
          clear_above, max_grasps] = options;
-  const std::set<const void*> fields = {&unknown,     &resolution, &friction, &approach,
-                                        &pad_margin,  &baseline,   &min_wall, &max_wall,
-                                        &clear_above, &max_grasps};
+  const std::set<const void*> fields = {&unknown,  &types,       &resolution, &friction,
+                                        &approach, &pad_margin,  &baseline,   &min_wall,
+                                        &max_wall, &clear_above, &max_grasps};
   std::set<const void*> visited;
   PlanOptions::visit(options, [&](auto& field, const Setting&) { visited.insert(&field); });
   CHECK(visited == fields);

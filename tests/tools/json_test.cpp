@@ -46,10 +46,12 @@ TEST_CASE("the JSON of a detection has the promised keys, types and digits", "[j
   result.points_used = 8;
   result.timings = {{"planes", 1.5}, {"vote", 2.5}};
   result.total_ms = 4.25;
-  const io::Json json = io::Json::parse(io::detect_json({"a.ply", "cam", 12, 0.5}, result).dump());
-  CHECK(keys_of(json) == Keys{"input", "frame", "points", "timings", "detections"});
+  const io::Json json =
+      io::Json::parse(io::detect_json({"a.ply", "cam", 12, 0.5, {1, 2, 3}}, result).dump());
+  CHECK(keys_of(json) == Keys{"input", "frame", "viewpoint", "points", "timings", "detections"});
   CHECK(json["input"] == "a.ply");
   CHECK(json["frame"] == "cam");
+  CHECK(json["viewpoint"] == io::Json({1.0, 2.0, 3.0}));
   CHECK(json["points"] == io::Json({{"read", 12}, {"finite", 10}, {"used", 8}}));
   CHECK(keys_of(json["timings"]) == Keys{"read_ms", "total_ms", "planes_ms", "vote_ms"});
   CHECK(json["timings"]["total_ms"] == 4.25);
@@ -117,7 +119,8 @@ TEST_CASE("the JSON of a plan has the promised keys, and its total spans both ha
   shape.dimensions = {0.041, 0.09};
   plan.shapes = {shape};
   const io::Json json = io::plan_json({"a.ply", "cam", 12, 0.5}, result, plan);
-  CHECK(keys_of(json) == Keys{"input", "detections", "timings", "grasps", "rejected", "shapes"});
+  CHECK(keys_of(json) == Keys{"input", "frame", "viewpoint", "detections", "timings", "grasps",
+                              "rejected", "shapes"});
   CHECK(json["timings"]["total_ms"] == 120.0);
   CHECK(keys_of(json["grasps"][0]) == Keys{"target", "score", "X_CG", "width", "preshape",
                                            "contacts", "approach", "friction_needed", "epsilon",

@@ -5,36 +5,14 @@
 #include <CLI/CLI.hpp>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include "cli/seed_option.hpp"
+#include "cli/types_option.hpp"
 #include "io/setting_text.hpp"
 #include "quadrille/detector/detector.hpp"
 
 namespace quadrille {
 namespace {
-
-std::vector<QuadricType> types_of(const std::string& list) {
-  std::vector<QuadricType> types;
-  std::istringstream in(list);
-  for (std::string name; std::getline(in, name, ',');) {
-    if (const auto type = quadric_type_from_string(name)) types.push_back(*type);
-  }
-  return types;
-}
-
-/// Empty if all names of the list are types that can be found, else what is wrong.
-std::string check_types(const std::string& list) {
-  std::istringstream in(list);
-  int count = 0;
-  for (std::string name; std::getline(in, name, ','); ++count) {
-    const auto type = quadric_type_from_string(name);
-    if (type && !word_of(*type).empty()) continue;
-    return (type ? "type '" + name + "' is never found" : "unknown type '" + name + "'") +
-           "; the types are " + io::list_words<QuadricType>();
-  }
-  return count > 0 ? "" : "names no type";
-}
 
 /// The settings that the search for spheres alone changes, of those that a file gives.
 std::vector<std::string> overruled_for_spheres(const DetectorOptions& options,
@@ -52,6 +30,16 @@ std::vector<std::string> overruled_for_spheres(const DetectorOptions& options,
   return names;
 }
 
+/// Warns of what the search for spheres alone does not heed.
+void warn_of_unheeded(const io::DetectorConfig& file, DetectorSetup* setup) {
+  if (!seeks_spheres_alone(setup->options)) return;
+  const std::vector<std::string> names = overruled_for_spheres(setup->options, file.given);
+  if (names.empty()) return;
+  setup->warnings.push_back(
+      fmt::format("--only sphere sets search, families and density itself; not as given: {}",
+                  fmt::join(names, ", ")));
+}
+
 /// The bounds of the option `threads`.
 CLI::Range thread_range() {
   CLI::Range range(0, 0);
@@ -67,28 +55,36 @@ CLI::Range thread_range() {
 
 void DetectorArguments::add_to(CLI::App& command) {
   command.add_option("--config", config, "Settings (TOML)")->type_name("FILE");
-  command.add_option("--only", only, "Report only these types, separated by commas")
-      ->type_name("TYPE,...")
-      ->check(CLI::Validator(check_types, ""));
+  add_types_option(command, "--only", only, "Find only these types; to plan, as --report");
+  add_types_option(command, "--report", report,
+                   "Show and grasp only these types; the others stay in the way");
   add_seed_option(command, seed, "the random stream");
   command.add_option("--threads", threads, "Threads to use; never changes the result")
       ->type_name("N")
       ->check(thread_range());
 }
 
-DetectorSetup DetectorArguments::overrule(const io::DetectorConfig& file) const {
+DetectorSetup DetectorArguments::given(const io::DetectorConfig& file) const {
   DetectorSetup setup{file.detector, file.track, {}};
   DetectorOptions& options = setup.options;
   if (seed) options.seed = *seed;
   if (threads) options.threads = *threads;
-  if (!only.empty()) options.only = types_of(only);
-  if (!seeks_spheres_alone(options)) return setup;
-  const std::vector<std::string> names = overruled_for_spheres(options, file.given);
-  if (!names.empty()) {
-    setup.warnings.push_back(
-        fmt::format("--only sphere sets search, families and density itself; not as given: {}",
-                    fmt::join(names, ", ")));
-  }
+  if (!only.empty()) options.only = only;
+  if (!report.empty()) options.report = report;
+  return setup;
+}
+
+DetectorSetup DetectorArguments::overrule(const io::DetectorConfig& file) const {
+  DetectorSetup setup = given(file);
+  warn_of_unheeded(file, &setup);
+  return setup;
+}
+
+DetectorSetup DetectorArguments::overrule_for_planning(const io::DetectorConfig& file) const {
+  DetectorSetup setup = given(file);
+  DetectorOptions& options = setup.options;
+  if (options.report.empty()) options.report = std::move(options.only);
+  options.only.clear();
   return setup;
 }
 

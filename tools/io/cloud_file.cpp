@@ -10,12 +10,12 @@
 
 namespace quadrille::io {
 
-PointCloud read_cloud(const std::string& path) {
+PointCloud read_cloud(const std::string& path, const Eigen::Isometry3d& X_CF) {
   std::string extension = std::filesystem::path(path).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".ply") return read_ply(path);
-  if (extension == ".pcd") return read_pcd(path);
+  if (extension == ".ply") return read_ply(path, X_CF);
+  if (extension == ".pcd") return read_pcd(path, X_CF);
   if (!std::filesystem::exists(path)) throw FileError(path, "", "no such file; check the path");
   throw FileError(
       path, "",

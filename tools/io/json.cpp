@@ -53,6 +53,7 @@ Json detect_json(const InputInfo& input, const DetectionResult& result) {
   add_stages(result.timings, &timings);
   return {{"input", input.input},
           {"frame", input.frame},
+          {"viewpoint", array_of(input.viewpoint)},
           {"points",
            {{"read", input.points_read},
             {"finite", result.points_finite},

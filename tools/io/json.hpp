@@ -21,6 +21,8 @@ struct InputInfo {
   std::size_t points_read = 0;
   /// From the opened file to the decoded cloud [ms].
   double read_ms = 0.0;
+  /// Where the sensor stood, in that frame [m].
+  Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero();
 };
 
 /// {"position": [3] [m], "quaternion": [w, x, y, z]}, with w >= 0.

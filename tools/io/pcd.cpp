@@ -43,12 +43,13 @@ PointLayout packed_layout(const PcdHeader& header) {
   return layout;
 }
 
-PointCloud read_packed(const PcdHeader& header, const std::vector<float>& packed) {
-  return read_points(std::as_bytes(std::span(packed)), packed_layout(header));
+PointCloud read_packed(const PcdHeader& header, const std::vector<float>& packed,
+                       const Eigen::Isometry3d& X_CF) {
+  return read_points(std::as_bytes(std::span(packed)), packed_layout(header), X_CF);
 }
 
 PointCloud read_ascii(std::span<const std::byte> bytes, const PcdHeader& header,
-                      const std::string& name) {
+                      const std::string& name, const Eigen::Isometry3d& X_CF) {
   const std::uint64_t values = header.values_per_point();
   if (header.points > (bytes.size() - header.size + 1) / (2 * values)) {
     fail_short(name, bytes.size(), header);
@@ -74,11 +75,11 @@ PointCloud read_ascii(std::span<const std::byte> bytes, const PcdHeader& header,
       }
     }
   }
-  return read_packed(header, packed);
+  return read_packed(header, packed, X_CF);
 }
 
 PointCloud read_binary(std::span<const std::byte> bytes, const PcdHeader& header,
-                       const std::string& name) {
+                       const std::string& name, const Eigen::Isometry3d& X_CF) {
   const std::span<const std::byte> data = bytes.subspan(header.size);
   const std::uint64_t step = header.point_step();
   if (header.points > data.size() / step) fail_short(name, bytes.size(), header);
@@ -91,7 +92,7 @@ PointCloud read_binary(std::span<const std::byte> bytes, const PcdHeader& header
     layout.y = header.offset_of(y);
     layout.z = header.offset_of(z);
     layout.point_step = step;
-    return read_points(data, layout);
+    return read_points(data, layout, X_CF);
   }
   std::vector<float> packed(3 * header.points);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -101,7 +102,7 @@ PointCloud read_binary(std::span<const std::byte> bytes, const PcdHeader& header
       packed[3 * i + axis] = load(from + i * step, header.fields[field]);
     }
   }
-  return read_packed(header, packed);
+  return read_packed(header, packed, X_CF);
 }
 
 /// The decompressed data of a binary_compressed file: all x, then all y, …
@@ -135,7 +136,7 @@ std::vector<std::byte> decompress(std::span<const std::byte> bytes, const PcdHea
 }
 
 PointCloud read_compressed(std::span<const std::byte> bytes, const PcdHeader& header,
-                           const std::string& name) {
+                           const std::string& name, const Eigen::Isometry3d& X_CF) {
   const std::vector<std::byte> data = decompress(bytes, header, name);
   std::vector<float> packed(3 * header.points);
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -146,31 +147,34 @@ PointCloud read_compressed(std::span<const std::byte> bytes, const PcdHeader& he
       packed[3 * i + axis] = load(from + i * f.size, f);
     }
   }
-  return read_packed(header, packed);
+  return read_packed(header, packed, X_CF);
 }
 
 PointCloud read_data(std::span<const std::byte> bytes, const PcdHeader& header,
-                     const std::string& name) {
+                     const std::string& name, const Eigen::Isometry3d& X_CF) {
   switch (header.data) {
     case PcdHeader::Data::kAscii:
-      return read_ascii(bytes, header, name);
+      return read_ascii(bytes, header, name, X_CF);
     case PcdHeader::Data::kBinary:
-      return read_binary(bytes, header, name);
+      return read_binary(bytes, header, name, X_CF);
     case PcdHeader::Data::kCompressed:
       break;
   }
-  return read_compressed(bytes, header, name);
+  return read_compressed(bytes, header, name, X_CF);
 }
 
 }  // namespace
 
-PointCloud parse_pcd(std::span<const std::byte> bytes, const std::string& name) {
+PointCloud parse_pcd(std::span<const std::byte> bytes, const std::string& name,
+                     const Eigen::Isometry3d& X_CF) {
   const PcdHeader header = parse_pcd_header(bytes, name);
-  PointCloud cloud = read_data(bytes, header, name);
-  cloud.viewpoint = header.viewpoint;
+  PointCloud cloud = read_data(bytes, header, name, X_CF);
+  cloud.viewpoint = X_CF * header.viewpoint;
   return cloud;
 }
 
-PointCloud read_pcd(const std::string& path) { return parse_pcd(read_file(path), path); }
+PointCloud read_pcd(const std::string& path, const Eigen::Isometry3d& X_CF) {
+  return parse_pcd(read_file(path), path, X_CF);
+}
 
 }  // namespace quadrille::io

@@ -72,24 +72,26 @@ void set_size(const PlyHeader& header, const PlyElement& vertex, PointLayout* la
 }
 
 PointCloud read_vertices(std::span<const std::byte> bytes, const PlyHeader& header,
-                         const PlyElement& vertex, PlyBody* body, const std::string& name) {
+                         const PlyElement& vertex, PlyBody* body, const std::string& name,
+                         const Eigen::Isometry3d& X_CF) {
   const Columns columns = position_columns(vertex, name);
   PointLayout layout;
   if (can_read_in_place(header, vertex, columns)) {
     body->check_count(vertex);
     layout = layout_in_place(header, vertex, columns);
     set_size(header, vertex, &layout);
-    return read_points(bytes.subspan(body->offset()), layout);
+    return read_points(bytes.subspan(body->offset()), layout, X_CF);
   }
   const std::vector<float> packed = body->read_columns(vertex, columns);
   layout.big_endian = std::endian::native == std::endian::big;
   set_size(header, vertex, &layout);
-  return read_points(std::as_bytes(std::span(packed)), layout);
+  return read_points(std::as_bytes(std::span(packed)), layout, X_CF);
 }
 
 }  // namespace
 
-PointCloud parse_ply(std::span<const std::byte> bytes, const std::string& name) {
+PointCloud parse_ply(std::span<const std::byte> bytes, const std::string& name,
+                     const Eigen::Isometry3d& X_CF) {
   const PlyHeader header = parse_ply_header(bytes, name);
   PlyBody body(bytes, header, name);
   for (const PlyElement& element : header.elements) {
@@ -97,15 +99,17 @@ PointCloud parse_ply(std::span<const std::byte> bytes, const std::string& name) 
       body.skip(element);
       continue;
     }
-    PointCloud cloud = read_vertices(bytes, header, element, &body, name);
-    cloud.viewpoint = header.viewpoint;
+    PointCloud cloud = read_vertices(bytes, header, element, &body, name, X_CF);
+    cloud.viewpoint = X_CF * header.viewpoint;
     cloud.frame = header.frame;
     return cloud;
   }
   throw FileError(name, "header", "there is no 'vertex' element; export the cloud with points");
 }
 
-PointCloud read_ply(const std::string& path) { return parse_ply(read_file(path), path); }
+PointCloud read_ply(const std::string& path, const Eigen::Isometry3d& X_CF) {
+  return parse_ply(read_file(path), path, X_CF);
+}
 
 void write_ply(const std::string& path, const PointCloud& cloud) {
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment units metres\n";

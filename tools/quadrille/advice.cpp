@@ -12,7 +12,11 @@ struct Advice {
   std::string_view text;
 };
 
-constexpr std::array<Advice, 12> kAdvice = {{
+constexpr std::array<Advice, 13> kAdvice = {{
+    {Refusal::kViewpoint,
+     "the cloud cannot have been seen from its viewpoint; name where the sensor stood "
+     "(--viewpoint, "
+     "--camera-pose)"},
     {Refusal::kNoShape,
      "the quadrics that were found bound no solid; try a view that shows more of the objects"},
     {Refusal::kSeenFromInside,

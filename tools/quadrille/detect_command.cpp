@@ -13,12 +13,14 @@
 #include <vector>
 
 #include "cli/detector_arguments.hpp"
+#include "cli/frame_arguments.hpp"
 #include "cli/output.hpp"
 #include "io/file_bytes.hpp"
 #include "io/planner/config.hpp"
 #include "picture/picture.hpp"
 #include "picture/png.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/rigid_motion.hpp"
 #include "quadrille/detector/tracker.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/picture_option.hpp"
@@ -32,6 +34,7 @@ struct DetectArguments {
   std::string json, picture;
   bool track = false;
   DetectorArguments detector;
+  FrameArguments frames;
 };
 
 /// Tracks the clouds of each source: of a channel of a log, or of all the files.
@@ -66,19 +69,22 @@ void run(const DetectArguments& arguments) {
   JsonLines json(arguments.json);
   Tracking tracking(setup.track, arguments.track);
   const auto put_out = [&](const std::string& path, const InputCloud& input,
-                           const DetectionResult& result) {
+                           const DetectionResult& found) {
+    DetectionResult result = found;
+    result.detections = moved(std::move(result.detections), input.X_CK);
     json.write(io::detect_json(input.info, result));
     if (!json.owns_stdout()) print(detection_table(input.info, result));
     print_warnings(input.info.input, result.warnings);
     if (!pictures.wanted()) return;
-    write_png(pictures.next(path), draw_picture({input.info.input, input.cloud, result}));
+    write_png(pictures.next(path), draw_picture({input.info.input, input.cloud, found}));
   };
   std::size_t failed = 0, clouds = 0;
   for (const std::string& path : arguments.inputs) {
     try {
-      const auto warnings = for_each_cloud(path, [&](const InputCloud& input) {
+      const auto warnings = for_each_cloud(path, arguments.frames, [&](const InputCloud& input) {
         DetectionResult result = detect(input.cloud, setup.options);
         tracking.add_to(input, path, &result.detections);
+        std::erase_if(result.detections, [](const Detection& d) { return !is_reported(d); });
         try {
           put_out(path, input, result);
         } catch (const io::FileError& error) {
@@ -112,6 +118,7 @@ void add_detect_command(CLI::App& app) {
       ->type_name("FILE|-");
   command->add_flag("--track", arguments->track,
                     "Take files for successive views of a camera at rest; logs always are");
+  arguments->frames.add_to(*command);
   add_picture_option(*command, arguments->picture, "the cloud and the quadrics");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });

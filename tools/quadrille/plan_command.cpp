@@ -1,6 +1,7 @@
 #include "quadrille/plan_command.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -13,6 +14,7 @@
 
 #include "cli/choice_option.hpp"
 #include "cli/detector_arguments.hpp"
+#include "cli/frame_arguments.hpp"
 #include "cli/output.hpp"
 #include "cli/planner/planner_arguments.hpp"
 #include "io/file_bytes.hpp"
@@ -24,8 +26,10 @@
 #include "picture/png.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/rigid_motion.hpp"
 #include "quadrille/grasping/conventions.hpp"
 #include "quadrille/grasping/plan.hpp"
+#include "quadrille/grasping/rigid_motion.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
@@ -38,6 +42,7 @@ struct PlanArguments {
   std::vector<std::string> views;
   DetectorArguments detector;
   PlannerArguments planner;
+  FrameArguments frames;
   std::optional<HandConvention> convention;
 };
 
@@ -75,27 +80,42 @@ void refuse_same(const std::string& input, const std::vector<std::string>& views
   }
 }
 
-std::vector<PointCloud> read_views(const std::vector<std::string>& paths) {
+/// The other views, each with the viewpoint that its file names.
+/// @param X_KC  their frame C in the frame K to work in
+std::vector<PointCloud> read_views(const std::vector<std::string>& paths,
+                                   const Eigen::Isometry3d& X_KC) {
   std::vector<PointCloud> views;
   for (const std::string& path : paths) {
     SingleCloud view = read_single_cloud(path);
     print_warnings(path, view.warnings);
-    views.push_back(std::move(view.input.cloud));
+    views.push_back(moved(std::move(view.input.cloud), X_KC));
   }
   return views;
 }
 
-void write_map(const std::string& path, const OccupancyGrid& space, io::NewFile& file) {
+/// @param X_CK  the frame K of the map in the frame C to write it in
+void write_map(const std::string& path, const OccupancyGrid& space, const Eigen::Isometry3d& X_CK,
+               io::NewFile& file) {
+  const bool moves = !X_CK.matrix().isIdentity(0.0);
   std::ofstream stream(file.path(), std::ios::binary);
-  stream << io::octree_bytes(*space.to_octree());
+  stream << io::octree_bytes(*(moves ? space.moved(X_CK) : space).to_octree());
   stream.close();
   if (!stream) throw io::FileError(path, "", "cannot be written; check the space left");
   file.commit();
 }
 
+/// Those of some lines that are not among others.
+std::vector<std::string> without(std::vector<std::string> lines,
+                                 const std::vector<std::string>& others) {
+  std::erase_if(lines, [&](const std::string& line) {
+    return std::find(others.begin(), others.end(), line) != others.end();
+  });
+  return lines;
+}
+
 void run(const PlanArguments& arguments) {
   const io::Config config = io::load_config(arguments.detector.config);
-  const DetectorSetup setup = arguments.detector.overrule(config);
+  const DetectorSetup setup = arguments.detector.overrule_for_planning(config);
   print_warnings(arguments.detector.config, setup.warnings);
   const Gripper gripper = arguments.planner.gripper();
   const PlanOptions options = arguments.planner.overrule(config.planner);
@@ -103,13 +123,18 @@ void run(const PlanArguments& arguments) {
   JsonLines json(arguments.json);
   std::optional<io::NewFile> map;
   if (!arguments.map.empty()) map.emplace(arguments.map);
-  const auto [input, warnings] = read_single_cloud(arguments.input);
+  const auto [input, warnings] = read_single_cloud(arguments.input, arguments.frames);
   print_warnings(arguments.input, warnings);
-  const DetectionResult result = detect(input.cloud, setup.options);
+  DetectionResult found = detect(input.cloud, setup.options);
   // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
-  const std::vector<Detection> detections = bus::as_received(result.detections);
-  const GraspPlan plan =
-      plan_grasps(input.cloud, detections, gripper, options, read_views(arguments.views));
+  const std::vector<Detection> detections = bus::as_received(found.detections);
+  const GraspPlan planned = plan_grasps(input.cloud, detections, gripper, options,
+                                        read_views(arguments.views, input.X_CK.inverse()));
+  // All were in the way; shown is what was asked for.
+  std::erase_if(found.detections, [](const Detection& d) { return !is_reported(d); });
+  DetectionResult result = found;
+  result.detections = moved(std::move(result.detections), input.X_CK);
+  const GraspPlan plan = moved(planned, input.X_CK);
   io::Json object = io::plan_json(input.info, result, plan);
   if (arguments.convention) add_hands(plan, gripper, *arguments.convention, &object);
   json.write(object);
@@ -117,11 +142,11 @@ void run(const PlanArguments& arguments) {
   if (!json.owns_stdout())
     print(detection_table(input.info, result) + grasp_table(plan, options.unknown));
   print_warnings(input.info.input, result.warnings);
-  print_warnings(input.info.input, plan.warnings);
-  if (map) write_map(arguments.map, *plan.space, *map);
+  print_warnings(input.info.input, without(plan.warnings, result.warnings));
+  if (map) write_map(arguments.map, *plan.space, input.X_CK, *map);
   if (arguments.picture.empty()) return;
   write_png(arguments.picture,
-            draw_picture({input.info.input, input.cloud, result, &plan, &gripper}));
+            draw_picture({input.info.input, input.cloud, found, &planned, &gripper}));
 }
 
 }  // namespace
@@ -140,6 +165,7 @@ void add_plan_command(CLI::App& app) {
   add_choice_option(*command, "--convention", arguments->convention, conventions(),
                     "Add to each grasp's JSON the hand's pose X_CH as this software has it");
   command->get_option("--convention")->needs("--json");
+  arguments->frames.add_to(*command);
   add_picture_option(*command, arguments->picture, "the cloud, the quadrics and the grasps");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });

@@ -45,7 +45,7 @@ struct Job {
 Job job_of(const TryArguments& arguments) {
   const Gripper gripper = arguments.planner.gripper();
   const io::Config config = io::load_config(arguments.detector.config);
-  const DetectorSetup setup = arguments.detector.overrule(config);
+  const DetectorSetup setup = arguments.detector.overrule_for_planning(config);
   print_warnings(arguments.detector.config, setup.warnings);
   return {gripper, setup.options, arguments.planner.overrule(config.planner)};
 }

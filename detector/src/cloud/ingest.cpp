@@ -37,7 +37,8 @@ Scalar load(const std::byte* from, bool swap) {
 
 template <class Scalar>
 void append_points(std::span<const std::byte> bytes, const PointLayout& layout,
-                   std::size_t row_step, PointCloud* cloud) {
+                   std::size_t row_step, const Eigen::Isometry3d& X_CF, PointCloud* cloud) {
+  const bool moves = !X_CF.matrix().isIdentity(0.0);
   const bool swap = layout.big_endian != (std::endian::native == std::endian::big);
   const bool organised = cloud->organised();
   const Eigen::Vector3f missing =
@@ -46,11 +47,13 @@ void append_points(std::span<const std::byte> bytes, const PointLayout& layout,
   for (std::size_t row = 0; row < layout.height; ++row) {
     const std::byte* record = bytes.data() + row * row_step;
     for (std::size_t column = 0; column < layout.width; ++column, record += layout.point_step) {
-      const Eigen::Vector3f p(static_cast<float>(load<Scalar>(record + layout.x, swap)),
-                              static_cast<float>(load<Scalar>(record + layout.y, swap)),
-                              static_cast<float>(load<Scalar>(record + layout.z, swap)));
+      const Eigen::Matrix<Scalar, 3, 1> p_F(load<Scalar>(record + layout.x, swap),
+                                            load<Scalar>(record + layout.y, swap),
+                                            load<Scalar>(record + layout.z, swap));
+      const Eigen::Vector3f p = p_F.template cast<float>();
       if (p.allFinite() && !p.isZero(0.0f)) {
-        cloud->points.push_back(p);
+        cloud->points.push_back(
+            moves ? (X_CF * p_F.template cast<double>()).template cast<float>().eval() : p);
       } else if (organised) {
         cloud->points.push_back(missing);
       }
@@ -60,7 +63,8 @@ void append_points(std::span<const std::byte> bytes, const PointLayout& layout,
 
 }  // namespace
 
-PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layout) {
+PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layout,
+                       const Eigen::Isometry3d& X_CF) {
   const bool wide = layout.scalar == PointLayout::Scalar::kFloat64;
   const std::size_t scalar_size = wide ? 8 : 4;
   const std::size_t record_end = std::max({layout.x, layout.y, layout.z}) + scalar_size;
@@ -89,9 +93,9 @@ PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layo
     cloud.height = static_cast<int>(layout.height);
   }
   if (wide) {
-    append_points<double>(bytes, layout, row_step, &cloud);
+    append_points<double>(bytes, layout, row_step, X_CF, &cloud);
   } else {
-    append_points<float>(bytes, layout, row_step, &cloud);
+    append_points<float>(bytes, layout, row_step, X_CF, &cloud);
   }
   return cloud;
 }

@@ -51,12 +51,11 @@ bool is_flat(const Surface& surface) { return surface.fit.family == Family::kPla
 }  // namespace
 
 Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,
-                         const InlierTest& inlier, Surroundings surroundings,
-                         TrialObserver observer)
+                         const InlierTest& inlier, SceneContext context, TrialObserver observer)
     : samples_(samples),
       options_(options),
       inlier_(inlier),
-      surroundings_(std::move(surroundings)),
+      context_(std::move(context)),
       observer_(std::move(observer)),
       buckets_(samples),
       extender_(samples, buckets_, options, inlier),
@@ -197,8 +196,8 @@ Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q,
   Evidence evidence = collect_evidence(samples_, region, Q, beyond);
   evidence.remainder = claims_.remainder(region);
   add_intruders(samples_, buckets_, region, Q, &evidence);
-  evidence.uprightness = uprightness(form, surroundings_.up);
-  evidence.see_through = see_through(surroundings_, samples_, region, Q, form);
+  evidence.uprightness = uprightness(form, context_.up);
+  evidence.see_through = see_through(context_, samples_, region, Q, form);
   return evidence;
 }
 

@@ -10,7 +10,7 @@
 #include "search/candidate.hpp"
 #include "surfaces/acceptance.hpp"
 #include "surfaces/claims.hpp"
-#include "surfaces/evidence/surroundings.hpp"
+#include "surfaces/evidence/scene_context.hpp"
 #include "surfaces/extend.hpp"
 #include "surfaces/surface.hpp"
 #include "surfaces/trial.hpp"
@@ -25,8 +25,7 @@ class Aggregation {
   /// @param samples  on which regions and claims are counted; must outlive this
   /// @param observer  told of each candidate that is tried; may be empty
   Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,
-              const InlierTest& inlier, Surroundings surroundings = {},
-              TrialObserver observer = {});
+              const InlierTest& inlier, SceneContext context = {}, TrialObserver observer = {});
 
   /// Takes over candidates, with regions in terms of the samples, and accepts what can be accepted.
   /// What a coarse level refuses is kept for the next call.
@@ -54,7 +53,7 @@ class Aggregation {
   const SurfaceSamples& samples_;
   AggregateOptions options_;
   InlierTest inlier_;
-  Surroundings surroundings_;
+  SceneContext context_;
   TrialObserver observer_;
   SampleBuckets buckets_;
   Extender extender_;

@@ -47,10 +47,10 @@ std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::v
   return agglomerate(std::move(candidates), tree.finest(), options.inlier, options.agglomerate);
 }
 
-Aggregation find_surfaces(const SampleTree& tree, Surroundings surroundings,
+Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
                           const DetectorOptions& options, StageClock& clock,
                           TrialObserver observer) {
-  Aggregation aggregation(tree.finest(), options.aggregate, options.inlier, std::move(surroundings),
+  Aggregation aggregation(tree.finest(), options.aggregate, options.inlier, std::move(context),
                           std::move(observer));
   for (int level = kLevels - 1; level >= 0; --level) {
     std::vector<Candidate> candidates =

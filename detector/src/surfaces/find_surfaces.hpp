@@ -19,7 +19,7 @@ std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::v
 /// @param tree   must outlive the result
 /// @param clock     ends the stages "search" and "aggregate"
 /// @param observer  told of each candidate that is tried; may be empty
-Aggregation find_surfaces(const SampleTree& tree, Surroundings surroundings,
+Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
                           const DetectorOptions& options, StageClock& clock,
                           TrialObserver observer = {});
 

@@ -53,7 +53,7 @@ Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane) {
 
 std::vector<Surface> weighed_planes(const SurfaceSamples& samples,
                                     const std::vector<PlaneRegion>& planes,
-                                    const Surroundings& surroundings) {
+                                    const SceneContext& context) {
   const SampleBuckets buckets(samples);
   std::vector<Surface> surfaces;
   for (const PlaneRegion& plane : planes) {
@@ -61,9 +61,8 @@ std::vector<Surface> weighed_planes(const SurfaceSamples& samples,
     surface.evidence = collect_evidence(samples, surface.region, surface.Q);
     add_intruders(samples, buckets, surface.region, surface.Q, &surface.evidence);
     const CanonicalForm form = canonical_form(surface.fit.posed);
-    surface.evidence.uprightness = uprightness(form, surroundings.up);
-    surface.evidence.see_through =
-        see_through(surroundings, samples, surface.region, surface.Q, form);
+    surface.evidence.uprightness = uprightness(form, context.up);
+    surface.evidence.see_through = see_through(context, samples, surface.region, surface.Q, form);
     surface.confidence = confidence_of(surface);
   }
   return surfaces;

@@ -4,7 +4,7 @@
 
 #include "planes/planes.hpp"
 #include "samples/surface_samples.hpp"
-#include "surfaces/evidence/surroundings.hpp"
+#include "surfaces/evidence/scene_context.hpp"
 #include "surfaces/surface.hpp"
 
 namespace quadrille {
@@ -17,7 +17,7 @@ Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane);
 /// @param samples  the samples that the planes were found on
 std::vector<Surface> weighed_planes(const SurfaceSamples& samples,
                                     const std::vector<PlaneRegion>& planes,
-                                    const Surroundings& surroundings);
+                                    const SceneContext& context);
 
 /// True if most of a flat surface lies within a few sigma of one of the planes and parallel to it:
 /// a strip of table or wall that waves in the noise had cut off.

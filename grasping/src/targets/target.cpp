@@ -1,6 +1,8 @@
 #include "targets/target.hpp"
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "body/find_shell.hpp"
 #include "contacts/rim.hpp"
@@ -34,6 +36,12 @@ int find_rim(const PointCloud& cloud, const DepthView& view, const Gripper& grip
 
 }  // namespace
 
+bool is_wanted(const Detection& detection, const PlanOptions& options) {
+  const std::vector<QuadricType>& types = options.targets;
+  return is_reported(detection) &&
+         (types.empty() || std::find(types.begin(), types.end(), detection.type) != types.end());
+}
+
 Eigen::Vector3d Target::up_C() const {
   return supports.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : supports.front().n_C();
 }
@@ -46,15 +54,16 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
     if (d.type == QuadricType::kPlane) continue;
     const std::optional<Body> body = make_body(d);
     if (!body) continue;
-    Target target{d.id, d.score, *body, supports_of(*body, detections), {}, {}, true};
+    Target target{d.id, d.score, *body, supports_of(*body, detections),
+                  {},   {},      true,  is_wanted(d, options)};
     const bool inside = seen_from_inside(d, *body);
-    chosen.refusals[Refusal::kUnmeasured] +=
-        find_rim(cloud, view, gripper, options, inside, target);
+    const int unmeasured = find_rim(cloud, view, gripper, options, inside, target);
+    if (target.wanted) chosen.refusals[Refusal::kUnmeasured] += unmeasured;
     // What was seen from inside is no solid: only its wall can be held.
     target.solid = !inside && graspable(*body, gripper);
     if (target.solid || target.shell) {
       chosen.targets.push_back(std::move(target));
-    } else {
+    } else if (is_wanted(d, options)) {
       ++chosen.refusals[inside ? Refusal::kSeenFromInside : Refusal::kWidth];
     }
   }

@@ -17,7 +17,10 @@
 
 namespace quadrille {
 
-/// One detection to be grasped, and all that its planning needs.
+/// True if a detection is to be grasped, and is not only in the way.
+bool is_wanted(const Detection& detection, const PlanOptions& options);
+
+/// One detection that could be grasped, and all that its planning needs.
 struct Target {
   int id = 0;
   double confidence = 1.0;
@@ -29,12 +32,16 @@ struct Target {
   std::vector<ContactLine> rim;
   /// False if it can be held by its wall alone.
   bool solid = true;
+  /// False if nobody asked for it. It is kept because it says, as all others do, which space
+  /// matters and what things stand on.
+  bool wanted = true;
 
   /// Unit normal of what it stands on; zero if that is not known.
   Eigen::Vector3d up_C() const;
 };
 
-/// The detections that the hand may hold, across or by their rims, and what was refused.
+/// The detections that the hand may hold, across or by their rims, and what was refused of those
+/// that are wanted.
 struct ChosenTargets {
   std::vector<Target> targets;
   RefusalCounts refusals;

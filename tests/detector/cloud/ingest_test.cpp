@@ -151,3 +151,16 @@ TEST_CASE("layouts that do not fit into the bytes are refused", "[ingest][hostil
   refused([](PointLayout* l) { l->width = 3, l->height = 2, l->row_step = kHuge - 11; });
   refused([](PointLayout* l) { l->x = kHuge - 3; });
 }
+
+TEST_CASE("points are moved before they are rounded to single precision", "[ingest]") {
+  // Far out single precision steps by half a metre.
+  const std::array<double, 6> far = {5e6 + 0.25, 0.5, 0.125, 0.0, 0.0, 0.0};
+  PointLayout layout;
+  layout.scalar = PointLayout::Scalar::kFloat64;
+  layout.y = 8, layout.z = 16, layout.point_step = 24, layout.width = 2;
+  const Eigen::Isometry3d X_CF(Eigen::Translation3d(-5e6, 0, 1));
+  const PointCloud cloud = read_points(std::as_bytes(std::span(far)), layout, X_CF);
+  // What is all zero is missing, wherever it would be moved to.
+  REQUIRE(cloud.points.size() == 1);
+  CHECK(cloud.points[0] == Eigen::Vector3f(0.25f, 0.5f, 1.125f));
+}

@@ -77,7 +77,7 @@ TEST_CASE("the selected fit has the least BIC of all that were tried", "[selecti
   }
 }
 
-TEST_CASE("a type that few objects have needs odds of e² more", "[selection]") {
+TEST_CASE("types that fewer objects have need more odds, by their prior", "[selection]") {
   FamilyFit fit;
   fit.rss = 4.0;
   fit.points = 1000;
@@ -86,8 +86,10 @@ TEST_CASE("a type that few objects have needs odds of e² more", "[selection]") 
     fit.posed.D = D;
     return bic(fit, options) - bic(4.0, 1000, family_spec(fit.family).dof, options);
   };
-  CHECK(over(diagonal(1, 2, 3, -1)) == Approx(0.0).margin(1e-12));
-  CHECK(over(diagonal(1, 2, -3, -1)) == Approx(0.0).margin(1e-12));
+  CHECK(over(diagonal(1, 1, 1, -1)) == Approx(0.0).margin(1e-12));
+  CHECK(over(diagonal(1, 1, 0, -1)) == Approx(0.0).margin(1e-12));
+  CHECK(over(diagonal(1, 2, 3, -1)) == Approx(3.0));
+  CHECK(over(diagonal(1, 2, -3, -1)) == Approx(3.0));
   CHECK(over(diagonal(1, 2, -3, 1)) == Approx(4.0));
   CHECK(over(diagonal(1, -2, 0, -1)) == Approx(4.0));
 }

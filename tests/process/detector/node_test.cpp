@@ -4,12 +4,12 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
-#include <lcmtypes/bot_core/pose_t.hpp>
 #include <memory>
 #include <set>
 #include <sstream>
 
 #include "process/detector/command_line.hpp"
+#include "process/encode_pose.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "support/catch.hpp"
@@ -20,6 +20,7 @@ namespace quadrille {
 namespace {
 
 using Bytes = std::vector<std::byte>;
+using test::encode_pose;
 
 /// A detector process whose messages are kept.
 struct Process {
@@ -59,16 +60,6 @@ struct Process {
   detector_status_t status{};
   DetectorNode node;
 };
-
-Bytes encode_pose(std::int64_t utime, const Eigen::Isometry3d& X_WC) {
-  bot_core::pose_t m{};
-  m.utime = utime;
-  Eigen::Map<Eigen::Vector3d>(m.pos) = X_WC.translation();
-  const Eigen::Quaterniond q(X_WC.linear());
-  m.orientation[0] = q.w(), m.orientation[1] = q.x(), m.orientation[2] = q.y();
-  m.orientation[3] = q.z();
-  return bus::encode(m);
-}
 
 /// A ball before a wall, both at rest in W, as a camera at X_WC sees them.
 Bytes encode_view(std::int64_t utime, const Eigen::Isometry3d& X_WC) {
@@ -181,15 +172,15 @@ TEST_CASE("a pose that is garbage is refused and counted", "[process][pose][host
         std::string::npos);
 }
 
-TEST_CASE("settings that the search for spheres alone does not heed are named", "[process]") {
+TEST_CASE("what the process is to find alone it reports alone, for a planner may listen",
+          "[process][report]") {
   const test::TempFolder folder;
   CLI::App app;
   const DetectorCommandLine command_line(app);
-  const std::string config = folder.write("c.toml", "search.basis = \"three_points\"\n");
-  app.parse("--only sphere --config " + config);
-  const std::vector<std::string> warnings = command_line.settings().warnings;
-  REQUIRE(warnings.size() == 1);
-  CHECK(warnings[0].find(config + ": --only sphere sets search") == 0);
+  app.parse("--config " + folder.write("c.toml", "only = [\"sphere\"]\n"));
+  const DetectorOptions options = command_line.settings().detector;
+  CHECK(options.only.empty());
+  CHECK(options.report == std::vector{QuadricType::kSphere});
 }
 
 TEST_CASE("the detector's process leaves the planner's settings to the planner", "[process]") {

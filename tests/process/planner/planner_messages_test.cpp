@@ -13,11 +13,7 @@
 namespace quadrille {
 namespace {
 
-bus::CloudMessage make_cloud() {
-  bus::CloudMessage cloud{77, 5, {}};
-  cloud.cloud.frame = "camera";
-  return cloud;
-}
+Stamp make_stamp() { return {77, 5, "camera"}; }
 
 /// Encodes and decodes a message, as the bus does.
 template <class Message>
@@ -52,7 +48,7 @@ TEST_CASE("grasps keep all their fields in the message", "[planner][messages]") 
   PlannerSettings settings;
   settings.gripper.name = "franka";
   settings.plan.unknown = UnknownPolicy::kTargetShadow;
-  const grasps_t got = send(make_grasps_message(make_cloud(), plan, settings));
+  const grasps_t got = send(make_grasps_message(make_stamp(), plan, settings));
   CHECK(got.gripper == "franka");
   CHECK(got.unknown == "target-shadow");
   CHECK(got.warnings == plan.warnings);
@@ -84,7 +80,7 @@ TEST_CASE("collision shapes keep their sizes, vertices and faces", "[planner][me
   shape.faces = {3, 0, 1, 2};
   GraspPlan plan;
   plan.shapes = {shape};
-  const collision_shapes_t got = send(make_shapes_message(make_cloud(), plan));
+  const collision_shapes_t got = send(make_shapes_message(make_stamp(), plan));
   REQUIRE(got.shapes.size() == 1);
   CHECK(got.shapes[0].target == 4);
   CHECK(got.shapes[0].kind == "convex");
@@ -100,7 +96,7 @@ TEST_CASE("OctoMap reads the occupancy back: free, occupied and unknown", "[plan
   const GraspPlan plan =
       plan_grasps(test::render({ball}), {test::sphere_detection(ball)}, franka_hand(), options);
   const OccupancyGrid& space = *plan.space;
-  const occupancy_t got = send(make_occupancy_message(make_cloud(), &space));
+  const occupancy_t got = send(make_occupancy_message(make_stamp(), &space));
   CHECK(got.resolution == space.resolution());
   std::istringstream stream(std::string(got.data.begin(), got.data.end()));
   octomap::OcTree tree(1.0);
@@ -133,7 +129,7 @@ TEST_CASE("OctoMap reads the occupancy back: free, occupied and unknown", "[plan
 }
 
 TEST_CASE("a plan without a map gives a message without data", "[planner][messages]") {
-  const occupancy_t got = send(make_occupancy_message(make_cloud(), nullptr));
+  const occupancy_t got = send(make_occupancy_message(make_stamp(), nullptr));
   CHECK(got.data.empty());
   CHECK(got.num_free == 0);
 }

@@ -35,7 +35,7 @@ std::optional<bool> is_right(scoring::Verdict verdict, bool flat) {
 /// All that the detector weighs.
 std::vector<Surface> weighed_surfaces(const trials::SearchSamples& found,
                                       const DetectorOptions& options) {
-  std::vector<Surface> weighed = weighed_planes(found.coarse, found.planes, found.surroundings);
+  std::vector<Surface> weighed = weighed_planes(found.coarse, found.planes, found.context);
   StageClock clock;
   const auto take_curved = [&](const Candidate&, SearchLevel, const Trial& trial) {
     if (trial.end >= TrialEnd::kConfidence && !is_flat(*trial.surface)) {
@@ -43,7 +43,7 @@ std::vector<Surface> weighed_surfaces(const trials::SearchSamples& found,
     }
   };
   const Aggregation aggregation =
-      find_surfaces(*found.tree, found.surroundings, options, clock, take_curved);
+      find_surfaces(*found.tree, found.context, options, clock, take_curved);
   for (const Surface& surface : aggregation.surfaces()) {
     if (is_flat(surface)) weighed.push_back(surface);
   }

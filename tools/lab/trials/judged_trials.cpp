@@ -13,7 +13,7 @@ namespace {
 std::vector<JudgedTrial> all_trials(const SearchSamples& samples, const DetectorOptions& options) {
   std::vector<JudgedTrial> trials;
   StageClock clock;
-  find_surfaces(*samples.tree, samples.surroundings, options, clock,
+  find_surfaces(*samples.tree, samples.context, options, clock,
                 [&](const Candidate& candidate, SearchLevel level, const Trial& trial) {
                   trials.push_back({candidate, level, trial, {}, std::nullopt});
                 });

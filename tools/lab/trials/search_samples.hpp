@@ -8,7 +8,7 @@
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "samples/sample_tree.hpp"
-#include "surfaces/evidence/surroundings.hpp"
+#include "surfaces/evidence/scene_context.hpp"
 
 namespace quadrille::trials {
 
@@ -17,7 +17,7 @@ struct SearchSamples {
   /// The coarsest samples, and the planes among them.
   SurfaceSamples coarse;
   std::vector<PlaneRegion> planes;
-  Surroundings surroundings;
+  SceneContext context;
   /// The samples off the planes.
   std::unique_ptr<SampleTree> tree;
 };

@@ -10,21 +10,24 @@ DetectorCommandLine::DetectorCommandLine(CLI::App& app) {
   add_channel_option(app, "--out-channel", settings_.out_channel, "quadrics");
   add_channel_option(app, "--status-channel", settings_.status_channel, "status");
   add_channel_option(app, "--pose-channel", settings_.pose_channel,
-                     "camera's poses (bot_core.pose_t), to track while it moves");
+                     "camera's poses (bot_core.pose_t) in a fixed frame");
+  camera_.add_to(app, "--pose-channel");
+  settings_.frames.add_to(app);
   detector_.add_to(app);
 }
 
 DetectorSettings DetectorCommandLine::settings() const {
   DetectorSettings settings = settings_;
-  const DetectorSetup setup = detector_.overrule(io::load_detector_config(detector_.config));
+  const DetectorSetup setup =
+      detector_.overrule_for_planning(io::load_detector_config(detector_.config));
   settings.detector = setup.options;
   settings.track = setup.track;
   for (const std::string& warning : setup.warnings) {
     settings.warnings.push_back(detector_.config + ": " + warning);
   }
-  if (settings.pose_channel == settings.in_channel) {
-    throw CLI::ValidationError("--pose-channel", "must not be the channel of the clouds");
-  }
+  settings.X_WK = camera_.X_WK;
+  check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,
+              {settings.in_channel});
   return settings;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cli/detector_arguments.hpp"
+#include "cli/frame_arguments.hpp"
 #include "process/detector/settings.hpp"
 
 namespace CLI {
@@ -22,6 +23,7 @@ class DetectorCommandLine {
  private:
   DetectorSettings settings_;
   DetectorArguments detector_;
+  CameraPoseArgument camera_;
 };
 
 }  // namespace quadrille

@@ -10,6 +10,7 @@
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/status_message.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/rigid_motion.hpp"
 
 namespace quadrille {
 
@@ -17,7 +18,8 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
     : settings_(settings),
       publish_(std::move(publish)),
       dropped_before_(bus::count_dropped_datagrams()),
-      tracker_(settings.track) {
+      tracker_(settings.track),
+      camera_poses_(settings.X_WK, settings.track.pose_age) {
   for (const std::string& warning : settings.warnings) log_warning(warning);
 }
 
@@ -43,7 +45,7 @@ void DetectorNode::receive_pose(const std::string& channel, std::span<const std:
   if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
     refusals_.add(channel, *rejection);
   } else {
-    pose_history_.add(std::get<bus::PoseMessage>(decoded));
+    camera_poses_.add(std::get<bus::PoseMessage>(decoded));
   }
 }
 
@@ -62,39 +64,48 @@ std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
   const std::int64_t utime = cloud.utime;
   // Chosen now, and not when the work begins, by when more poses may have come than in a replay.
-  const std::optional<Eigen::Isometry3d> X_WC = choose_pose(utime);
+  const CameraPose pose = choose_pose(utime);
   return Job{utime,
-             [this, cloud = std::move(cloud), X_WC, now] { detect_and_publish(cloud, X_WC, now); }};
+             [this, cloud = std::move(cloud), pose, now] { detect_and_publish(cloud, pose, now); }};
 }
 
-/// The camera's pose in the fixed frame for a cloud; nullopt, counted and logged, if there is none
-/// that is fresh enough.
-std::optional<Eigen::Isometry3d> DetectorNode::choose_pose(std::int64_t utime) {
+/// The camera's pose in the fixed frame for a cloud, which is that frame where nobody tells poses;
+/// if it is wanted and none is fresh enough that is counted and logged.
+CameraPose DetectorNode::choose_pose(std::int64_t utime) {
   const std::string& channel = settings_.pose_channel;
-  if (channel.empty() || !settings_.track.enabled) return Eigen::Isometry3d::Identity();
-  const std::optional<bus::PoseMessage> pose = pose_history_.at(utime);
-  if (!pose) {
-    untracked_.add(channel, utime, PoseLack::kNoPose,
-                   pose_history_.empty()
-                       ? "no pose has come; is --pose-channel right, and does anyone send on it?"
-                       : "all poses kept are newer; do both senders use one clock?");
-    return std::nullopt;
+  const bool wanted = settings_.track.enabled || settings_.frames.need_pose();
+  if ((channel.empty() && !settings_.X_WK) || !wanted) {
+    return {Eigen::Isometry3d::Identity(), {}, {}};
   }
-  // Times of hostile messages may lie further apart than integers reach.
-  const double age = 1e-6 * (static_cast<double>(utime) - static_cast<double>(pose->utime));
-  if (age <= settings_.track.pose_age) return pose->X_WC;
-  untracked_.add(channel, utime, PoseLack::kOldPose,
-                 fmt::format("the newest pose is {:.1f} s older, more than track.pose_age = {:g} s",
-                             age, settings_.track.pose_age));
-  return std::nullopt;
+  CameraPose pose = camera_poses_.at(utime);
+  if (!pose.X_WK) untracked_.add(channel, utime, pose.lack, pose.detail);
+  return pose;
 }
 
-void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud,
-                                      const std::optional<Eigen::Isometry3d>& X_WC,
+/// What is found in a cloud, with tracks, in the frame of the results. Nothing where the pose that
+/// they need is not known.
+DetectionResult DetectorNode::detect_placed(const bus::CloudMessage& cloud, const CameraPose& pose,
+                                            const Placement& placement) {
+  if (!placement.lack.empty()) {
+    DetectionResult nothing;
+    nothing.warnings = {"the camera's pose is not known: " + placement.lack};
+    return nothing;
+  }
+  PointCloud cloud_K = moved(cloud.cloud, placement.X_CK.inverse());
+  if (settings_.frames.clouds == CloudFrame::kWorld) cloud_K.viewpoint.setZero();
+  DetectionResult result = detect(cloud_K, settings_.detector);
+  if (pose.X_WK) tracker_.update(cloud.utime, *pose.X_WK, &result.detections);
+  result.detections = moved(std::move(result.detections), placement.X_RK);
+  return result;
+}
+
+void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud, const CameraPose& pose,
                                       TimePoint received) {
-  DetectionResult result = detect(cloud.cloud, settings_.detector);
-  if (X_WC) tracker_.update(cloud.utime, *X_WC, &result.detections);
-  const auto bytes = bus::encode(bus::to_message(cloud, result));
+  const Placement placement = place(settings_.frames, pose);
+  const DetectionResult result = detect_placed(cloud, pose, placement);
+  quadrics_t message = bus::to_message(cloud, result);
+  message.frame = placement.frame_of_results(cloud.cloud.frame);
+  const auto bytes = bus::encode(message);
   publish_(settings_.out_channel, bytes);
   const double latency = bus::ms_since(received);
   log_debug(fmt::format("cloud {}: {} of {} points, {} quadrics, {:.1f} ms", cloud.utime,

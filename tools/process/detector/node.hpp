@@ -9,13 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "process/detector/pose_history.hpp"
 #include "process/detector/settings.hpp"
 #include "process/detector/untracked.hpp"
+#include "process/runtime/camera_poses.hpp"
 #include "process/runtime/node.hpp"
 #include "process/runtime/refusals.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/durations.hpp"
+#include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 
@@ -35,9 +36,11 @@ class DetectorNode : public Node {
 
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
-  std::optional<Eigen::Isometry3d> choose_pose(std::int64_t utime);
-  void detect_and_publish(const bus::CloudMessage& cloud,
-                          const std::optional<Eigen::Isometry3d>& X_WC, TimePoint received);
+  CameraPose choose_pose(std::int64_t utime);
+  DetectionResult detect_placed(const bus::CloudMessage& cloud, const CameraPose& pose,
+                                const Placement& placement);
+  void detect_and_publish(const bus::CloudMessage& cloud, const CameraPose& pose,
+                          TimePoint received);
   detector_status_t make_status() const;
 
   const DetectorSettings settings_;
@@ -50,7 +53,7 @@ class DetectorNode : public Node {
   mutable std::mutex mutex_;
   detector_status_t counts_{};
   std::int64_t detections_ = 0, poses_ = 0;
-  PoseHistory pose_history_;
+  CameraPoses camera_poses_;
   Refusals refusals_;
   Untracked untracked_;
   bus::Durations latencies_, detection_times_;

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/process_arguments.hpp"
+#include "process/runtime/cloud_frame.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/tracker.hpp"
 
@@ -17,6 +20,9 @@ struct DetectorSettings {
   std::string status_channel = "QUADRILLE_DETECTOR_STATUS";
   /// Carries the camera's poses; empty for a camera at rest.
   std::string pose_channel;
+  /// The pose of a camera at rest in W; none: not known.
+  std::optional<Eigen::Isometry3d> X_WK;
+  CloudFrames frames;
   DetectorOptions detector;
   TrackOptions track;
   /// What of the configuration is not heeded, to be logged.

@@ -7,15 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "process/runtime/camera_poses.hpp"
 #include "quadrille/bus/rate_limiter.hpp"
 
 namespace quadrille {
-
-/// Why a cloud has no pose to be tracked with.
-enum class PoseLack {
-  kNoPose,   ///< none has come, or only newer ones
-  kOldPose,  ///< the newest is too old
-};
 
 /// The clouds that are not tracked for want of a pose: counted by reason, and logged at a bounded
 /// rate.

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/types_option.hpp"
 #include "io/planner/config.hpp"
 
 namespace quadrille {
@@ -14,13 +15,24 @@ PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
   add_channel_option(app, "--shapes-channel", settings_.shapes_channel, "collision shapes");
   add_channel_option(app, "--occupancy-channel", settings_.occupancy_channel, "occupancy");
   add_channel_option(app, "--status-channel", settings_.status_channel, "status");
+  add_channel_option(app, "--pose-channel", settings_.pose_channel,
+                     "camera's poses (bot_core.pose_t) in a fixed frame");
+  camera_.add_to(app, "--pose-channel");
+  settings_.frames.add_to(app);
   planner_.add_to(app, "franka");
+  add_types_option(app, "--report", report_, "Grasp only these types; the others stay in the way");
   app.add_option("--config", config_, "Settings (TOML)")->type_name("FILE");
 }
 
 PlannerSettings PlannerCommandLine::settings() const {
   PlannerSettings settings = settings_;
-  settings.plan = planner_.overrule(io::load_config(config_).planner);
+  const io::Config config = io::load_config(config_);
+  settings.plan = planner_.overrule(config.planner);
+  if (!report_.empty()) settings.plan.targets = report_;
+  settings.pose_age = config.track.pose_age;
+  settings.X_WK = camera_.X_WK;
+  check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,
+              {settings.cloud_channel, settings.quadrics_channel});
   settings.gripper = planner_.gripper();
   return settings;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "cli/frame_arguments.hpp"
 #include "cli/planner/planner_arguments.hpp"
 #include "process/planner/settings.hpp"
 
@@ -25,6 +27,8 @@ class PlannerCommandLine {
  private:
   PlannerSettings settings_;
   PlannerArguments planner_;
+  CameraPoseArgument camera_;
+  std::vector<QuadricType> report_;
   std::string config_;
 };
 

@@ -12,11 +12,11 @@ namespace quadrille {
 namespace {
 
 template <class Message>
-Message make_stamped(const bus::CloudMessage& cloud) {
+Message make_stamped(const Stamp& stamp) {
   Message m;
-  m.utime = cloud.utime;
-  m.seq = cloud.seq;
-  m.frame = cloud.cloud.frame;
+  m.utime = stamp.utime;
+  m.seq = stamp.seq;
+  m.frame = stamp.frame;
   return m;
 }
 
@@ -59,9 +59,9 @@ collision_shape_t to_message(const CollisionShape& shape) {
   return m;
 }
 
-grasps_t make_grasps_message(const bus::CloudMessage& cloud, const GraspPlan& plan,
+grasps_t make_grasps_message(const Stamp& stamp, const GraspPlan& plan,
                              const PlannerSettings& settings) {
-  auto m = make_stamped<grasps_t>(cloud);
+  auto m = make_stamped<grasps_t>(stamp);
   m.gripper = settings.gripper.name;
   m.unknown = word_of(settings.plan.unknown);
   for (const Grasp& grasp : plan.grasps) m.grasps.push_back(to_message(grasp));
@@ -78,15 +78,15 @@ grasps_t make_grasps_message(const bus::CloudMessage& cloud, const GraspPlan& pl
   return m;
 }
 
-collision_shapes_t make_shapes_message(const bus::CloudMessage& cloud, const GraspPlan& plan) {
-  auto m = make_stamped<collision_shapes_t>(cloud);
+collision_shapes_t make_shapes_message(const Stamp& stamp, const GraspPlan& plan) {
+  auto m = make_stamped<collision_shapes_t>(stamp);
   for (const CollisionShape& shape : plan.shapes) m.shapes.push_back(to_message(shape));
   m.num_shapes = count(m.shapes);
   return m;
 }
 
-occupancy_t make_occupancy_message(const bus::CloudMessage& cloud, const OccupancyGrid* space) {
-  auto m = make_stamped<occupancy_t>(cloud);
+occupancy_t make_occupancy_message(const Stamp& stamp, const OccupancyGrid* space) {
+  auto m = make_stamped<occupancy_t>(stamp);
   m.resolution = 0.0;
   m.num_occupied = m.num_free = 0;
   m.data_size = 0;

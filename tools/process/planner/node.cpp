@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+#include <memory>
 #include <utility>
 
 #include "process/planner/messages.hpp"
@@ -9,49 +11,98 @@
 #include "process/runtime/status.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/status_message.hpp"
+#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/grasping/rigid_motion.hpp"
 
 namespace quadrille {
+namespace {
+
+using Space = std::shared_ptr<const OccupancyGrid>;
+
+/// The map of frame K in frame R.
+Space in_frame(const Space& space, const Eigen::Isometry3d& X_RK) {
+  if (!space || X_RK.matrix().isIdentity(0.0)) return space;
+  return std::make_shared<const OccupancyGrid>(space->moved(X_RK));
+}
+
+}  // namespace
 
 PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
     : settings_(settings),
       publish_(std::move(publish)),
-      dropped_before_(bus::count_dropped_datagrams()) {}
+      dropped_before_(bus::count_dropped_datagrams()),
+      camera_poses_(settings.X_WK, settings.pose_age) {}
 
 std::vector<InChannel> PlannerNode::in_channels() const {
-  return {{"--cloud-channel", settings_.cloud_channel},
-          {"--quadrics-channel", settings_.quadrics_channel}};
-}
-
-template <class Message>
-std::optional<Job> PlannerNode::accept(bus::Decoded<Message> decoded, const std::string& channel,
-                                       std::int64_t* accepted, Refusals* refusals) {
-  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
-    refusals->add(channel, *rejection);
-    return std::nullopt;
+  std::vector<InChannel> channels = {{"--cloud-channel", settings_.cloud_channel},
+                                     {"--quadrics-channel", settings_.quadrics_channel}};
+  if (!settings_.pose_channel.empty()) {
+    channels.push_back({"--pose-channel", settings_.pose_channel});
   }
-  ++*accepted;
-  auto pair = pairing_.add(std::get<Message>(std::move(decoded)));
-  if (!pair) return std::nullopt;
-  const std::int64_t utime = pair->cloud->utime;
-  return Job{utime, [this, pair = std::move(*pair)] { plan_and_publish(pair); }};
+  return channels;
 }
 
 std::optional<Job> PlannerNode::receive(const std::string& channel,
                                         std::span<const std::byte> bytes) {
-  const bool is_cloud = channel == settings_.cloud_channel;
-  if (!is_cloud && channel != settings_.quadrics_channel) return std::nullopt;
-  if (is_cloud) {
-    auto decoded = bus::decode_cloud(bytes);
-    const std::lock_guard lock(mutex_);
-    ++counts_.received_clouds;
-    counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
-    return accept(std::move(decoded), channel, &counts_.decoded_clouds, &refused_clouds_);
+  if (channel == settings_.cloud_channel) return receive_cloud(channel, bytes);
+  if (channel == settings_.quadrics_channel) return receive_quadrics(channel, bytes);
+  if (channel == settings_.pose_channel) receive_pose(channel, bytes);
+  return std::nullopt;
+}
+
+void PlannerNode::receive_pose(const std::string& channel, std::span<const std::byte> bytes) {
+  const bus::Decoded<bus::PoseMessage> decoded = bus::decode_pose(bytes);
+  const std::lock_guard lock(mutex_);
+  ++poses_;
+  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
+    refused_poses_.add(channel, *rejection);
+  } else {
+    camera_poses_.add(std::get<bus::PoseMessage>(decoded));
   }
-  auto decoded = bus::decode_quadrics(bytes);
+}
+
+std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
+                                              std::span<const std::byte> bytes) {
+  bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(bytes);
+  const std::lock_guard lock(mutex_);
+  ++counts_.received_clouds;
+  counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
+  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
+    refused_clouds_.add(channel, *rejection);
+    return std::nullopt;
+  }
+  ++counts_.decoded_clouds;
+  auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
+  // Chosen now, as the detector does, and not when the work begins.
+  Placement placement = place(settings_.frames, camera_poses_.at(cloud.utime));
+  if (!placement.lack.empty()) {
+    ++poseless_;
+    if (const auto held_back = poseless_log_.admit()) {
+      log_warning(fmt::format("{}: cloud {} is not planned on: {}; {} more since the last record",
+                              settings_.pose_channel, cloud.utime, placement.lack, *held_back));
+    }
+  }
+  return make_job(pairing_.add(std::move(cloud), std::move(placement)));
+}
+
+std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
+                                                 std::span<const std::byte> bytes) {
+  bus::Decoded<bus::QuadricsMessage> decoded = bus::decode_quadrics(bytes);
   const std::lock_guard lock(mutex_);
   ++counts_.received_quadrics;
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
-  return accept(std::move(decoded), channel, &counts_.decoded_quadrics, &refused_quadrics_);
+  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
+    refused_quadrics_.add(channel, *rejection);
+    return std::nullopt;
+  }
+  ++counts_.decoded_quadrics;
+  return make_job(pairing_.add(std::get<bus::QuadricsMessage>(std::move(decoded))));
+}
+
+std::optional<Job> PlannerNode::make_job(std::optional<CloudAndQuadrics> pair) {
+  if (!pair) return std::nullopt;
+  const std::int64_t utime = pair->cloud->utime;
+  return Job{utime, [this, pair = std::move(*pair)] { plan_and_publish(pair); }};
 }
 
 template <class Message>
@@ -61,15 +112,35 @@ std::int64_t PlannerNode::publish(const std::string& channel, const Message& mes
   return static_cast<std::int64_t>(bytes.size());
 }
 
+/// The plan in the camera's frame; without grasps where the camera's pose is not known.
+GraspPlan PlannerNode::plan_placed(const CloudAndQuadrics& pair) const {
+  const Placement& placement = pair.placement;
+  PointCloud cloud_K = moved(pair.cloud->cloud, placement.X_CK.inverse());
+  if (settings_.frames.clouds == CloudFrame::kWorld) cloud_K.viewpoint.setZero();
+  if (!placement.lack.empty()) {
+    cloud_K.viewpoint.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  const bool as_results = pair.quadrics.frame == placement.frame;
+  const Eigen::Isometry3d& X_FK = as_results ? placement.X_RK : placement.X_CK;
+  GraspPlan plan = plan_grasps(cloud_K, moved(pair.quadrics.detections, X_FK.inverse()),
+                               settings_.gripper, settings_.plan);
+  if (!placement.lack.empty()) {
+    plan.warnings.push_back("the camera's pose is not known: " + placement.lack);
+  }
+  return plan;
+}
+
 void PlannerNode::plan_and_publish(const CloudAndQuadrics& pair) {
-  const GraspPlan plan =
-      plan_grasps(pair.cloud->cloud, pair.quadrics.detections, settings_.gripper, settings_.plan);
+  const Eigen::Isometry3d& X_RK = pair.placement.X_RK;
+  const GraspPlan plan = moved(plan_placed(pair), X_RK);
+  const Stamp stamp{pair.cloud->utime, pair.cloud->seq,
+                    pair.placement.frame_of_results(pair.cloud->cloud.frame)};
   std::int64_t bytes =
-      publish(settings_.grasps_channel, make_grasps_message(*pair.cloud, plan, settings_));
+      publish(settings_.grasps_channel, make_grasps_message(stamp, plan, settings_));
   const double latency = bus::ms_since(pair.at);
-  bytes += publish(settings_.shapes_channel, make_shapes_message(*pair.cloud, plan));
-  bytes +=
-      publish(settings_.occupancy_channel, make_occupancy_message(*pair.cloud, plan.space.get()));
+  bytes += publish(settings_.shapes_channel, make_shapes_message(stamp, plan));
+  bytes += publish(settings_.occupancy_channel,
+                   make_occupancy_message(stamp, in_frame(plan.space, X_RK).get()));
   log_debug(fmt::format("cloud {}: {} quadrics, {} grasps, {:.1f} ms", pair.cloud->utime,
                         pair.quadrics.detections.size(), plan.grasps.size(), latency));
   for (const std::string& warning : plan.warnings) {
@@ -111,16 +182,30 @@ planner_status_t PlannerNode::make_status() const {
 
 std::string PlannerNode::summary() const {
   const std::lock_guard lock(mutex_);
+  const std::string poses =
+      settings_.pose_channel.empty()
+          ? ""
+          : fmt::format("poses in: {}, {}; ", poses_, describe(refused_poses_.counts()));
   return fmt::format(
-      "clouds in: {}, {}; messages of quadrics in: {}, {}; pairs: {}; grasps out: {}",
+      "clouds in: {}, {}; messages of quadrics in: {}, {}; {}pairs: {}; grasps out: {}",
       counts_.received_clouds, describe(refused_clouds_.counts()), counts_.received_quadrics,
-      describe(refused_quadrics_.counts()), pairing_.paired(), grasps_);
+      describe(refused_quadrics_.counts()), poses, pairing_.paired(), grasps_);
 }
 
 std::vector<std::string> PlannerNode::find_oddities() const {
   const std::lock_guard lock(mutex_);
-  if (pairing_.paired() > 0) return {};
-  return {"no quadrics with their cloud; make it with quadrille-detector --copy-input"};
+  std::vector<std::string> oddities;
+  if (pairing_.paired() == 0) {
+    oddities.push_back(
+        "no quadrics with their cloud; make it with quadrille-detector --copy-input");
+  }
+  if (poses_ > 0 && poseless_ > 0) {
+    oddities.push_back(fmt::format(
+        "{} of {} clouds had no pose of at most {:g} s before them and were not planned "
+        "on",
+        poseless_, counts_.decoded_clouds, settings_.pose_age));
+  }
+  return oddities;
 }
 
 }  // namespace quadrille

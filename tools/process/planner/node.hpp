@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <lcmtypes/quadrille/planner_status_t.hpp>
 #include <mutex>
@@ -10,9 +11,11 @@
 
 #include "process/planner/pairing.hpp"
 #include "process/planner/settings.hpp"
+#include "process/runtime/camera_poses.hpp"
 #include "process/runtime/node.hpp"
 #include "process/runtime/refusals.hpp"
 #include "quadrille/bus/durations.hpp"
+#include "quadrille/bus/rate_limiter.hpp"
 
 namespace quadrille {
 
@@ -28,9 +31,11 @@ class PlannerNode : public Node {
   std::vector<std::string> find_oddities() const override;
 
  private:
-  template <class Message>
-  std::optional<Job> accept(bus::Decoded<Message> decoded, const std::string& channel,
-                            std::int64_t* accepted, Refusals* refusals);
+  void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
+  std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
+  std::optional<Job> receive_quadrics(const std::string& channel, std::span<const std::byte> bytes);
+  std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
+  GraspPlan plan_placed(const CloudAndQuadrics& pair) const;
   void plan_and_publish(const CloudAndQuadrics& pair);
   template <class Message>
   std::int64_t publish(const std::string& channel, const Message& message);
@@ -43,8 +48,10 @@ class PlannerNode : public Node {
   mutable std::mutex mutex_;
   Pairing pairing_;
   planner_status_t counts_{};
-  std::int64_t grasps_ = 0;
-  Refusals refused_clouds_, refused_quadrics_;
+  std::int64_t grasps_ = 0, poses_ = 0, poseless_ = 0;
+  CameraPoses camera_poses_;
+  Refusals refused_clouds_, refused_quadrics_, refused_poses_;
+  bus::RateLimiter poseless_log_{std::chrono::seconds(1)};
   bus::Durations latencies_, plan_times_;
 };
 

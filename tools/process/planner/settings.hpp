@@ -1,8 +1,12 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <optional>
 #include <string>
 
 #include "cli/process_arguments.hpp"
+#include "process/runtime/cloud_frame.hpp"
+#include "quadrille/detector/tracker.hpp"
 #include "quadrille/grasping/gripper.hpp"
 #include "quadrille/grasping/plan.hpp"
 
@@ -17,6 +21,13 @@ struct PlannerSettings {
   std::string shapes_channel = "COLLISION_SHAPES";
   std::string occupancy_channel = "OCCUPANCY";
   std::string status_channel = "QUADRILLE_PLANNER_STATUS";
+  /// Carries the camera's poses; empty for none.
+  std::string pose_channel;
+  /// The pose of a camera at rest in W; none: not known.
+  std::optional<Eigen::Isometry3d> X_WK;
+  /// Age of the newest pose from which on it tells nothing of a cloud [s].
+  double pose_age = TrackOptions{}.pose_age;
+  CloudFrames frames;
   Gripper gripper;
   PlanOptions plan;
 };

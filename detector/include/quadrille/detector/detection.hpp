@@ -20,7 +20,8 @@ struct Dimension {
 
 /// One quadric found in a cloud with frame C.
 struct Detection {
-  /// 1, 2, … within one result, best score first.
+  /// 1, 2, … within one result, best score first; −1, −2, … for what was found but not asked for:
+  /// nothing to show or to grasp, but in the way.
   int id = 0;
   QuadricType type = QuadricType::kPlane;
   /// Of unit norm, its gradient pointing to the side that the sensor saw.
@@ -50,6 +51,9 @@ struct Detection {
   int track = 0;
 };
 
+/// True if a detection was asked for, by what its id says.
+inline bool is_reported(const Detection& detection) { return detection.id >= 0; }
+
 /// The rotation of a pose as messages and files hold it: a unit quaternion with w >= 0, for q and
 /// -q are one rotation, and equal poses are to be written equally.
 Eigen::Quaterniond rotation_of(const Eigen::Isometry3d& X);
@@ -62,7 +66,7 @@ struct StageTime {
 
 /// What the detector made of one cloud.
 struct DetectionResult {
-  /// Best score first.
+  /// Best score first; those that were not asked for after all others.
   std::vector<Detection> detections;
   /// Points with finite coordinates, and those of them that surface samples were made of.
   std::size_t points_finite = 0, points_used = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -30,8 +31,11 @@ struct PointLayout {
 /// Missing points are dropped from an unorganised cloud and kept as NaN in an organised one.
 /// @param bytes   the records
 /// @param layout  where the coordinates stand
-/// @return the cloud, its viewpoint at the origin and its frame empty
+/// @param X_CF    turns and moves the points of the records, in frame F, to frame C, before they
+///                are rounded to single precision
+/// @return the cloud, its viewpoint at the origin of C and its frame empty
 /// @throws std::invalid_argument if the layout does not fit into the bytes
-PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layout);
+PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layout,
+                       const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
 
 }  // namespace quadrille

@@ -17,7 +17,7 @@ std::vector<Word<QuadricType>> words_of(QuadricType);
 struct DetectorOptions {
   std::uint64_t seed = 1;
   int threads = 1;
-  std::vector<QuadricType> only;
+  std::vector<QuadricType> only, report;
 
   SamplingOptions sampling;
   PlaneOptions planes;
@@ -33,9 +33,13 @@ struct DetectorOptions {
     v(o.seed, {"seed", "Chooses the random stream."});
     v(o.threads, {"threads", "", 1, 256, "Threads to use; never changes the result."});
     v(o.only, {"only",
-               "Report only these types; empty means all. The sphere alone takes the paper's "
+               "Find only these types; empty means all. The sphere alone takes the paper's "
                "type-specific path, which sets search, families and the density of the points "
-               "itself."});
+               "itself. Where grasps are to be planned all types are found all the same, and these "
+               "are reported."});
+    v(o.report, {"report",
+                 "Report only these types; empty means all. The others are found too, and the "
+                 "planner keeps clear of them, but they are not shown and not grasped."});
     SamplingOptions::visit(o.sampling, v);
     PlaneOptions::visit(o.planes, v);
     InlierTest::visit(o.inlier, v);

@@ -118,11 +118,11 @@ Window window_about(const Sight& sight, const Eigen::Vector3d& p_V, double reach
 
 }  // namespace
 
-double see_through(const Surroundings& surroundings, const SurfaceSamples& samples,
+double see_through(const SceneContext& context, const SurfaceSamples& samples,
                    std::span<const int> region, const Quadric& Q, const CanonicalForm& form) {
-  const Sight& sight = surroundings.sight;
+  const Sight& sight = context.sight;
   if (sight.w.empty()) return 0.0;
-  const VouchedPart part = vouched_part(samples, region, Q, form, surroundings.up);
+  const VouchedPart part = vouched_part(samples, region, Q, form, context.up);
   const Eigen::Vector3d p_V = sight.X_VC.cast<double>() * part.centre;
   if (!(p_V.z() > 0.0)) return 0.0;
   const Eigen::Isometry3d X_CV = sight.X_VC.inverse().cast<double>();

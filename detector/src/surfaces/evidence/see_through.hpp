@@ -5,7 +5,7 @@
 #include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "samples/surface_samples.hpp"
-#include "surfaces/evidence/surroundings.hpp"
+#include "surfaces/evidence/scene_context.hpp"
 
 namespace quadrille {
 
@@ -16,7 +16,7 @@ namespace quadrille {
 /// @param region  not empty
 /// @param form    of Q; its axes in frame C
 /// @return 0 without rays
-double see_through(const Surroundings& surroundings, const SurfaceSamples& samples,
+double see_through(const SceneContext& context, const SurfaceSamples& samples,
                    std::span<const int> region, const Quadric& Q, const CanonicalForm& form);
 
 }  // namespace quadrille

@@ -74,6 +74,12 @@ class OccupancyGrid {
   }
   const std::vector<Voxel>& states() const { return states_; }
 
+  /// The same space in frame F, of the same resolution. Where its lattice is turned a voxel meets
+  /// several of this one, and is what the most cautious of them is: occupied if any is, free only
+  /// if all are.
+  /// @throws std::invalid_argument if the region then leaves OctoMap's range
+  OccupancyGrid moved(const Eigen::Isometry3d& X_FC) const;
+
   /// The same map as an OctoMap, uniform blocks as single nodes; unknown where it has no node.
   /// @param unknown_occupied  mark unknown space of the region as occupied, for FCL, which lets
   ///                          everything pass where the tree has no node
@@ -89,6 +95,7 @@ class OccupancyGrid {
   void divide(const DepthView& view, const Eigen::Vector3i& block, std::vector<Tile>& tiles) const;
   void clear_layer(const DepthView* view, const Tile& tile, int axis, const Eigen::Vector3i& up);
   bool wanted(const Eigen::Vector3i& block) const;
+  Voxel most_cautious(const Eigen::AlignedBox3d& box_C) const;
   void fill_free(const Eigen::Vector3i& low, int edge);
 
   double resolution_ = 0.0;

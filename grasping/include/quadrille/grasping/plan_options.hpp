@@ -2,7 +2,9 @@
 
 #include <array>
 #include <limits>
+#include <vector>
 
+#include "quadrille/detector/options.hpp"
 #include "quadrille/detector/setting.hpp"
 
 namespace quadrille {
@@ -23,6 +25,7 @@ constexpr auto words_of(UnknownPolicy) {
 /// How grasps are planned.
 struct PlanOptions {
   UnknownPolicy unknown = UnknownPolicy::kObstacle;
+  std::vector<QuadricType> targets;
   double resolution = 0.005;
   double friction = 0.5;
   double approach = 0.05;
@@ -40,6 +43,8 @@ struct PlanOptions {
     v(o.unknown, {"planner.unknown",
                   "What unobserved space counts as while the hand moves through it: all of it "
                   "collides, all but what lies behind the target itself, or none."});
+    v(o.targets,
+      {"planner.targets", "Grasp only these types; empty means all. The others stay in the way."});
     v(o.resolution, {"planner.resolution", "m", 0.0005, 0.1,
                      "Voxel edge of the occupancy map, and the size of the smallest things that it "
                      "is to show where the sensor measured nothing."});

@@ -7,6 +7,7 @@ namespace quadrille {
 
 /// Why the planner refused something.
 enum class Refusal {
+  kViewpoint,       ///< a detection in a cloud that contradicts its viewpoint
   kNoShape,         ///< a detection that bounds no solid
   kSeenFromInside,  ///< a hollow detection whose rim was not seen
   kUnmeasured,      ///< a contact line without points at the rim

@@ -1,4 +1,4 @@
-#include "process/detector/pose_history.hpp"
+#include "process/runtime/pose_history.hpp"
 
 #include "support/catch.hpp"
 

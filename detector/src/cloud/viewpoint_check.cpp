@@ -1,0 +1,199 @@
+#include "quadrille/detector/viewpoint_check.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+
+#include "base/quantile.hpp"
+
+namespace quadrille {
+namespace {
+
+using Points = std::vector<Eigen::Vector3d>;
+
+// Points to look at, about.
+constexpr std::size_t kSome = 5000;
+// Fewer tell nothing.
+constexpr std::size_t kMinPoints = 50;
+// Length of the mean of unit rays: 1 if they are parallel, half the cone's depth if they fill a
+// cone. Shorter ones than this fill more than a half space.
+constexpr double kMinMeanRay = 0.3;
+// No depth camera measures nearer [m]; a share of the points that may, of strays.
+constexpr double kMinRange = 0.02, kMaxNearShare = 0.01;
+// Smaller planes are faces of things, which hide their other sides in any fused cloud [m].
+constexpr double kMinPlane = 0.15;
+// Points nearer to a plane than this are its own, and those farther away are not about it [m].
+constexpr double kOwn = 0.015, kAbout = 0.3;
+// Cells of a plane in which points were seen [m].
+constexpr double kPlaneCell = 0.04;
+// Share of the points about a plane that it may hide, and how many of those looked at prove it.
+constexpr double kMaxHidden = 0.6;
+constexpr std::size_t kMinHidden = 30;
+
+// Of an image the angle between two pixels that is so many times the usual one is a tear; lenses
+// change it less. A share of them, for sensors that are a few centimetres off.
+constexpr double kTorn = 1.6, kMaxTorn = 0.02;
+
+/// Rays from the viewpoint to finite points, evenly over the cloud.
+Points rays_of(const PointCloud& cloud) {
+  Points rays;
+  const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kSome);
+  for (std::size_t i = 0; i < cloud.points.size(); i += stride) {
+    if (cloud.points[i].allFinite()) {
+      rays.push_back(cloud.points[i].cast<double>() - cloud.viewpoint);
+    }
+  }
+  return rays;
+}
+
+std::string percent(double share) {
+  return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
+}
+
+/// What is wrong where neighbouring pixels of an organised cloud lie in far from neighbouring
+/// directions; empty if they do not. Seen from where the sensor stood the angle between two pixels
+/// is the same whatever their depths.
+std::string torn_image(const PointCloud& cloud) {
+  if (!cloud.organised()) return "";
+  std::vector<double> angles;
+  const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kSome);
+  for (std::size_t i = 0; i + 1 < cloud.points.size(); i += stride) {
+    if ((i + 1) % static_cast<std::size_t>(cloud.width) == 0) continue;
+    const Eigen::Vector3d a = cloud.points[i].cast<double>() - cloud.viewpoint;
+    const Eigen::Vector3d b = cloud.points[i + 1].cast<double>() - cloud.viewpoint;
+    if (a.allFinite() && b.allFinite()) angles.push_back(std::atan2(a.cross(b).norm(), a.dot(b)));
+  }
+  if (angles.size() < kMinPoints) return "";
+  const double usual = quantile(angles, 0.5);
+  const auto torn = std::count_if(angles.begin(), angles.end(),
+                                  [&](double angle) { return angle > kTorn * usual; });
+  const double share = static_cast<double>(torn) / static_cast<double>(angles.size());
+  return share > kMaxTorn ? percent(share) + " of neighbouring pixels lie far apart" : "";
+}
+
+/// The part of a plane in which points were seen, as cells.
+class SeenPlane {
+ public:
+  /// @param eye_C  the viewpoint [m]
+  SeenPlane(const Detection& plane, const Eigen::Vector3d& eye_C, const Points& rays_C)
+      : X_PC_(plane.X_CQ.inverse()),
+        eye_(X_PC_ * eye_C),
+        low_(plane.extent_Q.min().head<2>()),
+        width_(static_cast<int>(plane.extent_Q.sizes().x() / kPlaneCell) + 1),
+        height_(static_cast<int>(plane.extent_Q.sizes().y() / kPlaneCell) + 1),
+        seen_(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), 0) {
+    points_.reserve(rays_C.size());
+    for (const Eigen::Vector3d& ray : rays_C) {
+      points_.push_back(eye_ + X_PC_.linear() * ray);
+      const Eigen::Vector3d& p = points_.back();
+      const int cell = cell_at(p.head<2>());
+      if (cell >= 0 && std::abs(p.z()) < kOwn) seen_[static_cast<std::size_t>(cell)] = 1;
+    }
+  }
+
+  /// Points that are not the plane's own, and those of them that it hides from the viewpoint.
+  struct Counts {
+    std::size_t all = 0, hidden = 0;
+
+    double share() const { return static_cast<double>(hidden) / static_cast<double>(all); }
+    bool too_many() const { return hidden >= kMinHidden && share() > kMaxHidden; }
+  };
+  /// Of the points about the plane, or of all.
+  Counts count(bool about) const {
+    Counts counts;
+    for (const Eigen::Vector3d& p : points_) {
+      if (std::abs(p.z()) < kOwn) continue;
+      if (about && (std::abs(p.z()) > kAbout || !near(p.head<2>()))) continue;
+      ++counts.all;
+      counts.hidden += hides(p);
+    }
+    return counts;
+  }
+
+  /// Distance of the viewpoint [m].
+  double distance() const { return std::abs(eye_.z()); }
+
+ private:
+  int cell_at(const Eigen::Vector2d& p) const {
+    const Eigen::Vector2d at = (p - low_) / kPlaneCell;
+    const bool inside = at.x() >= 0 && at.y() >= 0 && at.x() < width_ && at.y() < height_;
+    return inside ? static_cast<int>(at.y()) * width_ + static_cast<int>(at.x()) : -1;
+  }
+  bool near(const Eigen::Vector2d& p) const {
+    const Eigen::Vector2d size(width_ * kPlaneCell, height_ * kPlaneCell), at = p - low_;
+    return (at.array() > -kAbout).all() && (at.array() < size.array() + kAbout).all();
+  }
+  /// True if the sight line passes the plane where points of it were seen, before the point.
+  bool hides(const Eigen::Vector3d& p) const {
+    if (p.z() * eye_.z() >= 0.0) return false;
+    const double along = eye_.z() / (eye_.z() - p.z());
+    const int cell = cell_at((eye_ + along * (p - eye_)).head<2>());
+    return cell >= 0 && seen_[static_cast<std::size_t>(cell)];
+  }
+
+  Eigen::Isometry3d X_PC_;
+  Eigen::Vector3d eye_;
+  Eigen::Vector2d low_;
+  int width_, height_;
+  std::vector<char> seen_;
+  Points points_;
+};
+
+/// What is wrong where the viewpoint lies among the points; empty if it does not.
+std::string among_points(const Points& rays) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  std::size_t near = 0;
+  for (const Eigen::Vector3d& ray : rays) {
+    near += ray.norm() < kMinRange;
+    sum += ray.stableNormalized();
+  }
+  const double n = static_cast<double>(rays.size());
+  if (static_cast<double>(near) > kMaxNearShare * n) {
+    return percent(static_cast<double>(near) / n) + " of the points lie within 20 mm of it";
+  }
+  return sum.norm() < kMinMeanRay * n ? "points lie on all sides of it" : "";
+}
+
+/// What is wrong where a plane hides what lies about it; empty if none does.
+std::string behind_plane(const PointCloud& cloud, const Points& rays,
+                         const std::vector<Detection>& detections) {
+  for (const Detection& d : detections) {
+    if (d.type != QuadricType::kPlane) continue;
+    if (d.extent_Q.isEmpty() || !(d.extent_Q.sizes().head<2>().minCoeff() > kMinPlane)) continue;
+    const SeenPlane plane(d, cloud.viewpoint, rays);
+    // Of the things on a table seen from below, or of all behind a wall.
+    const SeenPlane::Counts about = plane.count(true), all = plane.count(false);
+    if (!about.too_many() && !all.too_many()) continue;
+    const bool table = about.too_many();
+    std::array<char, 64> away;
+    std::snprintf(away.data(), away.size(), "%.2f m away", plane.distance());
+    return percent((table ? about : all).share()) +
+           (table ? " of the points about" : " of all beside") + " the plane " + away.data() +
+           " lie hidden behind it";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string contradict_viewpoint(const PointCloud& cloud,
+                                 const std::vector<Detection>& detections) {
+  const std::string remedy = "; name where the sensor stood (--viewpoint or --camera-pose)";
+  if (!cloud.viewpoint.allFinite()) return "the viewpoint of the cloud is not known" + remedy;
+  const Points rays = rays_of(cloud);
+  if (rays.size() < kMinPoints) return "";
+  std::string what = among_points(rays);
+  if (what.empty()) what = torn_image(cloud);
+  if (what.empty()) what = behind_plane(cloud, rays, detections);
+  if (what.empty()) return "";
+  std::array<char, 96> at;
+  std::snprintf(at.data(), at.size(), "%.3f, %.3f, %.3f", cloud.viewpoint.x(), cloud.viewpoint.y(),
+                cloud.viewpoint.z());
+  return "the cloud cannot have been seen from its viewpoint " + std::string(at.data()) + ": " +
+         what + remedy;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,24 @@
+#include "quadrille/grasping/rigid_motion.hpp"
+
+#include <utility>
+
+namespace quadrille {
+
+Grasp moved(Grasp grasp, const Eigen::Isometry3d& X_FC) {
+  grasp.X_CG = X_FC * grasp.X_CG;
+  for (Eigen::Vector3d& contact : grasp.contacts_C) contact = X_FC * contact;
+  return grasp;
+}
+
+CollisionShape moved(CollisionShape shape, const Eigen::Isometry3d& X_FC) {
+  shape.X_CS = X_FC * shape.X_CS;
+  return shape;
+}
+
+GraspPlan moved(GraspPlan plan, const Eigen::Isometry3d& X_FC) {
+  for (Grasp& grasp : plan.grasps) grasp = moved(std::move(grasp), X_FC);
+  for (CollisionShape& shape : plan.shapes) shape = moved(std::move(shape), X_FC);
+  return plan;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,61 @@
+// A map of space in another frame.
+#include <algorithm>
+#include <array>
+
+#include "quadrille/grasping/occupancy.hpp"
+
+namespace quadrille {
+namespace {
+
+// Boxes that share no more than this with a voxel do not meet it: rounding, in voxels.
+constexpr double kTouch = 1e-6;
+
+/// The states, the most cautious first.
+int caution(Voxel state) {
+  constexpr std::array<int, 4> kRank = {1, 2, 3, 0};  // unknown, clear, free, occupied
+  return kRank[static_cast<std::size_t>(state)];
+}
+
+}  // namespace
+
+/// Of all voxels that a box meets; what lies outside the grid is unknown.
+Voxel OccupancyGrid::most_cautious(const Eigen::AlignedBox3d& box_C) const {
+  const Eigen::Array3d corner = corner_.cast<double>();
+  const Eigen::Array3d low = (box_C.min().array() / resolution_ - corner + kTouch).floor();
+  const Eigen::Array3d high = (box_C.max().array() / resolution_ - corner - kTouch).floor();
+  const Eigen::Array3i from = low.max(0.0).cast<int>();
+  const Eigen::Array3i to = high.min(size_.cast<double>().array() - 1.0).cast<int>();
+  const bool inside = (low >= 0.0).all() && (high < size_.cast<double>().array()).all();
+  Voxel state = inside ? Voxel::kFree : Voxel::kUnknown;
+  for (int k = from[2]; k <= to[2]; ++k) {
+    for (int j = from[1]; j <= to[1]; ++j) {
+      for (int i = from[0]; i <= to[0]; ++i) {
+        if (caution(at(i, j, k)) < caution(state)) state = at(i, j, k);
+      }
+    }
+  }
+  return state;
+}
+
+OccupancyGrid OccupancyGrid::moved(const Eigen::Isometry3d& X_FC) const {
+  if (states_.empty()) return *this;
+  const Eigen::AlignedBox3d here = bounds();
+  const Eigen::Matrix3d R_FC = X_FC.linear();
+  const Eigen::Vector3d reach_F = R_FC.cwiseAbs() * (0.5 * here.sizes());
+  const Eigen::Vector3d centre_F = X_FC * here.center();
+  OccupancyGrid grid(Eigen::AlignedBox3d(centre_F - reach_F, centre_F + reach_F), resolution_);
+  const Eigen::Isometry3d X_CF = X_FC.inverse();
+  const Eigen::Vector3d half_C =
+      0.5 * resolution_ * R_FC.transpose().cwiseAbs() * Eigen::Vector3d::Ones();
+  for (int k = 0; k < grid.size_.z(); ++k) {
+    for (int j = 0; j < grid.size_.y(); ++j) {
+      for (int i = 0; i < grid.size_.x(); ++i) {
+        const Eigen::Vector3d p_C = X_CF * grid.centre(i, j, k);
+        grid.states_[grid.index(i, j, k)] = most_cautious({p_C - half_C, p_C + half_C});
+      }
+    }
+  }
+  return grid;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,42 @@
+#include "quadrille/detector/rigid_motion.hpp"
+
+#include <cmath>
+
+#include "base/random.hpp"
+#include "support/catch.hpp"
+#include "support/quadric_points.hpp"
+
+using namespace quadrille;
+
+TEST_CASE("a moved cloud has its points and its viewpoint moved", "[frames]") {
+  RandomStream random(3, 0);
+  const Eigen::Isometry3d X_FC = test::random_pose(random, 2.0);
+  PointCloud cloud;
+  cloud.frame = "base";
+  cloud.points = {{0.5f, 0.25f, 1.0f}, Eigen::Vector3f::Constant(std::nanf(""))};
+  cloud.viewpoint = {0.1, 0.2, 0.3};
+  const PointCloud there = moved(cloud, X_FC);
+  CHECK((there.points[0].cast<double>() - X_FC * Eigen::Vector3d(0.5, 0.25, 1.0)).norm() < 1e-6);
+  CHECK_FALSE(there.points[1].allFinite());
+  CHECK((there.viewpoint - X_FC * cloud.viewpoint).norm() < 1e-15);
+  CHECK(there.frame == "base");
+  CHECK(moved(cloud, Eigen::Isometry3d::Identity()).points[0] == cloud.points[0]);
+}
+
+TEST_CASE("a moved detection holds the moved points, and its pose moves with it", "[frames]") {
+  RandomStream random(4, 0);
+  Detection d;
+  d.X_CQ = test::random_pose(random, 0.5);
+  // x² + y² = 0.04² in frame Q.
+  Vector10d q = Vector10d::Zero();
+  q << 1, 1, 0, 0, 0, 0, 0, 0, 0, -0.0016;
+  d.Q_C = Quadric(q).transformed(d.X_CQ).normalized();
+  const Eigen::Isometry3d X_FC = test::random_pose(random, 2.0);
+  const Detection there = moved(d, X_FC);
+  const Eigen::Vector3d p_C = d.X_CQ * Eigen::Vector3d(0.024, 0.032, 0.3);
+  CHECK(std::abs(d.Q_C.distance(p_C)) < 1e-12);
+  CHECK(std::abs(there.Q_C.distance(X_FC * p_C)) < 1e-12);
+  CHECK(there.Q_C.coefficients().norm() == Approx(1.0));
+  CHECK((there.X_CQ.matrix() - (X_FC * d.X_CQ).matrix()).norm() < 1e-15);
+  CHECK(moved(d, Eigen::Isometry3d::Identity()).Q_C.coefficients() == d.Q_C.coefficients());
+}

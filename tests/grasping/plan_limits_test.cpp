@@ -1,0 +1,73 @@
+// What is not planned on, and what is not grasped.
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grasping/scenes.hpp"
+#include "quadrille/grasping/plan.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+std::set<int> targeted(const GraspPlan& plan) {
+  std::set<int> ids;
+  for (const Grasp& grasp : plan.grasps) ids.insert(grasp.target);
+  return ids;
+}
+
+}  // namespace
+
+TEST_CASE("a cloud that contradicts its viewpoint is never planned on", "[plan]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  PointCloud cloud = render({ball});
+  const std::vector<Detection> detections = {sphere_detection(ball), table_detection()};
+  REQUIRE_FALSE(plan_grasps(cloud, detections, franka_hand()).grasps.empty());
+  // Below the table, on its far side.
+  cloud.viewpoint = table_detection().X_CQ * Eigen::Vector3d(0.1, 0.0, -0.3);
+  for (const UnknownPolicy policy : {UnknownPolicy::kObstacle, UnknownPolicy::kFree}) {
+    PlanOptions options;
+    options.unknown = policy;
+    const GraspPlan plan = plan_grasps(cloud, detections, franka_hand(), options);
+    CHECK(plan.grasps.empty());
+    CHECK(plan.rejected == std::map<std::string, int>{{"viewpoint", 1}});
+    REQUIRE(plan.warnings.size() == 1);
+    CHECK(plan.warnings[0].find("cannot have been seen from its viewpoint") != std::string::npos);
+  }
+  // Nor is another view trusted that does.
+  const GraspPlan plan =
+      plan_grasps(render({ball}), detections, franka_hand(), PlanOptions(), {cloud});
+  CHECK(plan.grasps.empty());
+}
+
+TEST_CASE("what is targeted never changes what is in the way", "[plan]") {
+  const std::vector<Ball> balls = {ball_on_table(0.0, 0.0, 0.03), ball_on_table(0.09, 0.0, 0.03)};
+  const PointCloud cloud = render(balls);
+  Detection can = cylinder_detection(Eigen::Isometry3d::Identity(), 0.03, 0.06, 2);
+  can.X_CQ = table_detection().X_CQ * Eigen::Translation3d(0.09, 0.0, 0.03);
+  const std::vector<Detection> detections = {sphere_detection(balls[0]), can, table_detection()};
+  const GraspPlan all = plan_grasps(cloud, detections, franka_hand());
+  REQUIRE(targeted(all) == std::set<int>{1, 2});
+  PlanOptions spheres;
+  spheres.targets = {QuadricType::kSphere};
+  std::vector<Detection> marked = detections;
+  marked[1].id = -1;
+  marked[2].id = -2;
+  for (const GraspPlan& some : {plan_grasps(cloud, detections, franka_hand(), spheres),
+                                plan_grasps(cloud, marked, franka_hand())}) {
+    CHECK(targeted(some) == std::set<int>{1});
+    std::size_t n = 0;
+    for (const Grasp& grasp : all.grasps) {
+      if (grasp.target != 1) continue;
+      REQUIRE(n < some.grasps.size());
+      CHECK(grasp.X_CG.matrix() == some.grasps[n].X_CG.matrix());
+      CHECK(grasp.clearance == some.grasps[n].clearance);
+      ++n;
+    }
+    CHECK(n == some.grasps.size());
+    CHECK(some.shapes.size() == all.shapes.size());
+  }
+}

@@ -1,0 +1,69 @@
+#include "quadrille/grasping/rigid_motion.hpp"
+
+#include "grasping/scenes.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+TEST_CASE("a moved plan has its grasps, contacts and shapes moved", "[frames]") {
+  std::mt19937 random(5);
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  const GraspPlan plan = plan_grasps(render(std::vector<Ball>{ball}),
+                                     {sphere_detection(ball), table_detection()}, franka_hand());
+  REQUIRE_FALSE(plan.grasps.empty());
+  const Eigen::Isometry3d X_FC = random_pose(random);
+  const GraspPlan there = moved(plan, X_FC);
+  REQUIRE(there.grasps.size() == plan.grasps.size());
+  for (std::size_t n = 0; n < plan.grasps.size(); ++n) {
+    const Grasp &a = plan.grasps[n], &b = there.grasps[n];
+    CHECK((b.X_CG.matrix() - (X_FC * a.X_CG).matrix()).norm() < 1e-15);
+    for (std::size_t c = 0; c < 2; ++c) {
+      CHECK((b.contacts_C[c] - X_FC * a.contacts_C[c]).norm() < 1e-15);
+    }
+    CHECK(b.score == a.score);
+  }
+  REQUIRE(there.shapes.size() == plan.shapes.size());
+  CHECK((there.shapes[0].X_CS.matrix() - (X_FC * plan.shapes[0].X_CS).matrix()).norm() < 1e-15);
+}
+
+TEST_CASE("a map moved by whole voxels and quarter turns is the same map", "[frames][occupancy]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  const GraspPlan plan = plan_grasps(render(std::vector<Ball>{ball}),
+                                     {sphere_detection(ball), table_detection()}, franka_hand());
+  const OccupancyGrid& here = *plan.space;
+  Eigen::Isometry3d X_FC = Eigen::Isometry3d::Identity();
+  X_FC.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  X_FC.translation() = Eigen::Vector3d(16, -32, 48) * here.resolution();
+  const OccupancyGrid there = here.moved(X_FC);
+  for (int k = 0; k < here.size().z(); k += 3) {
+    for (int j = 0; j < here.size().y(); j += 3) {
+      for (int i = 0; i < here.size().x(); i += 3) {
+        const Eigen::Vector3d p_C = here.centre(i, j, k);
+        REQUIRE(there.at(X_FC * p_C) == here.at(i, j, k));
+      }
+    }
+  }
+}
+
+TEST_CASE("a map moved anyhow is free only where the map was free, and occupied where it was",
+          "[frames][occupancy]") {
+  std::mt19937 random(6);
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  const GraspPlan plan = plan_grasps(render(std::vector<Ball>{ball}),
+                                     {sphere_detection(ball), table_detection()}, franka_hand());
+  const OccupancyGrid& here = *plan.space;
+  const Eigen::Isometry3d X_FC = random_pose(random);
+  const OccupancyGrid there = here.moved(X_FC);
+  int occupied = 0, free = 0;
+  for (int n = 0; n < 20000; ++n) {
+    const Eigen::Vector3d p_C = random_point(random, here.bounds());
+    const Voxel was = here.at(p_C), is = there.at(X_FC * p_C);
+    if (was == Voxel::kOccupied) CHECK(is == Voxel::kOccupied);
+    if (is == Voxel::kFree) CHECK(was == Voxel::kFree);
+    occupied += was == Voxel::kOccupied;
+    free += is == Voxel::kFree;
+  }
+  CHECK(occupied > 50);
+  CHECK(free > 1000);
+}

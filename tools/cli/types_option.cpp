@@ -1,0 +1,33 @@
+#include "cli/types_option.hpp"
+
+#include <CLI/CLI.hpp>
+#include <sstream>
+
+#include "io/setting_text.hpp"
+#include "quadrille/detector/options.hpp"
+
+namespace quadrille {
+namespace {
+
+QuadricType type_named(const std::string& option, const std::string& name) {
+  const auto type = quadric_type_from_string(name);
+  if (type && !word_of(*type).empty()) return *type;
+  throw CLI::ValidationError(
+      option, (type ? "type '" + name + "' is never found" : "unknown type '" + name + "'") +
+                  "; the types are " + io::list_words<QuadricType>());
+}
+
+}  // namespace
+
+void add_types_option(CLI::App& app, const std::string& name, std::vector<QuadricType>& types,
+                      const std::string& description) {
+  const auto take = [name, &types](const std::string& list) {
+    types.clear();
+    std::istringstream in(list);
+    for (std::string word; std::getline(in, word, ',');) types.push_back(type_named(name, word));
+    if (types.empty()) throw CLI::ValidationError(name, "names no type");
+  };
+  app.add_option_function<std::string>(name, take, description)->type_name("TYPE,...");
+}
+
+}  // namespace quadrille

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "quadrille/detector/quadric_type.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace quadrille {
+
+/// Adds an option that takes types that can be found, separated by commas.
+/// @param types  gets them; must outlive the app
+void add_types_option(CLI::App& app, const std::string& name, std::vector<QuadricType>& types,
+                      const std::string& description);
+
+}  // namespace quadrille
