@@ -39,7 +39,7 @@ bool has_closed_section(QuadricType type) {
   }
 }
 
-/// The part of a quadric that its region vouches for.
+/// The part of a quadric that its region vouches for, in frame V of the sight.
 struct VouchedPart {
   Eigen::Matrix4d Q;
   /// +1 if the side that the gradient points to is seen, else -1.
@@ -52,29 +52,34 @@ struct VouchedPart {
   /// Distance from Q beyond which a point is not on it [m].
   double off;
 
-  /// Cosine of the angle at which a unit ray meets the seen side at x; 0 where it does not.
+  /// Cosine of the angle at which a ray meets the seen side at x; 0 where it does not.
   double cosine_at(const Eigen::Vector3d& x, const Eigen::Vector3d& ray) const {
     // Also false for NaN.
-    if (!((x - centre).norm() < reach) || !box.contains(axes.transpose() * x)) return 0.0;
-    return std::max(0.0, -side * ray.dot((Q * x.homogeneous()).head<3>().normalized()));
+    if (!((x - centre).squaredNorm() < reach * reach)) return 0.0;
+    if (!box.contains(axes.transpose() * x)) return 0.0;
+    const Eigen::Vector3d g = (Q * x.homogeneous()).head<3>();
+    return std::max(0.0, -side * ray.dot(g) / (ray.norm() * g.norm()));
   }
 };
 
-VouchedPart vouched_part(const SurfaceSamples& samples, std::span<const int> region,
-                         const Quadric& Q, const CanonicalForm& form,
-                         const std::optional<Eigen::Vector3d>& up) {
+VouchedPart vouched_part(const Eigen::Isometry3d& X_VC, const SurfaceSamples& samples,
+                         std::span<const int> region, const Quadric& quadric,
+                         const CanonicalForm& form, const std::optional<Eigen::Vector3d>& up) {
   VouchedPart part{};
-  part.Q = Q.normalized().matrix();
-  part.axes = form.X.linear();
-  if (!has_axis(form.type) && up) part.axes = pose_along(Eigen::Vector3d::Zero(), *up).linear();
+  const Eigen::Matrix4d X_CV = X_VC.inverse().matrix();
+  part.Q = X_CV.transpose() * quadric.normalized().matrix() * X_CV;
+  Eigen::Matrix3d axes_C = form.X.linear();
+  if (!has_axis(form.type) && up) axes_C = pose_along(Eigen::Vector3d::Zero(), *up).linear();
+  part.axes = X_VC.linear() * axes_C;
   const Normalisation local = normalisation_of(samples, region);
-  part.centre = local.centre;
+  part.centre = X_VC * local.centre;
   part.reach = kReach * local.scale;
   part.off = kOffSizes * local.scale;
   for (const int i : region) {
-    const Eigen::Vector3d x = samples.raw[i].cast<double>();
+    const Eigen::Vector3d x = X_VC * samples.raw[i].cast<double>();
+    const Eigen::Vector3d n = X_VC.linear() * samples.n[i].cast<double>();
     part.box.extend(Eigen::Vector3d(part.axes.transpose() * x));
-    part.side += (part.Q * x.homogeneous()).head<3>().normalized().dot(samples.n[i].cast<double>());
+    part.side += (part.Q * x.homogeneous()).head<3>().normalized().dot(n);
     part.off += kOffSigmas * samples.sigma[i] / static_cast<double>(region.size());
   }
   part.side = part.side > 0 ? 1.0 : -1.0;
@@ -85,15 +90,11 @@ VouchedPart vouched_part(const SurfaceSamples& samples, std::span<const int> reg
   return part;
 }
 
-/// The depths z at which eye + z ray meets Q; not finite if it does not.
-std::array<double, 2> depths_along(const Eigen::Matrix4d& Q, const Eigen::Vector3d& eye,
-                                   const Eigen::Vector3d& ray) {
+/// The depths at which a ray from the origin of V meets Q; not finite if it does not.
+std::array<double, 2> depths_along(const Eigen::Matrix4d& Q, const Eigen::Vector3d& ray) {
   // a z² + 2 b z + c = 0, solved without loss of digits.
-  Eigen::Vector4d direction;
-  direction << ray, 0.0;
-  const Eigen::Vector4d at_eye = Q * eye.homogeneous();
-  const double a = direction.dot(Q * direction), b = direction.dot(at_eye);
-  const double c = eye.homogeneous().dot(at_eye);
+  const double a = ray.dot(Q.topLeftCorner<3, 3>() * ray);
+  const double b = ray.dot(Q.topRightCorner<3, 1>()), c = Q(3, 3);
   const double s = -(b + std::copysign(std::sqrt(b * b - a * c), b));
   return {s / a, c / s};
 }
@@ -122,23 +123,20 @@ double see_through(const SceneContext& context, const SurfaceSamples& samples,
                    std::span<const int> region, const Quadric& Q, const CanonicalForm& form) {
   const Sight& sight = context.sight;
   if (sight.w.empty()) return 0.0;
-  const VouchedPart part = vouched_part(samples, region, Q, form, context.up);
-  const Eigen::Vector3d p_V = sight.X_VC.cast<double>() * part.centre;
-  if (!(p_V.z() > 0.0)) return 0.0;
-  const Eigen::Isometry3d X_CV = sight.X_VC.inverse().cast<double>();
-  const Eigen::Vector3d eye = X_CV.translation();
-  const Window window = window_about(sight, p_V, part.reach);
+  const VouchedPart part =
+      vouched_part(sight.X_VC.cast<double>(), samples, region, Q, form, context.up);
+  if (!(part.centre.z() > 0.0)) return 0.0;
+  const Window window = window_about(sight, part.centre, part.reach);
   int through = 0, all = 0;
   for (int j = window.first_j; j <= window.last_j; j += window.stride) {
     for (int i = window.first_i; i <= window.last_i; i += window.stride) {
       const float w = sight.w[static_cast<std::size_t>(j * sight.width + i)];
       if (w == 0.0f) continue;
-      const Eigen::Vector3d ray =
-          X_CV.linear() * Eigen::Vector3d(sight.corner.x() + (i + 0.5) * sight.step,
-                                          sight.corner.y() + (j + 0.5) * sight.step, 1.0);
-      for (const double z : depths_along(part.Q, eye, ray)) {
+      const Eigen::Vector3d ray(sight.corner.x() + (i + 0.5) * sight.step,
+                                sight.corner.y() + (j + 0.5) * sight.step, 1.0);
+      for (const double z : depths_along(part.Q, ray)) {
         if (!(z > 0.0)) continue;
-        const double cosine = part.cosine_at(eye + z * ray, ray.normalized());
+        const double cosine = part.cosine_at(z * ray, ray);
         if (cosine < kMinCosine) continue;
         ++all;
         through += (1.0 / w - z) * cosine > part.off;
