@@ -18,13 +18,15 @@ using Points = std::vector<Eigen::Vector3d>;
 constexpr std::size_t kSome = 5000;
 // Fewer tell nothing.
 constexpr std::size_t kMinPoints = 50;
-// Length of the mean of unit rays: 1 if they are parallel, half the cone's depth if they fill a
-// cone. Shorter ones than this fill more than a half space.
+// Length of the mean of unit rays: (1 + cos a) / 2 if they fill a cone of half angle a. Shorter
+// ones than this fill more than a half space.
 constexpr double kMinMeanRay = 0.3;
 // No depth camera measures nearer [m]; a share of the points that may, of strays.
 constexpr double kMinRange = 0.02, kMaxNearShare = 0.01;
 // Smaller planes are faces of things, which hide their other sides in any fused cloud [m].
 constexpr double kMinPlane = 0.15;
+// No depth camera sees larger ones; the cells of what claims to be would fill the memory [m].
+constexpr double kMaxPlane = 100.0;
 // Points nearer to a plane than this are its own, and those farther away are not about it [m].
 constexpr double kOwn = 0.015, kAbout = 0.3;
 // Cells of a plane in which points were seen [m].
@@ -163,6 +165,7 @@ std::string behind_plane(const PointCloud& cloud, const Points& rays,
   for (const Detection& d : detections) {
     if (d.type != QuadricType::kPlane) continue;
     if (d.extent_Q.isEmpty() || !(d.extent_Q.sizes().head<2>().minCoeff() > kMinPlane)) continue;
+    if (!(d.extent_Q.sizes().head<2>().maxCoeff() < kMaxPlane)) continue;
     const SeenPlane plane(d, cloud.viewpoint, rays);
     // Of the things on a table seen from below, or of all behind a wall.
     const SeenPlane::Counts about = plane.count(true), all = plane.count(false);

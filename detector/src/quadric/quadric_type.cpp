@@ -52,8 +52,8 @@ bool is_flat(QuadricType type) {
 bool is_imaginary(QuadricType type) { return type >= QuadricType::kImaginaryEllipsoid; }
 
 double log_prior(QuadricType type) {
-  // Guesses that were tried. Without the first, one name in twenty of simulated and real scans is
-  // wrong that need not be; twice the second do no better.
+  // Guesses that were tried: without kUncommon one object in twenty more gets a wrong type, and
+  // twice kRare does no better.
   constexpr double kUncommon = -1.5, kRare = -2.0;
   switch (type) {
     case QuadricType::kEllipsoid:

@@ -52,7 +52,6 @@ bool has(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("nothing speaks against where a camera stood, in whatever frame", "[viewpoint]") {
-  RandomStream random(8, 0);
   const PointCloud cloud = table_scene();
   CHECK(detect(cloud).warnings.empty());
   const Eigen::Isometry3d X_FC =
@@ -102,4 +101,15 @@ TEST_CASE("an image seen from elsewhere is torn at the edges of things", "[viewp
   REQUIRE(cloud.organised());
   CHECK(doubt_at(cloud, X_CW().inverse() * Eigen::Vector3d(0.02, 0, 0)).empty());
   CHECK_FALSE(doubt_at(cloud, {0.0, 0.0, 0.3}).empty());
+}
+
+TEST_CASE("a plane that claims to be huge takes no memory", "[viewpoint][hostile]") {
+  const PointCloud cloud = table_scene();
+  Detection plane;
+  plane.type = QuadricType::kPlane;
+  for (const double size : {1e4, 1e30}) {
+    plane.extent_Q =
+        Eigen::AlignedBox3d(Eigen::Vector3d(-size, -size, 0.0), Eigen::Vector3d(size, size, 0.0));
+    CHECK(contradict_viewpoint(cloud, {plane}).empty());
+  }
 }

@@ -94,5 +94,7 @@ TEST_CASE("a pipe reaches no farther along its axis than its region", "[evidence
     return see_through(s, samples, all_of(samples), Q, canonical_form(Q));
   };
   CHECK(share(seen_from_x(pipe)) == Approx(0.0).margin(0.02));
+  const auto wall = [](double, double) { return kDistance + kWall; };
+  CHECK(share(seen_from_x(wall)) == 1.0);
   CHECK(share({}) == 0.0);
 }
