@@ -45,8 +45,7 @@ std::vector<Detection> measure_all(const Aggregation& aggregation,
                                    const Eigen::Vector3d& viewpoint) {
   std::vector<Detection> detections;
   const auto report = [&](const Surface& surface) {
-    const bool flat = surface.fit.family == Family::kPlane;
-    if (flat && is_part_of(surface, finest, planes, coarse)) return;
+    if (is_flat(surface) && is_part_of(surface, finest, planes, coarse)) return;
     detections.push_back(measure(surface, finest, viewpoint));
   };
   for (const Surface& surface : aggregation.surfaces()) report(surface);

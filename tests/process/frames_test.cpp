@@ -179,8 +179,15 @@ TEST_CASE("without the pose that it needs no cloud is planned on, and the messag
   chain.take("POINT_CLOUD", encode_cloud(1000, moved(scene(), X_WK()), "map"));
   CHECK(chain.quadrics().detections.empty());
   CHECK(chain.grasps().grasps.empty());
+  CHECK(chain.grasps().frame == "map");
   REQUIRE(chain.grasps().warnings.size() == 2);
   CHECK(chain.grasps().warnings[1].find("the camera's pose is not known: no pose has come") == 0);
+  // An empty answer is in the frame that was asked for as well.
+  Chain in_world("--pose-channel POSE --result-frame world",
+                 "--pose-channel POSE --result-frame world");
+  in_world.take("POINT_CLOUD", encode_cloud(1000, scene(), "eye"));
+  CHECK(in_world.quadrics().frame == "world");
+  CHECK(in_world.grasps().frame == "world");
   // Quadrics from elsewhere change nothing.
   Chain careless(options, options);
   careless.take("POSE", encode_pose(5000, X_WK()));
@@ -213,6 +220,10 @@ TEST_CASE("a filter of the detector's process leaves the planner all that is in 
       CHECK(same >= 1);
     }
   }
+}
+
+TEST_CASE("two filters at once are refused", "[process][report]") {
+  CHECK_THROWS_AS(Chain("--only sphere --report cone", ""), CLI::ParseError);
 }
 
 TEST_CASE("the fixed frame cannot be asked for without a pose", "[process][frames]") {

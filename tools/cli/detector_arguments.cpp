@@ -55,9 +55,11 @@ CLI::Range thread_range() {
 
 void DetectorArguments::add_to(CLI::App& command) {
   command.add_option("--config", config, "Settings (TOML)")->type_name("FILE");
-  add_types_option(command, "--only", only, "Find only these types; to plan, as --report");
+  add_types_option(command, "--only", only,
+                   "Find only these types; where grasps are planned the same as --report");
   add_types_option(command, "--report", report,
                    "Show and grasp only these types; the others stay in the way");
+  command.get_option("--report")->excludes("--only");
   add_seed_option(command, seed, "the random stream");
   command.add_option("--threads", threads, "Threads to use; never changes the result")
       ->type_name("N")
@@ -83,7 +85,8 @@ DetectorSetup DetectorArguments::overrule(const io::DetectorConfig& file) const 
 DetectorSetup DetectorArguments::overrule_for_planning(const io::DetectorConfig& file) const {
   DetectorSetup setup = given(file);
   DetectorOptions& options = setup.options;
-  if (options.report.empty()) options.report = std::move(options.only);
+  // What the command line asks for goes before the file's own report.
+  if (!only.empty() || options.report.empty()) options.report = std::move(options.only);
   options.only.clear();
   return setup;
 }

@@ -46,8 +46,6 @@ Eigen::AlignedBox3f box_of(const SurfaceSamples& samples, const std::vector<int>
   return box;
 }
 
-bool is_flat(const Surface& surface) { return surface.fit.family == Family::kPlane; }
-
 }  // namespace
 
 Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,

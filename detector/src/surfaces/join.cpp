@@ -14,8 +14,6 @@ constexpr double kMaxApart = 2.5;
 // A joint fit may be this much worse than the worse of two: it has fewer parameters.
 constexpr double kMaxRmsGrowth = 1.25;
 
-bool is_flat(const Surface& surface) { return surface.fit.family == Family::kPlane; }
-
 double bic_of(const Surface& surface, const SurfaceSamples& samples, double effective_size) {
   FamilyFit whole = surface.fit;
   whole.points = static_cast<int>(surface.region.size());

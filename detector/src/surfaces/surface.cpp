@@ -28,8 +28,8 @@ std::array<double, kConfidenceTerms.size()> terms_of(const Surface& surface) {
 }
 
 double confidence_of(const Surface& surface) {
-  const bool flat = surface.fit.family == Family::kPlane;
-  return confidence(terms_of(surface), flat ? SurfaceKind::kFlat : SurfaceKind::kCurved);
+  return confidence(terms_of(surface),
+                    is_flat(surface) ? SurfaceKind::kFlat : SurfaceKind::kCurved);
 }
 
 bool is_thin(const Surface& surface, const SurfaceSamples& samples) {

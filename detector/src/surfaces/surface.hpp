@@ -29,6 +29,9 @@ struct Surface {
   double effective_size = 1.0;
 };
 
+/// True for planes.
+inline bool is_flat(const Surface& surface) { return surface.fit.family == Family::kPlane; }
+
 /// Mean standard deviation of the samples of a region that is not empty, along their normals [m].
 double mean_sigma(const SurfaceSamples& samples, std::span<const int> region);
 

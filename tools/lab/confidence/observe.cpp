@@ -14,8 +14,6 @@
 namespace quadrille::confidence_training {
 namespace {
 
-bool is_flat(const Surface& surface) { return surface.fit.family == Family::kPlane; }
-
 /// Whether a surface is right; nullopt if it is neither right nor wrong.
 std::optional<bool> is_right(scoring::Verdict verdict, bool flat) {
   switch (verdict) {

@@ -24,13 +24,13 @@ CameraPose CameraPoses::at(std::int64_t utime) const {
 Placement place(const CloudFrames& frames, const CameraPose& pose) {
   Placement placement;
   if (!frames.need_pose()) return placement;
+  if (frames.of_results() != frames.clouds) placement.frame = word_of(frames.of_results());
   if (!pose.X_WK) {
     placement.lack = pose.detail;
     return placement;
   }
   if (frames.clouds == CloudFrame::kWorld) placement.X_CK = *pose.X_WK;
   if (frames.of_results() == CloudFrame::kWorld) placement.X_RK = *pose.X_WK;
-  if (frames.of_results() != frames.clouds) placement.frame = word_of(frames.of_results());
   return placement;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "samples/inliers.hpp"
+#include "surfaces/evidence/neighbour_sums.hpp"
 
 namespace quadrille {
 namespace {
@@ -25,19 +26,10 @@ double effective_share(const SurfaceSamples& samples, std::span<const int> regio
     inside[i] = 1;
     square += residual[i] * residual[i];
   }
-  double product = 0;
-  std::size_t pairs = 0;
-  for (const int i : region) {
-    for (const int j : samples.neighbours_of(i)) {
-      if (!inside[j]) continue;
-      product += residual[i] * residual[j];
-      ++pairs;
-    }
-  }
-  if (pairs == 0 || !(square > 0)) return 1.0;
+  const NeighbourSums sums = sum_neighbours(samples, region, inside, residual);
+  if (sums.pairs == 0 || !(square > 0)) return 1.0;
   const double variance = square / static_cast<double>(region.size());
-  const double rho =
-      std::clamp(product / (static_cast<double>(pairs) * variance), 0.0, kMaxCorrelation);
+  const double rho = std::clamp(sums.product / (sums.pairs * variance), 0.0, kMaxCorrelation);
   const double ratio = (1 - rho) / (1 + rho);
   return ratio * ratio;
 }

@@ -8,6 +8,7 @@
 #include "samples/inliers.hpp"
 #include "samples/plane_sums.hpp"
 #include "samples/region.hpp"
+#include "surfaces/evidence/neighbour_sums.hpp"
 #include "surfaces/evidence/smooth_parts.hpp"
 #include "surfaces/evidence/two_planes.hpp"
 
@@ -95,21 +96,11 @@ void compare_neighbours(const SurfaceSamples& samples, std::span<const int> regi
                         double square, Evidence* e) {
   std::vector<float> distance_of(static_cast<std::size_t>(samples.size()), 0.0f);
   for (std::size_t k = 0; k < region.size(); ++k) distance_of[region[k]] = distance[k];
-  double product = 0, difference = 0;
-  int pairs = 0;
-  for (const int i : region) {
-    for (const int j : samples.neighbours_of(i)) {
-      if (!inside[j]) continue;
-      const float d_i = distance_of[i], d_j = distance_of[j];
-      product += static_cast<double>(d_i * d_j);
-      difference += static_cast<double>((d_i - d_j) * (d_i - d_j));
-      ++pairs;
-    }
-  }
+  const NeighbourSums sums = sum_neighbours(samples, region, inside, distance_of);
   e->residual = std::sqrt(square) / e->sigma;
-  if (pairs == 0) return;
-  e->roughness = std::sqrt(0.5 * difference / pairs) / e->sigma;
-  e->correlation = product / pairs / square;
+  if (sums.pairs == 0) return;
+  e->roughness = std::sqrt(0.5 * sums.difference / sums.pairs) / e->sigma;
+  e->correlation = sums.product / sums.pairs / square;
 }
 
 /// Sum of the principal curvatures, positive where the quadric bulges towards the sensor: mean over

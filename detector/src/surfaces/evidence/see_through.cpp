@@ -12,7 +12,7 @@
 namespace quadrille {
 namespace {
 
-// Rays to look along, about: with more the share is the same.
+// Rays to look along at least, where an image has them: with more the share is the same.
 constexpr double kRays = 400.0;
 // A quadric is looked for within this multiple of its region's size.
 constexpr double kReach = 3.0;
@@ -84,8 +84,10 @@ VouchedPart vouched_part(const Eigen::Isometry3d& X_VC, const SurfaceSamples& sa
   }
   part.side = part.side > 0 ? 1.0 : -1.0;
   if (has_closed_section(form.type)) {
-    part.box.min().head<2>().setConstant(-kFar);
-    part.box.max().head<2>().setConstant(kFar);
+    // Without an axis and without up no direction is another than the others.
+    const int open = has_axis(form.type) || up ? 2 : 3;
+    part.box.min().head(open).setConstant(-kFar);
+    part.box.max().head(open).setConstant(kFar);
   }
   return part;
 }
@@ -139,7 +141,7 @@ double see_through(const SceneContext& context, const SurfaceSamples& samples,
         const double cosine = part.cosine_at(z * ray, ray);
         if (cosine < kMinCosine) continue;
         ++all;
-        through += (1.0 / w - z) * cosine > part.off;
+        through += (1.0 / w - z) * ray.norm() * cosine > part.off;
       }
     }
   }

@@ -12,7 +12,8 @@ namespace quadrille {
 /// Where a quadric would have to be seen, all around its axis as far as a region reaches along it,
 /// the share of the rays that see something behind it: 0 to 1. A ball that is a bump on something
 /// else would hide what is seen beside it. Spheres and ellipsoids reach as far as their region does
-/// along the up direction; what has no closed cross section reaches no farther than its region.
+/// along the up direction, where that is known; what has no closed cross section reaches no farther
+/// than its region.
 /// @param region  not empty
 /// @param form    of Q; its axes in frame C
 /// @return 0 without rays

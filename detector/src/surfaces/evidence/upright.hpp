@@ -6,8 +6,8 @@
 
 namespace quadrille {
 
-/// True if z of the canonical frame is a direction of the surface, and not one that any turn or the
-/// lengths of its axes might change.
+/// False for spheres, whose axes are arbitrary, and ellipsoids, whose z is an axis by its length
+/// alone.
 bool has_axis(QuadricType type);
 
 /// |cosine| of the angle between a quadric's axis and the up direction: what stands has one of 1,

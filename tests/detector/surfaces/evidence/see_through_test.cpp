@@ -52,6 +52,28 @@ double share_of_ball(const SceneContext& s) {
   return see_through(s, samples, all_of(samples), Q, canonical_form(Q));
 }
 
+/// What the eye sees when it looks past the origin, turned about z.
+/// @param turn   angle between its axis and the origin [rad]
+/// @param range  distance from the eye for the angle between a ray and the origin's direction
+template <class Range>
+SceneContext seen_past(double turn, Range&& range) {
+  SceneContext s = seen_from_x([](double, double) { return 1.0; });
+  const Eigen::AngleAxisd R_VC(turn, Eigen::Vector3d::UnitY());
+  s.sight.X_VC = (R_VC * s.sight.X_VC.cast<double>()).cast<float>();
+  s.sight.corner.x() += static_cast<float>(std::tan(turn));
+  s.sight.w.clear();
+  const Eigen::Vector3d to_origin = R_VC * Eigen::Vector3d::UnitZ();
+  for (int j = 0; j < s.sight.height; ++j) {
+    for (int i = 0; i < s.sight.width; ++i) {
+      const Eigen::Vector3d ray(s.sight.corner.x() + (i + 0.5) * 0.002,
+                                s.sight.corner.y() + (j + 0.5) * 0.002, 1.0);
+      const double angle = std::acos(ray.dot(to_origin) / ray.norm());
+      s.sight.w.push_back(static_cast<float>(ray.norm() / range(angle)));
+    }
+  }
+  return s;
+}
+
 }  // namespace
 
 TEST_CASE("through a ball that is there nothing is seen", "[evidence][see_through]") {
@@ -73,6 +95,40 @@ TEST_CASE("what should hide a wall and does not is seen through", "[evidence][se
   };
   const double disc = 1.0 - 0.35 * 0.35;
   CHECK(share_of_ball(seen_from_x(cap)) == Approx((disc - 0.25) / disc).margin(0.06));
+}
+
+TEST_CASE("beside the eye's axis as much is seen through as on it", "[evidence][see_through]") {
+  // A smaller ball, of which some lies within the tolerance.
+  const auto smaller = [](double angle) {
+    const double root = std::pow(0.91 * kRadius, 2) - std::pow(kDistance * std::sin(angle), 2);
+    return root < 0 ? kDistance + kWall : kDistance * std::cos(angle) - std::sqrt(root);
+  };
+  const double ahead = share_of_ball(seen_past(0.0, smaller));
+  CHECK(ahead > 0.2);
+  CHECK(ahead < 0.8);
+  for (const double turn : {0.3, 0.6, 0.75}) {
+    CAPTURE(turn);
+    CHECK(share_of_ball(seen_past(turn, smaller)) == Approx(ahead).margin(0.05));
+  }
+}
+
+TEST_CASE("without up, turning everything changes nothing", "[evidence][see_through]") {
+  // A cap of a ball of which the rest is not there.
+  const SurfaceSamples samples = sphere_grid(15, 15, kRadius, 0.002, 0.0, 1);
+  const Quadric Q(diagonal(1, 1, 1, -kRadius * kRadius));
+  const SceneContext s = seen_from_x([](double, double) { return kDistance + kWall; });
+  const double share = see_through(s, samples, all_of(samples), Q, canonical_form(Q));
+  for (const double angle : {0.4, 0.8, 1.2}) {
+    const Eigen::AngleAxisd R(angle, Eigen::Vector3d(1, 2, 3).normalized());
+    SceneContext turned = s;
+    turned.sight.X_VC = (s.sight.X_VC.cast<double>() * R.inverse()).cast<float>();
+    SurfaceSamples there = samples;
+    for (Eigen::Vector3f& p : there.raw) p = (R * p.cast<double>()).cast<float>();
+    for (Eigen::Vector3f& n : there.n) n = (R * n.cast<double>()).cast<float>();
+    CAPTURE(angle);
+    CHECK(see_through(turned, there, all_of(there), Q, canonical_form(Q)) ==
+          Approx(share).margin(1e-6));
+  }
 }
 
 TEST_CASE("what stands before a surface does not speak against it", "[evidence][see_through]") {
