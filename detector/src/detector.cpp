@@ -11,6 +11,7 @@
 #include "cloud/far_cloud.hpp"
 #include "planes/plane_claims.hpp"
 #include "planes/planes.hpp"
+#include "quadrille/detector/find_boxes.hpp"
 #include "samples/sample_tree.hpp"
 #include "surfaces/find_surfaces.hpp"
 #include "surfaces/measure.hpp"
@@ -74,6 +75,7 @@ std::vector<Detection> ranked(std::vector<Detection> detections) {
 /// What all stages make of a cloud.
 struct Findings {
   std::vector<Detection> detections;
+  std::vector<Box> boxes;
   std::size_t points_used = 0;
 };
 
@@ -101,7 +103,9 @@ Findings find_all(const PointCloud& cloud, const DetectorOptions& options, Stage
   std::vector<Detection> detections =
       ranked(measure_all(aggregation, planes, coarse, tree.finest(), options, cloud.viewpoint));
   clock.end("measure");
-  return {std::move(detections), count_points(*pyramid)};
+  std::vector<Box> boxes = find_boxes(cloud, detections);
+  clock.end("boxes");
+  return {std::move(detections), std::move(boxes), count_points(*pyramid)};
 }
 
 /// The same wherever the cloud lies: far from the origin its coordinates have few digits to spare.
@@ -111,6 +115,7 @@ Findings find_anywhere(const PointCloud& cloud, const Eigen::Vector3d& centre,
   const Eigen::Vector3d shift = -centre.array().round().matrix();
   Findings findings = find_all(translated(cloud, shift), options, clock);
   for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
+  for (Box& box : findings.boxes) box.X_CB.pretranslate(-shift);
   return findings;
 }
 
@@ -151,6 +156,7 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& given) {
   if (check.usable) {
     Findings findings = find_anywhere(cloud, check.centre, options, clock);
     result.detections = std::move(findings.detections);
+    result.boxes = std::move(findings.boxes);
     result.points_used = findings.points_used;
     result.timings = clock.timings();
   }
