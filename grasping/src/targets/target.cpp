@@ -1,5 +1,7 @@
 #include "targets/target.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "body/find_shell.hpp"
@@ -17,6 +19,10 @@ constexpr double kMaxShell = 0.4;
 
 bool graspable(const Body& body, const Gripper& gripper) {
   return body.bounds_Q().sizes().minCoeff() < gripper.max_opening * kMaxWidthToOpening;
+}
+
+bool is_face(int id, const Box& box) {
+  return std::find(box.faces.begin(), box.faces.end(), id) != box.faces.end();
 }
 
 /// Finds the wall of a target, and the lines across it where it was measured.
@@ -46,7 +52,7 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
     if (d.type == QuadricType::kPlane) continue;
     const std::optional<Body> body = make_body(d);
     if (!body) continue;
-    Target target{d.id, d.score, *body, supports_of(*body, detections), {}, {}, true};
+    Target target{d.id, d.score, *body, supports_of(*body, detections), {}, {}, true, {}};
     const bool inside = seen_from_inside(d, *body);
     chosen.refusals[Refusal::kUnmeasured] +=
         find_rim(cloud, view, gripper, options, inside, target);
@@ -57,6 +63,25 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
     } else {
       ++chosen.refusals[inside ? Refusal::kSeenFromInside : Refusal::kWidth];
     }
+  }
+  return chosen;
+}
+
+ChosenTargets choose_boxes(const std::vector<Box>& boxes, const std::vector<Detection>& detections,
+                           const Gripper& gripper) {
+  ChosenTargets chosen;
+  for (const Box& box : boxes) {
+    const Body body = make_body(box);
+    if (!graspable(body, gripper)) {
+      ++chosen.refusals[Refusal::kWidth];
+      continue;
+    }
+    // A box does not stand on its own faces.
+    std::vector<Detection> others;
+    std::copy_if(detections.begin(), detections.end(), std::back_inserter(others),
+                 [&](const Detection& d) { return !is_face(d.id, box); });
+    chosen.targets.push_back(
+        {box.id, box.score, body, supports_of(body, others), {}, {}, true, box});
   }
   return chosen;
 }

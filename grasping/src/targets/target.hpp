@@ -17,7 +17,7 @@
 
 namespace quadrille {
 
-/// One detection to be grasped, and all that its planning needs.
+/// One detection or box to be grasped, and all that its planning needs.
 struct Target {
   int id = 0;
   double confidence = 1.0;
@@ -29,6 +29,8 @@ struct Target {
   std::vector<ContactLine> rim;
   /// False if it can be held by its wall alone.
   bool solid = true;
+  /// The box that it is.
+  std::optional<Box> box;
 
   /// Unit normal of what it stands on; zero if that is not known.
   Eigen::Vector3d up_C() const;
@@ -42,6 +44,10 @@ struct ChosenTargets {
 ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detection>& detections,
                              const DepthView& view, const Gripper& gripper,
                              const PlanOptions& options);
+
+/// The boxes that the hand may hold across two parallel faces, and what was refused.
+ChosenTargets choose_boxes(const std::vector<Box>& boxes, const std::vector<Detection>& detections,
+                           const Gripper& gripper);
 
 /// How far the hand reaches from a target's surface, its approach included [m].
 double hand_reach(const Gripper& gripper, double approach);

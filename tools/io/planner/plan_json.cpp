@@ -42,8 +42,13 @@ Json plan_json(const InputInfo& input, const DetectionResult& result, const Gras
   Json grasps = Json::array(), shapes = Json::array();
   for (const Grasp& grasp : plan.grasps) grasps.push_back(to_json(grasp));
   for (const CollisionShape& shape : plan.shapes) shapes.push_back(to_json(shape));
-  return {{"input", input.input}, {"detections", to_json(result.detections)}, {"timings", timings},
-          {"grasps", grasps},     {"rejected", Json(plan.rejected)},          {"shapes", shapes}};
+  return {{"input", input.input},
+          {"detections", to_json(result.detections)},
+          {"boxes", to_json(plan.boxes)},
+          {"timings", timings},
+          {"grasps", grasps},
+          {"rejected", Json(plan.rejected)},
+          {"shapes", shapes}};
 }
 
 }  // namespace quadrille::io
