@@ -12,6 +12,7 @@
 #include "cloud/far_cloud.hpp"
 #include "planes/plane_claims.hpp"
 #include "planes/planes.hpp"
+#include "quadrille/detector/find_boxes.hpp"
 #include "quadrille/detector/viewpoint_check.hpp"
 #include "samples/sample_tree.hpp"
 #include "surfaces/find_surfaces.hpp"
@@ -81,6 +82,7 @@ std::vector<Detection> ranked(std::vector<Detection> detections,
 /// What all stages make of a cloud.
 struct Findings {
   std::vector<Detection> detections;
+  std::vector<Box> boxes;
   std::size_t points_used = 0;
 };
 
@@ -110,7 +112,9 @@ Findings find_all(const PointCloud& cloud, const DetectorOptions& options, Stage
       measure_all(aggregation, planes, coarse, tree.finest(), context, options, cloud.viewpoint),
       options.report);
   clock.end("measure");
-  return {std::move(detections), count_points(*pyramid)};
+  std::vector<Box> boxes = find_boxes(cloud, detections);
+  clock.end("boxes");
+  return {std::move(detections), std::move(boxes), count_points(*pyramid)};
 }
 
 /// The same wherever the cloud lies: far from the origin its coordinates have few digits to spare.
@@ -120,6 +124,7 @@ Findings find_anywhere(const PointCloud& cloud, const Eigen::Vector3d& centre,
   const Eigen::Vector3d shift = -centre.array().round().matrix();
   Findings findings = find_all(translated(cloud, shift), options, clock);
   for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
+  for (Box& box : findings.boxes) box.X_CB.pretranslate(-shift);
   return findings;
 }
 
@@ -160,6 +165,7 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& given) {
   if (check.usable) {
     Findings findings = find_anywhere(cloud, check.centre, options, clock);
     result.detections = std::move(findings.detections);
+    result.boxes = std::move(findings.boxes);
     result.points_used = findings.points_used;
     result.timings = clock.timings();
     const std::string doubt = contradict_viewpoint(cloud, result.detections);

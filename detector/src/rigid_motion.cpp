@@ -23,4 +23,10 @@ std::vector<Detection> moved(std::vector<Detection> detections, const Eigen::Iso
   return detections;
 }
 
+std::vector<Box> moved(std::vector<Box> boxes, const Eigen::Isometry3d& X_FC) {
+  if (X_FC.matrix().isIdentity(0.0)) return boxes;
+  for (Box& box : boxes) box.X_CB = X_FC * box.X_CB;
+  return boxes;
+}
+
 }  // namespace quadrille

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "body/body.hpp"
+#include "quadrille/detector/find_boxes.hpp"
 #include "quadrille/detector/viewpoint_check.hpp"
 #include "quadrille/grasping/shape.hpp"
 #include "targets/target.hpp"
@@ -41,6 +43,7 @@ class Planner {
 
   GraspPlan plan() {
     const Clock::time_point start = Clock::now();
+    stage("boxes", [&] { plan_.boxes = find_boxes(cloud_, detections_); });
     stage("shapes", [&] { make_shapes(); });
     if (cloud_.points.empty()) warn("the cloud is empty");
     stage("view", [&] { view_.emplace(cloud_, options_.baseline, options_.resolution); });
@@ -70,12 +73,17 @@ class Planner {
   void warn(const std::string& text) { plan_.warnings.push_back(text); }
 
   void make_shapes() {
-    for (std::size_t i = 0; i < detections_.size(); ++i) {
-      const Detection& d = detections_[i];
+    for (const Box& box : plan_.boxes) {
+      plan_.shapes.push_back(make_shape(box));
+      owners_.push_back(owner_of(box));
+    }
+    for (const Detection& d : detections_) {
+      // A box stands for its faces.
+      if (is_face_of_box(d.id)) continue;
       std::string why;
       const std::vector<CollisionShape> shapes = quadrille::make_shapes(d, &why);
       plan_.shapes.insert(plan_.shapes.end(), shapes.begin(), shapes.end());
-      shape_of_.resize(plan_.shapes.size(), i);
+      owners_.resize(plan_.shapes.size(), owner_of(d));
       if (!is_wanted(d, options_)) continue;
       if (shapes.empty() || (d.type != QuadricType::kPlane && !make_body(d))) {
         ++refusals_[Refusal::kNoShape];
@@ -107,6 +115,15 @@ class Planner {
         quadrille::choose_targets(cloud_, detections_, *view_, gripper_, options_);
     targets_ = std::move(chosen.targets);
     count(chosen.refusals);
+    ChosenTargets boxes = choose_boxes(plan_.boxes, detections_, gripper_, options_);
+    std::move(boxes.targets.begin(), boxes.targets.end(), std::back_inserter(targets_));
+    count(boxes.refusals);
+  }
+
+  bool is_face_of_box(int id) const {
+    return std::any_of(plan_.boxes.begin(), plan_.boxes.end(), [&](const Box& box) {
+      return std::find(box.faces.begin(), box.faces.end(), id) != box.faces.end();
+    });
   }
 
   void count(const RefusalCounts& refusals) {
@@ -147,8 +164,8 @@ class Planner {
     if (targets_.empty()) return;
     ObstacleMap map(*plan_.space, options_.unknown != UnknownPolicy::kFree);
     if (view_->valid()) map.refine(*view_, further_.empty());
-    const Surroundings around_them{*plan_.space, *view_,           map,   detections_, plan_.shapes,
-                                   shape_of_,    options_.unknown, reach_};
+    const Surroundings around_them{*plan_.space, *view_,           map,   plan_.shapes,
+                                   owners_,      options_.unknown, reach_};
     for (const Target& target : targets_) {
       if (target.wanted) plan_target(target, around_them);
     }
@@ -203,8 +220,8 @@ class Planner {
   GraspPlan plan_;
   RefusalCounts refusals_;
   std::vector<Target> targets_;
-  // For each shape the index of its detection.
-  std::vector<std::size_t> shape_of_;
+  // For each shape.
+  std::vector<ShapeOwner> owners_;
   std::optional<DepthView> view_;
 };
 

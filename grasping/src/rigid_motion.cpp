@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "quadrille/detector/rigid_motion.hpp"
+
 namespace quadrille {
 
 Grasp moved(Grasp grasp, const Eigen::Isometry3d& X_FC) {
@@ -16,6 +18,7 @@ CollisionShape moved(CollisionShape shape, const Eigen::Isometry3d& X_FC) {
 }
 
 GraspPlan moved(GraspPlan plan, const Eigen::Isometry3d& X_FC) {
+  plan.boxes = moved(std::move(plan.boxes), X_FC);
   for (Grasp& grasp : plan.grasps) grasp = moved(std::move(grasp), X_FC);
   for (CollisionShape& shape : plan.shapes) shape = moved(std::move(shape), X_FC);
   return plan;

@@ -48,7 +48,8 @@ TEST_CASE("the JSON of a detection has the promised keys, types and digits", "[j
   result.total_ms = 4.25;
   const io::Json json =
       io::Json::parse(io::detect_json({"a.ply", "cam", 12, 0.5, {1, 2, 3}}, result).dump());
-  CHECK(keys_of(json) == Keys{"input", "frame", "viewpoint", "points", "timings", "detections"});
+  CHECK(keys_of(json) ==
+        Keys{"input", "frame", "viewpoint", "points", "timings", "detections", "boxes"});
   CHECK(json["input"] == "a.ply");
   CHECK(json["frame"] == "cam");
   CHECK(json["viewpoint"] == io::Json({1.0, 2.0, 3.0}));
@@ -119,8 +120,8 @@ TEST_CASE("the JSON of a plan has the promised keys, and its total spans both ha
   shape.dimensions = {0.041, 0.09};
   plan.shapes = {shape};
   const io::Json json = io::plan_json({"a.ply", "cam", 12, 0.5}, result, plan);
-  CHECK(keys_of(json) == Keys{"input", "frame", "viewpoint", "detections", "timings", "grasps",
-                              "rejected", "shapes"});
+  CHECK(keys_of(json) == Keys{"input", "frame", "viewpoint", "detections", "boxes", "timings",
+                              "grasps", "rejected", "shapes"});
   CHECK(json["timings"]["total_ms"] == 120.0);
   CHECK(keys_of(json["grasps"][0]) == Keys{"target", "score", "X_CG", "width", "preshape",
                                            "contacts", "approach", "friction_needed", "epsilon",

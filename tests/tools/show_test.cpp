@@ -85,7 +85,7 @@ TEST_CASE("a log without quadrics and grasps, or with damaged ones, is told",
   const Run run = run_quadrille("show " + write_log(folder, {damaged, std::vector<std::byte>(20)}));
   CHECK(run.code == 0);
   CHECK(run.out.empty());
-  CHECK(contains(run.err, "1 message of quadrics or grasps damaged"));
+  CHECK(contains(run.err, "1 message of quadrics, boxes or grasps damaged"));
   CHECK(contains(run.err, "holds no quadrics and no grasps"));
   check_failure(run_quadrille("show " + folder.path("none.lcm")), "no such file");
   check_failure(run_quadrille("show " + folder.write("text.lcm", "no log")), "is not an LCM log");

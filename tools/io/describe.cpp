@@ -45,6 +45,19 @@ std::string describe_dimensions(const Detection& detection) {
   return text;
 }
 
+std::string describe_box(const Box& box) {
+  std::string text;
+  for (int i = 0; i < 3; ++i) {
+    text += fmt::format("{}{:.1f}", i == 0 ? "" : " x ", 1000.0 * box.size[i]);
+    if (box.seen[i]) continue;
+    text += fmt::format(" ({:.1f} to {:.1f})", 1000.0 * box.inner_B.sizes()[i],
+                        1000.0 * box.outer_B.sizes()[i]);
+  }
+  text += box.faces.size() == 1 ? " mm, face" : " mm, faces";
+  for (const int id : box.faces) text += fmt::format(" {}", id);
+  return text;
+}
+
 std::string name_of(const Detection& detection) {
   std::string text = fmt::format("{} {}", detection.id, to_string(detection.type));
   std::replace(text.begin(), text.end(), '_', ' ');

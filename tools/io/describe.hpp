@@ -16,6 +16,10 @@ std::string describe(const Dimension& dimension);
 /// All dimensions of a detection in one line: "radius 41.0 mm, length 90.9 mm".
 std::string describe_dimensions(const Detection& detection);
 
+/// Size and faces of a box in one line: "148.2 x 113.9 x 72.0 mm, faces 3 5 8"; a side that was not
+/// seen comes with its bounds: "60.0 (0.0 to 80.2)".
+std::string describe_box(const Box& box);
+
 /// A name for pictures: "1 elliptic cylinder".
 std::string name_of(const Detection& detection);
 

@@ -38,6 +38,23 @@ Json to_json(const Detection& detection) {
   return json;
 }
 
+Json to_json(const Box& box) {
+  return {{"id", box.id},
+          {"faces", box.faces},
+          {"score", box.score},
+          {"pose", to_json(box.X_CB)},
+          {"size", array_of(box.size)},
+          {"std", array_of(box.std)},
+          {"seen", box.seen},
+          {"bounds", {{"inner", extent_of(box.inner_B)}, {"outer", extent_of(box.outer_B)}}}};
+}
+
+Json to_json(const std::vector<Box>& boxes) {
+  Json array = Json::array();
+  for (const Box& box : boxes) array.push_back(to_json(box));
+  return array;
+}
+
 Json to_json(const std::vector<Detection>& detections) {
   Json array = Json::array();
   for (const Detection& detection : detections) array.push_back(to_json(detection));
@@ -59,7 +76,8 @@ Json detect_json(const InputInfo& input, const DetectionResult& result) {
             {"finite", result.points_finite},
             {"used", result.points_used}}},
           {"timings", timings},
-          {"detections", to_json(result.detections)}};
+          {"detections", to_json(result.detections)},
+          {"boxes", to_json(result.boxes)}};
 }
 
 }  // namespace quadrille::io

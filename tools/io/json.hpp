@@ -32,6 +32,13 @@ Json to_json(const Eigen::Isometry3d& X);
 /// becomes null.
 Json to_json(const Detection& detection);
 
+/// One box: its faces as ids of detections, and in its own frame what was seen of it ("inner") and
+/// what it may reach at most ("outer").
+Json to_json(const Box& box);
+
+/// Boxes, in their order.
+Json to_json(const std::vector<Box>& boxes);
+
 /// Detections, in their order.
 Json to_json(const std::vector<Detection>& detections);
 

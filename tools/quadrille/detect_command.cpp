@@ -72,6 +72,7 @@ void run(const DetectArguments& arguments) {
                            const DetectionResult& found) {
     DetectionResult result = found;
     result.detections = moved(std::move(result.detections), input.X_CK);
+    result.boxes = moved(std::move(result.boxes), input.X_CK);
     json.write(io::detect_json(input.info, result));
     if (!json.owns_stdout()) print(detection_table(input.info, result));
     print_warnings(input.info.input, result.warnings);
@@ -85,6 +86,7 @@ void run(const DetectArguments& arguments) {
         DetectionResult result = detect(input.cloud, setup.options);
         tracking.add_to(input, path, &result.detections);
         std::erase_if(result.detections, [](const Detection& d) { return !is_reported(d); });
+        std::erase_if(result.boxes, [](const Box& box) { return !is_reported(box); });
         try {
           put_out(path, input, result);
         } catch (const io::FileError& error) {

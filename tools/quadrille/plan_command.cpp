@@ -130,10 +130,13 @@ void run(const PlanArguments& arguments) {
   const std::vector<Detection> detections = bus::as_received(found.detections);
   const GraspPlan planned = plan_grasps(input.cloud, detections, gripper, options,
                                         read_views(arguments.views, input.X_CK.inverse()));
+  found.boxes = planned.boxes;
   // All were in the way; shown is what was asked for.
   std::erase_if(found.detections, [](const Detection& d) { return !is_reported(d); });
+  std::erase_if(found.boxes, [](const Box& box) { return !is_reported(box); });
   DetectionResult result = found;
   result.detections = moved(std::move(result.detections), input.X_CK);
+  result.boxes = moved(std::move(result.boxes), input.X_CK);
   const GraspPlan plan = moved(planned, input.X_CK);
   io::Json object = io::plan_json(input.info, result, plan);
   if (arguments.convention) add_hands(plan, gripper, *arguments.convention, &object);

@@ -20,6 +20,17 @@ std::string published_table(const std::string& channel, const bus::QuadricsMessa
   return text;
 }
 
+std::string published_table(const std::string& channel, const bus::BoxesMessage& message) {
+  std::string text = fmt::format("{}: cloud {} us, frame '{}', boxes: {}\n", channel, message.utime,
+                                 message.frame, message.boxes.size());
+  for (const Box& box : message.boxes) {
+    const Eigen::Vector3d p = box.X_CB.translation();
+    text += fmt::format("{:>4}  {:<22} score {:.2f}  at [m] {:>7.3f} {:>7.3f} {:>7.3f}  {}\n",
+                        box.id, "box", box.score, p.x(), p.y(), p.z(), io::describe_box(box));
+  }
+  return text;
+}
+
 std::string published_table(const std::string& channel, const grasps_t& message,
                             std::size_t max_grasps) {
   std::string text = fmt::format("{}: cloud {} us, hand {}, grasps: {}\n", channel, message.utime,

@@ -8,6 +8,7 @@
 
 #include "cli/output.hpp"
 #include "io/describe.hpp"
+#include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -26,7 +27,7 @@ struct Shown {
   std::size_t quadrics = 0, grasps = 0, refused = 0;
 };
 
-/// Prints the event if it holds quadrics or grasps; those that are damaged are counted.
+/// Prints the event if it holds quadrics, boxes or grasps; those that are damaged are counted.
 void show(const bus::LogReader::Event& event, std::size_t max_grasps, Shown* shown) {
   const auto quadrics = bus::decode_quadrics(event.bytes);
   if (const auto* message = std::get_if<bus::QuadricsMessage>(&quadrics)) {
@@ -40,10 +41,17 @@ void show(const bus::LogReader::Event& event, std::size_t max_grasps, Shown* sho
     ++shown->grasps;
     return;
   }
+  const auto boxes = bus::decode_boxes(event.bytes);
+  if (const auto* message = std::get_if<bus::BoxesMessage>(&boxes)) {
+    print(published_table(event.channel, *message));
+    return;
+  }
   const auto of_other_type = [](const auto& decoded) {
     return std::get<bus::Rejection>(decoded).reason == bus::RejectReason::kUnknownType;
   };
-  if (!of_other_type(quadrics) || !of_other_type(grasps)) ++shown->refused;
+  if (!of_other_type(quadrics) || !of_other_type(grasps) || !of_other_type(boxes)) {
+    ++shown->refused;
+  }
 }
 
 void run(const ShowArguments& arguments) {
@@ -53,7 +61,8 @@ void run(const ShowArguments& arguments) {
   std::vector<std::string> warnings;
   if (log.survey().defect) warnings.push_back(*log.survey().defect);
   if (shown.refused > 0) {
-    warnings.push_back(io::count_of(shown.refused, "message") + " of quadrics or grasps damaged");
+    warnings.push_back(io::count_of(shown.refused, "message") +
+                       " of quadrics, boxes or grasps damaged");
   }
   if (shown.quadrics + shown.grasps == 0) {
     warnings.push_back("holds no quadrics and no grasps; record QUADRICS and GRASPS");

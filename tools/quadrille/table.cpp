@@ -26,6 +26,12 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
         d.id, tracked ? fmt::format("{:>5}  ", d.track) : "", to_string(d.type), d.score, d.inliers,
         1000.0 * d.rms, d.seen, p.x(), p.y(), p.z(), io::describe_dimensions(d));
   }
+  for (const Box& box : result.boxes) {
+    const Eigen::Vector3d p = box.X_CB.translation();
+    text += fmt::format("  {:>3}  {}{:<22} {:>5.2f} {:>22}  {:>7.3f} {:>7.3f} {:>7.3f}  {}\n",
+                        box.id, tracked ? "       " : "", "box", box.score, "", p.x(), p.y(), p.z(),
+                        io::describe_box(box));
+  }
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
@@ -13,7 +14,7 @@ namespace quadrille {
 /// The solid that a detected quadric bounds, both seen and hidden side, in its canonical frame Q.
 ///
 /// Each cross-section at height z is an ellipse with semi-axes a·s(z) along x and b·s(z) along y, z
-/// from z_min to z_max; for parallel planes it is a rectangle of half sizes a and b.
+/// from z_min to z_max; for boxes and parallel planes it is a rectangle of half sizes a and b.
 struct Body {
   /// What is known no better than this is not known at all: no deviation is larger [m].
   static constexpr double kMaxStd = 0.01;
@@ -26,7 +27,7 @@ struct Body {
     kHyperbola,  ///< hyperboloids of one sheet: s = √(1 + z²/c²)
     kSheet,      ///< one of a hyperboloid's two sheets: s = √(z²/c² − 1) for z ≥ c
     kEllipse,    ///< ellipsoids: s = √(1 − z²/c²)
-    kBox,        ///< parallel planes, between their extents
+    kBox,        ///< boxes, and parallel planes between their extents
   };
 
   Profile profile = Profile::kConstant;
@@ -63,6 +64,9 @@ struct Body {
 
 /// The same body with its z axis the other way.
 Body turned(Body body);
+
+/// The solid of a box, as far as it may reach.
+Body make_body(const Box& box);
 
 /// The solid of a detection; nullopt if its type bounds none (the reason in *why).
 std::optional<Body> make_body(const Detection& detection, std::string* why = nullptr);

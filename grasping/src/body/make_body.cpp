@@ -159,6 +159,22 @@ bool sound(const Body& body) {
 
 }  // namespace
 
+Body make_body(const Box& box) {
+  Body body;
+  body.profile = Profile::kBox;
+  body.X_CQ = box.X_CB;
+  body.X_CQ.translation() = box.X_CB * Eigen::Vector3d(box.outer_B.center());
+  const Eigen::Vector3d half = 0.5 * box.outer_B.sizes();
+  body.a = half.x();
+  body.b = half.y();
+  body.z_min = -half.z();
+  body.z_max = half.z();
+  body.std = (0.5 * box.std).cwiseMin(Body::kMaxStd);
+  body.std.z() = 0.0;
+  body.end_std = std::min(0.5 * box.std.z(), Body::kMaxStd);
+  return body;
+}
+
 std::optional<Body> make_body(const Detection& detection, std::string* why) {
   const auto refuse = [&](const std::string& reason) {
     if (why) *why = reason;

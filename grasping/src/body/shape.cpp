@@ -148,6 +148,18 @@ std::vector<CollisionShape> make_shapes(const Detection& detection, std::string*
   return shapes;
 }
 
+CollisionShape make_shape(const Box& box) {
+  const Eigen::Vector3d half = 0.5 * box.size;
+  const Eigen::AlignedBox3d likely_B(-half, half);
+  CollisionShape shape = make_box(box.X_CB, likely_B);
+  shape.target = box.id;
+  shape.excess = std::max((box.inner_B.min() - likely_B.min()).maxCoeff(),
+                          (likely_B.max() - box.inner_B.max()).maxCoeff());
+  shape.excess = std::max(shape.excess, 0.0);
+  shape.geometry->computeLocalAABB();
+  return shape;
+}
+
 std::vector<CollisionShape> make_pieces(const Body& body) {
   std::vector<CollisionShape> pieces = body.profile == Profile::kHyperbola
                                            ? waisted(body)

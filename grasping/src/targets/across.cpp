@@ -1,8 +1,10 @@
 // Grasps across the widest part of a body, or a little before it, where only the tips hold.
 #include <algorithm>
 #include <optional>
+#include <utility>
 #include <vector>
 
+#include "contacts/box_lines.hpp"
 #include "contacts/closing.hpp"
 #include "contacts/quality.hpp"
 #include "targets/hand_trials.hpp"
@@ -36,11 +38,21 @@ std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task)
   return std::nullopt;
 }
 
+/// All of the target's kind.
+std::vector<ContactLine> lines_across(const TargetTask& task, const ApproachSpace& space,
+                                      HandTrials& trials) {
+  if (!task.target.box) {
+    return contact_lines(task.target.body, task.gripper, task.viewpoint_C, space.up_C);
+  }
+  BoxLines found = box_lines(*task.target.box, task.gripper);
+  trials.refuse(Refusal::kUnmeasured, found.unmeasured);
+  return std::move(found.lines);
+}
+
 /// The lines across which the hand fits, there or at a chord before them.
 std::vector<ContactLine> usable_lines(const TargetTask& task, const ApproachSpace& space,
                                       HandTrials& trials) {
-  std::vector<ContactLine> lines =
-      contact_lines(task.target.body, task.gripper, task.viewpoint_C, space.up_C);
+  std::vector<ContactLine> lines = lines_across(task, space, trials);
   std::erase_if(lines, [&](const ContactLine& line) {
     ContactLine narrowed = line;
     narrowed.opening *= kMinChordShare;

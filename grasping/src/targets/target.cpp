@@ -1,6 +1,7 @@
 #include "targets/target.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -19,6 +20,10 @@ constexpr double kMaxShell = 0.4;
 
 bool graspable(const Body& body, const Gripper& gripper) {
   return body.bounds_Q().sizes().minCoeff() < gripper.max_opening * kMaxWidthToOpening;
+}
+
+bool is_face(int id, const Box& box) {
+  return std::find(box.faces.begin(), box.faces.end(), id) != box.faces.end();
 }
 
 /// Finds the wall of a target, and the lines across it where it was measured.
@@ -55,7 +60,8 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
     const std::optional<Body> body = make_body(d);
     if (!body) continue;
     Target target{d.id, d.score, *body, supports_of(*body, detections),
-                  {},   {},      true,  is_wanted(d, options)};
+                  {},   {},      true,  is_wanted(d, options),
+                  {}};
     const bool inside = seen_from_inside(d, *body);
     const int unmeasured = find_rim(cloud, view, gripper, options, inside, target);
     if (target.wanted) chosen.refusals[Refusal::kUnmeasured] += unmeasured;
@@ -65,6 +71,29 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
       chosen.targets.push_back(std::move(target));
     } else if (is_wanted(d, options)) {
       ++chosen.refusals[inside ? Refusal::kSeenFromInside : Refusal::kWidth];
+    }
+  }
+  return chosen;
+}
+
+ChosenTargets choose_boxes(const std::vector<Box>& boxes, const std::vector<Detection>& detections,
+                           const Gripper& gripper, const PlanOptions& options) {
+  ChosenTargets chosen;
+  for (const Box& box : boxes) {
+    // A box does not stand on its own faces.
+    std::vector<Detection> faces, others;
+    std::partition_copy(detections.begin(), detections.end(), std::back_inserter(faces),
+                        std::back_inserter(others),
+                        [&](const Detection& d) { return is_face(d.id, box); });
+    const bool wanted = std::any_of(faces.begin(), faces.end(), [&](const Detection& face) {
+      return is_wanted(face, options);
+    });
+    const Body body = make_body(box);
+    if (graspable(body, gripper)) {
+      chosen.targets.push_back(
+          {box.id, box.score, body, supports_of(body, others), {}, {}, true, wanted, box});
+    } else if (wanted) {
+      ++chosen.refusals[Refusal::kWidth];
     }
   }
   return chosen;

@@ -17,10 +17,10 @@
 
 namespace quadrille {
 
-/// True if a detection is to be grasped, and is not only in the way.
+/// True if a detection is to be grasped, and is not only in the way. A box is if its faces are.
 bool is_wanted(const Detection& detection, const PlanOptions& options);
 
-/// One detection that could be grasped, and all that its planning needs.
+/// One detection or box that could be grasped, and all that its planning needs.
 struct Target {
   int id = 0;
   double confidence = 1.0;
@@ -35,6 +35,8 @@ struct Target {
   /// False if nobody asked for it. It is kept because it says, as all others do, which space
   /// matters and what things stand on.
   bool wanted = true;
+  /// The box that it is.
+  std::optional<Box> box;
 
   /// Unit normal of what it stands on; zero if that is not known.
   Eigen::Vector3d up_C() const;
@@ -49,6 +51,10 @@ struct ChosenTargets {
 ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detection>& detections,
                              const DepthView& view, const Gripper& gripper,
                              const PlanOptions& options);
+
+/// The boxes that the hand may hold across two parallel faces, and what was refused.
+ChosenTargets choose_boxes(const std::vector<Box>& boxes, const std::vector<Detection>& detections,
+                           const Gripper& gripper, const PlanOptions& options);
 
 /// How far the hand reaches from a target's surface, its approach included [m].
 double hand_reach(const Gripper& gripper, double approach);

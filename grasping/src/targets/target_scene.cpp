@@ -15,20 +15,19 @@ constexpr double kCarveNoise = 0.002;
 constexpr double kPartNoise = 0.006, kMaxPartShare = 1.3, kPartSizeError = 0.01;
 
 /// A cap, a second fit or a fragment of the target.
-bool part_of(const Detection& other, const Body& body) {
-  const Eigen::Vector3d middle = other.X_CQ * Eigen::Vector3d(other.extent_Q.center());
+bool part_of(const ShapeOwner& other, const Body& body) {
   const double size = body.bounds_Q().sizes().maxCoeff();
-  return body.contains(middle, kPartNoise) &&
-         other.extent_Q.sizes().maxCoeff() <= kMaxPartShare * size + kPartSizeError;
+  return body.contains(other.middle_C, kPartNoise) &&
+         other.size <= kMaxPartShare * size + kPartSizeError;
 }
 
 CollisionScene uncarved_scene(const Target& target, const Surroundings& around_it) {
   const Eigen::AlignedBox3d region = around(target.body, around_it.reach + kMaxClearance);
   CollisionScene scene{around_it.map.within(region), target.supports, {}, {}};
   for (std::size_t n = 0; n < around_it.shapes.size(); ++n) {
-    const Detection& d = around_it.detections[around_it.shape_of[n]];
+    const ShapeOwner& owner = around_it.owners[n];
     const CollisionShape& shape = around_it.shapes[n];
-    if (d.id != target.id && !part_of(d, target.body) && may_reach(shape, region)) {
+    if (owner.id != target.id && !part_of(owner, target.body) && may_reach(shape, region)) {
       scene.neighbours.push_back(shape);
     }
   }
@@ -55,6 +54,15 @@ void clear_shadow(const Body& body, const Surroundings& around_it, CollisionScen
 }
 
 }  // namespace
+
+ShapeOwner owner_of(const Detection& detection) {
+  return {detection.id, detection.X_CQ * Eigen::Vector3d(detection.extent_Q.center()),
+          detection.extent_Q.sizes().maxCoeff()};
+}
+
+ShapeOwner owner_of(const Box& box) {
+  return {box.id, box.X_CB.translation(), box.size.maxCoeff()};
+}
 
 CollisionScene solid_scene(const Target& target, const Surroundings& around_it) {
   CollisionScene scene = uncarved_scene(target, around_it);

@@ -1,8 +1,9 @@
 #pragma once
 
-#include <cstddef>
+#include <Eigen/Core>
 #include <vector>
 
+#include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/collision_shape.hpp"
 #include "quadrille/grasping/occupancy.hpp"
@@ -14,16 +15,26 @@
 
 namespace quadrille {
 
+/// What a collision shape belongs to.
+struct ShapeOwner {
+  /// Of the detection or box.
+  int id = 0;
+  /// Its middle, and its largest size [m].
+  Eigen::Vector3d middle_C = Eigen::Vector3d::Zero();
+  double size = 0.0;
+};
+ShapeOwner owner_of(const Detection& detection);
+ShapeOwner owner_of(const Box& box);
+
 /// What surrounds the targets. All that it refers to must outlive it.
 struct Surroundings {
   const OccupancyGrid& space;
   const DepthView& view;
   /// The voxels of all that space, the targets' own included.
   const ObstacleMap& map;
-  /// All detections, the shapes of them, and for each shape the index of its detection.
-  const std::vector<Detection>& detections;
+  /// The shapes of all detections and boxes, and for each its owner.
   const std::vector<CollisionShape>& shapes;
-  const std::vector<std::size_t>& shape_of;
+  const std::vector<ShapeOwner>& owners;
   UnknownPolicy unknown = UnknownPolicy::kObstacle;
   /// How far a hand reaches from a target's surface [m].
   double reach = 0.0;

@@ -46,6 +46,7 @@ Json plan_json(const InputInfo& input, const DetectionResult& result, const Gras
           {"frame", input.frame},
           {"viewpoint", array_of(input.viewpoint)},
           {"detections", to_json(result.detections)},
+          {"boxes", to_json(result.boxes)},
           {"timings", timings},
           {"grasps", grasps},
           {"rejected", Json(plan.rejected)},

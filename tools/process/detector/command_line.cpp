@@ -8,6 +8,7 @@ DetectorCommandLine::DetectorCommandLine(CLI::App& app) {
   settings_.process.add_to(app, "cloud");
   add_channel_option(app, "--in-channel", settings_.in_channel, "clouds");
   add_channel_option(app, "--out-channel", settings_.out_channel, "quadrics");
+  add_channel_option(app, "--boxes-channel", settings_.boxes_channel, "boxes");
   add_channel_option(app, "--status-channel", settings_.status_channel, "status");
   add_channel_option(app, "--pose-channel", settings_.pose_channel,
                      "camera's poses (bot_core.pose_t) in a fixed frame");

@@ -6,6 +6,7 @@
 
 #include "process/runtime/logging.hpp"
 #include "process/runtime/status.hpp"
+#include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/status_message.hpp"
@@ -96,6 +97,7 @@ DetectionResult DetectorNode::detect_placed(const bus::CloudMessage& cloud, cons
   DetectionResult result = detect(cloud_K, settings_.detector);
   if (pose.X_WK) tracker_.update(cloud.utime, *pose.X_WK, &result.detections);
   result.detections = moved(std::move(result.detections), placement.X_RK);
+  result.boxes = moved(std::move(result.boxes), placement.X_RK);
   return result;
 }
 
@@ -108,14 +110,19 @@ void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud, const Came
   const auto bytes = bus::encode(message);
   publish_(settings_.out_channel, bytes);
   const double latency = bus::ms_since(received);
-  log_debug(fmt::format("cloud {}: {} of {} points, {} quadrics, {:.1f} ms", cloud.utime,
-                        result.points_used, cloud.cloud.read, result.detections.size(), latency));
+  boxes_t boxes_message = bus::to_message(cloud, result.boxes);
+  boxes_message.frame = message.frame;
+  const auto boxes = bus::encode(boxes_message);
+  publish_(settings_.boxes_channel, boxes);
+  log_debug(fmt::format("cloud {}: {} of {} points, {} quadrics, {} boxes, {:.1f} ms", cloud.utime,
+                        result.points_used, cloud.cloud.read, result.detections.size(),
+                        result.boxes.size(), latency));
   for (const std::string& warning : result.warnings) {
     log_debug(fmt::format("cloud {}: {}", cloud.utime, warning));
   }
   const std::lock_guard lock(mutex_);
   ++counts_.published;
-  counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
+  counts_.published_bytes += static_cast<std::int64_t>(bytes.size() + boxes.size());
   counts_.cloud_utime = cloud.utime;
   detections_ += static_cast<std::int64_t>(result.detections.size());
   latencies_.add(latency);

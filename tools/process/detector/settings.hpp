@@ -17,6 +17,7 @@ struct DetectorSettings {
   ProcessArguments process;
   std::string in_channel = "POINT_CLOUD";
   std::string out_channel = "QUADRICS";
+  std::string boxes_channel = "BOXES";
   std::string status_channel = "QUADRILLE_DETECTOR_STATUS";
   /// Carries the camera's poses; empty for a camera at rest.
   std::string pose_channel;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "quadrille/detector/box.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/quadric_type.hpp"
 
@@ -68,6 +69,8 @@ struct StageTime {
 struct DetectionResult {
   /// Best score first; those that were not asked for after all others.
   std::vector<Detection> detections;
+  /// What planes among them are faces of, the surest first.
+  std::vector<Box> boxes;
   /// Points with finite coordinates, and those of them that surface samples were made of.
   std::size_t points_finite = 0, points_used = 0;
   /// In the order of the stages, without their total.

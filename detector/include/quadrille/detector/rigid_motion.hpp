@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
@@ -17,5 +18,8 @@ Detection moved(Detection detection, const Eigen::Isometry3d& X_FC);
 
 /// Detections of frame C in frame F.
 std::vector<Detection> moved(std::vector<Detection> detections, const Eigen::Isometry3d& X_FC);
+
+/// Boxes of frame C in frame F.
+std::vector<Box> moved(std::vector<Box> boxes, const Eigen::Isometry3d& X_FC);
 
 }  // namespace quadrille

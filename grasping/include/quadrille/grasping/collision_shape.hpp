@@ -12,10 +12,10 @@ class CollisionGeometry;
 
 namespace quadrille {
 
-/// A convex collision shape of one detection, or of a part of it, clipped to the extent of its
-/// inliers.
+/// A convex collision shape of a box, or of one detection, or of a part of it, clipped to the
+/// extent of its inliers.
 struct CollisionShape {
-  /// Id of the detection.
+  /// Id of the detection or box.
   int target = 0;
   /// "sphere", "ellipsoid", "cylinder", "cone", "convex" or "box".
   std::string kind;

@@ -7,7 +7,7 @@ namespace quadrille {
 
 /// One two-finger grasp. Frame G: origin midway between the pads, z approach, y closing.
 struct Grasp {
-  /// Id of the detection to be grasped.
+  /// Id of the detection or box to be grasped.
   int target = 0;
   /// 0 to 1, best first.
   double score = 0.0;

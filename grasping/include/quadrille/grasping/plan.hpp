@@ -22,7 +22,10 @@ struct GraspPlan {
   std::vector<Grasp> grasps;
   /// How much was refused, by the name of its Refusal; reasons that did not occur are left out.
   std::map<std::string, int> rejected;
-  /// Of all detections that have any, those of one detection in a row.
+  /// The boxes that planes among the detections are faces of; each may be a target.
+  std::vector<Box> boxes;
+  /// Of all boxes, and of all detections that have any and are no faces of boxes; those of one
+  /// detection in a row.
   std::vector<CollisionShape> shapes;
   /// Free, occupied and unknown space around the targets; to_octree() makes an OctoMap of it.
   std::shared_ptr<const OccupancyGrid> space;
@@ -33,7 +36,8 @@ struct GraspPlan {
 
 /// Plans two-finger grasps on the detections of one cloud.
 ///
-/// Contacts follow in closed form from each quadric; the hand, swept along its approach and while
+/// Contacts follow in closed form from each quadric, and for boxes (see find_boxes()) lie across
+/// their parallel faces; the hand, swept along its approach and while
 /// it closes, is checked against the voxels, the planes and the shapes of all other detections, and
 /// its opened fingers and palm against the target's own body. Deterministic.
 /// @param further  more views of the same scene at rest, in the same frame C, each with its own

@@ -10,7 +10,7 @@ enum class Refusal {
   kViewpoint,       ///< a detection in a cloud that contradicts its viewpoint
   kNoShape,         ///< a detection that bounds no solid
   kSeenFromInside,  ///< a hollow detection whose rim was not seen
-  kUnmeasured,      ///< a contact line without points at the rim
+  kUnmeasured,      ///< a contact line without points at the rim, or across a side not known well
   kWidth,           ///< a contact line, or a detection, wider than the hand opens
   kFriction,        ///< a contact line that would slip
   kTwist,           ///< a contact line across a wall that the pads would turn

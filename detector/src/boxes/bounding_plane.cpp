@@ -1,0 +1,57 @@
+#include "boxes/bounding_plane.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "boxes/face.hpp"
+
+namespace quadrille {
+namespace {
+
+// Cosines between an end's direction and the reversed normal of a plane that faces it, 78°, and of
+// one that is parallel, 10°.
+constexpr double kMinFacing = 0.2, kMinParallel = 0.985;
+// A plane goes on under the box and in its shadow, so far beyond what was seen of it [m].
+constexpr double kBeyondSeen = 0.1;
+
+/// From a corner along the direction to the plane; nullopt if it does not meet it.
+std::optional<double> distance_to(const Detection& plane, const Eigen::Vector3d& n_C,
+                                  const Eigen::Vector3d& corner_C, const Eigen::Vector3d& out_C) {
+  const double distance = n_C.dot(plane.X_CQ.translation() - corner_C) / n_C.dot(out_C);
+  const Eigen::Vector3d at_Q = plane.X_CQ.inverse() * Eigen::Vector3d(corner_C + distance * out_C);
+  for (int i = 0; i < 2; ++i) {
+    if (at_Q[i] < plane.extent_Q.min()[i] - kBeyondSeen) return std::nullopt;
+    if (at_Q[i] > plane.extent_Q.max()[i] + kBeyondSeen) return std::nullopt;
+  }
+  return distance;
+}
+
+}  // namespace
+
+PlaneStop stop_at_plane(const std::vector<Eigen::Vector3d>& corners_C, const Eigen::Vector3d& out_C,
+                        const std::vector<const Detection*>& planes, double slack) {
+  PlaneStop stop{std::numeric_limits<double>::infinity(), false};
+  for (const Detection* plane : planes) {
+    const Eigen::Vector3d n_C = outward_normal(*plane);
+    const double facing = -n_C.dot(out_C);
+    if (facing < kMinFacing) continue;
+    const bool parallel = facing > kMinParallel;
+    // The nearest corner stops the end; the mean is known better where all come at once.
+    double nearest = std::numeric_limits<double>::infinity(), sum = 0.0;
+    int met = 0;
+    for (const Eigen::Vector3d& corner_C : corners_C) {
+      const std::optional<double> distance = distance_to(*plane, n_C, corner_C, out_C);
+      if (!distance) continue;
+      nearest = std::min(nearest, *distance);
+      sum += *distance;
+      ++met;
+    }
+    if (met == 0) continue;
+    const double distance = parallel ? sum / met : nearest;
+    if (distance > -slack && distance < stop.distance) stop = {distance, parallel};
+  }
+  return stop;
+}
+
+}  // namespace quadrille

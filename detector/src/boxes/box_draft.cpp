@@ -1,0 +1,69 @@
+#include "boxes/box_draft.hpp"
+
+#include <algorithm>
+
+#include "boxes/box_axes.hpp"
+
+namespace quadrille {
+namespace {
+
+// How far around faces their surroundings are looked at [m].
+constexpr double kAround = 0.04;
+
+}  // namespace
+
+Eigen::Isometry3d BoxDraft::X_CA() const {
+  Eigen::Isometry3d X_CA = Eigen::Isometry3d::Identity();
+  X_CA.linear() = R_CA;
+  return X_CA;
+}
+
+Eigen::Vector3d BoxDraft::out_C(int axis, int upper) const {
+  return (upper ? 1.0 : -1.0) * R_CA.col(axis);
+}
+
+const Face* BoxDraft::face_on(int axis, int upper) const {
+  if (axis >= static_cast<int>(faces.size())) return nullptr;
+  const bool up = faces[axis]->n_C.dot(R_CA.col(axis)) > 0.0;
+  return up == (upper == 1) ? faces[axis] : nullptr;
+}
+
+Eigen::AlignedBox3d BoxDraft::reach_A() const {
+  Eigen::AlignedBox3d box_A;
+  for (const Face* face : faces) {
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = face->reach(R_CA.col(k));
+      box_A.min()[k] = std::min(box_A.min()[k], low);
+      box_A.max()[k] = std::max(box_A.max()[k], high);
+    }
+  }
+  return box_A;
+}
+
+std::array<Eigen::Vector3d, 8> BoxDraft::corners_C(const Eigen::AlignedBox3d& box_A) const {
+  std::array<Eigen::Vector3d, 8> corners;
+  for (int i = 0; i < 8; ++i) {
+    corners[i] = R_CA * box_A.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+  }
+  return corners;
+}
+
+double BoxDraft::max_tolerance() const {
+  double tolerance = 0.0;
+  for (const Face* face : faces) tolerance = std::max(tolerance, face->tolerance());
+  return tolerance;
+}
+
+BoxDraft draft_of(const std::vector<const Face*>& faces, const Sight& sight) {
+  BoxDraft draft;
+  draft.faces = faces;
+  draft.sight = &sight;
+  draft.R_CA = box_axes(faces);
+  draft.around_C = sight.points_towards(draft.corners_C(draft.reach_A()), kAround);
+  for (const Face* face : faces) {
+    draft.seen_through.push_back(look_through(*face, draft.around_C, sight));
+  }
+  return draft;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,213 @@
+#include "boxes/face_edge.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "base/quantile.hpp"
+
+namespace quadrille {
+namespace {
+
+// Rows are so many pitches wide, and hold so many points.
+constexpr double kRowPitches = 2.5;
+constexpr std::size_t kMinRowPoints = 3;
+// An edge is seen from so many rows on, and from this share of them.
+constexpr std::size_t kMinSeenRows = 3;
+constexpr double kMinSeenShare = 0.3;
+// What lies beside a row is told by so many points, the nearest within a distance: sensors lose
+// some beside the edges of things [m].
+constexpr std::size_t kVoters = 3;
+constexpr double kMaxBeside = 0.04;
+// A point beside a row touches its end if it is no farther from it than so many times their
+// distance in the plane, as on a table that is seen at 14° at least, and an error [m].
+constexpr double kMaxSlant = 4.0, kTouchError = 0.004;
+// So few points tell nothing of a rectangle.
+constexpr int kMinLooks = 8;
+// A surface that leaves a face is fitted in so many bands of heights as wide as the tolerance, each
+// of which holds so many points of it; share of the correction that stays in doubt, and how far
+// from the last points it may leave the tolerance [m].
+constexpr std::size_t kLeavingBands = 3;
+constexpr int kMinBandPoints = 8;
+constexpr double kMeetingDoubt = 0.25, kMaxMiss = 0.001;
+// Where there are no rows that tell, a face reaches as far as this share of them.
+constexpr double kFarRows = 0.9;
+
+/// A line of points towards an edge.
+struct Row {
+  std::size_t count = 0;
+  double end = -std::numeric_limits<double>::infinity();
+  Eigen::Vector3d last_C = Eigen::Vector3d::Zero();
+  /// Distance beyond the end, and whether what is seen there lets the face end here.
+  std::vector<std::pair<double, bool>> beside;
+
+  bool seen() {
+    if (beside.empty()) return false;
+    std::sort(beside.begin(), beside.end());
+    const std::size_t voters = std::min(kVoters, beside.size());
+    std::size_t ends = 0;
+    for (std::size_t k = 0; k < voters; ++k) ends += beside[k].second;
+    return 2 * ends > voters;
+  }
+};
+
+/// Rows side by side across the direction of an edge.
+class Rows {
+ public:
+  Rows(const Face& face, const Eigen::Vector3d& out_C, double width)
+      : out_C_(out_C), across_C_(face.n_C.cross(out_C)), width_(width) {
+    const auto [low, high] = face.reach(across_C_);
+    low_ = low;
+    rows_.resize(1 + static_cast<std::size_t>(std::max(0.0, (high - low) / width)));
+    for (const Eigen::Vector3d& p : face.points_C) {
+      if (Row* row = at(p)) {
+        ++row->count;
+        const double end = out_C_.dot(p);
+        if (end > row->end) {
+          row->end = end;
+          row->last_C = p;
+        }
+      }
+    }
+  }
+
+  /// The row that a place in the plane lies in; nullptr beside all.
+  Row* at(const Eigen::Vector3d& on_C) {
+    const double place = (across_C_.dot(on_C) - low_) / width_;
+    if (!(place >= 0.0 && place < static_cast<double>(rows_.size()))) return nullptr;
+    return &rows_[static_cast<std::size_t>(place)];
+  }
+  std::vector<Row>& all() { return rows_; }
+
+ private:
+  Eigen::Vector3d out_C_, across_C_;
+  double width_, low_ = 0.0;
+  std::vector<Row> rows_;
+};
+
+/// Notes for each row what lies beside its end.
+void look_beside(const Face& face, const Eigen::Vector3d& out_C,
+                 const std::vector<SeenThrough>& around, Rows& rows) {
+  for (const SeenThrough& seen : around) {
+    Row* row = rows.at(seen.on_C);
+    if (!row || row->count < kMinRowPoints) continue;
+    const double beyond = out_C.dot(seen.on_C) - row->end;
+    if (!(beyond > 0.0 && beyond < kMaxBeside)) continue;
+    const bool behind = seen.height < -face.tolerance();
+    // What goes on in the plane is no end.
+    const bool touches =
+        seen.height > face.tolerance() &&
+        (seen.p_C - row->last_C).norm() < kMaxSlant * beyond + face.tolerance() + kTouchError;
+    row->beside.emplace_back(beyond, behind || touches);
+  }
+}
+
+/// Where the surface that leaves a face at its edge would meet the face's plane. Along the lines of
+/// sight the points next to the edge, which lie within the face's tolerance still, seem to go on
+/// in its plane: place = edge + slope · height, by least squares over those that lie farther off.
+/// Nullopt if there is no such surface, as at an outline.
+std::optional<double> meeting_of(const Face& face, const Eigen::Vector3d& out_C, double end,
+                                 const std::vector<SeenThrough>& around, Rows& rows) {
+  const double tolerance = face.tolerance();
+  Eigen::Matrix2d S = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d b = Eigen::Vector2d::Zero();
+  std::array<int, kLeavingBands> bands = {};
+  for (const SeenThrough& seen : around) {
+    const double height = std::abs(seen.height) / tolerance;
+    if (height < 1.0 || height >= 1.0 + kLeavingBands) continue;
+    const double beyond = out_C.dot(seen.on_C) - end;
+    if (std::abs(beyond) > kMaxSlant * height * tolerance || !rows.at(seen.on_C)) continue;
+    const Eigen::Vector2d terms(1.0, height);
+    S += terms * terms.transpose();
+    b += beyond * terms;
+    ++bands[static_cast<std::size_t>(height) - 1];
+  }
+  // A surface has points in all bands, and so many as not to be chance.
+  if (*std::min_element(bands.begin(), bands.end()) < kMinBandPoints) return std::nullopt;
+  const Eigen::Vector2d line = S.ldlt().solve(b);
+  // At the tolerance it passes the end of the rows.
+  if (!(line.y() > 0.0) || std::abs(line.sum()) > kMaxMiss + 2.0 * face.pitch) return std::nullopt;
+  return end + line.x();
+}
+
+double deviation(std::vector<double> values, double middle) {
+  for (double& value : values) value = std::abs(value - middle);
+  return 1.4826 * median(values);
+}
+
+}  // namespace
+
+std::vector<SeenThrough> look_through(const Face& face,
+                                      const std::vector<Eigen::Vector3d>& points_C,
+                                      const Sight& sight) {
+  const double away = sight.single() && face.height(sight.eye()) < 0.0 ? -1.0 : 1.0;
+  std::vector<SeenThrough> seen;
+  seen.reserve(points_C.size());
+  for (const Eigen::Vector3d& p : points_C) {
+    seen.push_back({p, face.on_plane(p, sight), away * face.height(p)});
+  }
+  return seen;
+}
+
+FaceEdge edge_of(const Face& face, const Eigen::Vector3d& out_C,
+                 const std::vector<SeenThrough>& around, const Sight& sight) {
+  const Eigen::Vector3d across_C = face.n_C.cross(out_C);
+  const double pitch = face.pitch_along(out_C, sight);
+  Rows rows(face, out_C, kRowPitches * face.pitch_along(across_C, sight));
+  if (sight.single()) look_beside(face, out_C, around, rows);
+  std::vector<double> all, seen;
+  for (Row& row : rows.all()) {
+    if (row.count < kMinRowPoints) continue;
+    all.push_back(row.end);
+    // A cloud of many views shows all that there is.
+    if (!sight.single() || row.seen()) seen.push_back(row.end);
+  }
+  FaceEdge edge;
+  if (all.empty()) {
+    edge.at = face.reach(out_C).second;
+    edge.std = pitch;
+    return edge;
+  }
+  edge.seen = seen.size() >= kMinSeenRows &&
+              static_cast<double>(seen.size()) >= kMinSeenShare * static_cast<double>(all.size());
+  std::vector<double>& rows_that_tell = edge.seen ? seen : all;
+  const double end = edge.seen ? median(seen) : quantile(all, kFarRows);
+  edge.at = end + 0.5 * pitch;
+  const double spread = deviation(rows_that_tell, end);
+  edge.std = std::hypot(0.5 * pitch, spread / std::sqrt(double(rows_that_tell.size())));
+  if (!sight.single()) return edge;
+  const auto meeting = meeting_of(face, out_C, end, around, rows);
+  if (meeting && *meeting < edge.at) {
+    edge.std = std::hypot(edge.std, kMeetingDoubt * (edge.at - *meeting));
+    edge.at = *meeting;
+  }
+  return edge;
+}
+
+double Filling::share() const {
+  return on + through < kMinLooks ? 1.0 : static_cast<double>(on) / (on + through);
+}
+
+Filling& Filling::operator+=(const Filling& other) {
+  on += other.on;
+  through += other.through;
+  return *this;
+}
+
+Filling filling_of(const Face& face, const Eigen::Matrix<double, 3, 2>& uv_C,
+                   const Eigen::Vector2d& low, const Eigen::Vector2d& high,
+                   const std::vector<SeenThrough>& around) {
+  Filling filling;
+  for (const SeenThrough& seen : around) {
+    const Eigen::Vector2d place = uv_C.transpose() * seen.on_C;
+    if ((place.array() < low.array()).any() || (place.array() > high.array()).any()) continue;
+    filling.on += std::abs(seen.height) <= face.tolerance();
+    filling.through += seen.height < -face.tolerance();
+  }
+  return filling;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,102 @@
+#include "quadrille/detector/find_boxes.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <list>
+#include <optional>
+
+#include "boxes/box_axes.hpp"
+#include "boxes/face.hpp"
+#include "boxes/grouping.hpp"
+#include "boxes/measure_box.hpp"
+#include "boxes/missing_face.hpp"
+#include "boxes/sight.hpp"
+
+namespace quadrille {
+namespace {
+
+/// Detections may come out of messages.
+bool is_sound(const Detection& plane) {
+  const Eigen::Vector3d size = plane.extent_Q.sizes();
+  return plane.X_CQ.matrix().allFinite() && size.allFinite() &&
+         plane.extent_Q.center().allFinite() && size.head<2>().minCoeff() > 0.0;
+}
+
+/// Makes boxes, those of more faces first, so that one piece of a plane is a face of one of them.
+class BoxMaker {
+ public:
+  BoxMaker(const PointCloud& cloud, const std::vector<Detection>& detections) : sight_(cloud) {
+    for (const Detection& d : detections) {
+      last_id_ = std::max(last_id_, d.id);
+      if (d.type != QuadricType::kPlane || !is_sound(d)) continue;
+      planes_.push_back(&d);
+      if (d.extent_Q.sizes().maxCoeff() > kMaxSide) continue;
+      for (Face& face : faces_of(d, sight_)) faces_.push_back(std::move(face));
+    }
+  }
+
+  std::vector<Box> make() {
+    for (const std::vector<int>& group : group_faces(faces_)) {
+      std::vector<const Face*> faces;
+      for (const int i : group) faces.push_back(&faces_[i]);
+      add(faces);
+    }
+    for (const Face& face : faces_) {
+      if (is_rectangular(face, sight_)) add({&face});
+    }
+    return std::move(boxes_);
+  }
+
+ private:
+  bool is_free(const Face* face) const {
+    return std::none_of(boxes_.begin(), boxes_.end(), [&](const Box& box) {
+      return box.outer_B.exteriorDistance(box.X_CB.inverse() * face->middle_C) < kPartOf;
+    });
+  }
+
+  void add(const std::vector<const Face*>& faces) {
+    if (!std::all_of(faces.begin(), faces.end(), [&](const Face* f) { return is_free(f); })) return;
+    std::vector<const Detection*> others;
+    for (const Detection* plane : planes_) {
+      const auto same = [&](const Face* face) { return face->id == plane->id; };
+      if (std::none_of(faces.begin(), faces.end(), same)) others.push_back(plane);
+    }
+    std::optional<Box> box = completed_box(faces, others);
+    if (!box) box = measure_box(faces, others, sight_);
+    if (!box) return;
+    if (last_id_ == std::numeric_limits<int>::max()) return;
+    box->id = ++last_id_;
+    boxes_.push_back(std::move(*box));
+  }
+
+  /// With faces that were not detected; nullopt if there are none, or they make no box.
+  std::optional<Box> completed_box(std::vector<const Face*> faces,
+                                   const std::vector<const Detection*>& others) const {
+    const std::size_t detected = faces.size();
+    std::list<Face> missing;  // whose places last
+    while (faces.size() < 3) {
+      std::optional<Face> face = find_missing_face(faces, box_axes(faces), sight_);
+      if (!face) break;
+      faces.push_back(&missing.emplace_back(std::move(*face)));
+    }
+    if (faces.size() == detected) return std::nullopt;
+    return measure_box(faces, others, sight_);
+  }
+
+  // A face whose middle lies so near to a box is a second fit of one of its own [m].
+  static constexpr double kPartOf = 0.005;
+
+  Sight sight_;
+  std::vector<const Detection*> planes_;
+  std::vector<Face> faces_;
+  std::vector<Box> boxes_;
+  int last_id_ = 0;
+};
+
+}  // namespace
+
+std::vector<Box> find_boxes(const PointCloud& cloud, const std::vector<Detection>& detections) {
+  return BoxMaker(cloud, detections).make();
+}
+
+}  // namespace quadrille

@@ -1,0 +1,179 @@
+#include "boxes/measure_box.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <tuple>
+
+#include "boxes/box_draft.hpp"
+#include "boxes/sight_lines.hpp"
+
+namespace quadrille {
+namespace {
+
+// A side is no shorter: thinner things are sheets, or steps that noise feigns [m].
+constexpr double kMinSide = 0.008;
+// Ends whose outlines lie farther apart than this share of the side belong to two things.
+constexpr double kMaxDoubt = 0.15;
+// A face alone is one of a box if that is no deeper than so many of the face's longer sides.
+constexpr double kMaxDepthShare = 3.0;
+// The share of each face that was seen to be there; what is hidden does not count.
+constexpr double kMinFilled = 0.85;
+// Corners of a face as shares of its sides, of which this much is filled: those of a disc are not.
+constexpr double kCorner = 0.12, kMinFilledCorners = 0.65;
+// At its border a face may be rounded or cut [m], as a share of its side at most.
+constexpr double kFillSkin = 0.004, kMaxFillSkin = 0.1;
+// Within so much of its outside a box may be rounded and noisy [m], a share of its side at most.
+constexpr double kSkin = 0.008, kMaxSkinShare = 0.3;
+// Points seen through a box or in it, as a share of the points on its faces: strays.
+constexpr double kMaxSeenWithin = 0.04;
+
+double uniform_std(double width) { return width / std::sqrt(12.0); }
+
+/// True if a face fills its side of the box.
+bool filled(const BoxDraft& draft, int i, const Eigen::AlignedBox3d& box_A) {
+  const int u = (i + 1) % 3, v = (i + 2) % 3;
+  Eigen::Matrix<double, 3, 2> uv_C;
+  uv_C << draft.R_CA.col(u), draft.R_CA.col(v);
+  Eigen::Vector2d low(box_A.min()[u], box_A.min()[v]);
+  Eigen::Vector2d high(box_A.max()[u], box_A.max()[v]);
+  Eigen::Vector2d skin = (kMaxFillSkin * (high - low)).cwiseMin(kFillSkin);
+  if (draft.faces.size() == 1) {
+    // Of a disc the rows end at the middle of an arc: the rectangle around it is wider.
+    skin.setZero();
+    std::tie(low.x(), high.x()) = draft.faces[i]->reach(draft.R_CA.col(u));
+    std::tie(low.y(), high.y()) = draft.faces[i]->reach(draft.R_CA.col(v));
+  }
+  const auto filling = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+    return filling_of(*draft.faces[i], uv_C, from, to, draft.seen_through[i]);
+  };
+  const Eigen::Vector2d from = low + skin, to = high - skin;
+  if (filling(from, to).share() < kMinFilled) return false;
+  const Eigen::Vector2d corner = kCorner * (to - from);
+  Filling corners;
+  for (int n = 0; n < 4; ++n) {
+    const Eigen::Vector2d at(n & 1 ? to.x() - corner.x() : from.x(),
+                             n & 2 ? to.y() - corner.y() : from.y());
+    corners += filling(at, at + corner);
+  }
+  return corners.share() > kMinFilledCorners;
+}
+
+bool all_filled(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A) {
+  for (int i = 0; i < static_cast<int>(draft.faces.size()); ++i) {
+    if (!filled(draft, i, box_A)) return false;
+  }
+  return true;
+}
+
+/// True if nothing was seen through the box or in it.
+bool nothing_within(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A) {
+  Eigen::AlignedBox3d core_A = box_A;
+  const Eigen::Vector3d skin =
+      (kMaxSkinShare * box_A.sizes()).cwiseMin(kSkin + draft.max_tolerance());
+  core_A.min() += skin;
+  core_A.max() -= skin;
+  std::size_t on_faces = 0;
+  for (const Face* face : draft.faces) on_faces += face->points_C.size();
+  return count_seen_within(core_A, draft.X_CA(), draft.around_C, *draft.sight) <
+         kMaxSeenWithin * static_cast<double>(on_faces);
+}
+
+bool is_solid(const BoxDraft& draft, const BoxEnds& ends) {
+  const Eigen::AlignedBox3d box_A = seen_part(ends);
+  const Eigen::Vector3d size = box_A.sizes();
+  if (size.maxCoeff() > kMaxSide) return false;
+  const bool alone = draft.faces.size() == 1;
+  // Of one face alone the depth is not seen.
+  for (int axis = alone ? 1 : 0; axis < 3; ++axis) {
+    const double doubt = std::hypot(ends[axis][0].std, ends[axis][1].std);
+    if (size[axis] < kMinSide || doubt > kMaxDoubt * size[axis]) return false;
+  }
+  return all_filled(draft, box_A) && (alone || nothing_within(draft, box_A));
+}
+
+/// True if the outline of a face alone was seen all around, and it lies over a plane that is
+/// parallel to it: the top of a box that stands there.
+bool is_top(const BoxEnds& ends) {
+  for (int axis = 1; axis < 3; ++axis) {
+    if (!ends[axis][0].seen || !ends[axis][1].seen) return false;
+  }
+  const BoxEnd& foot = ends[0][0];
+  return foot.rests && foot.may_reach > kMinSide &&
+         foot.may_reach < kMaxDepthShare * seen_part(ends).sizes().maxCoeff();
+}
+
+/// Those that were detected, the larger first.
+void add_faces(const BoxDraft& draft, Box& box) {
+  std::vector<const Face*> faces = draft.faces;
+  std::stable_sort(faces.begin(), faces.end(), [](const Face* a, const Face* b) {
+    return a->points_C.size() > b->points_C.size();
+  });
+  std::erase_if(faces, [](const Face* face) { return face->id == 0; });
+  for (const Face* face : faces) {
+    box.faces.push_back(face->id);
+    box.score += face->score / static_cast<double>(faces.size());
+  }
+}
+
+/// The box that a draft is.
+Box box_of(const BoxDraft& draft, const BoxEnds& ends) {
+  Eigen::AlignedBox3d likely_A = seen_part(ends), outer_A = seen_part(ends);
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto& [low, high] = ends[axis];
+    likely_A.min()[axis] -= low.likely;
+    likely_A.max()[axis] += high.likely;
+    outer_A.min()[axis] -= low.may_reach;
+    outer_A.max()[axis] += high.may_reach;
+  }
+  std::array<int, 3> order = {0, 1, 2};
+  const Eigen::Vector3d size_A = likely_A.sizes();
+  std::stable_sort(order.begin(), order.end(), [&](int i, int k) { return size_A[i] > size_A[k]; });
+  const Eigen::Vector3d middle_C = draft.R_CA * likely_A.center();
+  const Eigen::Vector3d to_eye_C = draft.sight->eye() - middle_C;
+
+  Eigen::Matrix3d R_AB = Eigen::Matrix3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const double side = draft.R_CA.col(order[k]).dot(to_eye_C) < 0.0 ? -1.0 : 1.0;
+    R_AB(order[k], k) = side;
+  }
+  if (R_AB.determinant() < 0.0) R_AB.col(1) *= -1.0;
+  const auto in_B = [&](const Eigen::AlignedBox3d& box_A) {
+    const Eigen::Vector3d a = R_AB.transpose() * (box_A.min() - likely_A.center());
+    const Eigen::Vector3d b = R_AB.transpose() * (box_A.max() - likely_A.center());
+    return Eigen::AlignedBox3d(a.cwiseMin(b), a.cwiseMax(b));
+  };
+  Box box;
+  box.X_CB.linear() = draft.R_CA * R_AB;
+  box.X_CB.translation() = middle_C;
+  box.inner_B = in_B(seen_part(ends));
+  box.outer_B = in_B(outer_A);
+  for (int k = 0; k < 3; ++k) {
+    const auto& [low, high] = ends[order[k]];
+    box.size[k] = size_A[order[k]];
+    box.std[k] = std::hypot(std::hypot(low.std, high.std),
+                            std::hypot(uniform_std(low.may_reach), uniform_std(high.may_reach)));
+    box.seen[k] = low.seen && high.seen;
+  }
+  add_faces(draft, box);
+  return box;
+}
+
+}  // namespace
+
+bool is_rectangular(const Face& face, const Sight& sight) {
+  const BoxDraft draft = draft_of({&face}, sight);
+  return all_filled(draft, seen_part(find_ends(draft, {})));
+}
+
+std::optional<Box> measure_box(const std::vector<const Face*>& faces,
+                               const std::vector<const Detection*>& planes, const Sight& sight) {
+  const BoxDraft draft = draft_of(faces, sight);
+  BoxEnds ends = find_ends(draft, planes);
+  if (!is_solid(draft, ends)) return std::nullopt;
+  bound_open_ends(draft, planes, &ends);
+  if (faces.size() == 1 && !is_top(ends)) return std::nullopt;
+  return box_of(draft, ends);
+}
+
+}  // namespace quadrille

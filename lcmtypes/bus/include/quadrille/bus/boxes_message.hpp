@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <lcmtypes/quadrille/boxes_t.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/rejection.hpp"
+#include "quadrille/detector/box.hpp"
+
+namespace quadrille::bus {
+
+/// The boxes of one cloud, as they came in a message.
+struct BoxesMessage {
+  /// That of the cloud [us].
+  std::int64_t utime = 0;
+  /// That of the cloud; 0 where the cloud has none.
+  std::int32_t seq = 0;
+  /// Name of the cloud's frame C.
+  std::string frame;
+  std::vector<Box> boxes;
+};
+
+/// One box as a message; its pose is in frame C.
+box_t to_message(const Box& box);
+
+/// The boxes as a message stamped with their cloud's utime, seq and frame.
+boxes_t to_message(const CloudMessage& cloud, const std::vector<Box>& boxes);
+
+/// Reads boxes out of a message of type quadrille.boxes_t, with every length and value checked
+/// before the generated decoder sees the bytes.
+/// @param bytes      the message as it came, fingerprint first
+/// @param max_bytes  larger messages are refused [byte]
+Decoded<BoxesMessage> decode_boxes(std::span<const std::byte> bytes,
+                                   std::size_t max_bytes = kMaxMessageBytes);
+
+}  // namespace quadrille::bus
