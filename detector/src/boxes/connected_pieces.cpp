@@ -1,41 +1,56 @@
 #include "boxes/connected_pieces.hpp"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 namespace quadrille {
 namespace {
 
-using Cell = std::pair<int, int>;
+// Cells for each point at most, where a few points lie far from all others; cells become larger.
+constexpr double kMaxCellsPerPoint = 64.0;
+
+constexpr int kEmpty = -2, kOpen = -1;
 
 }  // namespace
 
 std::vector<int> connected_pieces(const std::vector<Eigen::Vector2d>& places, double cell) {
+  if (places.empty()) return {};
+  Eigen::AlignedBox2d bounds;
+  for (const Eigen::Vector2d& place : places) bounds.extend(place);
+  const double max_cells = kMaxCellsPerPoint * static_cast<double>(places.size());
+  cell = std::max(
+      {cell, std::sqrt(bounds.sizes().prod() / max_cells), bounds.sizes().maxCoeff() / max_cells});
+  // A border of empty cells, so that each cell has all neighbours.
+  const int width = 3 + static_cast<int>(bounds.sizes().x() / cell);
+  const int height = 3 + static_cast<int>(bounds.sizes().y() / cell);
   const auto cell_of = [&](const Eigen::Vector2d& place) {
-    const Eigen::Vector2d at = (place / cell).array().floor();
-    return Cell(static_cast<int>(at.x()), static_cast<int>(at.y()));
+    const Eigen::Vector2i at = ((place - bounds.min()) / cell).cast<int>();
+    return (at.y() + 1) * width + at.x() + 1;
   };
-  std::map<Cell, int> piece;
-  for (const Eigen::Vector2d& place : places) piece.try_emplace(cell_of(place), -1);
+  std::vector<int> piece(static_cast<std::size_t>(width) * height, kEmpty);
+  for (const Eigen::Vector2d& place : places) piece[cell_of(place)] = kOpen;
   int next = 0;
-  for (auto& [seed, number] : piece) {
-    if (number >= 0) continue;
-    number = next++;
-    std::vector<Cell> open = {seed};
+  std::vector<int> open;
+  for (int seed = 0; seed < static_cast<int>(piece.size()); ++seed) {
+    if (piece[seed] != kOpen) continue;
+    piece[seed] = next;
+    open = {seed};
     while (!open.empty()) {
-      const Cell at = open.back();
+      const int at = open.back();
       open.pop_back();
       for (int n = 0; n < 9; ++n) {
-        const auto found = piece.find({at.first + n % 3 - 1, at.second + n / 3 - 1});
-        if (found == piece.end() || found->second >= 0) continue;
-        found->second = number;
-        open.push_back(found->first);
+        const int neighbour = at + (n / 3 - 1) * width + n % 3 - 1;
+        if (piece[neighbour] != kOpen) continue;
+        piece[neighbour] = next;
+        open.push_back(neighbour);
       }
     }
+    ++next;
   }
   std::vector<int> numbers;
-  for (const Eigen::Vector2d& place : places) numbers.push_back(piece.at(cell_of(place)));
+  numbers.reserve(places.size());
+  for (const Eigen::Vector2d& place : places) numbers.push_back(piece[cell_of(place)]);
   return numbers;
 }
 

@@ -33,6 +33,8 @@ constexpr double kMinCosine = 0.1;
 constexpr double kMedianToSigma = 1.4826;
 // The share of the points beyond either end of reach().
 constexpr double kTrimmed = 0.01;
+// So many points tell it.
+constexpr std::size_t kMaxReachPoints = 2000;
 
 std::array<Eigen::Vector3d, 4> corners_C(const FacePatch& patch) {
   std::array<Eigen::Vector3d, 4> corners;
@@ -163,8 +165,10 @@ double Face::pitch_along(const Eigen::Vector3d& u_C, const Sight& sight) const {
 }
 
 std::pair<double, double> Face::reach(const Eigen::Vector3d& u_C) const {
-  std::vector<double> x(points_C.size());
-  for (std::size_t k = 0; k < x.size(); ++k) x[k] = u_C.dot(points_C[k]);
+  const std::size_t stride = 1 + points_C.size() / kMaxReachPoints;
+  std::vector<double> x;
+  x.reserve(points_C.size() / stride + 1);
+  for (std::size_t k = 0; k < points_C.size(); k += stride) x.push_back(u_C.dot(points_C[k]));
   const double low = quantile(x, kTrimmed);
   return {low, quantile(x, 1.0 - kTrimmed)};
 }

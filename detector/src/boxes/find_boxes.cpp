@@ -42,7 +42,7 @@ class BoxMaker {
       add(faces);
     }
     for (const Face& face : faces_) {
-      if (is_rectangular(face, sight_)) add({&face});
+      if (is_free(&face) && is_rectangular(face, sight_)) add({&face});
     }
     return std::move(boxes_);
   }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <tuple>
 
+#include "boxes/box_axes.hpp"
 #include "boxes/box_draft.hpp"
 #include "boxes/sight_lines.hpp"
 
@@ -27,6 +28,18 @@ constexpr double kFillSkin = 0.004, kMaxFillSkin = 0.1;
 constexpr double kSkin = 0.008, kMaxSkinShare = 0.3;
 // Points seen through a box or in it, as a share of the points on its faces: strays.
 constexpr double kMaxSeenWithin = 0.04;
+
+// The same from the number of its points, without a look at what lies between them: to save time.
+constexpr double kMinCoverage = 0.5;
+
+/// Share of the rectangle around a face that its points fill with the area of a pixel each.
+double coverage(const Face& face) {
+  const Eigen::Matrix3d R_CA = box_axes({&face});
+  const auto [u0, u1] = face.reach(R_CA.col(1));
+  const auto [v0, v1] = face.reach(R_CA.col(2));
+  const double pixel = face.pitch * face.pitch / face.cosine;
+  return static_cast<double>(face.points_C.size()) * pixel / ((u1 - u0) * (v1 - v0));
+}
 
 double uniform_std(double width) { return width / std::sqrt(12.0); }
 
@@ -162,6 +175,7 @@ Box box_of(const BoxDraft& draft, const BoxEnds& ends) {
 }  // namespace
 
 bool is_rectangular(const Face& face, const Sight& sight) {
+  if (coverage(face) < kMinCoverage) return false;
   const BoxDraft draft = draft_of({&face}, sight);
   return all_filled(draft, seen_part(find_ends(draft, {})));
 }

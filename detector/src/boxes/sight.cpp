@@ -1,33 +1,91 @@
 #include "boxes/sight.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace quadrille {
 namespace {
 
 // Tiles along either side of the image.
 constexpr int kTiles = 64;
+// Each level of points has a quarter of those of the one before.
+constexpr int kLevels = 4;
+// So many points tell a face; towards larger ones fewer are taken of each area.
+constexpr int kMaxPoints = 12'000;
+
+/// A grid over an image that lets the first point of each cell pass.
+class Thinning {
+ public:
+  /// @param cells  in the image, about
+  Thinning(const Eigen::AlignedBox2f& image, double cells) : corner_(image.min()) {
+    const Eigen::Array2f size = image.sizes().array().max(kMinTangent);
+    per_unit_ = static_cast<float>(std::sqrt(cells / static_cast<double>(size.prod())));
+    width_ = 1 + static_cast<std::size_t>(size.x() * per_unit_);
+    taken_.assign(width_ * (1 + static_cast<std::size_t>(size.y() * per_unit_)), 0);
+  }
+
+  bool take(const Eigen::Vector2f& tangents) {
+    const Eigen::Array2f at = (tangents - corner_).array() * per_unit_;
+    const auto x = static_cast<std::size_t>(at.x()), y = static_cast<std::size_t>(at.y());
+    return !std::exchange(taken_[y * width_ + x], 1);
+  }
+
+ private:
+  // Of an image that is a line.
+  static constexpr float kMinTangent = 1e-3f;
+
+  Eigen::Vector2f corner_;
+  float per_unit_;
+  std::size_t width_;
+  std::vector<char> taken_;
+};
 
 }  // namespace
 
 Sight::Sight(const PointCloud& cloud) : cloud_(&cloud), view_(find_view(cloud)) {
   if (!view_) return;
-  std::vector<int> tile(cloud.points.size(), -1);
-  begin_.assign(kTiles * kTiles + 1, 0);
-  for (std::size_t k = 0; k < tile.size(); ++k) {
+  std::vector<int> points;
+  std::vector<Eigen::Vector2f> tangents;
+  for (std::size_t k = 0; k < cloud.points.size(); ++k) {
     const Eigen::Vector3f seen = (*view_)(cloud.points[k]);
     if (!(seen.z() > 0.0f)) continue;
-    const Eigen::Vector2i at = tile_of(seen.head<2>());
+    points.push_back(static_cast<int>(k));
+    tangents.push_back(seen.head<2>());
+  }
+  double cells = static_cast<double>(points.size());
+  for (int level = 0; level < kLevels; ++level, cells *= 0.25) {
+    if (level > 0) {
+      Thinning thinning(view_->bounds, cells);
+      std::size_t kept = 0;
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        if (!thinning.take(tangents[k])) continue;
+        points[kept] = points[k];
+        tangents[kept++] = tangents[k];
+      }
+      points.resize(kept);
+      tangents.resize(kept);
+    }
+    levels_.push_back(tiled(points, tangents));
+  }
+}
+
+Sight::Level Sight::tiled(const std::vector<int>& points,
+                          const std::vector<Eigen::Vector2f>& tangents) const {
+  Level level;
+  level.begin.assign(kTiles * kTiles + 1, 0);
+  std::vector<int> tile(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Eigen::Vector2i at = tile_of(tangents[k]);
     tile[k] = at.y() * kTiles + at.x();
-    ++begin_[static_cast<std::size_t>(tile[k]) + 1];
+    ++level.begin[static_cast<std::size_t>(tile[k]) + 1];
   }
-  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  order_.resize(static_cast<std::size_t>(begin_.back()));
-  std::vector<int> next(begin_.begin(), begin_.end() - 1);
-  for (std::size_t k = 0; k < tile.size(); ++k) {
-    if (tile[k] >= 0) order_[next[tile[k]]++] = static_cast<int>(k);
-  }
+  std::partial_sum(level.begin.begin(), level.begin.end(), level.begin.begin());
+  level.points.resize(points.size());
+  std::vector<int> next(level.begin.begin(), level.begin.end() - 1);
+  for (std::size_t k = 0; k < points.size(); ++k) level.points[next[tile[k]]++] = points[k];
+  return level;
 }
 
 Eigen::Vector2i Sight::tile_of(const Eigen::Vector2f& tangents) const {
@@ -59,11 +117,29 @@ std::vector<Eigen::Vector3d> Sight::points_towards(std::span<const Eigen::Vector
     image.extend(Eigen::Vector2f(seen.head<2>().array() - step));
     image.extend(Eigen::Vector2f(seen.head<2>().array() + step));
   }
-  const Eigen::Vector2i low = tile_of(image.min()), high = tile_of(image.max());
+  return points_in(tile_of(image.min()), tile_of(image.max()));
+}
+
+std::vector<Eigen::Vector3d> Sight::points_in(const Eigen::Vector2i& low,
+                                              const Eigen::Vector2i& high) const {
+  const auto first = [&](const Level& level, int row) {
+    return level.begin[row * kTiles + low.x()];
+  };
+  const auto last = [&](const Level& level, int row) {
+    return level.begin[row * kTiles + high.x() + 1];
+  };
+  const auto is_enough = [&](const Level& level) {
+    int count = 0;
+    for (int row = low.y(); row <= high.y(); ++row) count += last(level, row) - first(level, row);
+    return count <= kMaxPoints;
+  };
+  const auto found = std::find_if(levels_.begin(), levels_.end(), is_enough);
+  const Level& level = found == levels_.end() ? levels_.back() : *found;
   std::vector<Eigen::Vector3d> points;
   for (int row = low.y(); row <= high.y(); ++row) {
-    const int first = begin_[row * kTiles + low.x()], last = begin_[row * kTiles + high.x() + 1];
-    for (int k = first; k < last; ++k) points.push_back(cloud_->points[order_[k]].cast<double>());
+    for (int k = first(level, row); k < last(level, row); ++k) {
+      points.push_back(cloud_->points[level.points[k]].cast<double>());
+    }
   }
   return points;
 }

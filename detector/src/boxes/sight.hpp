@@ -20,20 +20,29 @@ class Sight {
   bool single() const { return view_.has_value(); }
   /// Where the sensor stood [m].
   const Eigen::Vector3d& eye() const { return cloud_->viewpoint; }
-  /// The points that were seen towards the convex hull of some places, and some around them; of no
-  /// single view the points within the bounds of the places.
+  /// The points that were seen towards the convex hull of some places, and some around them; where
+  /// they are more than a box needs, some of them, evenly spread over the image. Of no single view
+  /// the points within the bounds of the places.
   /// @param margin  how far beside the places, at least [m]
   std::vector<Eigen::Vector3d> points_towards(std::span<const Eigen::Vector3d> places_C,
                                               double margin) const;
 
  private:
+  /// Points of the cloud tile by tile, and where each tile begins among them.
+  struct Level {
+    std::vector<int> begin, points;
+  };
+
+  Level tiled(const std::vector<int>& points, const std::vector<Eigen::Vector2f>& tangents) const;
   Eigen::Vector2i tile_of(const Eigen::Vector2f& tangents) const;
+  std::vector<Eigen::Vector3d> points_in(const Eigen::Vector2i& low,
+                                         const Eigen::Vector2i& high) const;
   std::vector<Eigen::Vector3d> points_within(const Eigen::AlignedBox3d& bounds_C) const;
 
   const PointCloud* cloud_;
   std::optional<PinholeView> view_;
-  /// For each tile where its points begin in order_.
-  std::vector<int> begin_, order_;
+  /// All points first, then ever fewer, evenly spread over the image.
+  std::vector<Level> levels_;
 };
 
 }  // namespace quadrille
