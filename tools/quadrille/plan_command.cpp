@@ -17,6 +17,7 @@
 #include "cli/frame_arguments.hpp"
 #include "cli/output.hpp"
 #include "cli/planner/planner_arguments.hpp"
+#include "cli/planner/query_arguments.hpp"
 #include "io/file_bytes.hpp"
 #include "io/new_file.hpp"
 #include "io/planner/config.hpp"
@@ -28,7 +29,7 @@
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
 #include "quadrille/grasping/conventions.hpp"
-#include "quadrille/grasping/plan.hpp"
+#include "quadrille/grasping/grasp_scene.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/picture_option.hpp"
@@ -43,6 +44,7 @@ struct PlanArguments {
   DetectorArguments detector;
   PlannerArguments planner;
   FrameArguments frames;
+  QueryArguments query;
   std::optional<HandConvention> convention;
 };
 
@@ -119,6 +121,7 @@ void run(const PlanArguments& arguments) {
   print_warnings(arguments.detector.config, setup.warnings);
   const Gripper gripper = arguments.planner.gripper();
   const PlanOptions options = arguments.planner.overrule(config.planner);
+  arguments.query.query.check();
   refuse_same(arguments.input, arguments.views);
   JsonLines json(arguments.json);
   std::optional<io::NewFile> map;
@@ -128,8 +131,9 @@ void run(const PlanArguments& arguments) {
   DetectionResult found = detect(input.cloud, setup.options);
   // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);
+  const GraspQuery query = moved(arguments.query.query, input.X_CK.inverse());
   const GraspPlan planned = plan_grasps(input.cloud, detections, gripper, options,
-                                        read_views(arguments.views, input.X_CK.inverse()));
+                                        read_views(arguments.views, input.X_CK.inverse()), query);
   found.boxes = planned.boxes;
   // All were in the way; shown is what was asked for.
   std::erase_if(found.detections, [](const Detection& d) { return !is_reported(d); });
@@ -169,6 +173,7 @@ void add_plan_command(CLI::App& app) {
                     "Add to each grasp's JSON the hand's pose X_CH as this software has it");
   command->get_option("--convention")->needs("--json");
   arguments->frames.add_to(*command);
+  arguments->query.add_to(*command);
   add_picture_option(*command, arguments->picture, "the cloud, the quadrics and the grasps");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });
