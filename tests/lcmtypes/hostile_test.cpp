@@ -125,6 +125,15 @@ TEST_CASE("a string of length zero, negative, or without its end mark is refused
   }
 }
 
+TEST_CASE("a frame's name with a NUL in it, which cannot be sent on, is refused",
+          "[bus][hostile]") {
+  Bytes bytes = encode_cloud(test::make_cloud(), CloudFormat::kDrake);
+  // "camera", after fingerprint, utime and its length.
+  REQUIRE(bytes[20] == std::byte{'c'});
+  bytes[22] = std::byte{0};
+  CHECK(reason_of(bytes) == RejectReason::kBadValue);
+}
+
 TEST_CASE("layouts in which rows overlap or sizes overflow are refused", "[bus][hostile]") {
   const auto refused = [](const std::function<void(drake::lcmt_point_cloud&)>& change) {
     const RejectReason reason = reason_of(encode_changed(change));

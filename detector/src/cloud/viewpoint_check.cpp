@@ -38,6 +38,8 @@ constexpr std::size_t kMinHidden = 30;
 // Of an image the angle between two pixels that is so many times the usual one is a tear; lenses
 // change it less. A share of them, for sensors that are a few centimetres off.
 constexpr double kTorn = 1.6, kMaxTorn = 0.02;
+// Cosine to the middle of the image from which on pixels are taken for as small as there.
+constexpr double kMinAhead = 0.3;
 
 /// Rays from the viewpoint to finite points, evenly over the cloud.
 Points rays_of(const PointCloud& cloud) {
@@ -55,19 +57,38 @@ std::string percent(double share) {
   return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
 }
 
+/// Angles between pixels that are neighbours in a row, all as in the middle of the image: a pixel
+/// at the tangents (u, v) is smaller by √(1 + v²) / (1 + u² + v²).
+std::vector<double> pixel_angles(const PointCloud& cloud) {
+  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> pairs;
+  Eigen::Vector3d ahead = Eigen::Vector3d::Zero(), along = Eigen::Vector3d::Zero();
+  const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kSome);
+  for (std::size_t i = 0; i + 1 < cloud.points.size(); i += stride) {
+    if ((i + 1) % static_cast<std::size_t>(cloud.width) == 0) continue;
+    const Eigen::Vector3d a = (cloud.points[i].cast<double>() - cloud.viewpoint).normalized();
+    const Eigen::Vector3d b = (cloud.points[i + 1].cast<double>() - cloud.viewpoint).normalized();
+    if (!a.allFinite() || !b.allFinite()) continue;
+    pairs.emplace_back(a, b);
+    ahead += a;
+    along += b - a;
+  }
+  ahead.normalize();
+  const Eigen::Vector3d across = ahead.cross(along).normalized();
+  std::vector<double> angles;
+  for (const auto& [a, b] : pairs) {
+    const double cosine = std::max(kMinAhead, a.dot(ahead)), v = a.dot(across) / cosine;
+    const double shrunk = cosine * cosine * std::sqrt(1.0 + v * v);
+    angles.push_back(std::atan2(a.cross(b).norm(), a.dot(b)) / shrunk);
+  }
+  return angles;
+}
+
 /// What is wrong where neighbouring pixels of an organised cloud lie in far from neighbouring
 /// directions; empty if they do not. Seen from where the sensor stood the angle between two pixels
 /// is the same whatever their depths.
 std::string torn_image(const PointCloud& cloud) {
   if (!cloud.organised()) return "";
-  std::vector<double> angles;
-  const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kSome);
-  for (std::size_t i = 0; i + 1 < cloud.points.size(); i += stride) {
-    if ((i + 1) % static_cast<std::size_t>(cloud.width) == 0) continue;
-    const Eigen::Vector3d a = cloud.points[i].cast<double>() - cloud.viewpoint;
-    const Eigen::Vector3d b = cloud.points[i + 1].cast<double>() - cloud.viewpoint;
-    if (a.allFinite() && b.allFinite()) angles.push_back(std::atan2(a.cross(b).norm(), a.dot(b)));
-  }
+  std::vector<double> angles = pixel_angles(cloud);
   if (angles.size() < kMinPoints) return "";
   const double usual = quantile(angles, 0.5);
   const auto torn = std::count_if(angles.begin(), angles.end(),

@@ -1,5 +1,6 @@
 #include "byte_reader.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <utility>
@@ -76,7 +77,12 @@ std::span<const std::byte> ByteReader::take_string(const char* member) {
   if (characters.empty() || characters.back() != std::byte{0}) {
     refuse(RejectReason::kBadLength, std::string(member) + ": a string without its end mark");
   }
-  return characters.first(characters.size() - 1);
+  const auto text = characters.first(characters.size() - 1);
+  // Such a string cannot be encoded again.
+  if (std::find(text.begin(), text.end(), std::byte{0}) != text.end()) {
+    refuse(RejectReason::kBadValue, std::string(member) + ": a string with a NUL in it");
+  }
+  return text;
 }
 
 std::string ByteReader::read_string(const char* member, std::size_t max_bytes) {

@@ -96,6 +96,22 @@ TEST_CASE("a viewpoint among the points, on one of them or nowhere is no viewpoi
   CHECK(contradict_viewpoint(ball, {}).empty());
 }
 
+TEST_CASE("an image from a lens that sees far to the side is whole", "[viewpoint]") {
+  // A wall a metre ahead, 63° to either side, and a smaller one before it.
+  PointCloud cloud;
+  cloud.width = 640;
+  cloud.height = 480;
+  for (int row = 0; row < 480; ++row) {
+    for (int column = 0; column < 640; ++column) {
+      const float u = 1.95f * (static_cast<float>(column) - 319.5f) / 320.0f;
+      const float v = 1.46f * (static_cast<float>(row) - 239.5f) / 240.0f;
+      const float z = std::abs(u) < 0.3f && std::abs(v) < 0.3f ? 0.6f : 1.0f;
+      cloud.points.emplace_back(u * z, v * z, z);
+    }
+  }
+  CHECK(contradict_viewpoint(cloud, {}).empty());
+}
+
 TEST_CASE("an image seen from elsewhere is torn at the edges of things", "[viewpoint]") {
   const PointCloud cloud = table_scene();
   REQUIRE(cloud.organised());

@@ -20,7 +20,8 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
       publish_(std::move(publish)),
       dropped_before_(bus::count_dropped_datagrams()),
       tracker_(settings.track),
-      camera_poses_(settings.X_WK, settings.track.pose_age) {
+      camera_poses_(settings.X_WK, settings.track.pose_age),
+      untracked_(settings.frames.clouds == CloudFrame::kCamera) {
   for (const std::string& warning : settings.warnings) log_warning(warning);
 }
 

@@ -8,11 +8,12 @@ namespace quadrille {
 
 void Untracked::add(const std::string& channel, std::int64_t cloud_utime, PoseLack lack,
                     const std::string& detail) {
+  const char* what = searched_ ? "tracked" : "searched";
   ++counts_[static_cast<std::size_t>(lack)];
   const auto held_back = log_.admit();
   if (!held_back) return;
-  log_warning(fmt::format("{}: cloud {} is not tracked: {}; {} more since the last record", channel,
-                          cloud_utime, detail, *held_back));
+  log_warning(fmt::format("{}: cloud {} is not {}: {}; {} more since the last record", channel,
+                          cloud_utime, what, detail, *held_back));
 }
 
 std::vector<count_t> Untracked::to_message() const {

@@ -12,10 +12,13 @@
 
 namespace quadrille {
 
-/// The clouds that are not tracked for want of a pose: counted by reason, and logged at a bounded
-/// rate.
+/// The clouds that are not tracked, or not even searched, for want of a pose: counted by reason,
+/// and logged at a bounded rate.
 class Untracked {
  public:
+  /// @param searched  whether clouds without a pose are searched
+  explicit Untracked(bool searched) : searched_(searched) {}
+
   /// @param detail  what is wrong, for the log
   void add(const std::string& channel, std::int64_t cloud_utime, PoseLack lack,
            const std::string& detail);
@@ -26,6 +29,7 @@ class Untracked {
   std::vector<count_t> to_message() const;
 
  private:
+  bool searched_;
   std::array<std::int64_t, 2> counts_{};
   bus::RateLimiter log_{std::chrono::seconds(1)};
 };
