@@ -2,8 +2,6 @@
 //   06_ask_for_grasps X Y Z [TIMES [LCM_URL]]
 // It needs a planner that has a cloud, best started with --on-request. Exit status 1 if a request
 // is not answered within 5 s.
-#include <unistd.h>
-
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
@@ -12,6 +10,7 @@
 #include <lcmtypes/quadrille/grasp_request_t.hpp>
 #include <lcmtypes/quadrille/grasps_t.hpp>
 #include <optional>
+#include <random>
 #include <string>
 
 using Clock = std::chrono::steady_clock;
@@ -24,7 +23,7 @@ class Asker {
   /// Nothing if no answer came in time.
   std::optional<quadrille::grasps_t> ask(quadrille::grasp_request_t request) {
     // Others may ask at the same time: ids must not be theirs.
-    request.request_id = (static_cast<std::int64_t>(getpid()) << 32) + ++asked_;
+    request.request_id = (first_id_ << 32) + ++asked_;
     wanted_ = request.request_id;
     answer_.reset();
     lcm_.publish("GRASP_REQUEST", &request);
@@ -39,7 +38,7 @@ class Asker {
   }
 
   lcm::LCM& lcm_;
-  std::int64_t asked_ = 0, wanted_ = 0;
+  std::int64_t first_id_ = std::random_device()() >> 1, asked_ = 0, wanted_ = 0;
   std::optional<quadrille::grasps_t> answer_;
 };
 
