@@ -19,6 +19,11 @@ struct InChannel {
   std::string option, name;
 };
 
+/// A channel on which a node publishes, and the option that names it.
+struct OutChannel {
+  std::string option, name;
+};
+
 /// What a message asks for.
 struct Job {
   /// The utime of the cloud that it is about [us].
@@ -35,6 +40,7 @@ class Node {
   virtual ~Node() = default;
 
   virtual std::vector<InChannel> in_channels() const = 0;
+  virtual std::vector<OutChannel> out_channels() const { return {}; }
 
   /// Takes a message; one that is refused is counted and logged, one of another channel ignored.
   /// For the receiving thread.
