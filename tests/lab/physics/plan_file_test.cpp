@@ -5,6 +5,7 @@
 
 #include "grasping/scenes.hpp"
 #include "io/planner/plan_json.hpp"
+#include "io/run_info.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
 
@@ -44,7 +45,7 @@ TEST_CASE("the grasps of a plan come back from its JSON", "[physics]") {
   result.detections[0].id = 7;
   result.detections[0].Q_C = Quadric(Vector10d(3.0 * Vector10d::Unit(2)));
   const test::TempFolder folder;
-  const std::string path = folder.write("p.json", io::plan_json(info, result, plan).dump());
+  const std::string path = folder.write("p.json", io::plan_json(info, {}, result, plan).dump());
   const physics::PlanFile file = physics::read_plan(path);
   REQUIRE(file.detections.size() == 1);
   CHECK(file.detections[0].id == 7);
