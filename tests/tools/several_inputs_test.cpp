@@ -99,7 +99,7 @@ TEST_CASE("a cloud of a log is named by its number, from 1 on", "[command][log]"
     }
     CHECK(contains(run_quadrille(command + "--help").out, "clouds.lcm#2 is the second cloud"));
   }
-  CHECK(lines_from(run_quadrille(kDetect + two.log + "#2"))[0]["points"]["read"] == 2);
+  CHECK(lines_from(run_quadrille(kDetect + two.log + "#2")).at(0)["points"]["read"] == 2);
   // A file of that name goes before.
   const std::string file = two.folder.write("both.lcm#1", test::ply_of({"1 2 3"}));
   check_failure(run_quadrille(kDetect + file), file);
@@ -115,7 +115,7 @@ TEST_CASE("a log of several channels is told, in JSON too, and --channel chooses
     const Run all = run_quadrille(command + two.mixed);
     CHECK(inputs_of(all).size() == 3);
     CHECK(contains(all.err, "mixed.lcm: warning: " + sentence));
-    const json warnings = lines_from(all)[2]["warnings"];
+    const json warnings = lines_from(all).at(2)["warnings"];
     CHECK(std::find(warnings.begin(), warnings.end(), sentence) != warnings.end());
     const Run right = run_quadrille(command + "--channel RIGHT " + two.mixed);
     CHECK(inputs_of(right) == Names{two.mixed + "#1"});
@@ -125,9 +125,9 @@ TEST_CASE("a log of several channels is told, in JSON too, and --channel chooses
     CHECK(contains(none.err, "holds no cloud on FRONT, but events on LEFT (2), RIGHT (1)"));
     CHECK(run_quadrille(command + "--channel RIGHT " + two.small).code == 2);
   }
-  CHECK(lines_from(run_quadrille(kDetect + two.mixed + "#3"))[0]["points"]["read"] == 2);
-  CHECK(lines_from(run_quadrille(kDetect + "--channel RIGHT " + two.mixed +
-                                 "#1"))[0]["points"]["read"] == 2);
+  CHECK(lines_from(run_quadrille(kDetect + two.mixed + "#3")).at(0)["points"]["read"] == 2);
+  CHECK(lines_from(run_quadrille(kDetect + "--channel RIGHT " + two.mixed + "#1"))
+            .at(0)["points"]["read"] == 2);
   check_failure(run_quadrille(kDetect + "--channel RIGHT " + two.mixed + "#2"),
                 "there is no cloud #2; it holds 1 cloud on RIGHT");
 }

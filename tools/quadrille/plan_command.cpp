@@ -146,13 +146,27 @@ struct PlanOutput {
   std::optional<io::NewFile> map;
 };
 
+/// Writes and prints what was found and planned, in the cloud's own frame.
+/// @param info  with the warnings so far
+void put_out(const PlanArguments& arguments, const PlanSetup& setup, const InputCloud& input,
+             io::RunInfo info, const DetectionResult& result, const GraspPlan& plan,
+             PlanOutput* output) {
+  for (const auto& warnings : {result.warnings, without(plan.warnings, result.warnings)}) {
+    info.warnings.insert(info.warnings.end(), warnings.begin(), warnings.end());
+    print_warnings(input.info.input, warnings);
+  }
+  io::Json object = io::plan_json(input.info, info, result, plan);
+  if (arguments.convention) add_hands(plan, setup.gripper, *arguments.convention, &object);
+  output->json.write(object);
+  if (!output->json.owns_stdout())
+    print(detection_table(input.info, result) + grasp_table(plan, setup.options.unknown));
+  if (output->map) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
+}
+
 void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const std::string& path,
                 const InputCloud& input, PlanOutput* output) {
   io::RunInfo info = setup.info;
-  const auto warn = [&](const std::vector<std::string>& warnings) {
-    info.warnings.insert(info.warnings.end(), warnings.begin(), warnings.end());
-  };
-  warn(input.warnings);
+  info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
   DetectionResult found = detect(input.cloud, setup.detector.options);
   // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);
@@ -166,18 +180,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   DetectionResult result = found;
   result.detections = moved(std::move(result.detections), input.X_CK);
   result.boxes = moved(std::move(result.boxes), input.X_CK);
-  const GraspPlan plan = moved(planned, input.X_CK);
-  const std::vector<std::string> of_plan = without(plan.warnings, result.warnings);
-  warn(result.warnings);
-  warn(of_plan);
-  io::Json object = io::plan_json(input.info, info, result, plan);
-  if (arguments.convention) add_hands(plan, setup.gripper, *arguments.convention, &object);
-  output->json.write(object);
-  if (!output->json.owns_stdout())
-    print(detection_table(input.info, result) + grasp_table(plan, setup.options.unknown));
-  print_warnings(input.info.input, result.warnings);
-  print_warnings(input.info.input, of_plan);
-  if (output->map) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
+  put_out(arguments, setup, input, std::move(info), result, moved(planned, input.X_CK), output);
   if (!output->pictures.wanted()) return;
   write_png(output->pictures.next(path),
             draw_picture({input.info.input, input.cloud, found, &planned, &setup.gripper}));
