@@ -71,4 +71,7 @@ TEST_CASE("what is no plan is refused", "[physics][hostile]") {
   CHECK(refusal(plan(R"("quaternion": [1, 0, 0]}})")).find("p.json") != std::string::npos);
   CHECK(refusal("{}").find("not what `quadrille plan --json` writes") != std::string::npos);
   CHECK(refusal("").find("p.json") != std::string::npos);
+  const std::string fine = plan(R"("quaternion": [1, 0, 0, 0]}})") + "\n";
+  CHECK(refusal(fine).empty());
+  CHECK(refusal(fine + fine).find("p.json: line 2: holds more than one plan") != std::string::npos);
 }
