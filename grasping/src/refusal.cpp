@@ -22,6 +22,8 @@ std::string_view to_string(Refusal refusal) {
       return "contradicted";
     case Refusal::kUnreachable:
       return "unreachable";
+    case Refusal::kApproach:
+      return "approach";
     case Refusal::kSupport:
       return "support";
     case Refusal::kTarget:
@@ -29,9 +31,11 @@ std::string_view to_string(Refusal refusal) {
     case Refusal::kCollision:
       return "collision";
     case Refusal::kUnknown:
+      return "unknown";
+    case Refusal::kClearance:
       break;
   }
-  return "unknown";
+  return "clearance";
 }
 
 }  // namespace quadrille

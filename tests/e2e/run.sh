@@ -222,6 +222,37 @@ compare_with_offline() {
   done
 }
 
+# Two who ask at once, many times in a row, get each answer; nothing else is planned.
+check_requests() {
+  local ask=$bin/examples/06_ask_for_grasps askers=()
+  lcm-logger --lcm-url="$url" "$work/asked.lcm" >/dev/null 2>"$work/logger.stderr" &
+  local logger=$!
+  "$detector" --lcm-url "$url" 2>"$work/detector.stderr" &
+  local detector_process=$!
+  "$planner" -v --on-request --unknown free --lcm-url "$url" 2>"$work/planner.stderr" &
+  local planner_process=$!
+  started=("$logger" "$detector_process" "$planner_process")
+  wait_until 20 enough_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"
+  "$ask" 0 0 0.8 1 "$url" | grep -q "no cloud has come" || fail "an answer before any cloud"
+  lcm-logplayer --lcm-url="$url" "$work/scene.lcm" >/dev/null
+  wait_until 20 grep -qa QUADRICS "$work/asked.lcm" || fail "no quadrics of the scene"
+  for x in -0.1 0.1; do
+    "$ask" "$x" 0 0.8 20 "$url" >"$work/asked$x.txt" &
+    askers+=("$!")
+  done
+  for asker in "${askers[@]}"; do wait "$asker" || fail "a request was not answered"; done
+  for x in -0.1 0.1; do
+    [[ $(grep -c "grasps:  on " "$work/asked$x.txt") -eq 20 ]] ||
+      fail "not 20 answers with grasps: $(<"$work/asked$x.txt")"
+  done
+  kill -INT "$planner_process" "$detector_process" "$logger"
+  expect_end "$planner_process" planner
+  grep -q "requests: 41, none refused, unmet: 1" "$work/planner.stderr" ||
+    fail "requests are not counted: $(tail -2 "$work/planner.stderr")"
+  wait "$detector_process" "$logger" || fail "the detector or lcm-logger failed"
+  started=()
+}
+
 "$tool" make-logs "$work"
 check_without_route
 check_command_lines
@@ -232,6 +263,7 @@ check_channels
 check_cut_log
 check_interrupted_replay
 check_log_command
+check_requests
 
 run_live "$work/clouds.lcm" "$work/live.lcm"
 "$tool" check-status "$work/live.lcm"

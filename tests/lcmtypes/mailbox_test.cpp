@@ -21,6 +21,18 @@ TEST_CASE("the newest item wins and the others are counted", "[bus][mailbox]") {
   CHECK(mailbox.superseded() == 4);
 }
 
+TEST_CASE("what is queued is not replaced, and comes first, in its order", "[bus][mailbox]") {
+  Mailbox<int> mailbox;
+  mailbox.put(1);
+  CHECK(mailbox.queue(11));
+  CHECK(mailbox.queue(12));
+  mailbox.put(2);
+  for (const int item : {11, 12, 2}) CHECK(mailbox.take(milliseconds(0)) == item);
+  CHECK(mailbox.superseded() == 1);
+  for (std::size_t i = 0; i < mailbox.kMaxQueued; ++i) CHECK(mailbox.queue(0));
+  CHECK_FALSE(mailbox.queue(0));
+}
+
 TEST_CASE("an item that comes while someone waits is taken", "[bus][mailbox]") {
   Mailbox<std::unique_ptr<int>> mailbox;
   std::thread sender([&] { mailbox.put(std::make_unique<int>(7)); });

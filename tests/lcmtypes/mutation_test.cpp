@@ -3,6 +3,8 @@
 #include <new>
 #include <random>
 
+#include "quadrille/bus/boxes_message.hpp"
+#include "quadrille/bus/request_message.hpp"
 #include "samples.hpp"
 #include "support/catch.hpp"
 
@@ -79,6 +81,46 @@ TEST_CASE("no change of valid quadrics makes the decoder crash or take memory", 
     const std::size_t taken = allocated - before;
     accepted += std::holds_alternative<QuadricsMessage>(decoded) ? 1 : 0;
     if (taken > 16 * bytes.size() + 4096) FAIL("took " << taken << " for " << bytes.size());
+  }
+  CHECK(accepted > 100);
+  CHECK(accepted < 99000);
+}
+
+TEST_CASE("no change of valid boxes makes the decoder crash or take memory", "[bus][hostile]") {
+  std::mt19937 random(3);
+  Box box;
+  box.faces = {1, 2, 3};
+  const Bytes valid = encode(to_message(test::make_cloud(), std::vector<Box>(3, box)));
+  int accepted = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Bytes bytes = mutate(valid, random);
+    const std::size_t before = allocated;
+    const auto decoded = decode_boxes(bytes);
+    const std::size_t taken = allocated - before;
+    accepted += std::holds_alternative<BoxesMessage>(decoded) ? 1 : 0;
+    if (taken > 16 * bytes.size() + 4096) FAIL("took " << taken << " for " << bytes.size());
+  }
+  CHECK(accepted > 100);
+  CHECK(accepted < 99000);
+}
+
+TEST_CASE("no change of a valid request makes the decoder crash or take memory",
+          "[bus][hostile][request]") {
+  std::mt19937 random(4);
+  grasp_request_t request{};
+  request.targets = request.tracks = {1, 2, 3};
+  request.num_targets = request.num_tracks = 3;
+  request.types = {"sphere", "cone"};
+  request.num_types = 2;
+  const Bytes valid = encode(request);
+  int accepted = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Bytes bytes = mutate(valid, random);
+    const std::size_t before = allocated;
+    const auto decoded = decode_request(bytes);
+    const std::size_t taken = allocated - before;
+    accepted += std::holds_alternative<grasp_request_t>(decoded) ? 1 : 0;
+    if (taken > 32 * bytes.size() + 4096) FAIL("took " << taken << " for " << bytes.size());
   }
   CHECK(accepted > 100);
   CHECK(accepted < 99000);

@@ -112,6 +112,42 @@ TEST_CASE("the legend has a line for each curved quadric, in its colour", "[pict
   CHECK(most > 0.2f);
 }
 
+TEST_CASE("a box is drawn by its edges, the hidden ones faintly, with a line in the legend",
+          "[picture][boxes]") {
+  const PointCloud cloud = ball_before_wall();
+  DetectionResult result;
+  Box box;
+  box.id = 4;
+  box.size = {0.2, 0.16, 0.1};
+  // Turned, so that three sides are seen.
+  box.X_CB = Eigen::Translation3d(0.0, 0.0, 0.7) *
+             Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitX()) *
+             Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY());
+  result.boxes = {box};
+  const std::string title = "box.ply";
+  const Image with = draw_picture({title, cloud, result}, 640);
+  const Image without = draw_picture({title, cloud, {}}, 640);
+  CHECK(with.height() > without.height());
+  const View view = fit_view(cloud, 640);
+  // The middles of the twelve edges: nine are strong, the three at the hidden corner faint.
+  int strong = 0, faint = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double u : {-0.5, 0.5}) {
+      for (const double v : {-0.5, 0.5}) {
+        Eigen::Vector3d p_B = Eigen::Vector3d::Zero();
+        p_B[(axis + 1) % 3] = u * box.size[(axis + 1) % 3];
+        p_B[(axis + 2) % 3] = v * box.size[(axis + 2) % 3];
+        const Eigen::Vector2i at = view.project(box.X_CB * p_B).value().cast<int>();
+        const float colour = saturation(with.at(at.x(), at.y()));
+        strong += colour > 0.25f;
+        faint += colour > 0.05f && colour <= 0.25f;
+      }
+    }
+  }
+  CHECK(strong == 9);
+  CHECK(faint == 3);
+}
+
 TEST_CASE("grasps change a picture", "[picture]") {
   const PointCloud cloud = ball_before_wall();
   const DetectionResult result = ball_found();

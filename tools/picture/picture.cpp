@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/describe.hpp"
+#include "picture/box_layer.hpp"
 #include "picture/cloud_layer.hpp"
 #include "picture/grasp_layer.hpp"
 #include "picture/quadric_layer.hpp"
@@ -101,6 +102,23 @@ std::vector<Label> draw_detections(const DetectionResult& result, const std::vec
   return labels;
 }
 
+std::vector<Label> draw_boxes(const std::vector<Box>& boxes, const View& view, Image* image) {
+  std::vector<Label> labels;
+  for (std::size_t n = 0; n < boxes.size(); ++n) {
+    const Box& box = boxes[n];
+    // From the other end of the colours than the quadrics.
+    const Color& color = color_of(7 - n % 8);
+    if (const auto anchor = draw_box(box, color, view, image)) {
+      const Eigen::Vector3d size = 1000.0 * box.size;
+      labels.push_back(
+          {fmt::format("{} box {:.2f}", box.id, box.score),
+           fmt::format("{} box {:.0f} x {:.0f} x {:.0f} mm", box.id, size.x(), size.y(), size.z()),
+           color, *anchor});
+    }
+  }
+  return labels;
+}
+
 /// Lines of the legend that stand side by side in a picture of that width.
 int count_columns(int width) { return std::max(1, width / 620); }
 
@@ -135,9 +153,12 @@ Image draw_picture(const PictureContent& content, int width) {
   const auto& detections = content.result.detections;
   const auto curved = static_cast<std::size_t>(std::count_if(
       detections.begin(), detections.end(), [](const Detection& d) { return !is_flat(d.type); }));
-  Image image(view.width, view.height + legend_height(curved, view.width), kBackground);
+  const std::size_t lines = curved + content.result.boxes.size();
+  Image image(view.width, view.height + legend_height(lines, view.width), kBackground);
   draw_cloud(depth, view, &image);
-  const std::vector<Label> labels = draw_detections(content.result, depth, view, &image);
+  std::vector<Label> labels = draw_detections(content.result, depth, view, &image);
+  const std::vector<Label> boxes = draw_boxes(content.result.boxes, view, &image);
+  labels.insert(labels.end(), boxes.begin(), boxes.end());
   if (content.plan != nullptr && content.gripper != nullptr) {
     draw_grasps(*content.plan, *content.gripper, view, &image);
   }

@@ -18,8 +18,8 @@ struct PictureContent {
   const Gripper* gripper = nullptr;
 };
 
-/// Draws the cloud from its viewpoint in grey, the quadrics over it in colour with their names,
-/// the best grasps, and below them a legend with the sizes.
+/// Draws the cloud from its viewpoint in grey, the quadrics and boxes over it in colour with
+/// their names, the best grasps, and below them a legend with the sizes.
 /// @param width  of the picture [pixels]; its height follows from the cloud and the legend
 Image draw_picture(const PictureContent& content, int width = 1280);
 

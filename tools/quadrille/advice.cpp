@@ -12,7 +12,7 @@ struct Advice {
   std::string_view text;
 };
 
-constexpr std::array<Advice, 13> kAdvice = {{
+constexpr std::array<Advice, 15> kAdvice = {{
     {Refusal::kViewpoint,
      "the cloud cannot have been seen from its viewpoint; name where the sensor stood "
      "(--viewpoint, "
@@ -44,6 +44,10 @@ constexpr std::array<Advice, 13> kAdvice = {{
     {Refusal::kCollision,
      "most candidates end in other things; clear the space around, try a slimmer --gripper, or a "
      "shorter approach under [planner] in --config FILE"},
+    {Refusal::kApproach,
+     "most approaches lie outside the cone that was asked for; widen --approach"},
+    {Refusal::kClearance,
+     "most candidates come nearer to other things than was asked for; lower --min-clearance"},
     {Refusal::kUnknown, "most candidates end in space the camera has not seen; "},
 }};
 
@@ -60,8 +64,8 @@ std::string explain_no_grasps(const GraspPlan& plan, UnknownPolicy unknown) {
       std::max_element(plan.rejected.begin(), plan.rejected.end(),
                        [](const auto& a, const auto& b) { return a.second < b.second; });
   if (main == plan.rejected.end() || main->second == 0) {
-    return "no curved quadric was found to grasp; try a closer view, or one that shows more of the "
-           "objects";
+    return "nothing that could be grasped was found, or asked for; try a closer view, or one that "
+           "shows more of the objects";
   }
   for (const auto& [reason, text] : kAdvice) {
     if (to_string(reason) != main->first) continue;

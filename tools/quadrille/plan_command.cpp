@@ -16,6 +16,7 @@
 #include "cli/detector_arguments.hpp"
 #include "cli/output.hpp"
 #include "cli/planner/planner_arguments.hpp"
+#include "cli/planner/query_arguments.hpp"
 #include "io/file_bytes.hpp"
 #include "io/new_file.hpp"
 #include "io/planner/config.hpp"
@@ -29,7 +30,7 @@
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
 #include "quadrille/grasping/conventions.hpp"
-#include "quadrille/grasping/plan.hpp"
+#include "quadrille/grasping/grasp_scene.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/picture_option.hpp"
@@ -44,6 +45,7 @@ struct PlanArguments {
   DetectorArguments detector;
   PlannerArguments planner;
   InputArguments input;
+  QueryArguments query;
   std::optional<HandConvention> convention;
 };
 
@@ -170,9 +172,10 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   DetectionResult found = detect(input.cloud, setup.detector.options);
   // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);
+  const GraspQuery query = moved(arguments.query.query, input.X_CK.inverse());
   const GraspPlan planned =
       plan_grasps(input.cloud, detections, setup.gripper, setup.options,
-                  read_views(arguments.views, input.X_CK.inverse(), &info.warnings));
+                  read_views(arguments.views, input.X_CK.inverse(), &info.warnings), query);
   found.boxes = planned.boxes;
   // All were in the way; shown is what was asked for.
   std::erase_if(found.detections, [](const Detection& d) { return !is_reported(d); });
@@ -199,6 +202,7 @@ void run(const PlanArguments& arguments) {
   check_single_scene(arguments);
   const PlanSetup setup = setup_of(arguments);
   print_warnings(arguments.detector.config, setup.detector.warnings);
+  arguments.query.query.check();
   refuse_same(arguments.inputs.front(), arguments.views);
   PlanOutput output{JsonLines(arguments.json),
                     PicturePaths(arguments.picture, may_be_several(arguments.inputs)),
@@ -236,6 +240,7 @@ void add_plan_command(CLI::App& app) {
                     "Add to each grasp's JSON the hand's pose X_CH as this software has it");
   command->get_option("--convention")->needs("--json");
   arguments->input.add_to(*command);
+  arguments->query.add_to(*command);
   add_picture_option(*command, arguments->picture, "the cloud, the quadrics and the grasps");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });

@@ -38,10 +38,10 @@ std::string published_table(const std::string& channel, const grasps_t& message,
   for (std::size_t i = 0; i < std::min(message.grasps.size(), max_grasps); ++i) {
     const grasp_t& g = message.grasps[i];
     text += fmt::format(
-        "      on quadric {}  score {:.2f}  at [m] {:>7.3f} {:>7.3f} {:>7.3f}"
+        "  {:>4}  {:<6} on {}  score {:.2f}  at [m] {:>7.3f} {:>7.3f} {:>7.3f}"
         "  width {:.0f} mm  clearance {:.0f} mm\n",
-        g.target, g.score, g.pose.position[0], g.pose.position[1], g.pose.position[2],
-        1000.0 * g.width, 1000.0 * g.clearance);
+        i + 1, word_of(static_cast<GraspKind>(g.kind)), g.target, g.score, g.pose.position[0],
+        g.pose.position[1], g.pose.position[2], 1000.0 * g.width, 1000.0 * g.clearance);
   }
   if (!message.grasps.empty()) return text;
   for (const count_t& refused : message.rejected) {

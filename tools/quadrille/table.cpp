@@ -40,15 +40,19 @@ std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown) {
   if (plan.grasps.empty()) {
     text = "  no grasps found\n  " + explain_no_grasps(plan, unknown) + "\n";
   } else {
-    text = fmt::format("  {:>6} {:>5} {:>8} {:>8} {:>8} {:>7}        {}\n", "target", "score",
-                       "width/mm", "friction", "epsilon", "free/mm", "position/m");
+    text = fmt::format("  {:>5} {:>6} {:<6} {:>5} {:>8} {:>8} {:>8} {:>7}        {}\n", "grasp",
+                       "target", "kind", "score", "width/mm", "friction", "epsilon", "free/mm",
+                       "position/m");
   }
+  int number = 0;
   for (const Grasp& g : plan.grasps) {
     const Eigen::Vector3d p = g.X_CG.translation();
     text += fmt::format(
-        "  {:>6} {:>5.2f} {:>8.1f} {:>8.2f} {:>8.3f} {:>7.1f}  {:>7.3f} {:>7.3f} {:>7.3f}{}\n",
-        g.target, g.score, 1000.0 * g.width, g.friction_needed, g.epsilon, 1000.0 * g.clearance,
-        p.x(), p.y(), p.z(), g.unknown_contact ? "  touches an unseen part" : "");
+        "  {:>5} {:>6} {:<6} {:>5.2f} {:>8.1f} {:>8.2f} {:>8.3f} {:>7.1f}  {:>7.3f} {:>7.3f} "
+        "{:>7.3f}{}\n",
+        ++number, g.target, word_of(g.kind), g.score, 1000.0 * g.width, g.friction_needed,
+        g.epsilon, 1000.0 * g.clearance, p.x(), p.y(), p.z(),
+        g.unknown_contact ? "  touches an unseen part" : "");
   }
   if (plan.rejected.empty()) return text;
   std::string reasons;

@@ -58,10 +58,19 @@ std::vector<Eigen::Vector3d> approaches(const ContactLine& line, const ApproachS
       directions.emplace_back(std::cos(turn) * along + std::sin(turn) * beside);
     }
   }
+  if (space.wanted) {
+    const Eigen::Vector3d& axis = space.wanted->axis_C;
+    const Eigen::Vector3d nearest = axis - d * d.dot(axis);
+    if (nearest.norm() > kMinAcross) directions.push_back(nearest.normalized());
+  }
   return directions;
 }
 
 }  // namespace
+
+bool wanted(const Eigen::Vector3d& approach, const ApproachSpace& space) {
+  return !space.wanted || space.wanted->contains(approach);
+}
 
 bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space) {
   if (approach.dot(space.up_C) > kMaxUpward) return false;
@@ -80,7 +89,9 @@ SampledApproaches sample_approaches(const std::vector<ContactLine>& lines,
   std::vector<GraspCandidate> best_first;
   for (std::size_t n = 0; n < lines.size(); ++n) {
     for (const Eigen::Vector3d& approach : approaches(lines[n], space)) {
-      if (reachable(approach, space)) {
+      if (!wanted(approach, space)) {
+        ++sampled.unwanted;
+      } else if (reachable(approach, space)) {
         best_first.push_back({static_cast<int>(n), approach, prior(lines[n], approach, space)});
       } else {
         ++sampled.unreachable;

@@ -207,7 +207,7 @@ std::vector<TipHold> tip_holds(const Body& body, const Gripper& gripper, const A
   for (const Eigen::Vector3d& d : closings(body, space.up_C)) {
     const double across = 0.5 * (1.0 - std::abs(d.dot(space.view_C)));
     for (const Eigen::Vector3d& a : around_closing(d, d.unitOrthogonal())) {
-      if (!reachable(a, space)) continue;
+      if (!wanted(a, space) || !reachable(a, space)) continue;
       const double from = std::max(-a.dot(space.view_C), -a.dot(space.up_C));
       search.add(d, a, across + 0.3 * from);
     }

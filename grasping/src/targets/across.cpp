@@ -1,5 +1,6 @@
 // Grasps across the widest part of a body, or a little before it, where only the tips hold.
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -30,6 +31,8 @@ constexpr double kDepthStepToPad = 0.33;
 // How far the tips reach beyond a contact that only they hold [m]: their rounding, and the doubt
 // about where the contact is.
 constexpr double kTipBeyond = 0.003;
+// Cosine between a closing direction and an axis that runs along it: of lines across it is 0.
+constexpr double kMinAlongAxis = 0.7;
 
 std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task) {
   if (const auto why = misfit(line, task)) return why;
@@ -73,11 +76,19 @@ Eigen::AlignedBox3d places(const ContactLine& line, const Gripper& gripper) {
           Eigen::Vector3d(0.0, 0.0, step) + slack};
 }
 
+/// Only cylinders and slabs are held at their ends.
+GraspKind kind_of(const ContactLine& line, const Target& target) {
+  const Body::Profile profile = target.body.profile;
+  const bool has_ends = profile == Body::Profile::kConstant || profile == Body::Profile::kBox;
+  const double along = std::abs(line.closing_C.dot(target.body.X_CQ.linear().col(2)));
+  return has_ends && !target.box && along > kMinAlongAxis ? GraspKind::kEnd : GraspKind::kAcross;
+}
+
 bool try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C, double depth,
-               const TargetTask& task, HandTrials& trials) {
+               GraspKind kind, const TargetTask& task, HandTrials& trials) {
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
   if (on_pads(line, X_CG, task.gripper)) {
-    return trials.try_hand({line, X_CG, friction_needed(line)});
+    return trials.try_hand({line, X_CG, kind, friction_needed(line)});
   }
   trials.refuse(Refusal::kFriction);
   return false;
@@ -107,7 +118,7 @@ void try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C, cons
     before->std = line.std;
     if (const auto why = unusable(*before, task)) {
       trials.refuse(*why);
-    } else if (try_depth(*before, approach_C, depth, task, trials)) {
+    } else if (try_depth(*before, approach_C, depth, GraspKind::kTip, task, trials)) {
       return;
     }
   }
@@ -122,8 +133,9 @@ void try_across(const ContactLine& line, const Eigen::Vector3d& approach_C, cons
   }
   if (min_opening(line, task.options) <= task.gripper.max_opening) {
     const double step = kDepthStepToPad * task.gripper.pad.y();
+    const GraspKind kind = kind_of(line, task.target);
     for (const double depth : {0.0, -step, step}) {
-      if (try_depth(line, approach_C, depth, task, trials)) return;
+      if (try_depth(line, approach_C, depth, kind, task, trials)) return;
     }
   }
   try_chords(line, approach_C, task, trials);
@@ -137,6 +149,7 @@ TargetGrasps grasps_across(const TargetTask& task) {
   const std::vector<ContactLine> lines = usable_lines(task, space, trials);
   const SampledApproaches sampled = sample_approaches(lines, space);
   trials.refuse(Refusal::kUnreachable, sampled.unreachable);
+  trials.refuse(Refusal::kApproach, sampled.unwanted);
   for (const GraspCandidate& candidate : sampled.candidates) {
     if (trials.done()) break;
     try_across(lines[candidate.line], candidate.approach_C, task, trials);

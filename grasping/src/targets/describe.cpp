@@ -40,6 +40,8 @@ Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) 
   const double reach = 0.5 * target.body.bounds_Q().sizes().maxCoeff();
   Grasp grasp;
   grasp.target = target.id;
+  grasp.track = target.track;
+  grasp.kind = attempt.kind;
   grasp.X_CG = attempt.X_CG;
   grasp.width = line.width;
   grasp.preshape = preshape;

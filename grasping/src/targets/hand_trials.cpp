@@ -75,6 +75,7 @@ ApproachSpace approach_space(const TargetTask& task) {
   const Eigen::Vector3d ray = task.viewpoint_C - space.centre_C;
   if (ray.norm() > 1e-9) space.view_C = ray.normalized();
   space.up_C = task.target.up_C();
+  space.wanted = task.query.approach;
   return space;
 }
 
@@ -114,9 +115,9 @@ bool HandTrials::resembles_accepted(const ContactLine& line,
 }
 
 /// Planes are looked at first, at little cost: they do not count as effort.
-void HandTrials::obstructed(Obstruction what) {
-  refuse(refusal_of(what));
-  checks_ += what != Obstruction::kSupport;
+void HandTrials::obstructed(Refusal why) {
+  refuse(why);
+  checks_ += why != Refusal::kSupport;
 }
 
 bool HandTrials::palm_blocked(const ContactLine& line, const Eigen::Vector3d& approach_C,
@@ -124,7 +125,7 @@ bool HandTrials::palm_blocked(const ContactLine& line, const Eigen::Vector3d& ap
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, 0.0);
   const auto palm = common_palm(task_.gripper, X_CG, places_G, task_.options.approach);
   const auto what = palm ? task_.scene.palm_obstruction(*palm) : std::nullopt;
-  if (what) obstructed(*what);
+  if (what) obstructed(refusal_of(*what));
   return what.has_value();
 }
 
@@ -137,7 +138,7 @@ bool HandTrials::try_hand(const Attempt& attempt) {
     return sweep_hand(gripper, attempt.X_CG, preshape, line.width, task_.options.approach);
   };
   const auto stopped_by = [&](const std::optional<Obstruction>& what) {
-    if (what) obstructed(*what);
+    if (what) obstructed(refusal_of(*what));
     return what.has_value();
   };
   const auto fingers =
@@ -146,13 +147,18 @@ bool HandTrials::try_hand(const Attempt& attempt) {
   if (stopped_by(scene.palm_obstruction(swept(line.opening).palm))) return false;
   if (attempt.may_bulge &&
       meets_too_early(line, attempt.X_CG, gripper, scene.target, pad_margin(line, task_.options))) {
-    obstructed(Obstruction::kTarget);
+    obstructed(Refusal::kTarget);
     return false;
   }
   for (const double preshape : preshapes(line, task_)) {
     const std::optional<Obstruction> what = scene.finger_obstruction(swept(preshape));
     if (!stopped_by(what)) {
-      found_.grasps.push_back(describe(attempt, preshape, task_));
+      Grasp grasp = describe(attempt, preshape, task_);
+      if (grasp.clearance < task_.query.min_clearance) {
+        obstructed(Refusal::kClearance);
+        return false;
+      }
+      found_.grasps.push_back(std::move(grasp));
       return true;
     }
     if (*what == Obstruction::kSupport) return false;  // another opening does not help

@@ -27,6 +27,7 @@ bool contradicted(const ContactLine& line, const OccupancyGrid& space);
 struct Attempt {
   ContactLine line;
   Eigen::Isometry3d X_CG;
+  GraspKind kind = GraspKind::kAcross;
   /// Friction coefficient that it needs [-].
   double friction = 0.0;
   /// 1 if the pads lie straight on a wall; less if they lie askew, where its bend twists it.
@@ -57,7 +58,7 @@ class HandTrials {
   TargetGrasps take() { return std::move(found_); }
 
  private:
-  void obstructed(Obstruction what);
+  void obstructed(Refusal why);
 
   const TargetTask& task_;
   int max_checks_;

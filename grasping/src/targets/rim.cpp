@@ -30,7 +30,8 @@ void try_rim(const ContactLine& line, const Eigen::Vector3d& approach_C, const T
   const double depth = rim_above(shell, line) - gripper.finger_front;
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
   if (!on_pads(line, X_CG, gripper)) return trials.refuse(Refusal::kFriction);
-  trials.try_hand({line, X_CG, friction_needed(line), 1.0 - warp / max_warp, false});
+  trials.try_hand(
+      {line, X_CG, GraspKind::kRim, friction_needed(line), 1.0 - warp / max_warp, false});
 }
 
 }  // namespace
@@ -47,6 +48,7 @@ TargetGrasps grasps_at_rim(const TargetTask& task) {
   space.into_C = -task.target.shell->body.X_CQ.linear().col(2);
   const SampledApproaches sampled = sample_approaches(lines, space);
   trials.refuse(Refusal::kUnreachable, sampled.unreachable);
+  trials.refuse(Refusal::kApproach, sampled.unwanted);
   for (const GraspCandidate& candidate : sampled.candidates) {
     if (trials.done()) break;
     try_rim(lines[candidate.line], candidate.approach_C, task, trials);

@@ -59,8 +59,11 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
     if (d.type == QuadricType::kPlane) continue;
     const std::optional<Body> body = make_body(d);
     if (!body) continue;
-    Target target{d.id, d.score, *body, supports_of(*body, detections),
-                  {},   {},      true,  is_wanted(d, options),
+    Target target{d.id,    d.type,
+                  d.track, d.score,
+                  *body,   supports_of(*body, detections),
+                  {},      {},
+                  true,    is_wanted(d, options),
                   {}};
     const bool inside = seen_from_inside(d, *body);
     const int unmeasured = find_rim(cloud, view, gripper, options, inside, target);
@@ -70,7 +73,7 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
     if (target.solid || target.shell) {
       chosen.targets.push_back(std::move(target));
     } else if (is_wanted(d, options)) {
-      ++chosen.refusals[inside ? Refusal::kSeenFromInside : Refusal::kWidth];
+      chosen.refuse(d.id, inside ? Refusal::kSeenFromInside : Refusal::kWidth);
     }
   }
   return chosen;
@@ -90,10 +93,19 @@ ChosenTargets choose_boxes(const std::vector<Box>& boxes, const std::vector<Dete
     });
     const Body body = make_body(box);
     if (graspable(body, gripper)) {
-      chosen.targets.push_back(
-          {box.id, box.score, body, supports_of(body, others), {}, {}, true, wanted, box});
+      chosen.targets.push_back({box.id,
+                                QuadricType::kPlane,
+                                0,
+                                box.score,
+                                body,
+                                supports_of(body, others),
+                                {},
+                                {},
+                                true,
+                                wanted,
+                                box});
     } else if (wanted) {
-      ++chosen.refusals[Refusal::kWidth];
+      chosen.refuse(box.id, Refusal::kWidth);
     }
   }
   return chosen;

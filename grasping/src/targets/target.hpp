@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,9 @@ bool is_wanted(const Detection& detection, const PlanOptions& options);
 /// One detection or box that could be grasped, and all that its planning needs.
 struct Target {
   int id = 0;
+  /// Type and track of the detection; a box is a plane without track.
+  QuadricType type = QuadricType::kPlane;
+  int track = 0;
   double confidence = 1.0;
   Body body;
   /// The planes that it stands on, the nearest first.
@@ -46,7 +50,14 @@ struct Target {
 /// that are wanted.
 struct ChosenTargets {
   std::vector<Target> targets;
+  /// Why the others are none, by id.
+  std::map<int, Refusal> refused;
   RefusalCounts refusals;
+
+  void refuse(int id, Refusal why) {
+    ++refusals[why];
+    refused.emplace(id, why);
+  }
 };
 ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detection>& detections,
                              const DepthView& view, const Gripper& gripper,

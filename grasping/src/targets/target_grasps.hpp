@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "quadrille/grasping/grasp.hpp"
+#include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/gripper.hpp"
 #include "quadrille/grasping/occupancy.hpp"
 #include "quadrille/grasping/plan_options.hpp"
@@ -18,6 +19,7 @@ struct TargetTask {
   const Target& target;
   const Gripper& gripper;
   const PlanOptions& options;
+  const GraspQuery& query;
   const OccupancyGrid& space;
   const CollisionScene& scene;
   /// Where the sensor stood [m].

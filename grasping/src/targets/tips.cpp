@@ -34,7 +34,7 @@ TargetGrasps grasps_by_tips(const TargetTask& task) {
       continue;
     }
     const Eigen::Isometry3d X_CG = grasp_pose(hold.line, hold.approach_C, 0.0);
-    trials.try_hand({hold.line, X_CG, hold.friction});
+    trials.try_hand({hold.line, X_CG, GraspKind::kTip, hold.friction});
   }
   return trials.take();
 }

@@ -6,8 +6,10 @@
 namespace quadrille::bus {
 namespace {
 
-/// A grasp: its target, 20 doubles and a flag. A count and a warning: with empty strings.
-constexpr std::size_t kGraspBytes = 4 + 20 * 8 + 1, kMinCountBytes = 13, kMinWarningBytes = 5;
+/// A grasp: its target, track and kind, 34 doubles and a flag. A count and a warning: with empty
+/// strings.
+constexpr std::size_t kGraspBytes = 4 + 4 + 1 + 34 * 8 + 1, kMinCountBytes = 13,
+                      kMinWarningBytes = 5;
 
 /// Walks over all members; afterwards the generated decoder can allocate no more than a small
 /// multiple of the bytes.
@@ -17,6 +19,7 @@ void check_grasps(std::span<const std::byte> bytes) {
     refuse(RejectReason::kUnknownType, "not quadrille.grasps_t");
   }
   reader.read_int64("utime");
+  reader.read_int64("request_id");
   reader.read_int32("seq");
   reader.read_string("frame", kMaxFrameBytes);
   reader.skip_string("gripper");

@@ -16,9 +16,10 @@ TEST_CASE("the best approach comes first and the first pass spans the whole rank
   }
   ApproachSpace space;
   space.view_C = -Eigen::Vector3d::UnitZ();
-  const auto [candidates, unreachable] = sample_approaches(lines, space);
+  const auto [candidates, unreachable, unwanted] = sample_approaches(lines, space);
   REQUIRE(candidates.size() > 160);
   CHECK(candidates.size() + unreachable == 24 * lines.size());
+  CHECK(unwanted == 0);
   const auto [worst, best] =
       std::minmax_element(candidates.begin(), candidates.end(),
                           [](const auto& a, const auto& b) { return a.prior < b.prior; });

@@ -8,10 +8,13 @@
 #include <lcmtypes/drake/lcmt_point_cloud.hpp>
 #include <vector>
 
+#include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/pose_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/bus/request_message.hpp"
 
 namespace {
 
@@ -19,9 +22,14 @@ using namespace quadrille;
 
 /// The first byte chooses a fingerprint, so that the fuzzer need not guess one.
 std::vector<std::byte> make_message(const std::uint8_t* data, std::size_t size) {
-  const std::array<std::int64_t, 5> fingerprints = {
-      drake::lcmt_point_cloud::getHash(), bot_core::pointcloud2_t::getHash(),
-      bot_core::pointcloud_t::getHash(), quadrics_t::getHash(), bot_core::pose_t::getHash()};
+  const std::array<std::int64_t, 8> fingerprints = {drake::lcmt_point_cloud::getHash(),
+                                                    bot_core::pointcloud2_t::getHash(),
+                                                    bot_core::pointcloud_t::getHash(),
+                                                    quadrics_t::getHash(),
+                                                    bot_core::pose_t::getHash(),
+                                                    boxes_t::getHash(),
+                                                    grasps_t::getHash(),
+                                                    grasp_request_t::getHash()};
   auto fingerprint = static_cast<std::uint64_t>(fingerprints[data[0] % fingerprints.size()]);
   std::vector<std::byte> message(8 + size - 1);
   for (int i = 7; i >= 0; --i, fingerprint >>= 8) {
@@ -50,6 +58,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto pose = bus::decode_pose(message);
   if (const auto* accepted = std::get_if<bus::PoseMessage>(&pose)) {
     if (!accepted->X_WC.matrix().allFinite()) std::abort();
+  }
+  const auto boxes = bus::decode_boxes(message);
+  if (const auto* accepted = std::get_if<bus::BoxesMessage>(&boxes)) {
+    for (const Box& box : accepted->boxes) {
+      if (!box.X_CB.matrix().allFinite()) std::abort();
+    }
+  }
+  // What is accepted is written as it came.
+  const auto grasps = bus::decode_grasps(message);
+  if (const auto* accepted = std::get_if<grasps_t>(&grasps)) {
+    if (bus::encode(*accepted).size() != message.size()) std::abort();
+  }
+  const auto request = bus::decode_request(message);
+  if (const auto* accepted = std::get_if<grasp_request_t>(&request)) {
+    if (bus::encode(*accepted).size() != message.size()) std::abort();
   }
   return 0;
 }

@@ -7,8 +7,12 @@ namespace quadrille::io {
 
 Json to_json(const Grasp& grasp) {
   return {{"target", grasp.target},
+          {"track", grasp.track},
+          {"kind", word_of(grasp.kind)},
           {"score", grasp.score},
           {"X_CG", to_json(grasp.X_CG)},
+          {"pregrasp", to_json(grasp.pregrasp())},
+          {"retreat", to_json(grasp.pregrasp())},
           {"width", grasp.width},
           {"preshape", grasp.preshape},
           {"contacts", {array_of(grasp.contacts_C[0]), array_of(grasp.contacts_C[1])}},

@@ -12,6 +12,10 @@ PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
   add_channel_option(app, "--cloud-channel", settings_.cloud_channel, "clouds");
   add_channel_option(app, "--quadrics-channel", settings_.quadrics_channel, "quadrics");
   add_channel_option(app, "--grasps-channel", settings_.grasps_channel, "grasps");
+  add_channel_option(app, "--request-channel", settings_.request_channel,
+                     "requests (quadrille.grasp_request_t)");
+  app.add_flag("--on-request", settings_.on_request,
+               "Plan only what is asked for, and not on each cloud");
   add_channel_option(app, "--shapes-channel", settings_.shapes_channel, "collision shapes");
   add_channel_option(app, "--occupancy-channel", settings_.occupancy_channel, "occupancy");
   add_channel_option(app, "--status-channel", settings_.status_channel, "status");
@@ -32,7 +36,7 @@ PlannerSettings PlannerCommandLine::settings() const {
   settings.pose_age = config.track.pose_age;
   settings.X_WK = camera_.X_WK;
   check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,
-              {settings.cloud_channel, settings.quadrics_channel});
+              {settings.cloud_channel, settings.quadrics_channel, settings.request_channel});
   settings.gripper = planner_.gripper();
   return settings;
 }

@@ -30,6 +30,9 @@ std::int32_t count(const std::vector<Element>& elements) {
 grasp_t to_message(const Grasp& grasp) {
   grasp_t m;
   m.target = grasp.target;
+  m.track = grasp.track;
+  m.kind = static_cast<std::int8_t>(grasp.kind);
+  m.pregrasp = m.retreat = bus::to_message(grasp.pregrasp());
   m.score = grasp.score;
   m.pose = bus::to_message(grasp.X_CG);
   m.width = grasp.width;
@@ -62,6 +65,7 @@ collision_shape_t to_message(const CollisionShape& shape) {
 grasps_t make_grasps_message(const Stamp& stamp, const GraspPlan& plan,
                              const PlannerSettings& settings) {
   auto m = make_stamped<grasps_t>(stamp);
+  m.request_id = stamp.request_id;
   m.gripper = settings.gripper.name;
   m.unknown = word_of(settings.plan.unknown);
   for (const Grasp& grasp : plan.grasps) m.grasps.push_back(to_message(grasp));

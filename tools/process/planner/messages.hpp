@@ -22,6 +22,8 @@ struct Stamp {
   std::int32_t seq = 0;
   /// Of the results.
   std::string frame;
+  /// Of the request that is answered; 0 if nobody asked.
+  std::int64_t request_id = 0;
 };
 
 /// The grasps of a plan, stamped with the cloud's utime and seq.

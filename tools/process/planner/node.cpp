@@ -4,9 +4,11 @@
 
 #include <limits>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "process/planner/messages.hpp"
+#include "process/planner/request.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/status.hpp"
 #include "quadrille/bus/encode.hpp"
@@ -35,7 +37,8 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
 
 std::vector<InChannel> PlannerNode::in_channels() const {
   std::vector<InChannel> channels = {{"--cloud-channel", settings_.cloud_channel},
-                                     {"--quadrics-channel", settings_.quadrics_channel}};
+                                     {"--quadrics-channel", settings_.quadrics_channel},
+                                     {"--request-channel", settings_.request_channel, false}};
   if (!settings_.pose_channel.empty()) {
     channels.push_back({"--pose-channel", settings_.pose_channel});
   }
@@ -53,6 +56,7 @@ std::optional<Job> PlannerNode::receive(const std::string& channel,
                                         std::span<const std::byte> bytes) {
   if (channel == settings_.cloud_channel) return receive_cloud(channel, bytes);
   if (channel == settings_.quadrics_channel) return receive_quadrics(channel, bytes);
+  if (channel == settings_.request_channel) return receive_request(channel, bytes);
   if (channel == settings_.pose_channel) receive_pose(channel, bytes);
   return std::nullopt;
 }
@@ -106,10 +110,27 @@ std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
   return make_job(pairing_.add(std::get<bus::QuadricsMessage>(std::move(decoded))));
 }
 
-std::optional<Job> PlannerNode::make_job(std::optional<CloudAndQuadrics> pair) {
-  if (!pair) return std::nullopt;
-  const std::int64_t utime = pair->cloud->utime;
-  return Job{utime, [this, pair = std::move(*pair)] { plan_and_publish(pair); }};
+std::optional<Job> PlannerNode::receive_request(const std::string& channel,
+                                                std::span<const std::byte> bytes) {
+  bus::Decoded<grasp_request_t> decoded = bus::decode_request(bytes);
+  const std::lock_guard lock(mutex_);
+  ++requests_;
+  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
+    refused_requests_.add(channel, *rejection);
+    return std::nullopt;
+  }
+  auto request = std::get<grasp_request_t>(std::move(decoded));
+  const auto now = std::chrono::steady_clock::now();
+  return Job{request.cloud_utime, [this, request, now] { answer(request, now); },
+             [this, request](const std::string& why) { refuse(request, nullptr, why); }};
+}
+
+std::optional<Job> PlannerNode::make_job(std::optional<CloudAndQuadrics> found) {
+  if (!found) return std::nullopt;
+  auto pair = std::make_shared<const CloudAndQuadrics>(std::move(*found));
+  recent_.add(pair);
+  if (settings_.on_request) return std::nullopt;
+  return Job{pair->cloud->utime, [this, pair] { plan_and_publish(pair); }};
 }
 
 template <class Message>
@@ -119,27 +140,40 @@ std::int64_t PlannerNode::publish(const std::string& channel, const Message& mes
   return static_cast<std::int64_t>(bytes.size());
 }
 
-/// The plan in the camera's frame; without grasps where the camera's pose is not known.
-GraspPlan PlannerNode::plan_placed(const CloudAndQuadrics& pair) const {
-  const Placement& placement = pair.placement;
-  PointCloud cloud_K = moved(pair.cloud->cloud, placement.X_CK.inverse());
+/// The scene of a pair, in the camera's frame, made ready if it is not that of the last call.
+const GraspScene& PlannerNode::scene_of(const SharedPair& pair) {
+  if (pair == ready_) return *scene_;
+  ready_ = nullptr;
+  const Placement& placement = pair->placement;
+  PointCloud cloud_K = moved(pair->cloud->cloud, placement.X_CK.inverse());
   if (settings_.frames.clouds == CloudFrame::kWorld) cloud_K.viewpoint.setZero();
   if (!placement.lack.empty()) {
     cloud_K.viewpoint.setConstant(std::numeric_limits<double>::quiet_NaN());
   }
-  const bool as_results = pair.quadrics.frame == placement.frame;
+  const bool as_results = pair->quadrics.frame == placement.frame;
   const Eigen::Isometry3d& X_FK = as_results ? placement.X_RK : placement.X_CK;
-  GraspPlan plan = plan_grasps(cloud_K, moved(pair.quadrics.detections, X_FK.inverse()),
-                               settings_.gripper, settings_.plan);
+  scene_.emplace(cloud_K, moved(pair->quadrics.detections, X_FK.inverse()), settings_.gripper,
+                 settings_.plan);
+  ready_ = pair;
+  return *scene_;
+}
+
+/// The plan in the frame of the results; without grasps where the camera's pose is not known.
+GraspPlan PlannerNode::plan_placed(const SharedPair& pair, const GraspQuery& query) {
+  GraspPlan plan = scene_of(pair).plan(query);
+  const Placement& placement = pair->placement;
   if (!placement.lack.empty()) {
     plan.warnings.push_back("the camera's pose is not known: " + placement.lack);
   }
-  return plan;
+  return moved(std::move(plan), placement.X_RK);
 }
 
-void PlannerNode::plan_and_publish(const CloudAndQuadrics& pair) {
+void PlannerNode::plan_and_publish(const SharedPair& shared) {
+  const CloudAndQuadrics& pair = *shared;
   const Eigen::Isometry3d& X_RK = pair.placement.X_RK;
-  const GraspPlan plan = moved(plan_placed(pair), X_RK);
+  const auto start = std::chrono::steady_clock::now();
+  const GraspPlan plan = plan_placed(shared, {});
+  const double plan_ms = bus::ms_since(start);
   const Stamp stamp{pair.cloud->utime, pair.cloud->seq,
                     pair.placement.frame_of_results(pair.cloud->cloud.frame)};
   std::int64_t bytes =
@@ -159,7 +193,59 @@ void PlannerNode::plan_and_publish(const CloudAndQuadrics& pair) {
   counts_.cloud_utime = pair.cloud->utime;
   grasps_ += static_cast<std::int64_t>(plan.grasps.size());
   latencies_.add(latency);
-  plan_times_.add(plan.total_ms);
+  plan_times_.add(plan_ms);
+}
+
+void PlannerNode::answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at) {
+  SharedPair pair;
+  {
+    const std::lock_guard lock(mutex_);
+    pair = request.cloud_utime == 0 ? recent_.newest() : recent_.find(request.cloud_utime);
+  }
+  if (request.request_id == 0) return refuse(request, pair, "request_id = 0: choose another");
+  if (!pair && request.cloud_utime == 0) {
+    return refuse(request, pair, "no cloud has come with its quadrics yet");
+  }
+  if (!pair) {
+    return refuse(request, pair,
+                  fmt::format("cloud {} is not kept, or its quadrics have not come; ask for 0, the "
+                              "newest",
+                              request.cloud_utime));
+  }
+  GraspQuery query;
+  try {
+    query = query_of(request, pair->placement, pair->cloud->cloud.frame);
+  } catch (const std::invalid_argument& error) {
+    return refuse(request, pair, error.what());
+  }
+  publish_answer(request, pair, plan_placed(pair, query));
+  log_debug(fmt::format("request {}: cloud {}, {:.1f} ms", request.request_id, pair->cloud->utime,
+                        bus::ms_since(at)));
+}
+
+/// Answers that there is nothing, and why.
+void PlannerNode::refuse(const grasp_request_t& request, const SharedPair& pair,
+                         const std::string& why) {
+  GraspPlan nothing;
+  nothing.warnings = {why};
+  publish_answer(request, pair, std::move(nothing));
+  const std::lock_guard lock(mutex_);
+  ++unmet_;
+}
+
+void PlannerNode::publish_answer(const grasp_request_t& request, const SharedPair& pair,
+                                 GraspPlan plan) {
+  Stamp stamp{request.cloud_utime, 0, request.frame, request.request_id};
+  if (pair) {
+    stamp.utime = pair->cloud->utime;
+    stamp.seq = pair->cloud->seq;
+    stamp.frame = pair->placement.frame_of_results(pair->cloud->cloud.frame);
+  }
+  const std::int64_t bytes =
+      publish(settings_.grasps_channel, make_grasps_message(stamp, plan, settings_));
+  const std::lock_guard lock(mutex_);
+  counts_.published_bytes += bytes;
+  ++counts_.answered;
 }
 
 void PlannerNode::publish_status(std::int64_t superseded,
@@ -175,6 +261,8 @@ planner_status_t PlannerNode::make_status() const {
   status.paired = pairing_.paired();
   status.unpaired_quadrics = pairing_.unpaired();
   status.failed = failed();
+  status.requests = requests_;
+  status.unmet = unmet_;
   status.rejected_clouds = bus::to_message(refused_clouds_.counts());
   status.num_rejected_clouds = static_cast<std::int32_t>(status.rejected_clouds.size());
   status.rejected_quadrics = bus::to_message(refused_quadrics_.counts());
@@ -193,10 +281,14 @@ std::string PlannerNode::summary() const {
       settings_.pose_channel.empty()
           ? ""
           : fmt::format("poses in: {}, {}; ", poses_, describe(refused_poses_.counts()));
+  const std::string requests = requests_ == 0
+                                   ? ""
+                                   : fmt::format("; requests: {}, {}, unmet: {}", requests_,
+                                                 describe(refused_requests_.counts()), unmet_);
   return fmt::format(
-      "clouds in: {}, {}; messages of quadrics in: {}, {}; {}pairs: {}; grasps out: {}",
+      "clouds in: {}, {}; messages of quadrics in: {}, {}; {}pairs: {}; grasps out: {}{}",
       counts_.received_clouds, describe(refused_clouds_.counts()), counts_.received_quadrics,
-      describe(refused_quadrics_.counts()), poses, pairing_.paired(), grasps_);
+      describe(refused_quadrics_.counts()), poses, pairing_.paired(), grasps_, requests);
 }
 
 std::vector<std::string> PlannerNode::find_oddities() const {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <lcmtypes/quadrille/planner_status_t.hpp>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -10,16 +11,19 @@
 #include <vector>
 
 #include "process/planner/pairing.hpp"
+#include "process/planner/recent_pairs.hpp"
 #include "process/planner/settings.hpp"
 #include "process/runtime/camera_poses.hpp"
 #include "process/runtime/node.hpp"
 #include "process/runtime/refusals.hpp"
 #include "quadrille/bus/durations.hpp"
 #include "quadrille/bus/rate_limiter.hpp"
+#include "quadrille/bus/request_message.hpp"
+#include "quadrille/grasping/grasp_scene.hpp"
 
 namespace quadrille {
 
-/// Plans grasps on clouds and the quadrics that were found in them.
+/// Plans grasps on clouds and the quadrics that were found in them: on each, or as it is asked.
 class PlannerNode : public Node {
  public:
   PlannerNode(const PlannerSettings& settings, bus::Publish publish);
@@ -32,12 +36,19 @@ class PlannerNode : public Node {
   std::vector<std::string> find_oddities() const override;
 
  private:
+  using SharedPair = std::shared_ptr<const CloudAndQuadrics>;
+
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_quadrics(const std::string& channel, std::span<const std::byte> bytes);
+  std::optional<Job> receive_request(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
-  GraspPlan plan_placed(const CloudAndQuadrics& pair) const;
-  void plan_and_publish(const CloudAndQuadrics& pair);
+  const GraspScene& scene_of(const SharedPair& pair);
+  GraspPlan plan_placed(const SharedPair& pair, const GraspQuery& query);
+  void plan_and_publish(const SharedPair& pair);
+  void answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at);
+  void refuse(const grasp_request_t& request, const SharedPair& pair, const std::string& why);
+  void publish_answer(const grasp_request_t& request, const SharedPair& pair, GraspPlan plan);
   template <class Message>
   std::int64_t publish(const std::string& channel, const Message& message);
   planner_status_t make_status() const;
@@ -48,12 +59,17 @@ class PlannerNode : public Node {
 
   mutable std::mutex mutex_;
   Pairing pairing_;
+  RecentPairs recent_;
   planner_status_t counts_{};
   std::int64_t grasps_ = 0, poses_ = 0, poseless_ = 0;
   CameraPoses camera_poses_;
-  Refusals refused_clouds_, refused_quadrics_, refused_poses_;
+  std::int64_t requests_ = 0, unmet_ = 0;
+  Refusals refused_clouds_, refused_quadrics_, refused_poses_, refused_requests_;
   bus::RateLimiter poseless_log_{std::chrono::seconds(1)};
   bus::Durations latencies_, plan_times_;
+  // The last cloud that was made ready, for the working thread.
+  SharedPair ready_;
+  std::optional<GraspScene> scene_;
 };
 
 }  // namespace quadrille

@@ -18,6 +18,7 @@ struct PlannerSettings {
   std::string cloud_channel = "POINT_CLOUD";
   std::string quadrics_channel = "QUADRICS";
   std::string grasps_channel = "GRASPS";
+  std::string request_channel = "GRASP_REQUEST";
   std::string shapes_channel = "COLLISION_SHAPES";
   std::string occupancy_channel = "OCCUPANCY";
   std::string status_channel = "QUADRILLE_PLANNER_STATUS";
@@ -28,6 +29,8 @@ struct PlannerSettings {
   /// Age of the newest pose from which on it tells nothing of a cloud [s].
   double pose_age = TrackOptions{}.pose_age;
   CloudFrames frames;
+  /// Plan only what is asked for.
+  bool on_request = false;
   Gripper gripper;
   PlanOptions plan;
 };

@@ -23,6 +23,7 @@ CameraPose CameraPoses::at(std::int64_t utime) const {
 
 Placement place(const CloudFrames& frames, const CameraPose& pose) {
   Placement placement;
+  placement.X_WK = pose.X_WK;
   if (!frames.need_pose()) return placement;
   if (frames.of_results() != frames.clouds) placement.frame = word_of(frames.of_results());
   if (!pose.X_WK) {

@@ -47,6 +47,8 @@ class CameraPoses {
 struct Placement {
   /// Frame K in the cloud's frame C and in the frame R of the results.
   Eigen::Isometry3d X_CK = Eigen::Isometry3d::Identity(), X_RK = Eigen::Isometry3d::Identity();
+  /// Frame K in the fixed frame, where the camera's pose is known.
+  std::optional<Eigen::Isometry3d> X_WK;
   /// Name of R where it is not C; else empty.
   std::string frame;
   /// Why the camera's pose, which is needed, is not known; empty if all is.

@@ -10,7 +10,7 @@ namespace quadrille {
 std::vector<std::string> ChannelCensus::find_missing(const std::vector<InChannel>& wanted) const {
   std::vector<std::string> lines;
   for (const InChannel& channel : wanted) {
-    if (events_.count(channel.name) > 0) continue;
+    if (!channel.expected || events_.count(channel.name) > 0) continue;
     const std::string held = events_.empty() ? "no events at all" : io::list_channels(events_);
     std::string line = fmt::format("no event on {}; the log holds {}", channel.name, held);
     // Where there is nothing, another name helps no more.

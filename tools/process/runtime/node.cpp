@@ -14,6 +14,7 @@ void Node::work(const Job& job) {
   } catch (const std::exception& error) {
     log_error(fmt::format("cloud {}: {}", job.cloud_utime, error.what()));
     ++failed_;
+    if (job.refuse) job.refuse(error.what());
   }
 }
 

@@ -17,6 +17,8 @@ namespace quadrille {
 /// A channel that a node listens to, and the option that names it.
 struct InChannel {
   std::string option, name;
+  /// False if it is no fault when nothing comes on it.
+  bool expected = true;
 };
 
 /// A channel on which a node publishes, and the option that names it.
@@ -29,6 +31,9 @@ struct Job {
   /// The utime of the cloud that it is about [us].
   std::int64_t cloud_utime = 0;
   std::function<void()> run;
+  /// Set for what somebody waits for: no newer job replaces it, and if it cannot be done this is
+  /// told why.
+  std::function<void(const std::string& why)> refuse = {};
 };
 
 /// The work of a process, the same on the bus and in replay.

@@ -16,6 +16,14 @@
 namespace quadrille {
 namespace {
 
+void hand_over(Job& job, bus::Mailbox<Job>& mailbox) {
+  if (!job.refuse) {
+    mailbox.put(std::move(job));
+  } else if (!mailbox.queue(job)) {
+    job.refuse(fmt::format("{} requests wait already", mailbox.kMaxQueued));
+  }
+}
+
 void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox, Node& node) {
   bus::Ticker status_tick(std::chrono::seconds(1));
   const Worker worker(mailbox, node);
@@ -39,7 +47,7 @@ void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
   for (const InChannel& channel : node->in_channels()) {
     connection.subscribe(channel.name,
                          [&](const std::string& name, std::span<const std::byte> bytes) {
-                           if (auto job = node->receive(name, bytes)) mailbox.put(std::move(*job));
+                           if (auto job = node->receive(name, bytes)) hand_over(*job, mailbox);
                          });
     log_info(fmt::format("listening to {} on {}", channel.name, connection.url()));
   }

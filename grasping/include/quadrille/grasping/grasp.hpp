@@ -3,12 +3,32 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "quadrille/detector/setting.hpp"
+
 namespace quadrille {
+
+/// How a grasp holds its target.
+enum class GraspKind {
+  kAcross,  ///< across the body, with the pads
+  kEnd,     ///< on both ends of its axis
+  kRim,     ///< across the wall of a vessel, at its rim
+  kTip,     ///< with the tips alone, before the widest part
+};
+
+constexpr auto words_of(GraspKind) {
+  return std::to_array<Word<GraspKind>>({{"across", GraspKind::kAcross},
+                                         {"end", GraspKind::kEnd},
+                                         {"rim", GraspKind::kRim},
+                                         {"tip", GraspKind::kTip}});
+}
 
 /// One two-finger grasp. Frame G: origin midway between the pads, z approach, y closing.
 struct Grasp {
   /// Id of the detection or box to be grasped.
   int target = 0;
+  /// Its track; 0 if it has none.
+  int track = 0;
+  GraspKind kind = GraspKind::kAcross;
   /// 0 to 1, best first.
   double score = 0.0;
   Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
@@ -27,6 +47,13 @@ struct Grasp {
   double clearance = 0.0;
   /// True if a contact lies on a part of the target that was not observed.
   bool unknown_contact = false;
+
+  /// Pose X_CG from which the hand, opened to its preshape, comes straight to the grasp; closed, it
+  /// can go back there. All of this way was checked but for what it holds, which may stand on
+  /// something: lift it first.
+  Eigen::Isometry3d pregrasp() const {
+    return X_CG * Eigen::Translation3d(-approach * Eigen::Vector3d::UnitZ());
+  }
 };
 
 }  // namespace quadrille

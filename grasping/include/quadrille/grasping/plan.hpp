@@ -9,6 +9,7 @@
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/grasping/collision_shape.hpp"
 #include "quadrille/grasping/grasp.hpp"
+#include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/gripper.hpp"
 #include "quadrille/grasping/occupancy.hpp"
 #include "quadrille/grasping/plan_options.hpp"
@@ -42,9 +43,10 @@ struct GraspPlan {
 /// its opened fingers and palm against the target's own body. Deterministic.
 /// @param further  more views of the same scene at rest, in the same frame C, each with its own
 ///                 viewpoint: what they show free or occupied is so
-/// @throws std::invalid_argument if gripper or options are out of range
+/// @param query    which grasps are wanted; to ask more than once, see GraspScene
+/// @throws std::invalid_argument if gripper, options or query are out of range
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
                       const Gripper& gripper, const PlanOptions& options = {},
-                      const std::vector<PointCloud>& further = {});
+                      const std::vector<PointCloud>& further = {}, const GraspQuery& query = {});
 
 }  // namespace quadrille

@@ -16,10 +16,12 @@ enum class Refusal {
   kTwist,           ///< a contact line across a wall that the pads would turn
   kContradicted,    ///< a contact line where free space was seen instead of the surface
   kUnreachable,     ///< an approach direction from behind or below
+  kApproach,        ///< an approach direction outside the cone that was asked for
   kSupport,         ///< a hand that would enter the plane that the target stands on
   kTarget,          ///< a hand that would enter the target itself
   kCollision,       ///< a hand that would enter occupied space or another detection
   kUnknown,         ///< a hand that would enter unobserved space
+  kClearance,       ///< a hand that would come nearer to things than was asked for
 };
 
 /// Its name, as in GraspPlan::rejected, in messages and in JSON: "no_shape", "width", …

@@ -2,7 +2,9 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -10,6 +12,7 @@
 namespace quadrille::bus {
 
 /// A slot for one item between a thread that receives and a thread that works: the newest wins.
+/// Beside it a short queue for items that no other replaces; these are taken first.
 template <class T>
 class Mailbox {
  public:
@@ -25,10 +28,29 @@ class Mailbox {
     filled_.notify_one();
   }
 
-  /// Takes the item, waiting for one for as long as the timeout; nullopt if none came.
+  /// Items that may wait in the queue.
+  static constexpr std::size_t kMaxQueued = 64;
+
+  /// Puts an item into the queue; false, and nothing done, if that is full.
+  bool queue(T item) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (queue_.size() >= kMaxQueued) return false;
+      queue_.push_back(std::move(item));
+    }
+    filled_.notify_one();
+    return true;
+  }
+
+  /// Takes an item, waiting for one for as long as the timeout; nullopt if none came.
   std::optional<T> take(std::chrono::milliseconds timeout) {
     std::unique_lock lock(mutex_);
-    filled_.wait_for(lock, timeout, [this] { return slot_.has_value(); });
+    filled_.wait_for(lock, timeout, [this] { return slot_.has_value() || !queue_.empty(); });
+    if (!queue_.empty()) {
+      T item = std::move(queue_.front());
+      queue_.pop_front();
+      return item;
+    }
     return std::exchange(slot_, std::nullopt);
   }
 
@@ -42,6 +64,7 @@ class Mailbox {
   mutable std::mutex mutex_;
   std::condition_variable filled_;
   std::optional<T> slot_;
+  std::deque<T> queue_;
   std::int64_t superseded_ = 0;
 };
 

@@ -1,0 +1,77 @@
+// Asks quadrille-grasp-planner for grasps of what is nearest to a point of the cloud's frame:
+//   06_ask_for_grasps X Y Z [TIMES [LCM_URL]]
+// It needs a planner that has a cloud, best started with --on-request. Exit status 1 if a request
+// is not answered within 5 s.
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <lcm/lcm-cpp.hpp>
+#include <lcmtypes/quadrille/grasp_request_t.hpp>
+#include <lcmtypes/quadrille/grasps_t.hpp>
+#include <optional>
+#include <string>
+
+using Clock = std::chrono::steady_clock;
+
+/// One who asks, and waits for the answer.
+class Asker {
+ public:
+  explicit Asker(lcm::LCM& lcm) : lcm_(lcm) { lcm_.subscribe("GRASPS", &Asker::on_grasps, this); }
+
+  /// Nothing if no answer came in time.
+  std::optional<quadrille::grasps_t> ask(quadrille::grasp_request_t request) {
+    // Others may ask at the same time: ids must not be theirs.
+    request.request_id = (static_cast<std::int64_t>(getpid()) << 32) + ++asked_;
+    wanted_ = request.request_id;
+    answer_.reset();
+    lcm_.publish("GRASP_REQUEST", &request);
+    const auto end = Clock::now() + std::chrono::seconds(5);
+    while (!answer_ && Clock::now() < end) lcm_.handleTimeout(100);
+    return answer_;
+  }
+
+ private:
+  void on_grasps(const lcm::ReceiveBuffer*, const std::string&, const quadrille::grasps_t* m) {
+    if (m->request_id == wanted_) answer_ = *m;
+  }
+
+  lcm::LCM& lcm_;
+  std::int64_t asked_ = 0, wanted_ = 0;
+  std::optional<quadrille::grasps_t> answer_;
+};
+
+int main(int argc, char** argv) {
+  if (argc < 4) {
+    std::cerr << "usage: 06_ask_for_grasps X Y Z [TIMES [LCM_URL]]\n";
+    return 2;
+  }
+  lcm::LCM lcm(argc > 5 ? argv[5] : "");
+  if (!lcm.good()) {
+    std::cerr << "LCM cannot open its address; see 05_listen_grasps.cpp\n";
+    return 1;
+  }
+  quadrille::grasp_request_t request{};
+  request.has_near = 1;
+  for (int i = 0; i < 3; ++i) request.near[i] = std::atof(argv[1 + i]);
+  request.max_grasps = 3;
+  Asker asker(lcm);
+  const int times = argc > 4 ? std::atoi(argv[4]) : 1;
+  for (int n = 0; n < times; ++n) {
+    const auto start = Clock::now();
+    const auto answer = asker.ask(request);
+    if (!answer) {
+      std::cerr << "no answer within 5 s: is quadrille-grasp-planner running?\n";
+      return 1;
+    }
+    const std::chrono::duration<double, std::milli> waited = Clock::now() - start;
+    std::cout << "cloud " << answer->utime << " us, " << waited.count() << " ms, grasps:";
+    for (const quadrille::grasp_t& grasp : answer->grasps) {
+      std::cout << "  on " << grasp.target << " score " << grasp.score;
+    }
+    for (const std::string& warning : answer->warnings) std::cout << "  " << warning;
+    std::cout << '\n';
+  }
+}

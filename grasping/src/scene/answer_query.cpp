@@ -1,0 +1,102 @@
+#include "scene/answer_query.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "targets/asked_for.hpp"
+#include "targets/target_grasps.hpp"
+#include "targets/target_scene.hpp"
+
+namespace quadrille {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Answers one query.
+class QueryPlanner {
+ public:
+  QueryPlanner(const SceneParts& parts, const GraspQuery& query) : parts_(parts), query_(query) {}
+
+  GraspPlan plan() {
+    const Clock::time_point start = Clock::now();
+    plan_.boxes = parts_.boxes;
+    plan_.shapes = parts_.shapes;
+    plan_.space = parts_.space;
+    plan_.warnings = parts_.warnings;
+    const std::vector<const Target*> asked = asked_for(query_, parts_.targets);
+    // What else was refused is of interest to nobody who asks for one thing.
+    if (!query_.selects()) refusals_ = parts_.refusals;
+    if (asked.empty() && query_.selects()) {
+      plan_.warnings.push_back(why_none(query_, parts_.targets, parts_.refused));
+    }
+    for (const Target* target : asked) plan_target(*target);
+    select();
+    for (const auto& [why, count] : refusals_) {
+      if (count > 0) plan_.rejected.emplace(to_string(why), count);
+    }
+    const std::chrono::duration<double, std::milli> passed = Clock::now() - start;
+    plan_.total_ms = passed.count();
+    plan_.timings.push_back({"grasps", plan_.total_ms});
+    return std::move(plan_);
+  }
+
+ private:
+  /// By the tips only what is held in no other way.
+  void plan_target(const Target& target) {
+    const Surroundings around_it{*parts_.space, *parts_.view,           *parts_.map, parts_.shapes,
+                                 parts_.owners, parts_.options.unknown, parts_.reach};
+    const auto task = [&](const CollisionScene& scene) {
+      return TargetTask{target,        parts_.gripper, parts_.options,    query_,
+                        *parts_.space, scene,          parts_.viewpoint_C};
+    };
+    bool held = false;
+    std::optional<CollisionScene> solid;
+    if (target.solid) {
+      solid = solid_scene(target, around_it);
+      held |= keep(grasps_across(task(*solid)));
+    }
+    if (target.shell) {
+      const CollisionScene shell = shell_scene(target, around_it);
+      held |= keep(grasps_at_rim(task(shell)));
+    }
+    if (solid && !held) keep(grasps_by_tips(task(*solid)));
+  }
+
+  /// True if there are any.
+  bool keep(const TargetGrasps& found) {
+    plan_.grasps.insert(plan_.grasps.end(), found.grasps.begin(), found.grasps.end());
+    for (const auto& [why, number] : found.refusals) refusals_[why] += number;
+    return !found.grasps.empty();
+  }
+
+  /// Best first; the best grasp of each target before any second one is dropped.
+  void select() {
+    const auto better = [](const Grasp& a, const Grasp& b) { return a.score > b.score; };
+    std::vector<Grasp>& grasps = plan_.grasps;
+    std::stable_sort(grasps.begin(), grasps.end(), better);
+    const int max_grasps = query_.max_grasps.value_or(parts_.options.max_grasps);
+    if (grasps.size() <= static_cast<std::size_t>(max_grasps)) return;
+    std::map<int, bool> seen;
+    std::stable_partition(grasps.begin(), grasps.end(), [&](const Grasp& grasp) {
+      return !std::exchange(seen[grasp.target], true);
+    });
+    grasps.resize(max_grasps);
+    std::stable_sort(grasps.begin(), grasps.end(), better);
+  }
+
+  const SceneParts& parts_;
+  const GraspQuery& query_;
+  GraspPlan plan_;
+  RefusalCounts refusals_;
+};
+
+}  // namespace
+
+GraspPlan answer_query(const SceneParts& parts, const GraspQuery& query) {
+  return QueryPlanner(parts, query).plan();
+}
+
+}  // namespace quadrille

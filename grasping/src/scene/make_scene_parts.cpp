@@ -1,0 +1,167 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "body/body.hpp"
+#include "quadrille/detector/find_boxes.hpp"
+#include "quadrille/detector/viewpoint_check.hpp"
+#include "quadrille/grasping/shape.hpp"
+#include "scene/scene_parts.hpp"
+
+namespace quadrille {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// 30 MB and about 100 ms of mapping.
+constexpr double kMaxVoxels = 3e7;
+
+/// Makes the parts of a scene, stage by stage.
+class SceneMaker {
+ public:
+  SceneMaker(const PointCloud& cloud, const std::vector<Detection>& detections,
+             const std::vector<PointCloud>& further, SceneParts& parts)
+      : cloud_(cloud), detections_(detections), further_(further), parts_(parts) {}
+
+  void make() {
+    stage("boxes", [&] { parts_.boxes = find_boxes(cloud_, detections_); });
+    stage("shapes", [&] { make_shapes(); });
+    if (cloud_.points.empty()) warn("the cloud is empty");
+    const PlanOptions& options = parts_.options;
+    stage("view", [&] { parts_.view.emplace(cloud_, options.baseline, options.resolution); });
+    const bool seen_so = has_viewpoint();
+    if (seen_so && !parts_.view->valid()) {
+      warn("no point lies before the viewpoint: all space counts as unknown");
+    }
+    if (seen_so) stage("targets", [&] { choose_targets(); });
+    stage("occupancy", [&] { map_space(); });
+  }
+
+ private:
+  template <class Work>
+  void stage(const char* name, Work&& work) {
+    const Clock::time_point start = Clock::now();
+    work();
+    const std::chrono::duration<double, std::milli> passed = Clock::now() - start;
+    parts_.timings.push_back({name, passed.count()});
+  }
+
+  void warn(const std::string& text) { parts_.warnings.push_back(text); }
+
+  void make_shapes() {
+    for (const Box& box : parts_.boxes) {
+      parts_.shapes.push_back(make_shape(box));
+      parts_.owners.push_back(owner_of(box));
+    }
+    for (const Detection& d : detections_) {
+      // A box stands for its faces.
+      if (is_face_of_box(d.id)) continue;
+      std::string why;
+      const std::vector<CollisionShape> shapes = quadrille::make_shapes(d, &why);
+      parts_.shapes.insert(parts_.shapes.end(), shapes.begin(), shapes.end());
+      parts_.owners.resize(parts_.shapes.size(), owner_of(d));
+      if (!is_wanted(d, parts_.options)) continue;
+      if (shapes.empty() || (d.type != QuadricType::kPlane && !make_body(d))) {
+        ++parts_.refusals[Refusal::kNoShape];
+        parts_.refused.emplace(d.id, Refusal::kNoShape);
+      }
+      if (shapes.empty()) {
+        warn("quadric " + std::to_string(d.id) + " has no collision shape: " + why);
+      }
+    }
+  }
+
+  /// False, and says why, if the cloud or another view cannot have been seen from its viewpoint:
+  /// what counts as free would not be.
+  bool has_viewpoint() {
+    std::vector<std::string> doubts = {contradict_viewpoint(cloud_, detections_)};
+    for (const PointCloud& cloud : further_) {
+      doubts.push_back(contradict_viewpoint(cloud, detections_));
+    }
+    std::erase(doubts, "");
+    for (const std::string& doubt : doubts) warn(doubt);
+    if (doubts.empty()) return true;
+    for (const Detection& d : detections_) {
+      if (d.type == QuadricType::kPlane || !is_wanted(d, parts_.options)) continue;
+      ++parts_.refusals[Refusal::kViewpoint];
+      parts_.refused[d.id] = Refusal::kViewpoint;
+    }
+    return false;
+  }
+
+  void choose_targets() {
+    add(quadrille::choose_targets(cloud_, detections_, *parts_.view, parts_.gripper,
+                                  parts_.options));
+    add(choose_boxes(parts_.boxes, detections_, parts_.gripper, parts_.options));
+  }
+
+  void add(ChosenTargets chosen) {
+    std::move(chosen.targets.begin(), chosen.targets.end(), std::back_inserter(parts_.targets));
+    parts_.refused.merge(chosen.refused);
+    for (const auto& [why, number] : chosen.refusals) parts_.refusals[why] += number;
+  }
+
+  bool is_face_of_box(int id) const {
+    return std::any_of(parts_.boxes.begin(), parts_.boxes.end(), [&](const Box& box) {
+      return std::find(box.faces.begin(), box.faces.end(), id) != box.faces.end();
+    });
+  }
+
+  void map_space() {
+    Eigen::AlignedBox3d region;
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const Target& target : parts_.targets) {
+      region.extend(around(target.body, parts_.reach));
+      boxes.push_back(around(target.body, parts_.reach + kMaxClearance));
+    }
+    double resolution = parts_.options.resolution;
+    if (!region.isEmpty()) {
+      const double voxels = region.volume() / std::pow(resolution, 3);
+      if (voxels > kMaxVoxels) {
+        resolution *= std::cbrt(voxels / kMaxVoxels);
+        warn("the targets lie far apart: occupancy is mapped at a coarser resolution");
+      }
+    }
+    const auto space = std::make_shared<OccupancyGrid>(region, resolution);
+    space->restrict_to(std::move(boxes));
+    space->add(cloud_, *parts_.view);
+    for (const PointCloud& cloud : further_) {
+      space->add(cloud, DepthView(cloud, parts_.options.baseline, parts_.options.resolution));
+    }
+    const auto standing =
+        std::find_if(parts_.targets.begin(), parts_.targets.end(),
+                     [](const Target& target) { return !target.supports.empty(); });
+    if (parts_.options.clear_above && parts_.view->valid() && standing != parts_.targets.end()) {
+      space->clear_above(*parts_.view, standing->supports.front().n_C());
+    }
+    parts_.space = space;
+    if (parts_.targets.empty()) return;
+    parts_.map.emplace(*space, parts_.options.unknown != UnknownPolicy::kFree);
+    if (parts_.view->valid()) parts_.map->refine(*parts_.view, further_.empty());
+  }
+
+  const PointCloud& cloud_;
+  const std::vector<Detection>& detections_;
+  const std::vector<PointCloud>& further_;
+  SceneParts& parts_;
+};
+
+}  // namespace
+
+std::unique_ptr<const SceneParts> make_scene_parts(const PointCloud& cloud,
+                                                   const std::vector<Detection>& detections,
+                                                   const Gripper& gripper,
+                                                   const PlanOptions& options,
+                                                   const std::vector<PointCloud>& further) {
+  auto parts = std::make_unique<SceneParts>();
+  parts->gripper = gripper;
+  parts->options = options;
+  parts->viewpoint_C = cloud.viewpoint;
+  parts->reach = hand_reach(gripper, options.approach);
+  SceneMaker(cloud, detections, further, *parts).make();
+  return parts;
+}
+
+}  // namespace quadrille

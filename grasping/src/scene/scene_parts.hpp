@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "quadrille/detector/box.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/grasping/collision_shape.hpp"
+#include "quadrille/grasping/gripper.hpp"
+#include "quadrille/grasping/occupancy.hpp"
+#include "quadrille/grasping/plan_options.hpp"
+#include "quadrille/grasping/refusal.hpp"
+#include "space/obstacle_map.hpp"
+#include "targets/target.hpp"
+#include "targets/target_scene.hpp"
+#include "view/depth_view.hpp"
+
+namespace quadrille {
+
+/// One cloud made ready: all that its queries need.
+struct SceneParts {
+  SceneParts() = default;
+  SceneParts(const SceneParts&) = delete;
+  SceneParts& operator=(const SceneParts&) = delete;
+
+  Gripper gripper;
+  PlanOptions options;
+  Eigen::Vector3d viewpoint_C;
+  /// How far the hand reaches from a target's surface [m].
+  double reach = 0.0;
+  std::vector<Box> boxes;
+  std::vector<CollisionShape> shapes;
+  /// For each shape.
+  std::vector<ShapeOwner> owners;
+  std::optional<DepthView> view;
+  std::vector<Target> targets;
+  /// Why other detections and boxes are no targets, by id.
+  std::map<int, Refusal> refused;
+  RefusalCounts refusals;
+  std::shared_ptr<const OccupancyGrid> space;
+  /// Refers to space and view, so that all stay in one place.
+  std::optional<ObstacleMap> map;
+  std::vector<std::string> warnings;
+  std::vector<StageTime> timings;
+};
+
+/// Makes a cloud ready, stage by stage: boxes, shapes, view, targets, occupancy.
+std::unique_ptr<const SceneParts> make_scene_parts(const PointCloud& cloud,
+                                                   const std::vector<Detection>& detections,
+                                                   const Gripper& gripper,
+                                                   const PlanOptions& options,
+                                                   const std::vector<PointCloud>& further);
+
+}  // namespace quadrille

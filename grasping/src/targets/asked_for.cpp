@@ -1,0 +1,95 @@
+#include "targets/asked_for.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace quadrille {
+namespace {
+
+template <class Value>
+bool allows(const std::vector<Value>& values, const Value& value) {
+  return values.empty() || std::find(values.begin(), values.end(), value) != values.end();
+}
+
+bool lies_in(const Region& region, const Eigen::Vector3d& p_C) {
+  return region.box_R.contains(region.X_CR.inverse() * p_C);
+}
+
+double size_of(const Target& target) { return target.body.bounds_Q().sizes().maxCoeff(); }
+
+/// To the body's bounds; of what contains the point, less than nothing, and the more so the nearer
+/// its middle is.
+double distance(const Target& target, const Eigen::Vector3d& p_C) {
+  const double outside = target.body.bounds_Q().exteriorDistance(target.body.X_CQ.inverse() * p_C);
+  const double off = (target.body.centre_C() - p_C).norm();
+  return outside > 0.0 ? outside : off - size_of(target);
+}
+
+/// The conditions on a target by itself, with what each is called.
+struct Condition {
+  const char* name;
+  bool (*holds)(const GraspQuery& query, const Target& target);
+};
+
+const Condition kConditions[] = {
+    {"of that id", [](const GraspQuery& q, const Target& t) { return allows(q.ids, t.id); }},
+    {"of that track",
+     [](const GraspQuery& q, const Target& t) { return allows(q.tracks, t.track); }},
+    {"of that type", [](const GraspQuery& q, const Target& t) { return allows(q.types, t.type); }},
+    {"in that region",
+     [](const GraspQuery& q, const Target& t) {
+       return !q.region || lies_in(*q.region, t.body.centre_C());
+     }},
+    {"of that size",
+     [](const GraspQuery& q, const Target& t) {
+       return size_of(t) >= q.min_size && size_of(t) <= q.max_size;
+     }},
+};
+
+bool holds_all(const GraspQuery& query, const Target& target) {
+  return std::all_of(std::begin(kConditions), std::end(kConditions),
+                     [&](const Condition& c) { return c.holds(query, target); });
+}
+
+}  // namespace
+
+std::vector<const Target*> asked_for(const GraspQuery& query, const std::vector<Target>& targets) {
+  std::vector<const Target*> asked;
+  for (const Target& target : targets) {
+    if (target.wanted && holds_all(query, target)) asked.push_back(&target);
+  }
+  if (!query.near_C || asked.empty()) return asked;
+  return {*std::min_element(asked.begin(), asked.end(), [&](const Target* a, const Target* b) {
+    return distance(*a, *query.near_C) < distance(*b, *query.near_C);
+  })};
+}
+
+std::string why_none(const GraspQuery& query, const std::vector<Target>& targets,
+                     const std::map<int, Refusal>& refused) {
+  for (const int id : query.ids) {
+    const auto found = refused.find(id);
+    if (found == refused.end()) continue;
+    std::ostringstream text;
+    text << "target " << id << " cannot be held: " << to_string(found->second);
+    return text.str();
+  }
+  std::vector<const Target*> left;
+  for (const Target& target : targets) {
+    if (target.wanted) left.push_back(&target);
+  }
+  if (left.empty()) return "nothing that the hand could hold was found";
+  for (const Condition& condition : kConditions) {
+    const std::vector<const Target*> before = left;
+    std::erase_if(left, [&](const Target* t) { return !condition.holds(query, *t); });
+    if (!left.empty()) continue;
+    std::ostringstream text;
+    text << "no target " << condition.name << "; there are:";
+    for (const Target* target : before) text << ' ' << target->id;
+    return text.str();
+  }
+  return {};
+}
+
+}  // namespace quadrille

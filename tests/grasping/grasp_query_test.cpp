@@ -1,0 +1,240 @@
+// What is asked of a plan, on a table with three balls and a can.
+#include "quadrille/grasping/grasp_query.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <thread>
+
+#include "quadrille/grasping/grasp_scene.hpp"
+#include "quadrille/grasping/rigid_motion.hpp"
+#include "scenes.hpp"
+#include "support/catch.hpp"
+#include "support/depth_camera.hpp"
+
+namespace quadrille {
+namespace {
+
+/// A can and three balls of growing size on a table, with the detections that are the truth.
+struct AskedScene {
+  Eigen::Isometry3d X_CW = test::world_seen_from({0.0, -0.5, 0.5});
+  std::vector<Detection> detections;
+  PointCloud cloud;
+
+  AskedScene() {
+    const Eigen::Isometry3d X_CQ = X_CW * test::translation(-0.15, 0.0, 0.05);
+    std::vector<test::Patch> patches = test::can(X_CQ, 0.03, 0.1);
+    patches.push_back(test::rectangle(X_CW, 1.2, 1.0));
+    detections.push_back(test::cylinder_detection(X_CQ, 0.03, 0.1, 1));
+    detections.back().track = 31;
+    for (int k = 0; k < 3; ++k) {
+      const double radius = 0.02 + 0.005 * k;
+      const Eigen::Isometry3d X = X_CW * test::translation(0.12 * k, 0.0, radius);
+      patches.push_back(test::sphere(X, radius));
+      detections.push_back(test::sphere_detection({X.translation(), radius}, 2 + k));
+      detections.back().track = 32 + k;
+    }
+    Detection table = test::table_detection();
+    table.X_CQ = X_CW;
+    detections.push_back(table);
+    cloud = test::render(patches, {640, 480, 1.0 / 600.0, 0.0005});
+  }
+};
+
+const AskedScene& scene() {
+  static const AskedScene asked;
+  return asked;
+}
+
+const GraspScene& ready() {
+  static const GraspScene made(scene().cloud, scene().detections, franka_hand());
+  return made;
+}
+
+std::set<int> targets_of(const GraspPlan& plan) {
+  std::set<int> targets;
+  for (const Grasp& grasp : plan.grasps) targets.insert(grasp.target);
+  return targets;
+}
+
+std::set<int> targets_of(const GraspQuery& query) { return targets_of(ready().plan(query)); }
+
+Eigen::Vector3d in_C(double x, double y, double z) {
+  return scene().X_CW * Eigen::Vector3d(x, y, z);
+}
+
+}  // namespace
+
+TEST_CASE("a scene that is asked for everything answers as a plan does", "[query]") {
+  const GraspPlan asked = ready().plan(),
+                  planned = plan_grasps(scene().cloud, scene().detections, franka_hand());
+  REQUIRE(targets_of(asked) == std::set{1, 2, 3, 4});
+  REQUIRE(asked.grasps.size() == planned.grasps.size());
+  for (std::size_t n = 0; n < asked.grasps.size(); ++n) {
+    CHECK(asked.grasps[n].X_CG.isApprox(planned.grasps[n].X_CG, 0.0));
+    CHECK(asked.grasps[n].track == 30 + asked.grasps[n].target);
+  }
+  CHECK(asked.rejected == planned.rejected);
+}
+
+TEST_CASE("only what is asked for is grasped, as it is when all is", "[query]") {
+  GraspQuery query;
+  query.ids = {3, 1};
+  CHECK(targets_of(query) == std::set{1, 3});
+  query = {};
+  query.tracks = {34};
+  CHECK(targets_of(query) == std::set{4});
+  query = {};
+  query.types = {QuadricType::kSphere};
+  CHECK(targets_of(query) == std::set{2, 3, 4});
+  query.min_size = 0.045;
+  CHECK(targets_of(query) == std::set{3, 4});
+  query.max_size = 0.055;
+  CHECK(targets_of(query) == std::set{3});
+  // A grasp on the target alone is one of those that are planned on it among all.
+  const GraspPlan some = ready().plan(query), all = ready().plan();
+  for (const Grasp& grasp : some.grasps) {
+    CHECK(std::any_of(all.grasps.begin(), all.grasps.end(), [&](const Grasp& other) {
+      return other.X_CG.isApprox(grasp.X_CG, 0.0) && other.score == grasp.score;
+    }));
+  }
+}
+
+TEST_CASE("what lies in a region, and what is nearest to a point", "[query]") {
+  GraspQuery query;
+  // In the world's axes, which are slanted to the cloud's.
+  query.region =
+      Region{scene().X_CW, {Eigen::Vector3d(0.06, -0.1, 0.0), Eigen::Vector3d(0.5, 0.1, 0.2)}};
+  CHECK(targets_of(query) == std::set{3, 4});
+  query.near_C = in_C(0.1, 0.0, 0.0);
+  CHECK(targets_of(query) == std::set{3});
+  // The nearest of those in the region, not of all.
+  query.near_C = in_C(-0.3, 0.0, 0.0);
+  CHECK(targets_of(query) == std::set{3});
+  query.region.reset();
+  CHECK(targets_of(query) == std::set{1});
+  const Eigen::Isometry3d X_FC = test::translation(1, 2, 3) * scene().X_CW.inverse();
+  const GraspQuery there = moved(query, X_FC), back = moved(there, X_FC.inverse());
+  CHECK((*there.near_C - Eigen::Vector3d(0.7, 2, 3)).norm() < 1e-12);
+  CHECK(targets_of(back) == std::set{1});
+}
+
+TEST_CASE("the hand comes within the cone that is asked for", "[query]") {
+  const Eigen::Vector3d down = -scene().X_CW.linear().col(2);
+  const Eigen::Vector3d slanted = (down + scene().X_CW.linear().col(1)).normalized();
+  for (const Eigen::Vector3d& axis : {down, slanted}) {
+    for (const double angle : {0.15, 0.5}) {
+      GraspQuery query;
+      query.approach = Cone{axis, angle};
+      const GraspPlan plan = ready().plan(query);
+      CHECK(targets_of(plan).size() >= 3);
+      for (const Grasp& grasp : plan.grasps) {
+        CHECK(grasp.X_CG.linear().col(2).dot(axis) > std::cos(angle) - 1e-9);
+      }
+      CHECK(plan.rejected.at("approach") > 0);
+    }
+  }
+}
+
+TEST_CASE("clearance and number are kept", "[query]") {
+  GraspQuery query;
+  query.min_clearance = 0.008;
+  const GraspPlan plan = ready().plan(query);
+  REQUIRE_FALSE(plan.grasps.empty());
+  for (const Grasp& grasp : plan.grasps) CHECK(grasp.clearance >= 0.008);
+  CHECK(plan.rejected.at("clearance") > 0);
+  query = {};
+  query.max_grasps = 3;
+  CHECK(ready().plan(query).grasps.size() == 3);
+  CHECK(targets_of(query).size() == 3);
+}
+
+TEST_CASE("a query that nothing meets is told why", "[query]") {
+  const auto why = [](const GraspQuery& query) {
+    const GraspPlan plan = ready().plan(query);
+    CHECK(plan.grasps.empty());
+    return plan.warnings.back();
+  };
+  GraspQuery query;
+  query.ids = {77};
+  CHECK(why(query) == "no target of that id; there are: 1 2 3 4");
+  query.ids = {100};
+  CHECK(why(query) == "no target of that id; there are: 1 2 3 4");
+  query.ids = {2};
+  query.min_size = 0.3;
+  CHECK(why(query) == "no target of that size; there are: 2");
+  // A ball that the hand cannot span.
+  std::vector<Detection> detections = scene().detections;
+  detections.push_back(test::sphere_detection({in_C(0.0, 0.3, 0.2), 0.2}, 9));
+  const GraspScene with_large(scene().cloud, detections, franka_hand());
+  query = {};
+  query.ids = {9};
+  CHECK(with_large.plan(query).warnings.back() == "target 9 cannot be held: width");
+}
+
+TEST_CASE("a query that is out of range names its field", "[query]") {
+  const auto message = [](const GraspQuery& query) -> std::string {
+    try {
+      ready().plan(query);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  GraspQuery query;
+  query.min_size = nan;
+  CHECK(message(query).find("min_size") == 0);
+  query = {};
+  query.max_size = -1.0;
+  CHECK(message(query).find("max_size") == 0);
+  query = {};
+  query.min_clearance = 1.0;
+  CHECK(message(query).find("min_clearance") == 0);
+  query = {};
+  query.near_C = Eigen::Vector3d(0, 0, nan);
+  CHECK(message(query).find("near") == 0);
+  query = {};
+  query.approach = Cone{{0, 0, 2}, 1.0};
+  CHECK(message(query).find("approach") == 0);
+  query.approach = Cone{{0, 0, 1}, 0.0};
+  CHECK(message(query).find("approach's angle") == 0);
+  query = {};
+  query.region = Region{};
+  CHECK(message(query).find("region") == 0);
+  query = {};
+  query.max_grasps = 0;
+  CHECK(message(query).find("max_grasps") == 0);
+}
+
+TEST_CASE("each grasp says how it holds, and whence the hand comes", "[query]") {
+  std::map<GraspKind, int> kinds;
+  for (const Grasp& grasp : ready().plan().grasps) {
+    ++kinds[grasp.kind];
+    const Eigen::Vector3d way = grasp.X_CG.translation() - grasp.pregrasp().translation();
+    CHECK((way - grasp.approach * grasp.X_CG.linear().col(2)).norm() < 1e-12);
+    CHECK(grasp.pregrasp().linear().isApprox(grasp.X_CG.linear(), 0.0));
+    // Held by the tips, a ball is not held across its middle.
+    if (grasp.kind == GraspKind::kTip || grasp.target == 1) continue;
+    const Detection& ball = scene().detections[grasp.target - 1];
+    CHECK(grasp.width == Approx(2.0 * ball.dimensions[0].value).margin(1e-6));
+  }
+  CHECK(kinds[GraspKind::kAcross] > 0);
+}
+
+TEST_CASE("several threads may ask one scene", "[query]") {
+  std::vector<GraspPlan> plans(4);
+  {
+    std::vector<std::jthread> threads;
+    for (int k = 0; k < 4; ++k) {
+      threads.emplace_back([&, k] {
+        GraspQuery query;
+        query.ids = {1 + k};
+        plans[k] = ready().plan(query);
+      });
+    }
+  }
+  for (int k = 0; k < 4; ++k) CHECK(targets_of(plans[k]) == std::set{1 + k});
+}
+
+}  // namespace quadrille

@@ -1,0 +1,42 @@
+#include "cli/number_list.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+namespace quadrille {
+namespace {
+
+/// The numbers of a list that commas separate; nullopt if one is none, or not finite.
+std::optional<std::vector<double>> numbers_of(const std::string& list) {
+  std::vector<double> numbers;
+  const char* at = list.data();
+  const char* const end = at + list.size();
+  while (true) {
+    double number = 0.0;
+    const auto [rest, error] = std::from_chars(at, end, number);
+    if (error != std::errc{} || !std::isfinite(number)) return std::nullopt;
+    numbers.push_back(number);
+    if (rest == end) return numbers;
+    if (*rest != ',') return std::nullopt;
+    at = rest + 1;
+  }
+}
+
+}  // namespace
+
+std::vector<double> numbers_of(const std::string& option, const std::string& list,
+                               std::size_t count, const std::string& form) {
+  const auto numbers = numbers_of(list);
+  if (!numbers || numbers->size() != count) {
+    throw CLI::ValidationError(
+        option,
+        fmt::format("'{}' is not {}: {} finite numbers with commas between", list, form, count));
+  }
+  return *numbers;
+}
+
+}  // namespace quadrille

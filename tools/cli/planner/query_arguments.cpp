@@ -1,0 +1,81 @@
+#include "cli/planner/query_arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "cli/number_list.hpp"
+
+namespace quadrille {
+namespace {
+
+Eigen::Vector3d vector_of(const std::vector<double>& v, std::size_t first = 0) {
+  return {v[first], v[first + 1], v[first + 2]};
+}
+
+Region region_of(const std::string& list) {
+  const std::string form = "MINX,MINY,MINZ,MAXX,MAXY,MAXZ";
+  const std::vector<double> v = numbers_of("--roi", list, 6, form);
+  const Eigen::AlignedBox3d box(vector_of(v), vector_of(v, 3));
+  if (box.isEmpty()) {
+    throw CLI::ValidationError(
+        "--roi", fmt::format("'{}' is empty: give the least corner first, {}", list, form));
+  }
+  return {Eigen::Isometry3d::Identity(), box};
+}
+
+Cone cone_of(const std::string& list) {
+  const std::vector<double> v = numbers_of("--approach", list, 4, "X,Y,Z,DEGREES");
+  const Eigen::Vector3d axis = vector_of(v);
+  if (!(axis.norm() > 0.0)) {
+    throw CLI::ValidationError("--approach", fmt::format("'{}' has no direction", list));
+  }
+  if (!(v[3] > 0.0 && v[3] <= 180.0)) {
+    throw CLI::ValidationError(
+        "--approach", fmt::format("'{}': the angle must be more than 0 and at most 180", list));
+  }
+  return {axis.normalized(), v[3] * std::numbers::pi / 180.0};
+}
+
+void add_length(CLI::App& app, const std::string& name, double& length, double max,
+                const std::string& what) {
+  app.add_option(name, length, what)->type_name("M")->check(CLI::Range(0.0, max));
+}
+
+}  // namespace
+
+void QueryArguments::add_to(CLI::App& app) {
+  constexpr double kMaxLength = 100.0;
+  app.add_option("--target", query.ids, "Grasp only these quadrics or boxes, by their numbers")
+      ->type_name("ID,...")
+      ->delimiter(',');
+  app.add_option_function<std::string>(
+         "--near",
+         [this](const std::string& list) {
+           query.near_C = vector_of(numbers_of("--near", list, 3, "X,Y,Z"));
+         },
+         "Grasp only what is nearest to this point, in the frame of the results [m]")
+      ->type_name("X,Y,Z");
+  app.add_option_function<std::string>(
+         "--roi", [this](const std::string& list) { query.region = region_of(list); },
+         "Grasp only what has its middle in this box, in the frame of the results [m]")
+      ->type_name("MINX,...,MAXZ");
+  add_length(app, "--min-size", query.min_size, kMaxLength,
+             "Grasp only what has a longest side of so much at least");
+  add_length(app, "--max-size", query.max_size, kMaxLength,
+             "Grasp only what has a longest side of so much at most");
+  add_length(app, "--min-clearance", query.min_clearance, GraspQuery::kMaxMinClearance,
+             "Keep the hand so far from all but the target");
+  app.add_option_function<std::string>(
+         "--approach", [this](const std::string& list) { query.approach = cone_of(list); },
+         "Come along this direction, to within an angle, in the frame of the results")
+      ->type_name("X,Y,Z,DEGREES");
+  app.add_option("--best", query.max_grasps, "Give so many grasps at most")
+      ->type_name("N")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+}
+
+}  // namespace quadrille

@@ -1,0 +1,56 @@
+#include "picture/box_layer.hpp"
+
+#include <array>
+
+namespace quadrille {
+namespace {
+
+constexpr double kWidth = 2.0;
+constexpr float kSeen = 0.95f, kHidden = 0.3f;
+
+/// A corner on the sides that are upper along x, y, z for the bits 1, 2, 4.
+Eigen::Vector3d corner_of(const Box& box, int bits) {
+  Eigen::Vector3d p_B = 0.5 * box.size;
+  for (int i = 0; i < 3; ++i) {
+    if (!(bits >> i & 1)) p_B[i] = -p_B[i];
+  }
+  return box.X_CB * p_B;
+}
+
+/// The corner that all three hidden sides share.
+int hidden_corner(const Box& box, const View& view) {
+  const Eigen::Vector3d eye_B =
+      box.X_CB.inverse() * Eigen::Vector3d(view.X_VC.inverse().translation());
+  int bits = 0;
+  for (int i = 0; i < 3; ++i) bits |= (eye_B[i] < 0.0 ? 1 : 0) << i;
+  return bits;
+}
+
+}  // namespace
+
+std::optional<Eigen::Vector2i> draw_box(const Box& box, const Color& color, const View& view,
+                                        Image* image) {
+  std::array<Eigen::Vector2d, 8> corners;
+  std::optional<Eigen::Vector2d> top;
+  for (int n = 0; n < 8; ++n) {
+    const auto at = view.project(corner_of(box, n));
+    if (!at) return std::nullopt;
+    corners[n] = *at;
+    const bool in_view =
+        at->x() >= 0.0 && at->x() < view.width && at->y() >= 0.0 && at->y() < view.height;
+    if (in_view && (!top || at->y() < top->y())) top = *at;
+  }
+  if (!top) return std::nullopt;
+  const int hidden = hidden_corner(box, view);
+  for (int n = 0; n < 8; ++n) {
+    for (int i = 0; i < 3; ++i) {
+      const int other = n | 1 << i;
+      if (other == n) continue;
+      const bool behind = n == hidden || other == hidden;
+      draw_line(corners[n], corners[other], kWidth, color, behind ? kHidden : kSeen, image);
+    }
+  }
+  return top->cast<int>();
+}
+
+}  // namespace quadrille

@@ -1,0 +1,80 @@
+#include "process/planner/request.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/detector/quadric_type.hpp"
+
+namespace quadrille {
+namespace {
+
+// A quaternion may miss unit norm by the rounding of single precision.
+constexpr double kUnitNorm = 1e-3;
+
+/// Frame K in the frame that a request names.
+Eigen::Isometry3d X_FK(const std::string& frame, const Placement& placement,
+                       const std::string& cloud_frame) {
+  if (frame.empty() || frame == placement.frame_of_results(cloud_frame)) return placement.X_RK;
+  if (frame == word_of(CloudFrame::kCamera)) return Eigen::Isometry3d::Identity();
+  if (frame == cloud_frame) return placement.X_CK;
+  if (frame != word_of(CloudFrame::kWorld)) {
+    throw std::invalid_argument(fmt::format(
+        "frame '{}' is not known: name 'camera', 'world', '{}' or ''", frame, cloud_frame));
+  }
+  if (!placement.X_WK) {
+    throw std::invalid_argument(
+        "frame 'world' is not known: start with --pose-channel or --camera-pose");
+  }
+  return *placement.X_WK;
+}
+
+Region region_of(const grasp_request_t& request) {
+  const double* q = request.region.quaternion;
+  const double norm = Eigen::Vector4d(q[0], q[1], q[2], q[3]).norm();
+  if (!(std::abs(norm - 1.0) < kUnitNorm)) {
+    throw std::invalid_argument(
+        fmt::format("region.quaternion has norm {:.3g}: must be 1, w first", norm));
+  }
+  const Eigen::Vector3d half = 0.5 * Eigen::Vector3d(request.region_size);
+  if (!(half.minCoeff() > 0.0)) {
+    throw std::invalid_argument("region_size: must be more than 0 along each axis");
+  }
+  return {bus::from_message(request.region), {-half, half}};
+}
+
+Cone cone_of(const grasp_request_t& request) {
+  const Eigen::Vector3d axis(request.approach);
+  if (!(axis.norm() > 0.0)) throw std::invalid_argument("approach: must not be 0");
+  return {axis.normalized(), request.approach_angle};
+}
+
+QuadricType type_of(const std::string& name) {
+  const auto type = quadric_type_from_string(name);
+  if (!type) throw std::invalid_argument(fmt::format("types: '{}' is no type", name));
+  return *type;
+}
+
+}  // namespace
+
+GraspQuery query_of(const grasp_request_t& request, const Placement& placement,
+                    const std::string& cloud_frame) {
+  GraspQuery query;
+  query.ids.assign(request.targets.begin(), request.targets.end());
+  query.tracks.assign(request.tracks.begin(), request.tracks.end());
+  for (const std::string& name : request.types) query.types.push_back(type_of(name));
+  if (request.has_region) query.region = region_of(request);
+  if (request.has_near) query.near_C = Eigen::Vector3d(request.near);
+  query.min_size = request.min_size;
+  if (request.max_size != 0.0) query.max_size = request.max_size;
+  if (request.has_approach) query.approach = cone_of(request);
+  query.min_clearance = request.min_clearance;
+  if (request.max_grasps != 0) query.max_grasps = request.max_grasps;
+  query.check();
+  return moved(std::move(query), X_FK(request.frame, placement, cloud_frame).inverse());
+}
+
+}  // namespace quadrille

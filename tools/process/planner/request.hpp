@@ -1,0 +1,18 @@
+#pragma once
+
+#include <lcmtypes/quadrille/grasp_request_t.hpp>
+#include <string>
+
+#include "process/runtime/camera_poses.hpp"
+#include "quadrille/grasping/grasp_query.hpp"
+
+namespace quadrille {
+
+/// The query of a request, in frame K of the camera.
+/// @param placement    of the cloud that it is about
+/// @param cloud_frame  name of the cloud's frame C
+/// @throws std::invalid_argument that names the field which is wrong, and the remedy
+GraspQuery query_of(const grasp_request_t& request, const Placement& placement,
+                    const std::string& cloud_frame);
+
+}  // namespace quadrille
