@@ -119,6 +119,22 @@ check_plan() {
   done
 }
 
+# Results that a log holds already are not mixed with new ones.
+check_mixed_results() {
+  local held="on QUADRICS (6; --out-channel), BOXES (6; --boxes-channel), QUADRILLE_DETECTOR_STATUS"
+  cp "$work/grasps.lcm" "$work/kept.lcm"
+  expect_exit 1 "$held" "$detector" --in-log "$work/quadrics.lcm" --out-log "$work/kept.lcm" --copy-input
+  cmp "$work/grasps.lcm" "$work/kept.lcm" || fail "a refused replay has touched its output"
+  expect_exit 0 "clouds in: 6" \
+    "$detector" --in-log "$work/quadrics.lcm" --out-log "$work/o.lcm"
+  expect_exit 0 "clouds in: 6" \
+    "$detector" --in-log "$work/quadrics.lcm" --out-log "$work/o.lcm" --copy-input \
+    --out-channel Q2 --boxes-channel B2 --status-channel S2
+  "$planner" --in-log "$work/quadrics.lcm" --out-log "$work/planned.lcm" --copy-input 2>/dev/null
+  expect_exit 1 "on GRASPS (6; --grasps-channel), COLLISION_SHAPES (6; --shapes-channel)" \
+    "$planner" --in-log "$work/planned.lcm" --out-log "$work/o.lcm" --copy-input
+}
+
 # A channel that is named wrong is told from one on which nothing can be found.
 check_channels() {
   expect_exit 0 "no event on CAMERA; the log holds POINT_CLOUD (6); name the channel with --in-" \
@@ -242,6 +258,7 @@ check_without_route
 check_command_lines
 run_offline
 check_plan
+check_mixed_results
 check_channels
 check_cut_log
 check_interrupted_replay
@@ -253,7 +270,12 @@ run_live "$work/clouds.lcm" "$work/live.lcm"
 compare_with_offline "$work/live.lcm"
 
 # The hostile log carries the clouds as another type, with a seq of their own.
-"$detector" --in-log "$work/hostile.lcm" --out-log "$work/quadrics.lcm" --copy-input 2>/dev/null
+# Its garbage on QUADRICS counts as results; live the detector's would come among it too.
+expect_exit 1 "mixed with new results on QUADRICS (" \
+  "$detector" --in-log "$work/hostile.lcm" --out-log "$work/o.lcm" --copy-input
+"$detector" --in-log "$work/hostile.lcm" --out-log "$work/found.lcm" --copy-input \
+  --out-channel FOUND 2>/dev/null
+"$tool" rename-channel "$work/found.lcm" "$work/quadrics.lcm" FOUND QUADRICS
 "$planner" --in-log "$work/quadrics.lcm" --out-log "$work/grasps.lcm" --copy-input 2>/dev/null
 "$tool" check-copy "$work/hostile.lcm" "$work/quadrics.lcm"
 "$tool" check-copy "$work/quadrics.lcm" "$work/grasps.lcm"

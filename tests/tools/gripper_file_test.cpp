@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
@@ -19,6 +21,16 @@ const std::string kGripper =
 std::string gripper_error(const std::string& text) {
   const test::TempFolder folder;
   return error_of([&] { io::read_gripper(folder.write("g.toml", text)); });
+}
+
+using Fields = std::pair<std::string, std::vector<double>>;
+
+/// All that a file says of a hand.
+Fields fields_of(const Gripper& g) {
+  return {g.name,
+          {g.max_opening, g.min_opening, g.finger.x(), g.finger.y(), g.finger.z(), g.finger_front,
+           g.pad.x(), g.pad.y(), g.palm.x(), g.palm.y(), g.palm.z(), g.max_force, g.link_length,
+           g.link_angle, g.tcp}};
 }
 
 }  // namespace
@@ -48,7 +60,7 @@ TEST_CASE("the Robotiq hands are known by name, with links that close them", "[g
   } catch (const std::invalid_argument& error) {
     unknown = error.what();
   }
-  CHECK(contains(unknown, "known: franka, wsg50, robotiq_2f140, robotiq_2f85"));
+  CHECK(contains(unknown, "known: franka, robotiq_2f140, robotiq_2f85, wsg50"));
 }
 
 TEST_CASE("a contradiction in a gripper file is one line with file, field and remedy",
@@ -73,4 +85,32 @@ TEST_CASE("a wrong gripper file is refused with its key", "[gripper][hostile]") 
   std::string two = kGripper;
   two.replace(two.find("[0.02, 0.015, 0.05]"), 19, "[0.02, 0.015]");
   CHECK(contains(gripper_error(two), "line 4: key 'finger'"));
+}
+
+TEST_CASE("the library's own hands are files too, with the same numbers", "[gripper]") {
+  for (const Gripper& expected : {franka_hand(), schunk_wsg50()}) {
+    INFO(expected.name);
+    const Gripper hand = io::load_gripper(expected.name);
+    CHECK(fields_of(hand) == fields_of(expected));
+    CHECK(contains(io::gripper_toml(expected.name), "name = \"" + expected.name + "\""));
+  }
+}
+
+TEST_CASE("each built-in hand is printed as a file that reads back to the same numbers",
+          "[gripper][command]") {
+  const test::TempFolder folder;
+  const test::Run list = test::run_quadrille("gripper");
+  CHECK(list.code == 0);
+  for (const char* name : {"franka", "robotiq_2f140", "robotiq_2f85", "wsg50"}) {
+    INFO(name);
+    CHECK(contains("\n" + list.out, "\n" + std::string(name) + " "));
+    const test::Run printed = test::run_quadrille("gripper " + std::string(name));
+    REQUIRE(printed.code == 0);
+    const Gripper back = io::read_gripper(folder.write("mine.toml", printed.out));
+    CHECK(fields_of(back) == fields_of(io::load_gripper(name)));
+  }
+  CHECK(test::lines_of(list.out) == 4);
+  const test::Run unknown = test::run_quadrille("gripper claw");
+  CHECK(unknown.code == 2);
+  CHECK(contains(unknown.err, "known: franka, robotiq_2f140, robotiq_2f85, wsg50"));
 }

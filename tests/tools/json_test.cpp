@@ -5,6 +5,7 @@
 
 #include "io/describe.hpp"
 #include "io/planner/plan_json.hpp"
+#include "io/run_info.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;
@@ -46,10 +47,17 @@ TEST_CASE("the JSON of a detection has the promised keys, types and digits", "[j
   result.points_used = 8;
   result.timings = {{"planes", 1.5}, {"vote", 2.5}};
   result.total_ms = 4.25;
+  io::RunInfo run;
+  run.seed = 7;
+  run.settings["planes.sigmas"] = 2.5;
+  run.warnings = {"The lens is dirty."};
   const io::Json json =
-      io::Json::parse(io::detect_json({"a.ply", "cam", 12, 0.5, {1, 2, 3}}, result).dump());
-  CHECK(keys_of(json) ==
-        Keys{"input", "frame", "viewpoint", "points", "timings", "detections", "boxes"});
+      io::Json::parse(io::detect_json({"a.ply", "cam", 12, 0.5, {1, 2, 3}}, run, result).dump());
+  CHECK(keys_of(json) == Keys{"input", "version", "seed", "settings", "frame", "viewpoint",
+                              "warnings", "points", "timings", "detections", "boxes"});
+  CHECK(json["seed"] == 7);
+  CHECK(json["settings"] == io::Json({{"planes.sigmas", 2.5}}));
+  CHECK(json["warnings"] == io::Json({"The lens is dirty."}));
   CHECK(json["input"] == "a.ply");
   CHECK(json["frame"] == "cam");
   CHECK(json["viewpoint"] == io::Json({1.0, 2.0, 3.0}));
@@ -84,9 +92,11 @@ TEST_CASE("a quaternion in JSON is w x y z and turns as the pose does", "[json]"
 }
 
 TEST_CASE("an empty result is JSON with empty lists", "[json]") {
-  const io::Json detect = io::detect_json({}, {});
+  const io::Json detect = io::detect_json({}, {}, {});
   CHECK(detect["detections"] == io::Json::array());
-  const io::Json plan = io::plan_json({}, {}, {});
+  CHECK(detect["warnings"] == io::Json::array());
+  CHECK(detect["settings"] == io::Json::object());
+  const io::Json plan = io::plan_json({}, {}, {}, {});
   CHECK(plan["grasps"] == io::Json::array());
   CHECK(plan["shapes"] == io::Json::array());
   CHECK(plan["rejected"] == io::Json::object());
@@ -119,9 +129,13 @@ TEST_CASE("the JSON of a plan has the promised keys, and its total spans both ha
   shape.kind = "cylinder";
   shape.dimensions = {0.041, 0.09};
   plan.shapes = {shape};
-  const io::Json json = io::plan_json({"a.ply", "cam", 12, 0.5}, result, plan);
-  CHECK(keys_of(json) == Keys{"input", "frame", "viewpoint", "detections", "boxes", "timings",
-                              "grasps", "rejected", "shapes"});
+  io::RunInfo run;
+  run.gripper = "claw";
+  const io::Json json = io::plan_json({"a.ply", "cam", 12, 0.5}, run, result, plan);
+  CHECK(keys_of(json) == Keys{"input", "version", "seed", "settings", "gripper", "frame",
+                              "viewpoint", "warnings", "detections", "boxes", "timings", "grasps",
+                              "rejected", "shapes"});
+  CHECK(json["gripper"] == "claw");
   CHECK(json["timings"]["total_ms"] == 120.0);
   CHECK(keys_of(json["grasps"][0]) ==
         Keys{"target", "track", "kind", "score", "X_CG", "pregrasp", "retreat", "width", "preshape",

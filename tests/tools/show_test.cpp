@@ -90,3 +90,19 @@ TEST_CASE("a log without quadrics and grasps, or with damaged ones, is told",
   check_failure(run_quadrille("show " + folder.path("none.lcm")), "no such file");
   check_failure(run_quadrille("show " + folder.write("text.lcm", "no log")), "is not an LCM log");
 }
+
+TEST_CASE("show prints the messages of one channel where it is named", "[command][show]") {
+  const test::TempFolder folder;
+  const std::string path = folder.path("two.lcm");
+  bus::LogWriter log(path);
+  log.write(1, "LEFT", ball_message());
+  log.write(2, "RIGHT", grasps_message(1));
+  log.flush();
+  const Run right = run_quadrille("show --channel RIGHT " + path);
+  CHECK(right.err.empty());
+  CHECK(contains(right.out, "RIGHT: cloud 1500 us, hand franka"));
+  CHECK_FALSE(contains(right.out, "LEFT"));
+  const Run none = run_quadrille("show --channel FRONT " + path);
+  CHECK(none.out.empty());
+  CHECK(contains(none.err, "on FRONT, but events on LEFT (1), RIGHT (1); name another --channel"));
+}

@@ -51,6 +51,13 @@ void print_warnings(const std::string& input, const std::vector<std::string>& wa
   }
 }
 
+void add_warnings(const std::string& about, const std::vector<std::string>& warnings,
+                  std::vector<std::string>* all) {
+  for (const std::string& warning : warnings) {
+    all->push_back(fmt::format("{}: {}", about, warning));
+  }
+}
+
 void print(const std::string& text) {
   std::cout << text << std::flush;
   if (!std::cout) throw std::runtime_error("stdout: cannot be written; is its reader gone?");

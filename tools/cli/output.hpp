@@ -53,6 +53,10 @@ class PicturePaths {
 /// Writes each warning as one line to stderr.
 void print_warnings(const std::string& input, const std::vector<std::string>& warnings);
 
+/// Appends warnings about something that is not the input itself, named before each: "FILE: …".
+void add_warnings(const std::string& about, const std::vector<std::string>& warnings,
+                  std::vector<std::string>* all);
+
 /// Writes to stdout and sees to it that it arrived.
 /// @throws std::runtime_error if it did not
 void print(const std::string& text);

@@ -33,6 +33,17 @@ std::string count_of(std::size_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
+std::string list_channels(const std::map<std::string, std::int64_t>& counts) {
+  constexpr std::size_t kShown = 12;
+  std::string text;
+  std::size_t shown = 0;
+  for (const auto& [channel, count] : counts) {
+    if (shown == kShown) return fmt::format("{} and {} more", text, counts.size() - shown);
+    text += fmt::format("{}{} ({})", shown++ == 0 ? "" : ", ", channel, count);
+  }
+  return text;
+}
+
 std::string describe(const Dimension& dimension) {
   return fmt::format("{:.1f} {}", shown_value(dimension), unit_of(dimension));
 }

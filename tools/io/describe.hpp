@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <string>
 
 #include "quadrille/detector/detection.hpp"
@@ -9,6 +11,9 @@ namespace quadrille::io {
 
 /// A count for people: "1 cloud", "2 clouds".
 std::string count_of(std::size_t count, const std::string& noun);
+
+/// Channels with their counts, "A (2), B (1)", of very many the first ones.
+std::string list_channels(const std::map<std::string, std::int64_t>& counts);
 
 /// A dimension for people: "41.0 mm", "7.4 deg" for angles.
 std::string describe(const Dimension& dimension);

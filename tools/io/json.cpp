@@ -1,6 +1,7 @@
 #include "io/json.hpp"
 
 #include "io/json_parts.hpp"
+#include "io/run_info.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -65,19 +66,28 @@ void add_stages(const std::vector<StageTime>& stages, Json* timings) {
   for (const StageTime& stage : stages) (*timings)[stage.stage + "_ms"] = stage.ms;
 }
 
-Json detect_json(const InputInfo& input, const DetectionResult& result) {
+Json begin_json(const InputInfo& input, const RunInfo& run) {
+  Json json = {{"input", input.input},
+               {"version", QUADRILLE_VERSION},
+               {"seed", run.seed},
+               {"settings", run.settings}};
+  if (!run.gripper.empty()) json["gripper"] = run.gripper;
+  json["frame"] = input.frame;
+  json["viewpoint"] = array_of(input.viewpoint);
+  json["warnings"] = run.warnings;
+  return json;
+}
+
+Json detect_json(const InputInfo& input, const RunInfo& run, const DetectionResult& result) {
   Json timings = {{"read_ms", input.read_ms}, {"total_ms", result.total_ms}};
   add_stages(result.timings, &timings);
-  return {{"input", input.input},
-          {"frame", input.frame},
-          {"viewpoint", array_of(input.viewpoint)},
-          {"points",
-           {{"read", input.points_read},
-            {"finite", result.points_finite},
-            {"used", result.points_used}}},
-          {"timings", timings},
-          {"detections", to_json(result.detections)},
-          {"boxes", to_json(result.boxes)}};
+  Json json = begin_json(input, run);
+  json["points"] = {
+      {"read", input.points_read}, {"finite", result.points_finite}, {"used", result.points_used}};
+  json["timings"] = timings;
+  json["detections"] = to_json(result.detections);
+  json["boxes"] = to_json(result.boxes);
+  return json;
 }
 
 }  // namespace quadrille::io

@@ -12,6 +12,8 @@ namespace quadrille::io {
 /// Keys stay in the order in which they are documented.
 using Json = nlohmann::ordered_json;
 
+struct RunInfo;
+
 /// What is known of a cloud before anything is computed.
 struct InputInfo {
   /// Path, with a message number for logs.
@@ -43,6 +45,6 @@ Json to_json(const std::vector<Box>& boxes);
 Json to_json(const std::vector<Detection>& detections);
 
 /// What `quadrille detect --json` writes for one cloud.
-Json detect_json(const InputInfo& input, const DetectionResult& result);
+Json detect_json(const InputInfo& input, const RunInfo& run, const DetectionResult& result);
 
 }  // namespace quadrille::io

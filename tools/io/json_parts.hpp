@@ -16,6 +16,9 @@ Json array_of(const Vector& v) {
   return array;
 }
 
+/// The keys that begin each object: the input, with what it was worked on, and its frame.
+Json begin_json(const InputInfo& input, const RunInfo& run);
+
 /// Adds "STAGE_ms" for each stage.
 void add_stages(const std::vector<StageTime>& stages, Json* timings);
 

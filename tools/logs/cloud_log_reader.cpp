@@ -9,6 +9,7 @@ CloudLogReader::CloudLogReader(const std::string& path, const std::string& chann
 
 std::optional<LoggedCloud> CloudLogReader::next() {
   while (const auto event = log_.next()) {
+    ++channels_[event->channel];
     if (!channel_.empty() && event->channel != channel_) continue;
     bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(event->bytes);
     if (auto* message = std::get_if<bus::CloudMessage>(&decoded)) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -33,6 +34,8 @@ class CloudLogReader {
 
   /// Events refused so far, by reason.
   const bus::RejectCounts& rejected() const { return rejected_; }
+  /// The events read so far of each channel, of those passed over too.
+  const std::map<std::string, std::int64_t>& channels() const { return channels_; }
   /// Where the log is cut short; nullopt if it is whole.
   const std::optional<std::string>& defect() const { return log_.survey().defect; }
 
@@ -40,6 +43,7 @@ class CloudLogReader {
   bus::LogReader log_;
   std::string channel_;
   bus::RejectCounts rejected_;
+  std::map<std::string, std::int64_t> channels_;
 };
 
 }  // namespace quadrille::logs

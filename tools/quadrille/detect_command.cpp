@@ -1,22 +1,19 @@
 #include "quadrille/detect_command.hpp"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cli/detector_arguments.hpp"
-#include "cli/frame_arguments.hpp"
 #include "cli/output.hpp"
-#include "io/file_bytes.hpp"
 #include "io/planner/config.hpp"
+#include "io/run_info.hpp"
+#include "io/settings_json.hpp"
 #include "picture/picture.hpp"
 #include "picture/png.hpp"
 #include "quadrille/detector/detector.hpp"
@@ -34,7 +31,7 @@ struct DetectArguments {
   std::string json, picture;
   bool track = false;
   DetectorArguments detector;
-  FrameArguments frames;
+  InputArguments input;
 };
 
 /// Tracks the clouds of each source: of a channel of a log, or of all the files.
@@ -60,12 +57,27 @@ class Tracking {
   std::map<std::pair<std::string, std::string>, Tracker> trackers_;
 };
 
+io::RunInfo run_info(const DetectArguments& arguments, const DetectorSetup& setup) {
+  io::RunInfo run;
+  run.seed = setup.options.seed;
+  run.settings = io::changed_settings(setup.options, setup.track);
+  add_warnings(arguments.detector.config, setup.warnings, &run.warnings);
+  return run;
+}
+
+/// What concerns one of the clouds too.
+io::RunInfo with_warnings(io::RunInfo run, const std::vector<std::string>& more) {
+  run.warnings.insert(run.warnings.end(), more.begin(), more.end());
+  return run;
+}
+
 void run(const DetectArguments& arguments) {
+  arguments.input.check(arguments.inputs);
   const std::string& config = arguments.detector.config;
   const DetectorSetup setup = arguments.detector.overrule(io::load_config(config));
   print_warnings(config, setup.warnings);
-  const bool several = arguments.inputs.size() > 1 || is_log(arguments.inputs.front());
-  PicturePaths pictures(arguments.picture, several);
+  const io::RunInfo info = run_info(arguments, setup);
+  PicturePaths pictures(arguments.picture, may_be_several(arguments.inputs));
   JsonLines json(arguments.json);
   Tracking tracking(setup.track, arguments.track);
   const auto put_out = [&](const std::string& path, const InputCloud& input,
@@ -73,41 +85,23 @@ void run(const DetectArguments& arguments) {
     DetectionResult result = found;
     result.detections = moved(std::move(result.detections), input.X_CK);
     result.boxes = moved(std::move(result.boxes), input.X_CK);
-    json.write(io::detect_json(input.info, result));
+    const io::RunInfo whole = with_warnings(with_warnings(info, input.warnings), result.warnings);
+    json.write(io::detect_json(input.info, whole, result));
     if (!json.owns_stdout()) print(detection_table(input.info, result));
     print_warnings(input.info.input, result.warnings);
     if (!pictures.wanted()) return;
     write_png(pictures.next(path), draw_picture({input.info.input, input.cloud, found}));
   };
-  std::size_t failed = 0, clouds = 0;
-  for (const std::string& path : arguments.inputs) {
-    try {
-      const auto warnings = for_each_cloud(path, arguments.frames, [&](const InputCloud& input) {
-        DetectionResult result = detect(input.cloud, setup.options);
-        tracking.add_to(input, path, &result.detections);
-        std::erase_if(result.detections, [](const Detection& d) { return !is_reported(d); });
-        std::erase_if(result.boxes, [](const Box& box) { return !is_reported(box); });
-        try {
-          put_out(path, input, result);
-        } catch (const io::FileError& error) {
-          // No fault of the input: end here.
-          throw std::runtime_error(error.what());
-        }
-        ++clouds;
-      });
-      print_warnings(path, warnings);
-    } catch (const io::FileError& error) {
-      if (arguments.inputs.size() == 1) throw;
-      // What cannot be read must not lose what can.
-      fmt::print(stderr, "quadrille: {}\n", error.what());
-      ++failed;
-    }
-  }
-  if (clouds > 0 || failed == 0) json.finish();
-  if (failed > 0) {
-    throw std::runtime_error(
-        fmt::format("{} of {} inputs could not be read", failed, arguments.inputs.size()));
-  }
+  const auto detect_and_put_out = [&](const std::string& path, const InputCloud& input) {
+    DetectionResult result = detect(input.cloud, setup.options);
+    tracking.add_to(input, path, &result.detections);
+    std::erase_if(result.detections, [](const Detection& d) { return !is_reported(d); });
+    std::erase_if(result.boxes, [](const Box& box) { return !is_reported(box); });
+    put_out(path, input, result);
+  };
+  const ReadingResult read = for_each_input(arguments.inputs, arguments.input, detect_and_put_out);
+  if (read.gave_anything()) json.finish();
+  read.check();
 }
 
 }  // namespace
@@ -115,12 +109,12 @@ void run(const DetectArguments& arguments) {
 void add_detect_command(CLI::App& app) {
   auto arguments = std::make_shared<DetectArguments>();
   CLI::App* command = app.add_subcommand("detect", "Find the quadrics of point clouds");
-  command->add_option("INPUT", arguments->inputs, "Clouds: .ply, .pcd or an LCM log")->required();
+  command->add_option("INPUT", arguments->inputs, kInputs)->required();
   command->add_option("--json", arguments->json, "Write JSON, an object a line; - is stdout")
       ->type_name("FILE|-");
   command->add_flag("--track", arguments->track,
                     "Take files for successive views of a camera at rest; logs always are");
-  arguments->frames.add_to(*command);
+  arguments->input.add_to(*command);
   add_picture_option(*command, arguments->picture, "the cloud and the quadrics");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });

@@ -1,9 +1,20 @@
 #include "quadrille/inputs.hpp"
 
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
 #include <chrono>
+#include <filesystem>
+#include <map>
 #include <optional>
+#include <stdexcept>
+#include <system_error>
 #include <utility>
 
+#include "cli/output.hpp"
+#include "cli/process_arguments.hpp"
 #include "io/cloud_file.hpp"
 #include "io/describe.hpp"
 #include "io/file_bytes.hpp"
@@ -16,6 +27,29 @@ namespace quadrille {
 namespace {
 
 using Visitor = std::function<void(InputCloud)>;
+
+/// A log, or one of its clouds.
+struct LogName {
+  std::string path;
+  /// From 1 on; none: all clouds.
+  std::optional<int> number;
+};
+
+/// "a.lcm" or "a.lcm#2"; nullopt if a text names no log.
+std::optional<LogName> log_name_of(const std::string& text) {
+  std::error_code ignored;
+  if (is_log(text)) return LogName{text, {}};
+  const std::size_t mark = text.rfind('#');
+  if (mark == std::string::npos || std::filesystem::exists(text, ignored)) return std::nullopt;
+  LogName name{text.substr(0, mark), 0};
+  if (!is_log(name.path)) return std::nullopt;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data() + mark + 1, end, *name.number);
+  if (error == std::errc{} && rest == end && *name.number > 0) return name;
+  throw io::FileError(
+      name.path, "",
+      fmt::format("'{}' is no number of a cloud; they count from #1", text.substr(mark)));
+}
 
 /// Fills in what is known of a cloud that has been read.
 void describe(const std::string& name, std::chrono::steady_clock::time_point start,
@@ -50,7 +84,19 @@ std::optional<InputCloud> read_logged_cloud(logs::CloudLogReader& reader, const 
   return input;
 }
 
-std::vector<std::string> warnings_about(const logs::CloudLogReader& reader, int clouds) {
+using Counts = std::map<std::string, std::int64_t>;
+
+std::string describe_no_cloud(const logs::CloudLogReader& reader, const std::string& channel) {
+  if (channel.empty() || reader.channels().empty()) {
+    return "holds no cloud; record POINT_CLOUD messages";
+  }
+  return fmt::format("holds no cloud on {}, but events on {}; name another --channel", channel,
+                     io::list_channels(reader.channels()));
+}
+
+/// @param clouds  the clouds of each channel
+std::vector<std::string> warnings_about(const logs::CloudLogReader& reader,
+                                        const std::string& channel, const Counts& clouds) {
   std::vector<std::string> warnings;
   if (reader.defect()) warnings.push_back(*reader.defect());
   for (const bus::RejectReason reason : bus::all_reject_reasons()) {
@@ -59,39 +105,132 @@ std::vector<std::string> warnings_about(const logs::CloudLogReader& reader, int 
     warnings.push_back("refused " + io::count_of(static_cast<std::size_t>(count), "message") +
                        ": " + std::string(to_string(reason)));
   }
-  if (clouds == 0) warnings.push_back("holds no cloud; record POINT_CLOUD messages");
+  if (clouds.empty()) warnings.push_back(describe_no_cloud(reader, channel));
+  if (clouds.size() > 1) {
+    warnings.push_back(
+        fmt::format("holds clouds of several channels, {}; choose one with --channel",
+                    io::list_channels(clouds)));
+  }
   return warnings;
 }
 
-std::vector<std::string> visit_log(const std::string& path, const FrameArguments& frames,
-                                   const Visitor& visit) {
-  logs::CloudLogReader reader(path);
+/// The cloud of a log that is named by its number.
+std::vector<std::string> visit_numbered(const LogName& log, const InputArguments& arguments,
+                                        const Visitor& visit) {
+  logs::CloudLogReader reader(log.path, arguments.channel);
   int clouds = 0;
-  while (auto input = read_logged_cloud(reader, path, frames, clouds + 1)) {
-    ++clouds;
+  while (auto input = read_logged_cloud(reader, log.path, arguments.frames, clouds + 1)) {
+    if (++clouds < *log.number) continue;
+    input->warnings = warnings_about(reader, arguments.channel, {{input->channel, 1}});
+    const std::vector<std::string> warnings = input->warnings;
     visit(std::move(*input));
+    return warnings;
   }
-  return warnings_about(reader, clouds);
+  const std::string held =
+      clouds == 0
+          ? describe_no_cloud(reader, arguments.channel)
+          : fmt::format("holds {}{}", io::count_of(static_cast<std::size_t>(clouds), "cloud"),
+                        arguments.channel.empty() ? "" : fmt::format(" on {}", arguments.channel));
+  throw io::FileError(log.path, "", fmt::format("there is no cloud #{}; it {}", *log.number, held));
+}
+
+/// Each cloud waits for the next one, for what is wrong with a log is known at its end and told
+/// with the last.
+std::vector<std::string> visit_log(const std::string& path, const InputArguments& arguments,
+                                   const Visitor& visit) {
+  logs::CloudLogReader reader(path, arguments.channel);
+  Counts clouds;
+  int number = 0;
+  std::optional<InputCloud> last;
+  while (auto input = read_logged_cloud(reader, path, arguments.frames, number + 1)) {
+    ++number;
+    ++clouds[input->channel];
+    if (last) visit(std::move(*last));
+    last = std::move(input);
+  }
+  std::vector<std::string> warnings = warnings_about(reader, arguments.channel, clouds);
+  if (!last) return warnings;
+  last->warnings = warnings;
+  visit(std::move(*last));
+  return warnings;
 }
 
 }  // namespace
 
+void InputArguments::add_to(CLI::App& command) {
+  frames.add_to(command);
+  add_channel_option(command, "--channel", channel, "clouds, of a log that has several");
+}
+
+void InputArguments::check(const std::vector<std::string>& paths) const {
+  const bool logs = std::any_of(paths.begin(), paths.end(), [](const std::string& path) {
+    return log_name_of(path).has_value();
+  });
+  if (channel.empty() || logs) return;
+  throw CLI::ValidationError("--channel", "is for LCM logs, and no input is one");
+}
+
 bool is_log(const std::string& path) { return path.ends_with(".lcm") || bus::starts_as_log(path); }
 
-std::vector<std::string> for_each_cloud(const std::string& path, const FrameArguments& frames,
+bool may_be_several(const std::vector<std::string>& paths) {
+  return paths.size() > 1 || is_log(paths.front());
+}
+
+std::vector<std::string> for_each_cloud(const std::string& path, const InputArguments& arguments,
                                         const Visitor& visit) {
-  if (is_log(path)) return visit_log(path, frames, visit);
-  visit(read_cloud_file(path, frames));
+  const std::optional<LogName> log = log_name_of(path);
+  if (log && log->number) return visit_numbered(*log, arguments, visit);
+  if (log) return visit_log(path, arguments, visit);
+  visit(read_cloud_file(path, arguments.frames));
   return {};
 }
 
-SingleCloud read_single_cloud(const std::string& path, const FrameArguments& frames) {
+void ReadingResult::check() const {
+  if (failed == 0) return;
+  throw std::runtime_error(fmt::format("{} of {} inputs could not be read", failed, inputs));
+}
+
+ReadingResult for_each_input(
+    const std::vector<std::string>& paths, const InputArguments& arguments,
+    const std::function<void(const std::string& path, InputCloud)>& visit) {
+  ReadingResult result;
+  result.inputs = paths.size();
+  for (const std::string& path : paths) {
+    const auto visit_and_count = [&](InputCloud input) {
+      try {
+        visit(path, std::move(input));
+      } catch (const io::FileError& error) {
+        // No fault of the input: end here.
+        throw std::runtime_error(error.what());
+      }
+      ++result.clouds;
+    };
+    try {
+      print_warnings(path, for_each_cloud(path, arguments, visit_and_count));
+    } catch (const io::FileError& error) {
+      if (paths.size() == 1) throw;
+      // What cannot be read must not lose what can.
+      fmt::print(stderr, "quadrille: {}\n", error.what());
+      ++result.failed;
+    }
+  }
+  return result;
+}
+
+SingleCloud read_single_cloud(const std::string& path, const InputArguments& arguments) {
   std::optional<InputCloud> found;
-  auto warnings = for_each_cloud(path, frames, [&](InputCloud input) {
-    if (found) throw io::FileError(path, "", "holds more than one cloud; give a single one");
+  auto warnings = for_each_cloud(path, arguments, [&](InputCloud input) {
+    if (found) {
+      const bool mixed = found->channel != input.channel;
+      throw io::FileError(
+          path, "",
+          fmt::format("holds more than one cloud{}; name one by its number, such as {}#1",
+                      mixed ? fmt::format(", on {} and {}", found->channel, input.channel) : "",
+                      path));
+    }
     found = std::move(input);
   });
-  if (!found) throw io::FileError(path, "", "holds no cloud; record POINT_CLOUD messages");
+  if (!found) throw io::FileError(path, "", warnings.back());
   return {std::move(*found), std::move(warnings)};
 }
 

@@ -14,7 +14,6 @@
 
 #include "cli/choice_option.hpp"
 #include "cli/detector_arguments.hpp"
-#include "cli/frame_arguments.hpp"
 #include "cli/output.hpp"
 #include "cli/planner/planner_arguments.hpp"
 #include "cli/planner/query_arguments.hpp"
@@ -23,6 +22,8 @@
 #include "io/planner/config.hpp"
 #include "io/planner/octree_bytes.hpp"
 #include "io/planner/plan_json.hpp"
+#include "io/run_info.hpp"
+#include "io/settings_json.hpp"
 #include "picture/picture.hpp"
 #include "picture/png.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -39,11 +40,11 @@ namespace quadrille {
 namespace {
 
 struct PlanArguments {
-  std::string input, json, picture, map;
-  std::vector<std::string> views;
+  std::string json, picture, map;
+  std::vector<std::string> inputs, views;
   DetectorArguments detector;
   PlannerArguments planner;
-  FrameArguments frames;
+  InputArguments input;
   QueryArguments query;
   std::optional<HandConvention> convention;
 };
@@ -74,7 +75,7 @@ void refuse_same(const std::string& input, const std::vector<std::string>& views
   for (const std::string& path : views) {
     for (const std::string& other : seen) {
       std::error_code missing;  // which reading it will tell
-      if (std::filesystem::equivalent(path, other, missing)) {
+      if (path == other || std::filesystem::equivalent(path, other, missing)) {
         throw io::FileError(path, "", "is given twice; each --view must be another cloud");
       }
     }
@@ -83,13 +84,16 @@ void refuse_same(const std::string& input, const std::vector<std::string>& views
 }
 
 /// The other views, each with the viewpoint that its file names.
-/// @param X_KC  their frame C in the frame K to work in
+/// @param X_KC      their frame C in the frame K to work in
+/// @param warnings  gets what is wrong with them
 std::vector<PointCloud> read_views(const std::vector<std::string>& paths,
-                                   const Eigen::Isometry3d& X_KC) {
+                                   const Eigen::Isometry3d& X_KC,
+                                   std::vector<std::string>* warnings) {
   std::vector<PointCloud> views;
   for (const std::string& path : paths) {
     SingleCloud view = read_single_cloud(path);
     print_warnings(path, view.warnings);
+    add_warnings(path, view.warnings, warnings);
     views.push_back(moved(std::move(view.input.cloud), X_KC));
   }
   return views;
@@ -115,25 +119,63 @@ std::vector<std::string> without(std::vector<std::string> lines,
   return lines;
 }
 
-void run(const PlanArguments& arguments) {
+/// With what a run of the command plans, the same for all clouds.
+struct PlanSetup {
+  DetectorSetup detector;
+  Gripper gripper;
+  PlanOptions options;
+  /// Without the warnings about a cloud.
+  io::RunInfo info;
+};
+
+PlanSetup setup_of(const PlanArguments& arguments) {
   const io::Config config = io::load_config(arguments.detector.config);
-  const DetectorSetup setup = arguments.detector.overrule_for_planning(config);
-  print_warnings(arguments.detector.config, setup.warnings);
-  const Gripper gripper = arguments.planner.gripper();
-  const PlanOptions options = arguments.planner.overrule(config.planner);
-  arguments.query.query.check();
-  refuse_same(arguments.input, arguments.views);
-  JsonLines json(arguments.json);
+  PlanSetup setup;
+  setup.detector = arguments.detector.overrule_for_planning(config);
+  setup.gripper = arguments.planner.gripper();
+  setup.options = arguments.planner.overrule(config.planner);
+  setup.info.seed = setup.detector.options.seed;
+  setup.info.settings = io::changed_settings(setup.detector.options, setup.options);
+  setup.info.gripper = setup.gripper.name;
+  add_warnings(arguments.detector.config, setup.detector.warnings, &setup.info.warnings);
+  return setup;
+}
+
+/// Where the results go.
+struct PlanOutput {
+  JsonLines json;
+  PicturePaths pictures;
   std::optional<io::NewFile> map;
-  if (!arguments.map.empty()) map.emplace(arguments.map);
-  const auto [input, warnings] = read_single_cloud(arguments.input, arguments.frames);
-  print_warnings(arguments.input, warnings);
-  DetectionResult found = detect(input.cloud, setup.options);
+};
+
+/// Writes and prints what was found and planned, in the cloud's own frame.
+/// @param info  with the warnings so far
+void put_out(const PlanArguments& arguments, const PlanSetup& setup, const InputCloud& input,
+             io::RunInfo info, const DetectionResult& result, const GraspPlan& plan,
+             PlanOutput* output) {
+  for (const auto& warnings : {result.warnings, without(plan.warnings, result.warnings)}) {
+    info.warnings.insert(info.warnings.end(), warnings.begin(), warnings.end());
+    print_warnings(input.info.input, warnings);
+  }
+  io::Json object = io::plan_json(input.info, info, result, plan);
+  if (arguments.convention) add_hands(plan, setup.gripper, *arguments.convention, &object);
+  output->json.write(object);
+  if (!output->json.owns_stdout())
+    print(detection_table(input.info, result) + grasp_table(plan, setup.options.unknown));
+  if (output->map) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
+}
+
+void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const std::string& path,
+                const InputCloud& input, PlanOutput* output) {
+  io::RunInfo info = setup.info;
+  info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
+  DetectionResult found = detect(input.cloud, setup.detector.options);
   // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);
   const GraspQuery query = moved(arguments.query.query, input.X_CK.inverse());
-  const GraspPlan planned = plan_grasps(input.cloud, detections, gripper, options,
-                                        read_views(arguments.views, input.X_CK.inverse()), query);
+  const GraspPlan planned =
+      plan_grasps(input.cloud, detections, setup.gripper, setup.options,
+                  read_views(arguments.views, input.X_CK.inverse(), &info.warnings), query);
   found.boxes = planned.boxes;
   // All were in the way; shown is what was asked for.
   std::erase_if(found.detections, [](const Detection& d) { return !is_reported(d); });
@@ -141,19 +183,44 @@ void run(const PlanArguments& arguments) {
   DetectionResult result = found;
   result.detections = moved(std::move(result.detections), input.X_CK);
   result.boxes = moved(std::move(result.boxes), input.X_CK);
-  const GraspPlan plan = moved(planned, input.X_CK);
-  io::Json object = io::plan_json(input.info, result, plan);
-  if (arguments.convention) add_hands(plan, gripper, *arguments.convention, &object);
-  json.write(object);
-  json.finish();
-  if (!json.owns_stdout())
-    print(detection_table(input.info, result) + grasp_table(plan, options.unknown));
-  print_warnings(input.info.input, result.warnings);
-  print_warnings(input.info.input, without(plan.warnings, result.warnings));
-  if (map) write_map(arguments.map, *plan.space, input.X_CK, *map);
-  if (arguments.picture.empty()) return;
-  write_png(arguments.picture,
-            draw_picture({input.info.input, input.cloud, found, &planned, &gripper}));
+  put_out(arguments, setup, input, std::move(info), result, moved(planned, input.X_CK), output);
+  if (!output->pictures.wanted()) return;
+  write_png(output->pictures.next(path),
+            draw_picture({input.info.input, input.cloud, found, &planned, &setup.gripper}));
+}
+
+/// Views and a map belong to one scene.
+void check_single_scene(const PlanArguments& arguments) {
+  if (arguments.inputs.size() == 1) return;
+  const std::string option = !arguments.map.empty() ? "--map" : "--view";
+  if (arguments.map.empty() && arguments.views.empty()) return;
+  throw CLI::ValidationError(option, "takes a single INPUT; plan for one after the other");
+}
+
+void run(const PlanArguments& arguments) {
+  arguments.input.check(arguments.inputs);
+  check_single_scene(arguments);
+  const PlanSetup setup = setup_of(arguments);
+  print_warnings(arguments.detector.config, setup.detector.warnings);
+  arguments.query.query.check();
+  refuse_same(arguments.inputs.front(), arguments.views);
+  PlanOutput output{JsonLines(arguments.json),
+                    PicturePaths(arguments.picture, may_be_several(arguments.inputs)),
+                    {}};
+  if (!arguments.map.empty()) output.map.emplace(arguments.map);
+  const auto visit = [&](const std::string& path, const InputCloud& input) {
+    plan_cloud(arguments, setup, path, input, &output);
+  };
+  if (arguments.map.empty() && arguments.views.empty()) {
+    const ReadingResult read = for_each_input(arguments.inputs, arguments.input, visit);
+    if (read.gave_anything()) output.json.finish();
+    return read.check();
+  }
+  const std::string& path = arguments.inputs.front();
+  const auto [input, warnings] = read_single_cloud(path, arguments.input);
+  print_warnings(path, warnings);
+  visit(path, input);
+  output.json.finish();
 }
 
 }  // namespace
@@ -161,10 +228,10 @@ void run(const PlanArguments& arguments) {
 void add_plan_command(CLI::App& app) {
   auto arguments = std::make_shared<PlanArguments>();
   CLI::App* command = app.add_subcommand("plan", "Find quadrics and plan grasps on them");
-  command->add_option("INPUT", arguments->input, "A cloud: .ply, .pcd or an LCM log of one cloud")
-      ->required();
+  command->add_option("INPUT", arguments->inputs, kInputs)->required();
   arguments->planner.add_to(*command, "");
-  command->add_option("--json", arguments->json, "Write JSON; - is stdout")->type_name("FILE|-");
+  command->add_option("--json", arguments->json, "Write JSON, an object a line; - is stdout")
+      ->type_name("FILE|-");
   command->add_option("--view", arguments->views, "More views of the same scene, in its frame")
       ->type_name("CLOUD");
   command->add_option("--map", arguments->map, "Write free and occupied space as an OctoMap")
@@ -172,7 +239,7 @@ void add_plan_command(CLI::App& app) {
   add_choice_option(*command, "--convention", arguments->convention, conventions(),
                     "Add to each grasp's JSON the hand's pose X_CH as this software has it");
   command->get_option("--convention")->needs("--json");
-  arguments->frames.add_to(*command);
+  arguments->input.add_to(*command);
   arguments->query.add_to(*command);
   add_picture_option(*command, arguments->picture, "the cloud, the quadrics and the grasps");
   arguments->detector.add_to(*command);

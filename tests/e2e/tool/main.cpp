@@ -16,10 +16,14 @@ void run(const std::vector<std::string>& words) {
   if (command == "check-hostile-status" && words.size() == 2) return check_status(words[1], true);
   if (command == "check-same" && words.size() == 4) return check_same(words[1], words[2], words[3]);
   if (command == "check-copy" && words.size() == 3) return check_copy(words[1], words[2]);
+  if (command == "rename-channel" && words.size() == 5) {
+    return rename_channel(words[1], words[2], words[3], words[4]);
+  }
   if (command == "check-plan" && words.size() == 3) return check_plan(words[1], words[2]);
   throw std::invalid_argument(
       "use: make-logs FOLDER | check-quadrics LOG | check-status LOG | check-hostile-status LOG | "
-      "check-same LIVE OFFLINE CHANNEL | check-copy SOURCE COPY | check-plan LOG JSON");
+      "check-same LIVE OFFLINE CHANNEL | check-copy SOURCE COPY | check-plan LOG JSON | "
+      "rename-channel SOURCE COPY FROM TO");
 }
 
 }  // namespace

@@ -46,4 +46,8 @@ void check_plan(const std::string& log, const std::string& json);
 /// @param hostile  whether the garbage was on the bus too
 void check_status(const std::string& log, bool hostile);
 
+/// Copies a log with one channel under another name.
+void rename_channel(const std::string& source, const std::string& copy, const std::string& from,
+                    const std::string& to);
+
 }  // namespace quadrille::e2e

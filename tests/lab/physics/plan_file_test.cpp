@@ -5,6 +5,7 @@
 
 #include "grasping/scenes.hpp"
 #include "io/planner/plan_json.hpp"
+#include "io/run_info.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
 
@@ -44,7 +45,7 @@ TEST_CASE("the grasps of a plan come back from its JSON", "[physics]") {
   result.detections[0].id = 7;
   result.detections[0].Q_C = Quadric(Vector10d(3.0 * Vector10d::Unit(2)));
   const test::TempFolder folder;
-  const std::string path = folder.write("p.json", io::plan_json(info, result, plan).dump());
+  const std::string path = folder.write("p.json", io::plan_json(info, {}, result, plan).dump());
   const physics::PlanFile file = physics::read_plan(path);
   REQUIRE(file.detections.size() == 1);
   CHECK(file.detections[0].id == 7);
@@ -70,4 +71,7 @@ TEST_CASE("what is no plan is refused", "[physics][hostile]") {
   CHECK(refusal(plan(R"("quaternion": [1, 0, 0]}})")).find("p.json") != std::string::npos);
   CHECK(refusal("{}").find("not what `quadrille plan --json` writes") != std::string::npos);
   CHECK(refusal("").find("p.json") != std::string::npos);
+  const std::string fine = plan(R"("quaternion": [1, 0, 0, 0]}})") + "\n";
+  CHECK(refusal(fine).empty());
+  CHECK(refusal(fine + fine).find("p.json: line 2: holds more than one plan") != std::string::npos);
 }

@@ -14,6 +14,14 @@ TEST_CASE("a channel without events is named with those that had some", "[proces
                                           "(1); name the channel with --b"});
 }
 
+TEST_CASE("a channel that has events is told with the option that renames it", "[process][log]") {
+  ChannelCensus census;
+  for (const char* channel : {"QUADRICS", "CAMERA", "QUADRICS", "STATUS"}) census.add(channel);
+  CHECK(census.find_taken({{"--a", "QUADRICS"}, {"--b", "BOXES"}, {"--c", "STATUS"}}) ==
+        "QUADRICS (2; --a), STATUS (1; --c)");
+  CHECK(census.find_taken({{"--b", "BOXES"}}).empty());
+}
+
 TEST_CASE("an empty log is told from a channel that is named wrong", "[process][log]") {
   const auto lines = ChannelCensus().find_missing({{"--a", "A"}});
   CHECK(lines == std::vector<std::string>{"no event on A; the log holds no events at all"});

@@ -1,5 +1,7 @@
 #include "io/planner/gripper_file.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <set>
 #include <stdexcept>
@@ -101,17 +103,22 @@ Gripper read_gripper(const std::string& path) { return gripper_from(read_toml(pa
 
 Gripper load_gripper(const std::string& name_or_path) {
   if (name_or_path.ends_with(".toml")) return read_gripper(name_or_path);
-  std::string names;
+  const std::string path = name_or_path + ".toml";
+  return gripper_from(parse_toml(gripper_toml(name_or_path), path), path);
+}
+
+std::vector<std::string> gripper_names() {
+  std::vector<std::string> names;
+  for (const GripperText& file : gripper_texts()) names.push_back(file.name);
+  return names;
+}
+
+std::string gripper_toml(const std::string& name) {
   for (const GripperText& file : gripper_texts()) {
-    const std::string path = file.name + ".toml";
-    if (file.name == name_or_path) return gripper_from(parse_toml(file.toml, path), path);
-    names += ", " + file.name;
+    if (file.name == name) return file.toml;
   }
-  try {
-    return gripper_by_name(name_or_path);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(error.what() + names);
-  }
+  throw std::invalid_argument(
+      fmt::format("unknown gripper '{}'; known: {}", name, fmt::join(gripper_names(), ", ")));
 }
 
 }  // namespace quadrille::io

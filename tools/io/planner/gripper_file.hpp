@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "quadrille/grasping/gripper.hpp"
 
@@ -12,10 +13,16 @@ namespace quadrille::io {
 /// @throws FileError naming line and key, or what contradicts what
 Gripper read_gripper(const std::string& path);
 
-/// A gripper by built-in name (of the library or of a file in tools/grippers), or from a file if
-/// the text ends in ".toml".
+/// A gripper by built-in name, or from a file if the text ends in ".toml".
 /// @throws FileError as above
 /// @throws std::invalid_argument if there is no gripper of that name; lists the names
 Gripper load_gripper(const std::string& name_or_path);
+
+/// The built-in grippers: those of tools/grippers, in the order of their names.
+std::vector<std::string> gripper_names();
+
+/// The file of a built-in gripper as it stands in tools/grippers, which read_gripper() reads.
+/// @throws std::invalid_argument if there is none of that name; lists the names
+std::string gripper_toml(const std::string& name);
 
 }  // namespace quadrille::io

@@ -1,6 +1,7 @@
 #include "io/planner/plan_json.hpp"
 
 #include "io/json_parts.hpp"
+#include "io/run_info.hpp"
 
 namespace quadrille::io {
 
@@ -37,7 +38,8 @@ Json to_json(const CollisionShape& shape) {
   return json;
 }
 
-Json plan_json(const InputInfo& input, const DetectionResult& result, const GraspPlan& plan) {
+Json plan_json(const InputInfo& input, const RunInfo& run, const DetectionResult& result,
+               const GraspPlan& plan) {
   Json timings = {{"read_ms", input.read_ms},
                   {"total_ms", result.total_ms + plan.total_ms},
                   {"detect_ms", result.total_ms},
@@ -46,15 +48,14 @@ Json plan_json(const InputInfo& input, const DetectionResult& result, const Gras
   Json grasps = Json::array(), shapes = Json::array();
   for (const Grasp& grasp : plan.grasps) grasps.push_back(to_json(grasp));
   for (const CollisionShape& shape : plan.shapes) shapes.push_back(to_json(shape));
-  return {{"input", input.input},
-          {"frame", input.frame},
-          {"viewpoint", array_of(input.viewpoint)},
-          {"detections", to_json(result.detections)},
-          {"boxes", to_json(result.boxes)},
-          {"timings", timings},
-          {"grasps", grasps},
-          {"rejected", Json(plan.rejected)},
-          {"shapes", shapes}};
+  Json json = begin_json(input, run);
+  json["detections"] = to_json(result.detections);
+  json["boxes"] = to_json(result.boxes);
+  json["timings"] = timings;
+  json["grasps"] = grasps;
+  json["rejected"] = plan.rejected;
+  json["shapes"] = shapes;
+  return json;
 }
 
 }  // namespace quadrille::io

@@ -12,6 +12,7 @@ Json to_json(const Grasp& grasp);
 Json to_json(const CollisionShape& shape);
 
 /// What `quadrille plan --json` writes for one cloud; total_ms spans detection and planning.
-Json plan_json(const InputInfo& input, const DetectionResult& result, const GraspPlan& plan);
+Json plan_json(const InputInfo& input, const RunInfo& run, const DetectionResult& result,
+               const GraspPlan& plan);
 
 }  // namespace quadrille::io

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
 
 #include "io/file_bytes.hpp"
 
@@ -38,13 +39,23 @@ Detection detection_of(const json& object) {
   return detection;
 }
 
+/// Refuses what `quadrille plan` writes of several inputs, an object a line.
+void check_single(const std::string& path, std::string_view text) {
+  const std::size_t end = text.find('\n');
+  if (end == std::string_view::npos) return;
+  const bool more = text.find_first_not_of(" \r\n\t", end) != std::string_view::npos;
+  if (!more || !json::accept(text.substr(0, end))) return;
+  throw io::FileError(path, "line 2", "holds more than one plan; give each a file of its own");
+}
+
 }  // namespace
 
 PlanFile read_plan(const std::string& path) {
   const std::vector<std::byte> bytes = io::read_file(path);
-  const char* text = reinterpret_cast<const char*>(bytes.data());
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  check_single(path, text);
   try {
-    const json object = json::parse(text, text + bytes.size());
+    const json object = json::parse(text);
     PlanFile plan;
     plan.cloud = object.at("input");
     for (const json& grasp : object.at("grasps")) plan.grasps.push_back(grasp_of(grasp));

@@ -33,6 +33,12 @@ std::vector<InChannel> DetectorNode::in_channels() const {
   return channels;
 }
 
+std::vector<OutChannel> DetectorNode::out_channels() const {
+  return {{"--out-channel", settings_.out_channel},
+          {"--boxes-channel", settings_.boxes_channel},
+          {"--status-channel", settings_.status_channel}};
+}
+
 std::optional<Job> DetectorNode::receive(const std::string& channel,
                                          std::span<const std::byte> bytes) {
   if (channel == settings_.in_channel) return receive_cloud(channel, bytes);

@@ -26,6 +26,7 @@ class DetectorNode : public Node {
   DetectorNode(const DetectorSettings& settings, bus::Publish publish);
 
   std::vector<InChannel> in_channels() const override;
+  std::vector<OutChannel> out_channels() const override;
   std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
   void publish_status(std::int64_t superseded, const std::vector<std::string>& warnings) override;
   std::string summary() const override;

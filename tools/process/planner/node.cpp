@@ -45,6 +45,13 @@ std::vector<InChannel> PlannerNode::in_channels() const {
   return channels;
 }
 
+std::vector<OutChannel> PlannerNode::out_channels() const {
+  return {{"--grasps-channel", settings_.grasps_channel},
+          {"--shapes-channel", settings_.shapes_channel},
+          {"--occupancy-channel", settings_.occupancy_channel},
+          {"--status-channel", settings_.status_channel}};
+}
+
 std::optional<Job> PlannerNode::receive(const std::string& channel,
                                         std::span<const std::byte> bytes) {
   if (channel == settings_.cloud_channel) return receive_cloud(channel, bytes);

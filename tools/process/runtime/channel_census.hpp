@@ -17,6 +17,9 @@ class ChannelCensus {
   /// A line for each of the channels that had no event, with those that had some.
   std::vector<std::string> find_missing(const std::vector<InChannel>& wanted) const;
 
+  /// Those of the channels that had events, with the options that rename them; empty if none had.
+  std::string find_taken(const std::vector<OutChannel>& wanted) const;
+
  private:
   std::map<std::string, std::int64_t> events_;
 };

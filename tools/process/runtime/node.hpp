@@ -21,6 +21,11 @@ struct InChannel {
   bool expected = true;
 };
 
+/// A channel on which a node publishes, and the option that names it.
+struct OutChannel {
+  std::string option, name;
+};
+
 /// What a message asks for.
 struct Job {
   /// The utime of the cloud that it is about [us].
@@ -40,6 +45,7 @@ class Node {
   virtual ~Node() = default;
 
   virtual std::vector<InChannel> in_channels() const = 0;
+  virtual std::vector<OutChannel> out_channels() const { return {}; }
 
   /// Takes a message; one that is refused is counted and logged, one of another channel ignored.
   /// For the receiving thread.

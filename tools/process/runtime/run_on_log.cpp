@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <optional>
 #include <stdexcept>
 
 #include "process/runtime/channel_census.hpp"
@@ -30,25 +31,40 @@ std::string describe_stop(std::int64_t done, const bus::LogSurvey& survey,
       arguments.in_log, done, survey.events, arguments.out_log);
 }
 
+/// Refuses to copy results of earlier runs among new ones, which no reader could tell apart.
+void check_unmixed(const std::string& path, const std::vector<OutChannel>& channels) {
+  ChannelCensus census;
+  bus::LogReader log(path);
+  while (const auto event = log.next()) census.add(event->channel);
+  const std::string taken = census.find_taken(channels);
+  if (taken.empty()) return;
+  throw std::runtime_error(
+      fmt::format("{}: with --copy-input its events would be mixed with new results on {}; publish "
+                  "on another channel with the option named, or leave out --copy-input",
+                  path, taken));
+}
+
 }  // namespace
 
 void run_on_log(const ProcessArguments& arguments, const NodeMaker& make_node) {
   bus::check_different_files(arguments.in_log, arguments.out_log);
   bus::survey_log(arguments.in_log);
-  bus::LogWriter out(arguments.out_log);
+  std::optional<bus::LogWriter> out;
   // Results carry the time of the event that they answer: it is the same in every run, and later
   // than that of no event which is copied after them.
   std::int64_t utime = 0;
   const auto node = make_node([&](const std::string& channel, std::span<const std::byte> bytes) {
-    out.write(utime, channel, bytes);
+    out->write(utime, channel, bytes);
   });
+  if (arguments.copy_input) check_unmixed(arguments.in_log, node->out_channels());
+  out.emplace(arguments.out_log);
   ChannelCensus census;
   std::int64_t done = 0;
   const auto on_event = [&](const bus::LogReader::Event& event) {
     ++done;
     utime = event.utime;
     census.add(event.channel);
-    if (arguments.copy_input) out.write(event.utime, event.channel, event.bytes);
+    if (arguments.copy_input) out->write(event.utime, event.channel, event.bytes);
     if (const auto job = node->receive(event.channel, event.bytes)) node->work(*job);
   };
   const bus::LogSurvey survey = bus::replay_log(arguments.in_log, on_event);
@@ -62,7 +78,7 @@ void run_on_log(const ProcessArguments& arguments, const NodeMaker& make_node) {
   }
   if (!stopped.empty()) warnings.push_back(stopped);
   node->publish_status(0, warnings);
-  out.flush();
+  out->flush();
   if (!stopped.empty()) throw std::runtime_error(stopped);
   log_info(arguments.in_log + ": " + node->summary());
   if (node->failed() == 0) return;

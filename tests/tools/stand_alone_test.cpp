@@ -1,0 +1,125 @@
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "support/catch.hpp"
+#include "tools/support_files.hpp"
+
+using namespace quadrille;
+using nlohmann::json;
+using test::contains;
+using test::Run;
+using test::run_quadrille;
+using test::TempFolder;
+
+namespace {
+
+std::string table_in(const TempFolder& folder) {
+  const std::string path = folder.path("table.ply");
+  REQUIRE(run_quadrille("scene --family tabletop --seed 3 " + path).code == 0);
+  return path;
+}
+
+/// The only object that a command writes.
+json object_of(const std::string& arguments) {
+  const Run run = run_quadrille(arguments);
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  return json::parse(run.out);
+}
+
+/// Settings of JSON as a configuration file.
+std::string toml_from(const json& settings) {
+  std::string text;
+  for (const auto& [key, value] : settings.items()) text += key + " = " + value.dump() + "\n";
+  return text;
+}
+
+/// The sentences that a run printed as warnings, without the program and the input before them.
+std::vector<std::string> printed_warnings(const Run& run) {
+  const std::string mark = ": warning: ";
+  std::vector<std::string> sentences;
+  std::istringstream lines(run.err);
+  for (std::string line; std::getline(lines, line);) {
+    const auto at = line.find(mark);
+    if (at != std::string::npos) sentences.push_back(line.substr(at + mark.size()));
+  }
+  return sentences;
+}
+
+}  // namespace
+
+TEST_CASE("JSON names the program's version, the seed and the hand", "[json][command]") {
+  const TempFolder folder;
+  const std::string cloud = folder.write("a.ply", test::ply_of({"1 2 3"}));
+  const json found = object_of("detect --json - --seed 18446744073709551615 " + cloud);
+  CHECK(run_quadrille("--version").out ==
+        "quadrille " + found["version"].get<std::string>() + "\n");
+  CHECK(found["seed"] == 18446744073709551615U);
+  CHECK_FALSE(found.contains("gripper"));
+  const std::string hand = folder.write("mine.toml", run_quadrille("gripper wsg50").out);
+  const json plan = object_of("plan --json - --gripper " + hand + " " + cloud);
+  CHECK(plan["gripper"] == "wsg50");
+  CHECK(plan["seed"] == 1);
+}
+
+TEST_CASE("JSON has the settings that differ from the default, and no others", "[json][command]") {
+  const TempFolder folder;
+  const std::string cloud = folder.write("a.ply", test::ply_of({"1 2 3"}));
+  CHECK(object_of("detect --json - " + cloud)["settings"] == json::object());
+  CHECK(object_of("plan --gripper franka --json - " + cloud)["settings"] == json::object());
+  // The last one is what it is by default.
+  const std::string config = folder.write(
+      "c.toml",
+      "seed = 9\n[planes]\nleast_samples = 50\n[track]\ngate = 3.5\n[planner]\napproach = 0.25\n"
+      "friction = 0.5\n");
+  const json of_detect = {
+      {"seed", 9}, {"planes.min_samples", 50}, {"track.gate", 3.5}, {"threads", 2}};
+  CHECK(object_of("detect --threads 2 --json - --config " + config + " " + cloud)["settings"] ==
+        of_detect);
+  const json of_plan = {{"seed", 9},
+                        {"planes.min_samples", 50},
+                        {"planner.approach", 0.25},
+                        {"report", {"cone", "sphere"}},
+                        {"planner.unknown", "free"}};
+  CHECK(object_of("plan --gripper franka --unknown free --only cone,sphere --json - --config " +
+                  config + " " + cloud)["settings"] == of_plan);
+}
+
+TEST_CASE("seed and settings of JSON, read back as a file, give the same plan",
+          "[json][command][determinism]") {
+  const TempFolder folder;
+  const std::string plan = "plan --gripper franka --json - " + table_in(folder) + " ";
+  const std::string config =
+      folder.write("c.toml", "[search]\nbases = 4\n[planner]\nfriction = 0.3\n");
+  json first = object_of(plan + "--seed 5 --report sphere,cylinder --config " + config);
+  const std::string again = folder.write("again.toml", toml_from(first["settings"]));
+  json second = object_of(plan + "--config " + again);
+  json other = object_of(plan);
+  for (json* object : {&first, &second, &other}) object->erase("timings");
+  CHECK(second == first);
+  CHECK(other["grasps"] != first["grasps"]);
+}
+
+TEST_CASE("JSON has all that is printed as warnings about its input", "[json][command]") {
+  const TempFolder folder;
+  CHECK(object_of("detect --json - " + table_in(folder))["warnings"] == json::array());
+  const std::string config = folder.write("c.toml", "[search]\nbasis = \"three_points\"\n");
+  // Millimetres for metres, and a setting that the search for spheres does not heed.
+  std::vector<std::string> points;
+  for (int i = 0; i < 400; ++i) {
+    points.push_back(std::to_string(i % 20 * 10) + " " + std::to_string(i / 20 * 10) + " 900");
+  }
+  const std::string cloud = folder.write("mm.ply", test::ply_of(points));
+  const Run run = run_quadrille("detect --json - --only sphere --config " + config + " " + cloud);
+  const auto printed = printed_warnings(run);
+  REQUIRE(printed.size() >= 2);
+  const json warnings = json::parse(run.out)["warnings"];
+  REQUIRE(warnings.size() == printed.size());
+  CHECK(warnings[0] == config + ": " + printed[0]);
+  for (std::size_t i = 1; i < printed.size(); ++i) CHECK(warnings[i] == printed[i]);
+  const Run plan = run_quadrille("plan --gripper franka --json - " + cloud);
+  CHECK(json::parse(plan.out)["warnings"] == json(printed_warnings(plan)));
+  CHECK_FALSE(printed_warnings(plan).empty());
+}
