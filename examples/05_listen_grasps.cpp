@@ -12,10 +12,13 @@ struct Printer {
 
   void on_grasps(const lcm::ReceiveBuffer*, const std::string&,
                  const quadrille::grasps_t* message) {
+    // Answers to requests may be about some targets alone: see 06_ask_for_grasps.cpp.
+    if (message->request_id != 0) return;
     std::cout << "cloud " << message->utime << " us, hand " << message->gripper
               << ", grasps: " << message->num_grasps << '\n';
     const std::size_t shown = std::min(message->grasps.size(), kShown);
     for (std::size_t i = 0; i < shown; ++i) print(message->grasps[i]);
+    for (const std::string& warning : message->warnings) std::cout << "      " << warning << '\n';
     if (shown == 0) {
       for (const quadrille::count_t& refused : message->rejected) {
         std::cout << "      " << refused.count << " refused: " << refused.name << '\n';

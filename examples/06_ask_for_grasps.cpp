@@ -1,4 +1,5 @@
-// Asks quadrille-grasp-planner for grasps of what is nearest to a point of the cloud's frame:
+// Asks quadrille-grasp-planner for grasps of what is nearest to a point in the frame of its
+// results:
 //   06_ask_for_grasps X Y Z [TIMES [LCM_URL]]
 // It needs a planner that has a cloud, best started with --on-request. Exit status 1 if a request
 // is not answered within 5 s.
@@ -23,12 +24,17 @@ class Asker {
   /// Nothing if no answer came in time.
   std::optional<quadrille::grasps_t> ask(quadrille::grasp_request_t request) {
     // Others may ask at the same time: ids must not be theirs.
+    request.utime = std::chrono::duration_cast<std::chrono::microseconds>(
+                        std::chrono::system_clock::now().time_since_epoch())
+                        .count();
     request.request_id = (first_id_ << 32) + ++asked_;
     wanted_ = request.request_id;
     answer_.reset();
     lcm_.publish("GRASP_REQUEST", &request);
     const auto end = Clock::now() + std::chrono::seconds(5);
-    while (!answer_ && Clock::now() < end) lcm_.handleTimeout(100);
+    while (!answer_ && Clock::now() < end) {
+      if (lcm_.handleTimeout(100) < 0) break;
+    }
     return answer_;
   }
 

@@ -31,8 +31,9 @@ void GraspQuery::check() const {
     refuse("min_clearance", min_clearance, "0 to 0.03 m, as far as clearances are measured");
   }
   if (near_C && !near_C->allFinite()) refuse("near", near_C->transpose(), "finite");
-  if (region && (!region->X_CR.matrix().allFinite() || region->box_R.isEmpty())) {
-    refuse("region", "a box", "finite, its least corner first");
+  if (region && !(region->X_CR.matrix().allFinite() && region->box_R.min().allFinite() &&
+                  region->box_R.max().allFinite() && !region->box_R.isEmpty())) {
+    refuse("region", "a box", "finite in position and size, its least corner first");
   }
   if (approach) {
     const double angle = approach->half_angle;

@@ -136,6 +136,14 @@ TEST_CASE("the hand comes within the cone that is asked for", "[query]") {
   }
 }
 
+TEST_CASE("a cone holds all directions at 180°, and few at a tiny angle", "[query]") {
+  const Eigen::Vector3d axis = Eigen::Vector3d(1, 2, 3).normalized();
+  const Cone all{axis, std::numbers::pi}, few{axis, 1e-4};
+  CHECK(all.contains(-axis));
+  CHECK(few.contains(axis * (1.0 - 1e-7)));
+  CHECK_FALSE(few.contains((axis + 2e-4 * axis.unitOrthogonal()).normalized()));
+}
+
 TEST_CASE("clearance and number are kept", "[query]") {
   GraspQuery query;
   query.min_clearance = 0.008;
@@ -158,8 +166,12 @@ TEST_CASE("a query that nothing meets is told why", "[query]") {
   GraspQuery query;
   query.ids = {77};
   CHECK(why(query) == "no target of that id; there are: 1 2 3 4");
+  CHECK(ready().plan(query).warnings.at(0) == "target 77 was not found");
   query.ids = {100};
-  CHECK(why(query) == "no target of that id; there are: 1 2 3 4");
+  CHECK(ready().plan(query).warnings.at(0) == "target 100 is a plane");
+  // Said also where others are found.
+  query.ids = {77, 2};
+  CHECK(ready().plan(query).warnings == std::vector<std::string>{"target 77 was not found"});
   query.ids = {2};
   query.min_size = 0.3;
   CHECK(why(query) == "no target of that size; there are: 2");
@@ -169,7 +181,7 @@ TEST_CASE("a query that nothing meets is told why", "[query]") {
   const GraspScene with_large(scene().cloud, detections, franka_hand());
   query = {};
   query.ids = {9};
-  CHECK(with_large.plan(query).warnings.back() == "target 9 cannot be held: width");
+  CHECK(with_large.plan(query).warnings.at(0) == "target 9 cannot be held: width");
 }
 
 TEST_CASE("a query that is out of range names its field", "[query]") {
@@ -197,6 +209,10 @@ TEST_CASE("a query that is out of range names its field", "[query]") {
   query = {};
   query.approach = Cone{{0, 0, 2}, 1.0};
   CHECK(message(query).find("approach") == 0);
+  query.region =
+      Region{Eigen::Isometry3d::Identity(), {Eigen::Vector3d(0, nan, 0), Eigen::Vector3d(1, 1, 1)}};
+  CHECK(message(query).find("region") != std::string::npos);
+  query = {};
   query.approach = Cone{{0, 0, 1}, 0.0};
   CHECK(message(query).find("approach's angle") == 0);
   query = {};
@@ -234,7 +250,16 @@ TEST_CASE("several threads may ask one scene", "[query]") {
       });
     }
   }
-  for (int k = 0; k < 4; ++k) CHECK(targets_of(plans[k]) == std::set{1 + k});
+  for (int k = 0; k < 4; ++k) {
+    GraspQuery query;
+    query.ids = {1 + k};
+    const GraspPlan alone = ready().plan(query);
+    REQUIRE(plans[k].grasps.size() == alone.grasps.size());
+    for (std::size_t n = 0; n < alone.grasps.size(); ++n) {
+      CHECK(plans[k].grasps[n].X_CG.isApprox(alone.grasps[n].X_CG, 0.0));
+      CHECK(plans[k].grasps[n].score == alone.grasps[n].score);
+    }
+  }
 }
 
 }  // namespace quadrille

@@ -108,6 +108,7 @@ TEST_CASE("no change of a valid request makes the decoder crash or take memory",
           "[bus][hostile][request]") {
   std::mt19937 random(4);
   grasp_request_t request{};
+  request.request_id = 1;
   request.targets = request.tracks = {1, 2, 3};
   request.num_targets = request.num_tracks = 3;
   request.types = {"sphere", "cone"};

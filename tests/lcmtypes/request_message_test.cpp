@@ -40,7 +40,10 @@ TEST_CASE("a request survives its message", "[bus][request]") {
   CHECK(got.types == std::vector<std::string>{"sphere", "cone"});
   CHECK(got.min_size == 0.25);
   CHECK(got.max_grasps == 4);
-  CHECK(std::holds_alternative<grasp_request_t>(decode_request(encode(grasp_request_t{}))));
+  grasp_request_t plain{};
+  CHECK(reason(encode(plain)) == RejectReason::kBadValue);
+  plain.request_id = -1;
+  CHECK(std::holds_alternative<grasp_request_t>(decode_request(encode(plain))));
 }
 
 TEST_CASE("a request cut short anywhere, or with bytes behind it, is refused", "[bus][hostile]") {

@@ -60,9 +60,13 @@ std::string_view cure_of_unknown(UnknownPolicy unknown) {
 }  // namespace
 
 std::string explain_no_grasps(const GraspPlan& plan, UnknownPolicy unknown) {
+  // What would have been a grasp, had less been asked for.
+  const auto near = plan.rejected.find(std::string(to_string(Refusal::kClearance)));
   const auto main =
-      std::max_element(plan.rejected.begin(), plan.rejected.end(),
-                       [](const auto& a, const auto& b) { return a.second < b.second; });
+      near != plan.rejected.end()
+          ? near
+          : std::max_element(plan.rejected.begin(), plan.rejected.end(),
+                             [](const auto& a, const auto& b) { return a.second < b.second; });
   if (main == plan.rejected.end() || main->second == 0) {
     return "nothing that could be grasped was found, or asked for; try a closer view, or one that "
            "shows more of the objects";

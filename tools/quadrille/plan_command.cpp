@@ -172,7 +172,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   DetectionResult found = detect(input.cloud, setup.detector.options);
   // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);
-  const GraspQuery query = moved(arguments.query.query, input.X_CK.inverse());
+  const GraspQuery query = moved(arguments.query.query(), input.X_CK.inverse());
   const GraspPlan planned =
       plan_grasps(input.cloud, detections, setup.gripper, setup.options,
                   read_views(arguments.views, input.X_CK.inverse(), &info.warnings), query);
@@ -202,7 +202,7 @@ void run(const PlanArguments& arguments) {
   check_single_scene(arguments);
   const PlanSetup setup = setup_of(arguments);
   print_warnings(arguments.detector.config, setup.detector.warnings);
-  arguments.query.query.check();
+  arguments.query.query();
   refuse_same(arguments.inputs.front(), arguments.views);
   PlanOutput output{JsonLines(arguments.json),
                     PicturePaths(arguments.picture, may_be_several(arguments.inputs)),

@@ -33,8 +33,10 @@ std::string published_table(const std::string& channel, const bus::BoxesMessage&
 
 std::string published_table(const std::string& channel, const grasps_t& message,
                             std::size_t max_grasps) {
-  std::string text = fmt::format("{}: cloud {} us, hand {}, grasps: {}\n", channel, message.utime,
-                                 message.gripper, message.grasps.size());
+  const std::string asked =
+      message.request_id == 0 ? "" : fmt::format(", answer to request {}", message.request_id);
+  std::string text = fmt::format("{}: cloud {} us{}, hand {}, grasps: {}\n", channel, message.utime,
+                                 asked, message.gripper, message.grasps.size());
   for (std::size_t i = 0; i < std::min(message.grasps.size(), max_grasps); ++i) {
     const grasp_t& g = message.grasps[i];
     text += fmt::format(
@@ -43,6 +45,7 @@ std::string published_table(const std::string& channel, const grasps_t& message,
         i + 1, word_of(static_cast<GraspKind>(g.kind)), g.target, g.score, g.pose.position[0],
         g.pose.position[1], g.pose.position[2], 1000.0 * g.width, 1000.0 * g.clearance);
   }
+  for (const std::string& warning : message.warnings) text += "      " + warning + "\n";
   if (!message.grasps.empty()) return text;
   for (const count_t& refused : message.rejected) {
     text += fmt::format("      {} refused: {}\n", refused.count, refused.name);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "targets/asked_for.hpp"
@@ -28,9 +29,11 @@ class QueryPlanner {
     plan_.warnings = parts_.warnings;
     const std::vector<const Target*> asked = asked_for(query_, parts_.targets);
     // What else was refused is of interest to nobody who asks for one thing.
-    if (!query_.selects()) refusals_ = parts_.refusals;
-    if (asked.empty() && query_.selects()) {
-      plan_.warnings.push_back(why_none(query_, parts_.targets, parts_.refused));
+    if (!query_.selects()) {
+      refusals_ = parts_.refusals;
+    } else {
+      for (const Target* target : asked) refusals_[Refusal::kUnmeasured] += target->unmeasured;
+      explain(asked);
     }
     for (const Target* target : asked) plan_target(*target);
     select();
@@ -44,6 +47,15 @@ class QueryPlanner {
   }
 
  private:
+  /// What of the query is not met by any target.
+  void explain(const std::vector<const Target*>& asked) {
+    std::vector<std::string>& warnings = plan_.warnings;
+    for (std::string& why : missed_ids(query_, parts_.targets, parts_.why_none)) {
+      warnings.push_back(std::move(why));
+    }
+    if (asked.empty()) warnings.push_back(why_none(query_, parts_.targets));
+  }
+
   /// By the tips only what is held in no other way.
   void plan_target(const Target& target) {
     const Surroundings around_it{*parts_.space, *parts_.view,           *parts_.map, parts_.shapes,

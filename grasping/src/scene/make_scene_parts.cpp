@@ -56,16 +56,23 @@ class SceneMaker {
       parts_.owners.push_back(owner_of(box));
     }
     for (const Detection& d : detections_) {
+      if (d.type == QuadricType::kPlane) parts_.why_none[d.id] = "is a plane";
       // A box stands for its faces.
-      if (is_face_of_box(d.id)) continue;
+      if (const Box* box = box_of(d.id)) {
+        parts_.why_none[d.id] = "is a face of box " + std::to_string(box->id);
+        continue;
+      }
       std::string why;
       const std::vector<CollisionShape> shapes = quadrille::make_shapes(d, &why);
       parts_.shapes.insert(parts_.shapes.end(), shapes.begin(), shapes.end());
       parts_.owners.resize(parts_.shapes.size(), owner_of(d));
-      if (!is_wanted(d, parts_.options)) continue;
+      if (!is_wanted(d, parts_.options)) {
+        parts_.why_none[d.id] = "is of a type that is not to be grasped";
+        continue;
+      }
       if (shapes.empty() || (d.type != QuadricType::kPlane && !make_body(d))) {
         ++parts_.refusals[Refusal::kNoShape];
-        parts_.refused.emplace(d.id, Refusal::kNoShape);
+        refuse(d.id, Refusal::kNoShape);
       }
       if (shapes.empty()) {
         warn("quadric " + std::to_string(d.id) + " has no collision shape: " + why);
@@ -86,7 +93,7 @@ class SceneMaker {
     for (const Detection& d : detections_) {
       if (d.type == QuadricType::kPlane || !is_wanted(d, parts_.options)) continue;
       ++parts_.refusals[Refusal::kViewpoint];
-      parts_.refused[d.id] = Refusal::kViewpoint;
+      refuse(d.id, Refusal::kViewpoint);
     }
     return false;
   }
@@ -99,14 +106,20 @@ class SceneMaker {
 
   void add(ChosenTargets chosen) {
     std::move(chosen.targets.begin(), chosen.targets.end(), std::back_inserter(parts_.targets));
-    parts_.refused.merge(chosen.refused);
+    for (const auto& [id, why] : chosen.refused) refuse(id, why);
     for (const auto& [why, number] : chosen.refusals) parts_.refusals[why] += number;
   }
 
-  bool is_face_of_box(int id) const {
-    return std::any_of(parts_.boxes.begin(), parts_.boxes.end(), [&](const Box& box) {
+  void refuse(int id, Refusal why) {
+    parts_.why_none[id] = "cannot be held: " + std::string(to_string(why));
+  }
+
+  /// The box that a detection is a face of; nullptr if there is none.
+  const Box* box_of(int id) const {
+    const auto found = std::find_if(parts_.boxes.begin(), parts_.boxes.end(), [&](const Box& box) {
       return std::find(box.faces.begin(), box.faces.end(), id) != box.faces.end();
     });
+    return found == parts_.boxes.end() ? nullptr : &*found;
   }
 
   void map_space() {

@@ -38,8 +38,8 @@ struct SceneParts {
   std::vector<ShapeOwner> owners;
   std::optional<DepthView> view;
   std::vector<Target> targets;
-  /// Why other detections and boxes are no targets, by id.
-  std::map<int, Refusal> refused;
+  /// Why other detections and boxes are no targets, by id: "is a plane".
+  std::map<int, std::string> why_none;
   RefusalCounts refusals;
   std::shared_ptr<const OccupancyGrid> space;
   /// Refers to space and view, so that all stay in one place.

@@ -1,9 +1,7 @@
 #include "targets/asked_for.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <sstream>
-#include <utility>
 
 namespace quadrille {
 namespace {
@@ -66,15 +64,21 @@ std::vector<const Target*> asked_for(const GraspQuery& query, const std::vector<
   })};
 }
 
-std::string why_none(const GraspQuery& query, const std::vector<Target>& targets,
-                     const std::map<int, Refusal>& refused) {
+std::vector<std::string> missed_ids(const GraspQuery& query, const std::vector<Target>& targets,
+                                    const std::map<int, std::string>& why_none) {
+  std::vector<std::string> sentences;
   for (const int id : query.ids) {
-    const auto found = refused.find(id);
-    if (found == refused.end()) continue;
-    std::ostringstream text;
-    text << "target " << id << " cannot be held: " << to_string(found->second);
-    return text.str();
+    const bool is_target = std::any_of(targets.begin(), targets.end(),
+                                       [&](const Target& t) { return t.id == id && t.wanted; });
+    if (is_target) continue;
+    const auto known = why_none.find(id);
+    sentences.push_back("target " + std::to_string(id) + " " +
+                        (known == why_none.end() ? "was not found" : known->second));
   }
+  return sentences;
+}
+
+std::string why_none(const GraspQuery& query, const std::vector<Target>& targets) {
   std::vector<const Target*> left;
   for (const Target& target : targets) {
     if (target.wanted) left.push_back(&target);

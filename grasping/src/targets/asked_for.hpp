@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,12 @@ namespace quadrille {
 /// The targets that a query asks for, in their order.
 std::vector<const Target*> asked_for(const GraspQuery& query, const std::vector<Target>& targets);
 
-/// Why a query asks for none of the targets, in a sentence.
-/// @param refused  why other detections and boxes are no targets, by id
-std::string why_none(const GraspQuery& query, const std::vector<Target>& targets,
-                     const std::map<int, Refusal>& refused);
+/// A sentence for each id that a query names and that is no target.
+/// @param why_none  what other detections and boxes are, by id
+std::vector<std::string> missed_ids(const GraspQuery& query, const std::vector<Target>& targets,
+                                    const std::map<int, std::string>& why_none);
+
+/// Why a query asks for none of the targets, in a sentence; empty if its ids say all.
+std::string why_none(const GraspQuery& query, const std::vector<Target>& targets);
 
 }  // namespace quadrille

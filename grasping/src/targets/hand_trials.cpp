@@ -155,8 +155,9 @@ bool HandTrials::try_hand(const Attempt& attempt) {
     if (!stopped_by(what)) {
       Grasp grasp = describe(attempt, preshape, task_);
       if (grasp.clearance < task_.query.min_clearance) {
+        // A narrower hand may keep clear.
         obstructed(Refusal::kClearance);
-        return false;
+        continue;
       }
       found_.grasps.push_back(std::move(grasp));
       return true;

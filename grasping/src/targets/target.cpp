@@ -59,15 +59,17 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
     if (d.type == QuadricType::kPlane) continue;
     const std::optional<Body> body = make_body(d);
     if (!body) continue;
-    Target target{d.id,    d.type,
-                  d.track, d.score,
-                  *body,   supports_of(*body, detections),
-                  {},      {},
-                  true,    is_wanted(d, options),
-                  {}};
+    Target target;
+    target.id = d.id;
+    target.type = d.type;
+    target.track = d.track;
+    target.confidence = d.score;
+    target.body = *body;
+    target.supports = supports_of(*body, detections);
+    target.wanted = is_wanted(d, options);
     const bool inside = seen_from_inside(d, *body);
-    const int unmeasured = find_rim(cloud, view, gripper, options, inside, target);
-    if (target.wanted) chosen.refusals[Refusal::kUnmeasured] += unmeasured;
+    target.unmeasured = find_rim(cloud, view, gripper, options, inside, target);
+    if (target.wanted) chosen.refusals[Refusal::kUnmeasured] += target.unmeasured;
     // What was seen from inside is no solid: only its wall can be held.
     target.solid = !inside && graspable(*body, gripper);
     if (target.solid || target.shell) {
@@ -93,17 +95,13 @@ ChosenTargets choose_boxes(const std::vector<Box>& boxes, const std::vector<Dete
     });
     const Body body = make_body(box);
     if (graspable(body, gripper)) {
-      chosen.targets.push_back({box.id,
-                                QuadricType::kPlane,
-                                0,
-                                box.score,
-                                body,
-                                supports_of(body, others),
-                                {},
-                                {},
-                                true,
-                                wanted,
-                                box});
+      Target& target = chosen.targets.emplace_back();
+      target.id = box.id;
+      target.confidence = box.score;
+      target.body = body;
+      target.supports = supports_of(body, others);
+      target.wanted = wanted;
+      target.box = box;
     } else if (wanted) {
       chosen.refuse(box.id, Refusal::kWidth);
     }

@@ -34,6 +34,8 @@ struct Target {
   /// Its wall, if it is open at one end, and the lines across it where it was measured.
   std::optional<Shell> shell;
   std::vector<ContactLine> rim;
+  /// Lines across it where it was not measured.
+  int unmeasured = 0;
   /// False if it can be held by its wall alone.
   bool solid = true;
   /// False if nobody asked for it. It is kept because it says, as all others do, which space

@@ -20,7 +20,9 @@ void check_request(std::span<const std::byte> bytes) {
     refuse(RejectReason::kUnknownType, "not quadrille.grasp_request_t");
   }
   reader.read_int64("utime");
-  reader.read_int64("request_id");
+  if (reader.read_int64("request_id") == 0) {
+    refuse(RejectReason::kBadValue, "request_id = 0, which answers to nobody carry");
+  }
   reader.read_int64("cloud_utime");
   reader.read_string("frame", kMaxFrameBytes);
   reader.take(reader.read_count("num_targets", kIntegerBytes), kIntegerBytes, "targets");

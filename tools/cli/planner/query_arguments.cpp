@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstddef>
 #include <limits>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -30,52 +32,66 @@ Region region_of(const std::string& list) {
 Cone cone_of(const std::string& list) {
   const std::vector<double> v = numbers_of("--approach", list, 4, "X,Y,Z,DEGREES");
   const Eigen::Vector3d axis = vector_of(v);
-  if (!(axis.norm() > 0.0)) {
+  if (!(axis.stableNorm() > 0.0)) {
     throw CLI::ValidationError("--approach", fmt::format("'{}' has no direction", list));
   }
   if (!(v[3] > 0.0 && v[3] <= 180.0)) {
     throw CLI::ValidationError(
         "--approach", fmt::format("'{}': the angle must be more than 0 and at most 180", list));
   }
-  return {axis.normalized(), v[3] * std::numbers::pi / 180.0};
+  return {axis.stableNormalized(), v[3] * std::numbers::pi / 180.0};
 }
 
 void add_length(CLI::App& app, const std::string& name, double& length, double max,
                 const std::string& what) {
-  app.add_option(name, length, what)->type_name("M")->check(CLI::Range(0.0, max));
+  // CLI::Range lets NaN pass.
+  const auto check = [max](const std::string& text) {
+    double value = 0.0;
+    const bool is_good = CLI::detail::lexical_cast(text, value) && value >= 0.0 && value <= max;
+    return is_good ? "" : fmt::format("{} is not between 0 and {:g} m", text, max);
+  };
+  app.add_option(name, length, what)->type_name("M")->check(check);
 }
 
 }  // namespace
 
 void QueryArguments::add_to(CLI::App& app) {
   constexpr double kMaxLength = 100.0;
-  app.add_option("--target", query.ids, "Grasp only these quadrics or boxes, by their numbers")
+  app.add_option("--target", query_.ids, "Grasp only these quadrics or boxes, by their numbers")
       ->type_name("ID,...")
       ->delimiter(',');
   app.add_option_function<std::string>(
          "--near",
          [this](const std::string& list) {
-           query.near_C = vector_of(numbers_of("--near", list, 3, "X,Y,Z"));
+           query_.near_C = vector_of(numbers_of("--near", list, 3, "X,Y,Z"));
          },
          "Grasp only what is nearest to this point, in the frame of the results [m]")
       ->type_name("X,Y,Z");
   app.add_option_function<std::string>(
-         "--roi", [this](const std::string& list) { query.region = region_of(list); },
+         "--roi", [this](const std::string& list) { query_.region = region_of(list); },
          "Grasp only what has its middle in this box, in the frame of the results [m]")
       ->type_name("MINX,...,MAXZ");
-  add_length(app, "--min-size", query.min_size, kMaxLength,
+  add_length(app, "--min-size", query_.min_size, kMaxLength,
              "Grasp only what has a longest side of so much at least");
-  add_length(app, "--max-size", query.max_size, kMaxLength,
+  add_length(app, "--max-size", query_.max_size, kMaxLength,
              "Grasp only what has a longest side of so much at most");
-  add_length(app, "--min-clearance", query.min_clearance, GraspQuery::kMaxMinClearance,
+  add_length(app, "--min-clearance", query_.min_clearance, GraspQuery::kMaxMinClearance,
              "Keep the hand so far from all but the target");
   app.add_option_function<std::string>(
-         "--approach", [this](const std::string& list) { query.approach = cone_of(list); },
+         "--approach", [this](const std::string& list) { query_.approach = cone_of(list); },
          "Come along this direction, to within an angle, in the frame of the results")
       ->type_name("X,Y,Z,DEGREES");
-  app.add_option("--best", query.max_grasps, "Give so many grasps at most")
+  app.add_option("--best", query_.max_grasps, "Give so many grasps at most")
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+}
+
+GraspQuery QueryArguments::query() const {
+  if (query_.min_size > query_.max_size) {
+    throw CLI::ValidationError("--min-size", fmt::format("{:g} is more than --max-size {:g}",
+                                                         query_.min_size, query_.max_size));
+  }
+  return query_;
 }
 
 }  // namespace quadrille

@@ -36,9 +36,10 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
       camera_poses_(settings.X_WK, settings.pose_age) {}
 
 std::vector<InChannel> PlannerNode::in_channels() const {
-  std::vector<InChannel> channels = {{"--cloud-channel", settings_.cloud_channel},
-                                     {"--quadrics-channel", settings_.quadrics_channel},
-                                     {"--request-channel", settings_.request_channel, false}};
+  std::vector<InChannel> channels = {
+      {"--cloud-channel", settings_.cloud_channel},
+      {"--quadrics-channel", settings_.quadrics_channel},
+      {"--request-channel", settings_.request_channel, settings_.on_request}};
   if (!settings_.pose_channel.empty()) {
     channels.push_back({"--pose-channel", settings_.pose_channel});
   }
@@ -115,6 +116,7 @@ std::optional<Job> PlannerNode::receive_request(const std::string& channel,
   bus::Decoded<grasp_request_t> decoded = bus::decode_request(bytes);
   const std::lock_guard lock(mutex_);
   ++requests_;
+  counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
   if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
     refused_requests_.add(channel, *rejection);
     return std::nullopt;
@@ -202,7 +204,6 @@ void PlannerNode::answer(const grasp_request_t& request, std::chrono::steady_clo
     const std::lock_guard lock(mutex_);
     pair = request.cloud_utime == 0 ? recent_.newest() : recent_.find(request.cloud_utime);
   }
-  if (request.request_id == 0) return refuse(request, pair, "request_id = 0: choose another");
   if (!pair && request.cloud_utime == 0) {
     return refuse(request, pair, "no cloud has come with its quadrics yet");
   }
@@ -245,6 +246,7 @@ void PlannerNode::publish_answer(const grasp_request_t& request, const SharedPai
       publish(settings_.grasps_channel, make_grasps_message(stamp, plan, settings_));
   const std::lock_guard lock(mutex_);
   counts_.published_bytes += bytes;
+  if (pair) counts_.cloud_utime = pair->cloud->utime;
   ++counts_.answered;
 }
 
@@ -267,6 +269,10 @@ planner_status_t PlannerNode::make_status() const {
   status.num_rejected_clouds = static_cast<std::int32_t>(status.rejected_clouds.size());
   status.rejected_quadrics = bus::to_message(refused_quadrics_.counts());
   status.num_rejected_quadrics = static_cast<std::int32_t>(status.rejected_quadrics.size());
+  status.rejected_requests = bus::to_message(refused_requests_.counts());
+  status.num_rejected_requests = static_cast<std::int32_t>(status.rejected_requests.size());
+  status.rejected_poses = bus::to_message(refused_poses_.counts());
+  status.num_rejected_poses = static_cast<std::int32_t>(status.rejected_poses.size());
   set_latency(latencies_.summary(), &status);
   const bus::DurationSummary plan = plan_times_.summary();
   status.plan_p50 = plan.p50;

@@ -18,6 +18,9 @@ constexpr double kUnitNorm = 1e-3;
 /// Frame K in the frame that a request names.
 Eigen::Isometry3d X_FK(const std::string& frame, const Placement& placement,
                        const std::string& cloud_frame) {
+  if (!placement.lack.empty()) {
+    throw std::invalid_argument("the camera's pose is not known: " + placement.lack);
+  }
   if (frame.empty() || frame == placement.frame_of_results(cloud_frame)) return placement.X_RK;
   if (frame == word_of(CloudFrame::kCamera)) return Eigen::Isometry3d::Identity();
   if (frame == cloud_frame) return placement.X_CK;
@@ -27,7 +30,8 @@ Eigen::Isometry3d X_FK(const std::string& frame, const Placement& placement,
   }
   if (!placement.X_WK) {
     throw std::invalid_argument(
-        "frame 'world' is not known: start with --pose-channel or --camera-pose");
+        "frame 'world' is not known: no pose has come, or --pose-channel and --camera-pose are not "
+        "given");
   }
   return *placement.X_WK;
 }
@@ -40,8 +44,8 @@ Region region_of(const grasp_request_t& request) {
         fmt::format("region.quaternion has norm {:.3g}: must be 1, w first", norm));
   }
   const Eigen::Vector3d half = 0.5 * Eigen::Vector3d(request.region_size);
-  if (!(half.minCoeff() > 0.0)) {
-    throw std::invalid_argument("region_size: must be more than 0 along each axis");
+  if (!(half.array() > 0.0).all() || !half.allFinite()) {
+    throw std::invalid_argument("region_size: must be finite and more than 0 along each axis");
   }
   return {bus::from_message(request.region), {-half, half}};
 }
@@ -65,6 +69,9 @@ GraspQuery query_of(const grasp_request_t& request, const Placement& placement,
   GraspQuery query;
   query.ids.assign(request.targets.begin(), request.targets.end());
   query.tracks.assign(request.tracks.begin(), request.tracks.end());
+  for (const int track : query.tracks) {
+    if (track == 0) throw std::invalid_argument("tracks: 0 is no track");
+  }
   for (const std::string& name : request.types) query.types.push_back(type_of(name));
   if (request.has_region) query.region = region_of(request);
   if (request.has_near) query.near_C = Eigen::Vector3d(request.near);

@@ -14,7 +14,17 @@ void Node::work(const Job& job) {
   } catch (const std::exception& error) {
     log_error(fmt::format("cloud {}: {}", job.cloud_utime, error.what()));
     ++failed_;
-    if (job.refuse) job.refuse(error.what());
+    refuse(job, error.what());
+  }
+}
+
+void Node::refuse(const Job& job, const std::string& why) noexcept {
+  if (!job.refuse) return;
+  try {
+    job.refuse(why);
+  } catch (const std::exception& error) {
+    log_error(
+        fmt::format("an answer to cloud {} cannot be sent: {}", job.cloud_utime, error.what()));
   }
 }
 

@@ -68,6 +68,9 @@ class Node {
   /// Does a job; what fails is counted and logged. For the working thread.
   void work(const Job& job);
 
+  /// Tells whoever waits for a job that it is not done, and why; what fails is logged.
+  static void refuse(const Job& job, const std::string& why) noexcept;
+
   /// Jobs that failed.
   std::int64_t failed() const { return failed_; }
 

@@ -20,7 +20,7 @@ void hand_over(Job& job, bus::Mailbox<Job>& mailbox) {
   if (!job.refuse) {
     mailbox.put(std::move(job));
   } else if (!mailbox.queue(job)) {
-    job.refuse(fmt::format("{} requests wait already", mailbox.kMaxQueued));
+    Node::refuse(job, fmt::format("{} requests wait already", mailbox.kMaxQueued));
   }
 }
 

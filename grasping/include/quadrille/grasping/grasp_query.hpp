@@ -26,12 +26,14 @@ struct Cone {
   double half_angle = std::numbers::pi;
 
   bool contains(const Eigen::Vector3d& direction_C) const {
-    return direction_C.dot(axis_C) >= std::cos(half_angle);
+    const double angle = std::atan2(direction_C.cross(axis_C).norm(), direction_C.dot(axis_C));
+    return angle <= half_angle;
   }
 };
 
 /// Which grasps are wanted, of all that the planner could find. What is not wanted stays in the
-/// way. All conditions hold at once; as made, it asks for everything.
+/// way. All conditions hold at once; as made, it asks for everything. Conditions on approach and
+/// clearance guide the search, which may then find others than without them.
 struct GraspQuery {
   static constexpr double kMaxMinClearance = 0.03;
 

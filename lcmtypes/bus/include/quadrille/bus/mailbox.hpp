@@ -12,7 +12,8 @@
 namespace quadrille::bus {
 
 /// A slot for one item between a thread that receives and a thread that works: the newest wins.
-/// Beside it a short queue for items that no other replaces; these are taken first.
+/// Beside it a short queue for items that no other replaces. Where both hold something they are
+/// taken in turns.
 template <class T>
 class Mailbox {
  public:
@@ -46,11 +47,13 @@ class Mailbox {
   std::optional<T> take(std::chrono::milliseconds timeout) {
     std::unique_lock lock(mutex_);
     filled_.wait_for(lock, timeout, [this] { return slot_.has_value() || !queue_.empty(); });
-    if (!queue_.empty()) {
+    if (!queue_.empty() && !(from_queue_ && slot_)) {
+      from_queue_ = true;
       T item = std::move(queue_.front());
       queue_.pop_front();
       return item;
     }
+    from_queue_ = false;
     return std::exchange(slot_, std::nullopt);
   }
 
@@ -65,6 +68,8 @@ class Mailbox {
   std::condition_variable filled_;
   std::optional<T> slot_;
   std::deque<T> queue_;
+  /// Whether the last item came from the queue.
+  bool from_queue_ = false;
   std::int64_t superseded_ = 0;
 };
 
