@@ -58,11 +58,16 @@ bool is_held(const GraspRecord& record) {
   return record.attempt && record.attempt->outcome == physics::Outcome::kHeld;
 }
 
+/// True if a hand of that opening may hold the body at all: across it, or by the wall of a vessel.
+bool may_be_held(const physics::TrueBody& body, const Gripper& gripper) {
+  return body.wall > 0.0 || body.box_S.sizes().minCoeff() < gripper.max_opening;
+}
+
 ObjectCounts count_objects(const physics::TrueScene& truth, const Gripper& gripper,
                            const std::vector<GraspRecord>& records) {
   ObjectCounts counts;
   for (const physics::TrueBody& body : truth.bodies) {
-    if (!body.is_seen || body.box_S.sizes().minCoeff() >= gripper.max_opening) continue;
+    if (!body.is_seen || !may_be_held(body, gripper)) continue;
     bool any = false, good = false, held = false;
     for (const GraspRecord& record : records) {
       if (record.object != body.id) continue;

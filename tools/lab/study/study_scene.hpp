@@ -51,8 +51,9 @@ struct GraspRecord {
   std::optional<physics::Attempt> attempt;
 };
 
-/// Of the true objects those that are seen enough and somewhere narrower than the hand opens, and
-/// how many of them got a grasp at all, a first one that is good, a first one that held.
+/// Of the true objects those that are seen enough, and are somewhere narrower than the hand opens
+/// or open to above with a rim to hold; and how many of them got a grasp at all, a first one that
+/// is good, a first one that held.
 struct ObjectCounts {
   int all = 0, with_grasp = 0, with_good = 0, with_held = 0;
 };
