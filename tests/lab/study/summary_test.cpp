@@ -88,6 +88,7 @@ TEST_CASE("the plot shows the share of first grasps from each score on", "[study
   const auto plots = score_plots(summarise({table_of(folder, "a.csv", "franka", 0, 4)}));
   REQUIRE(plots.size() == 2);
   REQUIRE(plots[1].lines.size() == 1);
+  CHECK(plots[1].lines.front().name == "franka, obstacle, tabletop");
   for (const auto& [least, share] : plots[1].lines.front().points) {
     // The dropped ones have .4, the held ones .9.
     CHECK(share == (least <= 0.4 ? 50.0 : 100.0));

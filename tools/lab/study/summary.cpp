@@ -39,14 +39,14 @@ std::string key_of(const CsvTable& table, std::size_t row) {
 
 GroupSummary& group_of(const CsvTable& table, std::size_t row, Groups* groups) {
   const auto [entry, is_new] = groups->try_emplace(key_of(table, row));
-  if (is_new) {
-    const std::string& family = table.cell(row, "family");
-    entry->second.name =
-        fmt::format("{}, unknown {}, {}", table.cell(row, "gripper"), table.cell(row, "unknown"),
-                    family.empty() ? "given clouds" : family);
-    entry->second.settings = fmt::format("version {}, settings {}", table.cell(row, "version"),
-                                         table.cell(row, "settings"));
-  }
+  if (!is_new) return entry->second;
+  const std::string &gripper = table.cell(row, "gripper"), &unknown = table.cell(row, "unknown"),
+                    &family = table.cell(row, "family");
+  const std::string scenes = family.empty() ? "given clouds" : family;
+  entry->second.name = fmt::format("{}, unknown {}, {}", gripper, unknown, scenes);
+  entry->second.short_name = fmt::format("{}, {}, {}", gripper, unknown, scenes);
+  entry->second.settings = fmt::format("version {}, settings {}", table.cell(row, "version"),
+                                       table.cell(row, "settings"));
   return entry->second;
 }
 

@@ -22,8 +22,9 @@ struct FirstGrasp {
 
 /// All scenes with the same settings.
 struct GroupSummary {
-  /// "franka, unknown obstacle, tabletop".
-  std::string name;
+  /// "franka, unknown obstacle, tabletop", and for the legend of plots "franka, obstacle,
+  /// tabletop".
+  std::string name, short_name;
   /// Version and check sum of the settings.
   std::string settings;
   int scenes = 0, failed = 0, without_truth = 0, grasps = 0;
@@ -40,7 +41,8 @@ std::vector<GroupSummary> summarise(const std::vector<std::string>& csv_paths);
 /// For people: shares with Wilson's 95 % intervals, and the first grasps by type of object.
 std::string summary_text(const std::vector<GroupSummary>& groups);
 
-/// The share of the first grasps from a score on that are good, and that were held.
+/// The share of the first grasps from a score on that are good, and, if any were tried, that were
+/// held.
 std::vector<experiments::Plot> score_plots(const std::vector<GroupSummary>& groups);
 
 }  // namespace quadrille::study

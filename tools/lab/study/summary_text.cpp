@@ -69,7 +69,7 @@ experiments::Plot score_plot(const std::string& title, const std::vector<GroupSu
   plot.min_y_range = {0.0, 100.0};
   for (const GroupSummary& group : groups) {
     experiments::Series line;
-    line.name = group.name;
+    line.name = group.short_name;
     for (int k = 0; k <= kSteps; ++k) {
       const double least = static_cast<double>(k) / kSteps;
       Ratio ratio;
@@ -95,13 +95,14 @@ std::string summary_text(const std::vector<GroupSummary>& groups) {
 }
 
 std::vector<experiments::Plot> score_plots(const std::vector<GroupSummary>& groups) {
-  return {
-      score_plot(
-          "First grasps that are good", groups, [](const FirstGrasp& first) { return first.good; },
-          [](const FirstGrasp&) { return true; }),
-      score_plot(
-          "First grasps that were held", groups, [](const FirstGrasp& first) { return first.held; },
-          [](const FirstGrasp& first) { return first.tried; })};
+  std::vector<experiments::Plot> plots = {score_plot(
+      "First grasps that are good", groups, [](const FirstGrasp& first) { return first.good; },
+      [](const FirstGrasp&) { return true; })};
+  const experiments::Plot held = score_plot(
+      "First grasps that were held", groups, [](const FirstGrasp& first) { return first.held; },
+      [](const FirstGrasp& first) { return first.tried; });
+  if (!held.lines.empty()) plots.push_back(held);
+  return plots;
 }
 
 }  // namespace quadrille::study
