@@ -14,9 +14,10 @@
 namespace quadrille {
 namespace {
 
-constexpr std::array<std::pair<const char*, const char*>, 2> kLabCommands = {
+constexpr std::array<std::pair<const char*, const char*>, 3> kLabCommands = {
     {{"experiment", "Repeat an experiment of the paper; without NAME list them"},
-     {"bench", "Compare the detector with its variants, baselines and peers"}}};
+     {"bench", "Compare the detector with its variants, baselines and peers"},
+     {"study", "Plan, judge and try grasps over many scenes; sum up what came out"}}};
 
 }  // namespace
 

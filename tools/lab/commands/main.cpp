@@ -3,13 +3,16 @@
 #include "cli/run_program.hpp"
 #include "lab/commands/bench_command.hpp"
 #include "lab/commands/experiment_command.hpp"
+#include "lab/commands/study_command.hpp"
 
 int main(int argc, char** argv) {
   // A part of the command `quadrille`, which becomes this program for these commands.
-  CLI::App app("Repeats the paper's experiments and compares detectors", "quadrille");
+  CLI::App app("Repeats the paper's experiments, compares detectors and studies grasps",
+               "quadrille");
   app.require_subcommand(1);
   quadrille::add_experiment_command(app);
   quadrille::add_bench_command(app);
+  quadrille::add_study_command(app);
   // The commands do their work while they are parsed.
   return quadrille::run_program(app, argc, argv, [] {});
 }

@@ -16,6 +16,8 @@ struct TrueBody {
   /// Where it is [m]; for a box all that there is to know.
   Eigen::AlignedBox3d box_S;
   bool is_box = false;
+  /// The truth says that enough of it is seen for it to be found.
+  bool is_seen = false;
   double a = 0.0, b = 0.0;
   /// p₀, p₁, p₂.
   Eigen::Vector3d p = Eigen::Vector3d::Zero();

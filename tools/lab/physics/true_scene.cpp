@@ -67,6 +67,7 @@ TrueBody body_of(const ordered_json& object, const std::vector<const ordered_jso
   TrueBody body;
   body.id = object.at("id");
   body.type = object.at("type");
+  body.is_seen = object.value("evaluate", true);
   body.X_CS = pose_of(object.at("pose"));
   body.box_S = box_of(object.at("box"));
   Vector10d q = quadric_of(object.at("q")).transformed(body.X_CS.inverse()).coefficients();
@@ -96,6 +97,7 @@ void add_box(const std::vector<const ordered_json*>& faces, std::vector<TrueBody
   for (const ordered_json* face : faces) {
     const Eigen::Isometry3d X_FP = X_CF.inverse() * pose_of(face->at("pose"));
     const Eigen::AlignedBox3d box = box_of(face->at("box"));
+    body.is_seen |= face->value("evaluate", true);
     for (int i = 0; i < 8; ++i) {
       body.box_S.extend(X_FP * box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)));
     }
