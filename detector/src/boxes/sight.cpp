@@ -46,46 +46,62 @@ class Thinning {
 
 Sight::Sight(const PointCloud& cloud) : cloud_(&cloud), view_(find_view(cloud)) {
   if (!view_) return;
-  std::vector<int> points;
-  std::vector<Eigen::Vector2f> tangents;
-  for (std::size_t k = 0; k < cloud.points.size(); ++k) {
-    const Eigen::Vector3f seen = (*view_)(cloud.points[k]);
-    if (!(seen.z() > 0.0f)) continue;
-    points.push_back(static_cast<int>(k));
-    tangents.push_back(seen.head<2>());
-  }
-  double cells = static_cast<double>(points.size());
-  for (int level = 0; level < kLevels; ++level, cells *= 0.25) {
-    if (level > 0) {
-      Thinning thinning(view_->bounds, cells);
-      std::size_t kept = 0;
-      for (std::size_t k = 0; k < points.size(); ++k) {
-        if (!thinning.take(tangents[k])) continue;
-        points[kept] = points[k];
-        tangents[kept++] = tangents[k];
-      }
-      points.resize(kept);
-      tangents.resize(kept);
-    }
-    levels_.push_back(tiled(points, tangents));
+  SeenByTile seen = by_tile(cloud.points);
+  double cells = static_cast<double>(seen.level.points.size());
+  levels_.push_back(seen.level);
+  for (int n = 1; n < kLevels; ++n) {
+    cells *= 0.25;
+    thin(view_->bounds, cells, &seen);
+    levels_.push_back(seen.level);
   }
 }
 
-Sight::Level Sight::tiled(const std::vector<int>& points,
-                          const std::vector<Eigen::Vector2f>& tangents) const {
-  Level level;
-  level.begin.assign(kTiles * kTiles + 1, 0);
-  std::vector<int> tile(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    const Eigen::Vector2i at = tile_of(tangents[k]);
-    tile[k] = at.y() * kTiles + at.x();
-    ++level.begin[static_cast<std::size_t>(tile[k]) + 1];
+Sight::SeenByTile Sight::by_tile(const std::vector<Eigen::Vector3f>& points) const {
+  constexpr int kUnseen = -1;
+  std::vector<int> tile(points.size(), kUnseen);
+  std::vector<Eigen::Vector2f> tangents(points.size());
+  SeenByTile seen;
+  std::vector<int>& begin = seen.level.begin;
+  begin.assign(kTiles * kTiles + 1, 0);
+  for (std::size_t first = 0; first < points.size(); first += SeenPoints::kSize) {
+    const SeenPoints block = view_->look(points, first);
+    const std::size_t size = std::min<std::size_t>(SeenPoints::kSize, points.size() - first);
+    for (std::size_t i = 0; i < size; ++i) {
+      if (!(block.w[i] > 0.0f)) continue;
+      tangents[first + i] = {block.u[i], block.v[i]};
+      const Eigen::Vector2i at = tile_of(tangents[first + i]);
+      tile[first + i] = at.y() * kTiles + at.x();
+      ++begin[static_cast<std::size_t>(tile[first + i]) + 1];
+    }
   }
-  std::partial_sum(level.begin.begin(), level.begin.end(), level.begin.begin());
-  level.points.resize(points.size());
-  std::vector<int> next(level.begin.begin(), level.begin.end() - 1);
-  for (std::size_t k = 0; k < points.size(); ++k) level.points[next[tile[k]]++] = points[k];
-  return level;
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  seen.level.points.resize(static_cast<std::size_t>(begin.back()));
+  seen.tangents.resize(seen.level.points.size());
+  std::vector<int> next(begin.begin(), begin.end() - 1);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (tile[k] == kUnseen) continue;
+    const int place = next[tile[k]]++;
+    seen.level.points[place] = static_cast<int>(k);
+    seen.tangents[place] = tangents[k];
+  }
+  return seen;
+}
+
+void Sight::thin(const Eigen::AlignedBox2f& image, double cells, SeenByTile* seen) {
+  Thinning thinning(image, cells);
+  std::vector<int>& begin = seen->level.begin;
+  int kept = 0;
+  for (std::size_t tile = 0; tile + 1 < begin.size(); ++tile) {
+    const int first = std::exchange(begin[tile], kept);
+    for (int k = first; k < begin[tile + 1]; ++k) {
+      if (!thinning.take(seen->tangents[k])) continue;
+      seen->level.points[kept] = seen->level.points[k];
+      seen->tangents[kept++] = seen->tangents[k];
+    }
+  }
+  begin.back() = kept;
+  seen->level.points.resize(static_cast<std::size_t>(kept));
+  seen->tangents.resize(static_cast<std::size_t>(kept));
 }
 
 Eigen::Vector2i Sight::tile_of(const Eigen::Vector2f& tangents) const {

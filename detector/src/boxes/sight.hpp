@@ -33,7 +33,15 @@ class Sight {
     std::vector<int> begin, points;
   };
 
-  Level tiled(const std::vector<int>& points, const std::vector<Eigen::Vector2f>& tangents) const;
+  /// With the tangents of each point.
+  struct SeenByTile {
+    Level level;
+    std::vector<Eigen::Vector2f> tangents;
+  };
+
+  SeenByTile by_tile(const std::vector<Eigen::Vector3f>& points) const;
+  /// Keeps one point in each of so many cells of the image.
+  static void thin(const Eigen::AlignedBox2f& image, double cells, SeenByTile* seen);
   Eigen::Vector2i tile_of(const Eigen::Vector2f& tangents) const;
   std::vector<Eigen::Vector3d> points_in(const Eigen::Vector2i& low,
                                          const Eigen::Vector2i& high) const;
