@@ -123,3 +123,31 @@ TEST_CASE("JSON has all that is printed as warnings about its input", "[json][co
   CHECK(json::parse(plan.out)["warnings"] == json(printed_warnings(plan)));
   CHECK_FALSE(printed_warnings(plan).empty());
 }
+
+TEST_CASE("JSON has what was asked for, and nothing where all was", "[json][command][query]") {
+  const TempFolder folder;
+  const std::string plan = "plan --gripper franka --json - " + table_in(folder);
+  CHECK(object_of(plan)["query"] == json::object());
+  const json asked = object_of(plan + " --target 1,2 --near 0.1,0,0.8 --max-size 0.3 --best 2" +
+                               " --approach 0,0,2,90")["query"];
+  CHECK(asked["target"] == json({1, 2}));
+  CHECK(asked["near"] == json({0.1, 0.0, 0.8}));
+  CHECK(asked["max_size"] == 0.3);
+  CHECK(asked["best"] == 2);
+  CHECK(asked["approach"]["direction"] == json({0.0, 0.0, 1.0}));
+  CHECK(asked["approach"]["angle"].get<double>() == Approx(1.5707963267948966));
+  CHECK(asked.size() == 5);
+}
+
+TEST_CASE("conditions that contradict each other are wrong usage", "[command][query]") {
+  const TempFolder folder;
+  const std::string plan = "plan --gripper franka " + table_in(folder);
+  for (const std::string wrong :
+       {"--min-size nan", "--min-size 0.5 --max-size 0.3", "--max-size -1", "--approach 0,0,0,10",
+        "--approach 0,0,1,0", "--roi 1,1,1,0,0,0", "--near 1,2", "--best 0", "--target x",
+        "--min-clearance 0.5"}) {
+    CAPTURE(wrong);
+    CHECK(run_quadrille(plan + " " + wrong).code == 2);
+  }
+  CHECK(run_quadrille(plan + " --approach 1e200,0,0,10").code == 0);
+}

@@ -158,6 +158,7 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
     print_warnings(input.info.input, warnings);
   }
   io::Json object = io::plan_json(input.info, info, result, plan);
+  object["query"] = io::to_json(arguments.query.query());
   if (arguments.convention) add_hands(plan, setup.gripper, *arguments.convention, &object);
   output->json.write(object);
   if (!output->json.owns_stdout())

@@ -1,5 +1,7 @@
 #include "io/planner/plan_json.hpp"
 
+#include <cmath>
+
 #include "io/json_parts.hpp"
 #include "io/run_info.hpp"
 
@@ -35,6 +37,26 @@ Json to_json(const CollisionShape& shape) {
     }
     json["faces"] = shape.faces;
   }
+  return json;
+}
+
+Json to_json(const GraspQuery& query) {
+  Json json = Json::object();
+  if (!query.ids.empty()) json["target"] = query.ids;
+  if (query.near_C) json["near"] = array_of(*query.near_C);
+  if (query.region) {
+    json["roi"] = {{"pose", to_json(query.region->X_CR)},
+                   {"min", array_of(query.region->box_R.min())},
+                   {"max", array_of(query.region->box_R.max())}};
+  }
+  if (query.min_size > 0.0) json["min_size"] = query.min_size;
+  if (std::isfinite(query.max_size)) json["max_size"] = query.max_size;
+  if (query.min_clearance > 0.0) json["min_clearance"] = query.min_clearance;
+  if (query.approach) {
+    json["approach"] = {{"direction", array_of(query.approach->axis_C)},
+                        {"angle", query.approach->half_angle}};
+  }
+  if (query.max_grasps) json["best"] = *query.max_grasps;
   return json;
 }
 
