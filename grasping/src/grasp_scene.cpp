@@ -7,28 +7,23 @@
 
 namespace quadrille {
 
-struct GraspScene::Parts {
-  std::unique_ptr<const SceneParts> made;
-};
-
 GraspScene::GraspScene(const PointCloud& cloud, const std::vector<Detection>& detections,
                        const Gripper& gripper, const PlanOptions& options,
                        const std::vector<PointCloud>& further) {
   gripper.check();
   options.check();
-  parts_ = std::make_unique<Parts>(
-      Parts{make_scene_parts(cloud, detections, gripper, options, further)});
+  parts_ = make_scene_parts(cloud, detections, gripper, options, further);
 }
 
 GraspScene::GraspScene(GraspScene&&) noexcept = default;
 GraspScene& GraspScene::operator=(GraspScene&&) noexcept = default;
 GraspScene::~GraspScene() = default;
 
-const std::vector<StageTime>& GraspScene::timings() const { return parts_->made->timings; }
+const std::vector<StageTime>& GraspScene::timings() const { return parts_->timings; }
 
 GraspPlan GraspScene::plan(const GraspQuery& query) const {
   query.check();
-  return answer_query(*parts_->made, query);
+  return answer_query(*parts_, query);
 }
 
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,

@@ -9,6 +9,8 @@
 
 namespace quadrille {
 
+struct SceneParts;
+
 /// One cloud made ready to be asked for grasps: its shapes, its targets and its map of free,
 /// occupied and unknown space. Making it takes most of the time of a plan; each query then takes a
 /// share of the rest. Queries may run in several threads at once.
@@ -31,8 +33,7 @@ class GraspScene {
   GraspPlan plan(const GraspQuery& query = {}) const;
 
  private:
-  struct Parts;
-  std::unique_ptr<const Parts> parts_;
+  std::unique_ptr<const SceneParts> parts_;
 };
 
 }  // namespace quadrille
