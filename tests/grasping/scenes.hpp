@@ -35,7 +35,9 @@ inline Detection sphere_detection(const Ball& ball, int id = 1) {
   Detection d;
   d.id = id;
   d.type = QuadricType::kSphere;
+  const Eigen::Vector4d squares(1, 1, 1, -ball.radius * ball.radius);
   d.X_CQ.translation() = ball.p_C;
+  d.Q_C = Quadric(Eigen::Matrix4d(squares.asDiagonal())).transformed(d.X_CQ).normalized();
   d.dimensions = {{"radius", ball.radius, 0.0}};
   const Eigen::Vector3d r = Eigen::Vector3d::Constant(ball.radius);
   d.extent_Q = {-r, r};

@@ -101,7 +101,7 @@ class SceneMaker {
   void choose_targets() {
     add(quadrille::choose_targets(cloud_, detections_, *parts_.view, parts_.gripper,
                                   parts_.options));
-    add(choose_boxes(parts_.boxes, detections_, parts_.gripper, parts_.options));
+    add(choose_boxes(cloud_, parts_.boxes, detections_, parts_.gripper, parts_.options));
   }
 
   void add(ChosenTargets chosen) {

@@ -58,7 +58,8 @@ std::vector<ContactLine> usable_lines(const TargetTask& task, const ApproachSpac
   std::vector<ContactLine> lines = lines_across(task, space, trials);
   std::erase_if(lines, [&](const ContactLine& line) {
     ContactLine narrowed = line;
-    narrowed.opening *= kMinChordShare;
+    // A box is as wide before its middle as there.
+    if (!task.target.box) narrowed.opening *= kMinChordShare;
     const std::optional<Refusal> why = unusable(narrowed, task);
     if (why) trials.refuse(*why);
     return why.has_value();

@@ -45,9 +45,10 @@ Refusal refusal_of(Obstruction what) {
   }
 }
 
-/// Distance that each pad keeps from the target on the way in [m].
+/// Distance that each pad keeps from the target on the way in [m]. Where the hand goes and where
+/// the target is are unsure independently of each other.
 double pad_margin(const ContactLine& line, const PlanOptions& options) {
-  return options.pad_margin + std::min(kSigmas * line.std, kMaxDoubt);
+  return std::hypot(options.pad_margin, std::min(kSigmas * line.std, kMaxDoubt));
 }
 
 /// The openings of the hand to be tried, in this order [m].

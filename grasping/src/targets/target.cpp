@@ -8,6 +8,7 @@
 #include "body/find_shell.hpp"
 #include "contacts/rim.hpp"
 #include "space/support.hpp"
+#include "targets/point_noise.hpp"
 
 namespace quadrille {
 namespace {
@@ -73,6 +74,7 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
     // What was seen from inside is no solid: only its wall can be held.
     target.solid = !inside && graspable(*body, gripper);
     if (target.solid || target.shell) {
+      target.noise = point_noise(d, cloud);
       chosen.targets.push_back(std::move(target));
     } else if (is_wanted(d, options)) {
       chosen.refuse(d.id, inside ? Refusal::kSeenFromInside : Refusal::kWidth);
@@ -81,8 +83,9 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
   return chosen;
 }
 
-ChosenTargets choose_boxes(const std::vector<Box>& boxes, const std::vector<Detection>& detections,
-                           const Gripper& gripper, const PlanOptions& options) {
+ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxes,
+                           const std::vector<Detection>& detections, const Gripper& gripper,
+                           const PlanOptions& options) {
   ChosenTargets chosen;
   for (const Box& box : boxes) {
     // A box does not stand on its own faces.
@@ -99,6 +102,9 @@ ChosenTargets choose_boxes(const std::vector<Box>& boxes, const std::vector<Dete
       target.id = box.id;
       target.confidence = box.score;
       target.body = body;
+      for (const Detection& face : faces) {
+        target.noise = std::max(target.noise, point_noise(face, cloud));
+      }
       target.supports = supports_of(body, others);
       target.wanted = wanted;
       target.box = box;

@@ -29,6 +29,8 @@ struct Target {
   int track = 0;
   double confidence = 1.0;
   Body body;
+  /// Standard deviation of its points about its surface [m].
+  double noise = 0.0;
   /// The planes that it stands on, the nearest first.
   std::vector<SupportPlane> supports;
   /// Its wall, if it is open at one end, and the lines across it where it was measured.
@@ -66,8 +68,9 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
                              const PlanOptions& options);
 
 /// The boxes that the hand may hold across two parallel faces, and what was refused.
-ChosenTargets choose_boxes(const std::vector<Box>& boxes, const std::vector<Detection>& detections,
-                           const Gripper& gripper, const PlanOptions& options);
+ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxes,
+                           const std::vector<Detection>& detections, const Gripper& gripper,
+                           const PlanOptions& options);
 
 /// How far the hand reaches from a target's surface, its approach included [m].
 double hand_reach(const Gripper& gripper, double approach);

@@ -8,8 +8,9 @@
 namespace quadrille {
 namespace {
 
-// Points of the target lie this far beside its fitted surface [m].
-constexpr double kCarveNoise = 0.002;
+// Points of the target lie this far beside its fitted surface, in standard deviations of them; but
+// the fit is no better than the first distance, and what lies beyond the second is not carved [m].
+constexpr double kCarveSigmas = 3.0, kMinCarveNoise = 0.002, kMaxCarveNoise = 0.01;
 // A detection is a part of the target if its middle lies in the target's body, grown by so much
 // [m], and if it is no larger, to within a share of the body's size and an error of its own [m].
 constexpr double kPartNoise = 0.006, kMaxPartShare = 1.3, kPartSizeError = 0.01;
@@ -36,8 +37,9 @@ CollisionScene uncarved_scene(const Target& target, const Surroundings& around_i
 
 /// A voxel that reaches into the target has its centre within half its diagonal, plus the noise of
 /// its points.
-double carve_margin(const OccupancyGrid& space) {
-  return 0.5 * std::sqrt(3.0) * space.resolution() + kCarveNoise;
+double carve_margin(const OccupancyGrid& space, const Target& target) {
+  const double noise = std::clamp(kCarveSigmas * target.noise, kMinCarveNoise, kMaxCarveNoise);
+  return 0.5 * std::sqrt(3.0) * space.resolution() + noise;
 }
 
 /// True for voxels of what the target stands on.
@@ -67,9 +69,9 @@ ShapeOwner owner_of(const Box& box) {
 CollisionScene solid_scene(const Target& target, const Surroundings& around_it) {
   CollisionScene scene = uncarved_scene(target, around_it);
   scene.target = make_pieces(target.body);
-  scene.map.carve(target.body, carve_margin(around_it.space), [&](const Eigen::Vector3d& p_C) {
-    return holds_up(target, around_it.space, p_C);
-  });
+  scene.map.carve(
+      target.body, carve_margin(around_it.space, target),
+      [&](const Eigen::Vector3d& p_C) { return holds_up(target, around_it.space, p_C); });
   clear_shadow(target.body, around_it, scene);
   return scene;
 }
@@ -79,7 +81,7 @@ CollisionScene shell_scene(const Target& target, const Surroundings& around_it) 
   const Shell& shell = *target.shell;
   scene.target = make_wall(shell);
   scene.end_doubt = scene.margin;  // find_shell() put the rim where the points end
-  const double margin = carve_margin(around_it.space);
+  const double margin = carve_margin(around_it.space, target);
   scene.map.carve(shell.body, margin + shell.outer(), [&](const Eigen::Vector3d& p_C) {
     return !shell.in_wall(p_C, margin) || holds_up(target, around_it.space, p_C);
   });

@@ -51,9 +51,11 @@ struct PlanOptions {
     v(o.friction,
       {"planner.friction", "", 1e-6, 10.0, "Friction coefficient between pads and objects."});
     v(o.approach, {"planner.approach", "m", 0.0, 1.0, "Length of the straight approach to check."});
-    v(o.pad_margin, {"planner.pad_margin", "m", 0.0, 0.1,
-                     "Least distance of each pad from the target on the way in; grows with the "
-                     "uncertainty of the target's size, by 4 mm at most."});
+    v(o.pad_margin,
+      {"planner.pad_margin", "m", 0.0, 0.1,
+       "Least distance of each pad from the target on the way in: how unsure the hand's "
+       "own way is. What is unsure of the target's size, 4 mm at most, adds to it in "
+       "squares."});
     v(o.baseline, {"planner.baseline", "m", 0.0, 1.0,
                    "Distance between a depth sensor's two eyes, or eye and projector: the largest "
                    "whose blind bands beside the edges of things count as seen through, up to the "

@@ -1,0 +1,40 @@
+#include "targets/point_noise.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "quadrille/detector/quadric.hpp"
+
+namespace quadrille {
+namespace {
+
+// Points farther from the surface belong to something else [m].
+constexpr double kMaxDistance = 0.015;
+// A few hundred of them on a target are enough: so many points of a cloud are looked at.
+constexpr std::size_t kMaxPoints = 40000;
+// The standard deviation of a normal distribution, in medians of its absolute values.
+constexpr double kSigmaPerMedian = 1.4826;
+
+}  // namespace
+
+double point_noise(const Detection& detection, const PointCloud& cloud) {
+  const Eigen::Isometry3d X_QC = detection.X_CQ.inverse();
+  Eigen::AlignedBox3d near_Q = detection.extent_Q;
+  near_Q.min().array() -= kMaxDistance;
+  near_Q.max().array() += kMaxDistance;
+  const std::size_t step = cloud.points.size() / kMaxPoints + 1;
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < cloud.points.size(); i += step) {
+    const Eigen::Vector3d p_C = cloud.points[i].cast<double>();
+    if (!near_Q.contains(X_QC * p_C)) continue;  // nor are those without coordinates in it
+    const double distance = std::abs(detection.Q_C.distance(p_C));
+    if (distance < kMaxDistance) distances.push_back(distance);
+  }
+  if (distances.empty()) return 0.0;
+  const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+  std::nth_element(distances.begin(), middle, distances.end());
+  return kSigmaPerMedian * *middle;
+}
+
+}  // namespace quadrille
