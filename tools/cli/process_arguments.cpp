@@ -37,6 +37,9 @@ void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
   copy->needs(in);
   in->excludes(url);
   app.add_flag("-v,--verbose", verbose, "Log every " + work);
+  app.add_option("--stats-file", stats_file,
+                 "Keep the last status in this file, as Prometheus' node exporter collects it")
+      ->type_name("FILE");
 }
 
 }  // namespace quadrille

@@ -17,8 +17,11 @@ struct ProcessArguments {
   /// Copy all events of the replayed log to the other one.
   bool copy_input = false;
   bool verbose = false;
+  /// File that always holds the last status, for node exporters; empty for none.
+  std::string stats_file;
 
-  /// Adds --lcm-url, --in-log, --out-log, --copy-input and --verbose; this must outlive the app.
+  /// Adds --lcm-url, --in-log, --out-log, --copy-input, --verbose and --stats-file; this must
+  /// outlive the app.
   /// @param work  what is logged with --verbose, such as "cloud"
   void add_to(CLI::App& app, const std::string& work);
 };

@@ -46,6 +46,21 @@ void check_plan(const std::string& log, const std::string& json);
 /// @param hostile  whether the garbage was on the bus too
 void check_status(const std::string& log, bool hostile);
 
+/// How clouds are sent to the processes.
+struct Load {
+  int bursts = 0;
+  int clouds_per_burst = 1;
+  double bursts_per_second = 30.0;
+  /// Whether each cloud has to be received or counted as lost.
+  bool must_count = true;
+};
+
+/// Sends the clouds of a log again and again, each with a number of its own, and prints what came
+/// of them and when.
+/// @throws std::runtime_error if the last cloud of a burst is not answered, or a cloud is not
+/// counted
+void put_under_load(const std::string& url, const std::string& log, const Load& load);
+
 /// Copies a log with one channel under another name.
 void rename_channel(const std::string& source, const std::string& copy, const std::string& from,
                     const std::string& to);

@@ -4,21 +4,43 @@
 
 #include <utility>
 
+#include "process/runtime/exposition.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/status.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/status_message.hpp"
-#include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
 
 namespace quadrille {
+namespace {
+
+std::string hash_of(const DetectorSettings& settings) {
+  SettingsText text;
+  text.add_all(settings.detector);
+  text.add_all(settings.track);
+  for (const std::string* channel :
+       {&settings.in_channel, &settings.out_channel, &settings.boxes_channel,
+        &settings.status_channel, &settings.pose_channel}) {
+    text.add("channel", *channel);
+  }
+  text.add("clouds", std::string(word_of(settings.frames.clouds)));
+  text.add("results", std::string(word_of(settings.frames.of_results())));
+  if (settings.X_WK) {
+    for (const double number : settings.X_WK->matrix().reshaped()) {
+      text.add("pose", io::toml_of(number));
+    }
+  }
+  return text.hash();
+}
+
+}  // namespace
 
 DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publish)
     : settings_(settings),
       publish_(std::move(publish)),
-      dropped_before_(bus::count_dropped_datagrams()),
+      settings_hash_(hash_of(settings)),
       tracker_(settings.track),
       camera_poses_(settings.X_WK, settings.track.pose_age),
       untracked_(settings.frames.clouds == CloudFrame::kCamera) {
@@ -69,7 +91,9 @@ std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
     return std::nullopt;
   }
   ++counts_.decoded;
+  stages_.add("decode", bus::ms_since(now));
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
+  gaps_.add(cloud.cloud.frame, cloud.seq);
   const std::int64_t utime = cloud.utime;
   // Chosen now, and not when the work begins, by when more poses may have come than in a replay.
   const CameraPose pose = choose_pose(utime);
@@ -92,35 +116,43 @@ CameraPose DetectorNode::choose_pose(std::int64_t utime) {
 
 /// What is found in a cloud, with tracks, in the frame of the results. Nothing where the pose that
 /// they need is not known.
+/// @param ready  gets the same before boxes are looked for
 DetectionResult DetectorNode::detect_placed(const bus::CloudMessage& cloud, const CameraPose& pose,
-                                            const Placement& placement) {
+                                            const Placement& placement,
+                                            const QuadricsReady& ready) {
   if (!placement.lack.empty()) {
     DetectionResult nothing;
     nothing.warnings = {"the camera's pose is not known: " + placement.lack};
+    ready(nothing);
     return nothing;
   }
   PointCloud cloud_K = moved(cloud.cloud, placement.X_CK.inverse());
   if (settings_.frames.clouds == CloudFrame::kWorld) cloud_K.viewpoint.setZero();
-  DetectionResult result = detect(cloud_K, settings_.detector);
-  if (pose.X_WK) tracker_.update(cloud.utime, *pose.X_WK, &result.detections);
-  result.detections = moved(std::move(result.detections), placement.X_RK);
+  std::vector<Detection> placed;
+  DetectionResult result = detect(cloud_K, settings_.detector, [&](DetectionResult found) {
+    if (pose.X_WK) tracker_.update(cloud.utime, *pose.X_WK, &found.detections);
+    found.detections = moved(std::move(found.detections), placement.X_RK);
+    ready(found);
+    placed = std::move(found.detections);
+  });
+  result.detections = std::move(placed);
   result.boxes = moved(std::move(result.boxes), placement.X_RK);
   return result;
 }
 
 void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud, const CameraPose& pose,
                                       TimePoint received) {
+  const TimePoint start = std::chrono::steady_clock::now();
   const Placement placement = place(settings_.frames, pose);
-  const DetectionResult result = detect_placed(cloud, pose, placement);
-  quadrics_t message = bus::to_message(cloud, result);
-  message.frame = placement.frame_of_results(cloud.cloud.frame);
-  const auto bytes = bus::encode(message);
-  publish_(settings_.out_channel, bytes);
-  const double latency = bus::ms_since(received);
-  boxes_t boxes_message = bus::to_message(cloud, result.boxes);
-  boxes_message.frame = message.frame;
-  const auto boxes = bus::encode(boxes_message);
-  publish_(settings_.boxes_channel, boxes);
+  const std::string& frame = placement.frame_of_results(cloud.cloud.frame);
+  double detect_ms = 0.0, latency = 0.0;
+  const DetectionResult result =
+      detect_placed(cloud, pose, placement, [&](const DetectionResult& found) {
+        detect_ms = bus::ms_since(start);
+        publish_quadrics(cloud, frame, found);
+        latency = bus::ms_since(received);
+      });
+  publish_boxes(cloud, frame, result);
   log_debug(fmt::format("cloud {}: {} of {} points, {} quadrics, {} boxes, {:.1f} ms", cloud.utime,
                         result.points_used, cloud.cloud.read, result.detections.size(),
                         result.boxes.size(), latency));
@@ -128,35 +160,82 @@ void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud, const Came
     log_debug(fmt::format("cloud {}: {}", cloud.utime, warning));
   }
   const std::lock_guard lock(mutex_);
+  stages_.add("wait", std::chrono::duration<double, std::milli>(start - received).count());
+  stages_.add("detect", detect_ms);
+  stages_.add("quadrics", latency);
+  stages_.add("boxes", bus::ms_since(received) - latency);
+}
+
+/// The planner waits for these.
+void DetectorNode::publish_quadrics(const bus::CloudMessage& cloud, const std::string& frame,
+                                    const DetectionResult& result) {
+  quadrics_t message = bus::to_message(cloud, result);
+  message.frame = frame;
+  const auto bytes = bus::encode(message);
+  publish_(settings_.out_channel, bytes);
+  const std::lock_guard lock(mutex_);
   ++counts_.published;
-  counts_.published_bytes += static_cast<std::int64_t>(bytes.size() + boxes.size());
+  counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
   counts_.cloud_utime = cloud.utime;
   detections_ += static_cast<std::int64_t>(result.detections.size());
-  latencies_.add(latency);
-  detection_times_.add(result.total_ms);
+}
+
+void DetectorNode::publish_boxes(const bus::CloudMessage& cloud, const std::string& frame,
+                                 const DetectionResult& result) {
+  boxes_t message = bus::to_message(cloud, result.boxes);
+  message.frame = frame;
+  const auto bytes = bus::encode(message);
+  publish_(settings_.boxes_channel, bytes);
+  const std::lock_guard lock(mutex_);
+  counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
 }
 
 void DetectorNode::publish_status(std::int64_t superseded,
                                   const std::vector<std::string>& warnings) {
-  detector_status_t status = make_status();
-  set_transport(superseded, warnings, dropped_before_, &status);
+  detector_status_t status{};
+  fill_counts(&status);
+  CommonStatus{traffic(), superseded, warnings, settings_hash_}.write_to(&status);
   publish_(settings_.status_channel, bus::encode(status));
+  const std::lock_guard lock(mutex_);
+  last_status_ = std::move(status);
 }
 
-detector_status_t DetectorNode::make_status() const {
+void DetectorNode::fill_counts(detector_status_t* status) {
   const std::lock_guard lock(mutex_);
-  detector_status_t status = counts_;
-  status.failed = failed();
-  status.rejected = bus::to_message(refusals_.counts());
-  status.num_rejected = static_cast<std::int32_t>(status.rejected.size());
-  status.untracked = untracked_.to_message();
-  status.num_untracked = static_cast<std::int32_t>(status.untracked.size());
-  set_latency(latencies_.summary(), &status);
-  const bus::DurationSummary detection = detection_times_.summary();
-  status.detect_p50 = detection.p50;
-  status.detect_p95 = detection.p95;
-  status.detect_max = detection.max;
-  return status;
+  *status = counts_;
+  status->failed = failed();
+  status->missing = gaps_.missing();
+  status->received_rate = received_rate_.update(counts_.received);
+  status->published_rate = published_rate_.update(counts_.published);
+  status->rejected = bus::to_message(refusals_.counts());
+  status->num_rejected = static_cast<std::int32_t>(status->rejected.size());
+  status->untracked = untracked_.to_message();
+  status->num_untracked = static_cast<std::int32_t>(status->untracked.size());
+  set_stages(stages_, status);
+}
+
+std::string DetectorNode::exposition() const {
+  const std::lock_guard lock(mutex_);
+  const detector_status_t& status = last_status_;
+  Exposition out("quadrille_detector");
+  out.add_counter("clouds_received", "Messages on the channel of the clouds.", status.received);
+  out.add_counter("clouds_decoded", "Clouds that passed all checks.", status.decoded);
+  out.add_counter("clouds_missing", "Clouds that never came, by gaps in their seq.",
+                  status.missing);
+  out.add_counter("clouds_superseded", "Clouds dropped for a newer one.", status.superseded);
+  out.add_counter("clouds_failed", "Clouds on which the detection failed.", status.failed);
+  out.add_counter("quadrics_published", "Messages of quadrics.", status.published);
+  out.add_counter("received_bytes", "Bytes of clouds received.", status.received_bytes);
+  out.add_counter("published_bytes", "Bytes of results published.", status.published_bytes);
+  out.add_counters("messages_refused", "Messages refused.", status.rejected);
+  out.add_counters("clouds_untracked", "Clouds without tracks.", status.untracked);
+  out.add_gauge("clouds_per_second", "Over the last ten seconds.", status.received_rate);
+  out.add_gauge("quadrics_per_second", "Over the last ten seconds.", status.published_rate);
+  out.add_gauge("warnings", "What is wrong with the transport.", status.num_warnings);
+  out.add_transport(status.transport);
+  out.add_stages(status.stages);
+  out.add_process(status.process);
+  return out.text();
 }
 
 std::string DetectorNode::summary() const {

@@ -13,10 +13,13 @@
 #include "process/detector/untracked.hpp"
 #include "process/runtime/camera_poses.hpp"
 #include "process/runtime/node.hpp"
+#include "process/runtime/rate.hpp"
 #include "process/runtime/refusals.hpp"
+#include "process/runtime/sequence_gaps.hpp"
+#include "process/runtime/stages.hpp"
 #include "quadrille/bus/cloud_message.hpp"
-#include "quadrille/bus/durations.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/detector.hpp"
 
 namespace quadrille {
 
@@ -29,6 +32,7 @@ class DetectorNode : public Node {
   std::vector<OutChannel> out_channels() const override;
   std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
   void publish_status(std::int64_t superseded, const std::vector<std::string>& warnings) override;
+  std::string exposition() const override;
   std::string summary() const override;
   std::vector<std::string> find_oddities() const override;
 
@@ -39,14 +43,18 @@ class DetectorNode : public Node {
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
   CameraPose choose_pose(std::int64_t utime);
   DetectionResult detect_placed(const bus::CloudMessage& cloud, const CameraPose& pose,
-                                const Placement& placement);
+                                const Placement& placement, const QuadricsReady& ready);
   void detect_and_publish(const bus::CloudMessage& cloud, const CameraPose& pose,
                           TimePoint received);
-  detector_status_t make_status() const;
+  void publish_quadrics(const bus::CloudMessage& cloud, const std::string& frame,
+                        const DetectionResult& result);
+  void publish_boxes(const bus::CloudMessage& cloud, const std::string& frame,
+                     const DetectionResult& result);
+  void fill_counts(detector_status_t* status);
 
   const DetectorSettings settings_;
   const bus::Publish publish_;
-  const std::int64_t dropped_before_;
+  const std::string settings_hash_;
 
   /// For the working thread.
   Tracker tracker_;
@@ -55,9 +63,12 @@ class DetectorNode : public Node {
   detector_status_t counts_{};
   std::int64_t detections_ = 0, poses_ = 0;
   CameraPoses camera_poses_;
+  SequenceGaps gaps_;
   Refusals refusals_;
   Untracked untracked_;
-  bus::Durations latencies_, detection_times_;
+  Stages stages_{{"decode", "wait", "detect", "quadrics", "boxes"}};
+  Rate received_rate_, published_rate_;
+  detector_status_t last_status_{};
 };
 
 }  // namespace quadrille

@@ -9,6 +9,7 @@
 
 #include "process/planner/messages.hpp"
 #include "process/planner/request.hpp"
+#include "process/planner/status_text.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/status.hpp"
 #include "quadrille/bus/encode.hpp"
@@ -32,7 +33,7 @@ Space in_frame(const Space& space, const Eigen::Isometry3d& X_RK) {
 PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
     : settings_(settings),
       publish_(std::move(publish)),
-      dropped_before_(bus::count_dropped_datagrams()),
+      settings_hash_(hash_of(settings)),
       camera_poses_(settings.X_WK, settings.pose_age) {}
 
 std::vector<InChannel> PlannerNode::in_channels() const {
@@ -75,7 +76,9 @@ void PlannerNode::receive_pose(const std::string& channel, std::span<const std::
 
 std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
                                               std::span<const std::byte> bytes) {
+  const auto start = std::chrono::steady_clock::now();
   bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(bytes);
+  const double decode_ms = bus::ms_since(start);
   const std::lock_guard lock(mutex_);
   ++counts_.received_clouds;
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
@@ -84,7 +87,9 @@ std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
     return std::nullopt;
   }
   ++counts_.decoded_clouds;
+  stages_.add("decode", decode_ms);
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
+  gaps_.add(cloud.cloud.frame, cloud.seq);
   // Chosen now, as the detector does, and not when the work begins.
   Placement placement = place(settings_.frames, camera_poses_.at(cloud.utime));
   if (!placement.lack.empty()) {
@@ -194,8 +199,10 @@ void PlannerNode::plan_and_publish(const SharedPair& shared) {
   counts_.published_bytes += bytes;
   counts_.cloud_utime = pair.cloud->utime;
   grasps_ += static_cast<std::int64_t>(plan.grasps.size());
-  latencies_.add(latency);
-  plan_times_.add(plan_ms);
+  stages_.add("wait", std::chrono::duration<double, std::milli>(start - pair.at).count());
+  stages_.add("plan", plan_ms);
+  stages_.add("grasps", latency);
+  stages_.add("maps", bus::ms_since(pair.at) - latency);
 }
 
 void PlannerNode::answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at) {
@@ -252,14 +259,26 @@ void PlannerNode::publish_answer(const grasp_request_t& request, const SharedPai
 
 void PlannerNode::publish_status(std::int64_t superseded,
                                  const std::vector<std::string>& warnings) {
-  planner_status_t status = make_status();
-  set_transport(superseded, warnings, dropped_before_, &status);
+  planner_status_t status{};
+  fill_counts(&status);
+  CommonStatus{traffic(), superseded, warnings, settings_hash_}.write_to(&status);
   publish(settings_.status_channel, status);
+  const std::lock_guard lock(mutex_);
+  last_status_ = std::move(status);
 }
 
-planner_status_t PlannerNode::make_status() const {
+std::string PlannerNode::exposition() const {
   const std::lock_guard lock(mutex_);
-  planner_status_t status = counts_;
+  return to_exposition(last_status_);
+}
+
+void PlannerNode::fill_counts(planner_status_t* filled) {
+  const std::lock_guard lock(mutex_);
+  planner_status_t& status = *filled;
+  status = counts_;
+  status.missing_clouds = gaps_.missing();
+  status.received_rate = received_rate_.update(counts_.received_clouds);
+  status.published_rate = published_rate_.update(counts_.published);
   status.paired = pairing_.paired();
   status.unpaired_quadrics = pairing_.unpaired();
   status.failed = failed();
@@ -273,12 +292,7 @@ planner_status_t PlannerNode::make_status() const {
   status.num_rejected_requests = static_cast<std::int32_t>(status.rejected_requests.size());
   status.rejected_poses = bus::to_message(refused_poses_.counts());
   status.num_rejected_poses = static_cast<std::int32_t>(status.rejected_poses.size());
-  set_latency(latencies_.summary(), &status);
-  const bus::DurationSummary plan = plan_times_.summary();
-  status.plan_p50 = plan.p50;
-  status.plan_p95 = plan.p95;
-  status.plan_max = plan.max;
-  return status;
+  set_stages(stages_, filled);
 }
 
 std::string PlannerNode::summary() const {

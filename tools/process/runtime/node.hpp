@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "quadrille/bus/connection.hpp"
 #include "quadrille/bus/publish.hpp"
 
 namespace quadrille {
@@ -59,6 +61,12 @@ class Node {
   virtual void publish_status(std::int64_t superseded,
                               const std::vector<std::string>& warnings) = 0;
 
+  /// The last published status in the text format that Prometheus reads; empty if there is none.
+  virtual std::string exposition() const { return {}; }
+
+  /// Notes what the connection has received, for the status. For any thread.
+  void note_traffic(const bus::Traffic& traffic);
+
   /// What went in, came out and was refused so far, in one line.
   virtual std::string summary() const = 0;
 
@@ -74,7 +82,13 @@ class Node {
   /// Jobs that failed.
   std::int64_t failed() const { return failed_; }
 
+ protected:
+  /// What was noted last; nothing in a replay.
+  bus::Traffic traffic() const;
+
  private:
+  mutable std::mutex traffic_mutex_;
+  bus::Traffic traffic_;
   std::atomic<std::int64_t> failed_{0};
 };
 

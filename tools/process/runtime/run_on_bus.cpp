@@ -4,7 +4,9 @@
 #include <thread>
 
 #include "process/runtime/logging.hpp"
+#include "process/runtime/loss_watch.hpp"
 #include "process/runtime/run.hpp"
+#include "process/runtime/stats_file.hpp"
 #include "process/runtime/worker.hpp"
 #include "quadrille/bus/connection.hpp"
 #include "quadrille/bus/mailbox.hpp"
@@ -24,14 +26,26 @@ void hand_over(Job& job, bus::Mailbox<Job>& mailbox) {
   }
 }
 
-void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox, Node& node) {
+void publish_status(const bus::Connection& connection, const bus::Mailbox<Job>& mailbox,
+                    StatsFile& stats, Node& node) {
+  const bus::Traffic traffic = connection.traffic();
+  node.note_traffic(traffic);
+  node.publish_status(mailbox.superseded(),
+                      LossWatch::find_warnings(traffic, connection.warnings()));
+  stats.write(node.exposition());
+}
+
+void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox, StatsFile& stats,
+                        Node& node) {
   bus::Ticker status_tick(std::chrono::seconds(1));
+  LossWatch losses;
   const Worker worker(mailbox, node);
   bus::Receiver receiver(connection);
   while (!bus::stop_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     receiver.check();
-    if (status_tick.due()) node.publish_status(mailbox.superseded(), connection.warnings());
+    if (const auto loss = losses.check(connection.traffic())) log_warning(*loss);
+    if (status_tick.due()) publish_status(connection, mailbox, stats, node);
   }
 }
 
@@ -51,8 +65,11 @@ void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
                          });
     log_info(fmt::format("listening to {} on {}", channel.name, connection.url()));
   }
-  work_until_stopped(connection, mailbox, *node);
-  node->publish_status(mailbox.superseded(), connection.warnings());
+  StatsFile stats(arguments.stats_file);
+  work_until_stopped(connection, mailbox, stats, *node);
+  publish_status(connection, mailbox, stats, *node);
+  const std::string losses = LossWatch::describe(connection.traffic());
+  if (!losses.empty()) log_warning("in all " + losses);
   log_info(fmt::format("stopped: {}; {} superseded", node->summary(), mailbox.superseded()));
 }
 

@@ -6,6 +6,7 @@
 #include "process/runtime/channel_census.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/run.hpp"
+#include "process/runtime/stats_file.hpp"
 #include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/replay.hpp"
 #include "quadrille/bus/stop.hpp"
@@ -49,6 +50,7 @@ void check_unmixed(const std::string& path, const std::vector<OutChannel>& chann
 void run_on_log(const ProcessArguments& arguments, const NodeMaker& make_node) {
   bus::check_different_files(arguments.in_log, arguments.out_log);
   bus::survey_log(arguments.in_log);
+  StatsFile stats(arguments.stats_file);
   std::optional<bus::LogWriter> out;
   // Results carry the time of the event that they answer: it is the same in every run, and later
   // than that of no event which is copied after them.
@@ -78,6 +80,7 @@ void run_on_log(const ProcessArguments& arguments, const NodeMaker& make_node) {
   }
   if (!stopped.empty()) warnings.push_back(stopped);
   node->publish_status(0, warnings);
+  stats.write(node->exposition());
   out->flush();
   if (!stopped.empty()) throw std::runtime_error(stopped);
   log_info(arguments.in_log + ": " + node->summary());
