@@ -17,6 +17,8 @@ struct ProcessArguments {
   /// Copy all events of the replayed log to the other one.
   bool copy_input = false;
   bool verbose = false;
+  /// By how much the work gives way to other processes on the bus, as nice does.
+  int niceness = 0;
   /// File that always holds the last status, for node exporters; empty for none.
   std::string stats_file;
 

@@ -23,7 +23,7 @@ void run(const std::vector<std::string>& words) {
   if (command == "load" && words.size() >= 6) {
     return put_under_load(words[1], words[2],
                           {std::stoi(words[3]), std::stoi(words[4]), std::stod(words[5]),
-                           words.size() == 6 || words[6] != "lossy"});
+                           words.size() > 6 && words[6] == "lossy"});
   }
   throw std::invalid_argument(
       "use: make-logs FOLDER | check-quadrics LOG | check-status LOG | check-hostile-status LOG | "

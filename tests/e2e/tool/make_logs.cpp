@@ -109,11 +109,13 @@ void make_logs(const std::string& folder) {
   clouds.flush();
   logs::CloudLogReader reader(folder + "/clouds.lcm");
   bus::LogWriter hostile(folder + "/hostile.lcm");
+  bus::LogWriter numbered(folder + "/numbered.lcm");
   const std::vector<Garbage> garbage = make_garbage();
   std::size_t next = 0;
   while (const auto cloud = reader.next()) {
-    hostile.write(cloud->event_utime, cloud->channel,
-                  bus::encode_cloud(cloud->message, bus::CloudFormat::kPointCloud2));
+    const Bytes bytes = bus::encode_cloud(cloud->message, bus::CloudFormat::kPointCloud2);
+    hostile.write(cloud->event_utime, cloud->channel, bytes);
+    numbered.write(cloud->event_utime, cloud->channel, bytes);
     // Something that is no business of ours; it comes between a cloud and the next.
     hostile.write(cloud->event_utime + 10000, "POSE", Bytes(20));
     for (std::size_t i = 0; i < 3 && next < garbage.size(); ++i, ++next) {
@@ -122,6 +124,7 @@ void make_logs(const std::string& folder) {
     }
   }
   hostile.flush();
+  numbered.flush();
 }
 
 }  // namespace quadrille::e2e

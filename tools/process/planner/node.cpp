@@ -28,13 +28,20 @@ Space in_frame(const Space& space, const Eigen::Isometry3d& X_RK) {
   return std::make_shared<const OccupancyGrid>(space->moved(X_RK));
 }
 
+/// None where a log is replayed, whose results do not hang on how fast that goes.
+std::chrono::milliseconds occupancy_interval(const PlannerSettings& settings) {
+  if (!settings.process.in_log.empty()) return std::chrono::milliseconds(0);
+  return std::chrono::milliseconds(static_cast<int>(1000.0 * settings.occupancy_period));
+}
+
 }  // namespace
 
 PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
     : settings_(settings),
       publish_(std::move(publish)),
       settings_hash_(hash_of(settings)),
-      camera_poses_(settings.X_WK, settings.pose_age) {}
+      camera_poses_(settings.X_WK, settings.pose_age),
+      occupancies_(occupancy_interval(settings)) {}
 
 std::vector<InChannel> PlannerNode::in_channels() const {
   std::vector<InChannel> channels = {
@@ -177,7 +184,6 @@ GraspPlan PlannerNode::plan_placed(const SharedPair& pair, const GraspQuery& que
 
 void PlannerNode::plan_and_publish(const SharedPair& shared) {
   const CloudAndQuadrics& pair = *shared;
-  const Eigen::Isometry3d& X_RK = pair.placement.X_RK;
   const auto start = std::chrono::steady_clock::now();
   const GraspPlan plan = plan_placed(shared, {});
   const double plan_ms = bus::ms_since(start);
@@ -186,9 +192,7 @@ void PlannerNode::plan_and_publish(const SharedPair& shared) {
   std::int64_t bytes =
       publish(settings_.grasps_channel, make_grasps_message(stamp, plan, settings_));
   const double latency = bus::ms_since(pair.at);
-  bytes += publish(settings_.shapes_channel, make_shapes_message(stamp, plan));
-  bytes += publish(settings_.occupancy_channel,
-                   make_occupancy_message(stamp, in_frame(plan.space, X_RK).get()));
+  bytes += publish_maps(stamp, plan, pair.placement.X_RK);
   log_debug(fmt::format("cloud {}: {} quadrics, {} grasps, {:.1f} ms", pair.cloud->utime,
                         pair.quadrics.detections.size(), plan.grasps.size(), latency));
   for (const std::string& warning : plan.warnings) {
@@ -203,6 +207,21 @@ void PlannerNode::plan_and_publish(const SharedPair& shared) {
   stages_.add("plan", plan_ms);
   stages_.add("grasps", latency);
   stages_.add("maps", bus::ms_since(pair.at) - latency);
+}
+
+/// Publishes what is wanted beside the grasps.
+/// @return how many bytes
+std::int64_t PlannerNode::publish_maps(const Stamp& stamp, const GraspPlan& plan,
+                                       const Eigen::Isometry3d& X_RK) {
+  std::int64_t bytes = 0;
+  if (settings_.shapes) {
+    bytes += publish(settings_.shapes_channel, make_shapes_message(stamp, plan));
+  }
+  if (settings_.occupancy && occupancies_.admit()) {
+    bytes += publish(settings_.occupancy_channel,
+                     make_occupancy_message(stamp, in_frame(plan.space, X_RK).get()));
+  }
+  return bytes;
 }
 
 void PlannerNode::answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "process/planner/messages.hpp"
 #include "process/planner/pairing.hpp"
 #include "process/planner/recent_pairs.hpp"
 #include "process/planner/settings.hpp"
@@ -54,6 +55,8 @@ class PlannerNode : public Node {
   void publish_answer(const grasp_request_t& request, const SharedPair& pair, GraspPlan plan);
   template <class Message>
   std::int64_t publish(const std::string& channel, const Message& message);
+  std::int64_t publish_maps(const Stamp& stamp, const GraspPlan& plan,
+                            const Eigen::Isometry3d& X_RK);
   void fill_counts(planner_status_t* status);
 
   const PlannerSettings settings_;
@@ -73,7 +76,8 @@ class PlannerNode : public Node {
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
   Rate received_rate_, published_rate_;
   planner_status_t last_status_{};
-  // The last cloud that was made ready, for the working thread.
+  // For the working thread; below it the last cloud that was made ready.
+  bus::RateLimiter occupancies_;
   SharedPair ready_;
   std::optional<GraspScene> scene_;
 };

@@ -36,10 +36,10 @@ void publish_status(const bus::Connection& connection, const bus::Mailbox<Job>& 
 }
 
 void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox, StatsFile& stats,
-                        Node& node) {
+                        Node& node, int niceness) {
   bus::Ticker status_tick(std::chrono::seconds(1));
   LossWatch losses;
-  const Worker worker(mailbox, node);
+  const Worker worker(mailbox, node, niceness);
   bus::Receiver receiver(connection);
   while (!bus::stop_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -66,7 +66,7 @@ void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
     log_info(fmt::format("listening to {} on {}", channel.name, connection.url()));
   }
   StatsFile stats(arguments.stats_file);
-  work_until_stopped(connection, mailbox, stats, *node);
+  work_until_stopped(connection, mailbox, stats, *node, arguments.niceness);
   publish_status(connection, mailbox, stats, *node);
   const std::string losses = LossWatch::describe(connection.traffic());
   if (!losses.empty()) log_warning("in all " + losses);
