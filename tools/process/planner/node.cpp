@@ -21,6 +21,29 @@ namespace {
 
 using Space = std::shared_ptr<const OccupancyGrid>;
 
+std::string explain(Unpaired why) {
+  switch (why) {
+    case Unpaired::kNoCloud:
+      return "no cloud of their utime, seq and frame is kept (no_cloud); do both processes get the "
+             "same clouds?";
+    case Unpaired::kOtherCloud:
+      return "all clouds kept of their utime have other points (other_cloud); have the clouds' "
+             "senders tell the time";
+    case Unpaired::kAmbiguous:
+      break;
+  }
+  return "several clouds of their utime are kept, and they name no cloud_digest (ambiguous)";
+}
+
+/// "no_cloud 2, other_cloud 1"
+std::string list_counts(const std::vector<count_t>& counts) {
+  std::string text;
+  for (const count_t& entry : counts) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", entry.name, entry.count);
+  }
+  return text;
+}
+
 /// The map of frame K in frame R.
 Space in_frame(const Space& space, const Eigen::Isometry3d& X_RK) {
   if (!space || X_RK.matrix().isIdentity(0.0)) return space;
@@ -108,7 +131,17 @@ std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
     return std::nullopt;
   }
   ++counts_.decoded_quadrics;
-  return make_job(pairing_.add(std::get<bus::QuadricsMessage>(std::move(decoded))));
+  auto job = make_job(pairing_.add(std::get<bus::QuadricsMessage>(std::move(decoded))));
+  if (const auto given_up = pairing_.take_given_up()) log_unpaired(channel, *given_up);
+  return job;
+}
+
+void PlannerNode::log_unpaired(const std::string& channel, const Pairing::GivenUp& quadrics) {
+  const auto held_back = unpaired_log_.admit();
+  if (!held_back) return;
+  log_warning(fmt::format("{}: the quadrics of cloud {} are not planned on: {}; {} more since the "
+                          "last record",
+                          channel, quadrics.utime, explain(quadrics.why), *held_back));
 }
 
 std::optional<Job> PlannerNode::receive_request(const std::string& channel,
@@ -262,6 +295,8 @@ planner_status_t PlannerNode::make_status() const {
   planner_status_t status = counts_;
   status.paired = pairing_.paired();
   status.unpaired_quadrics = pairing_.unpaired();
+  status.unpaired = pairing_.count_unpaired();
+  status.num_unpaired = static_cast<std::int32_t>(status.unpaired.size());
   status.failed = failed();
   status.requests = requests_;
   status.unmet = unmet_;
@@ -303,6 +338,16 @@ std::vector<std::string> PlannerNode::find_oddities() const {
   if (pairing_.paired() == 0) {
     oddities.push_back(
         "no quadrics with their cloud; make it with quadrille-detector --copy-input");
+  }
+  const std::int64_t paired = pairing_.paired(), unpaired = pairing_.unpaired();
+  if (paired > 0 && unpaired > 0) {
+    oddities.push_back(fmt::format(
+        "{} of {} messages of quadrics have no cloud of theirs ({}) and were not planned on",
+        unpaired, counts_.decoded_quadrics, list_counts(pairing_.count_unpaired())));
+  }
+  if (paired > 0 && counts_.decoded_clouds > paired) {
+    oddities.push_back(fmt::format("{} of {} clouds have no quadrics and were not planned on",
+                                   counts_.decoded_clouds - paired, counts_.decoded_clouds));
   }
   if (poses_ > 0 && poseless_ > 0) {
     oddities.push_back(fmt::format(
