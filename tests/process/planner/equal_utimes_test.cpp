@@ -27,9 +27,9 @@ void give(Node& node, const std::string& channel, const Message& bytes) {
 Message encode_ball(double y) {
   const Eigen::Isometry3d X_KT = test::world_seen_from({0.5, 0.1, 0.5});
   bus::CloudMessage message{0, 0, {}};
-  message.cloud = test::render({test::sphere(X_KT * test::translation(0, y, 0.03), 0.03),
-                                test::rectangle(X_KT, 2.0, 2.0)},
-                               {320, 240, 1.0 / 300.0});
+  message.cloud = test::render(
+      {test::sphere(X_KT * test::translation(0, y, 0.03), 0.03), test::rectangle(X_KT, 2.0, 2.0)},
+      {320, 240, 1.0 / 300.0});
   return bus::encode_cloud(message, bus::CloudFormat::kDrake);
 }
 

@@ -5,22 +5,26 @@
 #include <lcmtypes/quadrille/detector_status_t.hpp>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "process/detector/settings.hpp"
+#include "process/detector/trackers.hpp"
 #include "process/detector/untracked.hpp"
 #include "process/runtime/camera_poses.hpp"
 #include "process/runtime/node.hpp"
 #include "process/runtime/refusals.hpp"
+#include "quadrille/bus/channel_pattern.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/durations.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 
-/// Finds the quadrics of the clouds of one channel, and tracks them.
+/// Finds the quadrics of the clouds of one channel, or of those that a pattern matches, and tracks
+/// them.
 class DetectorNode : public Node {
  public:
   DetectorNode(const DetectorSettings& settings, bus::Publish publish);
@@ -38,18 +42,25 @@ class DetectorNode : public Node {
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
   CameraPose choose_pose(std::int64_t utime);
-  DetectionResult detect_placed(const bus::CloudMessage& cloud, const CameraPose& pose,
-                                const Placement& placement);
-  void detect_and_publish(const bus::CloudMessage& cloud, const CameraPose& pose,
-                          TimePoint received);
+  bool takes_clouds_of(const std::string& channel) const;
+  std::optional<bus::Rejection> refuse_channel(const std::string& channel);
+  std::string results_channel(const std::string& name, const std::string& cloud_channel) const;
+  void track(const std::string& channel, const bus::CloudMessage& cloud,
+             const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
+  DetectionResult detect_placed(const std::string& channel, const bus::CloudMessage& cloud,
+                                const CameraPose& pose, const Placement& placement);
+  void detect_and_publish(const std::string& channel, const bus::CloudMessage& cloud,
+                          const CameraPose& pose, TimePoint received);
   detector_status_t make_status() const;
 
   const DetectorSettings settings_;
+  const bus::ChannelPattern in_channel_;
   const bus::Publish publish_;
   const std::int64_t dropped_before_;
 
   /// For the working thread.
-  Tracker tracker_;
+  Trackers trackers_;
+  LimitedLog trackers_log_;
 
   mutable std::mutex mutex_;
   detector_status_t counts_{};
@@ -57,6 +68,8 @@ class DetectorNode : public Node {
   CameraPoses camera_poses_;
   Refusals refusals_;
   Untracked untracked_;
+  /// On which clouds have come.
+  std::set<std::string> cloud_channels_;
   bus::Durations latencies_, detection_times_;
 };
 

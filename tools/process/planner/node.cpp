@@ -10,6 +10,7 @@
 #include "process/planner/messages.hpp"
 #include "process/planner/request.hpp"
 #include "process/runtime/logging.hpp"
+#include "process/runtime/other_senders.hpp"
 #include "process/runtime/status.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/status_message.hpp"
@@ -139,9 +140,10 @@ std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
 void PlannerNode::log_unpaired(const std::string& channel, const Pairing::GivenUp& quadrics) {
   const auto held_back = unpaired_log_.admit();
   if (!held_back) return;
-  log_warning(fmt::format("{}: the quadrics of cloud {} are not planned on: {}; {} more since the "
-                          "last record",
-                          channel, quadrics.utime, explain(quadrics.why), *held_back));
+  log_warning(
+      fmt::format("{}: the quadrics of cloud {} are not planned on: {}; {} more since the "
+                  "last record",
+                  channel, quadrics.utime, explain(quadrics.why), *held_back));
 }
 
 std::optional<Job> PlannerNode::receive_request(const std::string& channel,
@@ -293,6 +295,7 @@ void PlannerNode::publish_status(std::int64_t superseded,
 planner_status_t PlannerNode::make_status() const {
   const std::lock_guard lock(mutex_);
   planner_status_t status = counts_;
+  status.sender = own_sender();
   status.paired = pairing_.paired();
   status.unpaired_quadrics = pairing_.unpaired();
   status.unpaired = pairing_.count_unpaired();

@@ -66,8 +66,7 @@ class PlannerNode : public Node {
   CameraPoses camera_poses_;
   std::int64_t requests_ = 0, unmet_ = 0;
   Refusals refused_clouds_, refused_quadrics_, refused_poses_, refused_requests_;
-  bus::RateLimiter poseless_log_{std::chrono::seconds(1)},
-      unpaired_log_{std::chrono::seconds(1)};
+  bus::RateLimiter poseless_log_{std::chrono::seconds(1)}, unpaired_log_{std::chrono::seconds(1)};
   bus::Durations latencies_, plan_times_;
   // The last cloud that was made ready, for the working thread.
   SharedPair ready_;

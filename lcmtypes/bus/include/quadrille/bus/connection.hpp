@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "quadrille/bus/channel_pattern.hpp"
+
 namespace quadrille::bus {
 
 /// A connection to LCM that never falls back to another transport in silence.
@@ -41,6 +43,10 @@ class Connection {
   /// @throws std::invalid_argument if the name is not one to 63 of A-Z a-z 0-9 _ - . /
   /// @throws std::runtime_error if LCM refuses
   void subscribe(const std::string& channel, Handler handler);
+
+  /// Calls the handler for each message of the channels that a pattern matches.
+  /// @throws std::runtime_error if LCM refuses
+  void subscribe(const ChannelPattern& pattern, Handler handler);
 
   /// Calls the handler for each message of any channel.
   void subscribe_all(Handler handler);
