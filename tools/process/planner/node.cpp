@@ -22,20 +22,6 @@ namespace {
 
 using Space = std::shared_ptr<const OccupancyGrid>;
 
-std::string explain(Unpaired why) {
-  switch (why) {
-    case Unpaired::kNoCloud:
-      return "no cloud of their utime, seq and frame is kept (no_cloud); do both processes get the "
-             "same clouds?";
-    case Unpaired::kOtherCloud:
-      return "all clouds kept of their utime have other points (other_cloud); have the clouds' "
-             "senders tell the time";
-    case Unpaired::kAmbiguous:
-      break;
-  }
-  return "several clouds of their utime are kept, and they name no cloud_digest (ambiguous)";
-}
-
 /// "no_cloud 2, other_cloud 1"
 std::string list_counts(const std::vector<count_t>& counts) {
   std::string text;

@@ -33,6 +33,20 @@ const char* to_string(Unpaired why) {
   return "ambiguous";
 }
 
+std::string explain(Unpaired why) {
+  switch (why) {
+    case Unpaired::kNoCloud:
+      return "no cloud of their utime, seq and frame is kept (no_cloud); do both processes get the "
+             "same clouds?";
+    case Unpaired::kOtherCloud:
+      return "all clouds kept of their utime have other points (other_cloud); have the clouds' "
+             "senders tell the time";
+    case Unpaired::kAmbiguous:
+      break;
+  }
+  return "several clouds of their utime are kept, and they name no cloud_digest (ambiguous)";
+}
+
 Pairing::Pairing(std::size_t max_clouds, std::size_t max_bytes)
     : max_clouds_(max_clouds), max_bytes_(max_bytes) {
   if (max_clouds == 0) throw std::invalid_argument("max_clouds = 0: must be at least 1");

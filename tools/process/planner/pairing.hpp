@@ -8,6 +8,7 @@
 #include <lcmtypes/quadrille/count_t.hpp>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -37,6 +38,8 @@ enum class Unpaired {
 
 /// Its name in status messages, such as "no_cloud".
 const char* to_string(Unpaired why);
+/// What it means, with its name, for the log.
+std::string explain(Unpaired why);
 
 /// Brings clouds and quadrics of the same utime, seq, frame and points together, whichever comes
 /// first. The quadrics may be in the frame of the results, too. The digest of the points decides
