@@ -93,6 +93,16 @@ void Connection::subscribe(const std::string& channel, Handler handler) {
   add_subscriber(channel, channel, std::move(handler));
 }
 
+void Connection::subscribe(const ChannelPattern& pattern, Handler handler) {
+  if (!pattern.is_pattern()) return subscribe(pattern.text(), std::move(handler));
+  // LCM puts ^ and $ around it, and its expressions are not quite ours.
+  add_subscriber("(" + pattern.text() + ")", "",
+                 [pattern, handler = std::move(handler)](const std::string& channel,
+                                                         std::span<const std::byte> bytes) {
+                   if (pattern.matches(channel)) handler(channel, bytes);
+                 });
+}
+
 void Connection::subscribe_all(Handler handler) { add_subscriber(".*", "", std::move(handler)); }
 
 void Connection::add_subscriber(const std::string& pattern, const std::string& channel,

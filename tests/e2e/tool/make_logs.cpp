@@ -87,7 +87,7 @@ std::vector<Garbage> make_garbage() {
       {clouds, encode_ball_with([](auto& m) { m.fields[0].name.assign(1, 'u'); }), "bad_layout"},
       {clouds, encode_quadrics_with(1.0), "unknown_type"},
       {quadrics, encode_ball(), "unknown_type"},
-      {quadrics, cut(encode_quadrics_with(1.0), 60), "bad_length"},
+      {quadrics, cut(encode_quadrics_with(1.0), 68), "bad_length"},
       {quadrics, encode_quadrics_with(std::numeric_limits<double>::quiet_NaN()), "bad_value"},
       {quadrics, encode_quadrics_with(7.0), "bad_value"},
   };

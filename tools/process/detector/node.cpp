@@ -2,12 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "process/runtime/exposition.hpp"
 #include "process/runtime/logging.hpp"
+#include "process/runtime/other_senders.hpp"
 #include "process/runtime/status.hpp"
 #include "quadrille/bus/boxes_message.hpp"
+#include "quadrille/bus/connection.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/status_message.hpp"
@@ -39,9 +43,10 @@ std::string hash_of(const DetectorSettings& settings) {
 
 DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publish)
     : settings_(settings),
+      in_channel_(settings.in_channel),
       publish_(std::move(publish)),
       settings_hash_(hash_of(settings)),
-      tracker_(settings.track),
+      trackers_(settings.track),
       camera_poses_(settings.X_WK, settings.track.pose_age),
       untracked_(settings.frames.clouds == CloudFrame::kCamera) {
   for (const std::string& warning : settings.warnings) log_warning(warning);
@@ -56,16 +61,51 @@ std::vector<InChannel> DetectorNode::in_channels() const {
 }
 
 std::vector<OutChannel> DetectorNode::out_channels() const {
-  return {{"--out-channel", settings_.out_channel},
-          {"--boxes-channel", settings_.boxes_channel},
+  const bool several = in_channel_.is_pattern();
+  return {{"--out-channel", settings_.out_channel, several},
+          {"--boxes-channel", settings_.boxes_channel, several},
           {"--status-channel", settings_.status_channel}};
 }
 
 std::optional<Job> DetectorNode::receive(const std::string& channel,
                                          std::span<const std::byte> bytes) {
-  if (channel == settings_.in_channel) return receive_cloud(channel, bytes);
+  if (takes_clouds_of(channel)) return receive_cloud(channel, bytes);
   if (channel == settings_.pose_channel) receive_pose(channel, bytes);
   return std::nullopt;
+}
+
+/// A pattern may match the channels of the results too.
+bool DetectorNode::takes_clouds_of(const std::string& channel) const {
+  if (!in_channel_.matches(channel)) return false;
+  const std::vector<OutChannel> own = out_channels();
+  return std::none_of(own.begin(), own.end(),
+                      [&](const OutChannel& out) { return out.holds(channel); });
+}
+
+/// Why clouds of that channel are not taken; nullopt if they are.
+std::optional<bus::Rejection> DetectorNode::refuse_channel(const std::string& channel) {
+  if (cloud_channels_.contains(channel)) return std::nullopt;
+  if (cloud_channels_.size() == Trackers::kMaxTrackers) {
+    return bus::Rejection{bus::RejectReason::kBadChannel,
+                          fmt::format("clouds of {} channels are taken already; start one process "
+                                      "more, and give each a pattern of its own",
+                                      cloud_channels_.size())};
+  }
+  try {
+    bus::check_channel(results_channel(settings_.out_channel, channel));
+    bus::check_channel(results_channel(settings_.boxes_channel, channel));
+  } catch (const std::invalid_argument& error) {
+    return bus::Rejection{bus::RejectReason::kBadChannel, error.what()};
+  }
+  cloud_channels_.insert(channel);
+  return std::nullopt;
+}
+
+/// Where the results of a channel's clouds go.
+/// @param name  of the channel, or what it begins with
+std::string DetectorNode::results_channel(const std::string& name,
+                                          const std::string& cloud_channel) const {
+  return in_channel_.is_pattern() ? name + "_" + cloud_channel : name;
 }
 
 void DetectorNode::receive_pose(const std::string& channel, std::span<const std::byte> bytes) {
@@ -90,6 +130,10 @@ std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
     refusals_.add(channel, *rejection);
     return std::nullopt;
   }
+  if (const auto rejection = refuse_channel(channel)) {
+    refusals_.add(channel, *rejection);
+    return std::nullopt;
+  }
   ++counts_.decoded;
   stages_.add("decode", bus::ms_since(now));
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
@@ -98,7 +142,11 @@ std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
   // Chosen now, and not when the work begins, by when more poses may have come than in a replay.
   const CameraPose pose = choose_pose(utime);
   return Job{utime,
-             [this, cloud = std::move(cloud), pose, now] { detect_and_publish(cloud, pose, now); }};
+             [this, channel, cloud = std::move(cloud), pose, now] {
+               detect_and_publish(channel, cloud, pose, now);
+             },
+             {},
+             channel};
 }
 
 /// The camera's pose in the fixed frame for a cloud, which is that frame where nobody tells poses;
@@ -117,7 +165,8 @@ CameraPose DetectorNode::choose_pose(std::int64_t utime) {
 /// What is found in a cloud, with tracks, in the frame of the results. Nothing where the pose that
 /// they need is not known.
 /// @param ready  gets the same before boxes are looked for
-DetectionResult DetectorNode::detect_placed(const bus::CloudMessage& cloud, const CameraPose& pose,
+DetectionResult DetectorNode::detect_placed(const std::string& channel,
+                                            const bus::CloudMessage& cloud, const CameraPose& pose,
                                             const Placement& placement,
                                             const QuadricsReady& ready) {
   if (!placement.lack.empty()) {
@@ -130,7 +179,7 @@ DetectionResult DetectorNode::detect_placed(const bus::CloudMessage& cloud, cons
   if (settings_.frames.clouds == CloudFrame::kWorld) cloud_K.viewpoint.setZero();
   std::vector<Detection> placed;
   DetectionResult result = detect(cloud_K, settings_.detector, [&](DetectionResult found) {
-    if (pose.X_WK) tracker_.update(cloud.utime, *pose.X_WK, &found.detections);
+    if (pose.X_WK) track(channel, cloud, *pose.X_WK, &found.detections);
     found.detections = moved(std::move(found.detections), placement.X_RK);
     ready(found);
     placed = std::move(found.detections);
@@ -140,19 +189,31 @@ DetectionResult DetectorNode::detect_placed(const bus::CloudMessage& cloud, cons
   return result;
 }
 
-void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud, const CameraPose& pose,
-                                      TimePoint received) {
+/// Gives what was found in a cloud its tracks.
+void DetectorNode::track(const std::string& channel, const bus::CloudMessage& cloud,
+                         const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections) {
+  const std::int64_t before = trackers_.given_up();
+  trackers_.of(channel, cloud.cloud.frame).update(cloud.utime, X_WK, detections);
+  if (trackers_.given_up() == before) return;
+  trackers_log_.warning(
+      fmt::format("{}: the clouds have more than {} frames, and tracks of the oldest begin anew; "
+                  "give each camera one name for its frame",
+                  channel, Trackers::kMaxTrackers));
+}
+
+void DetectorNode::detect_and_publish(const std::string& channel, const bus::CloudMessage& cloud,
+                                      const CameraPose& pose, TimePoint received) {
   const TimePoint start = std::chrono::steady_clock::now();
   const Placement placement = place(settings_.frames, pose);
   const std::string& frame = placement.frame_of_results(cloud.cloud.frame);
   double detect_ms = 0.0, latency = 0.0;
   const DetectionResult result =
-      detect_placed(cloud, pose, placement, [&](const DetectionResult& found) {
+      detect_placed(channel, cloud, pose, placement, [&](const DetectionResult& found) {
         detect_ms = bus::ms_since(start);
-        publish_quadrics(cloud, frame, found);
+        publish_quadrics(channel, cloud, frame, found);
         latency = bus::ms_since(received);
       });
-  publish_boxes(cloud, frame, result);
+  publish_boxes(channel, cloud, frame, result);
   log_debug(fmt::format("cloud {}: {} of {} points, {} quadrics, {} boxes, {:.1f} ms", cloud.utime,
                         result.points_used, cloud.cloud.read, result.detections.size(),
                         result.boxes.size(), latency));
@@ -167,12 +228,12 @@ void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud, const Came
 }
 
 /// The planner waits for these.
-void DetectorNode::publish_quadrics(const bus::CloudMessage& cloud, const std::string& frame,
-                                    const DetectionResult& result) {
+void DetectorNode::publish_quadrics(const std::string& channel, const bus::CloudMessage& cloud,
+                                    const std::string& frame, const DetectionResult& result) {
   quadrics_t message = bus::to_message(cloud, result);
   message.frame = frame;
   const auto bytes = bus::encode(message);
-  publish_(settings_.out_channel, bytes);
+  publish_(results_channel(settings_.out_channel, channel), bytes);
   const std::lock_guard lock(mutex_);
   ++counts_.published;
   counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
@@ -180,12 +241,12 @@ void DetectorNode::publish_quadrics(const bus::CloudMessage& cloud, const std::s
   detections_ += static_cast<std::int64_t>(result.detections.size());
 }
 
-void DetectorNode::publish_boxes(const bus::CloudMessage& cloud, const std::string& frame,
-                                 const DetectionResult& result) {
+void DetectorNode::publish_boxes(const std::string& channel, const bus::CloudMessage& cloud,
+                                 const std::string& frame, const DetectionResult& result) {
   boxes_t message = bus::to_message(cloud, result.boxes);
   message.frame = frame;
   const auto bytes = bus::encode(message);
-  publish_(settings_.boxes_channel, bytes);
+  publish_(results_channel(settings_.boxes_channel, channel), bytes);
   const std::lock_guard lock(mutex_);
   counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
 }
@@ -203,6 +264,7 @@ void DetectorNode::publish_status(std::int64_t superseded,
 void DetectorNode::fill_counts(detector_status_t* status) {
   const std::lock_guard lock(mutex_);
   *status = counts_;
+  status->sender = own_sender();
   status->failed = failed();
   status->missing = gaps_.missing();
   status->received_rate = received_rate_.update(counts_.received);

@@ -5,11 +5,13 @@
 #include <lcmtypes/quadrille/detector_status_t.hpp>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "process/detector/settings.hpp"
+#include "process/detector/trackers.hpp"
 #include "process/detector/untracked.hpp"
 #include "process/runtime/camera_poses.hpp"
 #include "process/runtime/node.hpp"
@@ -17,13 +19,15 @@
 #include "process/runtime/refusals.hpp"
 #include "process/runtime/sequence_gaps.hpp"
 #include "process/runtime/stages.hpp"
+#include "quadrille/bus/channel_pattern.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
 
 namespace quadrille {
 
-/// Finds the quadrics of the clouds of one channel, and tracks them.
+/// Finds the quadrics of the clouds of one channel, or of those that a pattern matches, and tracks
+/// them.
 class DetectorNode : public Node {
  public:
   DetectorNode(const DetectorSettings& settings, bus::Publish publish);
@@ -42,22 +46,30 @@ class DetectorNode : public Node {
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
   CameraPose choose_pose(std::int64_t utime);
-  DetectionResult detect_placed(const bus::CloudMessage& cloud, const CameraPose& pose,
-                                const Placement& placement, const QuadricsReady& ready);
-  void detect_and_publish(const bus::CloudMessage& cloud, const CameraPose& pose,
-                          TimePoint received);
-  void publish_quadrics(const bus::CloudMessage& cloud, const std::string& frame,
-                        const DetectionResult& result);
-  void publish_boxes(const bus::CloudMessage& cloud, const std::string& frame,
-                     const DetectionResult& result);
+  bool takes_clouds_of(const std::string& channel) const;
+  std::optional<bus::Rejection> refuse_channel(const std::string& channel);
+  std::string results_channel(const std::string& name, const std::string& cloud_channel) const;
+  void track(const std::string& channel, const bus::CloudMessage& cloud,
+             const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
+  DetectionResult detect_placed(const std::string& channel, const bus::CloudMessage& cloud,
+                                const CameraPose& pose, const Placement& placement,
+                                const QuadricsReady& ready);
+  void detect_and_publish(const std::string& channel, const bus::CloudMessage& cloud,
+                          const CameraPose& pose, TimePoint received);
+  void publish_quadrics(const std::string& channel, const bus::CloudMessage& cloud,
+                        const std::string& frame, const DetectionResult& result);
+  void publish_boxes(const std::string& channel, const bus::CloudMessage& cloud,
+                     const std::string& frame, const DetectionResult& result);
   void fill_counts(detector_status_t* status);
 
   const DetectorSettings settings_;
+  const bus::ChannelPattern in_channel_;
   const bus::Publish publish_;
   const std::string settings_hash_;
 
   /// For the working thread.
-  Tracker tracker_;
+  Trackers trackers_;
+  LimitedLog trackers_log_;
 
   mutable std::mutex mutex_;
   detector_status_t counts_{};
@@ -66,6 +78,8 @@ class DetectorNode : public Node {
   SequenceGaps gaps_;
   Refusals refusals_;
   Untracked untracked_;
+  /// On which clouds have come.
+  std::set<std::string> cloud_channels_;
   Stages stages_{{"decode", "wait", "detect", "quadrics", "boxes"}};
   Rate received_rate_, published_rate_;
   detector_status_t last_status_{};

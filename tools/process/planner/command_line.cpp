@@ -51,8 +51,17 @@ PlannerSettings PlannerCommandLine::settings() const {
   if (!report_.empty()) settings.plan.targets = report_;
   settings.pose_age = config.track.pose_age;
   settings.X_WK = camera_.X_WK;
+  settings.process.check();
   check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,
               {settings.cloud_channel, settings.quadrics_channel, settings.request_channel});
+  check_distinct({{"--cloud-channel", settings.cloud_channel},
+                  {"--quadrics-channel", settings.quadrics_channel},
+                  {"--grasps-channel", settings.grasps_channel},
+                  {"--request-channel", settings.request_channel},
+                  {"--shapes-channel", settings.shapes_channel},
+                  {"--occupancy-channel", settings.occupancy_channel},
+                  {"--status-channel", settings.status_channel},
+                  {"--pose-channel", settings.pose_channel}});
   settings.gripper = planner_.gripper();
   return settings;
 }

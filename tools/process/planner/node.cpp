@@ -11,6 +11,7 @@
 #include "process/planner/request.hpp"
 #include "process/planner/status_text.hpp"
 #include "process/runtime/logging.hpp"
+#include "process/runtime/other_senders.hpp"
 #include "process/runtime/status.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/status_message.hpp"
@@ -21,6 +22,15 @@ namespace quadrille {
 namespace {
 
 using Space = std::shared_ptr<const OccupancyGrid>;
+
+/// "no_cloud 2, other_cloud 1"
+std::string list_counts(const std::vector<count_t>& counts) {
+  std::string text;
+  for (const count_t& entry : counts) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", entry.name, entry.count);
+  }
+  return text;
+}
 
 /// The map of frame K in frame R.
 Space in_frame(const Space& space, const Eigen::Isometry3d& X_RK) {
@@ -120,7 +130,18 @@ std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
     return std::nullopt;
   }
   ++counts_.decoded_quadrics;
-  return make_job(pairing_.add(std::get<bus::QuadricsMessage>(std::move(decoded))));
+  auto job = make_job(pairing_.add(std::get<bus::QuadricsMessage>(std::move(decoded))));
+  if (const auto given_up = pairing_.take_given_up()) log_unpaired(channel, *given_up);
+  return job;
+}
+
+void PlannerNode::log_unpaired(const std::string& channel, const Pairing::GivenUp& quadrics) {
+  const auto held_back = unpaired_log_.admit();
+  if (!held_back) return;
+  log_warning(
+      fmt::format("{}: the quadrics of cloud {} are not planned on: {}; {} more since the "
+                  "last record",
+                  channel, quadrics.utime, explain(quadrics.why), *held_back));
 }
 
 std::optional<Job> PlannerNode::receive_request(const std::string& channel,
@@ -295,11 +316,14 @@ void PlannerNode::fill_counts(planner_status_t* filled) {
   const std::lock_guard lock(mutex_);
   planner_status_t& status = *filled;
   status = counts_;
+  status.sender = own_sender();
   status.missing_clouds = gaps_.missing();
   status.received_rate = received_rate_.update(counts_.received_clouds);
   status.published_rate = published_rate_.update(counts_.published);
   status.paired = pairing_.paired();
   status.unpaired_quadrics = pairing_.unpaired();
+  status.unpaired = pairing_.count_unpaired();
+  status.num_unpaired = static_cast<std::int32_t>(status.unpaired.size());
   status.failed = failed();
   status.requests = requests_;
   status.unmet = unmet_;
@@ -336,6 +360,16 @@ std::vector<std::string> PlannerNode::find_oddities() const {
   if (pairing_.paired() == 0) {
     oddities.push_back(
         "no quadrics with their cloud; make it with quadrille-detector --copy-input");
+  }
+  const std::int64_t paired = pairing_.paired(), unpaired = pairing_.unpaired();
+  if (paired > 0 && unpaired > 0) {
+    oddities.push_back(fmt::format(
+        "{} of {} messages of quadrics have no cloud of theirs ({}) and were not planned on",
+        unpaired, counts_.decoded_quadrics, list_counts(pairing_.count_unpaired())));
+  }
+  if (paired > 0 && counts_.decoded_clouds > paired) {
+    oddities.push_back(fmt::format("{} of {} clouds have no quadrics and were not planned on",
+                                   counts_.decoded_clouds - paired, counts_.decoded_clouds));
   }
   if (poses_ > 0 && poseless_ > 0) {
     oddities.push_back(fmt::format(

@@ -46,6 +46,7 @@ class PlannerNode : public Node {
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_quadrics(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_request(const std::string& channel, std::span<const std::byte> bytes);
+  void log_unpaired(const std::string& channel, const Pairing::GivenUp& quadrics);
   std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
   const GraspScene& scene_of(const SharedPair& pair);
   GraspPlan plan_placed(const SharedPair& pair, const GraspQuery& query);
@@ -71,7 +72,7 @@ class PlannerNode : public Node {
   CameraPoses camera_poses_;
   std::int64_t requests_ = 0, unmet_ = 0;
   Refusals refused_clouds_, refused_quadrics_, refused_poses_, refused_requests_;
-  bus::RateLimiter poseless_log_{std::chrono::seconds(1)};
+  bus::RateLimiter poseless_log_{std::chrono::seconds(1)}, unpaired_log_{std::chrono::seconds(1)};
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
   Rate received_rate_, published_rate_;

@@ -39,6 +39,7 @@ std::string to_exposition(const planner_status_t& status) {
   out.add_counter("quadrics_decoded", "Quadrics that passed all checks.", status.decoded_quadrics);
   out.add_counter("quadrics_unpaired", "Quadrics whose cloud never came.",
                   status.unpaired_quadrics);
+  out.add_counters("quadrics_without_cloud", "The same, by reason.", status.unpaired);
   out.add_counter("pairs", "Clouds with their quadrics.", status.paired);
   out.add_counter("pairs_superseded", "Pairs dropped for a newer one.", status.superseded);
   out.add_counter("pairs_failed", "Pairs on which the planning failed.", status.failed);

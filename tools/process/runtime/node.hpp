@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "process/runtime/limited_log.hpp"
 #include "quadrille/bus/connection.hpp"
 #include "quadrille/bus/publish.hpp"
 
@@ -18,7 +19,9 @@ namespace quadrille {
 
 /// A channel that a node listens to, and the option that names it.
 struct InChannel {
-  std::string option, name;
+  std::string option;
+  /// Or a pattern of names, as bus::ChannelPattern takes it.
+  std::string name;
   /// False if it is no fault when nothing comes on it.
   bool expected = true;
 };
@@ -26,6 +29,12 @@ struct InChannel {
 /// A channel on which a node publishes, and the option that names it.
 struct OutChannel {
   std::string option, name;
+  /// True if it stands for several, whose names begin with this one and '_'.
+  bool several = false;
+
+  bool holds(const std::string& channel) const {
+    return channel == name || (several && channel.starts_with(name + "_"));
+  }
 };
 
 /// What a message asks for.
@@ -36,6 +45,8 @@ struct Job {
   /// Set for what somebody waits for: no newer job replaces it, and if it cannot be done this is
   /// told why.
   std::function<void(const std::string& why)> refuse = {};
+  /// Only newer jobs of the same kind replace this one. There are few kinds, such as channels.
+  std::string kind = {};
 };
 
 /// The work of a process, the same on the bus and in replay.
@@ -90,6 +101,7 @@ class Node {
   mutable std::mutex traffic_mutex_;
   bus::Traffic traffic_;
   std::atomic<std::int64_t> failed_{0};
+  LimitedLog failure_log_;
 };
 
 /// Makes the node of a process, which publishes through what it is given.

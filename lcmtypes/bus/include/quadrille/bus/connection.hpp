@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "quadrille/bus/backlog.hpp"
+#include "quadrille/bus/channel_pattern.hpp"
 #include "quadrille/bus/receive_socket.hpp"
 
 namespace quadrille::bus {
@@ -64,6 +65,10 @@ class Connection {
   /// @throws std::invalid_argument if the name is not one to 63 of A-Z a-z 0-9 _ - . /
   /// @throws std::runtime_error if LCM refuses
   void subscribe(const std::string& channel, Handler handler);
+
+  /// Calls the handler for each message of the channels that a pattern matches.
+  /// @throws std::runtime_error if LCM refuses
+  void subscribe(const ChannelPattern& pattern, Handler handler);
 
   /// Calls the handler for each message of any channel.
   void subscribe_all(Handler handler);
