@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -92,11 +93,18 @@ std::size_t count_points(const CellPyramid& pyramid) {
   return count;
 }
 
+/// Gets the detections before boxes are looked for.
+using DetectionsReady = std::function<void(const Findings&)>;
+
 /// All stages on a cloud near the origin.
-Findings find_all(const PointCloud& cloud, const DetectorOptions& options, StageClock& clock) {
+Findings find_all(const PointCloud& cloud, const DetectorOptions& options, StageClock& clock,
+                  const DetectionsReady& ready) {
   const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
   clock.end("cells");
-  if (!pyramid) return {};
+  if (!pyramid) {
+    ready({});
+    return {};
+  }
 
   const SurfaceSamples coarse = pyramid->coarse_samples();
   const std::vector<PlaneRegion> planes = find_planes(coarse, options.planes);
@@ -108,22 +116,32 @@ Findings find_all(const PointCloud& cloud, const DetectorOptions& options, Stage
 
   const SceneContext context = {normal_of_largest(planes), pyramid->sight()};
   const Aggregation aggregation = find_surfaces(tree, context, options, clock);
-  std::vector<Detection> detections = ranked(
+  Findings findings;
+  findings.detections = ranked(
       measure_all(aggregation, planes, coarse, tree.finest(), context, options, cloud.viewpoint),
       options.report);
+  findings.points_used = count_points(*pyramid);
   clock.end("measure");
-  std::vector<Box> boxes = find_boxes(cloud, detections);
+  ready(findings);
+  findings.boxes = find_boxes(cloud, findings.detections);
   clock.end("boxes");
-  return {std::move(detections), std::move(boxes), count_points(*pyramid)};
+  return findings;
 }
 
 /// The same wherever the cloud lies: far from the origin its coordinates have few digits to spare.
 Findings find_anywhere(const PointCloud& cloud, const Eigen::Vector3d& centre,
-                       const DetectorOptions& options, StageClock& clock) {
-  if (!is_far(centre)) return find_all(cloud, options, clock);
+                       const DetectorOptions& options, StageClock& clock,
+                       const DetectionsReady& ready) {
+  if (!is_far(centre)) return find_all(cloud, options, clock, ready);
   const Eigen::Vector3d shift = -centre.array().round().matrix();
-  Findings findings = find_all(translated(cloud, shift), options, clock);
-  for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
+  const auto shift_back = [&](Findings& findings) {
+    for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
+  };
+  Findings findings = find_all(translated(cloud, shift), options, clock, [&](Findings near) {
+    shift_back(near);
+    ready(near);
+  });
+  shift_back(findings);
   for (Box& box : findings.boxes) box.X_CB.pretranslate(-shift);
   return findings;
 }
@@ -154,7 +172,8 @@ DetectorOptions sphere_options(DetectorOptions options) {
   return options;
 }
 
-DetectionResult detect(const PointCloud& cloud, const DetectorOptions& given) {
+DetectionResult detect(const PointCloud& cloud, const DetectorOptions& given,
+                       const QuadricsReady& ready) {
   given.check();
   const DetectorOptions options = seeks_spheres_alone(given) ? sphere_options(given) : given;
   DetectionResult result;
@@ -163,13 +182,18 @@ DetectionResult detect(const PointCloud& cloud, const DetectorOptions& given) {
   result.points_finite = check.finite;
   result.warnings = check.warnings;
   if (check.usable) {
-    Findings findings = find_anywhere(cloud, check.centre, options, clock);
-    result.detections = std::move(findings.detections);
-    result.boxes = std::move(findings.boxes);
-    result.points_used = findings.points_used;
+    const auto take = [&](const Findings& found) {
+      result.detections = found.detections;
+      result.points_used = found.points_used;
+      const std::string doubt = contradict_viewpoint(cloud, result.detections);
+      if (!doubt.empty()) result.warnings.push_back(doubt);
+      clock.end("viewpoint");
+      if (ready) ready(result);
+    };
+    result.boxes = find_anywhere(cloud, check.centre, options, clock, take).boxes;
     result.timings = clock.timings();
-    const std::string doubt = contradict_viewpoint(cloud, result.detections);
-    if (!doubt.empty()) result.warnings.push_back(doubt);
+  } else if (ready) {
+    ready(result);
   }
   result.total_ms = clock.total_ms();
   return result;

@@ -8,6 +8,8 @@ std::string_view to_string(Refusal refusal) {
       return "viewpoint";
     case Refusal::kNoShape:
       return "no_shape";
+    case Refusal::kFar:
+      return "far";
     case Refusal::kSeenFromInside:
       return "seen_from_inside";
     case Refusal::kUnmeasured:

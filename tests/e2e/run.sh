@@ -91,11 +91,19 @@ check_command_lines() {
       --out-log "$work/clouds.lcm"
     expect_exit 1 "lcm-tcpq-server" "$program" --lcm-url tcpq://127.0.0.1:9
     expect_exit 1 "pigeon" "$program" --lcm-url pigeon://
+    expect_exit 2 "memq reaches no other process" "$program" --lcm-url memq://
+    for ttl in 300 -1; do
+      expect_exit 2 "ttl = '$ttl' must be" "$program" --lcm-url "${url%0}$ttl"
+    done
   done
   expect_exit 2 "the types are" "$detector" --only torus
   expect_exit 2 "--unknown: 'x' is none of: obstacle, target-shadow, free; see" \
     "$planner" --unknown x
   expect_exit 2 "'0' is none of" "$planner" --unknown 0
+  expect_exit 2 "'A' is the channel of --in-channel too" \
+    "$detector" --in-channel A --out-channel A
+  expect_exit 2 "'QUADRICS' is the channel of --out-channel too" \
+    "$detector" --status-channel QUADRICS
   expect_exit 2 "channel 'A B'" "$detector" --in-channel "A B"
 }
 
@@ -196,7 +204,7 @@ run_live() {
   local logger=$!
   "$detector" -v --lcm-url "$url" 2>"$work/detector.stderr" &
   local detector_process=$!
-  "$planner" -v --lcm-url "$url" 2>"$work/planner.stderr" &
+  "$planner" -v --occupancy-period 0 --lcm-url "$url" 2>"$work/planner.stderr" &
   local planner_process=$!
   started=("$logger" "$detector_process" "$planner_process")
   wait_until 20 enough_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"
@@ -253,6 +261,39 @@ check_requests() {
   started=()
 }
 
+# A detector that a pattern gives its cameras, and one more on the same channel of status.
+check_cameras() {
+  "$tool" rename-channel "$work/clouds.lcm" "$work/camera.lcm" POINT_CLOUD CAM_A
+  lcm-logger --lcm-url="$url" "$work/seen.lcm" >/dev/null 2>"$work/logger.stderr" &
+  local logger=$!
+  "$detector" -v --in-channel "CAM_(A|B)" --lcm-url "$url" 2>"$work/detector.stderr" &
+  local detector_process=$!
+  "$detector" --in-channel OTHER --out-channel O --boxes-channel B --lcm-url "$url" \
+    2>"$work/other.stderr" &
+  local other=$!
+  started=("$logger" "$detector_process" "$other")
+  wait_until 20 enough_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"
+  lcm-logplayer --lcm-url="$url" "$work/camera.lcm" >/dev/null
+  wait_until 20 grep -q "cloud 3000000: " "$work/detector.stderr" || fail "no last cloud"
+  for name in detector other; do
+    wait_until 20 grep -q " publishes on QUADRILLE_DETECTOR_STATUS too" "$work/$name.stderr" ||
+      fail "$name does not tell of the other detector"
+  done
+  kill -INT "$detector_process" "$other"
+  expect_end "$detector_process" detector
+  expect_end "$other" other
+  sleep 0.3
+  kill -INT "$logger"
+  wait "$logger" || fail "lcm-logger failed: $(<"$work/logger.stderr")"
+  started=()
+  "$detector" --in-log "$work/camera.lcm" --in-channel "CAM_(A|B)" --out-log "$work/o.lcm" 2>/dev/null
+  for log in seen o; do
+    "$bin/quadrille" show "$work/$log.lcm" --channel QUADRICS_CAM_A >"$work/$log.txt"
+  done
+  [[ -s $work/o.txt ]] || fail "no quadrics of a camera of a pattern"
+  cmp "$work/seen.txt" "$work/o.txt" || fail "a camera of a pattern gets other quadrics live"
+}
+
 "$tool" make-logs "$work"
 check_without_route
 check_command_lines
@@ -264,6 +305,7 @@ check_cut_log
 check_interrupted_replay
 check_log_command
 check_requests
+check_cameras
 
 run_live "$work/clouds.lcm" "$work/live.lcm"
 "$tool" check-status "$work/live.lcm"

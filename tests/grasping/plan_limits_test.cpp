@@ -71,3 +71,33 @@ TEST_CASE("what is targeted never changes what is in the way", "[plan]") {
     CHECK(some.shapes.size() == all.shapes.size());
   }
 }
+
+TEST_CASE("targets far apart are mapped more coarsely, with a warning", "[plan]") {
+  Detection near = sphere_detection({{0, 0, 0.7}, 0.03}, 1);
+  Detection far = sphere_detection({{3, 2, 3}, 0.03}, 2);
+  const GraspPlan plan = plan_grasps(render(std::vector<Ball>{}), {near, far}, franka_hand());
+  CHECK(plan.space->resolution() > PlanOptions().resolution);
+  CHECK(plan.rejected.count("far") == 0);
+  REQUIRE(plan.warnings.size() == 1);
+  CHECK(plan.warnings[0].find("coarser") != std::string::npos);
+}
+
+TEST_CASE("bodies far off or vast are refused, and cost neither memory nor the others' grasps",
+          "[plan][hostile]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  const std::vector<Detection> near = {sphere_detection(ball), table_detection()};
+  const GraspPlan alone = plan_grasps(render({ball}), near, franka_hand());
+  REQUIRE_FALSE(alone.grasps.empty());
+  std::vector<Detection> all = near;
+  all.push_back(sphere_detection({{1e4, 0, 0.7}, 0.03}, 2));
+  all.push_back(sphere_detection({{0, 0, 1e4}, 0.03}, 3));
+  // Long and thin, so that the hand may hold it.
+  all.push_back(cylinder_detection(Eigen::Isometry3d::Identity(), 0.02, 1e4, 4));
+  const GraspPlan plan = plan_grasps(render({ball}), all, franka_hand());
+  CHECK(plan.rejected.at("far") == 3);
+  CHECK(plan.space->states().size() == alone.space->states().size());
+  REQUIRE(plan.grasps.size() == alone.grasps.size());
+  for (std::size_t n = 0; n < plan.grasps.size(); ++n) {
+    CHECK(plan.grasps[n].X_CG.matrix() == alone.grasps[n].X_CG.matrix());
+  }
+}

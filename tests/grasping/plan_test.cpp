@@ -233,13 +233,6 @@ TEST_CASE("a detection where free space was seen is contradicted", "[plan]") {
   CHECK(plan.rejected.at("contradicted") > 0);
 }
 
-TEST_CASE("targets far apart are mapped more coarsely, with a warning", "[plan][hostile]") {
-  Detection near = sphere_detection({{0, 0, 0.7}, 0.03}, 1);
-  Detection far = sphere_detection({{40, 30, 20}, 0.03}, 2);
-  const GraspPlan plan = plan_grasps(render(std::vector<Ball>{}), {near, far}, franka_hand());
-  CHECK_FALSE(plan.warnings.empty());
-}
-
 TEST_CASE("options out of range are refused by name", "[plan]") {
   const auto message = [](auto&& spoil) {
     PlanOptions options;

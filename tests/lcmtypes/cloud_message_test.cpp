@@ -87,6 +87,29 @@ TEST_CASE("a cloud that contradicts itself is not encoded", "[bus][cloud]") {
   CHECK_THROWS_AS(encode_cloud(message, CloudFormat::kDrake), std::invalid_argument);
 }
 
+TEST_CASE("the digest of a cloud is that of its points, whatever its stamps and message type",
+          "[bus][cloud]") {
+  const CloudMessage sent = test::make_unorganised_cloud();
+  const std::int64_t digest = decode_or_fail(encode_cloud(sent, CloudFormat::kDrake)).digest;
+  CHECK(digest != 0);
+  CloudMessage later = sent;
+  later.utime += 1;
+  later.seq += 1;
+  for (const CloudFormat format : all_cloud_formats()) {
+    CHECK(decode_or_fail(encode_cloud(later, format)).digest == digest);
+  }
+  CloudMessage other = sent;
+  other.cloud.points[3].x() = std::nextafter(other.cloud.points[3].x(), 9.0f);
+  CHECK(digest_of(other.cloud) != digest);
+  other = sent;
+  std::swap(other.cloud.points[0], other.cloud.points[1]);
+  CHECK(digest_of(other.cloud) != digest);
+  PointCloud turned = test::make_cloud().cloud;
+  std::swap(turned.width, turned.height);
+  CHECK(digest_of(turned) != digest_of(test::make_cloud().cloud));
+  CHECK(digest_of(PointCloud()) != 0);
+}
+
 TEST_CASE("each format has its name", "[bus][cloud]") {
   std::vector<std::string> names;
   for (const CloudFormat format : all_cloud_formats()) names.emplace_back(to_string(format));

@@ -38,6 +38,19 @@ TEST_CASE("only the channel of exactly that name reaches a handler", "[bus]") {
   CHECK(all == std::vector<std::string>{"AxB", "A.B"});
 }
 
+TEST_CASE("all channels that a pattern matches reach its handler", "[bus]") {
+  Connection connection("memq://");
+  std::vector<std::string> got;
+  connection.subscribe(ChannelPattern("LEFT|CAMERA_.*"),
+                       [&](const std::string& channel, auto) { got.push_back(channel); });
+  for (const char* channel : {"CAMERA_1", "A_CAMERA_1", "LEFT", "LEFT_A", "CAMERA_2"}) {
+    connection.publish(channel, kBytes);
+  }
+  while (connection.handle(0) == Connection::Outcome::kHandled) {
+  }
+  CHECK(got == std::vector<std::string>{"CAMERA_1", "LEFT", "CAMERA_2"});
+}
+
 TEST_CASE("names that LCM would misread are refused", "[bus]") {
   for (const char* name : {"", "A B", ".*", "A+", "(A"}) {
     CHECK_THROWS_AS(check_channel(name), std::invalid_argument);

@@ -165,6 +165,19 @@ TEST_CASE("fields that do not give one x, y and z of floats are refused", "[bus]
   CHECK(reason([](auto& m) { m.fields[2].byte_offset = 0x7fffffff; }) == RejectReason::kBadLayout);
 }
 
+TEST_CASE("more quadrics or bytes than are taken are refused", "[bus][hostile]") {
+  quadrics_t m = to_message(test::make_cloud(), test::make_result());
+  m.detections.resize(kMaxQuadrics, m.detections[0]);
+  m.num_detections = static_cast<std::int32_t>(m.detections.size());
+  CHECK(std::holds_alternative<QuadricsMessage>(decode_quadrics(encode(m))));
+  m.detections.push_back(m.detections[0]);
+  ++m.num_detections;
+  CHECK(quadrics_reason_of(encode(m)) == RejectReason::kTooLarge);
+  m = to_message(test::make_cloud(), test::make_result());
+  m.warnings[0].assign(kMaxQuadricsBytes, 'w');
+  CHECK(quadrics_reason_of(encode(m)) == RejectReason::kTooLarge);
+}
+
 TEST_CASE("quadrics with values without meaning are refused", "[bus][hostile]") {
   const auto reason = [](const std::function<void(quadrics_t&)>& change) {
     quadrics_t m = to_message(test::make_cloud(), test::make_result());

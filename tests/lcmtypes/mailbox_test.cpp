@@ -21,6 +21,20 @@ TEST_CASE("the newest item wins and the others are counted", "[bus][mailbox]") {
   CHECK(mailbox.superseded() == 4);
 }
 
+TEST_CASE("the newest item of each slot wins, and the slots have their turns", "[bus][mailbox]") {
+  Mailbox<int> mailbox;
+  mailbox.put(1, "A");
+  mailbox.put(11, "B");
+  // However fast one is filled, the other is not starved.
+  for (int i = 2; i <= 5; ++i) mailbox.put(i, "A");
+  CHECK(mailbox.take(milliseconds(0)) == 5);
+  mailbox.put(6, "A");
+  CHECK(mailbox.take(milliseconds(0)) == 11);
+  CHECK(mailbox.take(milliseconds(0)) == 6);
+  CHECK(mailbox.take(milliseconds(0)) == std::nullopt);
+  CHECK(mailbox.superseded() == 4);
+}
+
 TEST_CASE("what is queued is not replaced, and comes in turns with what is", "[bus][mailbox]") {
   Mailbox<int> mailbox;
   mailbox.put(1);

@@ -5,14 +5,36 @@
 namespace quadrille::bus {
 namespace {
 
-TEST_CASE("a receive buffer too small is told with the command that mends it", "[bus][network]") {
-  CHECK(find_buffer_problem(32 << 20, 4 << 20) == std::nullopt);
-  const auto capped = find_buffer_problem(32 << 20, 212992);
-  REQUIRE(capped);
-  CHECK(capped->find("sudo sysctl -w net.core.rmem_max=33554432") != std::string::npos);
-  const auto asked_too_little = find_buffer_problem(100000, 100000);
-  REQUIRE(asked_too_little);
-  CHECK(asked_too_little->find("recv_buf_size=33554432 in the LCM address") != std::string::npos);
+TEST_CASE("a receive buffer is judged by the messages that come", "[bus][network]") {
+  constexpr int kStock = 212992;
+  constexpr std::int64_t kLarge = 100 << 20;
+  // Two fit, and no more: one waits while another is read.
+  CHECK(find_buffer_problem(kStock, kStock, kStock / 2) == std::nullopt);
+  CHECK(find_buffer_problem(kStock, kStock, kStock / 2 + 1));
+  // 4 MiB, which once was taken for enough, hold no cloud of 8.6 MB.
+  CHECK(find_buffer_problem(kMaxReceiveBufferBytes, 4 << 20, 8600000));
+  CHECK(advised_receive_buffer(58000) == kReceiveBufferBytes);
+  CHECK(advised_receive_buffer(8600000) >= 8 * 8600000);
+  CHECK(advised_receive_buffer(kLarge) >= 8 * kLarge);
+  CHECK(advised_receive_buffer(std::int64_t{1} << 60) == 1 << 30);
+}
+
+TEST_CASE("the cure for a small receive buffer fits what the address asks for", "[bus][network]") {
+  // More than any kernel lets a process have unasked.
+  constexpr int kTooMuch = 1 << 30;
+  const std::string kSysctl = "sudo sysctl -w net.core.rmem_max=1073741824";
+  const std::string kAddress = "recv_buf_size=1073741824 in the LCM address";
+  const auto says = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  REQUIRE(granted_receive_buffer(kTooMuch) < kTooMuch);
+  CHECK(says(mend_receive_buffer(kTooMuch, kTooMuch), kSysctl));
+  CHECK(!says(mend_receive_buffer(kTooMuch, kTooMuch), kAddress));
+  CHECK(says(mend_receive_buffer(65536, kTooMuch), kSysctl));
+  CHECK(says(mend_receive_buffer(65536, kTooMuch), kAddress));
+  // What the kernel grants needs no other limit.
+  CHECK(!says(mend_receive_buffer(4096, 65536), "sysctl"));
+  CHECK(says(mend_receive_buffer(4096, 65536), "recv_buf_size=65536 in the LCM address"));
 }
 
 TEST_CASE("the kernel grants what a small buffer asks for", "[bus][network]") {

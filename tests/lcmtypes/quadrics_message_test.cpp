@@ -43,6 +43,13 @@ TEST_CASE("the message keeps the numbers of points and the warnings", "[bus][qua
   CHECK(m.warnings == std::vector<std::string>{"few points"});
 }
 
+TEST_CASE("quadrics carry the digest of their cloud", "[bus][quadrics]") {
+  CloudMessage cloud = test::make_cloud();
+  cloud.digest = digest_of(cloud.cloud);
+  const auto decoded = decode_quadrics(encode(to_message(cloud, test::make_result())));
+  CHECK(std::get<QuadricsMessage>(decoded).cloud_digest == cloud.digest);
+}
+
 TEST_CASE("equal results give equal bytes, whatever was measured of the time", "[determinism]") {
   DetectionResult slow = test::make_result();
   slow.total_ms = 99.0;

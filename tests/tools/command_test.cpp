@@ -272,5 +272,5 @@ TEST_CASE("scene writes the same cloud and truth for the same seed", "[command][
   CHECK(json::parse(truth)["family"] == "tabletop");
   const Run run = run_quadrille("detect --json - " + a);
   CHECK(json::parse(run.out)["points"]["read"] == json::parse(truth)["points"]);
-  check_failure(run_quadrille("scene " + folder.path("no/such/s.ply")), "cannot be written");
+  check_failure(run_quadrille("scene " + folder.path("no/such/s.ply")), "cannot be created");
 }

@@ -10,11 +10,11 @@
 
 namespace quadrille::test {
 
-Run run_quadrille(const std::string& arguments) {
+Run run_quadrille(const std::string& arguments, const std::string& before) {
   const TempFolder folder;
   const std::string out = folder.path("out"), err = folder.path("err");
-  const std::string command = std::string("'") + QUADRILLE_EXECUTABLE + "' " + arguments + " >'" +
-                              out + "' 2>'" + err + "'";
+  const std::string command =
+      before + "'" + QUADRILLE_EXECUTABLE + "' " + arguments + " >'" + out + "' 2>'" + err + "'";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
 }

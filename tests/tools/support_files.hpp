@@ -18,7 +18,8 @@ struct Run {
 };
 
 /// Runs the built quadrille command through the shell.
-Run run_quadrille(const std::string& arguments);
+/// @param before  what the shell does before
+Run run_quadrille(const std::string& arguments, const std::string& before = "");
 
 /// Sees to it that a run failed as it should: code 1, nothing on stdout, one line on stderr that
 /// contains the part.

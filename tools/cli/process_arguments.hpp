@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -17,11 +18,35 @@ struct ProcessArguments {
   /// Copy all events of the replayed log to the other one.
   bool copy_input = false;
   bool verbose = false;
+  /// By how much the work gives way to other processes on the bus, as nice does.
+  int niceness = 0;
+  /// File that always holds the last status, for node exporters; empty for none.
+  std::string stats_file;
 
-  /// Adds --lcm-url, --in-log, --out-log, --copy-input and --verbose; this must outlive the app.
+  /// Adds --lcm-url, --in-log, --out-log, --copy-input, --verbose and --stats-file; this must
+  /// outlive the app.
   /// @param work  what is logged with --verbose, such as "cloud"
   void add_to(CLI::App& app, const std::string& work);
+
+  /// Sees to it that the bus which is used, if one is, is reached through an address that can work.
+  /// @throws CLI::ValidationError if it cannot
+  void check() const;
 };
+
+/// The channel that an option names; empty for none.
+struct NamedChannel {
+  std::string option, name;
+};
+
+/// Sees to it that no two of some channels are one: a message of one kind would be taken for
+/// another.
+/// @throws CLI::ValidationError if two are
+void check_distinct(const std::vector<NamedChannel>& channels);
+
+/// Adds an option that takes the name of a channel, or a pattern of names.
+/// @param what  what the channel carries, such as "clouds"
+void add_pattern_option(CLI::App& app, const std::string& name, std::string& pattern,
+                        const std::string& what);
 
 /// Adds an option that takes the name of a channel.
 /// @param what  what the channel carries, such as "clouds"

@@ -43,20 +43,4 @@ std::vector<std::byte> read_file(const std::string& path) {
   return bytes;
 }
 
-void write_file(const std::string& path, std::span<const std::byte> bytes) {
-  std::ofstream out(path, std::ios::binary | std::ios::trunc);
-  out.write(reinterpret_cast<const char*>(bytes.data()),
-            static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  if (!out) {
-    throw FileError(path, "",
-                    std::string("cannot be written (") + std::strerror(errno) +
-                        "); check the folder, its permissions and the space left");
-  }
-}
-
-void write_file(const std::string& path, const std::string& text) {
-  write_file(path, std::as_bytes(std::span(text)));
-}
-
 }  // namespace quadrille::io

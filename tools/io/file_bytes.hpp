@@ -21,11 +21,4 @@ class FileError : public std::runtime_error {
 /// @throws FileError if it is missing, is no regular file, or cannot be read
 std::vector<std::byte> read_file(const std::string& path);
 
-/// Replaces the content of a file.
-/// @throws FileError if it cannot be written
-void write_file(const std::string& path, std::span<const std::byte> bytes);
-
-/// As above, for text.
-void write_file(const std::string& path, const std::string& text);
-
 }  // namespace quadrille::io

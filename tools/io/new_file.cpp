@@ -39,11 +39,32 @@ NewFile::~NewFile() {
   if (!committed_ && path_ != target_) fs::remove(path_, ignored);
 }
 
+void NewFile::write(std::span<const std::byte> bytes) {
+  std::ofstream out(path_, std::ios::binary | std::ios::trunc);
+  out.write(reinterpret_cast<const char*>(bytes.data()),
+            static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (out) return;
+  throw FileError(target_, "",
+                  std::string("cannot be written (") + std::strerror(errno) +
+                      "); check the folder, its permissions and the space left");
+}
+
 void NewFile::commit() {
   std::error_code error;
   if (path_ != target_) fs::rename(path_, target_, error);
   if (error) throw FileError(target_, "", "cannot be replaced (" + error.message() + ")");
   committed_ = true;
+}
+
+void write_file(const std::string& path, std::span<const std::byte> bytes) {
+  NewFile file(path);
+  file.write(bytes);
+  file.commit();
+}
+
+void write_file(const std::string& path, const std::string& text) {
+  write_file(path, std::as_bytes(std::span(text)));
 }
 
 }  // namespace quadrille::io

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 
 namespace quadrille::io {
@@ -20,6 +22,11 @@ class NewFile {
   /// Where to write.
   const std::string& path() const { return path_; }
 
+  /// Writes all that the file is to hold.
+  /// @throws FileError naming the target if that fails
+  void write(std::span<const std::byte> bytes);
+  void write(const std::string& text) { write(std::as_bytes(std::span(text))); }
+
   /// Puts what was written, flushed or closed before, in the target's place.
   /// @throws FileError naming the target if that fails
   void commit();
@@ -28,5 +35,12 @@ class NewFile {
   std::string target_, path_;
   bool committed_ = false;
 };
+
+/// Makes a file, or replaces the content of one, by a NewFile.
+/// @throws FileError if it cannot be written; what was there is then as it was
+void write_file(const std::string& path, std::span<const std::byte> bytes);
+
+/// As above, for text.
+void write_file(const std::string& path, const std::string& text);
 
 }  // namespace quadrille::io

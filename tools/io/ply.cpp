@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "io/file_bytes.hpp"
+#include "io/new_file.hpp"
 #include "io/ply_body.hpp"
 #include "io/ply_header.hpp"
 #include "quadrille/detector/ingest.hpp"
@@ -111,7 +112,7 @@ PointCloud read_ply(const std::string& path, const Eigen::Isometry3d& X_CF) {
   return parse_ply(read_file(path), path, X_CF);
 }
 
-void write_ply(const std::string& path, const PointCloud& cloud) {
+std::string ply_of(const PointCloud& cloud) {
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment units metres\n";
   text += fmt::format("comment viewpoint {} {} {}\n", cloud.viewpoint.x(), cloud.viewpoint.y(),
                       cloud.viewpoint.z());
@@ -130,7 +131,11 @@ void write_ply(const std::string& path, const PointCloud& cloud) {
       }
     }
   }
-  write_file(path, text);
+  return text;
+}
+
+void write_ply(const std::string& path, const PointCloud& cloud) {
+  write_file(path, ply_of(cloud));
 }
 
 }  // namespace quadrille::io

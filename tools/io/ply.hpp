@@ -28,4 +28,7 @@ PointCloud parse_ply(std::span<const std::byte> bytes, const std::string& name,
 /// @throws FileError if the file cannot be written
 void write_ply(const std::string& path, const PointCloud& cloud);
 
+/// The bytes of such a file.
+std::string ply_of(const PointCloud& cloud);
+
 }  // namespace quadrille::io

@@ -23,8 +23,9 @@ void CloudLogOptions::check() const {
   bus::check_channel(channel);
 }
 
-CloudLogWriter::CloudLogWriter(const std::string& path, const CloudLogOptions& options)
-    : options_(checked(options)), log_(path) {}
+CloudLogWriter::CloudLogWriter(const std::string& path, const CloudLogOptions& options,
+                               const std::string& name)
+    : options_(checked(options)), log_(path, name) {}
 
 void CloudLogWriter::write(const PointCloud& cloud) {
   bus::CloudMessage message;

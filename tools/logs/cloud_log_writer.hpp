@@ -26,9 +26,11 @@ struct CloudLogOptions {
 /// Writes clouds as an LCM log that lcm-logplayer and file:// play.
 class CloudLogWriter {
  public:
+  /// @param name  what errors call the log; empty: the path
   /// @throws std::invalid_argument if an option is out of range
   /// @throws std::runtime_error if the file cannot be made
-  CloudLogWriter(const std::string& path, const CloudLogOptions& options);
+  CloudLogWriter(const std::string& path, const CloudLogOptions& options,
+                 const std::string& name = "");
 
   /// Appends a cloud; the n-th one, counted from 1, gets utime n / rate and seq n - 1.
   /// @throws std::invalid_argument if the cloud does not fit into a message

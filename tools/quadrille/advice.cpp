@@ -12,13 +12,17 @@ struct Advice {
   std::string_view text;
 };
 
-constexpr std::array<Advice, 15> kAdvice = {{
+constexpr std::array<Advice, 16> kAdvice = {{
     {Refusal::kViewpoint,
      "the cloud cannot have been seen from its viewpoint; name where the sensor stood "
      "(--viewpoint, "
      "--camera-pose)"},
     {Refusal::kNoShape,
      "the quadrics that were found bound no solid; try a view that shows more of the objects"},
+    {Refusal::kFar,
+     "most lie too far from the viewpoint, or from each other, for one map; set a larger "
+     "resolution "
+     "under [planner] in --config FILE, or crop the cloud"},
     {Refusal::kSeenFromInside,
      "only the insides of hollow things were seen; try a view that shows their rims"},
     {Refusal::kUnmeasured, "the rims were not measured; try a closer view, or one from higher up"},

@@ -38,7 +38,7 @@ std::string check_rate(const std::string& text) {
 
 void run(const LogArguments& arguments) {
   io::NewFile file(arguments.out);
-  logs::CloudLogWriter writer(file.path(), arguments.options);
+  logs::CloudLogWriter writer(file.path(), arguments.options, arguments.out);
   for (const std::string& input : arguments.inputs) {
     const PointCloud cloud = io::read_cloud(input);
     if (!cloud.viewpoint.isZero(0.0)) {

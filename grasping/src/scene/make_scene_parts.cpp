@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <cstddef>
 #include <iterator>
 #include <utility>
 
@@ -9,14 +9,12 @@
 #include "quadrille/detector/viewpoint_check.hpp"
 #include "quadrille/grasping/shape.hpp"
 #include "scene/scene_parts.hpp"
+#include "space/map_limits.hpp"
 
 namespace quadrille {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-// 30 MB and about 100 ms of mapping.
-constexpr double kMaxVoxels = 3e7;
 
 /// Makes the parts of a scene, stage by stage.
 class SceneMaker {
@@ -102,6 +100,25 @@ class SceneMaker {
     add(quadrille::choose_targets(cloud_, detections_, *parts_.view, parts_.gripper,
                                   parts_.options));
     add(choose_boxes(cloud_, parts_.boxes, detections_, parts_.gripper, parts_.options));
+    drop_far_targets();
+  }
+
+  /// What one map cannot hold is refused: a body that lies far off costs the others nothing.
+  void drop_far_targets() {
+    std::vector<Eigen::AlignedBox3d> boxes;
+    for (const Target& target : parts_.targets) boxes.push_back(around(target.body, parts_.reach));
+    const std::vector<std::size_t> far =
+        find_far_boxes(boxes, parts_.viewpoint_C, parts_.options.resolution);
+    for (auto n = far.rbegin(); n != far.rend(); ++n) {
+      const auto target = parts_.targets.begin() + static_cast<std::ptrdiff_t>(*n);
+      if (target->wanted) ++parts_.refusals[Refusal::kFar];
+      refuse(target->id, Refusal::kFar);
+      parts_.targets.erase(target);
+    }
+    if (far.empty()) return;
+    warn(std::to_string(far.size()) +
+         " of the targets are too large, or too far from the viewpoint, to be mapped with the "
+         "others");
   }
 
   void add(ChosenTargets chosen) {
@@ -130,12 +147,9 @@ class SceneMaker {
       boxes.push_back(around(target.body, parts_.reach + kMaxClearance));
     }
     double resolution = parts_.options.resolution;
-    if (!region.isEmpty()) {
-      const double voxels = region.volume() / std::pow(resolution, 3);
-      if (voxels > kMaxVoxels) {
-        resolution *= std::cbrt(voxels / kMaxVoxels);
-        warn("the targets lie far apart: occupancy is mapped at a coarser resolution");
-      }
+    if (!region.isEmpty()) resolution = fit_resolution(region, resolution);
+    if (resolution > parts_.options.resolution) {
+      warn("the targets lie far apart: occupancy is mapped at a coarser resolution");
     }
     const auto space = std::make_shared<OccupancyGrid>(region, resolution);
     space->restrict_to(std::move(boxes));

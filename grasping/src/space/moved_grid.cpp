@@ -3,6 +3,7 @@
 #include <array>
 
 #include "quadrille/grasping/occupancy.hpp"
+#include "space/map_limits.hpp"
 
 namespace quadrille {
 namespace {
@@ -43,10 +44,11 @@ OccupancyGrid OccupancyGrid::moved(const Eigen::Isometry3d& X_FC) const {
   const Eigen::Matrix3d R_FC = X_FC.linear();
   const Eigen::Vector3d reach_F = R_FC.cwiseAbs() * (0.5 * here.sizes());
   const Eigen::Vector3d centre_F = X_FC * here.center();
-  OccupancyGrid grid(Eigen::AlignedBox3d(centre_F - reach_F, centre_F + reach_F), resolution_);
+  const Eigen::AlignedBox3d there(centre_F - reach_F, centre_F + reach_F);
+  OccupancyGrid grid(there, fit_resolution(there, resolution_));
   const Eigen::Isometry3d X_CF = X_FC.inverse();
   const Eigen::Vector3d half_C =
-      0.5 * resolution_ * R_FC.transpose().cwiseAbs() * Eigen::Vector3d::Ones();
+      0.5 * grid.resolution_ * R_FC.transpose().cwiseAbs() * Eigen::Vector3d::Ones();
   for (int k = 0; k < grid.size_.z(); ++k) {
     for (int j = 0; j < grid.size_.y(); ++j) {
       for (int i = 0; i < grid.size_.x(); ++i) {

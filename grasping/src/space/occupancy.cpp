@@ -4,15 +4,10 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "space/map_limits.hpp"
 #include "view/depth_view.hpp"
 
 namespace quadrille {
-namespace {
-
-// OctoMap numbers voxels from −32768 to 32767; the blocks at the ends need some room.
-constexpr double kMaxVoxel = 32000.0;
-
-}  // namespace
 
 OccupancyGrid::OccupancyGrid(const Eigen::AlignedBox3d& region, double resolution)
     : resolution_(resolution) {
@@ -20,10 +15,15 @@ OccupancyGrid::OccupancyGrid(const Eigen::AlignedBox3d& region, double resolutio
   if (region.isEmpty()) return;
   const Eigen::Array3d lo = region.min().array() / resolution / kBlock;
   const Eigen::Array3d hi = region.max().array() / resolution / kBlock;
-  if (!(lo.abs().maxCoeff() * kBlock < kMaxVoxel && hi.abs().maxCoeff() * kBlock < kMaxVoxel)) {
+  if (!(lo.abs().maxCoeff() * kBlock < kMaxCoordinate &&
+        hi.abs().maxCoeff() * kBlock < kMaxCoordinate)) {
     throw std::invalid_argument(
         "occupancy: region lies farther from the origin than 32000 voxels; move the cloud's frame "
         "nearer to it, or set a larger resolution");
+  }
+  if (count_voxels(region, resolution) > kMaxVoxels) {
+    throw std::invalid_argument(
+        "occupancy: region has more than 32 million voxels; set a larger resolution");
   }
   corner_ = lo.floor().cast<int>() * kBlock;
   size_ = (hi.floor().cast<int>() + 1) * kBlock - corner_.array();

@@ -1,5 +1,7 @@
 #include "quadrille/bus/connection.hpp"
 
+#include <poll.h>
+
 #include <algorithm>
 #include <charconv>
 #include <limits>
@@ -27,15 +29,15 @@ int parse_buffer_size(const std::string& text) {
 }
 
 /// Has the address ask for a large receive buffer if it asks for none.
-/// @return what is wrong with the buffer that the kernel grants
-std::optional<std::string> set_receive_buffer(Url* url) {
+/// @return what is asked for, and what the kernel grants [byte]
+std::pair<int, int> set_receive_buffer(Url* url) {
   const auto named = url->arguments.find("recv_buf_size");
   const bool is_named = named != url->arguments.end();
-  const int asked = is_named ? parse_buffer_size(named->second) : kReceiveBufferBytes;
+  const int asked = is_named ? parse_buffer_size(named->second) : kMaxReceiveBufferBytes;
   const int granted = granted_receive_buffer(asked);
   // LCM would complain if it asked for more; the same complaint with a cure is ours.
   if (!is_named) url->arguments["recv_buf_size"] = std::to_string(granted);
-  return find_buffer_problem(asked, granted);
+  return {asked, forced_receive_buffer(asked)};
 }
 
 std::string failure_to_connect(const Url& url) {
@@ -71,8 +73,13 @@ Connection::Connection(const std::string& url) {
   Url parsed = parse_url(url);
   if (const auto problem = find_route_problem(parsed)) throw std::runtime_error(*problem);
   if (parsed.provider == "udpm") {
-    if (auto problem = set_receive_buffer(&parsed)) warnings_.push_back(std::move(*problem));
+    const auto [asked, granted] = set_receive_buffer(&parsed);
+    asked_buffer_ = asked;
+    if (auto problem = find_buffer_problem(asked, granted, kUsualCloudBytes)) {
+      warnings_.push_back(std::move(*problem));
+    }
   }
+  if (parsed.provider == "udpm" || parsed.provider == "mpudpm") backlog_.emplace(kMaxBacklogBytes);
   url_ = parsed.to_string();
   lcm_.reset(lcm_create(url_.c_str()));
   // Without a server tcpq looks well, but aborts when it is waited on.
@@ -86,16 +93,34 @@ void Connection::subscribe(const std::string& channel, Handler handler) {
   add_subscriber(channel, channel, std::move(handler));
 }
 
+void Connection::subscribe(const ChannelPattern& pattern, Handler handler) {
+  if (!pattern.is_pattern()) return subscribe(pattern.text(), std::move(handler));
+  // LCM puts ^ and $ around it, and its expressions are not quite ours.
+  add_subscriber("(" + pattern.text() + ")", "",
+                 [pattern, handler = std::move(handler)](const std::string& channel,
+                                                         std::span<const std::byte> bytes) {
+                   if (pattern.matches(channel)) handler(channel, bytes);
+                 });
+}
+
 void Connection::subscribe_all(Handler handler) { add_subscriber(".*", "", std::move(handler)); }
 
 void Connection::add_subscriber(const std::string& pattern, const std::string& channel,
                                 Handler handler) {
   auto subscriber = std::make_unique<Subscriber>(Subscriber{this, channel, std::move(handler)});
-  if (lcm_subscribe(lcm_.get(), pattern.c_str(), &Connection::dispatch, subscriber.get()) ==
-      nullptr) {
+  lcm_subscription_t* subscription =
+      lcm_subscribe(lcm_.get(), pattern.c_str(), &Connection::dispatch, subscriber.get());
+  if (subscription == nullptr) {
     throw std::runtime_error("LCM address " + url_ + ": cannot subscribe to '" + pattern + "'");
   }
+  // LCM's default of 30 drops the newest and tells nobody. handle() takes messages out of its queue
+  // faster than LCM can put them in, into a backlog with a bound.
+  lcm_subscription_set_queue_capacity(subscription, 0);
   subscribers_.push_back(std::move(subscriber));
+  if (socket_) return;
+  // LCM makes its socket with the first subscription.
+  socket_ = ReceiveSocket::find(parse_url(url_));
+  if (socket_ && socket_->buffer() < asked_buffer_) socket_->force_buffer(asked_buffer_);
 }
 
 void Connection::dispatch(const lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept {
@@ -103,18 +128,65 @@ void Connection::dispatch(const lcm_recv_buf_t* buffer, const char* channel, voi
   try {
     // LCM reads the name as a regular expression, in which a dot is any character.
     if (!subscriber->channel.empty() && subscriber->channel != channel) return;
-    subscriber->handler(channel, {static_cast<const std::byte*>(buffer->data), buffer->data_size});
+    subscriber->connection->take(
+        channel, {static_cast<const std::byte*>(buffer->data), buffer->data_size}, subscriber);
   } catch (...) {
     if (!subscriber->connection->thrown_)
       subscriber->connection->thrown_ = std::current_exception();
   }
 }
 
+/// Handles a message at once if no other waits, without a copy.
+void Connection::take(const std::string& channel, std::span<const std::byte> bytes,
+                      Subscriber* subscriber) {
+  const auto size = static_cast<std::int64_t>(bytes.size());
+  if (size > largest_message_) largest_message_ = size;
+  if (!backlog_ || (backlog_->empty() && !more_waits())) {
+    subscriber->handler(channel, bytes);
+  } else {
+    backlog_->push(channel, bytes, subscriber);
+    dropped_messages_ = backlog_->dropped();
+  }
+}
+
+/// Whether LCM holds another message; it then has its descriptor readable.
+bool Connection::more_waits() const {
+  pollfd descriptor{lcm_get_fileno(lcm_.get()), POLLIN, 0};
+  return poll(&descriptor, 1, 0) > 0;
+}
+
+/// Handles the oldest message of the backlog if LCM is empty, or it is its turn.
+/// @return true if one was handled
+bool Connection::handle_backlog(bool lcm_is_empty) {
+  // Taking a message out of LCM's queue is so much cheaper than what LCM does to put it in that
+  // this share of the time goes to the handlers even in a flood without end.
+  constexpr int kTakenPerHandled = 8;
+  if (!lcm_is_empty && ++turn_ % kTakenPerHandled != 0) return false;
+  const auto message = backlog_->pop();
+  if (!message) return false;
+  static_cast<Subscriber*>(message->subscriber)->handler(message->channel, message->bytes);
+  return true;
+}
+
 Connection::Outcome Connection::handle(int timeout_ms) {
-  const int status = lcm_handle_timeout(lcm_.get(), timeout_ms);
+  const bool behind = backlog_ && !backlog_->empty();
+  const int status = lcm_handle_timeout(lcm_.get(), behind ? 0 : timeout_ms);
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
+  if (behind && handle_backlog(status <= 0)) return Outcome::kHandled;
   if (status < 0) return Outcome::kEnd;
   return status == 0 ? Outcome::kTimeout : Outcome::kHandled;
+}
+
+Traffic Connection::traffic() const {
+  Traffic traffic;
+  traffic.largest_message = largest_message_;
+  traffic.dropped_messages = dropped_messages_;
+  traffic.asked_buffer = asked_buffer_;
+  if (socket_) {
+    traffic.receive_buffer = socket_->buffer();
+    traffic.dropped_datagrams = socket_->dropped();
+  }
+  return traffic;
 }
 
 void Connection::publish(const std::string& channel, std::span<const std::byte> bytes) {

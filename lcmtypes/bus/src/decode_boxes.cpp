@@ -43,6 +43,9 @@ void check_boxes(std::span<const std::byte> bytes) {
   reader.read_int32("seq");
   reader.read_string("frame", kMaxFrameBytes);
   const std::int32_t boxes = reader.read_count("num_boxes", kMinBoxBytes);
+  if (static_cast<std::size_t>(boxes) > kMaxQuadrics) {
+    refuse(RejectReason::kTooLarge, std::to_string(boxes) + " boxes");
+  }
   for (std::int32_t i = 0; i < boxes; ++i) check_box(reader);
   reader.expect_end();
 }

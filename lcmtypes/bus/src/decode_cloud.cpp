@@ -146,6 +146,7 @@ Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes, std::size_t
   reader.expect_end();
   CloudMessage message{view.utime, view.seq, read_points(view.records, view.layout)};
   message.cloud.frame = view.frame;
+  message.digest = digest_of(message.cloud);
   return message;
 } catch (const Refused& refused) {
   return refused.rejection;

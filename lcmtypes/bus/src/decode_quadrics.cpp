@@ -57,12 +57,16 @@ void check_quadrics(std::span<const std::byte> bytes) {
     refuse(RejectReason::kUnknownType, "not quadrille.quadrics_t");
   }
   reader.read_int64("utime");
+  reader.read_int64("cloud_digest");
   reader.read_int32("seq");
   reader.read_string("frame", kMaxFrameBytes);
   reader.read_int64("points_read");
   reader.read_int64("points_finite");
   reader.read_int64("points_used");
   const std::int32_t detections = reader.read_count("num_detections", kMinQuadricBytes);
+  if (static_cast<std::size_t>(detections) > kMaxQuadrics) {
+    refuse(RejectReason::kTooLarge, std::to_string(detections) + " quadrics");
+  }
   for (std::int32_t i = 0; i < detections; ++i) check_quadric(reader);
   const std::int32_t warnings = reader.read_count("num_warnings", kMinStringBytes);
   for (std::int32_t i = 0; i < warnings; ++i) reader.skip_string("warning");
@@ -118,7 +122,7 @@ Decoded<QuadricsMessage> decode_quadrics(std::span<const std::byte> bytes,
   if (m.decode(bytes.data(), 0, size) != size) {
     refuse(RejectReason::kBadLength, "the decoder reads another size");
   }
-  QuadricsMessage message{m.utime, m.seq, m.frame, {}};
+  QuadricsMessage message{m.utime, m.seq, m.frame, {}, m.cloud_digest};
   for (const quadric_t& quadric : m.detections) {
     message.detections.push_back(to_detection(quadric));
   }

@@ -19,6 +19,8 @@ Durations::Durations(std::size_t window) : window_(window) {
 }
 
 void Durations::add(double ms) {
+  ++count_;
+  total_ += ms;
   if (ms_.size() < window_) {
     ms_.push_back(ms);
   } else {
@@ -31,7 +33,8 @@ DurationSummary Durations::summary() const {
   if (ms_.empty()) return {};
   std::vector<double> sorted = ms_;
   std::sort(sorted.begin(), sorted.end());
-  return {percentile(sorted, 0.5), percentile(sorted, 0.95), sorted.back()};
+  return {percentile(sorted, 0.5), percentile(sorted, 0.9), percentile(sorted, 0.95),
+          percentile(sorted, 0.99), sorted.back()};
 }
 
 }  // namespace quadrille::bus

@@ -42,9 +42,9 @@ Header read_header(std::ifstream& file, std::uint64_t offset) {
   throw std::runtime_error(path + ": " + what);
 }
 
-[[noreturn]] void fail_to_write(const std::string& path) {
-  fail(path, std::string("cannot be written (") + std::strerror(errno) +
-                 "); check the folder and the space left");
+std::string describe_write_failure() {
+  return std::string("cannot be written (") + std::strerror(errno) +
+         "); check the folder and the space left";
 }
 
 /// Lengths that no LCM process writes: the log is damaged, not cut short.
@@ -124,7 +124,11 @@ LogReader::LogReader(const std::string& path) : survey_(survey_log(path)) {
 std::optional<LogReader::Event> LogReader::next() {
   if (read_ == survey_.events) return std::nullopt;
   const lcm::LogEvent* event = file_->readNextEvent();
-  if (event == nullptr) return std::nullopt;
+  if (event == nullptr) {
+    survey_.defect = "cut short while it was read: after " + std::to_string(read_) + " of " +
+                     std::to_string(survey_.events) + " events";
+    return std::nullopt;
+  }
   ++read_;
   return Event{
       event->timestamp,
@@ -132,9 +136,14 @@ std::optional<LogReader::Event> LogReader::next() {
       {static_cast<const std::byte*>(event->data), static_cast<std::size_t>(event->datalen)}};
 }
 
-LogWriter::LogWriter(const std::string& path) : path_(path) {
-  file_ = std::make_unique<lcm::LogFile>(path, "w");
-  if (!file_->good()) fail_to_write(path);
+LogWriter::LogWriter(const std::string& path, const std::string& name)
+    : name_(name.empty() ? path : name), file_(std::make_unique<lcm::LogFile>(path, "w")) {
+  if (!file_->good()) fail();
+}
+
+void LogWriter::fail() {
+  if (failure_.empty()) failure_ = describe_write_failure();
+  bus::fail(name_, failure_);
 }
 
 void LogWriter::write(std::int64_t utime, const std::string& channel,
@@ -152,15 +161,11 @@ void LogWriter::write(std::int64_t utime, const std::string& channel,
   event.channel = channel;
   event.datalen = static_cast<std::int32_t>(bytes.size());
   event.data = const_cast<std::byte*>(bytes.data());
-  if (file_->writeEvent(&event) != 0) {
-    fail_to_write(path_);
-  }
+  if (!failure_.empty() || file_->writeEvent(&event) != 0) fail();
 }
 
 void LogWriter::flush() {
-  if (std::fflush(file_->getFilePtr()) != 0) {
-    fail_to_write(path_);
-  }
+  if (!failure_.empty() || std::fflush(file_->getFilePtr()) != 0) fail();
 }
 
 }  // namespace quadrille::bus

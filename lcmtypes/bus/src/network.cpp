@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -44,6 +45,17 @@ sockaddr_in parse_group(const std::string& network) {
   return address;
 }
 
+/// The receive buffer that the kernel grants by one of its options [byte].
+int granted(int option, int asked) {
+  const UdpSocket socket;
+  setsockopt(socket.get(), SOL_SOCKET, option, &asked, sizeof(asked));
+  int doubled = 0;
+  socklen_t size = sizeof(doubled);
+  getsockopt(socket.get(), SOL_SOCKET, SO_RCVBUF, &doubled, &size);
+  // The kernel adds as much again for its own bookkeeping and tells the sum.
+  return doubled / 2;
+}
+
 }  // namespace
 
 std::optional<std::string> find_route_problem(const Url& url) {
@@ -58,27 +70,44 @@ std::optional<std::string> find_route_problem(const Url& url) {
          "); mend it with: sudo ip link set lo up && sudo ip route add 224.0.0.0/4 dev lo";
 }
 
-std::optional<std::string> find_buffer_problem(int asked, int granted) {
-  constexpr int kEnough = 4 << 20;
-  if (granted >= kEnough) return std::nullopt;
-  const std::string start = "the receive buffer of " + std::to_string(granted) +
-                            " bytes is too small: clouds of more " + "than about " +
-                            std::to_string(granted) + " bytes will be lost; mend it with: ";
-  if (granted >= asked)
-    return start + "recv_buf_size=" + std::to_string(kReceiveBufferBytes) + " in the LCM address";
-  const std::string setting = "net.core.rmem_max=" + std::to_string(kReceiveBufferBytes);
-  return start + "sudo sysctl -w " + setting + " (and to keep it: echo " + setting +
-         " | sudo tee /etc/sysctl.d/60-lcm.conf)";
+std::int64_t needed_receive_buffer(std::int64_t message_bytes) { return 2 * message_bytes; }
+
+int advised_receive_buffer(std::int64_t message_bytes) {
+  constexpr std::int64_t kBurst = 8;
+  constexpr int kMost = 1 << 30;
+  int bytes = kReceiveBufferBytes;
+  while (bytes < kMost && bytes / kBurst < message_bytes) bytes *= 2;
+  return bytes;
 }
 
-int granted_receive_buffer(int asked) {
-  const UdpSocket socket;
-  setsockopt(socket.get(), SOL_SOCKET, SO_RCVBUF, &asked, sizeof(asked));
-  int doubled = 0;
-  socklen_t size = sizeof(doubled);
-  getsockopt(socket.get(), SOL_SOCKET, SO_RCVBUF, &doubled, &size);
-  // The kernel adds as much again for its own bookkeeping and tells the sum.
-  return doubled / 2;
+std::string mend_receive_buffer(std::int64_t asked, int wanted) {
+  const std::string size = std::to_string(wanted);
+  std::string cure;
+  if (granted_receive_buffer(wanted) < wanted) {
+    const std::string setting = "net.core.rmem_max=" + size;
+    cure = "sudo sysctl -w " + setting + " (and to keep it: echo " + setting +
+           " | sudo tee /etc/sysctl.d/60-lcm.conf)";
+  }
+  if (asked < wanted) {
+    if (!cure.empty()) cure += ", and ";
+    cure += "recv_buf_size=" + size + " in the LCM address";
+  }
+  return cure + (cure.empty() ? "start the process again" : "; then start the process again");
+}
+
+std::optional<std::string> find_buffer_problem(std::int64_t asked, std::int64_t granted,
+                                               std::int64_t message_bytes) {
+  if (granted >= needed_receive_buffer(message_bytes)) return std::nullopt;
+  return "the receive buffer of " + std::to_string(granted) +
+         " bytes is too small for messages of " + std::to_string(message_bytes) +
+         " bytes, which will be lost; mend it with: " +
+         mend_receive_buffer(asked, advised_receive_buffer(message_bytes));
+}
+
+int granted_receive_buffer(int asked) { return granted(SO_RCVBUF, asked); }
+
+int forced_receive_buffer(int asked) {
+  return std::max(granted(SO_RCVBUFFORCE, asked), granted_receive_buffer(asked));
 }
 
 std::int64_t count_dropped_datagrams() {

@@ -48,6 +48,7 @@ quadric_t to_message(const Detection& detection) {
 quadrics_t to_message(const CloudMessage& cloud, const DetectionResult& result) {
   quadrics_t m;
   m.utime = cloud.utime;
+  m.cloud_digest = cloud.digest;
   m.seq = cloud.seq;
   m.frame = cloud.cloud.frame;
   m.points_read = static_cast<std::int64_t>(cloud.cloud.read);

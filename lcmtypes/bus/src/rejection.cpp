@@ -20,6 +20,8 @@ std::string_view to_string(RejectReason reason) {
       return "bad_layout";
     case RejectReason::kBadValue:
       return "bad_value";
+    case RejectReason::kBadChannel:
+      return "bad_channel";
     case RejectReason::kInternal:
       return "internal";
   }

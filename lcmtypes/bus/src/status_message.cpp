@@ -1,5 +1,10 @@
 #include "quadrille/bus/status_message.hpp"
 
+#include <lcmtypes/quadrille/detector_status_t.hpp>
+#include <lcmtypes/quadrille/planner_status_t.hpp>
+
+#include "byte_reader.hpp"
+
 namespace quadrille::bus {
 
 std::vector<count_t> to_message(const RejectCounts& counts) {
@@ -12,6 +17,23 @@ std::vector<count_t> to_message(const RejectCounts& counts) {
     message.push_back(entry);
   }
   return message;
+}
+
+std::optional<std::string> read_status_sender(std::span<const std::byte> bytes) try {
+  constexpr std::size_t kMaxSenderBytes = 128;
+  ByteReader reader(bytes);
+  const std::int64_t fingerprint = reader.read_int64("the fingerprint");
+  if (fingerprint != detector_status_t::getHash() && fingerprint != planner_status_t::getHash()) {
+    return std::nullopt;
+  }
+  reader.read_int64("utime");
+  std::string sender = reader.read_string("sender", kMaxSenderBytes);
+  for (char& character : sender) {
+    if (character <= ' ' || character > '~') character = '?';
+  }
+  return sender;
+} catch (const Refused&) {
+  return std::nullopt;
 }
 
 }  // namespace quadrille::bus

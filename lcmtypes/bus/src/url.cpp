@@ -1,5 +1,6 @@
 #include "quadrille/bus/url.hpp"
 
+#include <charconv>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -47,19 +48,31 @@ Url parse_url(const std::string& text) {
   return url;
 }
 
+void check_live(const Url& url) {
+  const std::string start = "LCM address '" + url.to_string() + "': ";
+  if (url.provider == "memq") {
+    throw std::invalid_argument(start + "memq reaches no other process; give a udpm or tcpq one");
+  }
+  if (url.provider == "file") {
+    throw std::invalid_argument(start + "a log is no bus; replay it with --in-log and --out-log");
+  }
+  const auto found = url.arguments.find("ttl");
+  if (found == url.arguments.end()) return;
+  const std::string& ttl = found->second;
+  int hops = -1;
+  const auto [rest, error] = std::from_chars(ttl.data(), ttl.data() + ttl.size(), hops);
+  const bool fit = error == std::errc{} && rest == ttl.data() + ttl.size();
+  if (!fit || hops < 0 || hops > 255) {
+    throw std::invalid_argument(start + "ttl = '" + ttl +
+                                "' must be 0 (this machine), 1 (this network) or up to 255");
+  }
+}
+
 std::string resolve_url(const std::string& option) {
   if (!option.empty()) return option;
   const char* environment = std::getenv("LCM_DEFAULT_URL");
   if (environment != nullptr && *environment != '\0') return environment;
   return "udpm://239.255.76.67:7667?ttl=0";
-}
-
-std::string replay_url(const std::string& path) {
-  if (path.empty() || path.find_first_of("?&,") != std::string::npos) {
-    throw std::invalid_argument("log '" + path +
-                                "': LCM cannot replay a path with '?', '&' or ','; rename it");
-  }
-  return "file://" + path + "?speed=0";
 }
 
 }  // namespace quadrille::bus

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <lcmtypes/quadrille/collision_shapes_t.hpp>
 #include <lcmtypes/quadrille/detector_status_t.hpp>
@@ -94,6 +95,31 @@ long total(const std::map<std::string, long>& counts) {
   return sum;
 }
 
+const stage_t& find_stage(const std::vector<stage_t>& stages, const std::string& name) {
+  const auto found = std::find_if(stages.begin(), stages.end(),
+                                  [&](const stage_t& stage) { return stage.name == name; });
+  expect(found != stages.end(), "no stage " + name);
+  return *found;
+}
+
+/// Prints how long a stage took, and checks that it tells that.
+void check_stage(const std::vector<stage_t>& stages, const std::string& name, long count) {
+  const stage_t& stage = find_stage(stages, name);
+  expect_equal(stage.count, count, "times of " + name);
+  expect(stage.p50 > 0.0 && stage.p90 >= stage.p50 && stage.p99 >= stage.p90 &&
+             stage.max >= stage.p99 && stage.total >= stage.max,
+         "no times of " + name);
+  std::printf("%s: %ld, p50 %.2f ms, max %.2f ms\n", name.c_str(), count, stage.p50, stage.max);
+}
+
+void check_process(const process_t& process) {
+  expect(process.resident_bytes > 1000000 && process.peak_bytes >= process.resident_bytes,
+         "no memory in the status");
+  expect(process.uptime > 0.0 && process.cpu_time > 0.0, "no times in the status");
+  expect(process.open_files > 3 && process.threads > 1, "no files or threads in the status");
+  expect(process.settings.size() == 16 && !process.version.empty(), "no version in the status");
+}
+
 void check_detector(const std::string& log, bool hostile) {
   const auto status = read_last_status<detector_status_t>(log, "QUADRILLE_DETECTOR_STATUS");
   const long garbage = hostile ? total(expected_rejections("POINT_CLOUD")) : 0;
@@ -101,11 +127,16 @@ void check_detector(const std::string& log, bool hostile) {
   expect_equal(status.decoded, kClouds, "clouds decoded");
   expect_equal(status.failed, 0, "detections failed");
   expect_equal(status.published + status.superseded, kClouds, "clouds published or superseded");
-  expect(status.latency_max >= status.latency_p50 && status.latency_p50 > 0.0, "no latencies");
-  expect_equal(status.dropped_datagrams, 0, "datagrams dropped");
+  expect_equal(status.missing, 0, "clouds missing");
+  for (const char* stage : {"wait", "detect", "quadrics", "boxes"}) {
+    check_stage(status.stages, stage, status.published);
+  }
+  check_stage(status.stages, "decode", kClouds);
+  check_process(status.process);
+  expect(status.transport.largest_message > 0 && status.transport.receive_buffer > 0,
+         "nothing of the transport in the status");
+  expect_equal(status.transport.dropped_datagrams, 0, "datagrams dropped");
   check_rejections(status.rejected, "POINT_CLOUD", hostile);
-  std::printf("detector: %ld published, latency p50 %.2f ms, max %.2f ms\n",
-              static_cast<long>(status.published), status.latency_p50, status.latency_max);
 }
 
 void check_planner(const std::string& log, bool hostile) {
@@ -121,8 +152,10 @@ void check_planner(const std::string& log, bool hostile) {
   expect_equal(status.published + status.superseded, status.paired, "pairs published");
   check_rejections(status.rejected_clouds, "POINT_CLOUD", hostile);
   check_rejections(status.rejected_quadrics, "QUADRICS", hostile);
-  std::printf("planner: %ld published, latency p50 %.2f ms, max %.2f ms\n",
-              static_cast<long>(status.published), status.latency_p50, status.latency_max);
+  for (const char* stage : {"wait", "plan", "grasps", "maps"}) {
+    check_stage(status.stages, stage, status.published);
+  }
+  check_process(status.process);
 }
 
 }  // namespace

@@ -20,10 +20,15 @@ void run(const std::vector<std::string>& words) {
     return rename_channel(words[1], words[2], words[3], words[4]);
   }
   if (command == "check-plan" && words.size() == 3) return check_plan(words[1], words[2]);
+  if (command == "load" && words.size() >= 6) {
+    return put_under_load(words[1], words[2],
+                          {std::stoi(words[3]), std::stoi(words[4]), std::stod(words[5]),
+                           words.size() > 6 && words[6] == "lossy"});
+  }
   throw std::invalid_argument(
       "use: make-logs FOLDER | check-quadrics LOG | check-status LOG | check-hostile-status LOG | "
       "check-same LIVE OFFLINE CHANNEL | check-copy SOURCE COPY | check-plan LOG JSON | "
-      "rename-channel SOURCE COPY FROM TO");
+      "rename-channel SOURCE COPY FROM TO | load URL LOG BURSTS CLOUDS HZ [lossy]");
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ std::vector<Garbage> make_garbage() {
       {clouds, encode_ball_with([](auto& m) { m.fields[0].name.assign(1, 'u'); }), "bad_layout"},
       {clouds, encode_quadrics_with(1.0), "unknown_type"},
       {quadrics, encode_ball(), "unknown_type"},
-      {quadrics, cut(encode_quadrics_with(1.0), 60), "bad_length"},
+      {quadrics, cut(encode_quadrics_with(1.0), 68), "bad_length"},
       {quadrics, encode_quadrics_with(std::numeric_limits<double>::quiet_NaN()), "bad_value"},
       {quadrics, encode_quadrics_with(7.0), "bad_value"},
   };
@@ -109,11 +109,13 @@ void make_logs(const std::string& folder) {
   clouds.flush();
   logs::CloudLogReader reader(folder + "/clouds.lcm");
   bus::LogWriter hostile(folder + "/hostile.lcm");
+  bus::LogWriter numbered(folder + "/numbered.lcm");
   const std::vector<Garbage> garbage = make_garbage();
   std::size_t next = 0;
   while (const auto cloud = reader.next()) {
-    hostile.write(cloud->event_utime, cloud->channel,
-                  bus::encode_cloud(cloud->message, bus::CloudFormat::kPointCloud2));
+    const Bytes bytes = bus::encode_cloud(cloud->message, bus::CloudFormat::kPointCloud2);
+    hostile.write(cloud->event_utime, cloud->channel, bytes);
+    numbered.write(cloud->event_utime, cloud->channel, bytes);
     // Something that is no business of ours; it comes between a cloud and the next.
     hostile.write(cloud->event_utime + 10000, "POSE", Bytes(20));
     for (std::size_t i = 0; i < 3 && next < garbage.size(); ++i, ++next) {
@@ -122,6 +124,7 @@ void make_logs(const std::string& folder) {
     }
   }
   hostile.flush();
+  numbered.flush();
 }
 
 }  // namespace quadrille::e2e

@@ -23,7 +23,8 @@ std::vector<Garbage> make_garbage();
 /// How often each reason must be given for messages on a channel of the hostile log.
 std::map<std::string, long> expected_rejections(const std::string& channel);
 
-/// Writes FOLDER/clouds.lcm, and FOLDER/hostile.lcm with garbage between the same clouds.
+/// Writes FOLDER/clouds.lcm, and FOLDER/hostile.lcm with garbage between the same clouds, and
+/// FOLDER/numbered.lcm with these as a type that has a seq.
 void make_logs(const std::string& folder);
 
 /// Checks that the quadrics of a log are those that detect() finds in its clouds, tracked: a ball
@@ -45,6 +46,21 @@ void check_plan(const std::string& log, const std::string& json);
 /// Checks the last status of both processes.
 /// @param hostile  whether the garbage was on the bus too
 void check_status(const std::string& log, bool hostile);
+
+/// How clouds are sent to the processes.
+struct Load {
+  int bursts = 0;
+  int clouds_per_burst = 1;
+  double bursts_per_second = 30.0;
+  /// Whether clouds may be lost: then the last comes alone, to tell what is missing before it.
+  bool may_lose = false;
+};
+
+/// Sends the clouds of a log again and again, each with a number of its own, and prints what came
+/// of them and when.
+/// @throws std::runtime_error if the last cloud is not answered, nor of a burst where none may be
+///   lost, or if one is neither received nor counted as missing
+void put_under_load(const std::string& url, const std::string& log, const Load& load);
 
 /// Copies a log with one channel under another name.
 void rename_channel(const std::string& source, const std::string& copy, const std::string& from,

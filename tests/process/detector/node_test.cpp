@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -62,12 +63,14 @@ struct Process {
 };
 
 /// A ball before a wall, both at rest in W, as a camera at X_WC sees them.
-Bytes encode_view(std::int64_t utime, const Eigen::Isometry3d& X_WC) {
+Bytes encode_view(std::int64_t utime, const Eigen::Isometry3d& X_WC,
+                  const std::string& frame = "") {
   const Eigen::Isometry3d X_CW = X_WC.inverse();
   bus::CloudMessage message{utime, 0, {}};
   message.cloud = test::render({test::sphere(X_CW * test::translation(0, 0, 0.9), 0.1),
                                 test::rectangle(X_CW * test::translation(0, 0, 1.4), 9, 9)},
                                {160, 120, 1.0 / 150.0});
+  message.cloud.frame = frame;
   return bus::encode_cloud(message, bus::CloudFormat::kDrake);
 }
 
@@ -151,6 +154,63 @@ TEST_CASE("without a channel of poses, or without tracking, no cloud wants a pos
     process.take("POINT_CLOUD", encode_view(100000, camera_at(0)));
     CHECK(process.untracked().empty());
   }
+}
+
+TEST_CASE("two cameras on one channel have tracks of their own", "[process][track]") {
+  Process both{DetectorSettings{}}, alone{DetectorSettings{}};
+  // One sees the ball and the wall, the other the wall alone, from elsewhere, and in turns.
+  for (int frame = 1; frame <= 4; ++frame) {
+    const std::int64_t utime = 100000 * frame;
+    both.take("POINT_CLOUD", encode_view(utime, camera_at(0), "left"));
+    alone.take("POINT_CLOUD", encode_view(utime, camera_at(0), "left"));
+    CHECK(both.published.back() == alone.published.back());
+    both.take("POINT_CLOUD", encode_view(utime, camera_at(1), "right"));
+    CHECK(both.tracks() == std::set<int>{1, 2});
+  }
+}
+
+TEST_CASE("a pattern serves several cameras, each with channels and tracks of its own",
+          "[process][pattern]") {
+  DetectorSettings settings;
+  settings.in_channel = "CAMERA_.*";
+  std::map<std::string, std::vector<Bytes>> published;
+  DetectorNode node(settings, [&](const std::string& channel, std::span<const std::byte> bytes) {
+    published[channel].emplace_back(bytes.begin(), bytes.end());
+  });
+  Process alone{DetectorSettings{}};
+  for (const std::string side : {"LEFT", "RIGHT"}) {
+    for (int frame = 0; frame < 2; ++frame) {
+      const Bytes bytes = encode_view(100000 * (frame + 1), camera_at(frame), "camera");
+      const auto job = node.receive("CAMERA_" + side, bytes);
+      REQUIRE(job);
+      // Only newer clouds of the same camera take its place.
+      CHECK(job->kind == "CAMERA_" + side);
+      node.work(*job);
+      if (side == "LEFT") alone.take("POINT_CLOUD", bytes);
+    }
+    CHECK(published["QUADRICS_CAMERA_" + side] == alone.published);
+    CHECK(published["BOXES_CAMERA_" + side].size() == 2);
+  }
+  CHECK_FALSE(node.receive("CAMERA", encode_view(1, camera_at(0))));
+}
+
+TEST_CASE("a pattern takes no results for clouds, and no more cameras than it can serve",
+          "[process][pattern][hostile]") {
+  DetectorSettings settings;
+  settings.in_channel = ".*";
+  DetectorNode node(settings, [](const std::string&, std::span<const std::byte>) {});
+  const Bytes cloud = encode_view(1, camera_at(0));
+  for (const char* own : {"QUADRICS_A", "BOXES_A", "QUADRICS", "QUADRILLE_DETECTOR_STATUS"}) {
+    CHECK_FALSE(node.receive(own, cloud));
+  }
+  CHECK_FALSE(node.receive(std::string(60, 'A'), cloud));
+  CHECK(node.summary().find("clouds in: 1, 1 refused (bad_channel 1)") == 0);
+  for (std::size_t n = 0; n < Trackers::kMaxTrackers; ++n) {
+    CHECK(node.receive("A" + std::to_string(n), cloud));
+  }
+  CHECK_FALSE(node.receive("ONE_MORE", cloud));
+  CHECK(node.receive("A0", cloud));
+  CHECK(node.summary().find("2 refused (bad_channel 2)") != std::string::npos);
 }
 
 TEST_CASE("a log that is played again gets the same tracks again", "[process][track]") {

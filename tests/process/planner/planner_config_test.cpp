@@ -35,6 +35,20 @@ TEST_CASE("the planner's process checks the whole file", "[planner]") {
                   io::FileError);
 }
 
+TEST_CASE("what nobody listens to can be left out, and planning gives way", "[planner]") {
+  CHECK(settings_of("").shapes);
+  CHECK(settings_of("").occupancy_period == 1.0);
+  CHECK(settings_of("").process.niceness == 5);
+  const PlannerSettings settings =
+      settings_of("--no-shapes --no-occupancy --occupancy-period 0 --nice 0");
+  CHECK_FALSE(settings.shapes);
+  CHECK_FALSE(settings.occupancy);
+  CHECK(settings.occupancy_period == 0.0);
+  CHECK(settings.process.niceness == 0);
+  CHECK_THROWS_AS(settings_of("--nice 20"), CLI::ParseError);
+  CHECK_THROWS_AS(settings_of("--occupancy-period -1"), CLI::ParseError);
+}
+
 TEST_CASE("a gripper that is not known is wrong usage of the planner", "[planner]") {
   CHECK_THROWS_AS(settings_of("--gripper no_such_hand"), CLI::ParseError);
   CHECK_THROWS_AS(settings_of("--gripper none.toml"), io::FileError);

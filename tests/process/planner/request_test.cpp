@@ -71,7 +71,7 @@ class Asked {
 
   /// All grasps that were published.
   std::vector<grasps_t> answers;
-  std::set<std::string> channels;
+  std::multiset<std::string> channels;
 
  private:
   static PlannerSettings settings_from(const std::string& options) {
@@ -130,7 +130,7 @@ TEST_CASE("a request is answered with its id by what it asks for", "[process][re
   CHECK(targets_of(one) == std::set{a_sphere().id});
   CHECK(one.grasps.size() == 2);
   // Nothing but the grasps is sent.
-  CHECK(asked.channels == std::set<std::string>{"GRASPS"});
+  CHECK(asked.channels.count("GRASPS") == asked.channels.size());
   const planner_status_t status = asked.status();
   CHECK(status.requests == 2);
   CHECK(status.answered == 2);
@@ -268,6 +268,24 @@ TEST_CASE("pairs are kept within their bounds, the newest always", "[process][re
   pairs.add(pair(6, 1000));
   CHECK(pairs.size() == 1);
   CHECK(pairs.newest()->cloud->utime == 6);
+}
+
+TEST_CASE("shapes come with each plan and occupancy at its own pace, or not at all",
+          "[planner][process]") {
+  using Channels = std::multiset<std::string>;
+  // An hour: the second plan comes sooner.
+  Asked often("--occupancy-period 3600");
+  often.show(1);
+  often.show(2);
+  CHECK(often.channels ==
+        Channels{"GRASPS", "GRASPS", "COLLISION_SHAPES", "COLLISION_SHAPES", "OCCUPANCY"});
+  Asked each("--occupancy-period 0");
+  each.show(1);
+  each.show(2);
+  CHECK(each.channels.count("OCCUPANCY") == 2);
+  Asked neither("--no-shapes --no-occupancy");
+  neither.show(1);
+  CHECK(neither.channels == Channels{"GRASPS"});
 }
 
 }  // namespace

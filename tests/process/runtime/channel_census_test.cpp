@@ -27,6 +27,17 @@ TEST_CASE("an empty log is told from a channel that is named wrong", "[process][
   CHECK(lines == std::vector<std::string>{"no event on A; the log holds no events at all"});
 }
 
+TEST_CASE("names of any bytes are told in one line that a message can hold",
+          "[process][log][hostile]") {
+  ChannelCensus census;
+  census.add(std::string("A\0\n\xff", 4));
+  census.add(std::string(900, 'B'));
+  const auto lines = census.find_missing({{"--a", "C"}});
+  REQUIRE(lines.size() == 1);
+  CHECK(lines[0].find("A??? (1), BBB") != std::string::npos);
+  CHECK(lines[0].size() < 200);
+}
+
 TEST_CASE("a log of very many channels gives a line of bounded length", "[process][log]") {
   ChannelCensus census;
   for (int i = 0; i < 100; ++i) census.add("CHANNEL_" + std::to_string(i));

@@ -23,9 +23,7 @@ OutputFolder::OutputFolder(const std::string& folder, const std::vector<std::str
 }
 
 void OutputFolder::write(const std::string& name, const std::string& text) const {
-  io::NewFile file(path_of(name));
-  io::write_file(file.path(), text);
-  file.commit();
+  io::write_file(path_of(name), text);
 }
 
 std::string OutputFolder::list() const {

@@ -95,9 +95,7 @@ void check_usage(const StudyArguments& arguments) {
 
 void write_plot(const std::string& path, const std::vector<study::GroupSummary>& groups) {
   if (path.empty()) return;
-  io::NewFile file(path);
-  io::write_file(file.path(), experiments::to_svg(study::score_plots(groups)));
-  file.commit();
+  io::write_file(path, experiments::to_svg(study::score_plots(groups)));
 }
 
 int failed_of(const std::vector<study::GroupSummary>& groups) {

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <span>
 
-#include "io/file_bytes.hpp"
+#include "io/new_file.hpp"
 #include "io/ply.hpp"
 
 namespace quadrille::scene {
@@ -138,13 +138,18 @@ void write_scene(const std::string& ply_path, const Scene& scene, bool labels) {
   PointCloud cloud;
   cloud.points = scene.view.points;
   cloud.frame = "camera";
-  io::write_ply(ply_path, cloud);
-  io::write_file(truth_path(ply_path), truth_json(scene).dump(1) + "\n");
-  if (!labels) return;
-  const std::string base = without_extension(ply_path);
-  static_assert(sizeof(int) == 4 && sizeof(Eigen::Vector3f) == 12);
-  io::write_file(base + ".labels", std::as_bytes(std::span(scene.view.labels)));
-  io::write_file(base + ".normals", std::as_bytes(std::span(scene.view.normals)));
+  io::NewFile ply(ply_path), truth(truth_path(ply_path));
+  ply.write(io::ply_of(cloud));
+  truth.write(truth_json(scene).dump(1) + "\n");
+  if (labels) {
+    const std::string base = without_extension(ply_path);
+    static_assert(sizeof(int) == 4 && sizeof(Eigen::Vector3f) == 12);
+    io::write_file(base + ".labels", std::as_bytes(std::span(scene.view.labels)));
+    io::write_file(base + ".normals", std::as_bytes(std::span(scene.view.normals)));
+  }
+  // The cloud last: where it is, its truth is too.
+  truth.commit();
+  ply.commit();
 }
 
 }  // namespace quadrille::scene

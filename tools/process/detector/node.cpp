@@ -2,24 +2,51 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
+#include "process/runtime/exposition.hpp"
 #include "process/runtime/logging.hpp"
+#include "process/runtime/other_senders.hpp"
 #include "process/runtime/status.hpp"
 #include "quadrille/bus/boxes_message.hpp"
+#include "quadrille/bus/connection.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/status_message.hpp"
-#include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
 
 namespace quadrille {
+namespace {
+
+std::string hash_of(const DetectorSettings& settings) {
+  SettingsText text;
+  text.add_all(settings.detector);
+  text.add_all(settings.track);
+  for (const std::string* channel :
+       {&settings.in_channel, &settings.out_channel, &settings.boxes_channel,
+        &settings.status_channel, &settings.pose_channel}) {
+    text.add("channel", *channel);
+  }
+  text.add("clouds", std::string(word_of(settings.frames.clouds)));
+  text.add("results", std::string(word_of(settings.frames.of_results())));
+  if (settings.X_WK) {
+    for (const double number : settings.X_WK->matrix().reshaped()) {
+      text.add("pose", io::toml_of(number));
+    }
+  }
+  return text.hash();
+}
+
+}  // namespace
 
 DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publish)
     : settings_(settings),
+      in_channel_(settings.in_channel),
       publish_(std::move(publish)),
-      dropped_before_(bus::count_dropped_datagrams()),
-      tracker_(settings.track),
+      settings_hash_(hash_of(settings)),
+      trackers_(settings.track),
       camera_poses_(settings.X_WK, settings.track.pose_age),
       untracked_(settings.frames.clouds == CloudFrame::kCamera) {
   for (const std::string& warning : settings.warnings) log_warning(warning);
@@ -34,16 +61,51 @@ std::vector<InChannel> DetectorNode::in_channels() const {
 }
 
 std::vector<OutChannel> DetectorNode::out_channels() const {
-  return {{"--out-channel", settings_.out_channel},
-          {"--boxes-channel", settings_.boxes_channel},
+  const bool several = in_channel_.is_pattern();
+  return {{"--out-channel", settings_.out_channel, several},
+          {"--boxes-channel", settings_.boxes_channel, several},
           {"--status-channel", settings_.status_channel}};
 }
 
 std::optional<Job> DetectorNode::receive(const std::string& channel,
                                          std::span<const std::byte> bytes) {
-  if (channel == settings_.in_channel) return receive_cloud(channel, bytes);
+  if (takes_clouds_of(channel)) return receive_cloud(channel, bytes);
   if (channel == settings_.pose_channel) receive_pose(channel, bytes);
   return std::nullopt;
+}
+
+/// A pattern may match the channels of the results too.
+bool DetectorNode::takes_clouds_of(const std::string& channel) const {
+  if (!in_channel_.matches(channel)) return false;
+  const std::vector<OutChannel> own = out_channels();
+  return std::none_of(own.begin(), own.end(),
+                      [&](const OutChannel& out) { return out.holds(channel); });
+}
+
+/// Why clouds of that channel are not taken; nullopt if they are.
+std::optional<bus::Rejection> DetectorNode::refuse_channel(const std::string& channel) {
+  if (cloud_channels_.contains(channel)) return std::nullopt;
+  if (cloud_channels_.size() == Trackers::kMaxTrackers) {
+    return bus::Rejection{bus::RejectReason::kBadChannel,
+                          fmt::format("clouds of {} channels are taken already; start one process "
+                                      "more, and give each a pattern of its own",
+                                      cloud_channels_.size())};
+  }
+  try {
+    bus::check_channel(results_channel(settings_.out_channel, channel));
+    bus::check_channel(results_channel(settings_.boxes_channel, channel));
+  } catch (const std::invalid_argument& error) {
+    return bus::Rejection{bus::RejectReason::kBadChannel, error.what()};
+  }
+  cloud_channels_.insert(channel);
+  return std::nullopt;
+}
+
+/// Where the results of a channel's clouds go.
+/// @param name  of the channel, or what it begins with
+std::string DetectorNode::results_channel(const std::string& name,
+                                          const std::string& cloud_channel) const {
+  return in_channel_.is_pattern() ? name + "_" + cloud_channel : name;
 }
 
 void DetectorNode::receive_pose(const std::string& channel, std::span<const std::byte> bytes) {
@@ -68,13 +130,23 @@ std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
     refusals_.add(channel, *rejection);
     return std::nullopt;
   }
+  if (const auto rejection = refuse_channel(channel)) {
+    refusals_.add(channel, *rejection);
+    return std::nullopt;
+  }
   ++counts_.decoded;
+  stages_.add("decode", bus::ms_since(now));
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
+  gaps_.add(cloud.cloud.frame, cloud.seq);
   const std::int64_t utime = cloud.utime;
   // Chosen now, and not when the work begins, by when more poses may have come than in a replay.
   const CameraPose pose = choose_pose(utime);
   return Job{utime,
-             [this, cloud = std::move(cloud), pose, now] { detect_and_publish(cloud, pose, now); }};
+             [this, channel, cloud = std::move(cloud), pose, now] {
+               detect_and_publish(channel, cloud, pose, now);
+             },
+             {},
+             channel};
 }
 
 /// The camera's pose in the fixed frame for a cloud, which is that frame where nobody tells poses;
@@ -92,35 +164,56 @@ CameraPose DetectorNode::choose_pose(std::int64_t utime) {
 
 /// What is found in a cloud, with tracks, in the frame of the results. Nothing where the pose that
 /// they need is not known.
-DetectionResult DetectorNode::detect_placed(const bus::CloudMessage& cloud, const CameraPose& pose,
-                                            const Placement& placement) {
+/// @param ready  gets the same before boxes are looked for
+DetectionResult DetectorNode::detect_placed(const std::string& channel,
+                                            const bus::CloudMessage& cloud, const CameraPose& pose,
+                                            const Placement& placement,
+                                            const QuadricsReady& ready) {
   if (!placement.lack.empty()) {
     DetectionResult nothing;
     nothing.warnings = {"the camera's pose is not known: " + placement.lack};
+    ready(nothing);
     return nothing;
   }
   PointCloud cloud_K = moved(cloud.cloud, placement.X_CK.inverse());
   if (settings_.frames.clouds == CloudFrame::kWorld) cloud_K.viewpoint.setZero();
-  DetectionResult result = detect(cloud_K, settings_.detector);
-  if (pose.X_WK) tracker_.update(cloud.utime, *pose.X_WK, &result.detections);
-  result.detections = moved(std::move(result.detections), placement.X_RK);
+  std::vector<Detection> placed;
+  DetectionResult result = detect(cloud_K, settings_.detector, [&](DetectionResult found) {
+    if (pose.X_WK) track(channel, cloud, *pose.X_WK, &found.detections);
+    found.detections = moved(std::move(found.detections), placement.X_RK);
+    ready(found);
+    placed = std::move(found.detections);
+  });
+  result.detections = std::move(placed);
   result.boxes = moved(std::move(result.boxes), placement.X_RK);
   return result;
 }
 
-void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud, const CameraPose& pose,
-                                      TimePoint received) {
+/// Gives what was found in a cloud its tracks.
+void DetectorNode::track(const std::string& channel, const bus::CloudMessage& cloud,
+                         const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections) {
+  const std::int64_t before = trackers_.given_up();
+  trackers_.of(channel, cloud.cloud.frame).update(cloud.utime, X_WK, detections);
+  if (trackers_.given_up() == before) return;
+  trackers_log_.warning(
+      fmt::format("{}: the clouds have more than {} frames, and tracks of the oldest begin anew; "
+                  "give each camera one name for its frame",
+                  channel, Trackers::kMaxTrackers));
+}
+
+void DetectorNode::detect_and_publish(const std::string& channel, const bus::CloudMessage& cloud,
+                                      const CameraPose& pose, TimePoint received) {
+  const TimePoint start = std::chrono::steady_clock::now();
   const Placement placement = place(settings_.frames, pose);
-  const DetectionResult result = detect_placed(cloud, pose, placement);
-  quadrics_t message = bus::to_message(cloud, result);
-  message.frame = placement.frame_of_results(cloud.cloud.frame);
-  const auto bytes = bus::encode(message);
-  publish_(settings_.out_channel, bytes);
-  const double latency = bus::ms_since(received);
-  boxes_t boxes_message = bus::to_message(cloud, result.boxes);
-  boxes_message.frame = message.frame;
-  const auto boxes = bus::encode(boxes_message);
-  publish_(settings_.boxes_channel, boxes);
+  const std::string& frame = placement.frame_of_results(cloud.cloud.frame);
+  double detect_ms = 0.0, latency = 0.0;
+  const DetectionResult result =
+      detect_placed(channel, cloud, pose, placement, [&](const DetectionResult& found) {
+        detect_ms = bus::ms_since(start);
+        publish_quadrics(channel, cloud, frame, found);
+        latency = bus::ms_since(received);
+      });
+  publish_boxes(channel, cloud, frame, result);
   log_debug(fmt::format("cloud {}: {} of {} points, {} quadrics, {} boxes, {:.1f} ms", cloud.utime,
                         result.points_used, cloud.cloud.read, result.detections.size(),
                         result.boxes.size(), latency));
@@ -128,35 +221,83 @@ void DetectorNode::detect_and_publish(const bus::CloudMessage& cloud, const Came
     log_debug(fmt::format("cloud {}: {}", cloud.utime, warning));
   }
   const std::lock_guard lock(mutex_);
+  stages_.add("wait", std::chrono::duration<double, std::milli>(start - received).count());
+  stages_.add("detect", detect_ms);
+  stages_.add("quadrics", latency);
+  stages_.add("boxes", bus::ms_since(received) - latency);
+}
+
+/// The planner waits for these.
+void DetectorNode::publish_quadrics(const std::string& channel, const bus::CloudMessage& cloud,
+                                    const std::string& frame, const DetectionResult& result) {
+  quadrics_t message = bus::to_message(cloud, result);
+  message.frame = frame;
+  const auto bytes = bus::encode(message);
+  publish_(results_channel(settings_.out_channel, channel), bytes);
+  const std::lock_guard lock(mutex_);
   ++counts_.published;
-  counts_.published_bytes += static_cast<std::int64_t>(bytes.size() + boxes.size());
+  counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
   counts_.cloud_utime = cloud.utime;
   detections_ += static_cast<std::int64_t>(result.detections.size());
-  latencies_.add(latency);
-  detection_times_.add(result.total_ms);
+}
+
+void DetectorNode::publish_boxes(const std::string& channel, const bus::CloudMessage& cloud,
+                                 const std::string& frame, const DetectionResult& result) {
+  boxes_t message = bus::to_message(cloud, result.boxes);
+  message.frame = frame;
+  const auto bytes = bus::encode(message);
+  publish_(results_channel(settings_.boxes_channel, channel), bytes);
+  const std::lock_guard lock(mutex_);
+  counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
 }
 
 void DetectorNode::publish_status(std::int64_t superseded,
                                   const std::vector<std::string>& warnings) {
-  detector_status_t status = make_status();
-  set_transport(superseded, warnings, dropped_before_, &status);
+  detector_status_t status{};
+  fill_counts(&status);
+  CommonStatus{traffic(), superseded, warnings, settings_hash_}.write_to(&status);
   publish_(settings_.status_channel, bus::encode(status));
+  const std::lock_guard lock(mutex_);
+  last_status_ = std::move(status);
 }
 
-detector_status_t DetectorNode::make_status() const {
+void DetectorNode::fill_counts(detector_status_t* status) {
   const std::lock_guard lock(mutex_);
-  detector_status_t status = counts_;
-  status.failed = failed();
-  status.rejected = bus::to_message(refusals_.counts());
-  status.num_rejected = static_cast<std::int32_t>(status.rejected.size());
-  status.untracked = untracked_.to_message();
-  status.num_untracked = static_cast<std::int32_t>(status.untracked.size());
-  set_latency(latencies_.summary(), &status);
-  const bus::DurationSummary detection = detection_times_.summary();
-  status.detect_p50 = detection.p50;
-  status.detect_p95 = detection.p95;
-  status.detect_max = detection.max;
-  return status;
+  *status = counts_;
+  status->sender = own_sender();
+  status->failed = failed();
+  status->missing = gaps_.missing();
+  status->received_rate = received_rate_.update(counts_.received);
+  status->published_rate = published_rate_.update(counts_.published);
+  status->rejected = bus::to_message(refusals_.counts());
+  status->num_rejected = static_cast<std::int32_t>(status->rejected.size());
+  status->untracked = untracked_.to_message();
+  status->num_untracked = static_cast<std::int32_t>(status->untracked.size());
+  set_stages(stages_, status);
+}
+
+std::string DetectorNode::exposition() const {
+  const std::lock_guard lock(mutex_);
+  const detector_status_t& status = last_status_;
+  Exposition out("quadrille_detector");
+  out.add_counter("clouds_received", "Messages on the channel of the clouds.", status.received);
+  out.add_counter("clouds_decoded", "Clouds that passed all checks.", status.decoded);
+  out.add_counter("clouds_missing", "Clouds that never came, by gaps in their seq.",
+                  status.missing);
+  out.add_counter("clouds_superseded", "Clouds dropped for a newer one.", status.superseded);
+  out.add_counter("clouds_failed", "Clouds on which the detection failed.", status.failed);
+  out.add_counter("quadrics_published", "Messages of quadrics.", status.published);
+  out.add_counter("received_bytes", "Bytes of clouds received.", status.received_bytes);
+  out.add_counter("published_bytes", "Bytes of results published.", status.published_bytes);
+  out.add_counters("messages_refused", "Messages refused.", status.rejected);
+  out.add_counters("clouds_untracked", "Clouds without tracks.", status.untracked);
+  out.add_gauge("clouds_per_second", "Over the last ten seconds.", status.received_rate);
+  out.add_gauge("quadrics_per_second", "Over the last ten seconds.", status.published_rate);
+  out.add_gauge("warnings", "What is wrong with the transport.", status.num_warnings);
+  out.add_transport(status.transport);
+  out.add_stages(status.stages);
+  out.add_process(status.process);
+  return out.text();
 }
 
 std::string DetectorNode::summary() const {

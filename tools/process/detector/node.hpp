@@ -5,22 +5,29 @@
 #include <lcmtypes/quadrille/detector_status_t.hpp>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "process/detector/settings.hpp"
+#include "process/detector/trackers.hpp"
 #include "process/detector/untracked.hpp"
 #include "process/runtime/camera_poses.hpp"
 #include "process/runtime/node.hpp"
+#include "process/runtime/rate.hpp"
 #include "process/runtime/refusals.hpp"
+#include "process/runtime/sequence_gaps.hpp"
+#include "process/runtime/stages.hpp"
+#include "quadrille/bus/channel_pattern.hpp"
 #include "quadrille/bus/cloud_message.hpp"
-#include "quadrille/bus/durations.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/detector.hpp"
 
 namespace quadrille {
 
-/// Finds the quadrics of the clouds of one channel, and tracks them.
+/// Finds the quadrics of the clouds of one channel, or of those that a pattern matches, and tracks
+/// them.
 class DetectorNode : public Node {
  public:
   DetectorNode(const DetectorSettings& settings, bus::Publish publish);
@@ -29,6 +36,7 @@ class DetectorNode : public Node {
   std::vector<OutChannel> out_channels() const override;
   std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
   void publish_status(std::int64_t superseded, const std::vector<std::string>& warnings) override;
+  std::string exposition() const override;
   std::string summary() const override;
   std::vector<std::string> find_oddities() const override;
 
@@ -38,26 +46,43 @@ class DetectorNode : public Node {
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
   CameraPose choose_pose(std::int64_t utime);
-  DetectionResult detect_placed(const bus::CloudMessage& cloud, const CameraPose& pose,
-                                const Placement& placement);
-  void detect_and_publish(const bus::CloudMessage& cloud, const CameraPose& pose,
-                          TimePoint received);
-  detector_status_t make_status() const;
+  bool takes_clouds_of(const std::string& channel) const;
+  std::optional<bus::Rejection> refuse_channel(const std::string& channel);
+  std::string results_channel(const std::string& name, const std::string& cloud_channel) const;
+  void track(const std::string& channel, const bus::CloudMessage& cloud,
+             const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
+  DetectionResult detect_placed(const std::string& channel, const bus::CloudMessage& cloud,
+                                const CameraPose& pose, const Placement& placement,
+                                const QuadricsReady& ready);
+  void detect_and_publish(const std::string& channel, const bus::CloudMessage& cloud,
+                          const CameraPose& pose, TimePoint received);
+  void publish_quadrics(const std::string& channel, const bus::CloudMessage& cloud,
+                        const std::string& frame, const DetectionResult& result);
+  void publish_boxes(const std::string& channel, const bus::CloudMessage& cloud,
+                     const std::string& frame, const DetectionResult& result);
+  void fill_counts(detector_status_t* status);
 
   const DetectorSettings settings_;
+  const bus::ChannelPattern in_channel_;
   const bus::Publish publish_;
-  const std::int64_t dropped_before_;
+  const std::string settings_hash_;
 
   /// For the working thread.
-  Tracker tracker_;
+  Trackers trackers_;
+  LimitedLog trackers_log_;
 
   mutable std::mutex mutex_;
   detector_status_t counts_{};
   std::int64_t detections_ = 0, poses_ = 0;
   CameraPoses camera_poses_;
+  SequenceGaps gaps_;
   Refusals refusals_;
   Untracked untracked_;
-  bus::Durations latencies_, detection_times_;
+  /// On which clouds have come.
+  std::set<std::string> cloud_channels_;
+  Stages stages_{{"decode", "wait", "detect", "quadrics", "boxes"}};
+  Rate received_rate_, published_rate_;
+  detector_status_t last_status_{};
 };
 
 }  // namespace quadrille

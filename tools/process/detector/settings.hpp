@@ -15,6 +15,8 @@ namespace quadrille {
 /// What the command line asks of the process.
 struct DetectorSettings {
   ProcessArguments process;
+  /// Or a pattern of channels, as bus::ChannelPattern takes it; the results of each then go to
+  /// channels of its own, whose names end in its name.
   std::string in_channel = "POINT_CLOUD";
   std::string out_channel = "QUADRICS";
   std::string boxes_channel = "BOXES";

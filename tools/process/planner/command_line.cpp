@@ -8,6 +8,10 @@
 namespace quadrille {
 
 PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
+  // Where cores are few, the detector answers half as late again without this.
+  settings_.process.niceness = 5;
+  // Few look at it, and it takes a tenth of the time of a plan.
+  settings_.occupancy_period = 1.0;
   settings_.process.add_to(app, "plan");
   add_channel_option(app, "--cloud-channel", settings_.cloud_channel, "clouds");
   add_channel_option(app, "--quadrics-channel", settings_.quadrics_channel, "quadrics");
@@ -18,6 +22,18 @@ PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
                "Plan only what is asked for, and not on each cloud");
   add_channel_option(app, "--shapes-channel", settings_.shapes_channel, "collision shapes");
   add_channel_option(app, "--occupancy-channel", settings_.occupancy_channel, "occupancy");
+  app.add_flag("!--no-shapes", settings_.shapes, "Publish no collision shapes");
+  app.add_flag("!--no-occupancy", settings_.occupancy, "Publish no occupancy");
+  app.add_option("--occupancy-period", settings_.occupancy_period,
+                 "On the bus, publish occupancy at most once in so many seconds; 0: with each plan")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->type_name("SECONDS")
+      ->capture_default_str();
+  app.add_option("--nice", settings_.process.niceness,
+                 "On the bus, let planning give way to other processes by so much, as nice does")
+      ->check(CLI::Range(0, 19))
+      ->type_name("N")
+      ->capture_default_str();
   add_channel_option(app, "--status-channel", settings_.status_channel, "status");
   add_channel_option(app, "--pose-channel", settings_.pose_channel,
                      "camera's poses (bot_core.pose_t) in a fixed frame");
@@ -35,8 +51,17 @@ PlannerSettings PlannerCommandLine::settings() const {
   if (!report_.empty()) settings.plan.targets = report_;
   settings.pose_age = config.track.pose_age;
   settings.X_WK = camera_.X_WK;
+  settings.process.check();
   check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,
               {settings.cloud_channel, settings.quadrics_channel, settings.request_channel});
+  check_distinct({{"--cloud-channel", settings.cloud_channel},
+                  {"--quadrics-channel", settings.quadrics_channel},
+                  {"--grasps-channel", settings.grasps_channel},
+                  {"--request-channel", settings.request_channel},
+                  {"--shapes-channel", settings.shapes_channel},
+                  {"--occupancy-channel", settings.occupancy_channel},
+                  {"--status-channel", settings.status_channel},
+                  {"--pose-channel", settings.pose_channel}});
   settings.gripper = planner_.gripper();
   return settings;
 }

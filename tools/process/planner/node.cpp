@@ -9,7 +9,9 @@
 
 #include "process/planner/messages.hpp"
 #include "process/planner/request.hpp"
+#include "process/planner/status_text.hpp"
 #include "process/runtime/logging.hpp"
+#include "process/runtime/other_senders.hpp"
 #include "process/runtime/status.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/status_message.hpp"
@@ -21,10 +23,25 @@ namespace {
 
 using Space = std::shared_ptr<const OccupancyGrid>;
 
+/// "no_cloud 2, other_cloud 1"
+std::string list_counts(const std::vector<count_t>& counts) {
+  std::string text;
+  for (const count_t& entry : counts) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", entry.name, entry.count);
+  }
+  return text;
+}
+
 /// The map of frame K in frame R.
 Space in_frame(const Space& space, const Eigen::Isometry3d& X_RK) {
   if (!space || X_RK.matrix().isIdentity(0.0)) return space;
   return std::make_shared<const OccupancyGrid>(space->moved(X_RK));
+}
+
+/// None where a log is replayed, whose results do not hang on how fast that goes.
+std::chrono::milliseconds occupancy_interval(const PlannerSettings& settings) {
+  if (!settings.process.in_log.empty()) return std::chrono::milliseconds(0);
+  return std::chrono::milliseconds(static_cast<int>(1000.0 * settings.occupancy_period));
 }
 
 }  // namespace
@@ -32,8 +49,9 @@ Space in_frame(const Space& space, const Eigen::Isometry3d& X_RK) {
 PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
     : settings_(settings),
       publish_(std::move(publish)),
-      dropped_before_(bus::count_dropped_datagrams()),
-      camera_poses_(settings.X_WK, settings.pose_age) {}
+      settings_hash_(hash_of(settings)),
+      camera_poses_(settings.X_WK, settings.pose_age),
+      occupancies_(occupancy_interval(settings)) {}
 
 std::vector<InChannel> PlannerNode::in_channels() const {
   std::vector<InChannel> channels = {
@@ -75,7 +93,9 @@ void PlannerNode::receive_pose(const std::string& channel, std::span<const std::
 
 std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
                                               std::span<const std::byte> bytes) {
+  const auto start = std::chrono::steady_clock::now();
   bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(bytes);
+  const double decode_ms = bus::ms_since(start);
   const std::lock_guard lock(mutex_);
   ++counts_.received_clouds;
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
@@ -84,7 +104,9 @@ std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
     return std::nullopt;
   }
   ++counts_.decoded_clouds;
+  stages_.add("decode", decode_ms);
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
+  gaps_.add(cloud.cloud.frame, cloud.seq);
   // Chosen now, as the detector does, and not when the work begins.
   Placement placement = place(settings_.frames, camera_poses_.at(cloud.utime));
   if (!placement.lack.empty()) {
@@ -108,7 +130,18 @@ std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
     return std::nullopt;
   }
   ++counts_.decoded_quadrics;
-  return make_job(pairing_.add(std::get<bus::QuadricsMessage>(std::move(decoded))));
+  auto job = make_job(pairing_.add(std::get<bus::QuadricsMessage>(std::move(decoded))));
+  if (const auto given_up = pairing_.take_given_up()) log_unpaired(channel, *given_up);
+  return job;
+}
+
+void PlannerNode::log_unpaired(const std::string& channel, const Pairing::GivenUp& quadrics) {
+  const auto held_back = unpaired_log_.admit();
+  if (!held_back) return;
+  log_warning(
+      fmt::format("{}: the quadrics of cloud {} are not planned on: {}; {} more since the "
+                  "last record",
+                  channel, quadrics.utime, explain(quadrics.why), *held_back));
 }
 
 std::optional<Job> PlannerNode::receive_request(const std::string& channel,
@@ -172,7 +205,6 @@ GraspPlan PlannerNode::plan_placed(const SharedPair& pair, const GraspQuery& que
 
 void PlannerNode::plan_and_publish(const SharedPair& shared) {
   const CloudAndQuadrics& pair = *shared;
-  const Eigen::Isometry3d& X_RK = pair.placement.X_RK;
   const auto start = std::chrono::steady_clock::now();
   const GraspPlan plan = plan_placed(shared, {});
   const double plan_ms = bus::ms_since(start);
@@ -181,9 +213,7 @@ void PlannerNode::plan_and_publish(const SharedPair& shared) {
   std::int64_t bytes =
       publish(settings_.grasps_channel, make_grasps_message(stamp, plan, settings_));
   const double latency = bus::ms_since(pair.at);
-  bytes += publish(settings_.shapes_channel, make_shapes_message(stamp, plan));
-  bytes += publish(settings_.occupancy_channel,
-                   make_occupancy_message(stamp, in_frame(plan.space, X_RK).get()));
+  bytes += publish_maps(stamp, plan, pair.placement.X_RK);
   log_debug(fmt::format("cloud {}: {} quadrics, {} grasps, {:.1f} ms", pair.cloud->utime,
                         pair.quadrics.detections.size(), plan.grasps.size(), latency));
   for (const std::string& warning : plan.warnings) {
@@ -194,8 +224,25 @@ void PlannerNode::plan_and_publish(const SharedPair& shared) {
   counts_.published_bytes += bytes;
   counts_.cloud_utime = pair.cloud->utime;
   grasps_ += static_cast<std::int64_t>(plan.grasps.size());
-  latencies_.add(latency);
-  plan_times_.add(plan_ms);
+  stages_.add("wait", std::chrono::duration<double, std::milli>(start - pair.at).count());
+  stages_.add("plan", plan_ms);
+  stages_.add("grasps", latency);
+  stages_.add("maps", bus::ms_since(pair.at) - latency);
+}
+
+/// Publishes what is wanted beside the grasps.
+/// @return how many bytes
+std::int64_t PlannerNode::publish_maps(const Stamp& stamp, const GraspPlan& plan,
+                                       const Eigen::Isometry3d& X_RK) {
+  std::int64_t bytes = 0;
+  if (settings_.shapes) {
+    bytes += publish(settings_.shapes_channel, make_shapes_message(stamp, plan));
+  }
+  if (settings_.occupancy && occupancies_.admit()) {
+    bytes += publish(settings_.occupancy_channel,
+                     make_occupancy_message(stamp, in_frame(plan.space, X_RK).get()));
+  }
+  return bytes;
 }
 
 void PlannerNode::answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at) {
@@ -252,16 +299,31 @@ void PlannerNode::publish_answer(const grasp_request_t& request, const SharedPai
 
 void PlannerNode::publish_status(std::int64_t superseded,
                                  const std::vector<std::string>& warnings) {
-  planner_status_t status = make_status();
-  set_transport(superseded, warnings, dropped_before_, &status);
+  planner_status_t status{};
+  fill_counts(&status);
+  CommonStatus{traffic(), superseded, warnings, settings_hash_}.write_to(&status);
   publish(settings_.status_channel, status);
+  const std::lock_guard lock(mutex_);
+  last_status_ = std::move(status);
 }
 
-planner_status_t PlannerNode::make_status() const {
+std::string PlannerNode::exposition() const {
   const std::lock_guard lock(mutex_);
-  planner_status_t status = counts_;
+  return to_exposition(last_status_);
+}
+
+void PlannerNode::fill_counts(planner_status_t* filled) {
+  const std::lock_guard lock(mutex_);
+  planner_status_t& status = *filled;
+  status = counts_;
+  status.sender = own_sender();
+  status.missing_clouds = gaps_.missing();
+  status.received_rate = received_rate_.update(counts_.received_clouds);
+  status.published_rate = published_rate_.update(counts_.published);
   status.paired = pairing_.paired();
   status.unpaired_quadrics = pairing_.unpaired();
+  status.unpaired = pairing_.count_unpaired();
+  status.num_unpaired = static_cast<std::int32_t>(status.unpaired.size());
   status.failed = failed();
   status.requests = requests_;
   status.unmet = unmet_;
@@ -273,12 +335,7 @@ planner_status_t PlannerNode::make_status() const {
   status.num_rejected_requests = static_cast<std::int32_t>(status.rejected_requests.size());
   status.rejected_poses = bus::to_message(refused_poses_.counts());
   status.num_rejected_poses = static_cast<std::int32_t>(status.rejected_poses.size());
-  set_latency(latencies_.summary(), &status);
-  const bus::DurationSummary plan = plan_times_.summary();
-  status.plan_p50 = plan.p50;
-  status.plan_p95 = plan.p95;
-  status.plan_max = plan.max;
-  return status;
+  set_stages(stages_, filled);
 }
 
 std::string PlannerNode::summary() const {
@@ -303,6 +360,16 @@ std::vector<std::string> PlannerNode::find_oddities() const {
   if (pairing_.paired() == 0) {
     oddities.push_back(
         "no quadrics with their cloud; make it with quadrille-detector --copy-input");
+  }
+  const std::int64_t paired = pairing_.paired(), unpaired = pairing_.unpaired();
+  if (paired > 0 && unpaired > 0) {
+    oddities.push_back(fmt::format(
+        "{} of {} messages of quadrics have no cloud of theirs ({}) and were not planned on",
+        unpaired, counts_.decoded_quadrics, list_counts(pairing_.count_unpaired())));
+  }
+  if (paired > 0 && counts_.decoded_clouds > paired) {
+    oddities.push_back(fmt::format("{} of {} clouds have no quadrics and were not planned on",
+                                   counts_.decoded_clouds - paired, counts_.decoded_clouds));
   }
   if (poses_ > 0 && poseless_ > 0) {
     oddities.push_back(fmt::format(

@@ -10,13 +10,16 @@
 #include <string>
 #include <vector>
 
+#include "process/planner/messages.hpp"
 #include "process/planner/pairing.hpp"
 #include "process/planner/recent_pairs.hpp"
 #include "process/planner/settings.hpp"
 #include "process/runtime/camera_poses.hpp"
 #include "process/runtime/node.hpp"
+#include "process/runtime/rate.hpp"
 #include "process/runtime/refusals.hpp"
-#include "quadrille/bus/durations.hpp"
+#include "process/runtime/sequence_gaps.hpp"
+#include "process/runtime/stages.hpp"
 #include "quadrille/bus/rate_limiter.hpp"
 #include "quadrille/bus/request_message.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
@@ -32,6 +35,7 @@ class PlannerNode : public Node {
   std::vector<OutChannel> out_channels() const override;
   std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
   void publish_status(std::int64_t superseded, const std::vector<std::string>& warnings) override;
+  std::string exposition() const override;
   std::string summary() const override;
   std::vector<std::string> find_oddities() const override;
 
@@ -42,6 +46,7 @@ class PlannerNode : public Node {
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_quadrics(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_request(const std::string& channel, std::span<const std::byte> bytes);
+  void log_unpaired(const std::string& channel, const Pairing::GivenUp& quadrics);
   std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
   const GraspScene& scene_of(const SharedPair& pair);
   GraspPlan plan_placed(const SharedPair& pair, const GraspQuery& query);
@@ -51,11 +56,13 @@ class PlannerNode : public Node {
   void publish_answer(const grasp_request_t& request, const SharedPair& pair, GraspPlan plan);
   template <class Message>
   std::int64_t publish(const std::string& channel, const Message& message);
-  planner_status_t make_status() const;
+  std::int64_t publish_maps(const Stamp& stamp, const GraspPlan& plan,
+                            const Eigen::Isometry3d& X_RK);
+  void fill_counts(planner_status_t* status);
 
   const PlannerSettings settings_;
   const bus::Publish publish_;
-  const std::int64_t dropped_before_;
+  const std::string settings_hash_;
 
   mutable std::mutex mutex_;
   Pairing pairing_;
@@ -65,9 +72,13 @@ class PlannerNode : public Node {
   CameraPoses camera_poses_;
   std::int64_t requests_ = 0, unmet_ = 0;
   Refusals refused_clouds_, refused_quadrics_, refused_poses_, refused_requests_;
-  bus::RateLimiter poseless_log_{std::chrono::seconds(1)};
-  bus::Durations latencies_, plan_times_;
-  // The last cloud that was made ready, for the working thread.
+  bus::RateLimiter poseless_log_{std::chrono::seconds(1)}, unpaired_log_{std::chrono::seconds(1)};
+  SequenceGaps gaps_;
+  Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
+  Rate received_rate_, published_rate_;
+  planner_status_t last_status_{};
+  // For the working thread; below it the last cloud that was made ready.
+  bus::RateLimiter occupancies_;
   SharedPair ready_;
   std::optional<GraspScene> scene_;
 };

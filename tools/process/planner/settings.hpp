@@ -29,6 +29,10 @@ struct PlannerSettings {
   /// Age of the newest pose from which on it tells nothing of a cloud [s].
   double pose_age = TrackOptions{}.pose_age;
   CloudFrames frames;
+  /// Whether collision shapes and occupancy are published.
+  bool shapes = true, occupancy = true;
+  /// On the bus, occupancy is published at most this often; 0: with each plan [s].
+  double occupancy_period = 0.0;
   /// Plan only what is asked for.
   bool on_request = false;
   Gripper gripper;

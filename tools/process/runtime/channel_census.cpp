@@ -2,15 +2,21 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "io/describe.hpp"
+#include "quadrille/bus/channel_pattern.hpp"
 
 namespace quadrille {
 std::vector<std::string> ChannelCensus::find_missing(const std::vector<InChannel>& wanted) const {
   std::vector<std::string> lines;
   for (const InChannel& channel : wanted) {
-    if (!channel.expected || events_.count(channel.name) > 0) continue;
+    const bus::ChannelPattern wanted_name(channel.name);
+    const bool held_any = std::any_of(events_.begin(), events_.end(), [&](const auto& entry) {
+      return wanted_name.matches(entry.first);
+    });
+    if (!channel.expected || held_any) continue;
     const std::string held = events_.empty() ? "no events at all" : io::list_channels(events_);
     std::string line = fmt::format("no event on {}; the log holds {}", channel.name, held);
     // Where there is nothing, another name helps no more.
@@ -23,10 +29,10 @@ std::vector<std::string> ChannelCensus::find_missing(const std::vector<InChannel
 std::string ChannelCensus::find_taken(const std::vector<OutChannel>& wanted) const {
   std::string text;
   for (const OutChannel& channel : wanted) {
-    const auto found = events_.find(channel.name);
-    if (found == events_.end()) continue;
-    text += fmt::format("{}{} ({}; {})", text.empty() ? "" : ", ", channel.name, found->second,
-                        channel.option);
+    for (const auto& [name, count] : events_) {
+      if (!channel.holds(name)) continue;
+      text += fmt::format("{}{} ({}; {})", text.empty() ? "" : ", ", name, count, channel.option);
+    }
   }
   return text;
 }

@@ -4,18 +4,26 @@
 
 #include <exception>
 
-#include "process/runtime/logging.hpp"
-
 namespace quadrille {
 
 void Node::work(const Job& job) {
   try {
     job.run();
   } catch (const std::exception& error) {
-    log_error(fmt::format("cloud {}: {}", job.cloud_utime, error.what()));
+    failure_log_.error(fmt::format("cloud {}: {}", job.cloud_utime, error.what()));
     ++failed_;
     refuse(job, error.what());
   }
+}
+
+void Node::note_traffic(const bus::Traffic& traffic) {
+  const std::lock_guard lock(traffic_mutex_);
+  traffic_ = traffic;
+}
+
+bus::Traffic Node::traffic() const {
+  const std::lock_guard lock(traffic_mutex_);
+  return traffic_;
 }
 
 void Node::refuse(const Job& job, const std::string& why) noexcept {
@@ -23,7 +31,8 @@ void Node::refuse(const Job& job, const std::string& why) noexcept {
   try {
     job.refuse(why);
   } catch (const std::exception& error) {
-    log_error(
+    static LimitedLog log;
+    log.error(
         fmt::format("an answer to cloud {} cannot be sent: {}", job.cloud_utime, error.what()));
   }
 }

@@ -5,18 +5,23 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "process/runtime/limited_log.hpp"
+#include "quadrille/bus/connection.hpp"
 #include "quadrille/bus/publish.hpp"
 
 namespace quadrille {
 
 /// A channel that a node listens to, and the option that names it.
 struct InChannel {
-  std::string option, name;
+  std::string option;
+  /// Or a pattern of names, as bus::ChannelPattern takes it.
+  std::string name;
   /// False if it is no fault when nothing comes on it.
   bool expected = true;
 };
@@ -24,6 +29,12 @@ struct InChannel {
 /// A channel on which a node publishes, and the option that names it.
 struct OutChannel {
   std::string option, name;
+  /// True if it stands for several, whose names begin with this one and '_'.
+  bool several = false;
+
+  bool holds(const std::string& channel) const {
+    return channel == name || (several && channel.starts_with(name + "_"));
+  }
 };
 
 /// What a message asks for.
@@ -34,6 +45,8 @@ struct Job {
   /// Set for what somebody waits for: no newer job replaces it, and if it cannot be done this is
   /// told why.
   std::function<void(const std::string& why)> refuse = {};
+  /// Only newer jobs of the same kind replace this one. There are few kinds, such as channels.
+  std::string kind = {};
 };
 
 /// The work of a process, the same on the bus and in replay.
@@ -59,6 +72,12 @@ class Node {
   virtual void publish_status(std::int64_t superseded,
                               const std::vector<std::string>& warnings) = 0;
 
+  /// The last published status in the text format that Prometheus reads; empty if there is none.
+  virtual std::string exposition() const { return {}; }
+
+  /// Notes what the connection has received, for the status. For any thread.
+  void note_traffic(const bus::Traffic& traffic);
+
   /// What went in, came out and was refused so far, in one line.
   virtual std::string summary() const = 0;
 
@@ -74,8 +93,15 @@ class Node {
   /// Jobs that failed.
   std::int64_t failed() const { return failed_; }
 
+ protected:
+  /// What was noted last; nothing in a replay.
+  bus::Traffic traffic() const;
+
  private:
+  mutable std::mutex traffic_mutex_;
+  bus::Traffic traffic_;
   std::atomic<std::int64_t> failed_{0};
+  LimitedLog failure_log_;
 };
 
 /// Makes the node of a process, which publishes through what it is given.

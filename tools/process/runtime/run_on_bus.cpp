@@ -4,7 +4,10 @@
 #include <thread>
 
 #include "process/runtime/logging.hpp"
+#include "process/runtime/loss_watch.hpp"
+#include "process/runtime/other_senders.hpp"
 #include "process/runtime/run.hpp"
+#include "process/runtime/stats_file.hpp"
 #include "process/runtime/worker.hpp"
 #include "quadrille/bus/connection.hpp"
 #include "quadrille/bus/mailbox.hpp"
@@ -18,20 +21,45 @@ namespace {
 
 void hand_over(Job& job, bus::Mailbox<Job>& mailbox) {
   if (!job.refuse) {
-    mailbox.put(std::move(job));
+    const std::string kind = job.kind;
+    mailbox.put(std::move(job), kind);
   } else if (!mailbox.queue(job)) {
     Node::refuse(job, fmt::format("{} requests wait already", mailbox.kMaxQueued));
   }
 }
 
-void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox, Node& node) {
+/// Listens on the channel of the node's status, if it has one.
+void subscribe_to_status(const Node& node, OtherSenders& others, bus::Connection& connection) {
+  for (const OutChannel& channel : node.out_channels()) {
+    if (channel.option != "--status-channel") continue;
+    connection.subscribe(channel.name,
+                         [&](const std::string& name, std::span<const std::byte> bytes) {
+                           others.hear(name, bytes);
+                         });
+  }
+}
+
+void publish_status(const bus::Connection& connection, const bus::Mailbox<Job>& mailbox,
+                    const OtherSenders& others, StatsFile& stats, Node& node) {
+  const bus::Traffic traffic = connection.traffic();
+  std::vector<std::string> warnings = LossWatch::find_warnings(traffic, connection.warnings());
+  for (std::string& warning : others.find_warnings()) warnings.push_back(std::move(warning));
+  node.note_traffic(traffic);
+  node.publish_status(mailbox.superseded(), warnings);
+  stats.write(node.exposition());
+}
+
+void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
+                        const OtherSenders& others, StatsFile& stats, Node& node, int niceness) {
   bus::Ticker status_tick(std::chrono::seconds(1));
-  const Worker worker(mailbox, node);
+  LossWatch losses;
+  const Worker worker(mailbox, node, niceness);
   bus::Receiver receiver(connection);
   while (!bus::stop_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     receiver.check();
-    if (status_tick.due()) node.publish_status(mailbox.superseded(), connection.warnings());
+    if (const auto loss = losses.check(connection.traffic())) log_warning(*loss);
+    if (status_tick.due()) publish_status(connection, mailbox, others, stats, node);
   }
 }
 
@@ -45,14 +73,19 @@ void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
   });
   bus::Mailbox<Job> mailbox;
   for (const InChannel& channel : node->in_channels()) {
-    connection.subscribe(channel.name,
+    connection.subscribe(bus::ChannelPattern(channel.name),
                          [&](const std::string& name, std::span<const std::byte> bytes) {
                            if (auto job = node->receive(name, bytes)) hand_over(*job, mailbox);
                          });
     log_info(fmt::format("listening to {} on {}", channel.name, connection.url()));
   }
-  work_until_stopped(connection, mailbox, *node);
-  node->publish_status(mailbox.superseded(), connection.warnings());
+  OtherSenders others;
+  subscribe_to_status(*node, others, connection);
+  StatsFile stats(arguments.stats_file);
+  work_until_stopped(connection, mailbox, others, stats, *node, arguments.niceness);
+  publish_status(connection, mailbox, others, stats, *node);
+  const std::string losses = LossWatch::describe(connection.traffic());
+  if (!losses.empty()) log_warning("in all " + losses);
   log_info(fmt::format("stopped: {}; {} superseded", node->summary(), mailbox.superseded()));
 }
 

@@ -1,35 +1,20 @@
 #include <fmt/format.h>
 
-#include <optional>
+#include <exception>
+#include <memory>
 #include <stdexcept>
 
+#include "io/new_file.hpp"
 #include "process/runtime/channel_census.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/run.hpp"
+#include "process/runtime/stats_file.hpp"
 #include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/replay.hpp"
 #include "quadrille/bus/stop.hpp"
 
 namespace quadrille {
 namespace {
-
-std::vector<std::string> find_warnings(const bus::LogSurvey& survey, const ChannelCensus& census,
-                                       const Node& node) {
-  std::vector<std::string> warnings = census.find_missing(node.in_channels());
-  if (survey.defect) warnings.push_back(*survey.defect);
-  for (std::string& oddity : node.find_oddities()) warnings.push_back(std::move(oddity));
-  return warnings;
-}
-
-/// What to tell of a replay that was stopped before its end; empty if it was not.
-std::string describe_stop(std::int64_t done, const bus::LogSurvey& survey,
-                          const ProcessArguments& arguments) {
-  if (!bus::stop_requested() || done >= survey.events) return "";
-  return fmt::format(
-      "{}: stopped before the end of the log, after {} of {} events; {} holds only "
-      "what came of these",
-      arguments.in_log, done, survey.events, arguments.out_log);
-}
 
 /// Refuses to copy results of earlier runs among new ones, which no reader could tell apart.
 void check_unmixed(const std::string& path, const std::vector<OutChannel>& channels) {
@@ -44,46 +29,103 @@ void check_unmixed(const std::string& path, const std::vector<OutChannel>& chann
                   path, taken));
 }
 
+/// A node that works through a log. What it writes appears under its name once it is whole.
+class LogRun {
+ public:
+  LogRun(const ProcessArguments& arguments, const NodeMaker& make_node)
+      : arguments_(arguments),
+        file_(arguments.out_log),
+        out_(file_.path(), arguments.out_log),
+        stats_(arguments.stats_file),
+        node_(make_node([this](const std::string& channel, std::span<const std::byte> bytes) {
+          publish(channel, bytes);
+        })) {}
+
+  void run() {
+    if (arguments_.copy_input) check_unmixed(arguments_.in_log, node_->out_channels());
+    survey_ = bus::replay_log(arguments_.in_log,
+                              [this](const bus::LogReader::Event& event) { handle(event); });
+    const std::string incomplete = describe_incomplete();
+    node_->publish_status(0, find_warnings(incomplete));
+    stats_.write(node_->exposition());
+    check_written();
+    out_.flush();
+    file_.commit();
+    if (!incomplete.empty()) throw std::runtime_error(incomplete);
+    log_info(arguments_.in_log + ": " + node_->summary());
+    if (node_->failed() == 0) return;
+    throw std::runtime_error(fmt::format("{}: {} of its clouds failed; the records above say why",
+                                         arguments_.in_log, node_->failed()));
+  }
+
+ private:
+  /// What a job cannot write ends the run, and not the job alone.
+  void publish(const std::string& channel, std::span<const std::byte> bytes) {
+    try {
+      out_.write(utime_, channel, bytes);
+    } catch (const std::runtime_error&) {
+      if (!write_error_) write_error_ = std::current_exception();
+    }
+  }
+
+  void check_written() const {
+    if (write_error_) std::rethrow_exception(write_error_);
+  }
+
+  void handle(const bus::LogReader::Event& event) {
+    ++done_;
+    utime_ = event.utime;
+    census_.add(event.channel);
+    if (arguments_.copy_input) out_.write(event.utime, event.channel, event.bytes);
+    if (const auto job = node_->receive(event.channel, event.bytes)) node_->work(*job);
+    check_written();
+  }
+
+  /// What to tell of a replay that did not reach the end of the log; empty if it did.
+  std::string describe_incomplete() const {
+    if (done_ >= survey_.events) return "";
+    const std::string why =
+        bus::stop_requested()
+            ? fmt::format("stopped before the end of the log, after {} of {} events", done_,
+                          survey_.events)
+            : fmt::format("{}; wait until it is written", survey_.defect.value_or("cut short"));
+    return fmt::format("{}: {}; {} holds only what came of these", arguments_.in_log, why,
+                       arguments_.out_log);
+  }
+
+  /// Those about the log are logged too. What is missing from half a log tells nothing of it.
+  std::vector<std::string> find_warnings(const std::string& incomplete) const {
+    if (!incomplete.empty()) return {incomplete};
+    std::vector<std::string> warnings = census_.find_missing(node_->in_channels());
+    if (survey_.defect) warnings.push_back(*survey_.defect);
+    for (std::string& oddity : node_->find_oddities()) warnings.push_back(std::move(oddity));
+    for (std::string& warning : warnings) {
+      warning = arguments_.in_log + ": " + warning;
+      log_warning(warning);
+    }
+    return warnings;
+  }
+
+  const ProcessArguments& arguments_;
+  io::NewFile file_;
+  bus::LogWriter out_;
+  StatsFile stats_;
+  std::exception_ptr write_error_;
+  // Results carry the time of the event that they answer: it is the same in every run, and later
+  // than that of no event which is copied after them.
+  std::int64_t utime_ = 0;
+  std::unique_ptr<Node> node_;
+  ChannelCensus census_;
+  bus::LogSurvey survey_;
+  std::int64_t done_ = 0;
+};
+
 }  // namespace
 
 void run_on_log(const ProcessArguments& arguments, const NodeMaker& make_node) {
   bus::check_different_files(arguments.in_log, arguments.out_log);
   bus::survey_log(arguments.in_log);
-  std::optional<bus::LogWriter> out;
-  // Results carry the time of the event that they answer: it is the same in every run, and later
-  // than that of no event which is copied after them.
-  std::int64_t utime = 0;
-  const auto node = make_node([&](const std::string& channel, std::span<const std::byte> bytes) {
-    out->write(utime, channel, bytes);
-  });
-  if (arguments.copy_input) check_unmixed(arguments.in_log, node->out_channels());
-  out.emplace(arguments.out_log);
-  ChannelCensus census;
-  std::int64_t done = 0;
-  const auto on_event = [&](const bus::LogReader::Event& event) {
-    ++done;
-    utime = event.utime;
-    census.add(event.channel);
-    if (arguments.copy_input) out->write(event.utime, event.channel, event.bytes);
-    if (const auto job = node->receive(event.channel, event.bytes)) node->work(*job);
-  };
-  const bus::LogSurvey survey = bus::replay_log(arguments.in_log, on_event);
-  const std::string stopped = describe_stop(done, survey, arguments);
-  // What is missing from half a log tells nothing of the log.
-  std::vector<std::string> warnings =
-      stopped.empty() ? find_warnings(survey, census, *node) : std::vector<std::string>{};
-  for (std::string& warning : warnings) {
-    warning = arguments.in_log + ": " + warning;
-    log_warning(warning);
-  }
-  if (!stopped.empty()) warnings.push_back(stopped);
-  node->publish_status(0, warnings);
-  out->flush();
-  if (!stopped.empty()) throw std::runtime_error(stopped);
-  log_info(arguments.in_log + ": " + node->summary());
-  if (node->failed() == 0) return;
-  throw std::runtime_error(fmt::format("{}: {} of its clouds failed; the records above say why",
-                                       arguments.in_log, node->failed()));
+  LogRun(arguments, make_node).run();
 }
 
 }  // namespace quadrille

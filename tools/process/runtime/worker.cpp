@@ -1,13 +1,14 @@
 #include "process/runtime/worker.hpp"
 
 #include <signal.h>
+#include <sys/resource.h>
 
 #include <chrono>
 
 namespace quadrille {
 
-Worker::Worker(bus::Mailbox<Job>& mailbox, Node& node)
-    : mailbox_(mailbox), node_(node), thread_([this] { run(); }) {}
+Worker::Worker(bus::Mailbox<Job>& mailbox, Node& node, int niceness)
+    : mailbox_(mailbox), node_(node), niceness_(niceness), thread_([this] { run(); }) {}
 
 Worker::~Worker() {
   stop_ = true;
@@ -19,6 +20,9 @@ void Worker::run() {
   sigset_t all;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
+  // Linux has a niceness for each thread: the receiving one keeps its own. A failure costs speed
+  // alone.
+  if (niceness_ > 0) setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + niceness_);
   while (!stop_) {
     if (const auto job = mailbox_.take(std::chrono::milliseconds(100))) node_.work(*job);
   }

@@ -13,7 +13,8 @@ namespace quadrille {
 class Worker {
  public:
   /// Both must outlive this.
-  Worker(bus::Mailbox<Job>& mailbox, Node& node);
+  /// @param niceness  by how much the thread, and those that it starts, give way to others
+  Worker(bus::Mailbox<Job>& mailbox, Node& node, int niceness = 0);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
   /// Waits for the job at hand; one that still waits in the mailbox is left.
@@ -24,6 +25,7 @@ class Worker {
 
   bus::Mailbox<Job>& mailbox_;
   Node& node_;
+  const int niceness_;
   std::atomic<bool> stop_{false};
   std::thread thread_;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/point_cloud.hpp"
@@ -14,10 +16,16 @@ bool seeks_spheres_alone(const DetectorOptions& options);
 /// and its growth and its fit no choice among families.
 DetectorOptions sphere_options(DetectorOptions options);
 
+/// Gets what was found of a cloud before boxes are looked for: all of the result but these and the
+/// times.
+using QuadricsReady = std::function<void(const DetectionResult& found)>;
+
 /// Detects the quadrics of one cloud by the method of Birdal et al., CVPR 2018.
 ///
 /// The same cloud, options and seed give the same bits, whatever the thread count.
+/// @param ready  called once, for those who wait for the quadrics alone; none by default
 /// @throws std::invalid_argument if an option is out of range (the message names the field)
-DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options = {});
+DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options = {},
+                       const QuadricsReady& ready = {});
 
 }  // namespace quadrille

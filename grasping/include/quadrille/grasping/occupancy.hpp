@@ -29,12 +29,17 @@ class OccupancyGrid {
  public:
   /// Voxels per edge of the blocks that the grid is made of.
   static constexpr int kBlock = 16;
+  /// Voxels that a grid has at most: 32 MB.
+  static constexpr double kMaxVoxels = 32 << 20;
+  /// Voxels from the origin of C that it reaches at most. OctoMap numbers them from −32768 to
+  /// 32767; the blocks at the ends need some room.
+  static constexpr double kMaxCoordinate = 32000.0;
 
   /// Unknown space.
   /// @param region      space to map, in frame C [m]; grown to whole blocks
   /// @param resolution  voxel edge [m]
-  /// @throws std::invalid_argument if the resolution is not positive or the region leaves OctoMap's
-  ///         range of ±32768 voxels
+  /// @throws std::invalid_argument if the resolution is not positive, the region leaves OctoMap's
+  ///         range of ±32768 voxels, or it has more than kMaxVoxels
   OccupancyGrid(const Eigen::AlignedBox3d& region, double resolution);
   /// What one view shows of it.
   OccupancyGrid(const PointCloud& cloud, const DepthView& view, const Eigen::AlignedBox3d& region,
@@ -74,9 +79,9 @@ class OccupancyGrid {
   }
   const std::vector<Voxel>& states() const { return states_; }
 
-  /// The same space in frame F, of the same resolution. Where its lattice is turned a voxel meets
-  /// several of this one, and is what the most cautious of them is: occupied if any is, free only
-  /// if all are.
+  /// The same space in frame F, of the same resolution, or of a coarser one where it would have
+  /// more than kMaxVoxels. Where its lattice is turned a voxel meets several of this one, and is
+  /// what the most cautious of them is: occupied if any is, free only if all are.
   /// @throws std::invalid_argument if the region then leaves OctoMap's range
   OccupancyGrid moved(const Eigen::Isometry3d& X_FC) const;
 

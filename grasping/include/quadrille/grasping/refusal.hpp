@@ -9,6 +9,7 @@ namespace quadrille {
 enum class Refusal {
   kViewpoint,       ///< a detection in a cloud that contradicts its viewpoint
   kNoShape,         ///< a detection that bounds no solid
+  kFar,             ///< a detection too far off, or too large, to be mapped with the others
   kSeenFromInside,  ///< a hollow detection whose rim was not seen
   kUnmeasured,      ///< a contact line without points at the rim, or across a side not known well
   kWidth,           ///< a contact line, or a detection, wider than the hand opens

@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/cloud_file.hpp"
-#include "io/file_bytes.hpp"
+#include "io/new_file.hpp"
 #include "lab/bench/stopwatch.hpp"
 
 namespace quadrille::bench {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/rejection.hpp"
 #include "quadrille/detector/box.hpp"
 
@@ -35,6 +36,6 @@ boxes_t to_message(const CloudMessage& cloud, const std::vector<Box>& boxes);
 /// @param bytes      the message as it came, fingerprint first
 /// @param max_bytes  larger messages are refused [byte]
 Decoded<BoxesMessage> decode_boxes(std::span<const std::byte> bytes,
-                                   std::size_t max_bytes = kMaxMessageBytes);
+                                   std::size_t max_bytes = kMaxQuadricsBytes);
 
 }  // namespace quadrille::bus

@@ -34,7 +34,13 @@ struct CloudMessage {
   /// Number of the cloud by its source; 0 where the type has none.
   std::int32_t seq = 0;
   PointCloud cloud;
+  /// digest_of() the cloud; 0: not known. decode_cloud() sets it.
+  std::int64_t digest = 0;
 };
+
+/// A number that tells clouds apart, whatever their utime: XXH3 of the points and of their rows and
+/// columns. Never 0.
+std::int64_t digest_of(const PointCloud& cloud);
 
 /// The largest message that LCM delivers over UDP [byte].
 inline constexpr std::size_t kMaxMessageBytes = std::size_t{256} << 20;

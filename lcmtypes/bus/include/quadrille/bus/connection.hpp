@@ -2,15 +2,39 @@
 
 #include <lcm/lcm.h>
 
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "quadrille/bus/backlog.hpp"
+#include "quadrille/bus/channel_pattern.hpp"
+#include "quadrille/bus/receive_socket.hpp"
+
 namespace quadrille::bus {
+
+/// What a connection has received so far, and what was lost on the way to its handlers.
+struct Traffic {
+  /// The largest message [byte].
+  std::int64_t largest_message = 0;
+  /// The receive buffer: what was asked for, and what the kernel grants [byte]; 0 where the
+  /// transport has none.
+  std::int64_t asked_buffer = 0, receive_buffer = 0;
+  /// Datagrams that the kernel dropped because the buffer was full: at most as many messages were
+  /// lost there. -1 where the system does not tell.
+  std::int64_t dropped_datagrams = 0;
+  /// Messages driven out by newer ones before they were handled.
+  std::int64_t dropped_messages = 0;
+};
+
+/// Bytes of one channel's messages that wait for their handlers at most, but for the newest.
+inline constexpr std::size_t kMaxBacklogBytes = std::size_t{128} << 20;
 
 /// A connection to LCM that never falls back to another transport in silence.
 class Connection {
@@ -33,8 +57,8 @@ class Connection {
   /// The address that is in use.
   const std::string& url() const { return url_; }
 
-  /// What will go wrong though the connection stands (a receive buffer too small), one line each
-  /// with the commands that mend it.
+  /// What looked wrong when the connection was made (a receive buffer too small for a usual cloud),
+  /// one line each with the commands that mend it.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
   /// Calls the handler for each message of exactly that channel.
@@ -42,14 +66,23 @@ class Connection {
   /// @throws std::runtime_error if LCM refuses
   void subscribe(const std::string& channel, Handler handler);
 
+  /// Calls the handler for each message of the channels that a pattern matches.
+  /// @throws std::runtime_error if LCM refuses
+  void subscribe(const ChannelPattern& pattern, Handler handler);
+
   /// Calls the handler for each message of any channel.
   void subscribe_all(Handler handler);
 
-  /// Waits for one message and has it handled. What a handler throws passes around LCM and leaves
-  /// here.
+  /// Waits for one message and has it handled, in the order in which they came. Over UDP whatever
+  /// LCM holds is taken out of its queue first: there a burst would drive out the newest uncounted,
+  /// here it drives out the oldest, beyond kMaxBacklogBytes, and is counted.
+  /// What a handler throws passes around LCM and leaves here.
   /// @param timeout_ms  how long to wait [ms]
   /// @return kEnd at the end of a log, when the peer is gone, and when a signal came
   Outcome handle(int timeout_ms);
+
+  /// What came and what was lost so far; may be called from any thread.
+  Traffic traffic() const;
 
   /// Publishes bytes; may be called from any thread. That datagrams were lost is not reported.
   /// @throws std::invalid_argument if the channel's name is unfit
@@ -65,12 +98,21 @@ class Connection {
 
   void add_subscriber(const std::string& pattern, const std::string& channel, Handler handler);
   static void dispatch(const lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept;
+  void take(const std::string& channel, std::span<const std::byte> bytes, Subscriber* subscriber);
+  bool more_waits() const;
+  bool handle_backlog(bool lcm_is_empty);
 
   std::string url_;
   std::vector<std::string> warnings_;
   // Outlive lcm_, which calls them.
   std::vector<std::unique_ptr<Subscriber>> subscribers_;
   std::exception_ptr thrown_;
+  // None where the transport itself holds its sender back.
+  std::optional<Backlog> backlog_;
+  std::optional<ReceiveSocket> socket_;
+  std::int64_t asked_buffer_ = 0;
+  int turn_ = 0;
+  std::atomic<std::int64_t> largest_message_{0}, dropped_messages_{0};
   std::unique_ptr<lcm_t, Destroyer> lcm_;
 };
 

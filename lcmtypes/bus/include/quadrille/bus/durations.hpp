@@ -1,13 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace quadrille::bus {
 
 /// Percentiles of durations [ms].
 struct DurationSummary {
-  double p50 = 0.0, p95 = 0.0, max = 0.0;
+  double p50 = 0.0, p90 = 0.0, p95 = 0.0, p99 = 0.0, max = 0.0;
 };
 
 /// The last so many durations of something that happens again and again.
@@ -23,9 +24,15 @@ class Durations {
   /// Nearest-rank percentiles over the window; zeros before the first duration.
   DurationSummary summary() const;
 
+  /// How many there were, and their sum [ms], since the start.
+  std::int64_t count() const { return count_; }
+  double total() const { return total_; }
+
  private:
   std::size_t window_, next_ = 0;
   std::vector<double> ms_;
+  std::int64_t count_ = 0;
+  double total_ = 0.0;
 };
 
 }  // namespace quadrille::bus

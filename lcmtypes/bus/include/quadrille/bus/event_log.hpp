@@ -36,7 +36,8 @@ class LogReader {
   /// @throws std::runtime_error as survey_log() does
   explicit LogReader(const std::string& path);
 
-  /// What the headers said before the first event was read.
+  /// What the headers said before the first event was read; its defect also tells of a log that
+  /// was cut short since then.
   const LogSurvey& survey() const { return survey_; }
 
   /// One event; its data lives until the next one is read.
@@ -59,23 +60,28 @@ class LogReader {
 /// Writes a log that lcm-logplayer and file:// play.
 class LogWriter {
  public:
+  /// @param name  what errors call it; empty: the path
   /// @throws std::runtime_error if the file cannot be made
-  explicit LogWriter(const std::string& path);
+  explicit LogWriter(const std::string& path, const std::string& name = "");
 
   /// Appends one event.
   /// @param utime    the event's time [us]
   /// @param channel  any name of 1 to 999 bytes: a copied log keeps those of its source
   /// @throws std::invalid_argument if the channel's name has no such length or the message is too
   ///   large
-  /// @throws std::runtime_error if it cannot be written
+  /// @throws std::runtime_error if it cannot be written, or an event before could not
   void write(std::int64_t utime, const std::string& channel, std::span<const std::byte> bytes);
 
   /// Hands all to the system, so that a full disk does not go unnoticed.
-  /// @throws std::runtime_error if that fails
+  /// @throws std::runtime_error if that fails, or an event could not be written
   void flush();
 
  private:
-  std::string path_;
+  [[noreturn]] void fail();
+
+  std::string name_;
+  /// What went wrong; an event after a gap would not be found.
+  std::string failure_;
   std::unique_ptr<lcm::LogFile> file_;
 };
 

@@ -23,7 +23,12 @@ struct QuadricsMessage {
   /// Name of the cloud's frame C.
   std::string frame;
   std::vector<Detection> detections;
+  /// digest_of() the cloud; 0: not known.
+  std::int64_t cloud_digest = 0;
 };
+
+/// Limits of what decode_quadrics() takes: ten times what is found in clouds of ten million points.
+inline constexpr std::size_t kMaxQuadrics = 4096, kMaxQuadricsBytes = std::size_t{16} << 20;
 
 /// The pose X_CF as a message.
 pose_t to_message(const Eigen::Isometry3d& X_CF);
@@ -42,10 +47,10 @@ quadrics_t to_message(const CloudMessage& cloud, const DetectionResult& result);
 std::vector<Detection> as_received(const std::vector<Detection>& detections);
 
 /// Reads quadrics out of a message of type quadrille.quadrics_t, with every length, sign and value
-/// checked before the generated decoder sees the bytes.
+/// checked before the generated decoder sees the bytes. More than kMaxQuadrics are refused.
 /// @param bytes      the message as it came, fingerprint first
 /// @param max_bytes  larger messages are refused [byte]
 Decoded<QuadricsMessage> decode_quadrics(std::span<const std::byte> bytes,
-                                         std::size_t max_bytes = kMaxMessageBytes);
+                                         std::size_t max_bytes = kMaxQuadricsBytes);
 
 }  // namespace quadrille::bus

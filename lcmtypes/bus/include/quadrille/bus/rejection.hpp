@@ -17,10 +17,11 @@ enum class RejectReason {
   kTrailingBytes,  ///< bytes after the last member
   kBadLayout,      ///< records in which x, y, z cannot be found
   kBadValue,       ///< a value without meaning, such as an infinite coefficient
+  kBadChannel,     ///< came on a channel too many, or on one with too long a name
   kInternal,       ///< valid perhaps, but not decoded: out of memory
 };
 
-inline constexpr int kRejectReasonCount = 8;
+inline constexpr int kRejectReasonCount = 9;
 
 /// All the reasons, in their order.
 constexpr std::array<RejectReason, kRejectReasonCount> all_reject_reasons() {

@@ -18,12 +18,13 @@ struct Url {
 /// @throws std::invalid_argument if there is no "provider://"
 Url parse_url(const std::string& text);
 
+/// Refuses addresses at which a process hears nobody, or is heard by nobody: those of providers
+/// that reach no other process, and a ttl that is none, of which LCM says nothing.
+/// @throws std::invalid_argument that says what to give instead
+void check_live(const Url& url);
+
 /// The address to use: the option if it is not empty, else $LCM_DEFAULT_URL if it is set and not
 /// empty, else LCM's own default, this machine only (ttl=0).
 std::string resolve_url(const std::string& option);
-
-/// The address that replays a log as fast as its events are handled, each of them and in order.
-/// @throws std::invalid_argument if the path holds characters that an LCM address cannot
-std::string replay_url(const std::string& path);
 
 }  // namespace quadrille::bus

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <regex>
+#include <string>
+
+namespace quadrille::bus {
+
+/// The name of a channel, or a pattern of names: what has a character that no name may have is a
+/// regular expression, which a name has to match from end to end. A dot alone makes no pattern.
+class ChannelPattern {
+ public:
+  /// @throws std::invalid_argument if the text is neither a name, as check_channel() has it, nor a
+  ///   regular expression of at most 255 characters
+  explicit ChannelPattern(const std::string& text);
+
+  const std::string& text() const { return text_; }
+  bool is_pattern() const { return is_pattern_; }
+  bool matches(const std::string& channel) const;
+
+ private:
+  std::string text_;
+  bool is_pattern_;
+  std::regex regex_;
+};
+
+}  // namespace quadrille::bus

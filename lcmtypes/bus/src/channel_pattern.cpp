@@ -1,0 +1,42 @@
+#include "quadrille/bus/channel_pattern.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "quadrille/bus/connection.hpp"
+
+namespace quadrille::bus {
+namespace {
+
+// Of names, longer ones of which a log may hold, and of patterns.
+constexpr std::size_t kMaxBytes = 255;
+
+bool has_operators(const std::string& text) {
+  return text.find_first_of("*+?[](){}|\\^$") != std::string::npos;
+}
+
+}  // namespace
+
+ChannelPattern::ChannelPattern(const std::string& text)
+    : text_(text), is_pattern_(has_operators(text)) {
+  if (!is_pattern_) {
+    check_channel(text);
+    return;
+  }
+  if (text.size() > kMaxBytes) {
+    throw std::invalid_argument("a pattern of " + std::to_string(text.size()) +
+                                " characters; give at most " + std::to_string(kMaxBytes));
+  }
+  try {
+    regex_.assign(text);
+  } catch (const std::regex_error& error) {
+    throw std::invalid_argument("'" + text + "' is no regular expression: " + error.what());
+  }
+}
+
+bool ChannelPattern::matches(const std::string& channel) const {
+  if (!is_pattern_) return channel == text_;
+  return channel.size() <= kMaxBytes && std::regex_match(channel, regex_);
+}
+
+}  // namespace quadrille::bus

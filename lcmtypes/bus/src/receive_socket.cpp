@@ -1,0 +1,77 @@
+#include "quadrille/bus/receive_socket.hpp"
+
+#include <arpa/inet.h>
+#include <linux/sock_diag.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+
+#include <array>
+#include <charconv>
+#include <filesystem>
+#include <string>
+
+namespace quadrille::bus {
+namespace {
+
+constexpr int kDefaultPort = 7667;
+
+int port_of(const Url& url) {
+  int port = kDefaultPort;
+  const std::size_t colon = url.network.find(':');
+  if (colon == std::string::npos) return port;
+  std::from_chars(url.network.data() + colon + 1, url.network.data() + url.network.size(), port);
+  return port;
+}
+
+bool receives_at(int fd, int port) {
+  sockaddr_in address = {};
+  socklen_t size = sizeof(address);
+  if (getsockname(fd, reinterpret_cast<sockaddr*>(&address), &size) != 0) return false;
+  int type = 0;
+  socklen_t type_size = sizeof(type);
+  return address.sin_family == AF_INET && ntohs(address.sin_port) == port &&
+         getsockopt(fd, SOL_SOCKET, SO_TYPE, &type, &type_size) == 0 && type == SOCK_DGRAM;
+}
+
+}  // namespace
+
+std::optional<ReceiveSocket> ReceiveSocket::find(const Url& url) {
+  if (url.provider != "udpm") return std::nullopt;
+  const int port = port_of(url);
+  std::error_code error;
+  int newest = -1;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", error)) {
+    const std::string name = entry.path().filename();
+    int fd = -1;
+    std::from_chars(name.data(), name.data() + name.size(), fd);
+    if (fd > newest && receives_at(fd, port)) newest = fd;
+  }
+  if (newest < 0) return std::nullopt;
+  return ReceiveSocket(newest);
+}
+
+std::int64_t ReceiveSocket::buffer() const {
+  int doubled = 0;
+  socklen_t size = sizeof(doubled);
+  if (getsockopt(fd_, SOL_SOCKET, SO_RCVBUF, &doubled, &size) != 0) return 0;
+  // The kernel adds as much again for its own bookkeeping and tells the sum.
+  return doubled / 2;
+}
+
+void ReceiveSocket::force_buffer(std::int64_t bytes) {
+  const int asked = static_cast<int>(bytes);
+  // What is refused is told by buffer().
+  setsockopt(fd_, SOL_SOCKET, SO_RCVBUFFORCE, &asked, sizeof(asked));
+}
+
+std::int64_t ReceiveSocket::dropped() const {
+  std::array<std::uint32_t, SK_MEMINFO_VARS> info{};
+  socklen_t size = sizeof(info);
+  if (getsockopt(fd_, SOL_SOCKET, SO_MEMINFO, info.data(), &size) != 0 ||
+      size < (SK_MEMINFO_DROPS + 1) * sizeof(std::uint32_t)) {
+    return -1;
+  }
+  return info[SK_MEMINFO_DROPS];
+}
+
+}  // namespace quadrille::bus

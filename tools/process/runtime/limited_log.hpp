@@ -1,0 +1,24 @@
+#pragma once
+
+#include <chrono>
+#include <mutex>
+#include <string>
+
+#include "quadrille/bus/rate_limiter.hpp"
+
+namespace quadrille {
+
+/// Logs a record a second at most, and with it how many it left out before. For any thread.
+class LimitedLog {
+ public:
+  void warning(const std::string& record);
+  void error(const std::string& record);
+
+ private:
+  void log(void (*write)(const std::string&), const std::string& record);
+
+  std::mutex mutex_;
+  bus::RateLimiter limiter_{std::chrono::seconds(1)};
+};
+
+}  // namespace quadrille

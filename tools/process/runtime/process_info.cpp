@@ -1,0 +1,67 @@
+#include "process/runtime/process_info.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace quadrille {
+namespace {
+
+const auto kProcessStart = std::chrono::steady_clock::now();
+
+/// A value of /proc/self/status, in the unit in which it stands there; 0 if there is none.
+std::int64_t read_own_status(const std::string& key) {
+  std::ifstream status("/proc/self/status");
+  std::string line;
+  while (std::getline(status, line)) {
+    if (line.starts_with(key + ":")) return std::stoll(line.substr(key.size() + 1));
+  }
+  return 0;
+}
+
+double cpu_seconds() {
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+std::int32_t count_open_files() {
+  std::error_code error;
+  const std::filesystem::directory_iterator files("/proc/self/fd", error);
+  // One of them is the folder's own.
+  return error ? 0 : static_cast<std::int32_t>(std::distance(begin(files), end(files))) - 1;
+}
+
+}  // namespace
+
+std::string SettingsText::hash() const {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const char c : text_) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+  return fmt::format("{:016x}", hash);
+}
+
+process_t describe_process(const std::string& settings) {
+  constexpr std::int64_t kKilobyte = 1024;
+  process_t process;
+  process.version = QUADRILLE_VERSION;
+  process.settings = settings;
+  process.uptime =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - kProcessStart).count();
+  process.cpu_time = cpu_seconds();
+  process.resident_bytes = kKilobyte * read_own_status("VmRSS");
+  process.peak_bytes = kKilobyte * read_own_status("VmHWM");
+  process.open_files = count_open_files();
+  process.threads = static_cast<std::int32_t>(read_own_status("Threads"));
+  return process;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <lcmtypes/quadrille/process_t.hpp>
+#include <string>
+
+#include "io/setting_text.hpp"
+
+namespace quadrille {
+
+/// Settings as text, to tell equal ones.
+class SettingsText {
+ public:
+  void add(const std::string& name, const std::string& value) {
+    text_ += name + "=" + value + "\n";
+  }
+
+  /// Adds what an options' visit() lists.
+  template <class Options>
+  void add_all(const Options& options) {
+    Options::visit(options, [&](const auto& field, const Setting& setting) {
+      add(setting.name, io::toml_of(field));
+    });
+  }
+
+  /// 16 hexadecimal digits, the same for equal settings (FNV-1a).
+  std::string hash() const;
+
+ private:
+  std::string text_;
+};
+
+/// What this process is, and what it takes of its machine now.
+/// @param settings  SettingsText::hash()
+process_t describe_process(const std::string& settings);
+
+}  // namespace quadrille

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <lcmtypes/quadrille/stage_t.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "quadrille/bus/durations.hpp"
+
+namespace quadrille {
+
+/// How long the stages of a process's work take.
+class Stages {
+ public:
+  /// @param names  in the order in which they are told
+  explicit Stages(const std::vector<std::string>& names);
+
+  /// @param ms  one more time that a stage took [ms]
+  /// @throws std::out_of_range if there is no such stage
+  void add(const std::string& name, double ms);
+
+  std::vector<stage_t> to_message() const;
+
+ private:
+  std::vector<std::pair<std::string, bus::Durations>> stages_;
+};
+
+}  // namespace quadrille
