@@ -57,6 +57,12 @@ TEST_CASE("boxes without bounds, or out of OctoMap's range, are far", "[space][l
   CHECK(find_far_boxes({cube({159.0, 0, 0}, 0.5)}, kOrigin, 0.005).empty());
 }
 
+TEST_CASE("a thin box that is vast is far, however near it begins", "[space][limits]") {
+  const Eigen::AlignedBox3d plate(Eigen::Vector3d(-70, 0, 0.5), Eigen::Vector3d(70, 0.1, 150));
+  CHECK(find_far_boxes({plate, cube({0, 0, 1}, 0.5)}, kOrigin, 0.005) ==
+        std::vector<std::size_t>{0});
+}
+
 TEST_CASE("a grid of too many voxels is refused", "[space][limits]") {
   CHECK_THROWS_AS(OccupancyGrid(cube(kOrigin, 10.0), 0.005), std::invalid_argument);
 }

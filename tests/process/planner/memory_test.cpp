@@ -123,7 +123,7 @@ TEST_CASE("bodies of any size and place keep the planner within its memory", "[p
   std::mt19937 random(7);
   FedPlanner planner;
   const test::MemoryLimit limit(kMostMemory);
-  for (int n = 0; n < 100 * test::rounds(); ++n) {
+  for (int n = 0; n < 40 * test::rounds(); ++n) {
     CAPTURE(n);
     std::vector<Detection> detections;
     for (unsigned id = 1; id <= 1 + random() % 8; ++id) {
