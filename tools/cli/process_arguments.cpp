@@ -16,6 +16,14 @@ std::string check_channel_name(const std::string& channel) try {
   return error.what();
 }
 
+/// Empty if senders can be read from a text, else what is wrong with it.
+std::string check_senders(const std::string& text) try {
+  bus::parse_senders(text);
+  return {};
+} catch (const std::exception& error) {
+  return error.what();
+}
+
 }  // namespace
 
 void add_channel_option(CLI::App& app, const std::string& name, std::string& channel,
@@ -36,6 +44,13 @@ void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
   out->needs(in);
   copy->needs(in);
   in->excludes(url);
+  app.add_option("--accept-from", accept_from,
+                 "Receive only from this machine and these addresses, networks (10.0.0.0/24) and "
+                 "interfaces; local: from no other")
+      ->check(CLI::Validator(check_senders, ""))
+      ->type_name("SENDER,...")
+      ->excludes(in);
+  app.add_flag("--respawn", respawn, "Start anew whenever it dies")->excludes(in);
   app.add_flag("-v,--verbose", verbose, "Log every " + work);
 }
 

@@ -16,9 +16,14 @@ struct ProcessArguments {
   std::string in_log, out_log;
   /// Copy all events of the replayed log to the other one.
   bool copy_input = false;
+  /// Whose messages are received, as bus::parse_senders() reads it; empty: everyone's.
+  std::string accept_from;
+  /// Start the process anew whenever it dies.
+  bool respawn = false;
   bool verbose = false;
 
-  /// Adds --lcm-url, --in-log, --out-log, --copy-input and --verbose; this must outlive the app.
+  /// Adds --lcm-url, --in-log, --out-log, --copy-input, --accept-from, --respawn and
+  /// --verbose; this must outlive the app.
   /// @param work  what is logged with --verbose, such as "cloud"
   void add_to(CLI::App& app, const std::string& work);
 };

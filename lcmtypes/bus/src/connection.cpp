@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "quadrille/bus/datagram_guard.hpp"
 #include "quadrille/bus/network.hpp"
 #include "quadrille/bus/url.hpp"
 
@@ -67,8 +68,13 @@ void check_channel(const std::string& channel) {
   }
 }
 
-Connection::Connection(const std::string& url) {
+Connection::Connection(const std::string& url, AcceptedSenders senders)
+    : senders_(std::move(senders)) {
   Url parsed = parse_url(url);
+  if (!senders_.all && parsed.provider != "udpm") {
+    throw std::invalid_argument("LCM address " + url +
+                                ": only with udpm can senders be told; leave out --accept-from");
+  }
   if (const auto problem = find_route_problem(parsed)) throw std::runtime_error(*problem);
   if (parsed.provider == "udpm") {
     if (auto problem = set_receive_buffer(&parsed)) warnings_.push_back(std::move(*problem));
@@ -96,6 +102,15 @@ void Connection::add_subscriber(const std::string& pattern, const std::string& c
     throw std::runtime_error("LCM address " + url_ + ": cannot subscribe to '" + pattern + "'");
   }
   subscribers_.push_back(std::move(subscriber));
+  guard_sockets();
+}
+
+/// LCM makes the socket with which it receives for the first subscriber.
+void Connection::guard_sockets() {
+  const Url url = parse_url(url_);
+  if (url.provider != "udpm" || subscribers_.size() > 1) return;
+  if (guard_receiving_sockets(url, senders_) > 0) return;
+  throw std::runtime_error("LCM address " + url_ + ": cannot find LCM's socket to guard it");
 }
 
 void Connection::dispatch(const lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept {

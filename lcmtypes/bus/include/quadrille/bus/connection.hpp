@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "quadrille/bus/accepted_senders.hpp"
+
 namespace quadrille::bus {
 
 /// A connection to LCM that never falls back to another transport in silence.
@@ -23,9 +25,10 @@ class Connection {
 
   /// Connects, asking for a large receive buffer where a udpm address names none.
   /// @param url  an LCM address, as resolve_url() gives it
-  /// @throws std::invalid_argument if the address cannot be parsed
+  /// @param senders  whose messages are received over udpm; no other address tells senders
+  /// @throws std::invalid_argument if the address cannot be parsed, or cannot tell senders
   /// @throws std::runtime_error if it cannot be reached; says what to do about it
-  explicit Connection(const std::string& url);
+  explicit Connection(const std::string& url, AcceptedSenders senders = {});
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
   ~Connection();
@@ -66,7 +69,10 @@ class Connection {
   void add_subscriber(const std::string& pattern, const std::string& channel, Handler handler);
   static void dispatch(const lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept;
 
+  void guard_sockets();
+
   std::string url_;
+  AcceptedSenders senders_;
   std::vector<std::string> warnings_;
   // Outlive lcm_, which calls them.
   std::vector<std::unique_ptr<Subscriber>> subscribers_;
