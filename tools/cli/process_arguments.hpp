@@ -20,12 +20,21 @@ struct ProcessArguments {
   std::string accept_from;
   /// Start the process anew whenever it dies.
   bool respawn = false;
+  /// Begins the names of all channels.
+  std::string channel_prefix;
   bool verbose = false;
 
   /// Adds --lcm-url, --in-log, --out-log, --copy-input, --accept-from, --respawn and
   /// --verbose; this must outlive the app.
   /// @param work  what is logged with --verbose, such as "cloud"
   void add_to(CLI::App& app, const std::string& work);
+
+  /// Adds what concerns the bus alone: --lcm-url, --accept-from, --respawn, --channel-prefix.
+  void add_bus_to(CLI::App& app);
+
+  /// The channel with the prefix; empty stays empty.
+  /// @throws CLI::ValidationError if LCM does not take the name
+  std::string prefixed(const std::string& channel) const;
 };
 
 /// Adds an option that takes the name of a channel.

@@ -35,6 +35,12 @@ PlannerSettings PlannerCommandLine::settings() const {
   if (!report_.empty()) settings.plan.targets = report_;
   settings.pose_age = config.track.pose_age;
   settings.X_WK = camera_.X_WK;
+  for (std::string* channel :
+       {&settings.cloud_channel, &settings.quadrics_channel, &settings.grasps_channel,
+        &settings.request_channel, &settings.shapes_channel, &settings.occupancy_channel,
+        &settings.status_channel, &settings.pose_channel}) {
+    *channel = settings.process.prefixed(*channel);
+  }
   check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,
               {settings.cloud_channel, settings.quadrics_channel, settings.request_channel});
   settings.gripper = planner_.gripper();
