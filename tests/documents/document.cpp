@@ -34,7 +34,8 @@ void check_says(const std::string& path, const std::string& sentence) {
 std::vector<std::string> all_documents() {
   return {"README.md",          "ARCHITECTURE.md",        "CONTRIBUTING.md",
           "lcmtypes/README.md", "detector/src/README.md", "detector/fits/README.md",
-          "examples/README.md", "tests/data/README.md",   "tools/lab/experiments/PAPER.md"};
+          "examples/README.md", "tests/data/README.md",   "tools/lab/experiments/PAPER.md",
+          "SECURITY.md",        "lcmtypes/LIBLCM.md"};
 }
 
 }  // namespace quadrille::test

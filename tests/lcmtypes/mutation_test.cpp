@@ -21,6 +21,11 @@ std::atomic<std::size_t> allocated{0};
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
+// With its like that does not throw, or the address sanitizer's would meet our delete.
+[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  allocated += size;
+  return std::malloc(size);
+}
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 

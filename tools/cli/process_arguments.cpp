@@ -26,6 +26,19 @@ std::string check_channel_pattern(const std::string& pattern) try {
   return error.what();
 }
 
+/// Empty if channels may begin with it, else what is wrong with it.
+std::string check_prefix(const std::string& prefix) {
+  return prefix.empty() ? "" : check_channel_name(prefix);
+}
+
+/// Empty if senders can be read from a text, else what is wrong with it.
+std::string check_senders(const std::string& text) try {
+  bus::parse_senders(text);
+  return {};
+} catch (const std::exception& error) {
+  return error.what();
+}
+
 }  // namespace
 
 void add_pattern_option(CLI::App& app, const std::string& name, std::string& pattern,
@@ -66,8 +79,21 @@ void add_channel_option(CLI::App& app, const std::string& name, std::string& cha
       ->capture_default_str();
 }
 
+void ProcessArguments::add_bus_to(CLI::App& app) {
+  app.add_option("-l,--lcm-url", lcm_url, "LCM address; else LCM_DEFAULT_URL");
+  app.add_option("--accept-from", accept_from,
+                 "Receive only from this machine and these addresses, networks (10.0.0.0/24) and "
+                 "interfaces; local: from no other")
+      ->check(CLI::Validator(check_senders, ""))
+      ->type_name("SENDER,...");
+  app.add_flag("--respawn", respawn, "Start anew whenever it dies");
+  app.add_option("--channel-prefix", channel_prefix, "Begins the names of all channels")
+      ->check(CLI::Validator(check_prefix, ""))
+      ->type_name("NAME");
+}
+
 void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
-  auto* url = app.add_option("-l,--lcm-url", lcm_url, "LCM address; else LCM_DEFAULT_URL");
+  add_bus_to(app);
   auto* in = app.add_option("--in-log", in_log, "Replay this log, every " + work + " in order");
   auto* out = app.add_option("--out-log", out_log, "Write what is published to this log");
   auto* copy =
@@ -75,11 +101,24 @@ void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
   in->needs(out);
   out->needs(in);
   copy->needs(in);
-  in->excludes(url);
+  for (const char* live : {"--lcm-url", "--accept-from", "--respawn"}) {
+    in->excludes(app.get_option(live));
+  }
   app.add_flag("-v,--verbose", verbose, "Log every " + work);
   app.add_option("--stats-file", stats_file,
                  "Keep the last status in this file, as Prometheus' node exporter collects it")
       ->type_name("FILE");
+}
+
+std::string ProcessArguments::prefixed(const std::string& channel) const {
+  if (channel.empty()) return channel;
+  const bool is_pattern = bus::ChannelPattern(channel).is_pattern();
+  const std::string name =
+      is_pattern ? channel_prefix + "(" + channel + ")" : channel_prefix + channel;
+  if (const std::string wrong = check_channel_pattern(name); !wrong.empty()) {
+    throw CLI::ValidationError("--channel-prefix", wrong);
+  }
+  return name;
 }
 
 }  // namespace quadrille

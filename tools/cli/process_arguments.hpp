@@ -17,16 +17,29 @@ struct ProcessArguments {
   std::string in_log, out_log;
   /// Copy all events of the replayed log to the other one.
   bool copy_input = false;
+  /// Whose messages are received, as bus::parse_senders() reads it; empty: everyone's.
+  std::string accept_from;
+  /// Start the process anew whenever it dies.
+  bool respawn = false;
+  /// Begins the names of all channels.
+  std::string channel_prefix;
   bool verbose = false;
   /// By how much the work gives way to other processes on the bus, as nice does.
   int niceness = 0;
   /// File that always holds the last status, for node exporters; empty for none.
   std::string stats_file;
 
-  /// Adds --lcm-url, --in-log, --out-log, --copy-input, --verbose and --stats-file; this must
-  /// outlive the app.
+  /// Adds --lcm-url, --in-log, --out-log, --copy-input, --accept-from, --respawn, --verbose and
+  /// --stats-file; this must outlive the app.
   /// @param work  what is logged with --verbose, such as "cloud"
   void add_to(CLI::App& app, const std::string& work);
+
+  /// Adds what concerns the bus alone: --lcm-url, --accept-from, --respawn, --channel-prefix.
+  void add_bus_to(CLI::App& app);
+
+  /// The channel with the prefix; empty stays empty.
+  /// @throws CLI::ValidationError if LCM does not take the name
+  std::string prefixed(const std::string& channel) const;
 
   /// Sees to it that the bus which is used, if one is, is reached through an address that can work.
   /// @throws CLI::ValidationError if it cannot

@@ -21,6 +21,10 @@ endif()
 # GCC 12 sees these three where it has inlined the standard library's or Eigen's loops; they stay
 # warnings.
 set(QUADRILLE_WARNINGS -Wall -Wextra)
+if(CMAKE_CXX_COMPILER_ID MATCHES "Clang")
+  # Where && would keep a loop from becoming vector instructions.
+  list(APPEND QUADRILLE_WARNINGS -Wno-bitwise-instead-of-logical)
+endif()
 if(QUADRILLE_WERROR)
   list(APPEND QUADRILLE_WARNINGS -Werror)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

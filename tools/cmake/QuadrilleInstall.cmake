@@ -45,3 +45,10 @@ install(FILES ${PROJECT_BINARY_DIR}/quadrilleConfig.cmake
         DESTINATION ${QUADRILLE_CMAKE_DIR})
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Units of systemd, for those who want them: systemctl link or enable them after the installation.
+foreach(unit quadrille-detector quadrille-grasp-planner)
+  configure_file(${PROJECT_SOURCE_DIR}/tools/packaging/systemd/${unit}.service.in
+                 ${PROJECT_BINARY_DIR}/${unit}.service @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${unit}.service DESTINATION lib/systemd/system)
+endforeach()

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <ranges>
 
 namespace quadrille {
 namespace {
@@ -43,7 +42,8 @@ void draw_grasps(const GraspPlan& plan, const Gripper& gripper, const View& view
     draw_hand(grasp, gripper, view, {1.5, kOther, 0.6f}, image);
   }
   // The best hands last, so that they lie on top.
-  for (const Grasp* grasp : std::views::reverse(best)) {
+  std::reverse(best.begin(), best.end());
+  for (const Grasp* grasp : best) {
     draw_hand(*grasp, gripper, view, {8.0, kInk, 0.8f}, image);
     draw_hand(*grasp, gripper, view, {4.5, kBest, 1.0f}, image);
     for (const Eigen::Vector3d& contact : grasp->contacts_C) {

@@ -3,9 +3,11 @@
 #include "cli/run_program.hpp"
 #include "quadrille/config_command.hpp"
 #include "quadrille/detect_command.hpp"
+#include "quadrille/doctor_command.hpp"
 #include "quadrille/gripper_command.hpp"
 #include "quadrille/lab_commands.hpp"
 #include "quadrille/log_command.hpp"
+#include "quadrille/merge_command.hpp"
 #include "quadrille/plan_command.hpp"
 #include "quadrille/scene_command.hpp"
 #include "quadrille/show_command.hpp"
@@ -20,6 +22,8 @@ int main(int argc, char** argv) {
   quadrille::add_try_command(app);
   quadrille::add_scene_command(app);
   quadrille::add_log_command(app);
+  quadrille::add_doctor_command(app);
+  quadrille::add_merge_command(app);
   quadrille::add_config_command(app);
   quadrille::add_gripper_command(app);
   quadrille::add_show_command(app);

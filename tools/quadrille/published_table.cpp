@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "io/describe.hpp"
+#include "quadrille/detector/setting.hpp"
+#include "quadrille/grasping/grasp.hpp"
 
 namespace quadrille {
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "quadrille/bus/datagram_guard.hpp"
 #include "quadrille/bus/network.hpp"
 #include "quadrille/bus/url.hpp"
 
@@ -69,8 +70,13 @@ void check_channel(const std::string& channel) {
   }
 }
 
-Connection::Connection(const std::string& url) {
+Connection::Connection(const std::string& url, AcceptedSenders senders)
+    : senders_(std::move(senders)) {
   Url parsed = parse_url(url);
+  if (!senders_.all && parsed.provider != "udpm") {
+    throw std::invalid_argument("LCM address " + url +
+                                ": only with udpm can senders be told; leave out --accept-from");
+  }
   if (const auto problem = find_route_problem(parsed)) throw std::runtime_error(*problem);
   if (parsed.provider == "udpm") {
     const auto [asked, granted] = set_receive_buffer(&parsed);
@@ -117,9 +123,16 @@ void Connection::add_subscriber(const std::string& pattern, const std::string& c
   // faster than LCM can put them in, into a backlog with a bound.
   lcm_subscription_set_queue_capacity(subscription, 0);
   subscribers_.push_back(std::move(subscriber));
-  if (socket_) return;
-  // LCM makes its socket with the first subscription.
-  socket_ = ReceiveSocket::find(parse_url(url_));
+  if (subscribers_.size() == 1) prepare_socket();
+}
+
+/// LCM makes the socket with which it receives for the first subscriber.
+void Connection::prepare_socket() {
+  const Url url = parse_url(url_);
+  if (url.provider == "udpm" && guard_receiving_sockets(url, senders_) == 0) {
+    throw std::runtime_error("LCM address " + url_ + ": cannot find LCM's socket to guard it");
+  }
+  socket_ = ReceiveSocket::find(url);
   if (socket_ && socket_->buffer() < asked_buffer_) socket_->force_buffer(asked_buffer_);
 }
 

@@ -217,8 +217,9 @@ Report run_lambda(const Settings& settings) {
                 {}};
   for (const auto& [name, lambda] :
        {std::pair{"on the quadric", &same.lambda}, {"on another", &other.lambda}}) {
-    const auto beyond = [&](double x) {
-      return number(1.0 - share_below(*lambda, x) + share_below(*lambda, -x));
+    // Named, for clang captures no structured binding.
+    const auto beyond = [&values = *lambda](double x) {
+      return number(1.0 - share_below(values, x) + share_below(values, -x));
     };
     for (const double s : {1.0, scale}) {
       summary.add({name, number(quantile_of_sorted(*lambda, 0.5)), number(median_size(*lambda)),

@@ -1,10 +1,23 @@
 #include "process/detector/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <exception>
 
 #include "quadrille/bus/channel_pattern.hpp"
 
 namespace quadrille {
+
+namespace {
+
+/// Empty if a text is a shard, else what is wrong with it.
+std::string check_shard(const std::string& text) try {
+  parse_shard(text);
+  return {};
+} catch (const std::exception& error) {
+  return error.what();
+}
+
+}  // namespace
 
 DetectorCommandLine::DetectorCommandLine(CLI::App& app) {
   settings_.process.add_to(app, "cloud");
@@ -14,6 +27,11 @@ DetectorCommandLine::DetectorCommandLine(CLI::App& app) {
   add_channel_option(app, "--status-channel", settings_.status_channel, "status");
   add_channel_option(app, "--pose-channel", settings_.pose_channel,
                      "camera's poses (bot_core.pose_t) in a fixed frame");
+  app.add_option("--shard", shard_,
+                 "Answer the I-th share of the clouds alone, on channels that end in _I; see "
+                 "quadrille merge")
+      ->check(CLI::Validator(check_shard, ""))
+      ->type_name("I/N");
   camera_.add_to(app, "--pose-channel");
   settings_.frames.add_to(app);
   detector_.add_to(app);
@@ -30,6 +48,7 @@ DetectorSettings DetectorCommandLine::settings() const {
   }
   settings.X_WK = camera_.X_WK;
   settings.process.check();
+  name_channels(&settings);
   check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,
               {settings.in_channel});
   if (bus::ChannelPattern(settings.in_channel).is_pattern() &&
@@ -45,6 +64,23 @@ DetectorSettings DetectorCommandLine::settings() const {
                   {"--status-channel", settings.status_channel},
                   {"--pose-channel", settings.pose_channel}});
   return settings;
+}
+
+void DetectorCommandLine::name_channels(DetectorSettings* settings) const {
+  if (!shard_.empty()) settings->shard = parse_shard(shard_);
+  if (!settings->shard.is_whole() && settings->track.enabled) {
+    // Each shard sees a part of the clouds and would number what it sees by itself.
+    settings->track.enabled = false;
+    settings->warnings.push_back("with --shard surfaces get no tracks");
+  }
+  const ProcessArguments& process = settings->process;
+  for (std::string* in : {&settings->in_channel, &settings->pose_channel}) {
+    *in = process.prefixed(*in);
+  }
+  for (std::string* out :
+       {&settings->out_channel, &settings->boxes_channel, &settings->status_channel}) {
+    *out = process.prefixed(settings->shard.channel(*out));
+  }
 }
 
 }  // namespace quadrille

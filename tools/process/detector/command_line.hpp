@@ -21,9 +21,12 @@ class DetectorCommandLine {
   DetectorSettings settings() const;
 
  private:
+  void name_channels(DetectorSettings* settings) const;
+
   DetectorSettings settings_;
   DetectorArguments detector_;
   CameraPoseArgument camera_;
+  std::string shard_;
 };
 
 }  // namespace quadrille

@@ -121,6 +121,7 @@ void DetectorNode::receive_pose(const std::string& channel, std::span<const std:
 
 std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
                                                std::span<const std::byte> bytes) {
+  if (!settings_.shard.takes(bytes)) return std::nullopt;
   const TimePoint now = std::chrono::steady_clock::now();
   bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(bytes);
   const std::lock_guard lock(mutex_);

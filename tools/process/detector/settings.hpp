@@ -7,6 +7,7 @@
 
 #include "cli/process_arguments.hpp"
 #include "process/runtime/cloud_frame.hpp"
+#include "process/runtime/shard.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/tracker.hpp"
 
@@ -21,6 +22,8 @@ struct DetectorSettings {
   std::string out_channel = "QUADRICS";
   std::string boxes_channel = "BOXES";
   std::string status_channel = "QUADRILLE_DETECTOR_STATUS";
+  /// The clouds that are this detector's; results of a part of them go to channels of its own.
+  Shard shard;
   /// Carries the camera's poses; empty for a camera at rest.
   std::string pose_channel;
   /// The pose of a camera at rest in W; none: not known.

@@ -52,6 +52,12 @@ PlannerSettings PlannerCommandLine::settings() const {
   settings.pose_age = config.track.pose_age;
   settings.X_WK = camera_.X_WK;
   settings.process.check();
+  for (std::string* channel :
+       {&settings.cloud_channel, &settings.quadrics_channel, &settings.grasps_channel,
+        &settings.request_channel, &settings.shapes_channel, &settings.occupancy_channel,
+        &settings.status_channel, &settings.pose_channel}) {
+    *channel = settings.process.prefixed(*channel);
+  }
   check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,
               {settings.cloud_channel, settings.quadrics_channel, settings.request_channel});
   check_distinct({{"--cloud-channel", settings.cloud_channel},

@@ -1,6 +1,7 @@
 #include "process/runtime/run.hpp"
 
 #include "process/runtime/logging.hpp"
+#include "process/runtime/respawn.hpp"
 #include "quadrille/bus/stop.hpp"
 
 namespace quadrille {
@@ -8,6 +9,7 @@ namespace quadrille {
 void run_process(const std::string& name, const ProcessArguments& arguments,
                  const NodeMaker& make_node) {
   start_logging(name, arguments.verbose);
+  if (arguments.respawn) respawn();
   bus::install_stop_signals();
   if (arguments.in_log.empty()) {
     run_on_bus(arguments, make_node);

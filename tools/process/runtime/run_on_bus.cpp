@@ -66,7 +66,8 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
 }  // namespace
 
 void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
-  bus::Connection connection(bus::resolve_url(arguments.lcm_url));
+  bus::Connection connection(bus::resolve_url(arguments.lcm_url),
+                             bus::parse_senders(arguments.accept_from));
   for (const std::string& warning : connection.warnings()) log_warning(warning);
   const auto node = make_node([&](const std::string& channel, std::span<const std::byte> bytes) {
     connection.publish(channel, bytes);

@@ -11,6 +11,7 @@
 #include "lab/scoring/frame.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/grasping/plan.hpp"
+#include "quadrille/grasping/shape.hpp"
 #include "space/collision.hpp"
 #include "view/depth_view.hpp"
 

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "quadrille/bus/accepted_senders.hpp"
 #include "quadrille/bus/backlog.hpp"
 #include "quadrille/bus/channel_pattern.hpp"
 #include "quadrille/bus/receive_socket.hpp"
@@ -47,9 +48,10 @@ class Connection {
 
   /// Connects, asking for a large receive buffer where a udpm address names none.
   /// @param url  an LCM address, as resolve_url() gives it
-  /// @throws std::invalid_argument if the address cannot be parsed
+  /// @param senders  whose messages are received over udpm; no other address tells senders
+  /// @throws std::invalid_argument if the address cannot be parsed, or cannot tell senders
   /// @throws std::runtime_error if it cannot be reached; says what to do about it
-  explicit Connection(const std::string& url);
+  explicit Connection(const std::string& url, AcceptedSenders senders = {});
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
   ~Connection();
@@ -102,7 +104,10 @@ class Connection {
   bool more_waits() const;
   bool handle_backlog(bool lcm_is_empty);
 
+  void prepare_socket();
+
   std::string url_;
+  AcceptedSenders senders_;
   std::vector<std::string> warnings_;
   // Outlive lcm_, which calls them.
   std::vector<std::unique_ptr<Subscriber>> subscribers_;

@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Detects and plans on many LCM logs, as jobs of GNU parallel on all cores of this machine.
+#
+# usage: parallel.sh FOLDER LOG…
+#
+# The results of NAME.lcm are FOLDER/NAME.lcm, with its clouds. Run it again after a stop: what is
+# finished is not done again. PLANNER_OPTIONS holds options of the planner, such as "--gripper wsg50".
+# For more machines add -S HOST1,HOST2 to parallel's options, with the folders on all of them.
+set -euo pipefail
+
+folder=${1:?usage: parallel.sh FOLDER LOG…}
+shift
+for program in parallel quadrille-detector; do
+  command -v "$program" >/dev/null || {
+    echo "parallel.sh: no $program; install the package parallel, put the build's bin into PATH" >&2
+    exit 1
+  }
+done
+mkdir -p "$folder"
+printf '%s\n' "$@" | parallel --will-cite --halt soon,fail=1 --quote \
+  "$(dirname "${BASH_SOURCE[0]}")/one_log.sh" "$folder" {}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+
+#include "doctor/finding.hpp"
+#include "quadrille/bus/url.hpp"
+
+namespace quadrille::doctor {
+
+/// Whether the address is one over which processes hear each other.
+Finding check_address(const bus::Url& url);
+
+/// Whether a route leads to the multicast group of a udpm address.
+Finding check_route(const bus::Url& url);
+
+/// By which interface messages leave, and whether it carries multicast.
+Finding check_interface(const bus::Url& url);
+
+/// How far messages go.
+Finding check_ttl(const bus::Url& url);
+
+/// The buffers of a socket.
+struct Buffers {
+  /// What is asked for and what the kernel grants [byte].
+  int asked = 0, granted = 0;
+};
+
+/// Those that a process with this address gets.
+Buffers buffers_of(const bus::Url& url);
+
+/// Whether clouds of that size fit.
+/// @param cloud_bytes  a message with a cloud [byte]
+/// @param source       how that size is known, such as "seen on the bus"
+Finding check_buffers(const Buffers& buffers, std::size_t cloud_bytes, const std::string& source);
+
+}  // namespace quadrille::doctor

@@ -1,0 +1,86 @@
+#include "doctor/examine.hpp"
+
+#include <algorithm>
+#include <exception>
+#include <functional>
+#include <stdexcept>
+
+#include "doctor/check_network.hpp"
+#include "doctor/check_traffic.hpp"
+#include "doctor/listen.hpp"
+#include "doctor/round_trip.hpp"
+#include "quadrille/bus/clock.hpp"
+
+namespace quadrille::doctor {
+namespace {
+
+/// What a check finds; an error is a failure of it.
+Finding attempt(const std::string& check, const std::function<Finding()>& examine) {
+  try {
+    return examine();
+  } catch (const std::exception& error) {
+    return {Verdict::kFailed, check, error.what(), "see above, or the address of --lcm-url"};
+  }
+}
+
+void append(const Findings& more, Findings* findings) {
+  findings->insert(findings->end(), more.begin(), more.end());
+}
+
+void examine_trips(const bus::Url& url, std::size_t cloud_bytes, const std::string& buffers,
+                   Findings* findings) {
+  using std::chrono::milliseconds;
+  const Trip small{100, 200, milliseconds(5)};
+  const Trip large{10, cloud_bytes, milliseconds(100)};
+  findings->push_back(attempt("small messages", [&] {
+    return check_trip("small messages", small, make_trip(url, small), "");
+  }));
+  if (findings->back().verdict == Verdict::kFailed) return;
+  findings->push_back(attempt("large messages", [&] {
+    return check_trip("large messages", large, make_trip(url, large), buffers);
+  }));
+}
+
+void examine_udpm(const bus::Url& url, const Questions& questions, Findings* findings) {
+  findings->push_back(attempt("route", [&] { return check_route(url); }));
+  if (has_failure(*findings)) return;
+  findings->push_back(check_interface(url));
+  findings->push_back(check_ttl(url));
+  if (findings->back().verdict == Verdict::kFailed) return;
+  const auto duration = std::chrono::milliseconds(static_cast<int>(1000.0 * questions.seconds));
+  const Traffic traffic = listen(url, duration);
+  const std::size_t seen = traffic.largest_cloud();
+  const bool is_told = questions.cloud_bytes > 0;
+  const std::size_t bytes =
+      is_told ? questions.cloud_bytes : (seen > 0 ? std::size_t{seen} : kUsualCloudBytes);
+  const Finding buffers =
+      check_buffers(buffers_of(url), bytes,
+                    is_told ? "--cloud-bytes" : (seen > 0 ? "seen on the bus" : "640x480 points"));
+  findings->push_back(buffers);
+  examine_trips(url, bytes, buffers.remedy, findings);
+  findings->push_back(check_clouds(traffic, questions.cloud_channel, questions.seconds));
+  findings->push_back(check_losses(traffic));
+  append(check_others(traffic, questions.cloud_channel), findings);
+  append(check_clocks(traffic, bus::wall_clock_utime()), findings);
+}
+
+}  // namespace
+
+Findings examine(const Questions& questions) {
+  bus::Url url;
+  Findings findings;
+  findings.push_back(attempt("address", [&] {
+    url = bus::parse_url(questions.url);
+    return check_address(url);
+  }));
+  if (has_failure(findings)) return findings;
+  if (url.provider == "udpm") {
+    examine_udpm(url, questions, &findings);
+  } else {
+    examine_trips(url, questions.cloud_bytes > 0 ? questions.cloud_bytes : kUsualCloudBytes, "",
+                  &findings);
+  }
+  return findings;
+}
+
+}  // namespace quadrille::doctor

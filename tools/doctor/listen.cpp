@@ -1,0 +1,64 @@
+#include "doctor/listen.hpp"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <cstring>
+#include <stdexcept>
+
+#include "doctor/multicast.hpp"
+#include "quadrille/bus/clock.hpp"
+#include "quadrille/bus/network.hpp"
+
+namespace quadrille::doctor {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+void join(const Socket& socket, const sockaddr_in& group) {
+  const int on = 1, buffer = bus::kReceiveBufferBytes;
+  setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
+  setsockopt(socket.get(), SOL_SOCKET, SO_REUSEPORT, &on, sizeof on);
+  setsockopt(socket.get(), SOL_SOCKET, SO_RCVBUF, &buffer, sizeof buffer);
+  // Bound to the group and not to all addresses, it takes no datagram away from anyone.
+  ip_mreq membership = {};
+  membership.imr_multiaddr = group.sin_addr;
+  if (bind(socket.get(), reinterpret_cast<const sockaddr*>(&group), sizeof group) != 0 ||
+      setsockopt(socket.get(), IPPROTO_IP, IP_ADD_MEMBERSHIP, &membership, sizeof membership) !=
+          0) {
+    throw std::runtime_error(fmt::format("cannot listen to the multicast group {}: {}",
+                                         to_text(group), std::strerror(errno)));
+  }
+}
+
+/// How long there is to wait until then, at least 0.
+int ms_until(Clock::time_point end) {
+  const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();
+  return left > 0 ? static_cast<int>(left) : 0;
+}
+
+}  // namespace
+
+Traffic listen(const bus::Url& url, std::chrono::milliseconds duration) {
+  const Socket socket;
+  join(socket, group_of(url));
+  Traffic traffic;
+  std::vector<std::byte> buffer(1 << 16);
+  const Clock::time_point end = Clock::now() + duration;
+  for (int left = ms_until(end); left > 0; left = ms_until(end)) {
+    pollfd waiting = {socket.get(), POLLIN, 0};
+    if (poll(&waiting, 1, left) <= 0) continue;
+    sockaddr_in from = {};
+    socklen_t size = sizeof from;
+    const ssize_t got = recvfrom(socket.get(), buffer.data(), buffer.size(), MSG_DONTWAIT,
+                                 reinterpret_cast<sockaddr*>(&from), &size);
+    if (got < 0) continue;
+    traffic.add(to_text(from), std::span(buffer).first(static_cast<std::size_t>(got)),
+                bus::wall_clock_utime());
+  }
+  return traffic;
+}
+
+}  // namespace quadrille::doctor

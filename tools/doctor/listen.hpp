@@ -1,0 +1,15 @@
+#pragma once
+
+#include <chrono>
+
+#include "doctor/traffic.hpp"
+#include "quadrille/bus/url.hpp"
+
+namespace quadrille::doctor {
+
+/// Hears all that is sent to the multicast group of a udpm address, beside LCM and without changing
+/// what others receive. An LCM handler is not told who sent a message.
+/// @throws std::runtime_error if no socket can be made or the group cannot be joined
+Traffic listen(const bus::Url& url, std::chrono::milliseconds duration);
+
+}  // namespace quadrille::doctor

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <netinet/in.h>
+
+#include <optional>
+#include <string>
+
+#include "quadrille/bus/url.hpp"
+
+namespace quadrille::doctor {
+
+/// The group and port of a udpm address.
+/// @throws std::invalid_argument if they cannot be read
+sockaddr_in group_of(const bus::Url& url);
+
+/// "ADDRESS:PORT".
+std::string to_text(const sockaddr_in& address);
+
+/// The interface by which datagrams to the group leave this machine.
+struct Interface {
+  std::string name, address;
+  bool is_loopback = false, can_multicast = false;
+};
+
+/// nullopt if no route leads there.
+std::optional<Interface> interface_to(const sockaddr_in& group);
+
+/// A UDP socket that is closed with this.
+class Socket {
+ public:
+  /// @throws std::runtime_error if none can be made
+  Socket();
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+  ~Socket();
+
+  int get() const { return fd_; }
+
+ private:
+  int fd_;
+};
+
+}  // namespace quadrille::doctor

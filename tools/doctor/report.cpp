@@ -1,0 +1,58 @@
+#include "doctor/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace quadrille::doctor {
+namespace {
+
+const char* word_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kOk:
+      return "ok";
+    case Verdict::kWarning:
+      return "warning";
+    case Verdict::kFailed:
+      break;
+  }
+  return "failed";
+}
+
+auto count_of(Verdict verdict, const Findings& findings) {
+  return std::count_if(findings.begin(), findings.end(),
+                       [&](const Finding& found) { return found.verdict == verdict; });
+}
+
+}  // namespace
+
+std::string to_table(const Findings& findings) {
+  std::string table;
+  for (const Finding& found : findings) {
+    table += fmt::format("{:<8} {:<15} {}\n", word_of(found.verdict), found.check, found.what);
+    if (!found.remedy.empty()) table += fmt::format("{:<24} -> {}\n", "", found.remedy);
+  }
+  const auto failed = count_of(Verdict::kFailed, findings);
+  const auto warnings = count_of(Verdict::kWarning, findings);
+  table += failed == 0 ? fmt::format("clouds will arrive ({} warnings)\n", warnings)
+                       : fmt::format("not all clouds will arrive: {} failed, {} warnings\n", failed,
+                                     warnings);
+  return table;
+}
+
+io::Json to_json(const std::string& url, const Findings& findings) {
+  io::Json checks = io::Json::array();
+  for (const Finding& found : findings) {
+    checks.push_back({{"check", found.check},
+                      {"verdict", word_of(found.verdict)},
+                      {"what", found.what},
+                      {"remedy", found.remedy}});
+  }
+  return {{"version", QUADRILLE_VERSION},
+          {"lcm_url", url},
+          {"clouds_will_arrive", !has_failure(findings)},
+          {"checks", checks}};
+}
+
+}  // namespace quadrille::doctor

@@ -1,0 +1,59 @@
+#include "quadrille/doctor_command.hpp"
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <string>
+
+#include "cli/output.hpp"
+#include "cli/process_arguments.hpp"
+#include "doctor/examine.hpp"
+#include "doctor/report.hpp"
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/url.hpp"
+
+namespace quadrille {
+namespace {
+
+struct DoctorArguments {
+  doctor::Questions questions;
+  std::string json;
+};
+
+void run(DoctorArguments arguments) {
+  arguments.questions.url = bus::resolve_url(arguments.questions.url);
+  JsonLines json(arguments.json);
+  const doctor::Findings findings = doctor::examine(arguments.questions);
+  json.write(doctor::to_json(arguments.questions.url, findings));
+  json.finish();
+  if (!json.owns_stdout()) print(doctor::to_table(findings));
+  if (doctor::has_failure(findings)) {
+    throw std::runtime_error("doctor: not all clouds will arrive; mend what has failed");
+  }
+}
+
+}  // namespace
+
+void add_doctor_command(CLI::App& app) {
+  auto arguments = std::make_shared<DoctorArguments>();
+  CLI::App* command =
+      app.add_subcommand("doctor", "Check the network: will clouds arrive over LCM?");
+  doctor::Questions& questions = arguments->questions;
+  command->add_option("-l,--lcm-url", questions.url, "LCM address; else LCM_DEFAULT_URL");
+  add_channel_option(*command, "--cloud-channel", questions.cloud_channel, "clouds");
+  command
+      ->add_option("--cloud-bytes", questions.cloud_bytes,
+                   "Size of the clouds; else the largest seen on the bus, or 640x480 points")
+      ->check(CLI::Range(std::size_t{1}, bus::kMaxMessageBytes))
+      ->type_name("N");
+  command->add_option("--seconds", questions.seconds, "How long to listen to the bus")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->type_name("S")
+      ->capture_default_str();
+  command->add_option("--json", arguments->json, "Write the findings as JSON; - is stdout")
+      ->type_name("FILE");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace quadrille
