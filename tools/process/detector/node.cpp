@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <utility>
 
-#include "process/runtime/exposition.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/other_senders.hpp"
-#include "process/runtime/status.hpp"
+#include "process/runtime/process_info.hpp"
 #include "quadrille/bus/boxes_message.hpp"
+#include "quadrille/bus/clock.hpp"
 #include "quadrille/bus/connection.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -250,72 +250,6 @@ void DetectorNode::publish_boxes(const std::string& channel, const bus::CloudMes
   publish_(results_channel(settings_.boxes_channel, channel), bytes);
   const std::lock_guard lock(mutex_);
   counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
-}
-
-void DetectorNode::publish_status(std::int64_t superseded,
-                                  const std::vector<std::string>& warnings) {
-  detector_status_t status{};
-  fill_counts(&status);
-  CommonStatus{traffic(), superseded, warnings, settings_hash_}.write_to(&status);
-  publish_(settings_.status_channel, bus::encode(status));
-  const std::lock_guard lock(mutex_);
-  last_status_ = std::move(status);
-}
-
-void DetectorNode::fill_counts(detector_status_t* status) {
-  const std::lock_guard lock(mutex_);
-  *status = counts_;
-  status->sender = own_sender();
-  status->failed = failed();
-  status->missing = gaps_.missing();
-  status->received_rate = received_rate_.update(counts_.received);
-  status->published_rate = published_rate_.update(counts_.published);
-  status->rejected = bus::to_message(refusals_.counts());
-  status->num_rejected = static_cast<std::int32_t>(status->rejected.size());
-  status->untracked = untracked_.to_message();
-  status->num_untracked = static_cast<std::int32_t>(status->untracked.size());
-  set_stages(stages_, status);
-}
-
-std::string DetectorNode::exposition() const {
-  const std::lock_guard lock(mutex_);
-  const detector_status_t& status = last_status_;
-  Exposition out("quadrille_detector");
-  out.add_counter("clouds_received", "Messages on the channel of the clouds.", status.received);
-  out.add_counter("clouds_decoded", "Clouds that passed all checks.", status.decoded);
-  out.add_counter("clouds_missing", "Clouds that never came, by gaps in their seq.",
-                  status.missing);
-  out.add_counter("clouds_superseded", "Clouds dropped for a newer one.", status.superseded);
-  out.add_counter("clouds_failed", "Clouds on which the detection failed.", status.failed);
-  out.add_counter("quadrics_published", "Messages of quadrics.", status.published);
-  out.add_counter("received_bytes", "Bytes of clouds received.", status.received_bytes);
-  out.add_counter("published_bytes", "Bytes of results published.", status.published_bytes);
-  out.add_counters("messages_refused", "Messages refused.", status.rejected);
-  out.add_counters("clouds_untracked", "Clouds without tracks.", status.untracked);
-  out.add_gauge("clouds_per_second", "Over the last ten seconds.", status.received_rate);
-  out.add_gauge("quadrics_per_second", "Over the last ten seconds.", status.published_rate);
-  out.add_gauge("warnings", "What is wrong with the transport.", status.num_warnings);
-  out.add_transport(status.transport);
-  out.add_stages(status.stages);
-  out.add_process(status.process);
-  return out.text();
-}
-
-std::string DetectorNode::summary() const {
-  const std::lock_guard lock(mutex_);
-  const std::string poses =
-      settings_.pose_channel.empty() ? "" : fmt::format("poses in: {}, ", poses_);
-  return fmt::format("clouds in: {}, {}{}; quadrics out: {}", counts_.received, poses,
-                     describe(refusals_.counts()), detections_);
-}
-
-std::vector<std::string> DetectorNode::find_oddities() const {
-  const std::lock_guard lock(mutex_);
-  // A channel without a message is told of with the others.
-  if (poses_ == 0 || untracked_.total() == 0) return {};
-  return {
-      fmt::format("{} of {} clouds had no pose of at most {:g} s before them and were not tracked",
-                  untracked_.total(), counts_.decoded, settings_.track.pose_age)};
 }
 
 }  // namespace quadrille

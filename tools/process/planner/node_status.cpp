@@ -1,0 +1,110 @@
+// What the planner's node tells of itself: status messages, statistics, the last line of a run.
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "process/planner/node.hpp"
+#include "process/planner/status_text.hpp"
+#include "process/runtime/other_senders.hpp"
+#include "process/runtime/status.hpp"
+#include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/status_message.hpp"
+
+namespace quadrille {
+namespace {
+
+/// "no_cloud 2, other_cloud 1"
+std::string list_counts(const std::vector<count_t>& counts) {
+  std::string text;
+  for (const count_t& entry : counts) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", entry.name, entry.count);
+  }
+  return text;
+}
+
+}  // namespace
+
+void PlannerNode::publish_status(std::int64_t superseded,
+                                 const std::vector<std::string>& warnings) {
+  planner_status_t status{};
+  fill_counts(&status);
+  CommonStatus{traffic(), superseded, warnings, settings_hash_}.write_to(&status);
+  publish_(settings_.status_channel, bus::encode(status));
+  const std::lock_guard lock(mutex_);
+  last_status_ = std::move(status);
+}
+
+std::string PlannerNode::exposition() const {
+  const std::lock_guard lock(mutex_);
+  return to_exposition(last_status_);
+}
+
+void PlannerNode::fill_counts(planner_status_t* filled) {
+  const std::lock_guard lock(mutex_);
+  planner_status_t& status = *filled;
+  status = counts_;
+  status.sender = own_sender();
+  status.missing_clouds = gaps_.missing();
+  status.received_rate = received_rate_.update(counts_.received_clouds);
+  status.published_rate = published_rate_.update(counts_.published);
+  status.paired = pairing_.paired();
+  status.unpaired_quadrics = pairing_.unpaired();
+  status.unpaired = pairing_.count_unpaired();
+  status.num_unpaired = static_cast<std::int32_t>(status.unpaired.size());
+  status.failed = failed();
+  status.requests = requests_;
+  status.unmet = unmet_;
+  status.rejected_clouds = bus::to_message(refused_clouds_.counts());
+  status.num_rejected_clouds = static_cast<std::int32_t>(status.rejected_clouds.size());
+  status.rejected_quadrics = bus::to_message(refused_quadrics_.counts());
+  status.num_rejected_quadrics = static_cast<std::int32_t>(status.rejected_quadrics.size());
+  status.rejected_requests = bus::to_message(refused_requests_.counts());
+  status.num_rejected_requests = static_cast<std::int32_t>(status.rejected_requests.size());
+  status.rejected_poses = bus::to_message(refused_poses_.counts());
+  status.num_rejected_poses = static_cast<std::int32_t>(status.rejected_poses.size());
+  set_stages(stages_, filled);
+}
+
+std::string PlannerNode::summary() const {
+  const std::lock_guard lock(mutex_);
+  const std::string poses =
+      settings_.pose_channel.empty()
+          ? ""
+          : fmt::format("poses in: {}, {}; ", poses_, describe(refused_poses_.counts()));
+  const std::string requests = requests_ == 0
+                                   ? ""
+                                   : fmt::format("; requests: {}, {}, unmet: {}", requests_,
+                                                 describe(refused_requests_.counts()), unmet_);
+  return fmt::format(
+      "clouds in: {}, {}; messages of quadrics in: {}, {}; {}pairs: {}; grasps out: {}{}",
+      counts_.received_clouds, describe(refused_clouds_.counts()), counts_.received_quadrics,
+      describe(refused_quadrics_.counts()), poses, pairing_.paired(), grasps_, requests);
+}
+
+std::vector<std::string> PlannerNode::find_oddities() const {
+  const std::lock_guard lock(mutex_);
+  std::vector<std::string> oddities;
+  if (pairing_.paired() == 0) {
+    oddities.push_back(
+        "no quadrics with their cloud; make it with quadrille-detector --copy-input");
+  }
+  const std::int64_t paired = pairing_.paired(), unpaired = pairing_.unpaired();
+  if (paired > 0 && unpaired > 0) {
+    oddities.push_back(fmt::format(
+        "{} of {} messages of quadrics have no cloud of theirs ({}) and were not planned on",
+        unpaired, counts_.decoded_quadrics, list_counts(pairing_.count_unpaired())));
+  }
+  if (paired > 0 && counts_.decoded_clouds > paired) {
+    oddities.push_back(fmt::format("{} of {} clouds have no quadrics and were not planned on",
+                                   counts_.decoded_clouds - paired, counts_.decoded_clouds));
+  }
+  if (poses_ > 0 && poseless_ > 0) {
+    oddities.push_back(fmt::format(
+        "{} of {} clouds had no pose of at most {:g} s before them and were not planned "
+        "on",
+        poseless_, counts_.decoded_clouds, settings_.pose_age));
+  }
+  return oddities;
+}
+
+}  // namespace quadrille
