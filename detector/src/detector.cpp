@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
@@ -83,7 +82,6 @@ std::vector<Detection> ranked(std::vector<Detection> detections,
 /// What all stages make of a cloud.
 struct Findings {
   std::vector<Detection> detections;
-  std::vector<Box> boxes;
   std::size_t points_used = 0;
 };
 
@@ -93,18 +91,11 @@ std::size_t count_points(const CellPyramid& pyramid) {
   return count;
 }
 
-/// Gets the detections before boxes are looked for.
-using DetectionsReady = std::function<void(const Findings&)>;
-
 /// All stages on a cloud near the origin.
-Findings find_all(const PointCloud& cloud, const DetectorOptions& options, StageClock& clock,
-                  const DetectionsReady& ready) {
+Findings find_all(const PointCloud& cloud, const DetectorOptions& options, StageClock& clock) {
   const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
   clock.end("cells");
-  if (!pyramid) {
-    ready({});
-    return {};
-  }
+  if (!pyramid) return {};
 
   const SurfaceSamples coarse = pyramid->coarse_samples();
   const std::vector<PlaneRegion> planes = find_planes(coarse, options.planes);
@@ -122,28 +113,45 @@ Findings find_all(const PointCloud& cloud, const DetectorOptions& options, Stage
       options.report);
   findings.points_used = count_points(*pyramid);
   clock.end("measure");
-  ready(findings);
-  findings.boxes = find_boxes(cloud, findings.detections);
-  clock.end("boxes");
   return findings;
 }
 
 /// The same wherever the cloud lies: far from the origin its coordinates have few digits to spare.
 Findings find_anywhere(const PointCloud& cloud, const Eigen::Vector3d& centre,
-                       const DetectorOptions& options, StageClock& clock,
-                       const DetectionsReady& ready) {
-  if (!is_far(centre)) return find_all(cloud, options, clock, ready);
+                       const DetectorOptions& options, StageClock& clock) {
+  if (!is_far(centre)) return find_all(cloud, options, clock);
   const Eigen::Vector3d shift = -centre.array().round().matrix();
-  const auto shift_back = [&](Findings& findings) {
-    for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
-  };
-  Findings findings = find_all(translated(cloud, shift), options, clock, [&](Findings near) {
-    shift_back(near);
-    ready(near);
-  });
-  shift_back(findings);
-  for (Box& box : findings.boxes) box.X_CB.pretranslate(-shift);
+  Findings findings = find_all(translated(cloud, shift), options, clock);
+  for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
   return findings;
+}
+
+/// The same of boxes.
+std::vector<Box> find_boxes_anywhere(const PointCloud& cloud, const Eigen::Vector3d& centre,
+                                     std::vector<Detection> detections) {
+  if (!is_far(centre)) return find_boxes(cloud, detections);
+  const Eigen::Vector3d shift = -centre.array().round().matrix();
+  for (Detection& d : detections) d = translated(std::move(d), shift);
+  std::vector<Box> boxes = find_boxes(translated(cloud, shift), detections);
+  for (Box& box : boxes) box.X_CB.pretranslate(-shift);
+  return boxes;
+}
+
+DetectionResult detect_quadrics(const PointCloud& cloud, const DetectorOptions& given,
+                                const CloudCheck& check, StageClock& clock) {
+  given.check();
+  const DetectorOptions options = seeks_spheres_alone(given) ? sphere_options(given) : given;
+  DetectionResult result;
+  result.points_finite = check.finite;
+  result.warnings = check.warnings;
+  if (!check.usable) return result;
+  Findings found = find_anywhere(cloud, check.centre, options, clock);
+  result.detections = std::move(found.detections);
+  result.points_used = found.points_used;
+  const std::string doubt = contradict_viewpoint(cloud, result.detections);
+  if (!doubt.empty()) result.warnings.push_back(doubt);
+  clock.end("viewpoint");
+  return result;
 }
 
 }  // namespace
@@ -172,29 +180,25 @@ DetectorOptions sphere_options(DetectorOptions options) {
   return options;
 }
 
-DetectionResult detect(const PointCloud& cloud, const DetectorOptions& given,
+DetectionResult detect_quadrics(const PointCloud& cloud, const DetectorOptions& options) {
+  StageClock clock;
+  DetectionResult result = detect_quadrics(cloud, options, check_cloud(cloud), clock);
+  result.timings = clock.timings();
+  result.total_ms = clock.total_ms();
+  return result;
+}
+
+DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options,
                        const QuadricsReady& ready) {
-  given.check();
-  const DetectorOptions options = seeks_spheres_alone(given) ? sphere_options(given) : given;
-  DetectionResult result;
   StageClock clock;
   const CloudCheck check = check_cloud(cloud);
-  result.points_finite = check.finite;
-  result.warnings = check.warnings;
+  DetectionResult result = detect_quadrics(cloud, options, check, clock);
+  if (ready) ready(result);
   if (check.usable) {
-    const auto take = [&](const Findings& found) {
-      result.detections = found.detections;
-      result.points_used = found.points_used;
-      const std::string doubt = contradict_viewpoint(cloud, result.detections);
-      if (!doubt.empty()) result.warnings.push_back(doubt);
-      clock.end("viewpoint");
-      if (ready) ready(result);
-    };
-    result.boxes = find_anywhere(cloud, check.centre, options, clock, take).boxes;
-    result.timings = clock.timings();
-  } else if (ready) {
-    ready(result);
+    result.boxes = find_boxes_anywhere(cloud, check.centre, result.detections);
+    clock.end("boxes");
   }
+  result.timings = clock.timings();
   result.total_ms = clock.total_ms();
   return result;
 }

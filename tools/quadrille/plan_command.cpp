@@ -170,7 +170,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
                 const InputCloud& input, PlanOutput* output) {
   io::RunInfo info = setup.info;
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
-  DetectionResult found = detect(input.cloud, setup.detector.options);
+  DetectionResult found = detect_quadrics(input.cloud, setup.detector.options);
   // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);
   const GraspQuery query = moved(arguments.query.query(), input.X_CK.inverse());

@@ -62,7 +62,7 @@ Planned plan_on(const std::string& path, const physics::TrueScene& truth,
   print_warnings(path, warnings);
   const std::vector<Detection> detections =
       arguments.exact ? truth.detections
-                      : bus::as_received(detect(input.cloud, job.detector).detections);
+                      : bus::as_received(detect_quadrics(input.cloud, job.detector).detections);
   return {plan_grasps(input.cloud, detections, job.gripper, job.plan).grasps,
           physics::seen_quadrics(detections)};
 }

@@ -87,7 +87,7 @@ ObjectCounts count_objects(const physics::TrueScene& truth, const Gripper& gripp
 
 SceneRecord study_scene(const StudyInput& input, const StudyOptions& options) {
   const std::vector<Detection> found =
-      bus::as_received(detect(input.cloud, options.detector).detections);
+      bus::as_received(detect_quadrics(input.cloud, options.detector).detections);
   const GraspPlan plan =
       moved(plan_grasps(input.cloud, found, options.gripper, options.plan), input.X_CK);
   const std::vector<Detection> detections = moved(found, input.X_CK);

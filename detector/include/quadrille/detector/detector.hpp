@@ -28,4 +28,8 @@ using QuadricsReady = std::function<void(const DetectionResult& found)>;
 DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options = {},
                        const QuadricsReady& ready = {});
 
+/// The same without boxes: for those who look for them in what they make of the detections, as the
+/// planner does.
+DetectionResult detect_quadrics(const PointCloud& cloud, const DetectorOptions& options = {});
+
 }  // namespace quadrille
