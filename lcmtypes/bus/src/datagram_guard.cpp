@@ -3,17 +3,16 @@
 #include <linux/filter.h>
 #include <linux/if_packet.h>
 #include <net/if.h>
-#include <netinet/in.h>
 #include <sys/socket.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "quadrille/bus/receive_socket.hpp"
 
 namespace quadrille::bus {
 namespace {
@@ -146,41 +145,6 @@ void drop_strangers(const AcceptedSenders& senders, Program* program) {
   program->mark(accepted);
 }
 
-/// The port that an IPv4 datagram socket is bound to; 0 for anything else.
-int port_of(int fd) {
-  int type = 0;
-  socklen_t size = sizeof type;
-  sockaddr_in address = {};
-  socklen_t length = sizeof address;
-  if (getsockopt(fd, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_DGRAM ||
-      getsockname(fd, reinterpret_cast<sockaddr*>(&address), &length) != 0 ||
-      address.sin_family != AF_INET) {
-    return 0;
-  }
-  return ntohs(address.sin_port);
-}
-
-int port_of(const Url& url) {
-  constexpr int kDefaultPort = 7667;
-  const std::size_t colon = url.network.find(':');
-  int port = kDefaultPort;
-  if (colon != std::string::npos) {
-    std::from_chars(url.network.data() + colon + 1, url.network.data() + url.network.size(), port);
-  }
-  return port;
-}
-
-std::vector<int> own_descriptors() {
-  std::vector<int> descriptors;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
-    const std::string name = entry.path().filename().string();
-    int fd = -1;
-    std::from_chars(name.data(), name.data() + name.size(), fd);
-    if (fd >= 0) descriptors.push_back(fd);
-  }
-  return descriptors;
-}
-
 }  // namespace
 
 void guard_socket(int socket, const AcceptedSenders& senders) {
@@ -191,13 +155,9 @@ void guard_socket(int socket, const AcceptedSenders& senders) {
 }
 
 int guard_receiving_sockets(const Url& url, const AcceptedSenders& senders) {
-  int guarded = 0;
-  for (const int fd : own_descriptors()) {
-    if (port_of(fd) != port_of(url)) continue;
-    guard_socket(fd, senders);
-    ++guarded;
-  }
-  return guarded;
+  const std::vector<int> sockets = find_receiving_sockets(url);
+  for (const int socket : sockets) guard_socket(socket, senders);
+  return static_cast<int>(sockets.size());
 }
 
 }  // namespace quadrille::bus

@@ -5,6 +5,7 @@
 #include <netinet/in.h>
 #include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <filesystem>
@@ -35,19 +36,25 @@ bool receives_at(int fd, int port) {
 
 }  // namespace
 
-std::optional<ReceiveSocket> ReceiveSocket::find(const Url& url) {
-  if (url.provider != "udpm") return std::nullopt;
+std::vector<int> find_receiving_sockets(const Url& url) {
   const int port = port_of(url);
   std::error_code error;
-  int newest = -1;
+  std::vector<int> found;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", error)) {
     const std::string name = entry.path().filename();
     int fd = -1;
     std::from_chars(name.data(), name.data() + name.size(), fd);
-    if (fd > newest && receives_at(fd, port)) newest = fd;
+    if (fd >= 0 && receives_at(fd, port)) found.push_back(fd);
   }
-  if (newest < 0) return std::nullopt;
-  return ReceiveSocket(newest);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::optional<ReceiveSocket> ReceiveSocket::find(const Url& url) {
+  if (url.provider != "udpm") return std::nullopt;
+  const std::vector<int> sockets = find_receiving_sockets(url);
+  if (sockets.empty()) return std::nullopt;
+  return ReceiveSocket(sockets.back());
 }
 
 std::int64_t ReceiveSocket::buffer() const {

@@ -2,16 +2,20 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "quadrille/bus/url.hpp"
 
 namespace quadrille::bus {
 
+/// The descriptors of this process's UDP sockets that are bound to the port of a udpm address, in
+/// ascending order. LCM makes one with the first subscription.
+std::vector<int> find_receiving_sockets(const Url& url);
+
 /// The socket with which LCM receives datagrams in this process, to ask the kernel how it fares.
 class ReceiveSocket {
  public:
-  /// Looks for the UDP socket of this process that is bound to the port of a udpm address. LCM
-  /// makes it with the first subscription.
+  /// The last of find_receiving_sockets().
   /// @return nullopt if there is none, and for other providers
   static std::optional<ReceiveSocket> find(const Url& url);
 
