@@ -1,6 +1,7 @@
 // Options that contradict each other, or that LCM would take and then not work with.
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "process/detector/command_line.hpp"
 #include "process/planner/command_line.hpp"
@@ -66,6 +67,19 @@ TEST_CASE("addresses that reach nobody are refused", "[process][usage]") {
 TEST_CASE("a pattern is no camera with a pose", "[process][usage]") {
   CHECK(holds(detector_error("--in-channel C_.* --pose-channel POSE"), "poses are those of one"));
   CHECK(holds(detector_error("--in-channel C_("), "is no regular expression"));
+}
+
+TEST_CASE("an empty list of senders does not stand for everyone", "[process][usage]") {
+  CLI::App app;
+  const DetectorCommandLine command_line(app);
+  std::string said;
+  try {
+    app.parse(std::vector<std::string>{"", "--accept-from"});  // the last one first
+  } catch (const CLI::ParseError& error) {
+    said = error.what();
+  }
+  CHECK(holds(said, "names nobody"));
+  CHECK(detector_error("--accept-from local").empty());
 }
 
 }  // namespace quadrille

@@ -33,6 +33,7 @@ std::string check_prefix(const std::string& prefix) {
 
 /// Empty if senders can be read from a text, else what is wrong with it.
 std::string check_senders(const std::string& text) try {
+  if (text.empty()) return "names nobody; leave it out to receive from everyone";
   bus::parse_senders(text);
   return {};
 } catch (const std::exception& error) {

@@ -14,7 +14,7 @@ void add_merge_command(CLI::App& app) {
       app.add_subcommand("merge", "Put the results of detectors with --shard I/N into order, live");
   settings->process.add_bus_to(*command);
   command->add_option("--shards", settings->shards, "How many detectors share the stream")
-      ->check(CLI::Range(1, kMaxShards))
+      ->check(CLI::Range(2, kMaxShards))
       ->type_name("N")
       ->required();
   add_channel_option(*command, "--out-channel", settings->channel, "quadrics");
@@ -23,6 +23,7 @@ void add_merge_command(CLI::App& app) {
       ->type_name("MS")
       ->capture_default_str();
   command->callback([settings] {
+    settings->process.check();
     settings->channel = settings->process.prefixed(settings->channel);
     run_merger(*settings);
   });
