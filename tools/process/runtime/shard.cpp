@@ -9,10 +9,9 @@
 #include <stdexcept>
 
 namespace quadrille {
-namespace {
 
 /// FNV-1a over words, ended by splitmix64's mixing so that the remainder by a small N is even.
-std::uint64_t digest(std::span<const std::byte> bytes) {
+std::int64_t digest_of_message(std::span<const std::byte> bytes) {
   std::uint64_t state = 0xcbf29ce484222325;
   // The head, with its time and number, and a thousandth of the rest: clouds that tell the same
   // time differ there.
@@ -26,13 +25,12 @@ std::uint64_t digest(std::span<const std::byte> bytes) {
   }
   state = (state ^ (state >> 30)) * 0xbf58476d1ce4e5b9;
   state = (state ^ (state >> 27)) * 0x94d049bb133111eb;
-  return state ^ (state >> 31);
+  return static_cast<std::int64_t>(state ^ (state >> 31));
 }
 
-}  // namespace
-
 bool Shard::takes(std::span<const std::byte> message) const {
-  return is_whole() || digest(message) % static_cast<std::uint64_t>(count) ==
+  return is_whole() || static_cast<std::uint64_t>(digest_of_message(message)) %
+                               static_cast<std::uint64_t>(count) ==
                            static_cast<std::uint64_t>(index - 1);
 }
 

@@ -1,10 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 
 namespace quadrille {
+
+/// A number that tells most messages apart, the same on all machines. It does not look at all bytes
+/// of a large one.
+std::int64_t digest_of_message(std::span<const std::byte> bytes);
 
 /// The share of one of several detectors in a stream of clouds.
 struct Shard {
@@ -19,6 +24,9 @@ struct Shard {
 
   /// The channel of this shard's results: "NAME_I", or NAME if the shard is the whole.
   std::string channel(const std::string& name) const;
+
+  /// The channel on which this shard tells which clouds it has received: "NAME_I_SEEN".
+  std::string seen_channel(const std::string& name) const { return channel(name) + "_SEEN"; }
 };
 
 inline constexpr int kMaxShards = 64;
