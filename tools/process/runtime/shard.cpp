@@ -8,6 +8,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "quadrille/bus/cloud_message.hpp"
+
 namespace quadrille {
 
 /// FNV-1a over words, ended by splitmix64's mixing so that the remainder by a small N is even.
@@ -28,10 +30,27 @@ std::int64_t digest_of_message(std::span<const std::byte> bytes) {
   return static_cast<std::int64_t>(state ^ (state >> 31));
 }
 
+namespace {
+
+/// Deals clouds out in turns by the number that their source gives them: steps of the golden ratio
+/// around a circle fall evenly, also if the source leaves out every second number.
+std::uint64_t share_of_number(std::int32_t seq, int count) {
+  constexpr std::uint32_t kGoldenRatio = 0x9e3779b9;
+  const std::uint32_t angle = static_cast<std::uint32_t>(seq) * kGoldenRatio;
+  return (angle * static_cast<std::uint64_t>(count)) >> 32;
+}
+
+std::uint64_t share_of(std::span<const std::byte> message, int count) {
+  const auto stamp = bus::read_stamp(message);
+  // A source that does not count leaves 0.
+  if (stamp && stamp->seq != 0) return share_of_number(stamp->seq, count);
+  return static_cast<std::uint64_t>(digest_of_message(message)) % static_cast<std::uint64_t>(count);
+}
+
+}  // namespace
+
 bool Shard::takes(std::span<const std::byte> message) const {
-  return is_whole() || static_cast<std::uint64_t>(digest_of_message(message)) %
-                               static_cast<std::uint64_t>(count) ==
-                           static_cast<std::uint64_t>(index - 1);
+  return is_whole() || share_of(message, count) == static_cast<std::uint64_t>(index - 1);
 }
 
 std::string Shard::channel(const std::string& name) const {

@@ -19,7 +19,8 @@ struct Shard {
   bool is_whole() const { return count == 1; }
 
   /// Whether a message is this detector's to answer. That follows from its bytes alone: all
-  /// detectors, on whatever machine, agree, and of N of them each message has exactly one.
+  /// detectors, on whatever machine, agree, and of N of them each message has exactly one. Clouds
+  /// with a number (seq) are dealt out in turns, others by their content, in the mean evenly.
   bool takes(std::span<const std::byte> message) const;
 
   /// The channel of this shard's results: "NAME_I", or NAME if the shard is the whole.
