@@ -28,7 +28,7 @@ start() {
   shift
   "$@" --lcm-url "$url" 2>"$work/$name.log" &
   started+=("$!")
-  until grep -q "listening to" "$work/$name.log"; do
+  until grep -qs "listening to" "$work/$name.log"; do
     ((tries-- > 0)) || fail "$name does not listen"
     sleep 0.05
   done
