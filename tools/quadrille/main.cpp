@@ -12,6 +12,7 @@
 #include "quadrille/scene_command.hpp"
 #include "quadrille/show_command.hpp"
 #include "quadrille/try_command.hpp"
+#include "quadrille/view_command.hpp"
 
 int main(int argc, char** argv) {
   if (quadrille::is_lab_command(argc, argv)) return quadrille::run_lab(argv);
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
   quadrille::add_config_command(app);
   quadrille::add_gripper_command(app);
   quadrille::add_show_command(app);
+  quadrille::add_view_command(app);
   quadrille::add_lab_commands(app);
   // The commands do their work while they are parsed.
   return quadrille::run_program(app, argc, argv, [] {});

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "io/describe.hpp"
-#include "quadrille/advice.hpp"
+#include "io/planner/advice.hpp"
 
 namespace quadrille {
 

@@ -1,4 +1,4 @@
-#include "quadrille/advice.hpp"
+#include "io/planner/advice.hpp"
 
 #include <algorithm>
 #include <array>
@@ -63,6 +63,16 @@ std::string_view cure_of_unknown(UnknownPolicy unknown) {
 
 }  // namespace
 
+std::string advise(std::string_view reason, UnknownPolicy unknown) {
+  for (const Advice& advice : kAdvice) {
+    if (to_string(advice.reason) != reason) continue;
+    std::string line(advice.text);
+    if (advice.reason == Refusal::kUnknown) line += cure_of_unknown(unknown);
+    return line;
+  }
+  return "";
+}
+
 std::string explain_no_grasps(const GraspPlan& plan, UnknownPolicy unknown) {
   // What would have been a grasp, had less been asked for.
   const auto near = plan.rejected.find(std::string(to_string(Refusal::kClearance)));
@@ -75,13 +85,8 @@ std::string explain_no_grasps(const GraspPlan& plan, UnknownPolicy unknown) {
     return "nothing that could be grasped was found, or asked for; try a closer view, or one that "
            "shows more of the objects";
   }
-  for (const auto& [reason, text] : kAdvice) {
-    if (to_string(reason) != main->first) continue;
-    std::string line(text);
-    if (reason == Refusal::kUnknown) line += cure_of_unknown(unknown);
-    return line;
-  }
-  return "most candidates are refused as '" + main->first + "'";
+  const std::string line = advise(main->first, unknown);
+  return line.empty() ? "most candidates are refused as '" + main->first + "'" : line;
 }
 
 }  // namespace quadrille

@@ -1,0 +1,114 @@
+#include "quadrille/view_command.hpp"
+
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "cli/detector_arguments.hpp"
+#include "cli/frame_arguments.hpp"
+#include "cli/output.hpp"
+#include "cli/planner/planner_arguments.hpp"
+#include "cli/process_arguments.hpp"
+#include "io/planner/config.hpp"
+#include "quadrille/bus/stop.hpp"
+#include "quadrille/detector/rigid_motion.hpp"
+#include "view/log_backend.hpp"
+#include "view/scene_of_cloud.hpp"
+#include "view/server.hpp"
+
+namespace quadrille {
+namespace {
+
+struct ViewArguments {
+  std::string in_log, channel;
+  view::ServerOptions server{"127.0.0.1", 8765};
+  view::PackLimits limits;
+  bool open = false;
+  DetectorArguments detector;
+  PlannerArguments planner;
+  FrameArguments frames;
+};
+
+view::PlanSetup setup_of(const ViewArguments& arguments) {
+  const io::Config config = io::load_config(arguments.detector.config);
+  const DetectorSetup detector = arguments.detector.overrule_for_planning(config);
+  print_warnings(arguments.detector.config, detector.warnings);
+  return {detector.options, arguments.planner.overrule(config.planner),
+          arguments.planner.gripper(), arguments.limits.voxels};
+}
+
+std::unique_ptr<view::Backend> open_log(const ViewArguments& arguments) {
+  const auto make_scene = [frames = arguments.frames, setup = setup_of(arguments)](
+                              logs::LoggedCloud logged) {
+    const Eigen::Isometry3d X_CK = frames.working_frame();
+    PointCloud cloud = moved(std::move(logged.message.cloud), X_CK.inverse());
+    frames.place_viewpoint(&cloud);
+    view::Scene scene = scene_of_cloud(cloud, X_CK, setup);
+    scene.name = logged.channel;
+    scene.utime = logged.message.utime;
+    scene.seq = logged.message.seq;
+    return scene;
+  };
+  return std::make_unique<view::LogBackend>(view::LogFrames(arguments.in_log, arguments.channel),
+                                            make_scene, arguments.limits);
+}
+
+/// Shows an address in the user's browser, if there is one.
+void open_browser(std::string address) {
+  std::string program = "xdg-open";
+  char* const line[] = {program.data(), address.data(), nullptr};
+  pid_t child = 0;
+  if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, line, environ) != 0) {
+    print_warnings("--open", {"there is no xdg-open here; open the address by hand"});
+    return;
+  }
+  std::thread([child] { waitpid(child, nullptr, 0); }).detach();
+}
+
+void run(const ViewArguments& arguments) {
+  const std::unique_ptr<view::Backend> backend = open_log(arguments);
+  bus::install_stop_signals();
+  const view::Server server(*backend, arguments.server);
+  if (!view::is_loopback(arguments.server.bind_address)) {
+    print_warnings("--bind", {"all who reach this machine can look at the clouds"});
+  }
+  print(fmt::format("quadrille view: {} (Ctrl-C ends it)\n", server.address()));
+  if (arguments.open) open_browser(server.address());
+  while (!bus::stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+}
+
+}  // namespace
+
+void add_view_command(CLI::App& app) {
+  auto arguments = std::make_shared<ViewArguments>();
+  CLI::App* command = app.add_subcommand("view", "Show clouds, quadrics and grasps in the browser");
+  command->add_option("--in-log", arguments->in_log, "LCM log whose clouds to work on and show")
+      ->type_name("LOG")
+      ->required();
+  command->add_option("--port", arguments->server.port, "Port to listen on; 0: any that is free")
+      ->check(CLI::Range(0, 65535))
+      ->type_name("N")
+      ->capture_default_str();
+  command->add_option("--bind", arguments->server.bind_address, "Address to listen on")
+      ->type_name("ADDRESS")
+      ->capture_default_str();
+  command->add_flag("--open", arguments->open, "Open the page in the browser");
+  command->add_option("--max-points", arguments->limits.points, "Points of a cloud to show")
+      ->check(CLI::Range(1000, 1000000))
+      ->type_name("N")
+      ->capture_default_str();
+  arguments->planner.add_to(*command, "franka");
+  add_channel_option(*command, "--channel", arguments->channel, "clouds, of a log that has several");
+  arguments->frames.add_to(*command);
+  arguments->detector.add_to(*command);
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace quadrille

@@ -1,0 +1,52 @@
+#include "view/log_backend.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace quadrille::view {
+
+io::Json Backend::status() { return io::Json::object(); }
+
+LogBackend::LogBackend(LogFrames frames, MakeScene make_scene, const PackLimits& limits)
+    : frames_(std::move(frames)), make_scene_(std::move(make_scene)), limits_(limits) {}
+
+io::Json LogBackend::session() {
+  return {{"mode", "log"}, {"name", frames_.path()}, {"frames", frames_.utimes()}};
+}
+
+Pack LogBackend::cached(std::size_t number) {
+  const std::lock_guard lock(cache_mutex_);
+  const auto found = std::find_if(cache_.begin(), cache_.end(),
+                                  [&](const auto& entry) { return entry.first == number; });
+  if (found == cache_.end()) return nullptr;
+  cache_.splice(cache_.begin(), cache_, found);
+  return found->second;
+}
+
+void LogBackend::keep(std::size_t number, const Pack& pack) {
+  const std::lock_guard lock(cache_mutex_);
+  cache_.emplace_front(number, pack);
+  cached_bytes_ += pack->size();
+  // The newest stays, however large.
+  while (cached_bytes_ > kMaxCacheBytes && cache_.size() > 1) {
+    cached_bytes_ -= cache_.back().second->size();
+    cache_.pop_back();
+  }
+}
+
+Pack LogBackend::frame(std::size_t number) {
+  if (number >= frames_.utimes().size()) return nullptr;
+  if (const Pack pack = cached(number)) return pack;
+  const std::lock_guard lock(work_mutex_);
+  // Another request may have waited for the same one.
+  if (const Pack pack = cached(number)) return pack;
+  auto cloud = frames_.load(number);
+  if (!cloud) return nullptr;
+  const auto pack =
+      std::make_shared<const std::string>(pack_scene(make_scene_(std::move(*cloud)), limits_));
+  keep(number, pack);
+  return pack;
+}
+
+}  // namespace quadrille::view

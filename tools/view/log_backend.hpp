@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <list>
+#include <mutex>
+#include <string>
+
+#include "view/backend.hpp"
+#include "view/log_frames.hpp"
+#include "view/scene.hpp"
+
+namespace quadrille::view {
+
+/// Detects and plans on one cloud of a log.
+using MakeScene = std::function<Scene(logs::LoggedCloud cloud)>;
+
+/// Shows the clouds of a log; each is worked on when it is asked for first, one at a time.
+class LogBackend : public Backend {
+ public:
+  /// Packed scenes that are kept at most [byte].
+  static constexpr std::size_t kMaxCacheBytes = std::size_t{128} << 20;
+
+  LogBackend(LogFrames frames, MakeScene make_scene, const PackLimits& limits = {});
+
+  io::Json session() override;
+  Pack frame(std::size_t number) override;
+
+ private:
+  Pack cached(std::size_t number);
+  void keep(std::size_t number, const Pack& pack);
+
+  LogFrames frames_;
+  MakeScene make_scene_;
+  PackLimits limits_;
+  std::mutex work_mutex_, cache_mutex_;
+  /// The ones used last first.
+  std::list<std::pair<std::size_t, Pack>> cache_;
+  std::size_t cached_bytes_ = 0;
+};
+
+}  // namespace quadrille::view

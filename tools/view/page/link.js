@@ -1,0 +1,42 @@
+// What is looked at, as the fragment of the address: a copied link restores it.
+
+export const kLayers = ["cloud", "quadrics", "boxes", "planes", "labels", "gripper", "candidates", "occupied", "unknown"];
+export const kColours = ["object", "depth", "normal"];
+const kHidden = ["occupied", "unknown"];
+
+export function firstView() {
+  const layers = Object.fromEntries(kLayers.map((layer) => [layer, !kHidden.includes(layer)]));
+  return { frame: 0, chosen: null, grasp: 0, colour: "object", layers, theme: null, camera: null };
+}
+
+export function readLink(fragment) {
+  const view = firstView();
+  const given = new URLSearchParams(fragment.replace(/^#/, ""));
+  const whole = (name) => (/^\d{1,9}$/.test(given.get(name) || "") ? Number(given.get(name)) : null);
+  view.frame = whole("frame") || 0;
+  view.chosen = whole("object");
+  view.grasp = whole("grasp") || 0;
+  if (kColours.includes(given.get("colour"))) view.colour = given.get("colour");
+  if (given.has("layers")) {
+    const on = given.get("layers").split(".");
+    for (const layer of kLayers) view.layers[layer] = on.includes(layer);
+  }
+  if (["light", "dark"].includes(given.get("theme"))) view.theme = given.get("theme");
+  const numbers = (given.get("camera") || "").split("_").map(Number);
+  if (numbers.length === 9 && numbers.every(Number.isFinite)) {
+    view.camera = [numbers.slice(0, 3), numbers.slice(3, 6), numbers.slice(6)];
+  }
+  return view;
+}
+
+export function writeLink(view, camera) {
+  const given = new URLSearchParams();
+  if (view.frame) given.set("frame", view.frame);
+  if (view.chosen !== null) given.set("object", view.chosen);
+  if (view.grasp) given.set("grasp", view.grasp);
+  given.set("colour", view.colour);
+  given.set("layers", kLayers.filter((layer) => view.layers[layer]).join("."));
+  if (view.theme) given.set("theme", view.theme);
+  if (camera) given.set("camera", camera.flat().join("_"));
+  return "#" + given.toString();
+}

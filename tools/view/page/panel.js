@@ -1,0 +1,117 @@
+// The panel: what is shown, the list of objects, and for a chosen one its grasps and refusals.
+import { isPlane, objectColour, scoreColour } from "./colours.js";
+import { byId, element, words } from "./dom.js";
+import { kColours, kLayers } from "./link.js";
+
+const kMaxRows = 20;
+const mm = (metres) => (1000 * metres).toFixed(0);
+
+/// Buttons for colours and layers; change is called after each click.
+export function fillSwitches(view, change) {
+  byId("colours").replaceChildren(...kColours.map((colour) => element("button", {
+    text: `by ${colour}`, role: "radio", "aria-checked": String(view.colour === colour), id: `colour-${colour}`,
+    onclick: () => { view.colour = colour; change(); } })));
+  byId("layers").replaceChildren(...kLayers.map((layer) => element("button", {
+    text: layer, "aria-pressed": String(view.layers[layer]), id: `layer-${layer}`,
+    onclick: () => { view.layers[layer] = !view.layers[layer]; change(); } })));
+}
+
+export function fillSource(scene, session) {
+  const time = scene.utime ? ` · ${(scene.utime / 1e6).toFixed(3)} s` : "";
+  const times = Object.entries(scene.timings).map(([stage, ms]) => `${words(stage.replace(/_ms$/, ""))} ${ms.toFixed(0)} ms`);
+  byId("source").replaceChildren(
+    element("span", { text: `${session.mode === "live" ? "live" : session.name} · frame ${scene.frame || "?"}${time}` }),
+    element("br"),
+    element("span", { text: [`${scene.points.positions.length / 3} of ${scene.points.total} points`, ...times].join(" · ") }),
+    ...scene.warnings.map((warning) => element("div", { class: "warning", text: warning })));
+}
+
+export function fillList(scene, view, choose) {
+  const rows = [[], []];
+  for (const object of scene.objects) {
+    const count = scene.grasps.filter((grasp) => grasp.target === object.id).length;
+    const dot = element("span", { class: "dot" });
+    dot.style.background = objectColour(object);
+    const side = isPlane(object) ? "" : count ? `${count} grasps` : "no grasp";
+    rows[isPlane(object) ? 1 : 0].push(element("button", {
+      class: "item", "aria-pressed": String(object.id === view.chosen), "data-object": object.id,
+      onclick: () => choose(object.id === view.chosen ? null : object.id) }, [
+      dot,
+      element("span", { text: `${object.id} ${words(object.type)}` }, [
+        element("small", { text: object.lines.slice(0, 2).join(", ") })]),
+      element("span", { class: count ? "side" : "side none", text: side })]));
+  }
+  const parts = [element("h2", { text: `Objects (${rows[0].length})` }), ...rows[0]];
+  if (rows[0].length === 0) parts.push(element("p", { text: "No object was found in this cloud." }));
+  if (rows[1].length) parts.push(element("h2", { text: `Planes (${rows[1].length})` }), ...rows[1]);
+  byId("list").replaceChildren(...parts);
+}
+
+export function fillDetail(scene, view, chooseGrasp) {
+  const object = scene.objects.find((candidate) => candidate.id === view.chosen);
+  const grasps = object ? scene.grasps.filter((grasp) => grasp.target === object.id) : scene.grasps;
+  const parts = [];
+  if (object) parts.push(...factsOf(object));
+  if (!object || !isPlane(object)) {
+    parts.push(element("h2", { text: object ? `Grasps of ${object.id} (${grasps.length})` : `All grasps (${grasps.length})` }));
+    parts.push(grasps.length ? graspTable(grasps, view, chooseGrasp) : element("p", { text: "No grasp was found." }));
+    parts.push(...refusals(object ? object.rejected : scene.rejected, object));
+  }
+  byId("detail").replaceChildren(...parts);
+}
+
+function factsOf(object) {
+  const facts = [["certain", `${(100 * object.score).toFixed(0)} %`]];
+  if (object.track) facts.push(["track", object.track]);
+  for (const line of object.lines) {
+    const [name, ...rest] = line.split(" ");
+    facts.push([words(name), rest.join(" ")]);
+  }
+  if (object.rms !== undefined) facts.push(["points", object.inliers], ["spread", `${(1000 * object.rms).toFixed(2)} mm`],
+    ["seen", `${(100 * object.seen).toFixed(0)} %`]);
+  const list = element("dl", {}, facts.flatMap(([name, value]) =>
+    [element("dt", { text: name }), element("dd", { text: value })]));
+  return [element("h2", { text: `${object.id} ${words(object.type)}` }), list];
+}
+
+function graspTable(grasps, view, chooseGrasp) {
+  const head = element("tr", {}, ["kind", "score", "width", "clear", "µ"].map((text) => element("th", { text })));
+  const rows = grasps.slice(0, kMaxRows).map((grasp, i) => {
+    const score = element("td", { text: grasp.score.toFixed(2) });
+    score.style.color = `rgb(${scoreColour(grasp.score).map((value) => Math.round(210 * value)).join(",")})`;
+    return element("tr", { class: "grasp", tabindex: 0, "aria-selected": String(i === view.grasp),
+      onclick: () => chooseGrasp(i) }, [
+      element("td", { text: view.chosen === null ? `${grasp.kind} ${grasp.target}` : grasp.kind }), score,
+      element("td", { text: `${mm(grasp.width)} mm` }), element("td", { text: `${mm(grasp.clearance)} mm` }),
+      element("td", { text: grasp.friction_needed.toFixed(2) })]);
+  });
+  const table = element("table", {}, [head, ...rows]);
+  if (grasps.length <= kMaxRows) return table;
+  return element("div", {}, [table, element("p", { text: `and ${grasps.length - kMaxRows} more` })]);
+}
+
+function refusals(rejected, object) {
+  if (!rejected || rejected.length === 0) return [];
+  const most = rejected[0].count;
+  const title = object ? `Why others were refused` : `Refused, of all targets`;
+  return [element("h2", { text: title }), ...rejected.map(({ reason, count, help }) => {
+    const fill = element("i");
+    fill.style.width = `${100 * count / most}%`;
+    return element("div", { class: "reason" }, [
+      element("div", {}, [element("span", { text: words(reason) }), element("span", { text: count })]),
+      element("div", { class: "bar" }, [fill]),
+      element("p", { text: help })]);
+  })];
+}
+
+/// Rate, latency and losses of the processes.
+export function fillHealth(status) {
+  const parts = [];
+  for (const [process, figures] of Object.entries(status)) {
+    parts.push(element("h2", { text: process }));
+    parts.push(element("dl", {}, (figures.facts || []).flatMap(([name, value]) =>
+      [element("dt", { text: name }), element("dd", { text: value })])));
+    for (const warning of figures.warnings || []) parts.push(element("div", { class: "warning", text: warning }));
+  }
+  byId("health").replaceChildren(...parts);
+}

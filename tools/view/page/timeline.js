@@ -1,0 +1,73 @@
+// The clouds of a log: step, play, scrub; a mark for what was found in each.
+import { byId } from "./dom.js";
+
+const kMinDelay = 60, kMaxDelay = 1000;
+
+export class Timeline {
+  /// go is called with the number of a cloud and resolves when that is shown.
+  constructor(utimes, go) {
+    this.utimes = utimes;
+    this.go = go;
+    this.frame = 0;
+    this.playing = false;
+    this.found = new Map();
+    byId("timeline").hidden = false;
+    this.scrub = byId("scrub");
+    this.scrub.max = utimes.length - 1;
+    this.scrub.addEventListener("input", () => { this.stop(); this.go(Number(this.scrub.value)); });
+    byId("back").addEventListener("click", () => this.step(-1));
+    byId("forward").addEventListener("click", () => this.step(1));
+    byId("play").addEventListener("click", () => this.toggle());
+    this.drawMarks();
+  }
+
+  show(frame, found) {
+    this.frame = frame;
+    this.found.set(frame, found);
+    this.scrub.value = frame;
+    const seconds = (this.utimes[frame] - this.utimes[0]) / 1e6;
+    byId("time").textContent = `cloud ${frame + 1} of ${this.utimes.length} · ${seconds.toFixed(2)} s`;
+    this.drawMarks();
+  }
+
+  /// A bar for each cloud, as high as what was found in it; grey where nobody has looked yet.
+  drawMarks() {
+    const marks = byId("marks"), count = this.utimes.length, most = Math.max(1, ...this.found.values());
+    marks.setAttribute("viewBox", `0 0 ${count} 16`);
+    marks.setAttribute("preserveAspectRatio", "none");
+    marks.replaceChildren(...this.utimes.slice(0, 2000).map((_, i) => {
+      const known = this.found.has(i), height = known ? 3 + 13 * this.found.get(i) / most : 3;
+      const bar = document.createElementNS("http://www.w3.org/2000/svg", "rect");
+      for (const [name, value] of Object.entries({ x: i + 0.1, y: 16 - height, width: 0.8, height })) bar.setAttribute(name, value);
+      if (known) bar.setAttribute("class", "known");
+      return bar;
+    }));
+  }
+
+  step(by) {
+    this.stop();
+    return this.go(Math.min(Math.max(this.frame + by, 0), this.utimes.length - 1));
+  }
+
+  toggle() {
+    if (this.playing) return this.stop();
+    this.playing = true;
+    byId("play").textContent = "❚❚";
+    this.play();
+  }
+
+  stop() {
+    this.playing = false;
+    byId("play").textContent = "▶";
+  }
+
+  /// At the log's own pace, or as fast as scenes come.
+  async play() {
+    while (this.playing) {
+      const next = (this.frame + 1) % this.utimes.length;
+      const delay = (this.utimes[next] - this.utimes[this.frame]) / 1000;
+      const wait = Math.min(Math.max(delay, kMinDelay), kMaxDelay);
+      await Promise.all([new Promise((done) => setTimeout(done, wait)), this.go(next)]);
+    }
+  }
+}

@@ -1,0 +1,322 @@
+// The scene in three dimensions: what is drawn, from where, and what lies under the pointer.
+/* global THREE */
+import { depthColour, isPlane, objectColour, rgbOf, scoreColour } from "./colours.js";
+import { contactsOf, handAt, marksOf, poseMatrix } from "./hand.js";
+import { normalsOf } from "./normals.js";
+
+const kClickSlack = 5;
+
+export class World {
+  /// onPick gets the id of what was clicked, or null; onMove is called after each picture.
+  constructor(canvas, onPick, onDraw) {
+    this.canvas = canvas;
+    this.onDraw = onDraw;
+    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
+    this.scene = new THREE.Scene();
+    this.camera = new THREE.PerspectiveCamera(45, 1, 0.01, 100);
+    this.parts = {};
+    this.lineMaterials = [];
+    this.addLights();
+    this.watchPointer(onPick);
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
+    const loop = () => { requestAnimationFrame(loop); this.drawIfDirty(); };
+    requestAnimationFrame(loop);
+  }
+
+  addLights() {
+    this.scene.add(new THREE.HemisphereLight(0xffffff, 0x8793a0, 0.75));
+    this.lamp = new THREE.DirectionalLight(0xffffff, 0.55);
+    this.lamp.position.set(0.4, 0.8, 1);
+    this.camera.add(this.lamp);
+    this.scene.add(this.camera);
+  }
+
+  watchPointer(onPick) {
+    let down = null;
+    this.canvas.addEventListener("pointerdown", (event) => { down = [event.clientX, event.clientY]; });
+    this.canvas.addEventListener("click", (event) => {
+      const moved = down && Math.hypot(event.clientX - down[0], event.clientY - down[1]) > kClickSlack;
+      if (!moved) onPick(this.pick(event.clientX, event.clientY));
+    });
+  }
+
+  resize() {
+    const { clientWidth: width, clientHeight: height } = this.canvas.parentElement;
+    if (!width || !height) return;
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    for (const material of this.lineMaterials) material.resolution.set(width, height);
+    this.dirty = true;
+  }
+
+  drawIfDirty() {
+    if (!this.dirty) return;
+    this.dirty = false;
+    this.renderer.render(this.scene, this.camera);
+    this.onDraw(this);
+  }
+
+  /// Puts something in the place of what was there under that name.
+  put(name, object) {
+    const old = this.parts[name];
+    if (old) {
+      this.scene.remove(old);
+      old.traverse((part) => {
+        if (part.geometry) part.geometry.dispose();
+        if (part.material) part.material.dispose();
+      });
+    }
+    this.parts[name] = object;
+    if (object) this.scene.add(object);
+    this.dirty = true;
+  }
+
+  show(scene, view, dark) {
+    this.data = scene;
+    this.dark = dark;
+    this.renderer.setClearColor(dark ? 0x121a22 : 0xffffff, 1);
+    if (!this.controls) this.lookFromSensor();
+    this.putCloud(view);
+    this.putObjects(view);
+    this.putVoxels(view);
+    this.putGrasps(view);
+  }
+
+  putCloud(view) {
+    const { positions } = this.data.points;
+    const geometry = new THREE.BufferGeometry();
+    geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
+    geometry.setAttribute("color", new THREE.BufferAttribute(this.cloudColours(view.colour), 3));
+    const size = 1.7 * this.renderer.getPixelRatio();
+    const cloud = new THREE.Points(geometry,
+      new THREE.PointsMaterial({ size, sizeAttenuation: false, vertexColors: THREE.VertexColors }));
+    cloud.visible = view.layers.cloud;
+    this.put("cloud", cloud);
+  }
+
+  cloudColours(by) {
+    const { positions, owners } = this.data.points;
+    const colours = new Float32Array(positions.length);
+    if (by === "normal") {
+      const normals = normalsOf(positions, this.data.viewpoint);
+      return normals.map((value) => 0.5 + 0.5 * value);
+    }
+    const paint = by === "object" ? this.byObject(owners) : this.byDepth(positions);
+    for (let i = 0; i < positions.length / 3; ++i) colours.set(paint(i), 3 * i);
+    return colours;
+  }
+
+  byObject(owners) {
+    const none = this.dark ? [0.36, 0.42, 0.48] : [0.68, 0.72, 0.76];
+    const plane = this.dark ? [0.30, 0.36, 0.42] : [0.78, 0.81, 0.84];
+    const boxOf = new Map();
+    for (const object of this.data.objects) for (const face of object.faces || []) boxOf.set(face, object);
+    const colours = this.data.objects.map((object) => {
+      const shown = boxOf.get(object.id) || object;
+      return isPlane(shown) ? plane : rgbOf(objectColour(shown));
+    });
+    return (i) => (owners[i] ? colours[owners[i] - 1] : none);
+  }
+
+  byDepth(positions) {
+    const [x, y, z] = this.data.viewpoint;
+    const depths = new Float32Array(positions.length / 3);
+    for (let i = 0; i < depths.length; ++i) {
+      depths[i] = Math.hypot(positions[3 * i] - x, positions[3 * i + 1] - y, positions[3 * i + 2] - z);
+    }
+    const sorted = depths.slice().sort();
+    const near = sorted[Math.floor(0.02 * sorted.length)], far = sorted[Math.floor(0.95 * sorted.length)];
+    return (i) => depthColour((depths[i] - near) / Math.max(far - near, 1e-6));
+  }
+
+  putObjects(view) {
+    const group = new THREE.Group();
+    this.lineMaterials = [];
+    const faces = new Set(this.data.objects.flatMap((object) => object.faces || []));
+    for (const object of this.data.objects) {
+      const layer = object.kind === "box" ? "boxes" : isPlane(object) ? "planes" : "quadrics";
+      if (!view.layers[layer] || (isPlane(object) && faces.has(object.id))) continue;
+      const part = this.objectPart(object, object.id === view.chosen);
+      if (!part) continue;
+      part.userData.id = object.id;
+      part.userData.plane = isPlane(object);
+      group.add(part);
+    }
+    this.put("objects", group);
+  }
+
+  objectPart(object, chosen) {
+    const part = new THREE.Group();
+    part.applyMatrix(poseMatrix(object.pose));
+    const geometry = object.kind === "box" ? new THREE.BoxBufferGeometry(...object.size) : meshGeometry(object.mesh);
+    if (!geometry) return null;
+    const colour = new THREE.Color(objectColour(object));
+    const opacity = isPlane(object) ? (chosen ? 0.35 : 0.1) : chosen ? 0.75 : 0.42;
+    part.add(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial(
+      { color: colour, side: THREE.DoubleSide, transparent: true, opacity, depthWrite: false })));
+    part.add(this.rims(object, geometry, colour, isPlane(object) ? 1 : chosen ? 4 : 2.6));
+    return part;
+  }
+
+  rims(object, geometry, colour, linewidth) {
+    const ends = [];
+    if (object.kind === "box") ends.push(...new THREE.EdgesGeometry(geometry).attributes.position.array);
+    else for (const i of object.mesh.rims) ends.push(...object.mesh.vertices.subarray(3 * i, 3 * i + 3));
+    const material = new THREE.LineMaterial({ linewidth, transparent: true, opacity: isPlane(object) ? 0.7 : 0.95 });
+    material.color = colour;
+    const size = this.renderer.getSize(new THREE.Vector2());
+    material.resolution.set(size.x, size.y);
+    this.lineMaterials.push(material);
+    const lines = new THREE.LineSegmentsGeometry();
+    lines.setPositions(ends);
+    return new THREE.LineSegments2(lines, material);
+  }
+
+  putVoxels(view) {
+    for (const [layer, colour, opacity] of [["occupied", 0x5b7083, 0.5], ["unknown", 0xb06ae0, 0.14]]) {
+      this.put(layer, view.layers[layer] ? voxelMesh(this.data.voxels, layer, colour, opacity) : null);
+    }
+  }
+
+  putGrasps(view) {
+    const { grasps, gripper } = this.data;
+    const shown = view.chosen === null ? grasps : grasps.filter((grasp) => grasp.target === view.chosen);
+    this.put("marks", view.layers.candidates ? marksOf(shown, (grasp) => scoreColour(grasp.score)) : null);
+    const grasp = shown[Math.min(view.grasp, shown.length - 1)];
+    const hand = new THREE.Group();
+    if (view.layers.gripper && grasp) {
+      if (gripper) hand.add(handAt(grasp, gripper, this.dark));
+      hand.add(contactsOf(grasp));
+    }
+    this.put("hand", hand);
+  }
+
+  /// The object under the pointer: things before the planes that they stand on.
+  pick(x, y) {
+    const box = this.canvas.getBoundingClientRect();
+    const at = new THREE.Vector2(2 * (x - box.left) / box.width - 1, 1 - 2 * (y - box.top) / box.height);
+    const ray = new THREE.Raycaster();
+    ray.setFromCamera(at, this.camera);
+    const meshes = this.parts.objects ? this.parts.objects.children.map((part) => part.children[0]) : [];
+    const hits = ray.intersectObjects(meshes).map((hit) => hit.object.parent.userData);
+    const best = hits.find((hit) => !hit.plane) || hits[0];
+    return best ? best.id : null;
+  }
+
+  /// Where things are: their middle, and how far they reach from there.
+  focus() {
+    const box = new THREE.Box3();
+    const things = this.data.objects.filter((object) => !isPlane(object));
+    for (const object of things) {
+      for (const corner of cornersOf(object)) box.expandByPoint(corner);
+    }
+    if (box.isEmpty()) box.setFromArray(this.data.points.positions);
+    const sphere = box.getBoundingSphere(new THREE.Sphere());
+    return { centre: sphere.center, radius: Math.max(sphere.radius, 0.05) };
+  }
+
+  /// The direction against which things stand: out of the largest plane that does not face the sensor.
+  up(ahead) {
+    const planes = this.data.objects.filter(isPlane).sort((a, b) => b.inliers - a.inliers);
+    for (const plane of planes.slice(0, 3)) {
+      const normal = new THREE.Vector3(0, 0, 1).transformDirection(poseMatrix(plane.pose));
+      const facing = -normal.dot(ahead);
+      if (facing > 0.05 && facing < 0.93) return normal;
+    }
+    return Math.abs(ahead.z) > 0.6 ? new THREE.Vector3(0, -1, 0) : new THREE.Vector3(0, 0, 1);
+  }
+
+  /// From where the sensor stood, a little to the side so that depth shows.
+  lookFromSensor() {
+    const { centre, radius } = this.focus();
+    const ahead = centre.clone().sub(new THREE.Vector3(...this.data.viewpoint)).normalize();
+    if (ahead.lengthSq() < 0.5) ahead.set(0, 0, 1);
+    const up = this.up(ahead);
+    this.lookAlong(ahead.applyAxisAngle(up, -0.35), centre, radius, up);
+  }
+
+  lookFrom(side) {
+    const { centre, radius } = this.focus();
+    const ahead = centre.clone().sub(new THREE.Vector3(...this.data.viewpoint)).normalize();
+    const up = this.up(ahead);
+    const level = ahead.clone().addScaledVector(up, -ahead.dot(up)).normalize();
+    if (side === "top") return this.lookAlong(up.clone().multiplyScalar(-1).addScaledVector(level, 0.02).normalize(), centre, radius, up);
+    return this.lookAlong(level.applyAxisAngle(up, Math.PI / 2), centre, radius, up);
+  }
+
+  lookAlong(ahead, centre, radius, up) {
+    const distance = 1.35 * radius / Math.tan(THREE.Math.degToRad(this.camera.fov / 2));
+    this.place(centre.clone().addScaledVector(ahead, -distance).toArray(), centre.toArray(), up.toArray());
+  }
+
+  /// Sets the camera: where it is, what it looks at, and what is up.
+  place(position, target, up) {
+    this.camera.up.set(...up);
+    this.camera.position.set(...position);
+    const distance = Math.max(new THREE.Vector3(...position).distanceTo(new THREE.Vector3(...target)), 1e-3);
+    this.camera.near = distance / 200;
+    this.camera.far = distance * 60;
+    this.camera.updateProjectionMatrix();
+    if (this.controls) this.controls.dispose();
+    this.controls = new THREE.OrbitControls(this.camera, this.canvas);
+    this.controls.enableKeys = false;
+    this.controls.screenSpacePanning = true;
+    this.controls.zoomSpeed = 0.8;
+    this.controls.target.set(...target);
+    this.controls.addEventListener("change", () => { this.dirty = true; });
+    this.controls.update();
+    this.dirty = true;
+  }
+
+  /// What place() takes, rounded to a tenth of a millimetre.
+  placement() {
+    const round = (v) => v.toArray().map((value) => Number(value.toFixed(4)));
+    return [round(this.camera.position), round(this.controls.target), round(this.camera.up)];
+  }
+
+  /// Where on the stage a point is [pixels]; null behind the camera.
+  project(point) {
+    const p = point.clone().project(this.camera);
+    if (p.z > 1 || p.z < -1) return null;
+    const { clientWidth: width, clientHeight: height } = this.canvas;
+    return [(p.x + 1) / 2 * width, (1 - p.y) / 2 * height];
+  }
+}
+
+export function cornersOf(object) {
+  const X = poseMatrix(object.pose);
+  const half = object.kind === "box" ? object.size.map((side) => side / 2) : null;
+  const low = half ? half.map((h) => -h) : object.extent ? object.extent.min : [0, 0, 0];
+  const high = half || (object.extent ? object.extent.max : [0, 0, 0]);
+  const corners = [];
+  for (let c = 0; c < 8; ++c) {
+    const p = [0, 1, 2].map((i) => (c >> i & 1 ? high[i] : low[i]));
+    corners.push(new THREE.Vector3(...p).applyMatrix4(X));
+  }
+  return corners;
+}
+
+function meshGeometry(mesh) {
+  if (!mesh || mesh.triangles.length === 0) return null;
+  const geometry = new THREE.BufferGeometry();
+  geometry.setAttribute("position", new THREE.BufferAttribute(mesh.vertices, 3));
+  geometry.setIndex(new THREE.BufferAttribute(mesh.triangles, 1));
+  geometry.computeVertexNormals();
+  return geometry;
+}
+
+function voxelMesh(voxels, layer, color, opacity) {
+  const cells = voxels[layer], count = cells.length / 3, { edge, corner } = voxels;
+  if (count === 0) return null;
+  const material = new THREE.MeshLambertMaterial({ color, transparent: true, opacity, depthWrite: layer === "occupied" });
+  const mesh = new THREE.InstancedMesh(new THREE.BoxBufferGeometry(0.92 * edge, 0.92 * edge, 0.92 * edge), material, count);
+  const X = new THREE.Matrix4();
+  for (let i = 0; i < count; ++i) {
+    X.makeTranslation(...[0, 1, 2].map((axis) => corner[axis] + (cells[3 * i + axis] + 0.5) * edge));
+    mesh.setMatrixAt(i, X);
+  }
+  mesh.frustumCulled = false;
+  return mesh;
+}
