@@ -5,11 +5,14 @@
 #include <sys/wait.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "cli/detector_arguments.hpp"
 #include "cli/frame_arguments.hpp"
@@ -17,8 +20,11 @@
 #include "cli/planner/planner_arguments.hpp"
 #include "cli/process_arguments.hpp"
 #include "io/planner/config.hpp"
+#include "io/planner/gripper_file.hpp"
 #include "quadrille/bus/stop.hpp"
+#include "quadrille/bus/url.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
+#include "view/live_backend.hpp"
 #include "view/log_backend.hpp"
 #include "view/scene_of_cloud.hpp"
 #include "view/server.hpp"
@@ -28,6 +34,8 @@ namespace {
 
 struct ViewArguments {
   std::string in_log, channel;
+  ProcessArguments bus;
+  view::LiveChannels channels;
   view::ServerOptions server{"127.0.0.1", 8765};
   view::PackLimits limits;
   bool open = false;
@@ -40,13 +48,13 @@ view::PlanSetup setup_of(const ViewArguments& arguments) {
   const io::Config config = io::load_config(arguments.detector.config);
   const DetectorSetup detector = arguments.detector.overrule_for_planning(config);
   print_warnings(arguments.detector.config, detector.warnings);
-  return {detector.options, arguments.planner.overrule(config.planner),
-          arguments.planner.gripper(), arguments.limits.voxels};
+  return {detector.options, arguments.planner.overrule(config.planner), arguments.planner.gripper(),
+          arguments.limits.voxels};
 }
 
 std::unique_ptr<view::Backend> open_log(const ViewArguments& arguments) {
-  const auto make_scene = [frames = arguments.frames, setup = setup_of(arguments)](
-                              logs::LoggedCloud logged) {
+  const auto make_scene = [frames = arguments.frames,
+                           setup = setup_of(arguments)](logs::LoggedCloud logged) {
     const Eigen::Isometry3d X_CK = frames.working_frame();
     PointCloud cloud = moved(std::move(logged.message.cloud), X_CK.inverse());
     frames.place_viewpoint(&cloud);
@@ -58,6 +66,29 @@ std::unique_ptr<view::Backend> open_log(const ViewArguments& arguments) {
   };
   return std::make_unique<view::LogBackend>(view::LogFrames(arguments.in_log, arguments.channel),
                                             make_scene, arguments.limits);
+}
+
+/// The hand that messages name: a built-in one, or that of --gripper.
+std::optional<Gripper> find_gripper(const Gripper& given, const std::string& name) {
+  if (name == given.name) return given;
+  const std::vector<std::string> names = io::gripper_names();
+  if (std::find(names.begin(), names.end(), name) == names.end()) return std::nullopt;
+  return io::load_gripper(name);
+}
+
+std::unique_ptr<view::Backend> open_bus(const ViewArguments& arguments) {
+  view::LiveChannels channels = arguments.channels;
+  for (std::string* channel :
+       {&channels.cloud, &channels.quadrics, &channels.boxes, &channels.grasps, &channels.occupancy,
+        &channels.detector_status, &channels.planner_status}) {
+    *channel = arguments.bus.prefixed(*channel);
+  }
+  const std::string url = bus::resolve_url(arguments.bus.lcm_url);
+  bus::check_live(bus::parse_url(url));
+  const auto find = [given = arguments.planner.gripper()](const std::string& name) {
+    return find_gripper(given, name);
+  };
+  return std::make_unique<view::LiveBackend>(url, channels, find, arguments.limits);
 }
 
 /// Shows an address in the user's browser, if there is one.
@@ -73,7 +104,8 @@ void open_browser(std::string address) {
 }
 
 void run(const ViewArguments& arguments) {
-  const std::unique_ptr<view::Backend> backend = open_log(arguments);
+  const std::unique_ptr<view::Backend> backend =
+      arguments.in_log.empty() ? open_bus(arguments) : open_log(arguments);
   bus::install_stop_signals();
   const view::Server server(*backend, arguments.server);
   if (!view::is_loopback(arguments.server.bind_address)) {
@@ -81,7 +113,10 @@ void run(const ViewArguments& arguments) {
   }
   print(fmt::format("quadrille view: {} (Ctrl-C ends it)\n", server.address()));
   if (arguments.open) open_browser(server.address());
-  while (!bus::stop_requested()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  while (!bus::stop_requested()) {
+    backend->check();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
 }
 
 }  // namespace
@@ -89,9 +124,10 @@ void run(const ViewArguments& arguments) {
 void add_view_command(CLI::App& app) {
   auto arguments = std::make_shared<ViewArguments>();
   CLI::App* command = app.add_subcommand("view", "Show clouds, quadrics and grasps in the browser");
-  command->add_option("--in-log", arguments->in_log, "LCM log whose clouds to work on and show")
-      ->type_name("LOG")
-      ->required();
+  command
+      ->add_option("--in-log", arguments->in_log,
+                   "LCM log whose clouds to work on and show; else what comes over LCM")
+      ->type_name("LOG");
   command->add_option("--port", arguments->server.port, "Port to listen on; 0: any that is free")
       ->check(CLI::Range(0, 65535))
       ->type_name("N")
@@ -104,8 +140,24 @@ void add_view_command(CLI::App& app) {
       ->check(CLI::Range(1000, 1000000))
       ->type_name("N")
       ->capture_default_str();
+  command->add_option("-l,--lcm-url", arguments->bus.lcm_url, "LCM address; else LCM_DEFAULT_URL")
+      ->excludes("--in-log");
+  command
+      ->add_option("--channel-prefix", arguments->bus.channel_prefix,
+                   "Begins the names of all channels")
+      ->type_name("NAME");
+  view::LiveChannels& channels = arguments->channels;
+  add_channel_option(*command, "--cloud-channel", channels.cloud, "clouds");
+  add_channel_option(*command, "--quadrics-channel", channels.quadrics, "quadrics");
+  add_channel_option(*command, "--boxes-channel", channels.boxes, "boxes");
+  add_channel_option(*command, "--grasps-channel", channels.grasps, "grasps");
+  add_channel_option(*command, "--occupancy-channel", channels.occupancy, "occupancy");
+  add_channel_option(*command, "--detector-status", channels.detector_status,
+                     "the detector's status");
+  add_channel_option(*command, "--planner-status", channels.planner_status, "the planner's status");
   arguments->planner.add_to(*command, "franka");
-  add_channel_option(*command, "--channel", arguments->channel, "clouds, of a log that has several");
+  add_channel_option(*command, "--channel", arguments->channel,
+                     "clouds, of a log that has several");
   arguments->frames.add_to(*command);
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });

@@ -31,6 +31,8 @@ class Backend {
   }
   /// What changes without a new scene: rate, latency and losses.
   virtual io::Json status();
+  /// @throws std::exception if nothing can come any more
+  virtual void check() {}
 };
 
 }  // namespace quadrille::view

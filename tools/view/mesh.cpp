@@ -66,8 +66,8 @@ class Mesher {
   }
 
   void visit_tetrahedron(std::array<std::uint32_t, 4> t) {
-    const auto middle = std::partition(t.begin(), t.end(),
-                                       [&](std::uint32_t n) { return values_[n] < 0.0; });
+    const auto middle =
+        std::partition(t.begin(), t.end(), [&](std::uint32_t n) { return values_[n] < 0.0; });
     const auto below = middle - t.begin();
     if (below == 1) add(vertex(t[0], t[1]), vertex(t[0], t[2]), vertex(t[0], t[3]));
     if (below == 3) add(vertex(t[3], t[0]), vertex(t[3], t[1]), vertex(t[3], t[2]));

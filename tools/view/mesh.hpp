@@ -17,8 +17,8 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 2>> rims;
 };
 
-/// The surface of a quadric within the extent of its inliers. Each vertex lies on the quadric, up to
-/// rounding. Empty for a detection without extent or with numbers that are not finite.
+/// The surface of a quadric within the extent of its inliers. Each vertex lies on the quadric, up
+/// to rounding. Empty for a detection without extent or with numbers that are not finite.
 /// @param cells  the extent is divided into so many cells along each axis
 Mesh mesh_of(const Detection& detection, int cells = 20);
 

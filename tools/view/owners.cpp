@@ -35,8 +35,8 @@ std::vector<Surface> surfaces_of(const std::vector<Detection>& detections) {
 }
 
 std::size_t stride_of(const PointCloud& cloud, std::size_t max_points) {
-  const double excess =
-      static_cast<double>(cloud.points.size()) / static_cast<double>(std::max<std::size_t>(max_points, 1));
+  const double excess = static_cast<double>(cloud.points.size()) /
+                        static_cast<double>(std::max<std::size_t>(max_points, 1));
   const double stride = cloud.organised() ? std::sqrt(excess) : excess;
   return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(stride)));
 }

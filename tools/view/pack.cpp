@@ -47,7 +47,8 @@ io::Json Arrays::add_positions(const std::vector<Eigen::Vector3f>& positions) {
 
 io::Json Arrays::add_mesh(const Mesh& mesh) {
   std::vector<std::uint32_t> triangles, rims;
-  for (const auto& triangle : mesh.triangles) triangles.insert(triangles.end(), triangle.begin(), triangle.end());
+  for (const auto& triangle : mesh.triangles)
+    triangles.insert(triangles.end(), triangle.begin(), triangle.end());
   for (const auto& rim : mesh.rims) rims.insert(rims.end(), rim.begin(), rim.end());
   return {{"vertices", add_positions(mesh.vertices)},
           {"triangles", add(triangles)},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "io/json.hpp"
 #include "io/json_parts.hpp"
@@ -19,14 +20,21 @@ namespace {
 
 using io::Json;
 
+/// "41.0 ± 0.2 mm"; a deviation as large as the value tells that this is hardly known.
+std::string measure_text(double value, double std, const char* unit) {
+  if (!(std < value)) return fmt::format("{:.1f} {} (hardly known)", value, unit);
+  return fmt::format("{:.1f} ± {:.1f} {}", value, std, unit);
+}
+
 /// "radius 41.0 ± 0.2 mm" for each dimension.
 Json lines_of(const Detection& detection) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi, kMillimetres = 1000.0;
   Json lines = Json::array();
   for (const Dimension& d : detection.dimensions) {
-    const bool angle = is_angle(d.name);
-    const double scale = angle ? 180.0 / 3.14159265358979 : 1000.0;
-    lines.push_back(fmt::format("{} {:.1f} ± {:.1f} {}", d.name, scale * d.value, scale * d.std,
-                                angle ? "°" : "mm"));
+    const double scale = is_angle(d.name) ? kDegrees : kMillimetres;
+    lines.push_back(
+        fmt::format("{} {}", d.name,
+                    measure_text(scale * d.value, scale * d.std, is_angle(d.name) ? "°" : "mm")));
   }
   return lines;
 }
@@ -34,8 +42,8 @@ Json lines_of(const Detection& detection) {
 Json lines_of(const Box& box) {
   Json lines = Json::array();
   for (int i = 0; i < 3; ++i) {
-    lines.push_back(fmt::format("side {:.1f} ± {:.1f} mm{}", 1000.0 * box.size[i],
-                                1000.0 * box.std[i],
+    lines.push_back(fmt::format("side {}{}",
+                                measure_text(1000.0 * box.size[i], 1000.0 * box.std[i], "mm"),
                                 box.seen[static_cast<std::size_t>(i)] ? "" : " (not seen)"));
   }
   return lines;
@@ -69,8 +77,10 @@ Mesh mesh_of_object(const Detection& d, std::size_t place,
 }
 
 Json gripper_of(const Gripper& g) {
-  return {{"finger", io::array_of(g.finger)}, {"finger_front", g.finger_front},
-          {"pad", io::array_of(g.pad)},       {"palm", io::array_of(g.palm)},
+  return {{"finger", io::array_of(g.finger)},
+          {"finger_front", g.finger_front},
+          {"pad", io::array_of(g.pad)},
+          {"palm", io::array_of(g.palm)},
           {"max_opening", g.max_opening}};
 }
 
@@ -142,8 +152,10 @@ Json objects_of(const Scene& scene, const PackLimits& limits, Arrays* arrays, Js
 
 std::string pack_scene(const Scene& scene, const PackLimits& limits) {
   Arrays arrays;
-  Json json = {{"name", scene.name},   {"frame", scene.cloud.frame},
-               {"utime", scene.utime}, {"seq", scene.seq},
+  Json json = {{"name", scene.name},
+               {"frame", scene.cloud.frame},
+               {"utime", scene.utime},
+               {"seq", scene.seq},
                {"viewpoint", io::array_of(scene.cloud.viewpoint)}};
   Json points;
   json["objects"] = objects_of(scene, limits, &arrays, &points);

@@ -76,7 +76,8 @@ Scene scene_of_cloud(const PointCloud& cloud, const Eigen::Isometry3d& X_CK,
   scene.timings = {{"detect", found.total_ms}, {"plan", plan.total_ms}};
   scene.warnings = found.warnings;
   for (const std::string& warning : plan.warnings) {
-    const bool known = std::find(scene.warnings.begin(), scene.warnings.end(), warning) != scene.warnings.end();
+    const bool known =
+        std::find(scene.warnings.begin(), scene.warnings.end(), warning) != scene.warnings.end();
     if (!known) scene.warnings.push_back(warning);
   }
   move_all(X_CK, plan.space.get(), setup.max_voxels, &scene);

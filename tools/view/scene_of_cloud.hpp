@@ -18,6 +18,7 @@ struct PlanSetup {
 /// for its own grasps and refusals.
 /// @param cloud  in the frame K to work in
 /// @param X_CK   that frame in the frame C of the scene
-Scene scene_of_cloud(const PointCloud& cloud, const Eigen::Isometry3d& X_CK, const PlanSetup& setup);
+Scene scene_of_cloud(const PointCloud& cloud, const Eigen::Isometry3d& X_CK,
+                     const PlanSetup& setup);
 
 }  // namespace quadrille::view

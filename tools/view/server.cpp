@@ -175,9 +175,8 @@ void Server::tell_news(httplib::Response& response) {
       [this, version](std::size_t, httplib::DataSink& sink) {
         if (stopping_) return false;
         *version = backend_.wait_newer(*version, std::chrono::seconds(1));
-        const std::string event = "data: " +
-                                  text_of({{"version", *version}, {"status", backend_.status()}}) +
-                                  "\n\n";
+        const std::string event =
+            "data: " + text_of({{"version", *version}, {"status", backend_.status()}}) + "\n\n";
         return !stopping_ && sink.write(event.data(), event.size());
       },
       [this](bool) { --listeners_; });

@@ -7,7 +7,9 @@ namespace {
 
 /// Which of two states a voxel has that holds both: things first, then what is not known.
 Voxel joined(Voxel a, Voxel b) {
-  const auto rank = [](Voxel v) { return v == Voxel::kOccupied ? 2 : v == Voxel::kUnknown ? 1 : 0; };
+  const auto rank = [](Voxel v) {
+    return v == Voxel::kOccupied ? 2 : v == Voxel::kUnknown ? 1 : 0;
+  };
   return rank(a) >= rank(b) ? a : b;
 }
 
@@ -70,9 +72,10 @@ VoxelLayers layers_of(VoxelBlock block, std::size_t max_voxels) {
 }
 
 VoxelLayers layers_of(const OccupancyGrid& space, std::size_t max_voxels) {
-  return layers_of(VoxelBlock{space.resolution(), space.corner().cast<double>() * space.resolution(),
-                              space.size(), space.states()},
-                   max_voxels);
+  return layers_of(
+      VoxelBlock{space.resolution(), space.corner().cast<double>() * space.resolution(),
+                 space.size(), space.states()},
+      max_voxels);
 }
 
 }  // namespace quadrille::view

@@ -25,8 +25,12 @@ struct VoxelBlock {
   Eigen::Vector3i size = Eigen::Vector3i::Zero();
   std::vector<Voxel> states;
 
-  Voxel at(int i, int j, int k) const {
-    return states[(static_cast<std::size_t>(k) * size.y() + j) * size.x() + i];
+  Voxel& at(int i, int j, int k) { return states[index(i, j, k)]; }
+  Voxel at(int i, int j, int k) const { return states[index(i, j, k)]; }
+
+ private:
+  std::size_t index(int i, int j, int k) const {
+    return (static_cast<std::size_t>(k) * size.y() + j) * size.x() + i;
   }
 };
 

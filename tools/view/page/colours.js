@@ -16,11 +16,15 @@ function between(map, t) {
 export const depthColour = (t) => between(kViridis, 1 - t);
 export const scoreColour = (score) => between(kScores, score);
 
-/// The same colour for one surface in all clouds, where it has a track.
-export function objectColour(object) {
-  if (isPlane(object)) return "#8a97a5";
-  const number = (object.track || object.id) - 1;
-  return kPalette[((number % kPalette.length) + kPalette.length) % kPalette.length];
+/// Gives each object a colour: the same for one surface in all clouds, where it has a track.
+export function colourObjects(objects) {
+  let untracked = 0;
+  for (const object of objects) {
+    if (isPlane(object)) object.colour = "#8a97a5";
+    else object.colour = kPalette[(object.track > 0 ? object.track : untracked++) % kPalette.length];
+  }
 }
+
+export const objectColour = (object) => object.colour;
 
 export const isPlane = (object) => object.kind === "quadric" && object.type === "plane";

@@ -40,7 +40,7 @@ export function handAt(grasp, gripper, dark) {
   group.applyMatrix(poseMatrix(grasp.X_CG));
   const tip = gripper.finger_front, openTip = tip + grasp.open_reach - grasp.reach;
   const ink = dark ? 0xf4f7fa : 0x1d2a36;
-  const solid = new THREE.MeshLambertMaterial({ color: dark ? 0xaebfce : 0x8fa2b3 });
+  const solid = new THREE.MeshLambertMaterial({ color: dark ? 0xc3d2df : 0x7d93a8, transparent: true, opacity: 0.62, depthWrite: false });
   const ghost = new THREE.MeshLambertMaterial({ color: 0x3d8bfd, transparent: true, opacity: 0.16, depthWrite: false });
   const sweep = new THREE.MeshBasicMaterial({ color: 0x3d8bfd, transparent: true, opacity: 0.07, depthWrite: false });
   group.add(...handParts(gripper, grasp.width, grasp.reach, tip, 0,
@@ -66,7 +66,7 @@ export function contactsOf(grasp) {
   return group;
 }
 
-/// All grasps as forks: the closing line, two short fingers and a stem.
+/// The lines of all grasps as forks: the closing line, two short fingers and a stem.
 export function marksOf(grasps, colourOf) {
   const positions = [], colours = [];
   for (const grasp of grasps) {
@@ -83,9 +83,5 @@ export function marksOf(grasps, colourOf) {
     line([0, -half, back], [0, half, back]);
     line([0, 0, back], [0, 0, back - kStem]);
   }
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.Float32BufferAttribute(positions, 3));
-  geometry.setAttribute("color", new THREE.Float32BufferAttribute(colours, 3));
-  return new THREE.LineSegments(geometry,
-    new THREE.LineBasicMaterial({ vertexColors: THREE.VertexColors, transparent: true, opacity: 0.75 }));
+  return { positions, colours };
 }

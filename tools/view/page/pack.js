@@ -1,5 +1,7 @@
 // Reads a scene as the server packs it: "QVW1", the length of the JSON, the JSON, arrays.
 
+import { colourObjects } from "./colours.js";
+
 const kHeadBytes = 8;
 
 export function unpack(buffer) {
@@ -22,6 +24,7 @@ export function unpack(buffer) {
       rims: take(Uint32Array, object.mesh.rims),
     };
   }
+  colourObjects(scene.objects);
   for (const layer of ["occupied", "unknown"]) scene.voxels[layer] = take(Uint16Array, scene.voxels[layer]);
   return scene;
 }

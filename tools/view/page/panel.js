@@ -41,10 +41,12 @@ export function fillList(scene, view, choose) {
         element("small", { text: object.lines.slice(0, 2).join(", ") })]),
       element("span", { class: count ? "side" : "side none", text: side })]));
   }
-  const parts = [element("h2", { text: `Objects (${rows[0].length})` }), ...rows[0]];
-  if (rows[0].length === 0) parts.push(element("p", { text: "No object was found in this cloud." }));
-  if (rows[1].length) parts.push(element("h2", { text: `Planes (${rows[1].length})` }), ...rows[1]);
-  byId("list").replaceChildren(...parts);
+  const none = element("p", { text: "No object was found in this cloud." });
+  byId("list").replaceChildren(element("h2", { text: `Objects (${rows[0].length})` }),
+    ...(rows[0].length ? rows[0] : [none]));
+  byId("planes").hidden = rows[1].length === 0;
+  byId("planes-title").textContent = `Planes (${rows[1].length})`;
+  byId("planes-list").replaceChildren(...rows[1]);
 }
 
 export function fillDetail(scene, view, chooseGrasp) {

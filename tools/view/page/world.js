@@ -109,8 +109,8 @@ export class World {
   }
 
   byObject(owners) {
-    const none = this.dark ? [0.36, 0.42, 0.48] : [0.68, 0.72, 0.76];
-    const plane = this.dark ? [0.30, 0.36, 0.42] : [0.78, 0.81, 0.84];
+    const none = this.dark ? [0.40, 0.46, 0.53] : [0.58, 0.63, 0.68];
+    const plane = this.dark ? [0.33, 0.39, 0.46] : [0.70, 0.74, 0.78];
     const boxOf = new Map();
     for (const object of this.data.objects) for (const face of object.faces || []) boxOf.set(face, object);
     const colours = this.data.objects.map((object) => {
@@ -164,11 +164,8 @@ export class World {
     const ends = [];
     if (object.kind === "box") ends.push(...new THREE.EdgesGeometry(geometry).attributes.position.array);
     else for (const i of object.mesh.rims) ends.push(...object.mesh.vertices.subarray(3 * i, 3 * i + 3));
-    const material = new THREE.LineMaterial({ linewidth, transparent: true, opacity: isPlane(object) ? 0.7 : 0.95 });
+    const material = this.lineMaterial({ linewidth, transparent: true, opacity: isPlane(object) ? 0.7 : 0.95 });
     material.color = colour;
-    const size = this.renderer.getSize(new THREE.Vector2());
-    material.resolution.set(size.x, size.y);
-    this.lineMaterials.push(material);
     const lines = new THREE.LineSegmentsGeometry();
     lines.setPositions(ends);
     return new THREE.LineSegments2(lines, material);
@@ -183,7 +180,7 @@ export class World {
   putGrasps(view) {
     const { grasps, gripper } = this.data;
     const shown = view.chosen === null ? grasps : grasps.filter((grasp) => grasp.target === view.chosen);
-    this.put("marks", view.layers.candidates ? marksOf(shown, (grasp) => scoreColour(grasp.score)) : null);
+    this.put("marks", view.layers.candidates ? this.marks(shown) : null);
     const grasp = shown[Math.min(view.grasp, shown.length - 1)];
     const hand = new THREE.Group();
     if (view.layers.gripper && grasp) {
@@ -191,6 +188,22 @@ export class World {
       hand.add(contactsOf(grasp));
     }
     this.put("hand", hand);
+  }
+
+  marks(grasps) {
+    const { positions, colours } = marksOf(grasps, (grasp) => scoreColour(grasp.score));
+    const lines = new THREE.LineSegmentsGeometry();
+    lines.setPositions(positions);
+    lines.setColors(colours);
+    return new THREE.LineSegments2(lines, this.lineMaterial({ linewidth: 1.8, vertexColors: THREE.VertexColors }));
+  }
+
+  lineMaterial(properties) {
+    const material = new THREE.LineMaterial(properties);
+    const size = this.renderer.getSize(new THREE.Vector2());
+    material.resolution.set(size.x, size.y);
+    this.lineMaterials.push(material);
+    return material;
   }
 
   /// The object under the pointer: things before the planes that they stand on.
@@ -247,7 +260,7 @@ export class World {
   }
 
   lookAlong(ahead, centre, radius, up) {
-    const distance = 1.35 * radius / Math.tan(THREE.Math.degToRad(this.camera.fov / 2));
+    const distance = 1.12 * radius / Math.tan(THREE.Math.degToRad(this.camera.fov / 2));
     this.place(centre.clone().addScaledVector(ahead, -distance).toArray(), centre.toArray(), up.toArray());
   }
 

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <lcmtypes/quadrille/count_t.hpp>
+#include <lcmtypes/quadrille/detector_status_t.hpp>
+#include <lcmtypes/quadrille/planner_status_t.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,5 +18,13 @@ std::vector<count_t> to_message(const RejectCounts& counts);
 
 /// Who sent a status message of any process, as printable text; nullopt if the bytes are none.
 std::optional<std::string> read_status_sender(std::span<const std::byte> bytes);
+
+/// Reads how a detector fares out of a message of type quadrille.detector_status_t, with every
+/// length checked before the generated decoder sees the bytes; numbers are as they came.
+/// @param bytes  the message as it came, fingerprint first
+Decoded<detector_status_t> decode_detector_status(std::span<const std::byte> bytes);
+
+/// The same for a planner and quadrille.planner_status_t.
+Decoded<planner_status_t> decode_planner_status(std::span<const std::byte> bytes);
 
 }  // namespace quadrille::bus

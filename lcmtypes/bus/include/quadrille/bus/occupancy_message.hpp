@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstddef>
+#include <lcmtypes/quadrille/occupancy_t.hpp>
+#include <span>
+
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/rejection.hpp"
+
+namespace quadrille::bus {
+
+/// Reads a map of space out of a message of type quadrille.occupancy_t, with every length checked
+/// before the generated decoder sees the bytes; what its data hold is not looked at.
+/// @param bytes      the message as it came, fingerprint first
+/// @param max_bytes  larger messages are refused [byte]
+Decoded<occupancy_t> decode_occupancy(std::span<const std::byte> bytes,
+                                      std::size_t max_bytes = kMaxMessageBytes);
+
+}  // namespace quadrille::bus

@@ -1,0 +1,67 @@
+#include "view/latest_messages.hpp"
+
+#include <utility>
+
+namespace quadrille::view {
+namespace {
+
+/// For so long clouds are kept after somebody looked, and are not shown alone after quadrics came.
+constexpr std::chrono::seconds kWatchTime{3}, kQuadricsTime{1};
+
+}  // namespace
+
+void MessageKeeper::take(const std::string& channel, std::span<const std::byte> bytes) {
+  const std::pair<const std::string&, Bytes LatestMessages::*> slots[] = {
+      {channels_.quadrics, &LatestMessages::quadrics},
+      {channels_.boxes, &LatestMessages::boxes},
+      {channels_.grasps, &LatestMessages::grasps},
+      {channels_.occupancy, &LatestMessages::occupancy},
+      {channels_.detector_status, &LatestMessages::detector_status},
+      {channels_.planner_status, &LatestMessages::planner_status}};
+  const bool is_cloud = channel == channels_.cloud;
+  const auto now = Clock::now();
+  {
+    const std::lock_guard lock(mutex_);
+    if (is_cloud && now > watched_until_) return;
+  }
+  Bytes copy = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
+  const std::lock_guard lock(mutex_);
+  if (is_cloud) keep_cloud(std::move(copy));
+  for (const auto& [name, slot] : slots) {
+    if (!is_cloud && name == channel) std::swap(latest_.*slot, copy);
+  }
+  if (channel == channels_.quadrics) quadrics_came_ = now;
+  has_news_ = has_news_ || !is_cloud || now - quadrics_came_ > kQuadricsTime;
+  news_.notify_one();
+}
+
+void MessageKeeper::keep_cloud(Bytes bytes) {
+  cloud_bytes_ += bytes->size();
+  latest_.clouds.push_back(std::move(bytes));
+  while (latest_.clouds.size() > kMaxClouds ||
+         (latest_.clouds.size() > 1 && cloud_bytes_ > kMaxCloudBytes)) {
+    cloud_bytes_ -= latest_.clouds.front()->size();
+    latest_.clouds.pop_front();
+  }
+}
+
+void MessageKeeper::watch() {
+  const std::lock_guard lock(mutex_);
+  watched_until_ = Clock::now() + kWatchTime;
+  news_.notify_one();
+}
+
+bool MessageKeeper::wait(std::chrono::milliseconds timeout) {
+  std::unique_lock lock(mutex_);
+  const bool ready =
+      news_.wait_for(lock, timeout, [this] { return has_news_ && Clock::now() < watched_until_; });
+  if (ready) has_news_ = false;
+  return ready;
+}
+
+LatestMessages MessageKeeper::latest() const {
+  const std::lock_guard lock(mutex_);
+  return latest_;
+}
+
+}  // namespace quadrille::view

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "quadrille/bus/connection.hpp"
+#include "quadrille/bus/receiver.hpp"
+#include "view/backend.hpp"
+#include "view/live_scene.hpp"
+
+namespace quadrille::view {
+
+/// Shows what comes over the bus. Scenes are made of the newest messages, and only while somebody
+/// looks; a browser that is slow misses scenes.
+class LiveBackend : public Backend {
+ public:
+  /// @throws std::runtime_error if the bus cannot be reached
+  LiveBackend(const std::string& url, const LiveChannels& channels, FindGripper find_gripper,
+              const PackLimits& limits = {});
+  ~LiveBackend() override;
+
+  io::Json session() override;
+  Pack frame(std::size_t) override { return nullptr; }
+  Pack newest() override;
+  std::uint64_t wait_newer(std::uint64_t version, std::chrono::milliseconds timeout) override;
+  io::Json status() override;
+
+  /// Throws what ended the connection, if something did.
+  void check() override { receiver_.check(); }
+
+ private:
+  void make_scenes();
+
+  MessageKeeper keeper_;
+  FindGripper find_gripper_;
+  PackLimits limits_;
+  bus::Connection connection_;
+  std::mutex mutex_;
+  std::condition_variable made_;
+  Pack newest_;
+  std::uint64_t version_ = 0;
+  std::atomic<bool> stop_{false};
+  std::thread maker_;
+  bus::Receiver receiver_;
+};
+
+}  // namespace quadrille::view
