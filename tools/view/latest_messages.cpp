@@ -5,8 +5,10 @@
 namespace quadrille::view {
 namespace {
 
-/// For so long clouds are kept after somebody looked, and are not shown alone after quadrics came.
-constexpr std::chrono::seconds kWatchTime{3}, kQuadricsTime{1};
+/// For so long clouds are kept after somebody looked.
+constexpr std::chrono::seconds kWatchTime{3};
+/// For so long after quadrics, or boxes, more of them are expected.
+constexpr std::chrono::seconds kQuadricsTime{1};
 
 }  // namespace
 
@@ -27,11 +29,16 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
   Bytes copy = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
   const std::lock_guard lock(mutex_);
   if (is_cloud) keep_cloud(std::move(copy));
+  if (channel == channels_.quadrics) latest_.quadrics_before = latest_.quadrics;
   for (const auto& [name, slot] : slots) {
     if (!is_cloud && name == channel) std::swap(latest_.*slot, copy);
   }
   if (channel == channels_.quadrics) quadrics_came_ = now;
-  has_news_ = has_news_ || !is_cloud || now - quadrics_came_ > kQuadricsTime;
+  if (channel == channels_.boxes) boxes_came_ = now;
+  // Quadrics wait for their boxes, clouds for their quadrics, where such come.
+  const auto last = is_cloud ? quadrics_came_ : boxes_came_;
+  const bool waits = is_cloud || channel == channels_.quadrics;
+  has_news_ = has_news_ || !waits || now - last > kQuadricsTime;
   news_.notify_one();
 }
 

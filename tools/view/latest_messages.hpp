@@ -25,6 +25,8 @@ using Bytes = std::shared_ptr<const std::vector<std::byte>>;
 /// The newest message of each kind, and the last few clouds, as quadrics come later than theirs.
 struct LatestMessages {
   std::deque<Bytes> clouds;
+  /// Those before the newest, while its boxes have not come.
+  Bytes quadrics_before;
   Bytes quadrics, boxes, grasps, occupancy, detector_status, planner_status;
 };
 
@@ -60,7 +62,7 @@ class MessageKeeper {
   LatestMessages latest_;
   std::size_t cloud_bytes_ = 0;
   bool has_news_ = false;
-  Clock::time_point watched_until_{}, quadrics_came_{};
+  Clock::time_point watched_until_{}, quadrics_came_{}, boxes_came_{};
 };
 
 }  // namespace quadrille::view

@@ -92,13 +92,22 @@ void add_grasps(const grasps_t& message, const FindGripper& find_gripper, std::s
   scene->warnings.insert(scene->warnings.end(), message.warnings.begin(), message.warnings.end());
 }
 
-void add_quadrics(bus::QuadricsMessage message, const Bytes& boxes_bytes, Scene* scene) {
+/// The newest quadrics, or those before while their boxes have not come.
+std::optional<bus::QuadricsMessage> find_quadrics(const LatestMessages& messages,
+                                                  const std::optional<bus::BoxesMessage>& boxes) {
+  const auto decode = [](const auto& b) { return bus::decode_quadrics(b); };
+  auto newest = read<bus::QuadricsMessage>(messages.quadrics, decode);
+  if (!newest || !boxes || boxes->utime == newest->utime) return newest;
+  auto before = read<bus::QuadricsMessage>(messages.quadrics_before, decode);
+  return before && before->utime == boxes->utime ? before : newest;
+}
+
+void add_quadrics(bus::QuadricsMessage message, const std::optional<bus::BoxesMessage>& boxes,
+                  Scene* scene) {
   scene->utime = message.utime;
   scene->seq = message.seq;
   scene->detections = std::move(message.detections);
   std::erase_if(scene->detections, [](const Detection& d) { return !is_reported(d); });
-  const auto boxes =
-      read<bus::BoxesMessage>(boxes_bytes, [](const auto& b) { return bus::decode_boxes(b); });
   if (!boxes || boxes->utime != message.utime || boxes->seq != message.seq) return;
   std::copy_if(boxes->boxes.begin(), boxes->boxes.end(), std::back_inserter(scene->boxes),
                [](const Box& box) { return is_reported(box); });
@@ -125,11 +134,12 @@ Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper
                  const PackLimits& limits) {
   Scene scene;
   scene.name = "live";
-  auto quadrics = read<bus::QuadricsMessage>(messages.quadrics,
-                                             [](const auto& b) { return bus::decode_quadrics(b); });
+  const auto boxes =
+      read<bus::BoxesMessage>(messages.boxes, [](const auto& b) { return bus::decode_boxes(b); });
+  auto quadrics = find_quadrics(messages, boxes);
   add_cloud(find_cloud(messages.clouds, quadrics), quadrics, &scene);
   const std::string frame = scene.cloud.frame;
-  if (quadrics) add_quadrics(std::move(*quadrics), messages.boxes, &scene);
+  if (quadrics) add_quadrics(std::move(*quadrics), boxes, &scene);
   const auto grasps =
       read<grasps_t>(messages.grasps, [](const auto& b) { return bus::decode_grasps(b); });
   if (grasps && grasps->frame == frame) add_grasps(*grasps, find_gripper, limits.grasps, &scene);

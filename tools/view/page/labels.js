@@ -1,7 +1,7 @@
 // Labels beside the objects, never over one another, each with a line to what it is about.
 import { isPlane, objectColour } from "./colours.js";
 import { element, words } from "./dom.js";
-import { cornersOf } from "./world.js";
+import { cornersOf } from "./shapes.js";
 
 const kGap = 10, kMargin = 6;
 

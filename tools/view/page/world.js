@@ -1,8 +1,9 @@
 // The scene in three dimensions: what is drawn, from where, and what lies under the pointer.
 /* global THREE */
-import { depthColour, isPlane, objectColour, rgbOf, scoreColour } from "./colours.js";
+import { isPlane, objectColour, scoreColour } from "./colours.js";
 import { contactsOf, handAt, marksOf, poseMatrix } from "./hand.js";
-import { normalsOf } from "./normals.js";
+import { coloursOf } from "./paint.js";
+import { cornersOf, meshGeometry, voxelMesh } from "./shapes.js";
 
 const kClickSlack = 5;
 
@@ -88,7 +89,7 @@ export class World {
     const { positions } = this.data.points;
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(positions, 3));
-    geometry.setAttribute("color", new THREE.BufferAttribute(this.cloudColours(view.colour), 3));
+    geometry.setAttribute("color", new THREE.BufferAttribute(this.paint(view.colour), 3));
     const size = 1.7 * this.renderer.getPixelRatio();
     const cloud = new THREE.Points(geometry,
       new THREE.PointsMaterial({ size, sizeAttenuation: false, vertexColors: THREE.VertexColors }));
@@ -96,39 +97,14 @@ export class World {
     this.put("cloud", cloud);
   }
 
-  cloudColours(by) {
-    const { positions, owners } = this.data.points;
-    const colours = new Float32Array(positions.length);
-    if (by === "normal") {
-      const normals = normalsOf(positions, this.data.viewpoint);
-      return normals.map((value) => 0.5 + 0.5 * value);
-    }
-    const paint = by === "object" ? this.byObject(owners) : this.byDepth(positions);
-    for (let i = 0; i < positions.length / 3; ++i) colours.set(paint(i), 3 * i);
+  /// The colours of the cloud's points, computed anew only if something has changed.
+  paint(by) {
+    const key = [by, this.dark];
+    const last = this.painted;
+    if (last && last.data === this.data && last.key.join() === key.join()) return last.colours;
+    const colours = coloursOf(this.data, by, this.dark);
+    this.painted = { data: this.data, key, colours };
     return colours;
-  }
-
-  byObject(owners) {
-    const none = this.dark ? [0.40, 0.46, 0.53] : [0.58, 0.63, 0.68];
-    const plane = this.dark ? [0.33, 0.39, 0.46] : [0.70, 0.74, 0.78];
-    const boxOf = new Map();
-    for (const object of this.data.objects) for (const face of object.faces || []) boxOf.set(face, object);
-    const colours = this.data.objects.map((object) => {
-      const shown = boxOf.get(object.id) || object;
-      return isPlane(shown) ? plane : rgbOf(objectColour(shown));
-    });
-    return (i) => (owners[i] ? colours[owners[i] - 1] : none);
-  }
-
-  byDepth(positions) {
-    const [x, y, z] = this.data.viewpoint;
-    const depths = new Float32Array(positions.length / 3);
-    for (let i = 0; i < depths.length; ++i) {
-      depths[i] = Math.hypot(positions[3 * i] - x, positions[3 * i + 1] - y, positions[3 * i + 2] - z);
-    }
-    const sorted = depths.slice().sort();
-    const near = sorted[Math.floor(0.02 * sorted.length)], far = sorted[Math.floor(0.95 * sorted.length)];
-    return (i) => depthColour((depths[i] - near) / Math.max(far - near, 1e-6));
   }
 
   putObjects(view) {
@@ -296,40 +272,4 @@ export class World {
     const { clientWidth: width, clientHeight: height } = this.canvas;
     return [(p.x + 1) / 2 * width, (1 - p.y) / 2 * height];
   }
-}
-
-export function cornersOf(object) {
-  const X = poseMatrix(object.pose);
-  const half = object.kind === "box" ? object.size.map((side) => side / 2) : null;
-  const low = half ? half.map((h) => -h) : object.extent ? object.extent.min : [0, 0, 0];
-  const high = half || (object.extent ? object.extent.max : [0, 0, 0]);
-  const corners = [];
-  for (let c = 0; c < 8; ++c) {
-    const p = [0, 1, 2].map((i) => (c >> i & 1 ? high[i] : low[i]));
-    corners.push(new THREE.Vector3(...p).applyMatrix4(X));
-  }
-  return corners;
-}
-
-function meshGeometry(mesh) {
-  if (!mesh || mesh.triangles.length === 0) return null;
-  const geometry = new THREE.BufferGeometry();
-  geometry.setAttribute("position", new THREE.BufferAttribute(mesh.vertices, 3));
-  geometry.setIndex(new THREE.BufferAttribute(mesh.triangles, 1));
-  geometry.computeVertexNormals();
-  return geometry;
-}
-
-function voxelMesh(voxels, layer, color, opacity) {
-  const cells = voxels[layer], count = cells.length / 3, { edge, corner } = voxels;
-  if (count === 0) return null;
-  const material = new THREE.MeshLambertMaterial({ color, transparent: true, opacity, depthWrite: layer === "occupied" });
-  const mesh = new THREE.InstancedMesh(new THREE.BoxBufferGeometry(0.92 * edge, 0.92 * edge, 0.92 * edge), material, count);
-  const X = new THREE.Matrix4();
-  for (let i = 0; i < count; ++i) {
-    X.makeTranslation(...[0, 1, 2].map((axis) => corner[axis] + (cells[3 * i + axis] + 0.5) * edge));
-    mesh.setMatrixAt(i, X);
-  }
-  mesh.frustumCulled = false;
-  return mesh;
 }

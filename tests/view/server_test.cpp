@@ -1,0 +1,188 @@
+#include "view/server.hpp"
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include <atomic>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "support/catch.hpp"
+#include "view/pack.hpp"
+
+using namespace quadrille;
+
+namespace {
+
+/// Serves one large cloud and, as the name of all, whatever it is given.
+class FakeBackend : public view::Backend {
+ public:
+  explicit FakeBackend(std::string name = "log") : name_(std::move(name)) {}
+
+  io::Json session() override { return {{"mode", "log"}, {"name", name_}}; }
+  view::Pack frame(std::size_t number) override { return number == 0 ? large_ : nullptr; }
+  std::uint64_t wait_newer(std::uint64_t version, std::chrono::milliseconds) override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return version + 1;
+  }
+
+  static constexpr std::size_t kLarge = std::size_t{16} << 20;
+
+ private:
+  std::string name_;
+  view::Pack large_ = std::make_shared<const std::string>(kLarge, 'x');
+};
+
+struct Fixture {
+  FakeBackend backend;
+  view::Server server{backend, {}};
+  httplib::Client client{"127.0.0.1", server.port()};
+
+  int status_of(const std::string& path, const httplib::Headers& headers = {}) {
+    const auto answer = client.Get(path, headers);
+    return answer ? answer->status : -1;
+  }
+};
+
+/// A connection of which nothing is read.
+class StalledClient {
+ public:
+  StalledClient(int port, const std::string& request) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    REQUIRE(connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
+    REQUIRE(write(socket_, request.data(), request.size()) == static_cast<ssize_t>(request.size()));
+  }
+  ~StalledClient() { close(socket_); }
+  StalledClient(const StalledClient&) = delete;
+  StalledClient& operator=(const StalledClient&) = delete;
+
+  std::string answer() const {
+    std::string text(4096, '\0');
+    const ssize_t size = read(socket_, text.data(), text.size());
+    text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+    return text;
+  }
+
+ private:
+  int socket_;
+};
+
+}  // namespace
+
+TEST_CASE("the page comes with a policy that lets no script in from elsewhere", "[view][safety]") {
+  Fixture f;
+  const auto answer = f.client.Get("/");
+  REQUIRE(answer);
+  CHECK(answer->status == 200);
+  const std::string policy = answer->get_header_value("Content-Security-Policy");
+  CHECK(policy.find("default-src 'none'") != std::string::npos);
+  CHECK(policy.find("script-src 'self'") != std::string::npos);
+  CHECK(policy.find("unsafe") == std::string::npos);
+  CHECK(answer->get_header_value("X-Content-Type-Options") == "nosniff");
+  // No script or style within the page, which that policy would refuse.
+  CHECK(answer->body.find("<script>") == std::string::npos);
+  CHECK(answer->body.find("<style") == std::string::npos);
+  CHECK(answer->body.find(" style=") == std::string::npos);
+  CHECK(f.status_of("/three.min.js") == 200);
+  CHECK(f.status_of("/app.js") == 200);
+}
+
+TEST_CASE("requests for another host or from another page are refused", "[view][safety]") {
+  Fixture f;
+  for (const char* path : {"/", "/app.js", "/api/session", "/api/frames/0", "/api/events"}) {
+    CAPTURE(path);
+    CHECK(f.status_of(path, {{"Host", "evil.example"}}) == 403);
+    CHECK(f.status_of(path, {{"Origin", "http://evil.example"}}) == 403);
+  }
+  CHECK(f.status_of("/api/session",
+                    {{"Origin", fmt::format("http://127.0.0.1:{}", f.server.port())}}) == 200);
+}
+
+TEST_CASE("nothing can be changed, and there are no files but the page's", "[view][safety]") {
+  Fixture f;
+  for (const auto& answer :
+       {f.client.Post("/api/session", "x", "text/plain"), f.client.Put("/", "x", "text/plain"),
+        f.client.Delete("/api/frames/0")}) {
+    REQUIRE(answer);
+    CHECK(answer->status == 405);
+  }
+  for (const char* path :
+       {"/../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/..%2f..%2fetc/passwd", "//etc/passwd",
+        "/page/app.js", "/api/frames/../session", "/app.js/..", "/api/frames/-1",
+        "/api/frames/99999999999999999999", "/api/frames/1", "/api/newest"}) {
+    CAPTURE(path);
+    const StalledClient raw(
+        f.server.port(),
+        fmt::format("GET {} HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n", path));
+    CHECK(raw.answer().find(" 404 ") != std::string::npos);
+  }
+}
+
+TEST_CASE("whatever a name holds, the answer is sound JSON", "[view][safety][hostile]") {
+  FakeBackend backend("</script><script>alert(1)</script>\xff\xfe\n\"");
+  const view::Server server(backend, {});
+  httplib::Client client("127.0.0.1", server.port());
+  const auto answer = client.Get("/api/session");
+  REQUIRE(answer);
+  CHECK(answer->get_header_value("Content-Type") == "application/json");
+  const auto json = nlohmann::json::parse(answer->body);
+  CHECK(json["name"].get<std::string>().starts_with(
+      "</script><script>alert(1)</script>\xef\xbf\xbd"));
+}
+
+TEST_CASE("fifty browsers at once are all served", "[view][safety]") {
+  Fixture f;
+  std::atomic<int> served{0};
+  std::vector<std::thread> browsers;
+  for (int i = 0; i < 50; ++i) {
+    browsers.emplace_back([&] {
+      httplib::Client client("127.0.0.1", f.server.port());
+      client.set_read_timeout(60);
+      const auto answer = client.Get("/api/frames/0");
+      if (answer && answer->status == 200 && answer->body.size() == FakeBackend::kLarge) ++served;
+    });
+  }
+  for (std::thread& browser : browsers) browser.join();
+  CHECK(served == 50);
+}
+
+TEST_CASE("browsers that take nothing hold nobody up, and are let go", "[view][safety]") {
+  FakeBackend backend;
+  auto server = std::make_unique<view::Server>(backend, view::ServerOptions{});
+  std::vector<std::unique_ptr<StalledClient>> stalled;
+  for (int i = 0; i < 8; ++i) {
+    stalled.push_back(std::make_unique<StalledClient>(
+        server->port(), "GET /api/frames/0 HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"));
+  }
+  httplib::Client client("127.0.0.1", server->port());
+  const auto answer = client.Get("/api/session");
+  REQUIRE(answer);
+  CHECK(answer->status == 200);
+  // The server ends although they still wait.
+  server.reset();
+}
+
+TEST_CASE("no more browsers are told of news than there are places", "[view][safety]") {
+  Fixture f;
+  std::vector<std::unique_ptr<StalledClient>> listeners;
+  int refused = 0, told = 0;
+  for (int i = 0; i < view::Server::kMaxListeners + 4; ++i) {
+    listeners.push_back(std::make_unique<StalledClient>(
+        f.server.port(), "GET /api/events HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"));
+    const std::string answer = listeners.back()->answer();
+    refused += answer.find(" 503 ") != std::string::npos ? 1 : 0;
+    told += answer.find(" 200 ") != std::string::npos ? 1 : 0;
+  }
+  CHECK(told == view::Server::kMaxListeners);
+  CHECK(refused == 4);
+  CHECK(f.status_of("/api/session") == 200);
+}
+
+TEST_CASE("a port that is taken is not shared", "[view]") {
+  Fixture f;
+  FakeBackend other;
+  CHECK_THROWS_AS(view::Server(other, {"127.0.0.1", f.server.port()}), std::runtime_error);
+}
