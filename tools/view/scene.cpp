@@ -32,8 +32,10 @@ Json lines_of(const Detection& detection) {
   Json lines = Json::array();
   for (const Dimension& d : detection.dimensions) {
     const double scale = is_angle(d.name) ? kDegrees : kMillimetres;
+    std::string name = d.name;
+    std::replace(name.begin(), name.end(), '_', ' ');
     lines.push_back(
-        fmt::format("{} {}", d.name,
+        fmt::format("{} {}", name,
                     measure_text(scale * d.value, scale * d.std, is_angle(d.name) ? "°" : "mm")));
   }
   return lines;

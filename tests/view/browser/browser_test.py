@@ -136,7 +136,7 @@ def check_objects(page, plan):
     expect(len(labels), len(objects_of(plan)), "labels shown")
 
 
-def boxes_apart(page):
+def check_labels_apart(page):
     """No label lies over another."""
     spots = [label.rect for label in page.all(".label") if label.is_displayed()]
     for i, a in enumerate(spots):
@@ -256,7 +256,7 @@ def main():
                 page.wait_for_frame(0)
                 page.photograph("log")
                 check_objects(page, plans[0])
-                boxes_apart(page)
+                check_labels_apart(page)
                 check_choice(page, plans[0])
                 check_click_in_scene(page, plans[0])
                 check_timeline(page, plans)

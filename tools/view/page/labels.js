@@ -42,8 +42,9 @@ export class Labels {
     }
     shown.sort((a, b) => a.outline.top - b.outline.top);
     const placed = [], lines = [];
+    const hands = [outlineOf(world.handCorners(), world)].filter(Boolean);
     for (const label of shown) {
-      const spot = bestSpot(label, shown, placed, stage);
+      const spot = bestSpot(label, [...shown.map((other) => other.outline), ...hands], placed, stage);
       placed.push(spot);
       label.box.style.transform = `translate(${Math.round(spot.left)}px, ${Math.round(spot.top)}px)`;
       lines.push(...leaderOf(label, spot));
@@ -68,7 +69,7 @@ function common(a, b) {
 }
 
 /// Of places around an object, nearer ones first, the one that covers least.
-function bestSpot(label, shown, placed, stage) {
+function bestSpot(label, things, placed, stage) {
   const { outline, size } = label;
   let best = null;
   for (const away of [kGap, 30, 60, 100, 150, 220]) {
@@ -79,7 +80,7 @@ function bestSpot(label, shown, placed, stage) {
       const spot = clamp({ left: x - size.width / 2, top: y - size.height / 2 }, size, stage);
       let cost = away + 4 * step;
       for (const other of placed) cost += 20 * common(grown(spot), other);
-      for (const other of shown) cost += 0.25 * common(spot, other.outline);
+      for (const thing of things) cost += 0.25 * common(spot, thing);
       if (!best || cost < best.cost) best = { ...spot, cost };
     }
   }

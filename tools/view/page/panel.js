@@ -66,8 +66,8 @@ function factsOf(object) {
   const facts = [["certain", `${(100 * object.score).toFixed(0)} %`]];
   if (object.track) facts.push(["track", object.track]);
   for (const line of object.lines) {
-    const [name, ...rest] = line.split(" ");
-    facts.push([words(name), rest.join(" ")]);
+    const [, name, value] = line.match(/^(\D*?) (\S*\d.*)$/) || ["", line, ""];
+    facts.push([name, value]);
   }
   if (object.rms !== undefined) facts.push(["points", object.inliers], ["spread", `${(1000 * object.rms).toFixed(2)} mm`],
     ["seen", `${(100 * object.seen).toFixed(0)} %`]);

@@ -33,12 +33,13 @@ export class Timeline {
   /// A bar for each cloud, as high as what was found in it; grey where nobody has looked yet.
   drawMarks() {
     const marks = byId("marks"), count = this.utimes.length, most = Math.max(1, ...this.found.values());
+    const width = Math.min(0.8, count / 80);
     marks.setAttribute("viewBox", `0 0 ${count} 16`);
     marks.setAttribute("preserveAspectRatio", "none");
     marks.replaceChildren(...this.utimes.slice(0, 2000).map((_, i) => {
       const known = this.found.has(i), height = known ? 3 + 13 * this.found.get(i) / most : 3;
       const bar = document.createElementNS("http://www.w3.org/2000/svg", "rect");
-      for (const [name, value] of Object.entries({ x: i + 0.1, y: 16 - height, width: 0.8, height })) bar.setAttribute(name, value);
+      for (const [name, value] of Object.entries({ x: i + 0.5 - width / 2, y: 16 - height, width, height })) bar.setAttribute(name, value);
       if (known) bar.setAttribute("class", "known");
       return bar;
     }));

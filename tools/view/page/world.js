@@ -166,6 +166,15 @@ export class World {
     this.put("hand", hand);
   }
 
+  /// The corners of the hand that is drawn, and of what it holds.
+  handCorners() {
+    const box = new THREE.Box3().setFromObject(this.parts.hand || new THREE.Group());
+    if (box.isEmpty()) return [];
+    const { min, max } = box;
+    return [0, 1, 2, 3, 4, 5, 6, 7].map((c) => new THREE.Vector3(c & 1 ? max.x : min.x, c & 2 ? max.y : min.y,
+      c & 4 ? max.z : min.z));
+  }
+
   marks(grasps) {
     const { positions, colours } = marksOf(grasps, (grasp) => scoreColour(grasp.score));
     const lines = new THREE.LineSegmentsGeometry();

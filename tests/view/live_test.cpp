@@ -1,0 +1,165 @@
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "io/planner/gripper_file.hpp"
+#include "quadrille/bus/boxes_message.hpp"
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/grasps_message.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+#include "support/catch.hpp"
+#include "view/live_scene.hpp"
+
+using namespace quadrille;
+
+namespace {
+
+view::Bytes shared(std::vector<std::byte> bytes) {
+  return std::make_shared<const std::vector<std::byte>>(std::move(bytes));
+}
+
+bus::CloudMessage cloud_at(std::int64_t utime, float x = 0.0f) {
+  bus::CloudMessage message;
+  message.utime = utime;
+  message.cloud.frame = "camera";
+  message.cloud.points = {{x, 0, 1}, {x, 0.1f, 1}, {x, 0, 1.1f}};
+  message.cloud.read = 3;
+  return message;
+}
+
+view::Bytes cloud_bytes(std::int64_t utime, float x) {
+  return shared(bus::encode_cloud(cloud_at(utime, x), bus::CloudFormat::kDrake));
+}
+
+view::Bytes quadrics_bytes(std::int64_t utime, int id) {
+  Detection ball;
+  ball.id = id;
+  ball.track = 4;
+  ball.type = QuadricType::kSphere;
+  Vector10d q;
+  q << 1, 1, 1, 0, 0, 0, 0, 0, -1, 0.99;
+  ball.Q_C = Quadric(q).normalized();
+  ball.score = 0.9;
+  ball.X_CQ = Eigen::Translation3d(0, 0, 1);
+  ball.dimensions = {{"radius", 0.1, 0.001}};
+  ball.extent_Q =
+      Eigen::AlignedBox3d(Eigen::Vector3d::Constant(-0.1), Eigen::Vector3d::Constant(0.1));
+  DetectionResult result;
+  result.detections = {ball};
+  return shared(bus::encode(bus::to_message(cloud_at(utime), result)));
+}
+
+view::Bytes boxes_bytes(std::int64_t utime) {
+  return shared(bus::encode(bus::to_message(cloud_at(utime), std::vector<Box>{})));
+}
+
+view::Bytes grasps_bytes(std::int64_t utime, int target, int track) {
+  grasps_t m{};
+  m.utime = utime;
+  m.frame = "camera";
+  m.gripper = "franka";
+  m.unknown = "target-shadow";
+  m.grasps.resize(1);
+  m.grasps[0].target = target;
+  m.grasps[0].track = track;
+  m.grasps[0].pose.quaternion[0] = 1.0;
+  m.num_grasps = 1;
+  m.rejected = {{"width", 5}};
+  m.num_rejected = 1;
+  return shared(bus::encode(m));
+}
+
+std::optional<Gripper> find_gripper(const std::string& name) { return io::load_gripper(name); }
+
+}  // namespace
+
+TEST_CASE("quadrics are shown with their own cloud, not with the newest", "[view][live]") {
+  view::LatestMessages messages;
+  messages.clouds = {cloud_bytes(100, 0.1f), cloud_bytes(200, 0.2f), cloud_bytes(300, 0.3f)};
+  messages.quadrics = quadrics_bytes(200, 1);
+  const view::Scene scene = view::live_scene(messages, find_gripper);
+  CHECK(scene.utime == 200);
+  REQUIRE(scene.cloud.points.size() == 3);
+  CHECK(scene.cloud.points[0].x() == 0.2f);
+  CHECK(scene.detections.size() == 1);
+  messages.quadrics = nullptr;
+  CHECK(view::live_scene(messages, find_gripper).cloud.points[0].x() == 0.3f);
+}
+
+TEST_CASE("quadrics wait for their boxes", "[view][live]") {
+  view::LatestMessages messages;
+  messages.clouds = {cloud_bytes(100, 0.1f), cloud_bytes(200, 0.2f)};
+  messages.quadrics_before = quadrics_bytes(100, 1);
+  messages.quadrics = quadrics_bytes(200, 2);
+  messages.boxes = boxes_bytes(100);
+  CHECK(view::live_scene(messages, find_gripper).detections.at(0).id == 1);
+  messages.boxes = boxes_bytes(200);
+  CHECK(view::live_scene(messages, find_gripper).detections.at(0).id == 2);
+}
+
+TEST_CASE("grasps of an earlier cloud are shown on the surface of their track", "[view][live]") {
+  view::LatestMessages messages;
+  messages.clouds = {cloud_bytes(200, 0.2f)};
+  messages.quadrics = quadrics_bytes(200, 3);
+  messages.grasps = grasps_bytes(100, 1, 4);
+  view::Scene scene = view::live_scene(messages, find_gripper);
+  REQUIRE(scene.grasps.size() == 1);
+  CHECK(scene.grasps[0].target == 3);
+  CHECK(scene.gripper.has_value());
+  CHECK(scene.unknown == UnknownPolicy::kTargetShadow);
+  CHECK(scene.rejected.at("width") == 5);
+  messages.grasps = grasps_bytes(100, 3, 9);
+  scene = view::live_scene(messages, find_gripper);
+  CHECK(scene.grasps.at(0).target == 0);
+}
+
+TEST_CASE("damaged messages are left out", "[view][live][hostile]") {
+  view::LatestMessages messages;
+  const view::Bytes noise = shared(std::vector<std::byte>(300, std::byte{0xff}));
+  messages.clouds = {noise};
+  messages.quadrics = messages.quadrics_before = messages.boxes = messages.grasps = noise;
+  messages.occupancy = messages.detector_status = messages.planner_status = noise;
+  const view::Scene scene = view::live_scene(messages, find_gripper);
+  CHECK(scene.detections.empty());
+  CHECK(scene.cloud.points.empty());
+  CHECK(view::live_status(messages).empty());
+  CHECK(view::pack_scene(scene).starts_with("QVW1"));
+}
+
+TEST_CASE("clouds are kept only while somebody looks, and never more than a few", "[view][live]") {
+  view::MessageKeeper keeper{view::LiveChannels{}};
+  const std::vector<std::byte> cloud(std::size_t{20} << 20);
+  keeper.take("POINT_CLOUD", cloud);
+  CHECK(keeper.latest().clouds.empty());
+  keeper.watch();
+  for (int i = 0; i < 20; ++i) keeper.take("POINT_CLOUD", cloud);
+  CHECK(keeper.latest().clouds.size() == view::MessageKeeper::kMaxCloudBytes / cloud.size());
+  for (int i = 0; i < 20; ++i) keeper.take("POINT_CLOUD", std::vector<std::byte>(10));
+  CHECK(keeper.latest().clouds.size() == view::MessageKeeper::kMaxClouds);
+  keeper.take("OTHER", cloud);
+  CHECK(!keeper.latest().quadrics);
+}
+
+TEST_CASE("a packed scene holds what it was made of", "[view][pack]") {
+  view::LatestMessages messages;
+  messages.clouds = {cloud_bytes(200, 0.2f)};
+  messages.quadrics = quadrics_bytes(200, 3);
+  messages.grasps = grasps_bytes(200, 3, 4);
+  const std::string pack = view::pack_scene(view::live_scene(messages, find_gripper));
+  std::uint32_t size = 0;
+  std::memcpy(&size, pack.data() + 4, sizeof size);
+  const auto json = nlohmann::json::parse(pack.substr(8, size));
+  const std::string arrays = pack.substr(8 + size);
+  REQUIRE(json["points"]["count"] == 9);
+  std::uint16_t steps[9];
+  std::memcpy(steps, arrays.data() + json["points"]["at"].get<std::size_t>(), sizeof steps);
+  const double y =
+      json["points"]["min"][1].get<double>() + steps[4] * json["points"]["step"][1].get<double>();
+  CHECK(y == Approx(0.1).margin(1e-5));
+  CHECK(json["objects"].size() == 1);
+  CHECK(json["objects"][0]["lines"][0] == "radius 100.0 ± 1.0 mm");
+  CHECK(json["grasps"][0]["target"] == 3);
+  CHECK(json["rejected"][0]["reason"] == "width");
+  CHECK(json["rejected"][0]["help"].get<std::string>().find("--gripper") != std::string::npos);
+}

@@ -1,0 +1,63 @@
+#include "view/log_frames.hpp"
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+
+#include "logs/cloud_log_writer.hpp"
+#include "support/catch.hpp"
+#include "support/temp_folder.hpp"
+#include "view/log_backend.hpp"
+
+using namespace quadrille;
+
+namespace {
+
+std::string write_log(const test::TempFolder& folder, int clouds) {
+  const std::string path = folder.path("clouds.lcm");
+  logs::CloudLogWriter writer(path, {});
+  for (int i = 0; i < clouds; ++i) {
+    PointCloud cloud;
+    cloud.points = {{static_cast<float>(i), 0, 1}};
+    cloud.read = 1;
+    writer.write(cloud);
+  }
+  writer.flush();
+  return path;
+}
+
+}  // namespace
+
+TEST_CASE("the clouds of a log come in any order", "[view][log]") {
+  const test::TempFolder folder;
+  view::LogFrames frames(write_log(folder, 6), "");
+  REQUIRE(frames.utimes().size() == 6);
+  CHECK(frames.utimes()[1] - frames.utimes()[0] == 100000);
+  for (const std::size_t number : {0, 5, 2, 3, 3, 1, 4}) {
+    const auto cloud = frames.load(number);
+    REQUIRE(cloud);
+    CHECK(cloud->message.cloud.points.at(0).x() == static_cast<float>(number));
+  }
+  CHECK(!frames.load(6));
+  CHECK_THROWS_AS(view::LogFrames(frames.path(), "OTHER"), std::runtime_error);
+}
+
+TEST_CASE("each cloud is worked on once, however many ask for it", "[view][log]") {
+  const test::TempFolder folder;
+  std::atomic<int> worked{0};
+  view::LogBackend backend(view::LogFrames(write_log(folder, 3), ""),
+                           [&](logs::LoggedCloud logged) {
+                             ++worked;
+                             view::Scene scene;
+                             scene.cloud = logged.message.cloud;
+                             return scene;
+                           });
+  std::vector<std::thread> askers;
+  for (int i = 0; i < 12; ++i)
+    askers.emplace_back([&, i] { backend.frame(static_cast<std::size_t>(i % 3)); });
+  for (std::thread& asker : askers) asker.join();
+  CHECK(worked == 3);
+  CHECK(backend.frame(1) != nullptr);
+  CHECK(backend.frame(3) == nullptr);
+  CHECK(worked == 3);
+}
