@@ -10,9 +10,12 @@
 #include "doctor/listen.hpp"
 #include "doctor/round_trip.hpp"
 #include "quadrille/bus/clock.hpp"
+#include "quadrille/bus/network.hpp"
 
 namespace quadrille::doctor {
 namespace {
+
+constexpr std::size_t kUsualBytes = bus::kUsualCloudBytes;
 
 /// What a check finds; an error is a failure of it.
 Finding attempt(const std::string& check, const std::function<Finding()>& examine) {
@@ -46,19 +49,19 @@ void examine_udpm(const bus::Url& url, const Questions& questions, Findings* fin
   if (has_failure(*findings)) return;
   findings->push_back(check_interface(url));
   findings->push_back(check_ttl(url));
-  if (findings->back().verdict == Verdict::kFailed) return;
   const auto duration = std::chrono::milliseconds(static_cast<int>(1000.0 * questions.seconds));
   const Traffic traffic = listen(url, duration);
   const std::size_t seen = traffic.largest_cloud();
   const bool is_told = questions.cloud_bytes > 0;
   const std::size_t bytes =
-      is_told ? questions.cloud_bytes : (seen > 0 ? std::size_t{seen} : kUsualCloudBytes);
+      is_told ? questions.cloud_bytes : (seen > 0 ? std::size_t{seen} : kUsualBytes);
   const Finding buffers =
-      check_buffers(buffers_of(url), bytes,
+      check_buffers(buffers_of(url), static_cast<std::int64_t>(bytes),
                     is_told ? "--cloud-bytes" : (seen > 0 ? "seen on the bus" : "640x480 points"));
   findings->push_back(buffers);
   examine_trips(url, bytes, buffers.remedy, findings);
-  findings->push_back(check_clouds(traffic, questions.cloud_channel, questions.seconds));
+  findings->push_back(
+      check_clouds(traffic, questions.cloud_channel, questions.seconds, questions.channel_prefix));
   findings->push_back(check_losses(traffic));
   append(check_others(traffic, questions.cloud_channel), findings);
   append(check_clocks(traffic, bus::wall_clock_utime()), findings);
@@ -77,7 +80,7 @@ Findings examine(const Questions& questions) {
   if (url.provider == "udpm") {
     examine_udpm(url, questions, &findings);
   } else {
-    examine_trips(url, questions.cloud_bytes > 0 ? questions.cloud_bytes : kUsualCloudBytes, "",
+    examine_trips(url, questions.cloud_bytes > 0 ? questions.cloud_bytes : kUsualBytes, "",
                   &findings);
   }
   return findings;
