@@ -47,11 +47,11 @@ stop_detector() {
 }
 
 # What the file of statistics says.
-statistic() { awk -v name="quadrille_detector_$1" '$1 == name {print $2}' "$work/detector.prom"; }
+statistic() { awk -v name="quadrille_detector_$1{" 'index($1, name) == 1 {print $2}' "$work/detector.prom"; }
 
 # Where the kernel grants no buffer that holds a burst, the network is slowed until it needs none.
 slow_down_if_needed() {
-  if grep -q "is too small" "$work/stderr"; then
+  if grep -q "would lose clouds" "$work/stderr"; then
     tc qdisc add dev lo root tbf rate 400mbit burst 128k latency 4s || fail "no tc"
   fi
 }
@@ -78,7 +78,7 @@ check_losses() {
   local said="were lost because the receive buffer of 212992 bytes was full"
   [[ $(grep -c "$said" "$work/stderr") -eq 2 ]] ||
     fail "losses are not told at once and at the end, or too often: $(<"$work/stderr")"
-  grep "$said" "$work/stderr" | grep -q "mend it with: .*recv_buf_size=33554432 in the LCM address" ||
+  grep "$said" "$work/stderr" | grep -q "mend it with: .*recv_buf_size=67108864 in the LCM address" ||
     fail "no cure for losses: $(<"$work/stderr")"
 }
 

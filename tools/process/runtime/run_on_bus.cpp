@@ -28,6 +28,15 @@ void hand_over(Job& job, bus::Mailbox<Job>& mailbox) {
   }
 }
 
+/// @param buffer  that the kernel granted; 0 where there is none [byte]
+void log_listening(const Node& node, const std::string& url, std::int64_t buffer) {
+  const std::string granted =
+      buffer > 0 ? fmt::format(", with a receive buffer of {} bytes", buffer) : "";
+  for (const InChannel& channel : node.in_channels()) {
+    log_info(fmt::format("listening to {} on {}{}", channel.name, url, granted));
+  }
+}
+
 /// Listens on the channel of the node's status, if it has one.
 void subscribe_to_status(const Node& node, OtherSenders& others, bus::Connection& connection) {
   for (const OutChannel& channel : node.out_channels()) {
@@ -66,8 +75,9 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
 }  // namespace
 
 void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
-  bus::Connection connection(bus::resolve_url(arguments.lcm_url),
-                             bus::parse_senders(arguments.accept_from));
+  StatsFile stats(arguments.stats_file);
+  const std::string url = bus::resolve_url(arguments.lcm_url);
+  bus::Connection connection(url, bus::parse_senders(arguments.accept_from));
   for (const std::string& warning : connection.warnings()) log_warning(warning);
   const auto node = make_node([&](const std::string& channel, std::span<const std::byte> bytes) {
     connection.publish(channel, bytes);
@@ -78,11 +88,10 @@ void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
                          [&](const std::string& name, std::span<const std::byte> bytes) {
                            if (auto job = node->receive(name, bytes)) hand_over(*job, mailbox);
                          });
-    log_info(fmt::format("listening to {} on {}", channel.name, connection.url()));
   }
+  log_listening(*node, url, connection.traffic().receive_buffer);
   OtherSenders others;
   subscribe_to_status(*node, others, connection);
-  StatsFile stats(arguments.stats_file);
   work_until_stopped(connection, mailbox, others, stats, *node, arguments.niceness);
   publish_status(connection, mailbox, others, stats, *node);
   const std::string losses = LossWatch::describe(connection.traffic());
