@@ -20,7 +20,10 @@ Finding judge(int granted, int unprivileged, std::int64_t cloud_bytes) {
 TEST_CASE("buffers are judged by what this process gets", "[doctor]") {
   CHECK(judge(kStock, kStock, kStock / 2).verdict == Verdict::kOk);
   CHECK(judge(kStock, kStock, kStock).verdict == Verdict::kWarning);
-  CHECK(judge(kStock, kStock, kStock + 1).verdict == Verdict::kFailed);
+  // Large datagrams may fill what the kernel adds for its bookkeeping; whether they do shows the
+  // round trip.
+  CHECK(judge(kStock, kStock, 2 * kStock).verdict == Verdict::kWarning);
+  CHECK(judge(kStock, kStock, 2 * kStock + 1).verdict == Verdict::kFailed);
   // With CAP_NET_ADMIN its own messages come; others are warned.
   const Finding forced = judge(128 << 20, kStock, bus::kUsualCloudBytes);
   CHECK(forced.verdict == Verdict::kWarning);

@@ -8,6 +8,10 @@
 
 namespace quadrille::doctor {
 
+/// What to do about an address that cannot work.
+inline constexpr const char* kMendAddress =
+    "--lcm-url 'udpm://239.255.76.67:7667?ttl=0', or unset LCM_DEFAULT_URL";
+
 /// Whether the address is one over which processes hear each other.
 Finding check_address(const bus::Url& url);
 

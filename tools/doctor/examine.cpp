@@ -18,11 +18,12 @@ namespace {
 constexpr std::size_t kUsualBytes = bus::kUsualCloudBytes;
 
 /// What a check finds; an error is a failure of it.
-Finding attempt(const std::string& check, const std::function<Finding()>& examine) {
+Finding attempt(const std::string& check, const std::function<Finding()>& examine,
+                const std::string& remedy = "see above") {
   try {
     return examine();
   } catch (const std::exception& error) {
-    return {Verdict::kFailed, check, error.what(), "see above, or the address of --lcm-url"};
+    return {Verdict::kFailed, check, error.what(), remedy};
   }
 }
 
@@ -72,10 +73,13 @@ void examine_udpm(const bus::Url& url, const Questions& questions, Findings* fin
 Findings examine(const Questions& questions) {
   bus::Url url;
   Findings findings;
-  findings.push_back(attempt("address", [&] {
-    url = bus::parse_url(questions.url);
-    return check_address(url);
-  }));
+  findings.push_back(attempt(
+      "address",
+      [&] {
+        url = bus::parse_url(questions.url);
+        return check_address(url);
+      },
+      kMendAddress));
   if (has_failure(findings)) return findings;
   if (url.provider == "udpm") {
     examine_udpm(url, questions, &findings);
