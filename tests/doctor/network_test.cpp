@@ -44,6 +44,7 @@ TEST_CASE("addresses that cannot work are told as the processes tell them", "[do
     CHECK_THROWS_WITH(bus::check_live(bus::parse_url(url)), found.what);
   }
   CHECK(check_address(bus::parse_url("udpm://")).verdict == Verdict::kOk);
+  CHECK(check_address(bus::parse_url("mpudpm://")).verdict == Verdict::kWarning);
 }
 
 TEST_CASE("one warning is not several", "[doctor]") {

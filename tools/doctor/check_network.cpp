@@ -33,7 +33,15 @@ Finding check_address(const bus::Url& url) {
   } catch (const std::invalid_argument& error) {
     return {Verdict::kFailed, "address", error.what(), kMendAddress};
   }
-  if (url.provider != "tcpq") return {Verdict::kOk, "address", text};
+  if (url.provider == "mpudpm") {
+    return {
+        Verdict::kWarning, "address",
+        fmt::format("{}: its receive buffers are those of the kernel, and its datagrams are not "
+                    "guarded",
+                    text),
+        kMendAddress};
+  }
+  if (url.provider == "udpm") return {Verdict::kOk, "address", text};
   return {Verdict::kOk, "address",
           fmt::format("{}, through a server: nothing is lost, but a slow listener holds up all "
                       "senders",

@@ -84,8 +84,8 @@ Findings examine(const Questions& questions) {
   if (url.provider == "udpm") {
     examine_udpm(url, questions, &findings);
   } else {
-    examine_trips(url, questions.cloud_bytes > 0 ? questions.cloud_bytes : kUsualBytes, "",
-                  &findings);
+    examine_trips(url, questions.cloud_bytes > 0 ? questions.cloud_bytes : kUsualBytes,
+                  findings.front().remedy, &findings);
   }
   return findings;
 }
