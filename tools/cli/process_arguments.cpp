@@ -122,6 +122,10 @@ void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
     in->excludes(app.get_option(live));
   }
   app.add_flag("-v,--verbose", verbose, "Log every " + work);
+  add_stats_to(app);
+}
+
+void ProcessArguments::add_stats_to(CLI::App& app) {
   app.add_option("--stats-file", stats_file,
                  "Keep the last status in this file, as Prometheus' node exporter collects it")
       ->type_name("FILE");

@@ -51,6 +51,9 @@ struct ProcessArguments {
   /// Adds what concerns the bus alone: --lcm-url, --accept-from, --respawn, --channel-prefix.
   void add_bus_to(CLI::App& app);
 
+  /// Adds --stats-file.
+  void add_stats_to(CLI::App& app);
+
   /// The channel with the prefix.
   /// @throws CLI::ValidationError if LCM does not take the name
   std::string prefixed(const std::string& channel) const {

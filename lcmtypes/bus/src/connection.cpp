@@ -114,10 +114,13 @@ void Connection::add_subscriber(const std::string& pattern, const std::string& c
 /// LCM makes the socket with which it receives for the first subscriber.
 void Connection::prepare_socket() {
   const Url url = parse_url(url_);
+  const auto errors = read_udp_errors();
   if (url.provider == "udpm" && guard_receiving_sockets(url, senders_) == 0) {
     throw std::runtime_error("LCM address " + url_ + ": cannot find LCM's socket to guard it");
   }
   socket_ = ReceiveSocket::find(url);
+  // All that it has dropped is of the filter, or came since those were read.
+  if (socket_ && socket_->dropped() >= 0) drops_.emplace(errors, 0);
   if (socket_ && socket_->buffer() < asked_buffer_) socket_->force_buffer(asked_buffer_);
 }
 
@@ -182,9 +185,21 @@ Traffic Connection::traffic() const {
   traffic.asked_buffer = asked_buffer_;
   if (socket_) {
     traffic.receive_buffer = socket_->buffer();
-    traffic.dropped_datagrams = socket_->dropped();
+    count_drops(&traffic);
   }
   return traffic;
+}
+
+void Connection::count_drops(Traffic* traffic) const {
+  traffic->dropped_datagrams = -1;
+  if (!drops_) return;
+  const std::lock_guard lock(drops_mutex_);
+  const auto before = read_udp_errors();
+  const std::int64_t dropped = socket_->dropped();
+  if (dropped >= 0) drops_->update(before, static_cast<std::uint32_t>(dropped), read_udp_errors());
+  traffic->dropped_datagrams = drops_->drops().buffer;
+  traffic->filtered_datagrams = drops_->drops().filtered;
+  traffic->unclear_datagrams = drops_->drops().unclear;
 }
 
 void Connection::publish(const std::string& channel, std::span<const std::byte> bytes) {

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "quadrille/bus/drop_causes.hpp"
+
 namespace quadrille::bus {
 namespace {
 
@@ -103,17 +105,8 @@ int forced_receive_buffer(int asked) {
 }
 
 std::int64_t count_dropped_datagrams() {
-  std::ifstream snmp("/proc/net/snmp");
-  std::string names, values;
-  while (std::getline(snmp, names) && std::getline(snmp, values)) {
-    if (!names.starts_with("Udp:")) continue;
-    std::istringstream name_words(names), value_words(values);
-    std::string name, value;
-    while (name_words >> name && value_words >> value) {
-      if (name == "RcvbufErrors") return std::stoll(value);
-    }
-  }
-  return -1;
+  const auto errors = read_udp_errors();
+  return errors ? errors->buffer : -1;
 }
 
 }  // namespace quadrille::bus

@@ -25,10 +25,15 @@ void run(const std::vector<std::string>& words) {
                           {std::stoi(words[3]), std::stoi(words[4]), std::stod(words[5]),
                            words.size() > 6 && words[6] == "lossy"});
   }
+  if (command == "stream" && words.size() == 6) {
+    return stream(words[1], {std::stoi(words[2]), std::stod(words[3]), words[4] != "timeless",
+                             std::stoi(words[5])});
+  }
   throw std::invalid_argument(
       "use: make-logs FOLDER | check-quadrics LOG | check-status LOG | check-hostile-status LOG | "
       "check-same LIVE OFFLINE CHANNEL | check-copy SOURCE COPY | check-plan LOG JSON | "
-      "rename-channel SOURCE COPY FROM TO | load URL LOG BURSTS CLOUDS HZ [lossy]");
+      "rename-channel SOURCE COPY FROM TO | load URL LOG BURSTS CLOUDS HZ [lossy] | "
+      "stream URL CLOUDS HZ timed|timeless LEAST_ANSWERED");
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "quadrille/bus/pose_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/request_message.hpp"
+#include "quadrille/bus/shard_message.hpp"
 
 namespace {
 
@@ -45,6 +46,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size == 0) return 0;
   const std::vector<std::byte> message = make_message(data, size);
   const auto cloud = bus::decode_cloud(message);
+  // The beginning is good wherever all is.
+  if (std::holds_alternative<bus::CloudMessage>(cloud) && !bus::read_stamp(message)) std::abort();
+  bus::decode_shard_cloud(message);
   if (const auto* accepted = std::get_if<bus::CloudMessage>(&cloud)) {
     if (accepted->cloud.points.size() * 4 > message.size()) std::abort();
     if (bus::encode_cloud(*accepted, bus::CloudFormat::kDrake).empty()) std::abort();

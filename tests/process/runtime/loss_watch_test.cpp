@@ -36,6 +36,35 @@ TEST_CASE("losses are told at once, then at a bounded rate", "[process][network]
   CHECK(!watch.check(traffic(8600000, 32 << 20, 500), start + seconds(60)));
 }
 
+TEST_CASE("what the filter refuses is no loss and has no advice on buffers", "[process][network]") {
+  LossWatch watch;
+  const LossWatch::Clock::time_point start;
+  bus::Traffic filtered = traffic(1000, 32 << 20, 0);
+  filtered.filtered_datagrams = 40;
+  const auto told = watch.check(filtered, start);
+  REQUIRE(told);
+  CHECK(says(*told, "40 datagrams were refused by the filter"));
+  CHECK(says(*told, "--accept-from"));
+  CHECK_FALSE(says(*told, "mend it with"));
+  CHECK(LossWatch::find_warnings(filtered, {}).empty());
+  // They come all the time where strangers share the network.
+  filtered.filtered_datagrams = 4000;
+  CHECK(!watch.check(filtered, start + seconds(300)));
+  // What is lost is told at once all the same.
+  filtered.dropped_datagrams = 3;
+  CHECK(says(watch.check(filtered, start + seconds(301)).value(), "3 datagrams, at most"));
+}
+
+TEST_CASE("where the cause is unclear both are told, and no cure", "[process][network]") {
+  bus::Traffic unclear = traffic(1000, 32 << 20, 0);
+  unclear.unclear_datagrams = 4;
+  const auto warnings = LossWatch::find_warnings(unclear, {});
+  REQUIRE(warnings.size() == 1);
+  CHECK(says(warnings[0], "4 datagrams were lost because"));
+  CHECK(says(warnings[0], "or refused by the filter"));
+  CHECK_FALSE(says(warnings[0], "sysctl"));
+}
+
 TEST_CASE("messages driven out are told with their cause", "[process][network]") {
   LossWatch watch;
   bus::Traffic driven_out = traffic(1000, 32 << 20, 0);

@@ -61,6 +61,7 @@ DetectorSettings DetectorCommandLine::settings() const {
   check_distinct({{"--in-channel", settings.in_channel},
                   {"--out-channel", settings.out_channel},
                   {"--boxes-channel", settings.boxes_channel},
+                  {"--shard", settings.seen_channel},
                   {"--status-channel", settings.status_channel},
                   {"--pose-channel", settings.pose_channel}});
   return settings;
@@ -76,6 +77,11 @@ void DetectorCommandLine::name_channels(DetectorSettings* settings) const {
   const ProcessArguments& process = settings->process;
   for (std::string* in : {&settings->in_channel, &settings->pose_channel}) {
     *in = process.prefixed(*in);
+  }
+  // Nobody merges logs, nor cameras of a pattern.
+  if (!settings->shard.is_whole() && process.in_log.empty() &&
+      !bus::ChannelPattern(settings->in_channel).is_pattern()) {
+    settings->seen_channel = process.prefixed(settings->shard.seen_channel(settings->out_channel));
   }
   for (std::string* out :
        {&settings->out_channel, &settings->boxes_channel, &settings->status_channel}) {

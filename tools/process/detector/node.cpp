@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <lcmtypes/quadrille/shard_cloud_t.hpp>
+#include <random>
 #include <stdexcept>
 #include <utility>
 
@@ -112,7 +114,44 @@ void DetectorNode::receive_pose(const std::string& channel, std::span<const std:
 
 std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
                                                std::span<const std::byte> bytes) {
-  if (!settings_.shard.takes(bytes)) return std::nullopt;
+  std::int64_t digest = 0;
+  if (settings_.shard.is_whole()) return take_cloud(channel, bytes, &digest);
+  std::optional<Job> job;
+  if (settings_.shard.takes(bytes)) job = take_cloud(channel, bytes, &digest);
+  if (const auto stamp = bus::read_stamp(bytes)) {
+    // The numbers of a share have gaps: all that come are counted, whoever answers them.
+    const std::lock_guard lock(mutex_);
+    gaps_.add(channel, stamp->seq);
+  }
+  if (!settings_.seen_channel.empty()) tell_of(bytes, digest);
+  return job;
+}
+
+/// Tells quadrille merge of a cloud that has come.
+/// @param digest  of its points if this shard answers it, else 0
+void DetectorNode::tell_of(std::span<const std::byte> cloud, std::int64_t digest) noexcept {
+  const auto stamp = bus::read_stamp(cloud);
+  if (!stamp) return;
+  try {
+    shard_cloud_t message;
+    message.utime = stamp->utime;
+    message.seq = stamp->seq;
+    message.message_digest = digest_of_message(cloud);
+    message.cloud_digest = digest;
+    message.shard = settings_.shard.index;
+    message.shards = settings_.shard.count;
+    static const std::int64_t kSender = std::random_device()();
+    message.sender = kSender;
+    publish_(settings_.seen_channel, bus::encode(message));
+  } catch (const std::exception& error) {
+    seen_log_.error(error.what());
+  }
+}
+
+/// @param digest  becomes that of the cloud if there is something to do
+std::optional<Job> DetectorNode::take_cloud(const std::string& channel,
+                                            std::span<const std::byte> bytes,
+                                            std::int64_t* digest) {
   const TimePoint now = std::chrono::steady_clock::now();
   bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(bytes);
   const std::lock_guard lock(mutex_);
@@ -129,8 +168,9 @@ std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
   ++counts_.decoded;
   stages_.add("decode", bus::ms_since(now));
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
-  gaps_.add(cloud.cloud.frame, cloud.seq);
+  if (settings_.shard.is_whole()) gaps_.add(cloud.cloud.frame, cloud.seq);
   const std::int64_t utime = cloud.utime;
+  *digest = cloud.digest;
   // Chosen now, and not when the work begins, by when more poses may have come than in a replay.
   const CameraPose pose = choose_pose(utime);
   return Job{utime,

@@ -44,6 +44,9 @@ class DetectorNode : public Node {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
+  std::optional<Job> take_cloud(const std::string& channel, std::span<const std::byte> bytes,
+                                std::int64_t* digest);
+  void tell_of(std::span<const std::byte> cloud, std::int64_t digest) noexcept;
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
   CameraPose choose_pose(std::int64_t utime);
   bool takes_clouds_of(const std::string& channel) const;
@@ -66,6 +69,8 @@ class DetectorNode : public Node {
   const bus::ChannelPattern in_channel_;
   const bus::Publish publish_;
   const std::string settings_hash_;
+
+  LimitedLog seen_log_;
 
   /// For the working thread.
   Trackers trackers_;

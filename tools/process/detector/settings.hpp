@@ -24,6 +24,8 @@ struct DetectorSettings {
   std::string status_channel = "QUADRILLE_DETECTOR_STATUS";
   /// The clouds that are this detector's; results of a part of them go to channels of its own.
   Shard shard;
+  /// On which a shard tells of every cloud that it receives; empty for none.
+  std::string seen_channel;
   /// Carries the camera's poses; empty for a camera at rest.
   std::string pose_channel;
   /// The pose of a camera at rest in W; none: not known.

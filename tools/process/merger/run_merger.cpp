@@ -2,30 +2,41 @@
 
 #include <fmt/format.h>
 
-#include "process/merger/in_order.hpp"
 #include "process/runtime/logging.hpp"
-#include "process/runtime/refusals.hpp"
+#include "process/runtime/loss_watch.hpp"
+#include "process/runtime/other_senders.hpp"
 #include "process/runtime/respawn.hpp"
-#include "process/runtime/shard.hpp"
+#include "process/runtime/stats_file.hpp"
 #include "quadrille/bus/connection.hpp"
-#include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/stop.hpp"
+#include "quadrille/bus/ticker.hpp"
 #include "quadrille/bus/url.hpp"
 
 namespace quadrille {
 namespace {
 
-/// Takes a shard's message if it holds quadrics.
-void receive(int shard, const std::string& channel, std::span<const std::byte> bytes,
-             Refusals* refusals, InOrder* results) {
-  const bus::Decoded<bus::QuadricsMessage> decoded = bus::decode_quadrics(bytes);
-  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
-    refusals->add(channel, *rejection);
-    return;
+void subscribe(const MergerOptions& options, bus::Connection* connection, Merger* merger) {
+  for (int i = 0; i < options.shards; ++i) {
+    const Shard shard{i + 1, options.shards};
+    const std::string results = shard.channel(options.channel);
+    connection->subscribe(results, [=](const std::string& name, std::span<const std::byte> bytes) {
+      merger->receive_result(i, name, bytes);
+    });
+    connection->subscribe(shard.seen_channel(options.channel),
+                          [=](const std::string& name, std::span<const std::byte> bytes) {
+                            merger->receive_seen(i, name, bytes);
+                          });
+    log_info(fmt::format("listening to {} on {}", results, connection->url()));
   }
-  const auto& message = std::get<bus::QuadricsMessage>(decoded);
-  results->add(shard, message.utime, message.seq, {bytes.begin(), bytes.end()},
-               InOrder::Clock::now());
+}
+
+void publish_status(const bus::Connection& connection, const OtherSenders& others, StatsFile* stats,
+                    Merger* merger) {
+  const bus::Traffic traffic = connection.traffic();
+  std::vector<std::string> warnings = LossWatch::find_warnings(traffic, connection.warnings());
+  for (std::string& warning : others.find_warnings()) warnings.push_back(std::move(warning));
+  merger->publish_status(traffic, std::move(warnings));
+  stats->write(merger->exposition());
 }
 
 }  // namespace
@@ -37,25 +48,30 @@ void run_merger(const MergerSettings& settings) {
   bus::Connection connection(bus::resolve_url(settings.process.lcm_url),
                              bus::parse_senders(settings.process.accept_from));
   for (const std::string& warning : connection.warnings()) log_warning(warning);
-  InOrder results(settings.shards, std::chrono::milliseconds(settings.patience_ms));
-  Refusals refusals;
-  for (int i = 0; i < settings.shards; ++i) {
-    const std::string channel = Shard{i + 1, settings.shards}.channel(settings.channel);
-    connection.subscribe(channel,
-                         [&, i](const std::string& name, std::span<const std::byte> bytes) {
-                           receive(i, name, bytes, &refusals, &results);
-                         });
-    log_info(fmt::format("listening to {} on {}", channel, connection.url()));
-  }
+  Merger merger(settings.merger, [&](const std::string& channel, std::span<const std::byte> bytes) {
+    connection.publish(channel, bytes);
+  });
+  subscribe(settings.merger, &connection, &merger);
+  OtherSenders others;
+  connection.subscribe(
+      settings.merger.status_channel,
+      [&](const std::string& name, std::span<const std::byte> bytes) { others.hear(name, bytes); });
+  StatsFile stats(settings.process.stats_file);
+  LossWatch losses;
+  bus::Ticker loss_tick(std::chrono::milliseconds(50)), status_tick(std::chrono::seconds(1));
   constexpr int kWaitMs = 10;
   while (!bus::stop_requested()) {
     connection.handle(kWaitMs);
-    for (const auto& message : results.take(InOrder::Clock::now())) {
-      connection.publish(settings.channel, message);
+    merger.publish_due();
+    if (loss_tick.due()) {
+      if (const auto loss = losses.check(connection.traffic())) log_warning(*loss);
     }
+    if (status_tick.due()) publish_status(connection, others, &stats, &merger);
   }
-  log_info(fmt::format("stopped: {} results merged, {} late or twice, {}", results.merged(),
-                       results.late(), describe(refusals.counts())));
+  publish_status(connection, others, &stats, &merger);
+  const std::string lost = LossWatch::describe(connection.traffic());
+  if (!lost.empty()) log_warning("in all " + lost);
+  log_info("stopped: " + merger.summary());
 }
 
 }  // namespace quadrille

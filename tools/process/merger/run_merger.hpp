@@ -1,19 +1,13 @@
 #pragma once
 
-#include <string>
-
 #include "cli/process_arguments.hpp"
+#include "process/merger/merger.hpp"
 
 namespace quadrille {
 
-/// What to merge.
 struct MergerSettings {
   ProcessArguments process;
-  /// Shards publish on CHANNEL_1, CHANNEL_2, …; the merger on CHANNEL.
-  std::string channel = "QUADRICS";
-  int shards = 2;
-  /// How long a result waits for those before it [ms].
-  int patience_ms = 500;
+  MergerOptions merger;
 };
 
 /// Merges the results of detectors that share a stream, until a stop is requested.

@@ -52,12 +52,23 @@ void Exposition::add_gauge(const std::string& name, const std::string& help, dou
   add_sample(name, "", value);
 }
 
-void Exposition::add_counters(const std::string& name, const std::string& help,
-                              const std::vector<count_t>& counts) {
-  start(name + "_total", help, "counter");
-  for (const count_t& count : counts) {
-    add_sample(name + "_total", "reason=" + quoted(count.name), static_cast<double>(count.count));
+void Exposition::add_labelled(const std::string& name, const std::string& label,
+                              const std::vector<count_t>& values) {
+  for (const count_t& value : values) {
+    add_sample(name, label + "=" + quoted(value.name), static_cast<double>(value.count));
   }
+}
+
+void Exposition::add_counters(const std::string& name, const std::string& help,
+                              const std::vector<count_t>& counts, const std::string& label) {
+  start(name + "_total", help, "counter");
+  add_labelled(name + "_total", label, counts);
+}
+
+void Exposition::add_gauges(const std::string& name, const std::string& help,
+                            const std::string& label, const std::vector<count_t>& values) {
+  start(name, help, "gauge");
+  add_labelled(name, label, values);
 }
 
 void Exposition::add_stages(const std::vector<stage_t>& stages) {
@@ -99,6 +110,10 @@ void Exposition::add_transport(const transport_t& transport) {
   if (transport.dropped_datagrams >= 0) {
     add_counter("dropped_datagrams", "Datagrams lost because the receive buffer was full.",
                 transport.dropped_datagrams);
+    add_counter("filtered_datagrams", "Datagrams that the filter of the process refused.",
+                transport.filtered_datagrams);
+    add_counter("unclear_datagrams", "Datagrams lost or refused: not told apart.",
+                transport.unclear_datagrams);
   }
   add_counter("dropped_messages", "Messages driven out by newer ones before they were read.",
               transport.dropped_messages);

@@ -24,9 +24,11 @@ class Exposition {
   /// What only grows; "_total" is added to the name.
   void add_counter(const std::string& name, const std::string& help, std::int64_t value);
   void add_gauge(const std::string& name, const std::string& help, double value);
-  /// One counter for each cause.
+  /// One counter for each cause, or whatever else the label says.
   void add_counters(const std::string& name, const std::string& help,
-                    const std::vector<count_t>& counts);
+                    const std::vector<count_t>& counts, const std::string& label = "reason");
+  void add_gauges(const std::string& name, const std::string& help, const std::string& label,
+                  const std::vector<count_t>& values);
   void add_stages(const std::vector<stage_t>& stages);
   void add_process(const process_t& process);
   void add_transport(const transport_t& transport);
@@ -46,6 +48,8 @@ class Exposition {
 
  private:
   void start(const std::string& name, const std::string& help, const char* type);
+  void add_labelled(const std::string& name, const std::string& label,
+                    const std::vector<count_t>& values);
   void add_sample(const std::string& name, const std::string& labels, double value);
 
   std::string prefix_, labels_, text_;

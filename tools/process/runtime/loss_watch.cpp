@@ -28,6 +28,28 @@ std::string describe_datagrams(const bus::Traffic& traffic) {
       bus::mend_receive_buffer(traffic.asked_buffer, buffer_after_loss(traffic)));
 }
 
+std::string describe_unclear(const bus::Traffic& traffic) {
+  if (traffic.unclear_datagrams <= 0) return "";
+  return fmt::format(
+      "{} datagrams were lost because the receive buffer of {} bytes was full, or refused by the "
+      "filter of this process: the kernel does not tell which",
+      traffic.unclear_datagrams, traffic.receive_buffer);
+}
+
+std::string describe_filtered(const bus::Traffic& traffic) {
+  if (traffic.filtered_datagrams <= 0) return "";
+  return fmt::format(
+      "{} datagrams were refused by the filter of this process: their senders are not among those "
+      "of --accept-from, or they are such as no LCM sends; nothing else is lost by that",
+      traffic.filtered_datagrams);
+}
+
+/// The texts that are not empty.
+std::vector<std::string> only_full(std::vector<std::string> texts) {
+  std::erase_if(texts, [](const std::string& text) { return text.empty(); });
+  return texts;
+}
+
 std::string describe_messages(const bus::Traffic& traffic) {
   if (traffic.dropped_messages <= 0) return "";
   return fmt::format(
@@ -40,21 +62,25 @@ std::string describe_messages(const bus::Traffic& traffic) {
 }  // namespace
 
 std::optional<std::string> LossWatch::check(const bus::Traffic& traffic, Clock::time_point now) {
-  if (traffic.dropped_datagrams <= told_datagrams_ && traffic.dropped_messages <= told_messages_) {
-    return std::nullopt;
+  const bool is_loss = traffic.dropped_datagrams > told_.dropped_datagrams ||
+                       traffic.unclear_datagrams > told_.unclear_datagrams ||
+                       traffic.dropped_messages > told_.dropped_messages;
+  if (is_loss && log_.admit(now)) {
+    told_ = traffic;
+    return describe(traffic);
   }
-  if (!log_.admit(now)) return std::nullopt;
-  told_datagrams_ = traffic.dropped_datagrams;
-  told_messages_ = traffic.dropped_messages;
-  return describe(traffic);
+  // On a network that is shared they come all the time.
+  if (traffic.filtered_datagrams > told_.filtered_datagrams && filter_log_.admit(now)) {
+    told_.filtered_datagrams = traffic.filtered_datagrams;
+    return describe_filtered(traffic);
+  }
+  return std::nullopt;
 }
 
 std::vector<std::string> LossWatch::find_warnings(const bus::Traffic& traffic,
                                                   const std::vector<std::string>& at_start) {
-  std::vector<std::string> warnings;
-  for (const std::string& loss : {describe_datagrams(traffic), describe_messages(traffic)}) {
-    if (!loss.empty()) warnings.push_back(loss);
-  }
+  std::vector<std::string> warnings = only_full(
+      {describe_datagrams(traffic), describe_unclear(traffic), describe_messages(traffic)});
   if (!warnings.empty()) return warnings;
   if (traffic.largest_message == 0) return at_start;
   if (traffic.receive_buffer == 0) return {};
@@ -66,8 +92,10 @@ std::vector<std::string> LossWatch::find_warnings(const bus::Traffic& traffic,
 }
 
 std::string LossWatch::describe(const bus::Traffic& traffic) {
-  const std::string datagrams = describe_datagrams(traffic), messages = describe_messages(traffic);
-  return datagrams + (datagrams.empty() || messages.empty() ? "" : "; ") + messages;
+  return fmt::format("{}",
+                     fmt::join(only_full({describe_datagrams(traffic), describe_unclear(traffic),
+                                          describe_messages(traffic), describe_filtered(traffic)}),
+                               "; "));
 }
 
 }  // namespace quadrille

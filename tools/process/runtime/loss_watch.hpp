@@ -11,7 +11,7 @@
 namespace quadrille {
 
 /// Tells of messages that are lost on their way into the process: at once, then at a bounded rate,
-/// and at the end.
+/// and at the end; and, more rarely, of datagrams that its filter refuses.
 class LossWatch {
  public:
   using Clock = std::chrono::steady_clock;
@@ -25,12 +25,13 @@ class LossWatch {
   static std::vector<std::string> find_warnings(const bus::Traffic& traffic,
                                                 const std::vector<std::string>& at_start);
 
-  /// All that was lost, with the commands that mend it; empty if nothing was.
+  /// All that was lost or refused, with the commands that mend it; empty if nothing was.
   static std::string describe(const bus::Traffic& traffic);
 
  private:
   bus::RateLimiter log_{std::chrono::seconds(10)};
-  std::int64_t told_datagrams_ = 0, told_messages_ = 0;
+  bus::RateLimiter filter_log_{std::chrono::minutes(10)};
+  bus::Traffic told_;
 };
 
 }  // namespace quadrille

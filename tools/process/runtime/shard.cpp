@@ -8,11 +8,12 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "quadrille/bus/cloud_message.hpp"
+
 namespace quadrille {
-namespace {
 
 /// FNV-1a over words, ended by splitmix64's mixing so that the remainder by a small N is even.
-std::uint64_t digest(std::span<const std::byte> bytes) {
+std::int64_t digest_of_message(std::span<const std::byte> bytes) {
   std::uint64_t state = 0xcbf29ce484222325;
   // The head, with its time and number, and a thousandth of the rest: clouds that tell the same
   // time differ there.
@@ -26,14 +27,30 @@ std::uint64_t digest(std::span<const std::byte> bytes) {
   }
   state = (state ^ (state >> 30)) * 0xbf58476d1ce4e5b9;
   state = (state ^ (state >> 27)) * 0x94d049bb133111eb;
-  return state ^ (state >> 31);
+  return static_cast<std::int64_t>(state ^ (state >> 31));
+}
+
+namespace {
+
+/// Deals clouds out in turns by the number that their source gives them: steps of the golden ratio
+/// around a circle fall evenly, also if the source leaves out every second number.
+std::uint64_t share_of_number(std::int32_t seq, int count) {
+  constexpr std::uint32_t kGoldenRatio = 0x9e3779b9;
+  const std::uint32_t angle = static_cast<std::uint32_t>(seq) * kGoldenRatio;
+  return (angle * static_cast<std::uint64_t>(count)) >> 32;
+}
+
+std::uint64_t share_of(std::span<const std::byte> message, int count) {
+  const auto stamp = bus::read_stamp(message);
+  // A source that does not count leaves 0.
+  if (stamp && stamp->seq != 0) return share_of_number(stamp->seq, count);
+  return static_cast<std::uint64_t>(digest_of_message(message)) % static_cast<std::uint64_t>(count);
 }
 
 }  // namespace
 
 bool Shard::takes(std::span<const std::byte> message) const {
-  return is_whole() || digest(message) % static_cast<std::uint64_t>(count) ==
-                           static_cast<std::uint64_t>(index - 1);
+  return is_whole() || share_of(message, count) == static_cast<std::uint64_t>(index - 1);
 }
 
 std::string Shard::channel(const std::string& name) const {

@@ -1,10 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 
 namespace quadrille {
+
+/// A number that tells most messages apart, the same on all machines. It does not look at all bytes
+/// of a large one.
+std::int64_t digest_of_message(std::span<const std::byte> bytes);
 
 /// The share of one of several detectors in a stream of clouds.
 struct Shard {
@@ -14,11 +19,15 @@ struct Shard {
   bool is_whole() const { return count == 1; }
 
   /// Whether a message is this detector's to answer. That follows from its bytes alone: all
-  /// detectors, on whatever machine, agree, and of N of them each message has exactly one.
+  /// detectors, on whatever machine, agree, and of N of them each message has exactly one. Clouds
+  /// with a number (seq) are dealt out in turns, others by their content, in the mean evenly.
   bool takes(std::span<const std::byte> message) const;
 
   /// The channel of this shard's results: "NAME_I", or NAME if the shard is the whole.
   std::string channel(const std::string& name) const;
+
+  /// The channel on which this shard tells which clouds it has received: "NAME_I_SEEN".
+  std::string seen_channel(const std::string& name) const { return channel(name) + "_SEEN"; }
 };
 
 inline constexpr int kMaxShards = 64;

@@ -7,6 +7,8 @@ transport_t to_message(const bus::Traffic& traffic) {
   message.largest_message = traffic.largest_message;
   message.receive_buffer = traffic.receive_buffer;
   message.dropped_datagrams = traffic.dropped_datagrams;
+  message.filtered_datagrams = traffic.filtered_datagrams;
+  message.unclear_datagrams = traffic.unclear_datagrams;
   message.dropped_messages = traffic.dropped_messages;
   return message;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,17 @@ struct CloudMessage {
 /// A number that tells clouds apart, whatever their utime: XXH3 of the points and of their rows and
 /// columns. Never 0.
 std::int64_t digest_of(const PointCloud& cloud);
+
+/// What the beginning of a cloud's message tells of it.
+struct CloudStamp {
+  /// Time of capture [us].
+  std::int64_t utime = 0;
+  /// Number of the cloud by its source; 0 where the type has none.
+  std::int32_t seq = 0;
+};
+
+/// Reads no more than the beginning; nullopt if no cloud's message begins so.
+std::optional<CloudStamp> read_stamp(std::span<const std::byte> bytes);
 
 /// The largest message that LCM delivers over UDP [byte].
 inline constexpr std::size_t kMaxMessageBytes = std::size_t{256} << 20;

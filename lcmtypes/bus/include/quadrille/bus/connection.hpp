@@ -8,6 +8,7 @@
 #include <exception>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -16,6 +17,7 @@
 #include "quadrille/bus/accepted_senders.hpp"
 #include "quadrille/bus/backlog.hpp"
 #include "quadrille/bus/channel_pattern.hpp"
+#include "quadrille/bus/drop_causes.hpp"
 #include "quadrille/bus/receive_socket.hpp"
 
 namespace quadrille::bus {
@@ -30,6 +32,11 @@ struct Traffic {
   /// Datagrams that the kernel dropped because the buffer was full: at most as many messages were
   /// lost there. -1 where the system does not tell.
   std::int64_t dropped_datagrams = 0;
+  /// Datagrams that the filter of the connection refused: of senders that are not accepted, or such
+  /// as no LCM sends.
+  std::int64_t filtered_datagrams = 0;
+  /// Datagrams dropped for one reason or the other.
+  std::int64_t unclear_datagrams = 0;
   /// Messages driven out by newer ones before they were handled.
   std::int64_t dropped_messages = 0;
 };
@@ -105,6 +112,7 @@ class Connection {
   bool handle_backlog(bool lcm_is_empty);
 
   void prepare_socket();
+  void count_drops(Traffic* traffic) const;
 
   std::string url_;
   AcceptedSenders senders_;
@@ -115,6 +123,8 @@ class Connection {
   // None where the transport itself holds its sender back.
   std::optional<Backlog> backlog_;
   std::optional<ReceiveSocket> socket_;
+  mutable std::mutex drops_mutex_;
+  mutable std::optional<DropCauses> drops_;
   std::int64_t asked_buffer_ = 0;
   int turn_ = 0;
   std::atomic<std::int64_t> largest_message_{0}, dropped_messages_{0};

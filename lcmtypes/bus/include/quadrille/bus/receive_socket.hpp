@@ -25,7 +25,8 @@ class ReceiveSocket {
   /// Makes the buffer larger than net.core.rmem_max, where the process may; else nothing is done.
   void force_buffer(std::int64_t bytes);
 
-  /// Datagrams dropped because the buffer was full; -1 where the kernel does not tell.
+  /// Datagrams dropped because the buffer was full or a filter refused them; -1 where the kernel
+  /// does not tell.
   std::int64_t dropped() const;
 
  private:

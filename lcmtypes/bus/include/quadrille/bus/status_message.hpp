@@ -14,7 +14,7 @@ namespace quadrille::bus {
 /// The refusals as a message: one entry for each reason that occurred.
 std::vector<count_t> to_message(const RejectCounts& counts);
 
-/// Who sent a status message of either process, as printable text; nullopt if the bytes are none.
+/// Who sent a status message of any process, as printable text; nullopt if the bytes are none.
 std::optional<std::string> read_status_sender(std::span<const std::byte> bytes);
 
 }  // namespace quadrille::bus
