@@ -38,7 +38,7 @@ class Exposition {
   void add_common(const Status& status) {
     add_counter("received_bytes", "Bytes of messages received.", status.received_bytes);
     add_counter("published_bytes", "Bytes of results published.", status.published_bytes);
-    add_gauge("warnings", "What is wrong with the transport.", status.num_warnings);
+    add_gauge("warnings", "What is wrong, in sentences of the status.", status.num_warnings);
     add_transport(status.transport);
     add_stages(status.stages);
     add_process(status.process);

@@ -10,9 +10,11 @@ namespace quadrille {
 void run_process(const std::string& name, const ProcessArguments& arguments,
                  const NodeMaker& make_node) {
   start_logging(name, arguments.verbose);
-  // What can be told now is not to be tried again and again.
-  if (arguments.respawn) StatsFile(arguments.stats_file);
-  if (arguments.respawn) respawn();
+  if (arguments.respawn) {
+    // What can be told now is not to be tried again and again.
+    StatsFile(arguments.stats_file);
+    respawn();
+  }
   bus::install_stop_signals();
   if (arguments.in_log.empty()) {
     run_on_bus(arguments, make_node);

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <thread>
 
+#include "process/runtime/log_listening.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/loss_watch.hpp"
 #include "process/runtime/other_senders.hpp"
@@ -25,15 +26,6 @@ void hand_over(Job& job, bus::Mailbox<Job>& mailbox) {
     mailbox.put(std::move(job), kind);
   } else if (!mailbox.queue(job)) {
     Node::refuse(job, fmt::format("{} requests wait already", mailbox.kMaxQueued));
-  }
-}
-
-/// @param buffer  that the kernel granted; 0 where there is none [byte]
-void log_listening(const Node& node, const std::string& url, std::int64_t buffer) {
-  const std::string granted =
-      buffer > 0 ? fmt::format(", with a receive buffer of {} bytes", buffer) : "";
-  for (const InChannel& channel : node.in_channels()) {
-    log_info(fmt::format("listening to {} on {}{}", channel.name, url, granted));
   }
 }
 
@@ -83,13 +75,15 @@ void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
     connection.publish(channel, bytes);
   });
   bus::Mailbox<Job> mailbox;
+  std::vector<std::string> channels;
   for (const InChannel& channel : node->in_channels()) {
+    channels.push_back(channel.name);
     connection.subscribe(bus::ChannelPattern(channel.name),
                          [&](const std::string& name, std::span<const std::byte> bytes) {
                            if (auto job = node->receive(name, bytes)) hand_over(*job, mailbox);
                          });
   }
-  log_listening(*node, url, connection.traffic().receive_buffer);
+  log_listening(channels, url, connection);
   OtherSenders others;
   subscribe_to_status(*node, others, connection);
   work_until_stopped(connection, mailbox, others, stats, *node, arguments.niceness);
