@@ -2,24 +2,16 @@
 # The real processes, played to by lcm-logplayer and recorded by lcm-logger, in a network of their
 # own: run.sh BIN_FOLDER E2E_TOOL
 set -euo pipefail
+# shellcheck source=tests/shell/private_network.sh
+source "$(dirname "${BASH_SOURCE[0]}")/../shell/private_network.sh"
 
 fail() {
   echo "e2e: $*" >&2
   exit 1
 }
 
-# A private network namespace needs no multicast route of the machine and hears no one else.
-if [[ -z ${QUADRILLE_E2E_PRIVATE:-} ]]; then
-  for unshare in "unshare -n" "unshare -rn"; do
-    if $unshare true 2>/dev/null; then
-      QUADRILLE_E2E_PRIVATE=yes exec $unshare "$0" "$@"
-    fi
-  done
-  ip route get 239.255.76.67 >/dev/null 2>&1 || fail "no multicast route and no right to make a" \
-    "network namespace; mend it with: sudo ip route add 224.0.0.0/4 dev lo"
-  QUADRILLE_E2E_PRIVATE=no
-fi
-export QUADRILLE_E2E_PRIVATE
+enter_private_network "$@" || ip route get 239.255.76.67 >/dev/null 2>&1 || fail "no multicast" \
+  "route and no right to make a network namespace; mend it with: sudo ip route add 224.0.0.0/4 dev lo"
 
 bin=$1
 tool=$2
@@ -28,15 +20,7 @@ planner=$bin/quadrille-grasp-planner
 url="udpm://239.255.76.67:7667?ttl=0"
 # Whoever does not obey --lcm-url ends up where no one listens.
 export LCM_DEFAULT_URL="udpm://239.255.76.68:7668?ttl=0"
-work=$(mktemp -d)
-started=()
-
-clean_up() {
-  # One that has ended by itself cannot be ended again.
-  for process in "${started[@]}"; do kill -KILL "$process" 2>/dev/null || true; done
-  rm -rf "$work"
-}
-trap clean_up EXIT
+make_work_folder
 
 # wait_until SECONDS COMMAND…: until the command succeeds.
 wait_until() {
@@ -68,7 +52,7 @@ expect_end() {
 }
 
 check_without_route() {
-  if [[ $QUADRILLE_E2E_PRIVATE != yes ]]; then
+  if [[ ${QUADRILLE_PRIVATE_NETWORK:-} != yes ]]; then
     echo "e2e: skipped: a missing multicast route, which needs the right to make a network" \
       "namespace (root, or unprivileged user namespaces)"
     return 0
@@ -90,12 +74,19 @@ check_command_lines() {
     expect_exit 1 "name another one" "$program" --in-log "$work/clouds.lcm" \
       --out-log "$work/clouds.lcm"
     expect_exit 1 "lcm-tcpq-server" "$program" --lcm-url tcpq://127.0.0.1:9
-    expect_exit 1 "pigeon" "$program" --lcm-url pigeon://
+    expect_exit 2 "LCM has no 'pigeon'" "$program" --lcm-url pigeon://
+    expect_exit 2 "no multicast address" "$program" --lcm-url udpm://10.0.0.1:7667
+    # What no restart mends is not tried again.
+    expect_exit 1 "/none/s.prom: cannot be" "$program" --lcm-url "$url" --respawn --stats-file /none/s.prom
+    expect_exit 1 "/none/s.prom: cannot be" "$program" --lcm-url "$url" --stats-file /none/s.prom
+    if grep -q "listening" "$work/stderr"; then fail "$program listens before it looks at its files"; fi
     expect_exit 2 "memq reaches no other process" "$program" --lcm-url memq://
     for ttl in 300 -1; do
       expect_exit 2 "ttl = '$ttl' must be" "$program" --lcm-url "${url%0}$ttl"
     done
   done
+  expect_exit 2 "no multicast address" \
+    "$bin/quadrille" merge --shards 2 --lcm-url udpm://10.0.0.1:7667
   expect_exit 2 "the types are" "$detector" --only torus
   expect_exit 2 "--unknown: 'x' is none of: obstacle, target-shadow, free; see" \
     "$planner" --unknown x

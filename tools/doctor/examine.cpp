@@ -10,16 +10,20 @@
 #include "doctor/listen.hpp"
 #include "doctor/round_trip.hpp"
 #include "quadrille/bus/clock.hpp"
+#include "quadrille/bus/network.hpp"
 
 namespace quadrille::doctor {
 namespace {
 
+constexpr std::size_t kUsualBytes = bus::kUsualCloudBytes;
+
 /// What a check finds; an error is a failure of it.
-Finding attempt(const std::string& check, const std::function<Finding()>& examine) {
+Finding attempt(const std::string& check, const std::function<Finding()>& examine,
+                const std::string& remedy = "see above") {
   try {
     return examine();
   } catch (const std::exception& error) {
-    return {Verdict::kFailed, check, error.what(), "see above, or the address of --lcm-url"};
+    return {Verdict::kFailed, check, error.what(), remedy};
   }
 }
 
@@ -46,19 +50,19 @@ void examine_udpm(const bus::Url& url, const Questions& questions, Findings* fin
   if (has_failure(*findings)) return;
   findings->push_back(check_interface(url));
   findings->push_back(check_ttl(url));
-  if (findings->back().verdict == Verdict::kFailed) return;
   const auto duration = std::chrono::milliseconds(static_cast<int>(1000.0 * questions.seconds));
   const Traffic traffic = listen(url, duration);
   const std::size_t seen = traffic.largest_cloud();
   const bool is_told = questions.cloud_bytes > 0;
   const std::size_t bytes =
-      is_told ? questions.cloud_bytes : (seen > 0 ? std::size_t{seen} : kUsualCloudBytes);
+      is_told ? questions.cloud_bytes : (seen > 0 ? std::size_t{seen} : kUsualBytes);
   const Finding buffers =
-      check_buffers(buffers_of(url), bytes,
+      check_buffers(buffers_of(url), static_cast<std::int64_t>(bytes),
                     is_told ? "--cloud-bytes" : (seen > 0 ? "seen on the bus" : "640x480 points"));
   findings->push_back(buffers);
   examine_trips(url, bytes, buffers.remedy, findings);
-  findings->push_back(check_clouds(traffic, questions.cloud_channel, questions.seconds));
+  findings->push_back(
+      check_clouds(traffic, questions.cloud_channel, questions.seconds, questions.channel_prefix));
   findings->push_back(check_losses(traffic));
   append(check_others(traffic, questions.cloud_channel), findings);
   append(check_clocks(traffic, bus::wall_clock_utime()), findings);
@@ -69,16 +73,19 @@ void examine_udpm(const bus::Url& url, const Questions& questions, Findings* fin
 Findings examine(const Questions& questions) {
   bus::Url url;
   Findings findings;
-  findings.push_back(attempt("address", [&] {
-    url = bus::parse_url(questions.url);
-    return check_address(url);
-  }));
+  findings.push_back(attempt(
+      "address",
+      [&] {
+        url = bus::parse_url(questions.url);
+        return check_address(url);
+      },
+      kMendAddress));
   if (has_failure(findings)) return findings;
   if (url.provider == "udpm") {
     examine_udpm(url, questions, &findings);
   } else {
-    examine_trips(url, questions.cloud_bytes > 0 ? questions.cloud_bytes : kUsualCloudBytes, "",
-                  &findings);
+    examine_trips(url, questions.cloud_bytes > 0 ? questions.cloud_bytes : kUsualBytes,
+                  findings.front().remedy, &findings);
   }
   return findings;
 }

@@ -3,7 +3,6 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -16,28 +15,14 @@
 namespace quadrille::bus {
 namespace {
 
-/// @throws std::invalid_argument if the text is no number of bytes from 1 to the largest int
-int parse_buffer_size(const std::string& text) {
-  int bytes = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, bytes);
-  if (error != std::errc{} || rest != end || bytes <= 0) {
-    throw std::invalid_argument("recv_buf_size = '" + text +
-                                "' in the LCM address: must be a number of bytes from 1 to " +
-                                std::to_string(std::numeric_limits<int>::max()));
-  }
-  return bytes;
-}
-
 /// Has the address ask for a large receive buffer if it asks for none.
 /// @return what is asked for, and what the kernel grants [byte]
 std::pair<int, int> set_receive_buffer(Url* url) {
-  const auto named = url->arguments.find("recv_buf_size");
-  const bool is_named = named != url->arguments.end();
-  const int asked = is_named ? parse_buffer_size(named->second) : kMaxReceiveBufferBytes;
+  const auto named = named_receive_buffer(*url);
+  const int asked = named.value_or(kMaxReceiveBufferBytes);
   const int granted = granted_receive_buffer(asked);
   // LCM would complain if it asked for more; the same complaint with a cure is ours.
-  if (!is_named) url->arguments["recv_buf_size"] = std::to_string(granted);
+  if (!named) url->arguments["recv_buf_size"] = std::to_string(granted);
   return {asked, forced_receive_buffer(asked)};
 }
 
@@ -81,7 +66,7 @@ Connection::Connection(const std::string& url, AcceptedSenders senders)
   if (parsed.provider == "udpm") {
     const auto [asked, granted] = set_receive_buffer(&parsed);
     asked_buffer_ = asked;
-    if (auto problem = find_buffer_problem(asked, granted, kUsualCloudBytes)) {
+    if (auto problem = foresee_buffer_problem(asked, granted)) {
       warnings_.push_back(std::move(*problem));
     }
   }

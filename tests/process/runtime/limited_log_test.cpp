@@ -45,7 +45,12 @@ TEST_CASE("thousands of clouds that fail give some lines", "[process][log]") {
   const auto seconds = std::chrono::steady_clock::now() - start;
   CHECK(node.failed() == 3000);
   CHECK(std::count(log.begin(), log.end(), '\n') <= 2 + seconds / std::chrono::seconds(1));
-  CHECK(log.find("cloud 0: cannot be encoded; 0 more since the last record") != std::string::npos);
+  CHECK(log.find("cloud 0: cannot be encoded\n") != std::string::npos);
+}
+
+TEST_CASE("a record tells how many it stands for, if it does for more", "[process][log]") {
+  CHECK(with_held_back("cut short", 0) == "cut short");
+  CHECK(with_held_back("cut short", 7) == "cut short; 7 more since the last record");
 }
 
 }  // namespace quadrille

@@ -26,18 +26,9 @@ std::string hash_of(const DetectorSettings& settings) {
   SettingsText text;
   text.add_all(settings.detector);
   text.add_all(settings.track);
-  for (const std::string* channel :
-       {&settings.in_channel, &settings.out_channel, &settings.boxes_channel,
-        &settings.status_channel, &settings.pose_channel}) {
-    text.add("channel", *channel);
-  }
-  text.add("clouds", std::string(word_of(settings.frames.clouds)));
-  text.add("results", std::string(word_of(settings.frames.of_results())));
-  if (settings.X_WK) {
-    for (const double number : settings.X_WK->matrix().reshaped()) {
-      text.add("pose", io::toml_of(number));
-    }
-  }
+  text.add_channels({settings.in_channel, settings.out_channel, settings.boxes_channel,
+                     settings.status_channel, settings.pose_channel});
+  text.add_frames(settings.frames, settings.X_WK);
   return text.hash();
 }
 

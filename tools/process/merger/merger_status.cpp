@@ -80,14 +80,13 @@ void Merger::publish_status(const bus::Traffic& traffic, std::vector<std::string
 
 std::string Merger::exposition() const {
   const merger_status_t& status = last_status_;
-  Exposition out("quadrille_merger");
+  Exposition out("quadrille_merger",
+                 {{"channel", options_.channel}, {"status_channel", options_.status_channel}});
   out.add_counter("results_received", "Messages of quadrics, of all shards.", status.received);
   out.add_counter("results_published", "Of these, those that went on.", status.published);
   out.add_counter("results_late", "Dropped: after a later one, or a second time.", status.late);
   out.add_counter("clouds_unanswered", "Clouds that a shard took and did not answer in time.",
                   status.unanswered);
-  out.add_counter("received_bytes", "Bytes of results received.", status.received_bytes);
-  out.add_counter("published_bytes", "Bytes of results published.", status.published_bytes);
   out.add_counters("messages_refused", "Messages refused.", status.rejected);
   std::vector<count_t> works, clouds, results, lost;
   for (const shard_state_t& shard : status.shards) {
@@ -101,10 +100,7 @@ std::string Merger::exposition() const {
   out.add_counters("shard_results", "Messages of quadrics of a shard.", results, "shard");
   out.add_counters("shard_lost", "How often a shard was lost.", lost, "shard");
   out.add_gauge("results_per_second", "Over the last ten seconds.", status.published_rate);
-  out.add_gauge("warnings", "What is wrong with the shards or the transport.", status.num_warnings);
-  out.add_transport(status.transport);
-  out.add_stages(status.stages);
-  out.add_process(status.process);
+  out.add_common(status);
   return out.text();
 }
 

@@ -101,8 +101,9 @@ std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
   if (!placement.lack.empty()) {
     ++poseless_;
     if (const auto held_back = poseless_log_.admit()) {
-      log_warning(fmt::format("{}: cloud {} is not planned on: {}; {} more since the last record",
-                              settings_.pose_channel, cloud.utime, placement.lack, *held_back));
+      log_warning(with_held_back(fmt::format("{}: cloud {} is not planned on: {}",
+                                             settings_.pose_channel, cloud.utime, placement.lack),
+                                 *held_back));
     }
   }
   return make_job(pairing_.add(std::move(cloud), std::move(placement)));
@@ -127,10 +128,9 @@ std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
 void PlannerNode::log_unpaired(const std::string& channel, const Pairing::GivenUp& quadrics) {
   const auto held_back = unpaired_log_.admit();
   if (!held_back) return;
-  log_warning(
-      fmt::format("{}: the quadrics of cloud {} are not planned on: {}; {} more since the "
-                  "last record",
-                  channel, quadrics.utime, explain(quadrics.why), *held_back));
+  log_warning(with_held_back(fmt::format("{}: the quadrics of cloud {} are not planned on: {}",
+                                         channel, quadrics.utime, explain(quadrics.why)),
+                             *held_back));
 }
 
 std::optional<Job> PlannerNode::receive_request(const std::string& channel,

@@ -36,7 +36,7 @@ void PlannerNode::publish_status(std::int64_t superseded,
 
 std::string PlannerNode::exposition() const {
   const std::lock_guard lock(mutex_);
-  return to_exposition(last_status_);
+  return to_exposition(last_status_, settings_);
 }
 
 void PlannerNode::fill_counts(planner_status_t* filled) {

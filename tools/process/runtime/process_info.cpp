@@ -43,6 +43,18 @@ std::int32_t count_open_files() {
 
 }  // namespace
 
+void SettingsText::add_channels(const std::vector<std::string>& channels) {
+  for (const std::string& channel : channels) add("channel", channel);
+}
+
+void SettingsText::add_frames(const CloudFrames& frames,
+                              const std::optional<Eigen::Isometry3d>& X_WK) {
+  add("clouds", std::string(word_of(frames.clouds)));
+  add("results", std::string(word_of(frames.of_results())));
+  if (!X_WK) return;
+  for (const double number : X_WK->matrix().reshaped()) add("pose", io::toml_of(number));
+}
+
 std::string SettingsText::hash() const {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char c : text_) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;

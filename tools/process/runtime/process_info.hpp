@@ -1,9 +1,13 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <lcmtypes/quadrille/process_t.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "io/setting_text.hpp"
+#include "process/runtime/cloud_frame.hpp"
 
 namespace quadrille {
 
@@ -21,6 +25,11 @@ class SettingsText {
       add(setting.name, io::toml_of(field));
     });
   }
+
+  void add_channels(const std::vector<std::string>& channels);
+
+  /// @param X_WK  the pose of a camera at rest, if there is one
+  void add_frames(const CloudFrames& frames, const std::optional<Eigen::Isometry3d>& X_WK);
 
   /// 16 hexadecimal digits, the same for equal settings (FNV-1a).
   std::string hash() const;

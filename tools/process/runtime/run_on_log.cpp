@@ -96,7 +96,8 @@ class LogRun {
   /// Those about the log are logged too. What is missing from half a log tells nothing of it.
   std::vector<std::string> find_warnings(const std::string& incomplete) const {
     if (!incomplete.empty()) return {incomplete};
-    std::vector<std::string> warnings = census_.find_missing(node_->in_channels());
+    std::vector<std::string> warnings =
+        census_.find_missing(node_->in_channels(), arguments_.channel_prefix);
     if (survey_.defect) warnings.push_back(*survey_.defect);
     for (std::string& oddity : node_->find_oddities()) warnings.push_back(std::move(oddity));
     for (std::string& warning : warnings) {
