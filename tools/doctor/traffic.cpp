@@ -58,7 +58,9 @@ void Traffic::add(const std::string& sender, std::span<const std::byte> bytes, s
     return;
   }
   const std::pair key(datagram->channel, sender);
-  const bool is_new = receptions_.count(sender) == 0 || streams_.count(key) == 0;
+  // Only the first fragment names its channel.
+  const bool is_new =
+      receptions_.count(sender) == 0 || (datagram->fragment == 0 && streams_.count(key) == 0);
   if (is_new && std::max(receptions_.size(), streams_.size()) >= kMaxStreams) {
     ++crowded_out_;
     return;

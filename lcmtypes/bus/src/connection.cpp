@@ -72,9 +72,11 @@ Connection::Connection(const std::string& url, AcceptedSenders senders)
   }
   if (parsed.provider == "udpm" || parsed.provider == "mpudpm") backlog_.emplace(kMaxBacklogBytes);
   url_ = parsed.to_string();
+  const std::vector<int> others = find_receiving_sockets(parsed);
   lcm_.reset(lcm_create(url_.c_str()));
   // Without a server tcpq looks well, but aborts when it is waited on.
   if (!lcm_ || lcm_get_fileno(lcm_.get()) < 0) throw std::runtime_error(failure_to_connect(parsed));
+  if (parsed.provider == "udpm") prepare_socket(others);
 }
 
 Connection::~Connection() = default;
@@ -108,20 +110,23 @@ void Connection::add_subscriber(const std::string& pattern, const std::string& c
   // faster than LCM can put them in, into a backlog with a bound.
   lcm_subscription_set_queue_capacity(subscription, 0);
   subscribers_.push_back(std::move(subscriber));
-  if (subscribers_.size() == 1) prepare_socket();
 }
 
-/// LCM makes the socket with which it receives for the first subscriber.
-void Connection::prepare_socket() {
-  const Url url = parse_url(url_);
+/// Guards the socket with which LCM receives, and looks after its buffer.
+/// @param others  the sockets at that address that were there before
+void Connection::prepare_socket(const std::vector<int>& others) {
   const auto errors = read_udp_errors();
-  if (url.provider == "udpm" && guard_receiving_sockets(url, senders_) == 0) {
+  for (const int socket : find_receiving_sockets(parse_url(url_))) {
+    if (std::binary_search(others.begin(), others.end(), socket)) continue;
+    guard_socket(socket, senders_);
+    socket_.emplace(socket);
+  }
+  if (!socket_) {
     throw std::runtime_error("LCM address " + url_ + ": cannot find LCM's socket to guard it");
   }
-  socket_ = ReceiveSocket::find(url);
   // All that it has dropped is of the filter, or came since those were read.
-  if (socket_ && socket_->dropped() >= 0) drops_.emplace(errors, 0);
-  if (socket_ && socket_->buffer() < asked_buffer_) socket_->force_buffer(asked_buffer_);
+  if (socket_->dropped() >= 0) drops_.emplace(errors, 0);
+  if (socket_->buffer() < asked_buffer_) socket_->force_buffer(asked_buffer_);
 }
 
 void Connection::dispatch(const lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept {

@@ -22,6 +22,9 @@
 namespace quadrille {
 namespace {
 
+// A channel without clouds for so long makes room for another one.
+constexpr std::chrono::seconds kSilence{10};
+
 std::string hash_of(const DetectorSettings& settings) {
   SettingsText text;
   text.add_all(settings.detector);
@@ -76,9 +79,13 @@ bool DetectorNode::takes_clouds_of(const std::string& channel) const {
 }
 
 /// Why clouds of that channel are not taken; nullopt if they are.
-std::optional<bus::Rejection> DetectorNode::refuse_channel(const std::string& channel) {
-  if (cloud_channels_.contains(channel)) return std::nullopt;
-  if (cloud_channels_.size() == Trackers::kMaxTrackers) {
+std::optional<bus::Rejection> DetectorNode::refuse_channel(const std::string& channel,
+                                                           TimePoint now) {
+  if (const auto known = cloud_channels_.find(channel); known != cloud_channels_.end()) {
+    known->second = now;
+    return std::nullopt;
+  }
+  if (cloud_channels_.size() == Trackers::kMaxTrackers && !forget_silent_channel(now)) {
     return bus::Rejection{bus::RejectReason::kBadChannel,
                           fmt::format("clouds of {} channels are taken already; start one process "
                                       "more, and give each a pattern of its own",
@@ -90,15 +97,29 @@ std::optional<bus::Rejection> DetectorNode::refuse_channel(const std::string& ch
   } catch (const std::invalid_argument& error) {
     return bus::Rejection{bus::RejectReason::kBadChannel, error.what()};
   }
-  cloud_channels_.insert(channel);
+  cloud_channels_.emplace(channel, now);
   return std::nullopt;
+}
+
+/// Makes room for another channel; false if clouds have come on all of them lately.
+bool DetectorNode::forget_silent_channel(TimePoint now) {
+  const auto oldest =
+      std::min_element(cloud_channels_.begin(), cloud_channels_.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (now - oldest->second < kSilence) return false;
+  cloud_channels_.erase(oldest);
+  return true;
 }
 
 /// Where the results of a channel's clouds go.
 /// @param name  of the channel, or what it begins with
 std::string DetectorNode::results_channel(const std::string& name,
                                           const std::string& cloud_channel) const {
-  return in_channel_.is_pattern() ? name + "_" + cloud_channel : name;
+  if (!in_channel_.is_pattern()) return name;
+  // The prefix of all channels begins the result's name already.
+  const std::string& prefix = settings_.process.channel_prefix;
+  const bool has_prefix = cloud_channel.starts_with(prefix);
+  return name + "_" + (has_prefix ? cloud_channel.substr(prefix.size()) : cloud_channel);
 }
 
 void DetectorNode::receive_pose(const std::string& channel, std::span<const std::byte> bytes) {
@@ -161,14 +182,14 @@ std::optional<Job> DetectorNode::take_cloud(const std::string& channel,
     refusals_.add(channel, *rejection);
     return std::nullopt;
   }
-  if (const auto rejection = refuse_channel(channel)) {
+  if (const auto rejection = refuse_channel(channel, now)) {
     refusals_.add(channel, *rejection);
     return std::nullopt;
   }
   ++counts_.decoded;
   stages_.add("decode", bus::ms_since(now));
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
-  if (settings_.shard.is_whole()) gaps_.add(cloud.cloud.frame, cloud.seq);
+  if (settings_.shard.is_whole()) gaps_.add(channel + '\n' + cloud.cloud.frame, cloud.seq);
   const std::int64_t utime = cloud.utime;
   *digest = cloud.digest;
   // Chosen now, and not when the work begins, by when more poses may have come than in a replay.

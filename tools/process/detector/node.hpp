@@ -3,9 +3,9 @@
 #include <chrono>
 #include <cstdint>
 #include <lcmtypes/quadrille/detector_status_t.hpp>
+#include <map>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -50,7 +50,8 @@ class DetectorNode : public Node {
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
   CameraPose choose_pose(std::int64_t utime);
   bool takes_clouds_of(const std::string& channel) const;
-  std::optional<bus::Rejection> refuse_channel(const std::string& channel);
+  std::optional<bus::Rejection> refuse_channel(const std::string& channel, TimePoint now);
+  bool forget_silent_channel(TimePoint now);
   std::string results_channel(const std::string& name, const std::string& cloud_channel) const;
   void track(const std::string& channel, const bus::CloudMessage& cloud,
              const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
@@ -83,8 +84,8 @@ class DetectorNode : public Node {
   SequenceGaps gaps_;
   Refusals refusals_;
   Untracked untracked_;
-  /// On which clouds have come.
-  std::set<std::string> cloud_channels_;
+  /// On which clouds have come, with the time of the last one.
+  std::map<std::string, TimePoint> cloud_channels_;
   Stages stages_{{"decode", "wait", "detect", "quadrics", "boxes"}};
   Rate received_rate_, published_rate_;
   detector_status_t last_status_{};

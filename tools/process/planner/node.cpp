@@ -199,10 +199,10 @@ void PlannerNode::plan_and_publish(const SharedPair& shared) {
   const double plan_ms = bus::ms_since(start);
   const Stamp stamp{pair.cloud->utime, pair.cloud->seq,
                     pair.placement.frame_of_results(pair.cloud->cloud.frame)};
-  std::int64_t bytes =
+  const std::int64_t grasp_bytes =
       publish(settings_.grasps_channel, make_grasps_message(stamp, plan, settings_));
   const double latency = bus::ms_since(pair.at);
-  bytes += publish_maps(stamp, plan, pair.placement.X_RK);
+  const std::int64_t bytes = grasp_bytes + publish_maps(stamp, plan, pair.placement.X_RK);
   log_debug(fmt::format("cloud {}: {} quadrics, {} grasps, {:.1f} ms", pair.cloud->utime,
                         pair.quadrics.detections.size(), plan.grasps.size(), latency));
   for (const std::string& warning : plan.warnings) {
@@ -227,9 +227,18 @@ std::int64_t PlannerNode::publish_maps(const Stamp& stamp, const GraspPlan& plan
   if (settings_.shapes) {
     bytes += publish(settings_.shapes_channel, make_shapes_message(stamp, plan));
   }
-  if (settings_.occupancy && occupancies_.admit()) {
+  if (!settings_.occupancy || !occupancies_.admit()) return bytes;
+  try {
     bytes += publish(settings_.occupancy_channel,
                      make_occupancy_message(stamp, in_frame(plan.space, X_RK).get()));
+  } catch (const std::invalid_argument& error) {
+    // The grasps are out. A map has its place, too far from the origin of W for some.
+    if (const auto held_back = map_log_.admit()) {
+      log_warning(
+          with_held_back(fmt::format("{}: no map of cloud {}: {}", settings_.occupancy_channel,
+                                     stamp.utime, error.what()),
+                         *held_back));
+    }
   }
   return bytes;
 }

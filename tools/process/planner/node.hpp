@@ -72,7 +72,8 @@ class PlannerNode : public Node {
   CameraPoses camera_poses_;
   std::int64_t requests_ = 0, unmet_ = 0;
   Refusals refused_clouds_, refused_quadrics_, refused_poses_, refused_requests_;
-  bus::RateLimiter poseless_log_{std::chrono::seconds(1)}, unpaired_log_{std::chrono::seconds(1)};
+  bus::RateLimiter poseless_log_{std::chrono::seconds(1)}, unpaired_log_{std::chrono::seconds(1)},
+      map_log_{std::chrono::seconds(1)};
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
   Rate received_rate_, published_rate_;
