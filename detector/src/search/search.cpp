@@ -109,6 +109,7 @@ class Searcher {
         local.scale);
     const int n = static_cast<int>(voters.size());
     VoteOptions vote_options;
+    vote_options.lengths = options_.gradient_lengths;
     vote_options.quantisation = options_.quantisation;
     vote_options.min_height = std::max(kMinHeight, kMinHeightLimits * limit);
     vote_options.min_cosine = inlier_.min_cosine;
