@@ -161,6 +161,25 @@ struct GrowOptions {
   }
 };
 
+/// The paper's clustering of hypotheses as printed: of raw ones, before any is grown.
+struct ClusterOptions {
+  bool enabled = false;
+  double max_difference = 0.4;
+  double max_close = 0.4;
+
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.enabled, {"search.clusters.enabled",
+                  "Whether the hypotheses of a neighbourhood are agglomerated, and the cluster "
+                  "taken that has the most support in all."});
+    v(o.max_difference, {"search.clusters.max_difference", "", 0.0, 10.0,
+                         "τ: largest ‖q₁ − q₂‖₁ of unit coefficients in coordinates of the "
+                         "neighbourhood."});
+    v(o.max_close, {"search.clusters.max_close", "", 0.0, 1000.0,
+                    "Largest d_close of two members of a cluster."});
+  }
+};
+
 /// Where hypotheses are looked for, and how many.
 struct SearchOptions {
   BasisKind basis = BasisKind::kThreePoints;
@@ -171,6 +190,7 @@ struct SearchOptions {
   int voters = 100;
   bool hash_triplets = false;
   double min_support = 0.5;
+  ClusterOptions clusters;
   GrowOptions grow;
 
   template <class Options, class Visitor>
@@ -190,6 +210,7 @@ struct SearchOptions {
                         "5)."});
     v(o.min_support, {"search.min_support", "", 0.0, 1.0,
                       "Share of a neighbourhood that a hypothesis must explain."});
+    ClusterOptions::visit(o.clusters, v);
     GrowOptions::visit(o.grow, v);
   }
 };
