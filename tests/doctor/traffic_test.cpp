@@ -68,7 +68,7 @@ TEST_CASE("messages that never came are counted by sender", "[doctor]") {
   CHECK(traffic.senders().at("a:1").messages == 4);
   CHECK(traffic.senders().at("a:1").missing == 2);
   CHECK(traffic.senders().at("b:1").missing == 0);
-  CHECK(check_losses(traffic).verdict == Verdict::kFailed);
+  CHECK(check_losses(traffic, 7667).verdict == Verdict::kFailed);
 }
 
 TEST_CASE("the counter of messages may pass 2^32 and start anew", "[doctor]") {
@@ -102,7 +102,9 @@ TEST_CASE("datagrams that LCM would not take, or die of, are counted and never r
   for (const Bytes& bytes : bad) traffic.add("a:1", bytes, kNow);
   CHECK(traffic.malformed() == 5);
   CHECK(traffic.streams().empty());
-  CHECK(check_losses(traffic).verdict == Verdict::kWarning);
+  const Finding found = check_losses(traffic, 7700);
+  CHECK(found.verdict == Verdict::kWarning);
+  CHECK(found.remedy.find("udp port 7700;") != std::string::npos);
 }
 
 TEST_CASE("no number of senders takes more than a bounded memory", "[doctor][hostile]") {

@@ -88,7 +88,7 @@ Finding check_clouds(const Traffic& traffic, const std::string& cloud_channel, d
           advise_channel(channel, prefix)};
 }
 
-Finding check_losses(const Traffic& traffic) {
+Finding check_losses(const Traffic& traffic, int port) {
   std::int64_t messages = 0, missing = 0, incomplete = 0;
   for (const auto& [name, sender] : traffic.senders()) {
     messages += sender.messages;
@@ -104,9 +104,10 @@ Finding check_losses(const Traffic& traffic) {
     finding.verdict = Verdict::kWarning;
     finding.what += fmt::format(
         "; {} not of LCM", io::count_of(static_cast<std::size_t>(traffic.malformed()), "datagram"));
-    finding.remedy =
-        "find who sends to this port: sudo tcpdump -ni any udp port 7667; shut others "
-        "out with --accept-from";
+    finding.remedy = fmt::format(
+        "find who sends to this port: sudo tcpdump -ni any udp port {}; shut others out with "
+        "--accept-from",
+        port);
   }
   if (missing + incomplete == 0) return finding;
   finding.verdict = Verdict::kFailed;

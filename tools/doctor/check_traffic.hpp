@@ -15,7 +15,8 @@ Finding check_clouds(const Traffic& traffic, const std::string& cloud_channel, d
                      const std::string& prefix = "");
 
 /// Whether messages got lost on their way to this machine.
-Finding check_losses(const Traffic& traffic);
+/// @param port  of the LCM address
+Finding check_losses(const Traffic& traffic, int port);
 
 /// Whether only one process does each work on each channel, and one type comes on each.
 /// @param cloud_channel  or a pattern of channels

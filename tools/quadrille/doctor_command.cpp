@@ -42,7 +42,9 @@ void run(DoctorArguments arguments) {
 void add_doctor_command(CLI::App& app) {
   auto arguments = std::make_shared<DoctorArguments>();
   CLI::App* command =
-      app.add_subcommand("doctor", "Check the network: will clouds arrive over LCM?");
+      app.add_subcommand("doctor",
+                         "Check the network: will clouds arrive over LCM? Sends ten messages as "
+                         "large as a cloud, and some small ones, on this machine's bus");
   doctor::Questions& questions = arguments->questions;
   add_address_option(*command, questions.url);
   add_pattern_option(*command, "--cloud-channel", questions.cloud_channel, "clouds");
