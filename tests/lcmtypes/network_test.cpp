@@ -32,7 +32,8 @@ TEST_CASE("no loss is told of before a message came", "[bus][network]") {
 }
 
 TEST_CASE("the cure for a small receive buffer fits what the address asks for", "[bus][network]") {
-  // More than any kernel lets a process have unasked.
+  // The kernel counts twice a buffer in an int: it grants a byte less than this at the most,
+  // whatever net.core.rmem_max is.
   constexpr int kTooMuch = 1 << 30;
   const std::string kSysctl = "sudo sysctl -w net.core.rmem_max=1073741824";
   const std::string kAddress = "recv_buf_size=1073741824 in the LCM address";
@@ -62,13 +63,6 @@ TEST_CASE("only a udpm address needs a route, and it has to be one", "[bus][netw
   // No route would help.
   CHECK_THROWS_WITH(find_route_problem(parse_url("udpm://10.0.0.1:7667")),
                     test::contains("10.0.0.1 is no multicast address"));
-}
-
-TEST_CASE("dropped datagrams are counted from the start of the machine", "[bus][network]") {
-  const std::int64_t before = count_dropped_datagrams();
-  // Linux tells in /proc/net/snmp.
-  CHECK(before >= 0);
-  CHECK(count_dropped_datagrams() >= before);
 }
 
 }  // namespace

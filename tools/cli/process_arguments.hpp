@@ -43,8 +43,8 @@ struct ProcessArguments {
   /// File that always holds the last status, for node exporters; empty for none.
   std::string stats_file;
 
-  /// Adds --lcm-url, --in-log, --out-log, --copy-input, --accept-from, --respawn, --verbose and
-  /// --stats-file; this must outlive the app.
+  /// Adds --in-log, --out-log, --copy-input and --verbose, and what the other two add; this must
+  /// outlive the app.
   /// @param work  what is logged with --verbose, such as "cloud"
   void add_to(CLI::App& app, const std::string& work);
 
@@ -69,6 +69,20 @@ struct ProcessArguments {
 struct NamedChannel {
   std::string option, name;
 };
+
+/// Which way the messages of a channel go.
+enum class Way { kIn, kOut };
+
+/// The channels that the visit_channels() of a process's settings lists, with their options.
+template <class Settings>
+std::vector<NamedChannel> channels_of(const Settings& settings) {
+  std::vector<NamedChannel> channels;
+  Settings::visit_channels(settings,
+                           [&](Way, const char* option, const std::string& name, const char*) {
+                             channels.push_back({option, name});
+                           });
+  return channels;
+}
 
 /// Sees to it that no two of some channels are one: a message of one kind would be taken for
 /// another.

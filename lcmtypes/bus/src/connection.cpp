@@ -175,6 +175,8 @@ bool Connection::handle_backlog(bool lcm_is_empty) {
 }
 
 Connection::Outcome Connection::handle(int timeout_ms) {
+  // Of a server that is gone tcpq has no descriptor any more, and aborts when it is waited on.
+  if (lcm_get_fileno(lcm_.get()) < 0) return Outcome::kEnd;
   const bool behind = backlog_ && !backlog_->empty();
   const int status = lcm_handle_timeout(lcm_.get(), behind ? 0 : timeout_ms);
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));

@@ -7,11 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
-
-#include "quadrille/bus/drop_causes.hpp"
 
 namespace quadrille::bus {
 namespace {
@@ -102,11 +98,6 @@ int granted_receive_buffer(int asked) { return granted(SO_RCVBUF, asked); }
 
 int forced_receive_buffer(int asked) {
   return std::max(granted(SO_RCVBUFFORCE, asked), granted_receive_buffer(asked));
-}
-
-std::int64_t count_dropped_datagrams() {
-  const auto errors = read_udp_errors();
-  return errors ? errors->buffer : -1;
 }
 
 }  // namespace quadrille::bus

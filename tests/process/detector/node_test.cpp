@@ -50,7 +50,7 @@ struct Process {
 
   /// What the status says of the clouds that were not tracked, such as "no_pose 1 ".
   std::string untracked() {
-    node.publish_status(0, {});
+    node.publish_status({});
     std::string text;
     for (const count_t& entry : status.untracked) {
       text += entry.name + " " + std::to_string(entry.count) + " ";
@@ -211,10 +211,10 @@ TEST_CASE("cameras that share a frame's name miss nothing of each other's",
     take("CAMERA_LEFT", 10 + n);
     take("CAMERA_RIGHT", 5000 + n);
   }
-  process.node.publish_status(0, {});
+  process.node.publish_status({});
   CHECK(process.status.missing == 0);
   take("CAMERA_RIGHT", 5006);
-  process.node.publish_status(0, {});
+  process.node.publish_status({});
   CHECK(process.status.missing == 2);
 }
 
@@ -323,7 +323,7 @@ TEST_CASE("a shard misses no clouds that are another's", "[process][shard][statu
   }
   REQUIRE(taken > 0);
   REQUIRE(taken < 12);
-  process.node.publish_status(0, {});
+  process.node.publish_status({});
   CHECK(process.status.missing == 0);
 }
 

@@ -72,7 +72,7 @@ TEST_CASE("results go on as they came, and the status counts them", "[process][s
   CHECK(status.shards[0].results == 1);
   CHECK(status.shards[1].clouds == 2);
   CHECK(status.warnings.empty());
-  const std::string text = merge.merger.exposition();
+  const std::string text = merge.merger.publish_status({}, {});
   const auto holds = [&](const std::string& line) { return text.find(line) != std::string::npos; };
   CHECK(
       holds("quadrille_merger_results_published_total{channel=\"QUADRICS\","

@@ -28,7 +28,7 @@ std::string logged_by(Call&& call) {
 struct IdleNode : Node {
   std::vector<InChannel> in_channels() const override { return {}; }
   std::optional<Job> receive(const std::string&, std::span<const std::byte>) override { return {}; }
-  void publish_status(std::int64_t, const std::vector<std::string>&) override {}
+  std::string publish_status(const RunState&) override { return {}; }
   std::string summary() const override { return ""; }
 };
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "io/hash.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/other_senders.hpp"
 #include "process/runtime/process_info.hpp"
@@ -29,8 +30,8 @@ std::string hash_of(const DetectorSettings& settings) {
   SettingsText text;
   text.add_all(settings.detector);
   text.add_all(settings.track);
-  text.add_channels({settings.in_channel, settings.out_channel, settings.boxes_channel,
-                     settings.status_channel, settings.pose_channel});
+  text.add_channels(channels_of(settings));
+  text.add("shard", fmt::format("{}/{}", settings.shard.index, settings.shard.count));
   text.add_frames(settings.frames, settings.X_WK);
   return text.hash();
 }
@@ -49,18 +50,22 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
 }
 
 std::vector<InChannel> DetectorNode::in_channels() const {
-  std::vector<InChannel> channels = {{"--in-channel", settings_.in_channel}};
-  if (!settings_.pose_channel.empty()) {
-    channels.push_back({"--pose-channel", settings_.pose_channel});
-  }
+  std::vector<InChannel> channels;
+  DetectorSettings::visit_channels(
+      settings_, [&](Way way, const char* option, const std::string& name, const char*) {
+        if (way == Way::kIn && !name.empty()) channels.push_back({option, name});
+      });
   return channels;
 }
 
 std::vector<OutChannel> DetectorNode::out_channels() const {
-  const bool several = in_channel_.is_pattern();
-  return {{"--out-channel", settings_.out_channel, several},
-          {"--boxes-channel", settings_.boxes_channel, several},
-          {"--status-channel", settings_.status_channel}};
+  std::vector<OutChannel> channels;
+  DetectorSettings::visit_channels(
+      settings_, [&](Way way, const char* option, const std::string& name, const char*) {
+        const bool several = in_channel_.is_pattern() && &name != &settings_.status_channel;
+        if (way == Way::kOut) channels.push_back({option, name, several});
+      });
+  return channels;
 }
 
 std::optional<Job> DetectorNode::receive(const std::string& channel,
@@ -157,7 +162,7 @@ void DetectorNode::tell_of(std::span<const std::byte> cloud, std::int64_t digest
     shard_cloud_t message;
     message.utime = stamp->utime;
     message.seq = stamp->seq;
-    message.message_digest = digest_of_message(cloud);
+    message.message_digest = static_cast<std::int64_t>(io::hash_of(cloud));
     message.cloud_digest = digest;
     message.shard = settings_.shard.index;
     message.shards = settings_.shard.count;

@@ -35,8 +35,7 @@ class DetectorNode : public Node {
   std::vector<InChannel> in_channels() const override;
   std::vector<OutChannel> out_channels() const override;
   std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
-  void publish_status(std::int64_t superseded, const std::vector<std::string>& warnings) override;
-  std::string exposition() const override;
+  std::string publish_status(const RunState& run) override;
   std::string summary() const override;
   std::vector<std::string> find_oddities() const override;
 
@@ -88,7 +87,6 @@ class DetectorNode : public Node {
   std::map<std::string, TimePoint> cloud_channels_;
   Stages stages_{{"decode", "wait", "detect", "quadrics", "boxes"}};
   Rate received_rate_, published_rate_;
-  detector_status_t last_status_{};
 };
 
 }  // namespace quadrille

@@ -10,6 +10,7 @@
 #include "process/runtime/respawn.hpp"
 #include "process/runtime/stats_file.hpp"
 #include "quadrille/bus/connection.hpp"
+#include "quadrille/bus/receiver.hpp"
 #include "quadrille/bus/stop.hpp"
 #include "quadrille/bus/ticker.hpp"
 #include "quadrille/bus/url.hpp"
@@ -41,8 +42,7 @@ void publish_status(const bus::Connection& connection, const OtherSenders& other
   const bus::Traffic traffic = connection.traffic();
   std::vector<std::string> warnings = LossWatch::find_warnings(traffic, connection.warnings());
   for (std::string& warning : others.find_warnings()) warnings.push_back(std::move(warning));
-  merger->publish_status(traffic, std::move(warnings));
-  stats->write(merger->exposition());
+  stats->write(merger->publish_status(traffic, std::move(warnings)));
 }
 
 }  // namespace
@@ -69,9 +69,10 @@ void run_merger(const MergerSettings& settings) {
       [&](const std::string& name, std::span<const std::byte> bytes) { others.hear(name, bytes); });
   LossWatch losses;
   bus::Ticker loss_tick(std::chrono::milliseconds(50)), status_tick(std::chrono::seconds(1));
+  bus::EndlessHandler handler(connection);
   constexpr int kWaitMs = 10;
   while (!bus::stop_requested()) {
-    connection.handle(kWaitMs);
+    handler.handle(kWaitMs);
     merger.publish_due();
     if (loss_tick.due()) {
       if (const auto loss = losses.check(connection.traffic())) log_warning(*loss);

@@ -43,21 +43,23 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
       occupancies_(occupancy_interval(settings)) {}
 
 std::vector<InChannel> PlannerNode::in_channels() const {
-  std::vector<InChannel> channels = {
-      {"--cloud-channel", settings_.cloud_channel},
-      {"--quadrics-channel", settings_.quadrics_channel},
-      {"--request-channel", settings_.request_channel, settings_.on_request}};
-  if (!settings_.pose_channel.empty()) {
-    channels.push_back({"--pose-channel", settings_.pose_channel});
-  }
+  std::vector<InChannel> channels;
+  PlannerSettings::visit_channels(
+      settings_, [&](Way way, const char* option, const std::string& name, const char*) {
+        if (way != Way::kIn || name.empty()) return;
+        const bool expected = &name != &settings_.request_channel || settings_.on_request;
+        channels.push_back({option, name, expected});
+      });
   return channels;
 }
 
 std::vector<OutChannel> PlannerNode::out_channels() const {
-  return {{"--grasps-channel", settings_.grasps_channel},
-          {"--shapes-channel", settings_.shapes_channel},
-          {"--occupancy-channel", settings_.occupancy_channel},
-          {"--status-channel", settings_.status_channel}};
+  std::vector<OutChannel> channels;
+  PlannerSettings::visit_channels(
+      settings_, [&](Way way, const char* option, const std::string& name, const char*) {
+        if (way == Way::kOut) channels.push_back({option, name});
+      });
+  return channels;
 }
 
 std::optional<Job> PlannerNode::receive(const std::string& channel,
@@ -227,20 +229,39 @@ std::int64_t PlannerNode::publish_maps(const Stamp& stamp, const GraspPlan& plan
   if (settings_.shapes) {
     bytes += publish(settings_.shapes_channel, make_shapes_message(stamp, plan));
   }
-  if (!settings_.occupancy || !occupancies_.admit()) return bytes;
+  if (!settings_.occupancy) return bytes;
+  Map map{stamp, plan.space, X_RK};
+  if (!occupancies_.admit()) {
+    late_map_ = std::move(map);
+    return bytes;
+  }
+  late_map_.reset();
+  return bytes + publish_occupancy(map);
+}
+
+std::int64_t PlannerNode::publish_occupancy(const Map& map) {
+  const std::string& channel = settings_.occupancy_channel;
   try {
-    bytes += publish(settings_.occupancy_channel,
-                     make_occupancy_message(stamp, in_frame(plan.space, X_RK).get()));
+    return publish(channel, make_occupancy_message(map.stamp, in_frame(map.space, map.X_RK).get()));
   } catch (const std::invalid_argument& error) {
     // The grasps are out. A map has its place, too far from the origin of W for some.
     if (const auto held_back = map_log_.admit()) {
-      log_warning(
-          with_held_back(fmt::format("{}: no map of cloud {}: {}", settings_.occupancy_channel,
-                                     stamp.utime, error.what()),
-                         *held_back));
+      log_warning(with_held_back(
+          fmt::format("{}: no map of cloud {}: {}", channel, map.stamp.utime, error.what()),
+          *held_back));
     }
+    return 0;
   }
-  return bytes;
+}
+
+/// The map of the last cloud, once it is due.
+std::optional<Job> PlannerNode::find_spare_job() {
+  if (!late_map_ || !occupancies_.admit()) return std::nullopt;
+  return Job{late_map_->stamp.utime, [this, map = *std::exchange(late_map_, std::nullopt)] {
+               const std::int64_t bytes = publish_occupancy(map);
+               const std::lock_guard lock(mutex_);
+               counts_.published_bytes += bytes;
+             }};
 }
 
 void PlannerNode::answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at) {

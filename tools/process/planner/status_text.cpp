@@ -1,5 +1,6 @@
 #include "process/planner/status_text.hpp"
 
+#include "io/planner/gripper_file.hpp"
 #include "process/runtime/exposition.hpp"
 #include "process/runtime/process_info.hpp"
 
@@ -8,12 +9,10 @@ namespace quadrille {
 std::string hash_of(const PlannerSettings& settings) {
   SettingsText text;
   text.add_all(settings.plan);
-  text.add("gripper", settings.gripper.name);
+  text.add("gripper", io::to_toml(settings.gripper));
   text.add("on_request", settings.on_request ? "true" : "false");
   text.add("pose_age", io::toml_of(settings.pose_age));
-  text.add_channels({settings.cloud_channel, settings.quadrics_channel, settings.grasps_channel,
-                     settings.request_channel, settings.shapes_channel, settings.occupancy_channel,
-                     settings.status_channel, settings.pose_channel});
+  text.add_channels(channels_of(settings));
   text.add_frames(settings.frames, settings.X_WK);
   return text.hash();
 }

@@ -1,6 +1,5 @@
 #include "process/runtime/process_info.hpp"
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -9,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+
+#include "io/hash.hpp"
 
 namespace quadrille {
 namespace {
@@ -43,8 +44,8 @@ std::int32_t count_open_files() {
 
 }  // namespace
 
-void SettingsText::add_channels(const std::vector<std::string>& channels) {
-  for (const std::string& channel : channels) add("channel", channel);
+void SettingsText::add_channels(const std::vector<NamedChannel>& channels) {
+  for (const NamedChannel& channel : channels) add(channel.option, channel.name);
 }
 
 void SettingsText::add_frames(const CloudFrames& frames,
@@ -55,11 +56,7 @@ void SettingsText::add_frames(const CloudFrames& frames,
   for (const double number : X_WK->matrix().reshaped()) add("pose", io::toml_of(number));
 }
 
-std::string SettingsText::hash() const {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : text_) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return fmt::format("{:016x}", hash);
-}
+std::string SettingsText::hash() const { return io::hash_text(text_); }
 
 process_t describe_process(const std::string& settings) {
   constexpr std::int64_t kKilobyte = 1024;

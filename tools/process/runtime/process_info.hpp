@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/process_arguments.hpp"
 #include "io/setting_text.hpp"
 #include "process/runtime/cloud_frame.hpp"
 
@@ -26,12 +27,12 @@ class SettingsText {
     });
   }
 
-  void add_channels(const std::vector<std::string>& channels);
+  void add_channels(const std::vector<NamedChannel>& channels);
 
   /// @param X_WK  the pose of a camera at rest, if there is one
   void add_frames(const CloudFrames& frames, const std::optional<Eigen::Isometry3d>& X_WK);
 
-  /// 16 hexadecimal digits, the same for equal settings (FNV-1a).
+  /// 16 hexadecimal digits, the same for equal settings.
   std::string hash() const;
 
  private:

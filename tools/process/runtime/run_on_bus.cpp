@@ -42,12 +42,10 @@ void subscribe_to_status(const Node& node, OtherSenders& others, bus::Connection
 
 void publish_status(const bus::Connection& connection, const bus::Mailbox<Job>& mailbox,
                     const OtherSenders& others, StatsFile& stats, Node& node) {
-  const bus::Traffic traffic = connection.traffic();
-  std::vector<std::string> warnings = LossWatch::find_warnings(traffic, connection.warnings());
-  for (std::string& warning : others.find_warnings()) warnings.push_back(std::move(warning));
-  node.note_traffic(traffic);
-  node.publish_status(mailbox.superseded(), warnings);
-  stats.write(node.exposition());
+  RunState run{connection.traffic(), mailbox.superseded()};
+  run.warnings = LossWatch::find_warnings(run.traffic, connection.warnings());
+  for (std::string& warning : others.find_warnings()) run.warnings.push_back(std::move(warning));
+  stats.write(node.publish_status(run));
 }
 
 void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,

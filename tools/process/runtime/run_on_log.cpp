@@ -46,8 +46,7 @@ class LogRun {
     survey_ = bus::replay_log(arguments_.in_log,
                               [this](const bus::LogReader::Event& event) { handle(event); });
     const std::string incomplete = describe_incomplete();
-    node_->publish_status(0, find_warnings(incomplete));
-    stats_.write(node_->exposition());
+    stats_.write(node_->publish_status({.warnings = find_warnings(incomplete)}));
     check_written();
     out_.flush();
     file_.commit();

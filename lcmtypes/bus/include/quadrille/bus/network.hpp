@@ -54,8 +54,4 @@ int granted_receive_buffer(int asked);
 /// @throws std::runtime_error if no socket can be made
 int forced_receive_buffer(int asked);
 
-/// UDP datagrams that this machine dropped since its start because a receive buffer was full;
-/// -1 where the system does not tell.
-std::int64_t count_dropped_datagrams();
-
 }  // namespace quadrille::bus
