@@ -102,7 +102,7 @@ void ProcessArguments::add_bus_to(CLI::App& app) {
   add_address_option(app, lcm_url);
   app.add_option("--accept-from", accept_from,
                  "Receive only from this machine and these addresses, networks (10.0.0.0/24) and "
-                 "interfaces; local: from no other")
+                 "interfaces, as they are at the start; local: from no other")
       ->check(CLI::Validator(check_senders, ""))
       ->type_name("SENDER,...");
   app.add_flag("--respawn", respawn, "Start anew whenever it dies");
