@@ -22,10 +22,4 @@ struct CompactFitOptions {
 std::optional<Quadric> fit_compact(const OrientedPointsd& points,
                                    const CompactFitOptions& options = {});
 
-/// The minimal solve behind the vote: the pencil of three oriented points by its closed form, and
-/// theorem 3's λ of a fourth position, λ = −f₀(x₄) / z(x₄)². No decomposition is needed.
-/// @param points  4 or more; the first four are used, of the fourth the position alone
-/// @return nullopt if the first three are collinear or the fourth lies in their plane
-std::optional<Quadric> fit_three_and_one(const OrientedPointsd& points);
-
 }  // namespace quadrille

@@ -10,6 +10,8 @@
 #include "fits/tangent_fit.hpp"
 #include "fits/taubin_fit.hpp"
 #include "fits/three_level_fit.hpp"
+#include "fits/three_point_fit.hpp"
+#include "fits/two_point_fit.hpp"
 #include "fits/type_constrained_fit.hpp"
 
 namespace quadrille {
@@ -23,6 +25,10 @@ Contender primal_dual(std::string_view name, const PrimalDual& kind) {
           false,       [kind](Points p) { return fit_primal_dual(p, kind); }};
 }
 
+std::optional<Quadric> quadric_of(const std::optional<MinimalFit>& fit) {
+  return fit ? std::optional<Quadric>(fit->Q) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<Contender> contenders(QuadricType type) {
@@ -30,7 +36,9 @@ std::vector<Contender> contenders(QuadricType type) {
       {"full", "paper, eq. 4", 4, false, false, [](Points p) { return fit_full(p); }},
       {"compact", "paper, eq. 5", 4, false, false, [](Points p) { return fit_compact(p); }},
       {"three_and_one", "paper, theorem 3", 4, true, false,
-       [](Points p) { return fit_three_and_one(p); }},
+       [](Points p) { return quadric_of(fit_three_points(p)); }},
+      {"two_and_three", "paper, eq. 7", 5, true, false,
+       [](Points p) { return quadric_of(fit_two_points(p)); }},
       primal_dual("pd_0", kPrimalDual[0]),
       primal_dual("pd_1", kPrimalDual[1]),
       primal_dual("pd_2", kPrimalDual[2]),

@@ -16,6 +16,11 @@ for program in parallel quadrille-detector; do
     exit 1
   }
 done
+twice=$(for log in "$@"; do basename "$log"; done | sort | uniq -d)
+if [[ -n $twice ]]; then
+  echo "parallel.sh: several logs are called $twice, as their results would be; rename them" >&2
+  exit 1
+fi
 mkdir -p "$folder"
 printf '%s\n' "$@" | parallel --will-cite --halt soon,fail=1 --quote \
   "$(dirname "${BASH_SOURCE[0]}")/one_log.sh" "$folder" {}

@@ -18,6 +18,11 @@ set -euo pipefail
 folder=${1:?usage: sbatch slurm.sh FOLDER LOG…}
 shift
 examples=${EXAMPLES:-${SLURM_SUBMIT_DIR:?this is a job for sbatch}}
+twice=$(for log in "$@"; do basename "$log"; done | sort | uniq -d)
+if [[ -n $twice ]]; then
+  echo "slurm.sh: several logs are called $twice, as their results would be; rename them" >&2
+  exit 1
+fi
 mkdir -p "$folder"
 for ((i = SLURM_ARRAY_TASK_ID; i <= $#; i += SLURM_ARRAY_TASK_COUNT)); do
   "$examples/one_log.sh" "$folder" "${!i}"

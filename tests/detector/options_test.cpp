@@ -125,20 +125,64 @@ TEST_CASE("a visit reaches each setting", "[options]") {
   auto& [noise_radius, quantile, patches] = noise;
   auto& [p1, p2, p3, p4, p5] = planes;
   auto& [i1, i2, i3] = inlier;
-  auto& [basis, quantisation, radii, s1, s2, hash, s3, grow] = search;
+  auto& [basis, lengths, quantisation, radii, s1, s2, hash, s3, clusters, grow] = search;
   auto& [enabled, c1, c2, c3] = agglomerate;
+  auto& [raw, r1, r2] = clusters;
   auto& [grow_families, g1, g2, g3] = grow;
   auto& [families, a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13, a14, a15] = aggregate;
-  const std::set<const void*> fields = {
-      &seed,   &threads,      &only,     &report,   &cell, &noisiest_cell,
-      &stride, &noise_radius, &quantile, &patches,  &p1,   &p2,
-      &p3,     &p4,           &p5,       &i1,       &i2,   &i3,
-      &basis,  &quantisation, &radii,    &s1,       &s2,   &hash,
-      &s3,     &enabled,      &c1,       &c2,       &c3,   &grow_families,
-      &g1,     &g2,           &g3,       &families, &a1,   &a2,
-      &a3,     &a4,           &a5,       &a6,       &a7,   &a8,
-      &a9,     &a10,          &a11,      &a12,      &a13,  &a14,
-      &a15};
+  const std::set<const void*> fields = {&seed,
+                                        &threads,
+                                        &only,
+                                        &report,
+                                        &cell,
+                                        &noisiest_cell,
+                                        &stride,
+                                        &noise_radius,
+                                        &quantile,
+                                        &patches,
+                                        &p1,
+                                        &p2,
+                                        &p3,
+                                        &p4,
+                                        &p5,
+                                        &i1,
+                                        &i2,
+                                        &i3,
+                                        &basis,
+                                        &lengths,
+                                        &quantisation,
+                                        &radii,
+                                        &s1,
+                                        &s2,
+                                        &hash,
+                                        &s3,
+                                        &enabled,
+                                        &c1,
+                                        &c2,
+                                        &c3,
+                                        &grow_families,
+                                        &g1,
+                                        &g2,
+                                        &g3,
+                                        &families,
+                                        &a1,
+                                        &a2,
+                                        &a3,
+                                        &a4,
+                                        &a5,
+                                        &a6,
+                                        &a7,
+                                        &a8,
+                                        &a9,
+                                        &a10,
+                                        &a11,
+                                        &a12,
+                                        &a13,
+                                        &a14,
+                                        &a15,
+                                        &raw,
+                                        &r1,
+                                        &r2};
   CHECK(visit(o).fields == fields);
 }
 

@@ -1,5 +1,6 @@
 #include "doctor/traffic.hpp"
 
+#include <lcmtypes/bot_core/pose_t.hpp>
 #include <lcmtypes/drake/lcmt_point_cloud.hpp>
 #include <lcmtypes/quadrille/detector_status_t.hpp>
 #include <lcmtypes/quadrille/quadrics_t.hpp>
@@ -67,7 +68,7 @@ TEST_CASE("messages that never came are counted by sender", "[doctor]") {
   CHECK(traffic.senders().at("a:1").messages == 4);
   CHECK(traffic.senders().at("a:1").missing == 2);
   CHECK(traffic.senders().at("b:1").missing == 0);
-  CHECK(check_losses(traffic).verdict == Verdict::kFailed);
+  CHECK(check_losses(traffic, 7667).verdict == Verdict::kFailed);
 }
 
 TEST_CASE("the counter of messages may pass 2^32 and start anew", "[doctor]") {
@@ -101,7 +102,9 @@ TEST_CASE("datagrams that LCM would not take, or die of, are counted and never r
   for (const Bytes& bytes : bad) traffic.add("a:1", bytes, kNow);
   CHECK(traffic.malformed() == 5);
   CHECK(traffic.streams().empty());
-  CHECK(check_losses(traffic).verdict == Verdict::kWarning);
+  const Finding found = check_losses(traffic, 7700);
+  CHECK(found.verdict == Verdict::kWarning);
+  CHECK(found.remedy.find("udp port 7700;") != std::string::npos);
 }
 
 TEST_CASE("no number of senders takes more than a bounded memory", "[doctor][hostile]") {
@@ -124,6 +127,48 @@ TEST_CASE("two detectors at one time are told, one that was started anew is not"
   }
   CHECK(holds(check_others(twins, "POINT_CLOUD"), Verdict::kFailed, "2 detectors answer"));
   CHECK_FALSE(has_failure(check_others(restarted, "POINT_CLOUD")));
+}
+
+TEST_CASE("processes that meet on several channels are one finding", "[doctor]") {
+  Traffic twins;
+  for (const auto& [channel, type] : {std::pair("QUADRICS", quadrics_t::getHash()),
+                                      std::pair("STATUS", detector_status_t::getHash())}) {
+    for (const char* sender : {"a:1", "b:1", "a:1"}) {
+      twins.add(sender, short_message(1, channel, type, kNow), kNow);
+    }
+  }
+  const Findings findings = check_others(twins, "POINT_CLOUD");
+  REQUIRE(findings.size() == 1);
+  CHECK(findings[0].what == "2 detectors answer on QUADRICS, STATUS: a:1, b:1");
+  CHECK(findings[0].remedy.find("--out-channel, --status-channel") != std::string::npos);
+}
+
+TEST_CASE("two who send clouds or poses on one channel are told", "[doctor]") {
+  for (const auto& [type, what] :
+       {std::pair(kCloud(), "2 send clouds on R2/C: a:1, b:1"),
+        std::pair(bot_core::pose_t::getHash(), "2 send poses on R2/C")}) {
+    Traffic traffic;
+    for (const char* sender : {"a:1", "b:1", "a:1"}) {
+      traffic.add(sender, short_message(1, "R2/C", type, kNow), kNow);
+    }
+    CHECK(holds(check_others(traffic, "POINT_CLOUD"), Verdict::kWarning, what));
+    CHECK_FALSE(has_failure(check_others(traffic, "POINT_CLOUD")));
+  }
+}
+
+TEST_CASE("clouds are looked for on the channels of a pattern", "[doctor]") {
+  Traffic traffic;
+  traffic.add("a:1", short_message(1, "R2/CAM_A", kCloud(), kNow), kNow);
+  CHECK(check_clouds(traffic, "R2/(CAM_.*)", 1.0, "R2/").verdict == Verdict::kOk);
+  const auto advice = [&](const std::string& prefix) {
+    return check_clouds(traffic, prefix + "C", 1.0, prefix).remedy;
+  };
+  CHECK(
+      advice("R2/") ==
+      "quadrille-detector --in-channel CAM_A, quadrille-grasp-planner --cloud-channel CAM_A, with "
+      "--channel-prefix R2/");
+  CHECK(advice("R3/").find("--in-channel R2/CAM_A") != std::string::npos);
+  CHECK(advice("R3/").find("without --channel-prefix R3/") != std::string::npos);
 }
 
 TEST_CASE("types that share a channel are told, clouds of several types are not", "[doctor]") {

@@ -35,7 +35,7 @@ std::vector<std::string> all_documents() {
   return {"README.md",          "ARCHITECTURE.md",        "CONTRIBUTING.md",
           "lcmtypes/README.md", "detector/src/README.md", "detector/fits/README.md",
           "examples/README.md", "tests/data/README.md",   "tools/lab/experiments/PAPER.md",
-          "SECURITY.md",        "lcmtypes/LIBLCM.md"};
+          "SECURITY.md",        "lcmtypes/LIBLCM.md",     "tools/process/README.md"};
 }
 
 }  // namespace quadrille::test

@@ -27,6 +27,22 @@ std::set<std::string> files_of_repository() {
 
 }  // namespace
 
+TEST_CASE("links between documents lead somewhere", "[documents]") {
+  const std::regex link("\\]\\(([^)#]+)(#[^)]*)?\\)");
+  int found = 0;
+  for (const std::string& document : test::all_documents()) {
+    const std::string text = test::folded_document(document);
+    for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+      const std::string target = (*it)[1].str();
+      if (target.starts_with("http")) continue;
+      CAPTURE(document, target);
+      CHECK(std::filesystem::exists((test::repository() / document).parent_path() / target));
+      ++found;
+    }
+  }
+  CHECK(found > 20);
+}
+
 TEST_CASE("the files that documents name are there", "[documents]") {
   const std::set<std::string> files = files_of_repository();
   // Between backticks: paths and names of sources.

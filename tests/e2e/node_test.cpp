@@ -11,7 +11,7 @@ class IdleNode : public Node {
  public:
   std::vector<InChannel> in_channels() const override { return {}; }
   std::optional<Job> receive(const std::string&, std::span<const std::byte>) override { return {}; }
-  void publish_status(std::int64_t, const std::vector<std::string>&) override {}
+  std::string publish_status(const RunState&) override { return {}; }
   std::string summary() const override { return {}; }
 };
 

@@ -41,6 +41,19 @@ TEST_CASE("a flood on one channel drives nothing of another out", "[bus][backlog
   CHECK(numbers_left(backlog) == std::vector<int>{100, 58, 59, 60, 101});
 }
 
+TEST_CASE("of one subscriber's channels a fast one does not drive out a slow one's",
+          "[bus][backlog]") {
+  Backlog backlog(kRoomForThree);
+  int cameras = 0;
+  backlog.push("SLOW", numbered(100), &cameras);
+  for (int i = 1; i <= 60; ++i) backlog.push("FAST", numbered(i), &cameras);
+  CHECK(backlog.dropped() == 58);
+  CHECK(numbers_left(backlog) == std::vector<int>{100, 59, 60});
+  // Any number of channels has no more room than one.
+  for (int i = 1; i <= 60; ++i) backlog.push("C" + std::to_string(i), numbered(i), &cameras);
+  CHECK(numbers_left(backlog).size() == 3);
+}
+
 TEST_CASE("the newest message waits however large it is", "[bus][backlog]") {
   Backlog backlog(10);
   int subscriber = 0;

@@ -17,10 +17,10 @@ TEST_CASE("an address that does not work is an error and never another transport
 }
 
 TEST_CASE("a receive buffer's size is a number of bytes and nothing else", "[bus][hostile]") {
-  // On a loopback address, which needs no multicast route to get as far as the size.
   for (const char* size : {"big", "", "0", "-1", "33554432x", "3.5", "99999999999999999999"}) {
     CAPTURE(size);
-    CHECK_THROWS_WITH(Connection("udpm://127.0.0.1:7667?recv_buf_size=" + std::string(size)),
+    const Url url = parse_url("udpm://239.255.76.67:7667?recv_buf_size=" + std::string(size));
+    CHECK_THROWS_WITH(named_receive_buffer(url),
                       test::contains("recv_buf_size = '" + std::string(size) + "'"));
   }
 }

@@ -3,7 +3,9 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "contains.hpp"
 #include "support/catch.hpp"
+#include "support/tcpq_server.hpp"
 
 namespace quadrille::bus {
 namespace {
@@ -47,6 +49,17 @@ TEST_CASE("messages are handled in another thread until the receiver goes", "[bu
   CHECK(thread != std::this_thread::get_id());
   connection.publish("A", kReceived);
   CHECK(calls == 1);
+}
+
+TEST_CASE("a connection whose server is gone is lost", "[bus]") {
+  const test::TcpqServer server;
+  Connection connection(server.url());
+  EndlessHandler handler(connection);
+  CHECK_THROWS_WITH(
+      [&] {
+        for (int tries = 0; tries < 2000; ++tries) handler.handle(10);
+      }(),
+      test::contains("the connection is lost"));
 }
 
 }  // namespace

@@ -58,6 +58,14 @@ TEST_CASE("addresses that reach nobody are refused", "[process][usage]") {
     for (const std::string ttl : {"0", "1", "255"})
       CHECK(error_of("--lcm-url " + udp + ttl).empty());
   }
+  for (const auto& error_of : {detector_error, planner_error}) {
+    CHECK(holds(error_of("--lcm-url udpm://10.0.0.1:7667"), "10.0.0.1 is no multicast address"));
+    CHECK(holds(error_of("--lcm-url udpm://nowhere"), "'nowhere' must be ADDRESS:PORT"));
+    CHECK(holds(error_of("--lcm-url pigeon://"), "LCM has no 'pigeon'"));
+    CHECK(holds(error_of("--lcm-url " + udp + "0&recv_buf_size=x"), "recv_buf_size = 'x' must"));
+    CHECK(holds(error_of("--lcm-url tcpq:// --accept-from local"), "--accept-from: "));
+    CHECK(error_of("--lcm-url udpm://").empty());
+  }
   const test::EnvironmentVariable url("LCM_DEFAULT_URL", "memq://");
   CHECK(holds(detector_error(""), "LCM_DEFAULT_URL: LCM address 'memq://'"));
   CHECK(detector_error("--lcm-url tcpq://").empty());

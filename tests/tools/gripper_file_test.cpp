@@ -47,6 +47,16 @@ TEST_CASE("a gripper is read from its file", "[gripper]") {
   CHECK(gripper.max_force == 70.0);
 }
 
+TEST_CASE("what is written of a gripper is read back the same", "[gripper]") {
+  const test::TempFolder folder;
+  for (const std::string& name : io::gripper_names()) {
+    CAPTURE(name);
+    const Gripper gripper = io::load_gripper(name);
+    const Gripper back = io::read_gripper(folder.write("g.toml", io::to_toml(gripper)));
+    CHECK(fields_of(back) == fields_of(gripper));
+  }
+}
+
 TEST_CASE("the Robotiq hands are known by name, with links that close them", "[gripper]") {
   const Gripper small = io::load_gripper("robotiq_2f85");
   CHECK(small.max_opening == 0.085);

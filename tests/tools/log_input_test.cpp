@@ -45,6 +45,16 @@ std::vector<json> comparable(const Run& run) {
   return objects;
 }
 
+/// Files have no tracks.
+std::vector<json> without_tracks(std::vector<json> objects) {
+  for (json& object : objects) {
+    for (const char* list : {"detections", "grasps"}) {
+      for (json& item : object[list]) item.erase("track");
+    }
+  }
+  return objects;
+}
+
 std::vector<json> detect(const std::string& arguments) {
   return comparable(run_quadrille("detect --json - " + arguments));
 }
@@ -131,10 +141,11 @@ TEST_CASE("plan makes of the clouds of a log what it makes of their files", "[co
   const std::string cloud = make_scene(folder, 3);
   const std::string plan = "plan --gripper franka --json - ";
   const Run through_log = run_quadrille(plan + make_log(folder, cloud));
-  CHECK(comparable(through_log) == comparable(run_quadrille(plan + cloud)));
+  CHECK(without_tracks(comparable(through_log)) ==
+        without_tracks(comparable(run_quadrille(plan + cloud))));
   const std::string two = make_log(folder, cloud + " " + cloud, "pointcloud2");
-  CHECK(comparable(run_quadrille(plan + two)) ==
-        comparable(run_quadrille(plan + cloud + " " + cloud)));
+  CHECK(without_tracks(comparable(run_quadrille(plan + two))) ==
+        without_tracks(comparable(run_quadrille(plan + cloud + " " + cloud))));
 }
 
 TEST_CASE("a damaged log gives its whole clouds and a warning", "[command][log][hostile]") {

@@ -1,3 +1,4 @@
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -150,4 +151,37 @@ TEST_CASE("conditions that contradict each other are wrong usage", "[command][qu
     CHECK(run_quadrille(plan + " " + wrong).code == 2);
   }
   CHECK(run_quadrille(plan + " --approach 1e200,0,0,10").code == 0);
+}
+
+TEST_CASE("plans of a log's clouds tell tracks, and can be asked for some", "[command][query]") {
+  const TempFolder folder;
+  const std::string table = table_in(folder), log = folder.path("o.lcm");
+  REQUIRE(run_quadrille("log " + log + " " + table + " " + table).code == 0);
+  const auto objects_of = [](const std::string& arguments) {
+    const Run run = run_quadrille(arguments);
+    REQUIRE(run.code == 0);
+    std::vector<json> objects;
+    std::istringstream lines(run.out);
+    for (std::string line; std::getline(lines, line);) objects.push_back(json::parse(line));
+    return objects;
+  };
+  const std::string plan = "plan --gripper franka --json - " + log;
+  const auto found = objects_of("detect --json - " + log), planned = objects_of(plan);
+  REQUIRE(found.size() == 2);
+  REQUIRE(planned.size() == 2);
+  for (int n : {0, 1}) {
+    std::map<int, int> tracks;
+    for (const json& d : found[n]["detections"]) tracks[d["id"]] = d["track"];
+    REQUIRE_FALSE(planned[n]["grasps"].empty());
+    for (const json& grasp : planned[n]["grasps"]) {
+      CHECK(grasp["track"] == tracks[grasp["target"]]);
+    }
+  }
+  const int track = planned[1]["grasps"][0]["track"];
+  REQUIRE(track > 0);
+  const auto asked = objects_of(plan + " --tracks " + std::to_string(track));
+  for (const json& object : asked) {
+    CHECK_FALSE(object["grasps"].empty());
+    for (const json& grasp : object["grasps"]) CHECK(grasp["track"] == track);
+  }
 }

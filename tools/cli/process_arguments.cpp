@@ -65,6 +65,14 @@ void check_distinct(const std::vector<NamedChannel>& channels) {
 
 void ProcessArguments::check() const {
   if (!in_log.empty()) return;
+  check_address(lcm_url);
+  const std::string url = bus::resolve_url(lcm_url);
+  if (!accept_from.empty() && bus::parse_url(url).provider != "udpm") {
+    throw CLI::ValidationError("--accept-from", url + " does not tell senders, only udpm does");
+  }
+}
+
+void check_address(const std::string& lcm_url) {
   try {
     bus::check_live(bus::parse_url(bus::resolve_url(lcm_url)));
   } catch (const std::invalid_argument& error) {
@@ -80,17 +88,25 @@ void add_channel_option(CLI::App& app, const std::string& name, std::string& cha
       ->capture_default_str();
 }
 
-void ProcessArguments::add_bus_to(CLI::App& app) {
+void add_address_option(CLI::App& app, std::string& lcm_url) {
   app.add_option("-l,--lcm-url", lcm_url, "LCM address; else LCM_DEFAULT_URL");
+}
+
+void add_prefix_option(CLI::App& app, std::string& prefix) {
+  app.add_option("--channel-prefix", prefix, "Begins the names of all channels")
+      ->check(CLI::Validator(check_prefix, ""))
+      ->type_name("NAME");
+}
+
+void ProcessArguments::add_bus_to(CLI::App& app) {
+  add_address_option(app, lcm_url);
   app.add_option("--accept-from", accept_from,
                  "Receive only from this machine and these addresses, networks (10.0.0.0/24) and "
-                 "interfaces; local: from no other")
+                 "interfaces, as they are at the start; local: from no other")
       ->check(CLI::Validator(check_senders, ""))
       ->type_name("SENDER,...");
   app.add_flag("--respawn", respawn, "Start anew whenever it dies");
-  app.add_option("--channel-prefix", channel_prefix, "Begins the names of all channels")
-      ->check(CLI::Validator(check_prefix, ""))
-      ->type_name("NAME");
+  add_prefix_option(app, channel_prefix);
 }
 
 void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
@@ -115,11 +131,11 @@ void ProcessArguments::add_stats_to(CLI::App& app) {
       ->type_name("FILE");
 }
 
-std::string ProcessArguments::prefixed(const std::string& channel) const {
-  if (channel.empty()) return channel;
+std::string with_prefix(const std::string& prefix, const std::string& channel) {
+  if (channel.empty() || prefix.empty()) return channel;
   const bool is_pattern = bus::ChannelPattern(channel).is_pattern();
   const std::string name =
-      is_pattern ? channel_prefix + "(" + channel + ")" : channel_prefix + channel;
+      is_pattern ? bus::pattern_of(prefix) + "(" + channel + ")" : prefix + channel;
   if (const std::string wrong = check_channel_pattern(name); !wrong.empty()) {
     throw CLI::ValidationError("--channel-prefix", wrong);
   }

@@ -9,6 +9,20 @@ class App;
 
 namespace quadrille {
 
+/// A channel, or a pattern of channels, with what begins the names of all; empty stays empty.
+/// @throws CLI::ValidationError if LCM does not take the name
+std::string with_prefix(const std::string& prefix, const std::string& channel);
+
+/// Sees to it that an address, or the one that takes its place if it is empty, can work.
+/// @throws CLI::ValidationError if it cannot, whatever the network
+void check_address(const std::string& lcm_url);
+
+/// Adds --lcm-url.
+void add_address_option(CLI::App& app, std::string& lcm_url);
+
+/// Adds --channel-prefix.
+void add_prefix_option(CLI::App& app, std::string& prefix);
+
 /// What both processes are told: where to listen, or what to replay.
 struct ProcessArguments {
   /// Empty: LCM_DEFAULT_URL, or LCM's default.
@@ -29,8 +43,8 @@ struct ProcessArguments {
   /// File that always holds the last status, for node exporters; empty for none.
   std::string stats_file;
 
-  /// Adds --lcm-url, --in-log, --out-log, --copy-input, --accept-from, --respawn, --verbose and
-  /// --stats-file; this must outlive the app.
+  /// Adds --in-log, --out-log, --copy-input and --verbose, and what the other two add; this must
+  /// outlive the app.
   /// @param work  what is logged with --verbose, such as "cloud"
   void add_to(CLI::App& app, const std::string& work);
 
@@ -40,9 +54,11 @@ struct ProcessArguments {
   /// Adds --stats-file.
   void add_stats_to(CLI::App& app);
 
-  /// The channel with the prefix; empty stays empty.
+  /// The channel with the prefix.
   /// @throws CLI::ValidationError if LCM does not take the name
-  std::string prefixed(const std::string& channel) const;
+  std::string prefixed(const std::string& channel) const {
+    return with_prefix(channel_prefix, channel);
+  }
 
   /// Sees to it that the bus which is used, if one is, is reached through an address that can work.
   /// @throws CLI::ValidationError if it cannot
@@ -53,6 +69,20 @@ struct ProcessArguments {
 struct NamedChannel {
   std::string option, name;
 };
+
+/// Which way the messages of a channel go.
+enum class Way { kIn, kOut };
+
+/// The channels that the visit_channels() of a process's settings lists, with their options.
+template <class Settings>
+std::vector<NamedChannel> channels_of(const Settings& settings) {
+  std::vector<NamedChannel> channels;
+  Settings::visit_channels(settings,
+                           [&](Way, const char* option, const std::string& name, const char*) {
+                             channels.push_back({option, name});
+                           });
+  return channels;
+}
 
 /// Sees to it that no two of some channels are one: a message of one kind would be taken for
 /// another.

@@ -47,8 +47,11 @@ void keep_freed_memory() {
 
 int run_program(CLI::App& app, int argc, const char* const* argv,
                 const std::function<void()>& work) {
-  app.set_version_flag("--version", app.get_name() + " " + QUADRILLE_VERSION,
-                       "Print the version and exit");
+  const std::string version = app.get_name() + " " + QUADRILLE_VERSION;
+  app.set_version_flag("--version", version, "Print the version and exit");
+  for (CLI::App* command : app.get_subcommands({})) {
+    command->set_version_flag("--version", version, "Print the version and exit");
+  }
   app.failure_message(describe_usage_error);
   keep_freed_memory();
   try {

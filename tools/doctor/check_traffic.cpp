@@ -3,72 +3,28 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
-#include <set>
+
+#include "io/describe.hpp"
+#include "quadrille/bus/channel_pattern.hpp"
 
 namespace quadrille::doctor {
 namespace {
 
 std::string describe(const Stream& stream, double seconds) {
-  return fmt::format("{} clouds of up to {} bytes in {:g} s from {}", stream.messages,
-                     stream.max_bytes, seconds, stream.sender);
+  return fmt::format("{} of up to {} bytes in {:g} s on {} from {}",
+                     io::count_of(static_cast<std::size_t>(stream.messages), "cloud"),
+                     stream.max_bytes, seconds, stream.channel, stream.sender);
 }
 
-/// What sends a kind of message, the name of its channel's option, and what to do about two.
-struct Worker {
-  Kind kind;
-  const char *name, *option;
-};
-constexpr Worker kWorkers[] = {{Kind::kQuadrics, "detectors", "--out-channel"},
-                               {Kind::kDetectorStatus, "detectors", "--status-channel"},
-                               {Kind::kGrasps, "planners", "--grasps-channel"},
-                               {Kind::kPlannerStatus, "planners", "--status-channel"}};
-
-/// The senders on a channel that sent such messages during one common time. One that begins when
-/// the other has ended is a process that was started anew.
-std::set<std::string> common_senders(const std::vector<Stream>& streams, const std::string& channel,
-                                     Kind kind) {
-  std::set<std::string> senders;
-  for (const Stream& one : streams) {
-    for (const Stream& other : streams) {
-      const bool both = one.channel == channel && other.channel == channel && one.kind == kind &&
-                        other.kind == kind && one.sender != other.sender;
-      if (both && one.first <= other.last && other.first <= one.last) senders.insert(one.sender);
-    }
-  }
-  return senders;
-}
-
-void check_twins(const std::vector<Stream>& streams, const std::string& channel,
-                 Findings* findings) {
-  for (const Worker& worker : kWorkers) {
-    const auto senders = common_senders(streams, channel, worker.kind);
-    if (senders.empty()) continue;
-    findings->push_back(
-        {Verdict::kFailed, "others",
-         fmt::format("{} {} answer on {}: {}", senders.size(), worker.name, channel,
-                     fmt::join(senders, ", ")),
-         fmt::format("sudo ss -uanp tells whose port that is; end all but one, or give each a "
-                     "channel of its own with {}",
-                     worker.option)});
-  }
-}
-
-void check_clash(const std::vector<Stream>& streams, const std::string& channel,
-                 Findings* findings) {
-  std::set<std::int64_t> types;
-  std::set<std::string> senders;
-  for (const Stream& stream : streams) {
-    if (stream.channel != channel) continue;
-    // Clouds of several types may share a channel.
-    types.insert(stream.kind == Kind::kCloud ? 0 : stream.fingerprint);
-    senders.insert(stream.sender);
-  }
-  if (types.size() < 2) return;
-  findings->push_back({Verdict::kFailed, "others",
-                       fmt::format("messages of {} types on {}, from {}", types.size(), channel,
-                                   fmt::join(senders, ", ")),
-                       "give each type a channel of its own"});
+/// What has the processes listen to a channel on which clouds came.
+/// @param prefix  of --channel-prefix; empty for none
+std::string advise_channel(const std::string& channel, const std::string& prefix) {
+  const bool begins = !prefix.empty() && channel.starts_with(prefix);
+  const std::string advice = fmt::format(
+      "quadrille-detector --in-channel {0}, quadrille-grasp-planner --cloud-channel {0}",
+      begins ? channel.substr(prefix.size()) : channel);
+  if (prefix.empty()) return advice;
+  return fmt::format("{}, {} --channel-prefix {}", advice, begins ? "with" : "without", prefix);
 }
 
 Finding describe_clock(const Stream& stream, double seconds_off) {
@@ -109,11 +65,13 @@ void check_clock(const Stream& stream, Findings* findings) {
 
 }  // namespace
 
-Finding check_clouds(const Traffic& traffic, const std::string& cloud_channel, double seconds) {
+Finding check_clouds(const Traffic& traffic, const std::string& cloud_channel, double seconds,
+                     const std::string& prefix) {
+  const bus::ChannelPattern wanted(cloud_channel);
   std::string here, elsewhere, channel;
   for (const Stream& stream : traffic.streams()) {
     if (stream.kind != Kind::kCloud) continue;
-    if (stream.channel == cloud_channel) {
+    if (wanted.matches(stream.channel)) {
       here += fmt::format("{}{}", here.empty() ? "" : "; ", describe(stream, seconds));
     } else {
       channel = stream.channel;
@@ -127,50 +85,34 @@ Finding check_clouds(const Traffic& traffic, const std::string& cloud_channel, d
   }
   return {Verdict::kFailed, "clouds",
           fmt::format("none on {}, but some on {}", cloud_channel, elsewhere),
-          fmt::format("quadrille-detector --in-channel {0}, quadrille-grasp-planner "
-                      "--cloud-channel {0}",
-                      channel)};
+          advise_channel(channel, prefix)};
 }
 
-Finding check_losses(const Traffic& traffic) {
+Finding check_losses(const Traffic& traffic, int port) {
   std::int64_t messages = 0, missing = 0, incomplete = 0;
   for (const auto& [name, sender] : traffic.senders()) {
     messages += sender.messages;
     missing += sender.missing;
     incomplete += sender.incomplete;
   }
-  Finding finding{Verdict::kOk, "losses",
-                  fmt::format("{} messages of {} senders; {} missing, {} incomplete", messages,
-                              traffic.senders().size(), missing, incomplete)};
+  Finding finding{
+      Verdict::kOk, "losses",
+      fmt::format("{} of {}; {} missing, {} incomplete",
+                  io::count_of(static_cast<std::size_t>(messages), "message"),
+                  io::count_of(traffic.senders().size(), "sender"), missing, incomplete)};
   if (traffic.malformed() > 0) {
     finding.verdict = Verdict::kWarning;
-    finding.what += fmt::format("; {} datagrams that are not LCM's", traffic.malformed());
-    finding.remedy =
-        "find who sends to this port: sudo tcpdump -ni any udp port 7667; shut others "
-        "out with --accept-from";
+    finding.what += fmt::format(
+        "; {} not of LCM", io::count_of(static_cast<std::size_t>(traffic.malformed()), "datagram"));
+    finding.remedy = fmt::format(
+        "find who sends to this port: sudo tcpdump -ni any udp port {}; shut others out with "
+        "--accept-from",
+        port);
   }
   if (missing + incomplete == 0) return finding;
   finding.verdict = Verdict::kFailed;
   finding.remedy = "larger buffers (see buffers), fewer or smaller messages, or a faster network";
   return finding;
-}
-
-Findings check_others(const Traffic& traffic, const std::string& cloud_channel) {
-  Findings findings;
-  const auto streams = traffic.streams();
-  std::set<std::string> channels = {cloud_channel};
-  for (const Stream& stream : streams) {
-    if (stream.kind != Kind::kOther) channels.insert(stream.channel);
-  }
-  for (const std::string& channel : channels) {
-    check_twins(streams, channel, &findings);
-    check_clash(streams, channel, &findings);
-  }
-  if (findings.empty()) {
-    findings.push_back(
-        {Verdict::kOk, "others", "no two detectors, planners or types share a channel"});
-  }
-  return findings;
 }
 
 Findings check_clocks(const Traffic& traffic, std::int64_t now) {

@@ -9,12 +9,17 @@
 namespace quadrille::doctor {
 
 /// Whether clouds come, and on the channel on which the detector looks for them.
-Finding check_clouds(const Traffic& traffic, const std::string& cloud_channel, double seconds);
+/// @param cloud_channel  or a pattern of channels
+/// @param prefix         of --channel-prefix, with which that begins
+Finding check_clouds(const Traffic& traffic, const std::string& cloud_channel, double seconds,
+                     const std::string& prefix = "");
 
 /// Whether messages got lost on their way to this machine.
-Finding check_losses(const Traffic& traffic);
+/// @param port  of the LCM address
+Finding check_losses(const Traffic& traffic, int port);
 
 /// Whether only one process does each work on each channel, and one type comes on each.
+/// @param cloud_channel  or a pattern of channels
 Findings check_others(const Traffic& traffic, const std::string& cloud_channel);
 
 /// Whether messages tell times that can be told apart, of one clock.

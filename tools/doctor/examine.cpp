@@ -1,8 +1,11 @@
 #include "doctor/examine.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 
 #include "doctor/check_network.hpp"
@@ -10,18 +13,24 @@
 #include "doctor/listen.hpp"
 #include "doctor/round_trip.hpp"
 #include "quadrille/bus/clock.hpp"
+#include "quadrille/bus/network.hpp"
 
 namespace quadrille::doctor {
 namespace {
 
+constexpr std::size_t kUsualBytes = bus::kUsualCloudBytes;
+
 /// What a check finds; an error is a failure of it.
-Finding attempt(const std::string& check, const std::function<Finding()>& examine) {
+Finding attempt(const std::string& check, const std::function<Finding()>& examine,
+                const std::string& remedy = "see above") {
   try {
     return examine();
   } catch (const std::exception& error) {
-    return {Verdict::kFailed, check, error.what(), "see above, or the address of --lcm-url"};
+    return {Verdict::kFailed, check, error.what(), remedy};
   }
 }
+
+int port_of(const bus::Url& url) { return ntohs(bus::multicast_group(url).sin_port); }
 
 void append(const Findings& more, Findings* findings) {
   findings->insert(findings->end(), more.begin(), more.end());
@@ -41,27 +50,45 @@ void examine_trips(const bus::Url& url, std::size_t cloud_bytes, const std::stri
   }));
 }
 
+/// What is heard on the bus; what keeps it from being heard becomes a finding.
+std::optional<Traffic> try_to_listen(const bus::Url& url, double seconds, Findings* findings) {
+  std::optional<Traffic> heard;
+  const Finding failure = attempt(
+      "listening",
+      [&] {
+        heard = listen(url, std::chrono::milliseconds(static_cast<int>(1000.0 * seconds)));
+        return Finding{};
+      },
+      fmt::format("see who holds the port: ss -lunp sport = :{}; and net.ipv4.igmp_max_memberships",
+                  port_of(url)));
+  if (!heard) findings->push_back(failure);
+  return heard;
+}
+
+void examine_traffic(const Traffic& traffic, const bus::Url& url, const Questions& questions,
+                     Findings* findings) {
+  findings->push_back(
+      check_clouds(traffic, questions.cloud_channel, questions.seconds, questions.channel_prefix));
+  findings->push_back(check_losses(traffic, port_of(url)));
+  append(check_others(traffic, questions.cloud_channel), findings);
+  append(check_clocks(traffic, bus::wall_clock_utime()), findings);
+}
+
 void examine_udpm(const bus::Url& url, const Questions& questions, Findings* findings) {
   findings->push_back(attempt("route", [&] { return check_route(url); }));
   if (has_failure(*findings)) return;
   findings->push_back(check_interface(url));
   findings->push_back(check_ttl(url));
-  if (findings->back().verdict == Verdict::kFailed) return;
-  const auto duration = std::chrono::milliseconds(static_cast<int>(1000.0 * questions.seconds));
-  const Traffic traffic = listen(url, duration);
-  const std::size_t seen = traffic.largest_cloud();
+  const std::optional<Traffic> traffic = try_to_listen(url, questions.seconds, findings);
+  const std::size_t seen = traffic ? traffic->largest_cloud() : 0;
   const bool is_told = questions.cloud_bytes > 0;
-  const std::size_t bytes =
-      is_told ? questions.cloud_bytes : (seen > 0 ? std::size_t{seen} : kUsualCloudBytes);
+  const std::size_t bytes = is_told ? questions.cloud_bytes : (seen > 0 ? seen : kUsualBytes);
   const Finding buffers =
-      check_buffers(buffers_of(url), bytes,
+      check_buffers(buffers_of(url), static_cast<std::int64_t>(bytes),
                     is_told ? "--cloud-bytes" : (seen > 0 ? "seen on the bus" : "640x480 points"));
   findings->push_back(buffers);
   examine_trips(url, bytes, buffers.remedy, findings);
-  findings->push_back(check_clouds(traffic, questions.cloud_channel, questions.seconds));
-  findings->push_back(check_losses(traffic));
-  append(check_others(traffic, questions.cloud_channel), findings);
-  append(check_clocks(traffic, bus::wall_clock_utime()), findings);
+  if (traffic) examine_traffic(*traffic, url, questions, findings);
 }
 
 }  // namespace
@@ -69,16 +96,19 @@ void examine_udpm(const bus::Url& url, const Questions& questions, Findings* fin
 Findings examine(const Questions& questions) {
   bus::Url url;
   Findings findings;
-  findings.push_back(attempt("address", [&] {
-    url = bus::parse_url(questions.url);
-    return check_address(url);
-  }));
+  findings.push_back(attempt(
+      "address",
+      [&] {
+        url = bus::parse_url(questions.url);
+        return check_address(url);
+      },
+      kMendAddress));
   if (has_failure(findings)) return findings;
   if (url.provider == "udpm") {
     examine_udpm(url, questions, &findings);
   } else {
-    examine_trips(url, questions.cloud_bytes > 0 ? questions.cloud_bytes : kUsualCloudBytes, "",
-                  &findings);
+    examine_trips(url, questions.cloud_bytes > 0 ? questions.cloud_bytes : kUsualBytes,
+                  findings.front().remedy, &findings);
   }
   return findings;
 }

@@ -43,7 +43,7 @@ int ms_until(Clock::time_point end) {
 
 Traffic listen(const bus::Url& url, std::chrono::milliseconds duration) {
   const Socket socket;
-  join(socket, group_of(url));
+  join(socket, bus::multicast_group(url));
   Traffic traffic;
   std::vector<std::byte> buffer(1 << 16);
   const Clock::time_point end = Clock::now() + duration;

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <fstream>
 #include <memory>
@@ -69,24 +68,6 @@ Socket::Socket() : fd_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
 }
 
 Socket::~Socket() { close(fd_); }
-
-sockaddr_in group_of(const bus::Url& url) {
-  const std::string network = url.network.empty() ? "239.255.76.67:7667" : url.network;
-  const std::size_t colon = network.find(':');
-  sockaddr_in group = {};
-  group.sin_family = AF_INET;
-  std::uint16_t port = 0;
-  const char* end = network.data() + network.size();
-  const char* start = colon == std::string::npos ? end : network.data() + colon + 1;
-  const auto [rest, error] = std::from_chars(start, end, port);
-  if (inet_pton(AF_INET, network.substr(0, colon).c_str(), &group.sin_addr) != 1 ||
-      error != std::errc{} || rest != end || port == 0) {
-    throw std::invalid_argument(
-        fmt::format("udpm address '{}': must be ADDRESS:PORT such as 239.255.76.67:7667", network));
-  }
-  group.sin_port = htons(port);
-  return group;
-}
 
 std::string to_text(const sockaddr_in& address) {
   return fmt::format("{}:{}", host_of(address), ntohs(address.sin_port));

@@ -5,13 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "quadrille/bus/url.hpp"
-
 namespace quadrille::doctor {
-
-/// The group and port of a udpm address.
-/// @throws std::invalid_argument if they cannot be read
-sockaddr_in group_of(const bus::Url& url);
 
 /// "ADDRESS:PORT".
 std::string to_text(const sockaddr_in& address);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "io/describe.hpp"
+
 namespace quadrille::doctor {
 namespace {
 
@@ -20,9 +22,10 @@ const char* word_of(Verdict verdict) {
   return "failed";
 }
 
-auto count_of(Verdict verdict, const Findings& findings) {
-  return std::count_if(findings.begin(), findings.end(),
-                       [&](const Finding& found) { return found.verdict == verdict; });
+std::size_t number_of(Verdict verdict, const Findings& findings) {
+  return static_cast<std::size_t>(
+      std::count_if(findings.begin(), findings.end(),
+                    [&](const Finding& found) { return found.verdict == verdict; }));
 }
 
 }  // namespace
@@ -33,11 +36,11 @@ std::string to_table(const Findings& findings) {
     table += fmt::format("{:<8} {:<15} {}\n", word_of(found.verdict), found.check, found.what);
     if (!found.remedy.empty()) table += fmt::format("{:<24} -> {}\n", "", found.remedy);
   }
-  const auto failed = count_of(Verdict::kFailed, findings);
-  const auto warnings = count_of(Verdict::kWarning, findings);
-  table += failed == 0 ? fmt::format("clouds will arrive ({} warnings)\n", warnings)
-                       : fmt::format("not all clouds will arrive: {} failed, {} warnings\n", failed,
-                                     warnings);
+  const auto failed = number_of(Verdict::kFailed, findings);
+  const std::string warnings = io::count_of(number_of(Verdict::kWarning, findings), "warning");
+  table += failed == 0
+               ? fmt::format("clouds will arrive ({})\n", warnings)
+               : fmt::format("not all clouds will arrive: {} failed, {}\n", failed, warnings);
   return table;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <lcmtypes/bot_core/pointcloud2_t.hpp>
 #include <lcmtypes/bot_core/pointcloud_t.hpp>
+#include <lcmtypes/bot_core/pose_t.hpp>
 #include <lcmtypes/drake/lcmt_point_cloud.hpp>
 #include <lcmtypes/quadrille/detector_status_t.hpp>
 #include <lcmtypes/quadrille/grasps_t.hpp>
@@ -41,6 +42,7 @@ Kind kind_of(std::int64_t fingerprint) {
       {drake::lcmt_point_cloud::getHash(), Kind::kCloud},
       {bot_core::pointcloud2_t::getHash(), Kind::kCloud},
       {bot_core::pointcloud_t::getHash(), Kind::kCloud},
+      {bot_core::pose_t::getHash(), Kind::kPose},
       {quadrics_t::getHash(), Kind::kQuadrics},
       {grasps_t::getHash(), Kind::kGrasps},
       {detector_status_t::getHash(), Kind::kDetectorStatus},
@@ -56,7 +58,9 @@ void Traffic::add(const std::string& sender, std::span<const std::byte> bytes, s
     return;
   }
   const std::pair key(datagram->channel, sender);
-  const bool is_new = receptions_.count(sender) == 0 || streams_.count(key) == 0;
+  // Only the first fragment names its channel.
+  const bool is_new =
+      receptions_.count(sender) == 0 || (datagram->fragment == 0 && streams_.count(key) == 0);
   if (is_new && std::max(receptions_.size(), streams_.size()) >= kMaxStreams) {
     ++crowded_out_;
     return;

@@ -12,7 +12,7 @@
 namespace quadrille::doctor {
 
 /// What messages carry, told by their fingerprints.
-enum class Kind { kCloud, kQuadrics, kGrasps, kDetectorStatus, kPlannerStatus, kOther };
+enum class Kind { kCloud, kPose, kQuadrics, kGrasps, kDetectorStatus, kPlannerStatus, kOther };
 
 Kind kind_of(std::int64_t fingerprint);
 

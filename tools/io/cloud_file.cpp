@@ -2,24 +2,65 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <filesystem>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "io/file_bytes.hpp"
+#include "io/gzip.hpp"
 #include "io/pcd.hpp"
 #include "io/ply.hpp"
+#include "io/xyz.hpp"
 
 namespace quadrille::io {
+namespace {
 
-PointCloud read_cloud(const std::string& path, const Eigen::Isometry3d& X_CF) {
-  std::string extension = std::filesystem::path(path).extension().string();
+using Parser = PointCloud (*)(std::span<const std::byte> bytes, const std::string& name,
+                              const Eigen::Isometry3d& X_CF);
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (extension == ".ply") return read_ply(path, X_CF);
-  if (extension == ".pcd") return read_pcd(path, X_CF);
-  if (!std::filesystem::exists(path)) throw FileError(path, "", "no such file; check the path");
-  throw FileError(
-      path, "",
-      "unknown kind of file; give a .ply or .pcd file, or (to detect and plan) an LCM log");
+  return extension;
+}
+
+/// nullptr if there is none.
+Parser parser_of(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".gz") return parser_of(path.stem());
+  if (extension == ".ply") return parse_ply;
+  if (extension == ".pcd") return parse_pcd;
+  if (extension == ".xyz") return parse_xyz;
+  return nullptr;
+}
+
+/// Of text without a file's name.
+Parser parser_of(std::span<const std::byte> bytes) {
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()),
+                              std::min<std::size_t>(bytes.size(), 1000));
+  if (text.starts_with("ply")) return parse_ply;
+  return text.find("FIELDS") != std::string_view::npos ? parse_pcd : parse_xyz;
+}
+
+}  // namespace
+
+PointCloud read_cloud(const std::string& path, const Eigen::Isometry3d& X_CF) {
+  const bool is_input = path == "-";
+  const Parser named = parser_of(std::filesystem::path(path));
+  if (!is_input && !named) {
+    if (!std::filesystem::exists(path)) throw FileError(path, "", "no such file; check the path");
+    throw FileError(path, "",
+                    "unknown kind of file; give a .ply, .pcd or .xyz file, or (to detect and plan) "
+                    "an LCM log");
+  }
+  const std::string name = is_input ? "standard input" : path;
+  std::vector<std::byte> bytes = is_input ? read_standard_input() : read_file(path);
+  if (is_input && bytes.empty()) throw FileError(name, "", "is empty; pipe a cloud into it");
+  if (is_gzip(bytes)) bytes = gunzip(bytes, name);
+  return (is_input ? parser_of(std::span<const std::byte>(bytes)) : named)(bytes, name, X_CF);
 }
 
 }  // namespace quadrille::io

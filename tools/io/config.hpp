@@ -2,6 +2,7 @@
 
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/tracker.hpp"
@@ -24,5 +25,9 @@ struct DetectorConfig {
 /// @throws FileError naming line and key if the file is missing or no TOML, if a key is unknown, or
 ///         if a value has the wrong type or is out of range
 DetectorConfig load_detector_config(const std::string& path);
+
+/// The same from the text of such a file.
+/// @param path  what it is called in errors
+DetectorConfig parse_detector_config(std::string_view text, const std::string& path);
 
 }  // namespace quadrille::io

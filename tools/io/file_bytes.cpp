@@ -1,6 +1,7 @@
 #include "io/file_bytes.hpp"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -40,6 +41,21 @@ std::vector<std::byte> read_file(const std::string& path) {
   std::vector<std::byte> bytes(size);
   in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
   bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
+
+std::vector<std::byte> read_standard_input() {
+  constexpr std::size_t kMaxBytes = std::size_t{1} << 31, kPiece = 1 << 20;
+  std::vector<std::byte> bytes;
+  for (std::size_t got = kPiece; got == kPiece;) {
+    const std::size_t before = bytes.size();
+    if (before > kMaxBytes) {
+      throw FileError("standard input", "", "is more than 2 GiB; thin the cloud out");
+    }
+    bytes.resize(before + kPiece);
+    got = std::fread(bytes.data() + before, 1, kPiece, stdin);
+    bytes.resize(before + got);
+  }
   return bytes;
 }
 

@@ -21,4 +21,8 @@ class FileError : public std::runtime_error {
 /// @throws FileError if it is missing, is no regular file, or cannot be read
 std::vector<std::byte> read_file(const std::string& path);
 
+/// All that comes on the standard input.
+/// @throws FileError if that is more than 2 GiB
+std::vector<std::byte> read_standard_input();
+
 }  // namespace quadrille::io

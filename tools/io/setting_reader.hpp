@@ -71,6 +71,11 @@ class SettingReader {
   /// @throws FileError if the file is missing or no TOML
   explicit SettingReader(const std::string& path) : path_(path), table_(read_toml(path)) {}
 
+  /// Reads TOML that is called `path` in errors.
+  /// @throws FileError if it is none
+  SettingReader(std::string_view text, const std::string& path)
+      : path_(path), table_(parse_toml(text, path)) {}
+
   /// Sets what the file gives and leaves the rest.
   /// @throws FileError naming line and key if a value has the wrong type
   template <class Options>

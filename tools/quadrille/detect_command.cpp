@@ -1,8 +1,6 @@
 #include "quadrille/detect_command.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cstdint>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,10 +16,10 @@
 #include "picture/png.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
-#include "quadrille/detector/tracker.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
+#include "quadrille/tracking.hpp"
 
 namespace quadrille {
 namespace {
@@ -32,29 +30,6 @@ struct DetectArguments {
   bool track = false;
   DetectorArguments detector;
   InputArguments input;
-};
-
-/// Tracks the clouds of each source: of a channel of a log, or of all the files.
-class Tracking {
- public:
-  Tracking(const TrackOptions& options, bool files_too)
-      : options_(options), files_too_(files_too) {}
-
-  void add_to(const InputCloud& input, const std::string& path,
-              std::vector<Detection>* detections) {
-    const bool logged = !input.channel.empty();
-    if (!logged && !files_too_) return;
-    // Files have no time; `quadrille log` would give them this one.
-    const std::int64_t utime = logged ? input.utime : 100000 * ++files_;
-    auto [tracker, is_new] = trackers_.try_emplace({logged ? path : "", input.channel}, options_);
-    tracker->second.update(utime, Eigen::Isometry3d::Identity(), detections);
-  }
-
- private:
-  TrackOptions options_;
-  bool files_too_;
-  std::int64_t files_ = 0;
-  std::map<std::pair<std::string, std::string>, Tracker> trackers_;
 };
 
 io::RunInfo run_info(const DetectArguments& arguments, const DetectorSetup& setup) {

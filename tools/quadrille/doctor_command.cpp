@@ -22,12 +22,16 @@ struct DoctorArguments {
 };
 
 void run(DoctorArguments arguments) {
-  arguments.questions.url = bus::resolve_url(arguments.questions.url);
+  doctor::Questions& questions = arguments.questions;
+  const std::string given = questions.url;
+  questions.url = bus::resolve_url(given);
+  questions.cloud_channel = with_prefix(questions.channel_prefix, questions.cloud_channel);
   JsonLines json(arguments.json);
-  const doctor::Findings findings = doctor::examine(arguments.questions);
-  json.write(doctor::to_json(arguments.questions.url, findings));
+  const doctor::Findings findings = doctor::examine(questions);
+  json.write(doctor::to_json(questions.url, findings));
   json.finish();
   if (!json.owns_stdout()) print(doctor::to_table(findings));
+  check_address(given);
   if (doctor::has_failure(findings)) {
     throw std::runtime_error("doctor: not all clouds will arrive; mend what has failed");
   }
@@ -38,10 +42,13 @@ void run(DoctorArguments arguments) {
 void add_doctor_command(CLI::App& app) {
   auto arguments = std::make_shared<DoctorArguments>();
   CLI::App* command =
-      app.add_subcommand("doctor", "Check the network: will clouds arrive over LCM?");
+      app.add_subcommand("doctor",
+                         "Check the network: will clouds arrive over LCM? Sends ten messages as "
+                         "large as a cloud, and some small ones, on this machine's bus");
   doctor::Questions& questions = arguments->questions;
-  command->add_option("-l,--lcm-url", questions.url, "LCM address; else LCM_DEFAULT_URL");
-  add_channel_option(*command, "--cloud-channel", questions.cloud_channel, "clouds");
+  add_address_option(*command, questions.url);
+  add_pattern_option(*command, "--cloud-channel", questions.cloud_channel, "clouds");
+  add_prefix_option(*command, questions.channel_prefix);
   command
       ->add_option("--cloud-bytes", questions.cloud_bytes,
                    "Size of the clouds; else the largest seen on the bus, or 640x480 points")

@@ -14,7 +14,9 @@ namespace quadrille {
 
 /// What --help says of the inputs.
 inline constexpr const char* kInputs =
-    "Clouds: .ply, .pcd or LCM logs; clouds.lcm#2 is the second cloud of a log, from 1 on";
+    "Clouds: .ply, .pcd, .xyz (also .gz), - for one on stdin, or LCM logs; clouds.lcm#2 is the "
+    "second "
+    "cloud of a log, from 1 on";
 
 /// Which clouds of the inputs are wanted, and where the sensor stood, as the command line has it.
 struct InputArguments {

@@ -1,4 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <string_view>
+#include <vector>
 
 #include "cli/run_program.hpp"
 #include "quadrille/config_command.hpp"
@@ -14,7 +16,26 @@
 #include "quadrille/try_command.hpp"
 #include "quadrille/view_command.hpp"
 
+namespace {
+
+/// `help` and `help COMMAND` as the options that they mean.
+std::vector<char*> without_help(int argc, char** argv) {
+  static char option[] = "--help";
+  std::vector<char*> words(argv, argv + argc);
+  if (argc > 1 && std::string_view(argv[1]) == "help") {
+    words.erase(words.begin() + 1);
+    words.push_back(option);
+  }
+  return words;
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  std::vector<char*> words = without_help(argc, argv);
+  argc = static_cast<int>(words.size());
+  words.push_back(nullptr);
+  argv = words.data();
   if (quadrille::is_lab_command(argc, argv)) return quadrille::run_lab(argv);
   CLI::App app("Finds quadrics in point clouds and plans grasps on them", "quadrille");
   app.require_subcommand(1);

@@ -35,6 +35,7 @@
 #include "quadrille/inputs.hpp"
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
+#include "quadrille/tracking.hpp"
 
 namespace quadrille {
 namespace {
@@ -167,10 +168,11 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
 }
 
 void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const std::string& path,
-                const InputCloud& input, PlanOutput* output) {
+                const InputCloud& input, Tracking* tracking, PlanOutput* output) {
   io::RunInfo info = setup.info;
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
   DetectionResult found = detect_quadrics(input.cloud, setup.detector.options);
+  tracking->add_to(input, path, &found.detections);
   // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);
   const GraspQuery query = moved(arguments.query.query(), input.X_CK.inverse());
@@ -209,8 +211,9 @@ void run(const PlanArguments& arguments) {
                     PicturePaths(arguments.picture, may_be_several(arguments.inputs)),
                     {}};
   if (!arguments.map.empty()) output.map.emplace(arguments.map);
+  Tracking tracking(setup.detector.track, false);
   const auto visit = [&](const std::string& path, const InputCloud& input) {
-    plan_cloud(arguments, setup, path, input, &output);
+    plan_cloud(arguments, setup, path, input, &tracking, &output);
   };
   if (arguments.map.empty() && arguments.views.empty()) {
     const ReadingResult read = for_each_input(arguments.inputs, arguments.input, visit);

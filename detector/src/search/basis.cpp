@@ -14,10 +14,6 @@ double b(const std::array<OrientedPoint, 3>& basis, int i, int j) {
   return basis[i].n.dot(basis[j].x - basis[i].x);
 }
 
-// Least area of a basis's triangle, twice, over the square of its longest side: of flatter ones the
-// plane is chance.
-constexpr double kMinAreaShare = 0.05;
-
 }  // namespace
 
 double inconsistency(const std::array<OrientedPoint, 3>& basis) {
@@ -27,13 +23,14 @@ double inconsistency(const std::array<OrientedPoint, 3>& basis) {
   return size > 0.0 ? std::abs(one_way - other_way) / size : 0.0;
 }
 
-std::optional<Pencil> make_pencil(const std::array<OrientedPoint, 3>& basis) {
+std::optional<Pencil> make_pencil(const std::array<OrientedPoint, 3>& basis,
+                                  double min_area_share) {
   const Eigen::Vector3d &x1 = basis[0].x, &x2 = basis[1].x, &x3 = basis[2].x;
   const Eigen::Vector3d cross = (x2 - x1).cross(x3 - x1);
   const double area = cross.norm();
   const double max_square =
       std::max({(x2 - x1).squaredNorm(), (x3 - x2).squaredNorm(), (x1 - x3).squaredNorm()});
-  if (!(area > kMinAreaShare * max_square)) return std::nullopt;
+  if (!(area > min_area_share * max_square)) return std::nullopt;
   const Eigen::Vector3d m = cross / area;
   // Barycentric coordinates: uᵢ is 1 at xᵢ and 0 on the opposite edge.
   const Eigen::Vector3d g1 = m.cross(x3 - x2) / area;

@@ -9,6 +9,7 @@
 #include "fit/monomials.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "search/basis.hpp"
+#include "search/gradient_scales.hpp"
 #include "search/sphere_vote.hpp"
 #include "search/web_vote.hpp"
 
@@ -31,15 +32,17 @@ OrientedPoint draw(const OrientedPointsf& voters, RandomStream& random) {
   return voters.at(k);
 }
 
-std::optional<Pencil> draw_pencil(const OrientedPointsf& voters, RandomStream& random,
-                                  BasisMemory* memory = nullptr) {
+std::optional<Pencil> draw_pencil(const OrientedPointsf& voters, GradientLengths lengths,
+                                  RandomStream& random, BasisMemory* memory = nullptr) {
   std::array<OrientedPoint, 3> basis;
   std::array<int, 3> which;
   for (std::size_t i = 0; i < 3; ++i) {
     which[i] = draw_index(voters, random);
     basis[i] = voters.at(which[i]);
   }
-  std::optional<Pencil> pencil = make_pencil(basis);
+  std::optional<Pencil> pencil = lengths == GradientLengths::kSolved
+                                     ? make_scaled_pencil(basis, kScaleSoftness)
+                                     : make_pencil(basis);
   if (pencil && inconsistency(basis) > kMaxInconsistency) pencil.reset();
   if (!pencil || !memory) return pencil;
   for (int& index : which) index = memory->sample_of_voter[static_cast<std::size_t>(index)];
@@ -51,7 +54,7 @@ std::vector<Eigen::Matrix4d> through_three(const OrientedPointsf& voters,
                                            const VoteOptions& options, RandomStream& random,
                                            BasisMemory* memory) {
   std::vector<Eigen::Matrix4d> list;
-  if (const std::optional<Pencil> pencil = draw_pencil(voters, random, memory)) {
+  if (const std::optional<Pencil> pencil = draw_pencil(voters, options.lengths, random, memory)) {
     for (const VotePeak& peak : vote(*pencil, voters, options)) {
       list.push_back(pencil->at(peak.lambda));
     }
@@ -61,7 +64,7 @@ std::vector<Eigen::Matrix4d> through_three(const OrientedPointsf& voters,
 
 std::vector<Eigen::Matrix4d> through_four(const OrientedPointsf& voters, const VoteOptions& options,
                                           RandomStream& random) {
-  const std::optional<Pencil> pencil = draw_pencil(voters, random);
+  const std::optional<Pencil> pencil = draw_pencil(voters, options.lengths, random);
   const Eigen::Vector4d x = draw(voters, random).x.homogeneous();
   if (!pencil) return {};
   const double height = pencil->plane.dot(x);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/random.hpp"
+#include "search/cluster_hypotheses.hpp"
 
 namespace quadrille {
 namespace {
@@ -32,9 +33,39 @@ std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float ra
 }
 
 struct Hypothesis {
-  Quadric Q;
+  /// In the coordinates of the voters.
+  Eigen::Matrix4d Q = Eigen::Matrix4d::Zero();
   int support = 0;
 };
+
+/// The first of those with the most support; none has no support.
+Hypothesis best_of(const std::vector<Hypothesis>& all) {
+  Hypothesis best;
+  for (const Hypothesis& hypothesis : all) {
+    if (hypothesis.support > best.support) best = hypothesis;
+  }
+  return best;
+}
+
+/// The best of the cluster whose members have the most support together (paper, "Hypotheses
+/// aggregation").
+Hypothesis best_of_clusters(const std::vector<Hypothesis>& all, const ClusterOptions& options) {
+  std::vector<Eigen::Matrix4d> quadrics;
+  for (const Hypothesis& hypothesis : all) quadrics.push_back(hypothesis.Q);
+  Hypothesis best;
+  int most = 0;
+  for (const std::vector<int>& cluster :
+       cluster_hypotheses(quadrics, options.max_difference, options.max_close)) {
+    std::vector<Hypothesis> members;
+    int support = 0;
+    for (const int i : cluster) {
+      members.push_back(all[static_cast<std::size_t>(i)]);
+      support += members.back().support;
+    }
+    if (support > most) most = support, best = best_of(members);
+  }
+  return best;
+}
 
 class Searcher {
  public:
@@ -87,16 +118,16 @@ class Searcher {
       // The same samples would be tried with the same bases.
       if (around.size() == last) continue;
       last = around.size();
-      const std::optional<Hypothesis> hypothesis = best_hypothesis(seed, around);
+      const std::optional<Quadric> hypothesis = best_hypothesis(seed, around);
       if (!hypothesis) continue;
       std::optional<Candidate> grown =
-          grow(samples_, hypothesis->Q, around, free_, inlier_, options_.grow);
+          grow(samples_, *hypothesis, around, free_, inlier_, options_.grow);
       if (grown) return grown;
     }
     return std::nullopt;
   }
 
-  std::optional<Hypothesis> best_hypothesis(int seed, const std::vector<int>& around) {
+  std::optional<Quadric> best_hypothesis(int seed, const std::vector<int>& around) {
     RandomStream random(seed_, 1 + static_cast<std::uint64_t>(seed));
     const Normalisation local = normalisation_of(samples_, around);
     const std::vector<int> chosen =
@@ -109,19 +140,22 @@ class Searcher {
         local.scale);
     const int n = static_cast<int>(voters.size());
     VoteOptions vote_options;
+    vote_options.lengths = options_.gradient_lengths;
     vote_options.quantisation = options_.quantisation;
     vote_options.min_height = std::max(kMinHeight, kMinHeightLimits * limit);
     vote_options.min_cosine = inlier_.min_cosine;
-    Hypothesis best;
+    std::vector<Hypothesis> all;
     for (int trial = 0; trial < options_.bases; ++trial) {
       for (const Eigen::Matrix4d& Q :
            draw_hypotheses(options_.basis, voters, vote_options, random, memory)) {
         const int support = count_support(voters, Q, limit, static_cast<float>(inlier_.min_cosine));
-        if (support > best.support) best = {local.to_frame(Q), support};
+        all.push_back({Q, support});
       }
     }
+    const Hypothesis best =
+        options_.clusters.enabled ? best_of_clusters(all, options_.clusters) : best_of(all);
     if (best.support < options_.min_support * n || best.support < kMinSupport) return std::nullopt;
-    return best;
+    return local.to_frame(best.Q);
   }
 
   const SurfaceSamples& samples_;

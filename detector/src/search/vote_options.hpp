@@ -6,6 +6,7 @@ namespace quadrille {
 
 /// How votes are cast and counted.
 struct VoteOptions {
+  GradientLengths lengths = GradientLengths::kCommon;
   Quantisation quantisation = Quantisation::kArctangent;
   /// Bins over the places of λ.
   int bins = 48;

@@ -8,7 +8,7 @@
 namespace quadrille {
 namespace {
 
-// A basis of which a normal has to be scaled down by more lies on no quadric worth a vote.
+// A doubted basis of which a normal has to be scaled down by more is worth no vote.
 constexpr double kMinScale = 0.25;
 // Least length of a unit normal's projection to the plane of basis and voter: a shorter one tells
 // no scale.
@@ -32,7 +32,8 @@ std::optional<Web> make_web(const std::array<OrientedPoint, 2>& basis, double so
   const double size = softness * softness * square + b1 * b1 + b2 * b2;
   const double excess = size > 0.0 ? (b1 - b2) / size : 0.0;
   const std::array<double, 2> alpha = {1.0 - b1 * excess, 1.0 + b2 * excess};
-  if (!(alpha[0] > kMinScale && alpha[1] > kMinScale)) return std::nullopt;
+  const double least = softness > 0.0 ? kMinScale : 0.0;
+  if (!(alpha[0] > least && alpha[1] > least)) return std::nullopt;
 
   const auto affine = [&](const Eigen::Vector3d& g, double at) {
     return Eigen::Vector4d(g.x(), g.y(), g.z(), at - g.dot(basis[0].x));

@@ -1,25 +1,13 @@
 #include "surfaces/agglomerate.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
-#include <limits>
 #include <set>
 
 #include "samples/inliers.hpp"
+#include "search/close_distance.hpp"
 
 namespace quadrille {
 namespace {
-
-// Singular values below this share of the largest are zero: those of exact cones, cylinders and
-// planes are so but for rounding.
-constexpr double kMinSingularShare = 1e-6;
-
-/// |q| = 1, with the sign that brings q nearer to the reference.
-Eigen::Matrix<double, 10, 1> coefficients_near(const Eigen::Matrix4d& matrix,
-                                               const Eigen::Matrix<double, 10, 1>& reference) {
-  const Eigen::Matrix<double, 10, 1> q = Quadric(matrix).normalized().coefficients();
-  return q.dot(reference) < 0 ? Eigen::Matrix<double, 10, 1>(-q) : q;
-}
 
 bool one_surface(const Candidate& kept, const Candidate& other, const SurfaceSamples& samples,
                  const InlierTest& test, const AgglomerateOptions& options) {
@@ -37,17 +25,6 @@ bool one_surface(const Candidate& kept, const Candidate& other, const SurfaceSam
 }
 
 }  // namespace
-
-double close_distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, double tau) {
-  const Eigen::Matrix<double, 10, 1> qb = Quadric(b).normalized().coefficients();
-  const Eigen::Matrix<double, 10, 1> qa = coefficients_near(a, qb);
-  if (!((qa - qb).lpNorm<1>() < tau)) return std::numeric_limits<double>::infinity();
-  const Eigen::Matrix4d A = Quadric(qa).matrix(), B = Quadric(qb).matrix();
-  Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix4d> decomposition(4, 4);
-  decomposition.setThreshold(kMinSingularShare);
-  const Eigen::Matrix4d inverse = decomposition.compute(B).pseudoInverse();
-  return ((A - B) * inverse).norm();
-}
 
 double far_distance(const Quadric& a, const Quadric& b, const SurfaceSamples& samples,
                     std::span<const int> region, const InlierTest& test) {

@@ -7,7 +7,7 @@
 namespace quadrille {
 
 /// How much coarser than asked for space is mapped at most, so that all targets lie on one map: at
-/// 20 mm for 5, whose map then holds 240 m³.
+/// 20 mm for 5, whose map then holds 268 m³.
 inline constexpr double kMaxCoarsening = 4.0;
 
 /// The voxels of the whole blocks that a region meets.

@@ -6,10 +6,11 @@
 namespace quadrille::bus {
 
 void Backlog::push(const std::string& channel, std::span<const std::byte> bytes, void* subscriber) {
-  std::size_t& waiting = bytes_[subscriber];
+  Waiting& waiting = waiting_[subscriber];
   const std::size_t size = bytes.size() + kOverhead;
-  while (waiting > 0 && waiting + size > max_bytes_) drop_oldest(subscriber);
-  waiting += size;
+  while (waiting.bytes > 0 && waiting.bytes + size > max_bytes_) drop_of_fullest(subscriber);
+  waiting.bytes += size;
+  waiting.by_channel[channel] += size;
   messages_.push_back({channel, {bytes.begin(), bytes.end()}, subscriber});
 }
 
@@ -17,17 +18,30 @@ std::optional<Backlog::Message> Backlog::pop() {
   if (messages_.empty()) return std::nullopt;
   Message message = std::move(messages_.front());
   messages_.pop_front();
-  bytes_[message.subscriber] -= message.bytes.size() + kOverhead;
+  forget(message);
   return message;
 }
 
-void Backlog::drop_oldest(void* subscriber) {
+void Backlog::drop_of_fullest(void* subscriber) {
+  const auto& by_channel = waiting_[subscriber].by_channel;
+  const auto fullest =
+      std::max_element(by_channel.begin(), by_channel.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
   const auto oldest = std::find_if(messages_.begin(), messages_.end(), [&](const Message& message) {
-    return message.subscriber == subscriber;
+    return message.subscriber == subscriber && message.channel == fullest->first;
   });
-  bytes_[subscriber] -= oldest->bytes.size() + kOverhead;
+  forget(*oldest);
   messages_.erase(oldest);
   ++dropped_;
+}
+
+void Backlog::forget(const Message& message) {
+  const std::size_t size = message.bytes.size() + kOverhead;
+  Waiting& waiting = waiting_[message.subscriber];
+  waiting.bytes -= size;
+  const auto channel = waiting.by_channel.find(message.channel);
+  channel->second -= size;
+  if (channel->second == 0) waiting.by_channel.erase(channel);
 }
 
 }  // namespace quadrille::bus

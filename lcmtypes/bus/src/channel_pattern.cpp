@@ -17,6 +17,15 @@ bool has_operators(const std::string& text) {
 
 }  // namespace
 
+std::string pattern_of(const std::string& text) {
+  std::string pattern;
+  for (const char c : text) {
+    if (c == '.' || has_operators(std::string(1, c))) pattern += '\\';
+    pattern += c;
+  }
+  return pattern;
+}
+
 ChannelPattern::ChannelPattern(const std::string& text)
     : text_(text), is_pattern_(has_operators(text)) {
   if (!is_pattern_) {

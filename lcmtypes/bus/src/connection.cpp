@@ -3,7 +3,6 @@
 #include <poll.h>
 
 #include <algorithm>
-#include <charconv>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -16,28 +15,14 @@
 namespace quadrille::bus {
 namespace {
 
-/// @throws std::invalid_argument if the text is no number of bytes from 1 to the largest int
-int parse_buffer_size(const std::string& text) {
-  int bytes = 0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, bytes);
-  if (error != std::errc{} || rest != end || bytes <= 0) {
-    throw std::invalid_argument("recv_buf_size = '" + text +
-                                "' in the LCM address: must be a number of bytes from 1 to " +
-                                std::to_string(std::numeric_limits<int>::max()));
-  }
-  return bytes;
-}
-
 /// Has the address ask for a large receive buffer if it asks for none.
 /// @return what is asked for, and what the kernel grants [byte]
 std::pair<int, int> set_receive_buffer(Url* url) {
-  const auto named = url->arguments.find("recv_buf_size");
-  const bool is_named = named != url->arguments.end();
-  const int asked = is_named ? parse_buffer_size(named->second) : kMaxReceiveBufferBytes;
+  const auto named = named_receive_buffer(*url);
+  const int asked = named.value_or(kMaxReceiveBufferBytes);
   const int granted = granted_receive_buffer(asked);
   // LCM would complain if it asked for more; the same complaint with a cure is ours.
-  if (!is_named) url->arguments["recv_buf_size"] = std::to_string(granted);
+  if (!named) url->arguments["recv_buf_size"] = std::to_string(granted);
   return {asked, forced_receive_buffer(asked)};
 }
 
@@ -81,15 +66,17 @@ Connection::Connection(const std::string& url, AcceptedSenders senders)
   if (parsed.provider == "udpm") {
     const auto [asked, granted] = set_receive_buffer(&parsed);
     asked_buffer_ = asked;
-    if (auto problem = find_buffer_problem(asked, granted, kUsualCloudBytes)) {
+    if (auto problem = foresee_buffer_problem(asked, granted)) {
       warnings_.push_back(std::move(*problem));
     }
   }
   if (parsed.provider == "udpm" || parsed.provider == "mpudpm") backlog_.emplace(kMaxBacklogBytes);
   url_ = parsed.to_string();
+  const std::vector<int> others = find_receiving_sockets(parsed);
   lcm_.reset(lcm_create(url_.c_str()));
   // Without a server tcpq looks well, but aborts when it is waited on.
   if (!lcm_ || lcm_get_fileno(lcm_.get()) < 0) throw std::runtime_error(failure_to_connect(parsed));
+  if (parsed.provider == "udpm") prepare_socket(others);
 }
 
 Connection::~Connection() = default;
@@ -123,20 +110,23 @@ void Connection::add_subscriber(const std::string& pattern, const std::string& c
   // faster than LCM can put them in, into a backlog with a bound.
   lcm_subscription_set_queue_capacity(subscription, 0);
   subscribers_.push_back(std::move(subscriber));
-  if (subscribers_.size() == 1) prepare_socket();
 }
 
-/// LCM makes the socket with which it receives for the first subscriber.
-void Connection::prepare_socket() {
-  const Url url = parse_url(url_);
+/// Guards the socket with which LCM receives, and looks after its buffer.
+/// @param others  the sockets at that address that were there before
+void Connection::prepare_socket(const std::vector<int>& others) {
   const auto errors = read_udp_errors();
-  if (url.provider == "udpm" && guard_receiving_sockets(url, senders_) == 0) {
+  for (const int socket : find_receiving_sockets(parse_url(url_))) {
+    if (std::binary_search(others.begin(), others.end(), socket)) continue;
+    guard_socket(socket, senders_);
+    socket_.emplace(socket);
+  }
+  if (!socket_) {
     throw std::runtime_error("LCM address " + url_ + ": cannot find LCM's socket to guard it");
   }
-  socket_ = ReceiveSocket::find(url);
   // All that it has dropped is of the filter, or came since those were read.
-  if (socket_ && socket_->dropped() >= 0) drops_.emplace(errors, 0);
-  if (socket_ && socket_->buffer() < asked_buffer_) socket_->force_buffer(asked_buffer_);
+  if (socket_->dropped() >= 0) drops_.emplace(errors, 0);
+  if (socket_->buffer() < asked_buffer_) socket_->force_buffer(asked_buffer_);
 }
 
 void Connection::dispatch(const lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept {
@@ -185,6 +175,8 @@ bool Connection::handle_backlog(bool lcm_is_empty) {
 }
 
 Connection::Outcome Connection::handle(int timeout_ms) {
+  // Of a server that is gone tcpq has no descriptor any more, and aborts when it is waited on.
+  if (lcm_get_fileno(lcm_.get()) < 0) return Outcome::kEnd;
   const bool behind = backlog_ && !backlog_->empty();
   const int status = lcm_handle_timeout(lcm_.get(), behind ? 0 : timeout_ms);
   if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));

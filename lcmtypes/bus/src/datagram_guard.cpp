@@ -154,10 +154,4 @@ void guard_socket(int socket, const AcceptedSenders& senders) {
   program.attach(socket);
 }
 
-int guard_receiving_sockets(const Url& url, const AcceptedSenders& senders) {
-  const std::vector<int> sockets = find_receiving_sockets(url);
-  for (const int socket : sockets) guard_socket(socket, senders);
-  return static_cast<int>(sockets.size());
-}
-
 }  // namespace quadrille::bus

@@ -1,7 +1,7 @@
 #include <cmath>
-#include <new>
+#include <utility>
 
-#include "byte_reader.hpp"
+#include "decode_checked.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 
@@ -32,13 +32,7 @@ void check_box(ByteReader& reader) {
   check_all_finite(reader, "bounds", 12);
 }
 
-/// Walks over all members; afterwards the generated decoder can allocate no more than a small
-/// multiple of the bytes.
-void check_boxes(std::span<const std::byte> bytes) {
-  ByteReader reader(bytes);
-  if (reader.read_int64("the fingerprint") != boxes_t::getHash()) {
-    refuse(RejectReason::kUnknownType, "not quadrille.boxes_t");
-  }
+void check_boxes(ByteReader& reader) {
   reader.read_int64("utime");
   reader.read_int32("seq");
   reader.read_string("frame", kMaxFrameBytes);
@@ -47,7 +41,6 @@ void check_boxes(std::span<const std::byte> bytes) {
     refuse(RejectReason::kTooLarge, std::to_string(boxes) + " boxes");
   }
   for (std::int32_t i = 0; i < boxes; ++i) check_box(reader);
-  reader.expect_end();
 }
 
 Eigen::AlignedBox3d bounds_of(const double (&min)[3], const double (&max)[3]) {
@@ -68,25 +61,16 @@ Box to_box(const box_t& m) {
   return box;
 }
 
-}  // namespace
-
-Decoded<BoxesMessage> decode_boxes(std::span<const std::byte> bytes, std::size_t max_bytes) try {
-  if (bytes.size() > max_bytes) {
-    refuse(RejectReason::kTooLarge, std::to_string(bytes.size()) + " bytes");
-  }
-  check_boxes(bytes);
-  boxes_t m;
-  const int size = static_cast<int>(bytes.size());
-  if (m.decode(bytes.data(), 0, size) != size) {
-    refuse(RejectReason::kBadLength, "the decoder reads another size");
-  }
-  BoxesMessage message{m.utime, m.seq, m.frame, {}};
+BoxesMessage from_boxes(boxes_t m) {
+  BoxesMessage message{m.utime, m.seq, std::move(m.frame), {}};
   for (const box_t& box : m.boxes) message.boxes.push_back(to_box(box));
   return message;
-} catch (const Refused& refused) {
-  return refused.rejection;
-} catch (const std::bad_alloc&) {
-  return Rejection{RejectReason::kInternal, "out of memory"};
+}
+
+}  // namespace
+
+Decoded<BoxesMessage> decode_boxes(std::span<const std::byte> bytes, std::size_t max_bytes) {
+  return decode_checked<boxes_t, BoxesMessage>(bytes, max_bytes, check_boxes, from_boxes);
 }
 
 }  // namespace quadrille::bus

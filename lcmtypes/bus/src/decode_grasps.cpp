@@ -1,6 +1,4 @@
-#include <new>
-
-#include "byte_reader.hpp"
+#include "decode_checked.hpp"
 #include "quadrille/bus/grasps_message.hpp"
 
 namespace quadrille::bus {
@@ -11,13 +9,7 @@ namespace {
 constexpr std::size_t kGraspBytes = 4 + 4 + 1 + 34 * 8 + 1, kMinCountBytes = 13,
                       kMinWarningBytes = 5;
 
-/// Walks over all members; afterwards the generated decoder can allocate no more than a small
-/// multiple of the bytes.
-void check_grasps(std::span<const std::byte> bytes) {
-  ByteReader reader(bytes);
-  if (reader.read_int64("the fingerprint") != grasps_t::getHash()) {
-    refuse(RejectReason::kUnknownType, "not quadrille.grasps_t");
-  }
+void check_grasps(ByteReader& reader) {
   reader.read_int64("utime");
   reader.read_int64("request_id");
   reader.read_int32("seq");
@@ -33,26 +25,12 @@ void check_grasps(std::span<const std::byte> bytes) {
   }
   const std::int32_t warnings = reader.read_count("num_warnings", kMinWarningBytes);
   for (std::int32_t i = 0; i < warnings; ++i) reader.skip_string("warning");
-  reader.expect_end();
 }
 
 }  // namespace
 
-Decoded<grasps_t> decode_grasps(std::span<const std::byte> bytes, std::size_t max_bytes) try {
-  if (bytes.size() > max_bytes) {
-    refuse(RejectReason::kTooLarge, std::to_string(bytes.size()) + " bytes");
-  }
-  check_grasps(bytes);
-  grasps_t message;
-  const int size = static_cast<int>(bytes.size());
-  if (message.decode(bytes.data(), 0, size) != size) {
-    refuse(RejectReason::kBadLength, "the decoder reads another size");
-  }
-  return message;
-} catch (const Refused& refused) {
-  return refused.rejection;
-} catch (const std::bad_alloc&) {
-  return Rejection{RejectReason::kInternal, "out of memory"};
+Decoded<grasps_t> decode_grasps(std::span<const std::byte> bytes, std::size_t max_bytes) {
+  return decode_checked<grasps_t>(bytes, max_bytes, check_grasps);
 }
 
 }  // namespace quadrille::bus

@@ -1,9 +1,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <new>
+#include <utility>
 
-#include "byte_reader.hpp"
+#include "decode_checked.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 
 namespace quadrille::bus {
@@ -49,13 +49,7 @@ void check_quadric(ByteReader& reader) {
   reader.read_int32("track");
 }
 
-/// Walks over all members; afterwards the generated decoder can allocate no more than a small
-/// multiple of the bytes.
-void check_quadrics(std::span<const std::byte> bytes) {
-  ByteReader reader(bytes);
-  if (reader.read_int64("the fingerprint") != quadrics_t::getHash()) {
-    refuse(RejectReason::kUnknownType, "not quadrille.quadrics_t");
-  }
+void check_quadrics(ByteReader& reader) {
   reader.read_int64("utime");
   reader.read_int64("cloud_digest");
   reader.read_int32("seq");
@@ -70,7 +64,6 @@ void check_quadrics(std::span<const std::byte> bytes) {
   for (std::int32_t i = 0; i < detections; ++i) check_quadric(reader);
   const std::int32_t warnings = reader.read_count("num_warnings", kMinStringBytes);
   for (std::int32_t i = 0; i < warnings; ++i) reader.skip_string("warning");
-  reader.expect_end();
 }
 
 Detection to_detection(const quadric_t& m) {
@@ -89,6 +82,14 @@ Detection to_detection(const quadric_t& m) {
   detection.seen = m.seen;
   detection.track = m.track;
   return detection;
+}
+
+QuadricsMessage from_quadrics(quadrics_t m) {
+  QuadricsMessage message{m.utime, m.seq, std::move(m.frame), {}, m.cloud_digest};
+  for (const quadric_t& quadric : m.detections) {
+    message.detections.push_back(to_detection(quadric));
+  }
+  return message;
 }
 
 }  // namespace
@@ -111,26 +112,9 @@ std::vector<Detection> as_received(const std::vector<Detection>& detections) {
   return received;
 }
 
-Decoded<QuadricsMessage> decode_quadrics(std::span<const std::byte> bytes,
-                                         std::size_t max_bytes) try {
-  if (bytes.size() > max_bytes) {
-    refuse(RejectReason::kTooLarge, std::to_string(bytes.size()) + " bytes");
-  }
-  check_quadrics(bytes);
-  quadrics_t m;
-  const int size = static_cast<int>(bytes.size());
-  if (m.decode(bytes.data(), 0, size) != size) {
-    refuse(RejectReason::kBadLength, "the decoder reads another size");
-  }
-  QuadricsMessage message{m.utime, m.seq, m.frame, {}, m.cloud_digest};
-  for (const quadric_t& quadric : m.detections) {
-    message.detections.push_back(to_detection(quadric));
-  }
-  return message;
-} catch (const Refused& refused) {
-  return refused.rejection;
-} catch (const std::bad_alloc&) {
-  return Rejection{RejectReason::kInternal, "out of memory"};
+Decoded<QuadricsMessage> decode_quadrics(std::span<const std::byte> bytes, std::size_t max_bytes) {
+  return decode_checked<quadrics_t, QuadricsMessage>(bytes, max_bytes, check_quadrics,
+                                                     from_quadrics);
 }
 
 }  // namespace quadrille::bus

@@ -1,6 +1,4 @@
-#include <new>
-
-#include "byte_reader.hpp"
+#include "decode_checked.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/request_message.hpp"
 
@@ -12,13 +10,7 @@ constexpr std::size_t kIntegerBytes = 4, kMinTypeBytes = 5, kMaxTypeBytes = 64;
 /// count.
 constexpr std::size_t kFixedBytes = (1 + 10 * 8) + (1 + 3 * 8) + 2 * 8 + (1 + 4 * 8) + 8 + 4;
 
-/// Walks over all members; afterwards the generated decoder can allocate no more than a small
-/// multiple of the bytes.
-void check_request(std::span<const std::byte> bytes) {
-  ByteReader reader(bytes);
-  if (reader.read_int64("the fingerprint") != grasp_request_t::getHash()) {
-    refuse(RejectReason::kUnknownType, "not quadrille.grasp_request_t");
-  }
+void check_request(ByteReader& reader) {
   reader.read_int64("utime");
   if (reader.read_int64("request_id") == 0) {
     refuse(RejectReason::kBadValue, "request_id = 0, which answers to nobody carry");
@@ -30,26 +22,12 @@ void check_request(std::span<const std::byte> bytes) {
   const std::int32_t types = reader.read_count("num_types", kMinTypeBytes);
   for (std::int32_t i = 0; i < types; ++i) reader.read_string("types", kMaxTypeBytes);
   reader.take(1, kFixedBytes, "region to max_grasps");
-  reader.expect_end();
 }
 
 }  // namespace
 
-Decoded<grasp_request_t> decode_request(std::span<const std::byte> bytes) try {
-  if (bytes.size() > kMaxRequestBytes) {
-    refuse(RejectReason::kTooLarge, std::to_string(bytes.size()) + " bytes");
-  }
-  check_request(bytes);
-  grasp_request_t message;
-  const int size = static_cast<int>(bytes.size());
-  if (message.decode(bytes.data(), 0, size) != size) {
-    refuse(RejectReason::kBadLength, "the decoder reads another size");
-  }
-  return message;
-} catch (const Refused& refused) {
-  return refused.rejection;
-} catch (const std::bad_alloc&) {
-  return Rejection{RejectReason::kInternal, "out of memory"};
+Decoded<grasp_request_t> decode_request(std::span<const std::byte> bytes) {
+  return decode_checked<grasp_request_t>(bytes, kMaxRequestBytes, check_request);
 }
 
 }  // namespace quadrille::bus

@@ -33,8 +33,8 @@ DurationSummary Durations::summary() const {
   if (ms_.empty()) return {};
   std::vector<double> sorted = ms_;
   std::sort(sorted.begin(), sorted.end());
-  return {percentile(sorted, 0.5), percentile(sorted, 0.9), percentile(sorted, 0.95),
-          percentile(sorted, 0.99), sorted.back()};
+  return {percentile(sorted, 0.5), percentile(sorted, 0.9), percentile(sorted, 0.99),
+          sorted.back()};
 }
 
 }  // namespace quadrille::bus

@@ -1,6 +1,5 @@
 #include "quadrille/bus/network.hpp"
 
-#include <arpa/inet.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
@@ -8,11 +7,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
-
-#include "quadrille/bus/drop_causes.hpp"
 
 namespace quadrille::bus {
 namespace {
@@ -32,21 +27,6 @@ class UdpSocket {
   int fd_;
 };
 
-sockaddr_in parse_group(const std::string& network) {
-  const std::size_t colon = network.find(':');
-  sockaddr_in address = {};
-  address.sin_family = AF_INET;
-  int port = 0;
-  std::istringstream digits(colon == std::string::npos ? "" : network.substr(colon + 1));
-  if (inet_pton(AF_INET, network.substr(0, colon).c_str(), &address.sin_addr) != 1 ||
-      !(digits >> port) || !digits.eof() || port < 1 || port > 65535) {
-    throw std::invalid_argument("udpm address '" + network +
-                                "': must be ADDRESS:PORT such as 239.255.76.67:7667");
-  }
-  address.sin_port = htons(static_cast<std::uint16_t>(port));
-  return address;
-}
-
 /// The receive buffer that the kernel grants by one of its options [byte].
 int granted(int option, int asked) {
   const UdpSocket socket;
@@ -61,11 +41,11 @@ int granted(int option, int asked) {
 }  // namespace
 
 std::optional<std::string> find_route_problem(const Url& url) {
-  if (url.provider != "udpm" || url.network.empty()) return std::nullopt;
-  const sockaddr_in address = parse_group(url.network);
+  if (url.provider != "udpm") return std::nullopt;
+  const sockaddr_in group = multicast_group(url);
   const UdpSocket socket;
   // Connecting a UDP socket sends nothing; it only looks up the route.
-  if (connect(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0) {
+  if (connect(socket.get(), reinterpret_cast<const sockaddr*>(&group), sizeof(group)) == 0) {
     return std::nullopt;
   }
   return "no route to the multicast group " + url.network + " (" + std::strerror(errno) +
@@ -106,15 +86,18 @@ std::optional<std::string> find_buffer_problem(std::int64_t asked, std::int64_t 
          mend_receive_buffer(asked, advised_receive_buffer(message_bytes));
 }
 
+std::optional<std::string> foresee_buffer_problem(std::int64_t asked, std::int64_t granted) {
+  if (granted >= needed_receive_buffer(kUsualCloudBytes)) return std::nullopt;
+  return "the receive buffer of " + std::to_string(granted) + " bytes would lose clouds of " +
+         std::to_string(kUsualCloudBytes) +
+         " bytes (640x480 points), if such come; mend it with: " +
+         mend_receive_buffer(asked, advised_receive_buffer(kUsualCloudBytes));
+}
+
 int granted_receive_buffer(int asked) { return granted(SO_RCVBUF, asked); }
 
 int forced_receive_buffer(int asked) {
   return std::max(granted(SO_RCVBUFFORCE, asked), granted_receive_buffer(asked));
-}
-
-std::int64_t count_dropped_datagrams() {
-  const auto errors = read_udp_errors();
-  return errors ? errors->buffer : -1;
 }
 
 }  // namespace quadrille::bus

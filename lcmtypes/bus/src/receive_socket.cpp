@@ -50,13 +50,6 @@ std::vector<int> find_receiving_sockets(const Url& url) {
   return found;
 }
 
-std::optional<ReceiveSocket> ReceiveSocket::find(const Url& url) {
-  if (url.provider != "udpm") return std::nullopt;
-  const std::vector<int> sockets = find_receiving_sockets(url);
-  if (sockets.empty()) return std::nullopt;
-  return ReceiveSocket(sockets.back());
-}
-
 std::int64_t ReceiveSocket::buffer() const {
   int doubled = 0;
   socklen_t size = sizeof(doubled);

@@ -16,6 +16,17 @@ constexpr std::chrono::milliseconds kPauseAfterFailure{10};
 
 }  // namespace
 
+void EndlessHandler::handle(int timeout_ms) {
+  if (connection_.handle(timeout_ms) != Connection::Outcome::kEnd) {
+    failures_ = 0;
+  } else if (++failures_ == kFailuresOfLostPeer) {
+    throw std::runtime_error("LCM address " + connection_.url() +
+                             ": the connection is lost; start its server and this process anew");
+  } else {
+    std::this_thread::sleep_for(kPauseAfterFailure);
+  }
+}
+
 Receiver::Receiver(Connection& connection) : connection_(connection), thread_([this] { run(); }) {}
 
 Receiver::~Receiver() {
@@ -42,17 +53,8 @@ void Receiver::run() noexcept {
 }
 
 void Receiver::handle_until_stopped() {
-  int failures = 0;
-  while (!stop_) {
-    if (connection_.handle(kWaitMs) != Connection::Outcome::kEnd) {
-      failures = 0;
-    } else if (++failures == kFailuresOfLostPeer) {
-      throw std::runtime_error("LCM address " + connection_.url() +
-                               ": the connection is lost; start its server and this process anew");
-    } else {
-      std::this_thread::sleep_for(kPauseAfterFailure);
-    }
-  }
+  EndlessHandler handler(connection_);
+  while (!stop_) handler.handle(kWaitMs);
 }
 
 }  // namespace quadrille::bus

@@ -1,11 +1,17 @@
 #include "quadrille/bus/url.hpp"
 
+#include <arpa/inet.h>
+
 #include <charconv>
+#include <cstdint>
 #include <cstdlib>
+#include <limits>
 #include <stdexcept>
 
 namespace quadrille::bus {
 namespace {
+
+constexpr const char* kDefaultNetwork = "239.255.76.67:7667";
 
 void parse_arguments(const std::string& text, Url* url) {
   std::size_t start = 0;
@@ -19,6 +25,18 @@ void parse_arguments(const std::string& text, Url* url) {
     }
     start = end + 1;
   }
+}
+
+std::optional<int> number_in(const std::string& text) {
+  int value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || rest != end) return std::nullopt;
+  return value;
+}
+
+[[noreturn]] void refuse_address(const Url& url, const std::string& why) {
+  throw std::invalid_argument("LCM address '" + url.to_string() + "': " + why);
 }
 
 }  // namespace
@@ -48,23 +66,57 @@ Url parse_url(const std::string& text) {
   return url;
 }
 
+sockaddr_in multicast_group(const Url& url) {
+  const std::string network = url.network.empty() ? kDefaultNetwork : url.network;
+  const std::size_t colon = network.find(':');
+  const int port =
+      colon == std::string::npos ? 0 : number_in(network.substr(colon + 1)).value_or(0);
+  sockaddr_in group = {};
+  group.sin_family = AF_INET;
+  if (inet_pton(AF_INET, network.substr(0, colon).c_str(), &group.sin_addr) != 1 || port < 1 ||
+      port > std::numeric_limits<std::uint16_t>::max()) {
+    refuse_address(url, "'" + network + "' must be ADDRESS:PORT, such as " + kDefaultNetwork);
+  }
+  if (!IN_MULTICAST(ntohl(group.sin_addr.s_addr))) {
+    refuse_address(url,
+                   network.substr(0, colon) +
+                       " is no multicast address (224.0.0.0 to 239.255.255.255); give udpm://" +
+                       kDefaultNetwork + "?ttl=0");
+  }
+  group.sin_port = htons(static_cast<std::uint16_t>(port));
+  return group;
+}
+
+std::optional<int> named_receive_buffer(const Url& url) {
+  const auto named = url.arguments.find("recv_buf_size");
+  if (named == url.arguments.end()) return std::nullopt;
+  const auto bytes = number_in(named->second);
+  if (!bytes || *bytes <= 0) {
+    refuse_address(url, "recv_buf_size = '" + named->second +
+                            "' must be a number of bytes from 1 to " +
+                            std::to_string(std::numeric_limits<int>::max()));
+  }
+  return bytes;
+}
+
 void check_live(const Url& url) {
-  const std::string start = "LCM address '" + url.to_string() + "': ";
   if (url.provider == "memq") {
-    throw std::invalid_argument(start + "memq reaches no other process; give a udpm or tcpq one");
+    refuse_address(url, "memq reaches no other process; give a udpm or tcpq one");
   }
   if (url.provider == "file") {
-    throw std::invalid_argument(start + "a log is no bus; replay it with --in-log and --out-log");
+    refuse_address(url, "a log is no bus; replay it with --in-log and --out-log");
   }
-  const auto found = url.arguments.find("ttl");
-  if (found == url.arguments.end()) return;
-  const std::string& ttl = found->second;
-  int hops = -1;
-  const auto [rest, error] = std::from_chars(ttl.data(), ttl.data() + ttl.size(), hops);
-  const bool fit = error == std::errc{} && rest == ttl.data() + ttl.size();
-  if (!fit || hops < 0 || hops > 255) {
-    throw std::invalid_argument(start + "ttl = '" + ttl +
-                                "' must be 0 (this machine), 1 (this network) or up to 255");
+  if (url.provider != "udpm" && url.provider != "mpudpm" && url.provider != "tcpq") {
+    refuse_address(url, "LCM has no '" + url.provider + "'; give a udpm or tcpq one");
+  }
+  if (url.provider == "udpm") multicast_group(url);
+  named_receive_buffer(url);
+  const auto ttl = url.arguments.find("ttl");
+  if (ttl == url.arguments.end()) return;
+  const auto hops = number_in(ttl->second);
+  if (!hops || *hops < 0 || *hops > 255) {
+    refuse_address(
+        url, "ttl = '" + ttl->second + "' must be 0 (this machine), 1 (this network) or up to 255");
   }
 }
 

@@ -87,7 +87,8 @@ Quadric moved(const Quadric& Q, const Eigen::Isometry3d& X, double scale) {
 
 }  // namespace
 
-TEST_CASE("every fit finds quadrics of every type from exact oriented points", "[fits][law]") {
+TEST_CASE("every fit finds quadrics of every type from exact points with full gradients",
+          "[fits][law]") {
   RandomStream random(41, 0);
   for (const CanonicalForm& form : curved_forms()) {
     for (const Contender& contender : contenders(form.type)) {

@@ -92,3 +92,15 @@ TEST_CASE("a search that hashes its triplets counts them, and finds the same sur
   // Sixteen voters make 560 triplets.
   CHECK(counts.repeated > counts.voted);
 }
+
+TEST_CASE("agglomerated hypotheses find the same surface", "[search][clusters]") {
+  const SurfaceSamples sphere = sphere_grid(24, 24, 0.04, 0.004, 0.0005, 2);
+  SearchOptions options;
+  options.clusters.enabled = true;
+  options.gradient_lengths = GradientLengths::kSolved;
+  const auto candidates =
+      search(sphere, std::vector<char>(static_cast<std::size_t>(sphere.size()), 1), options, {}, 1);
+  REQUIRE_FALSE(candidates.empty());
+  CHECK(candidates[0].region.size() > 0.9 * sphere.size());
+  CHECK(candidates[0].rms == Approx(0.0005).epsilon(0.3));
+}

@@ -1,9 +1,6 @@
 #include "surfaces/agglomerate.hpp"
 
-#include <cmath>
-
 #include "support/catch.hpp"
-#include "support/quadric_points.hpp"
 #include "support/surface_grid.hpp"
 
 using namespace quadrille;
@@ -27,24 +24,6 @@ std::vector<int> half(const SurfaceSamples& samples, bool first) {
 }
 
 }  // namespace
-
-TEST_CASE("equal quadrics are close, whatever their rank, scale and sign", "[agglomerate]") {
-  for (const FamilyExample& example : family_examples()) {
-    CAPTURE(example.name);
-    CHECK(close_distance(example.D, example.D, 0.4) < 1e-9);
-    CHECK(close_distance(-3.0 * example.D, example.D, 0.4) < 1e-9);
-  }
-}
-
-TEST_CASE("the close distance grows with the difference and is infinite beyond tau",
-          "[agglomerate]") {
-  const Eigen::Matrix4d unit = diagonal(1, 1, 1, -1);
-  const double near = close_distance(diagonal(1, 1, 1, -1.05), unit, 0.4);
-  const double farther = close_distance(diagonal(1, 1, 1, -1.2), unit, 0.4);
-  CHECK(near > 0.0);
-  CHECK(farther > near);
-  CHECK(std::isinf(close_distance(diagonal(1, 1, 0, -1), unit, 0.4)));
-}
 
 TEST_CASE("the far distance is the share of samples that lie not on both", "[agglomerate]") {
   const SurfaceSamples samples = sphere_grid(20, 20, 0.08, 0.004, 0.0003, 1);

@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     at += 2 + length;
   }
   check_clouds(traffic, "POINT_CLOUD", 1.0);
-  check_losses(traffic);
+  check_losses(traffic, 7667);
   check_others(traffic, "POINT_CLOUD");
   check_clocks(traffic, now);
   if (traffic.malformed() + traffic.crowded_out() > datagrams) std::abort();

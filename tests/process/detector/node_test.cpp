@@ -50,7 +50,7 @@ struct Process {
 
   /// What the status says of the clouds that were not tracked, such as "no_pose 1 ".
   std::string untracked() {
-    node.publish_status(0, {});
+    node.publish_status({});
     std::string text;
     for (const count_t& entry : status.untracked) {
       text += entry.name + " " + std::to_string(entry.count) + " ";
@@ -195,6 +195,48 @@ TEST_CASE("a pattern serves several cameras, each with channels and tracks of it
   CHECK_FALSE(node.receive("CAMERA", encode_view(1, camera_at(0))));
 }
 
+TEST_CASE("cameras that share a frame's name miss nothing of each other's",
+          "[process][pattern][status]") {
+  DetectorSettings settings;
+  settings.in_channel = "CAMERA_.*";
+  Process process(settings);
+  const auto take = [&](const std::string& channel, int seq) {
+    bus::CloudMessage message{
+        1000 * seq, seq,
+        test::render({test::rectangle(test::translation(0, 0, 1.0), 2, 2)}, {16, 12, 1.0 / 15.0})};
+    message.cloud.frame = "camera";
+    process.node.receive(channel, bus::encode_cloud(message, bus::CloudFormat::kPointCloud2));
+  };
+  for (int n = 0; n < 4; ++n) {
+    take("CAMERA_LEFT", 10 + n);
+    take("CAMERA_RIGHT", 5000 + n);
+  }
+  process.node.publish_status({});
+  CHECK(process.status.missing == 0);
+  take("CAMERA_RIGHT", 5006);
+  process.node.publish_status({});
+  CHECK(process.status.missing == 2);
+}
+
+TEST_CASE("results of a pattern begin with the prefix of all channels once", "[process][pattern]") {
+  DetectorSettings settings;
+  settings.process.channel_prefix = "robot.2/";
+  settings.in_channel = settings.process.prefixed("CAMERA_.*");
+  settings.out_channel = settings.process.prefixed(settings.out_channel);
+  std::set<std::string> channels;
+  DetectorNode node(settings, [&](const std::string& channel, std::span<const std::byte>) {
+    channels.insert(channel);
+  });
+  const Bytes cloud = encode_view(1, camera_at(0));
+  // A dot of the prefix stands for itself.
+  CHECK_FALSE(node.receive("robotX2/CAMERA_LEFT", cloud));
+  const auto job = node.receive("robot.2/CAMERA_LEFT", cloud);
+  REQUIRE(job);
+  node.work(*job);
+  CHECK(channels.contains("robot.2/QUADRICS_CAMERA_LEFT"));
+  CHECK(ProcessArguments{}.prefixed("CAMERA_.*") == "CAMERA_.*");
+}
+
 TEST_CASE("a pattern takes no results for clouds, and no more cameras than it can serve",
           "[process][pattern][hostile]") {
   DetectorSettings settings;
@@ -281,7 +323,7 @@ TEST_CASE("a shard misses no clouds that are another's", "[process][shard][statu
   }
   REQUIRE(taken > 0);
   REQUIRE(taken < 12);
-  process.node.publish_status(0, {});
+  process.node.publish_status({});
   CHECK(process.status.missing == 0);
 }
 

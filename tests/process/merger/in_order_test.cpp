@@ -50,6 +50,28 @@ TEST_CASE("results of shards go out in the order of their clouds", "[process][sh
   CHECK(results.late() == 0);
 }
 
+TEST_CASE("results that wait take a bounded memory, and the oldest goes first",
+          "[process][shard][hostile]") {
+  InOrder results(2, std::chrono::hours(1));
+  // The second shard holds all up: it took a cloud before them.
+  Told{0, 1, 0}.see(1, &results);
+  Told{0, 1, 0}.see(0, &results);
+  constexpr std::size_t kSize = 16 << 20;
+  std::vector<int> out;
+  std::size_t waiting = 0;
+  for (int n = 1; n <= 20; ++n) {
+    results.add(0, {n, 0}, n, InOrder::Bytes(kSize, static_cast<std::byte>(n)), kStart);
+    waiting += kSize;
+    for (const int value : values(results.take(kStart))) {
+      out.push_back(value);
+      waiting -= kSize;
+    }
+    CHECK(waiting <= InOrder::kMaxWaitingBytes);
+  }
+  REQUIRE(out.size() == 16);
+  for (int n = 0; n < 16; ++n) CHECK(out[static_cast<std::size_t>(n)] == n + 1);
+}
+
 TEST_CASE("where all have told of a cloud its result waits for nobody", "[process][shard]") {
   const std::int64_t step = GENERATE(0, 1000);
   InOrder results(2, std::chrono::hours(1));

@@ -72,9 +72,14 @@ TEST_CASE("results go on as they came, and the status counts them", "[process][s
   CHECK(status.shards[0].results == 1);
   CHECK(status.shards[1].clouds == 2);
   CHECK(status.warnings.empty());
-  const std::string text = merge.merger.exposition();
-  CHECK(text.find("quadrille_merger_results_published_total 1\n") != std::string::npos);
-  CHECK(text.find("quadrille_merger_shard_works{shard=\"2\"} 1\n") != std::string::npos);
+  const std::string text = merge.merger.publish_status({}, {});
+  const auto holds = [&](const std::string& line) { return text.find(line) != std::string::npos; };
+  CHECK(
+      holds("quadrille_merger_results_published_total{channel=\"QUADRICS\","
+            "status_channel=\"QUADRILLE_MERGER_STATUS\"} 1\n"));
+  CHECK(
+      holds("quadrille_merger_shard_works{channel=\"QUADRICS\","
+            "status_channel=\"QUADRILLE_MERGER_STATUS\",shard=\"2\"} 1\n"));
 }
 
 TEST_CASE("a detector of another number of shards is told of", "[process][shard]") {

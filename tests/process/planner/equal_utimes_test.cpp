@@ -79,7 +79,7 @@ TEST_CASE("the status and the end of a log tell of quadrics without their cloud"
   PlannerNode planner(planner_settings(), keep_in(published));
   for (const Message& cloud : {here, here}) give(planner, "POINT_CLOUD", cloud);
   for (const Message& quadrics : published["QUADRICS"]) give(planner, "QUADRICS", quadrics);
-  planner.publish_status(0, {});
+  planner.publish_status({});
   planner_status_t status;
   const Message& bytes = published.at("QUADRILLE_PLANNER_STATUS").at(0);
   REQUIRE(status.decode(bytes.data(), 0, static_cast<int>(bytes.size())) > 0);

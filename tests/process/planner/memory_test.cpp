@@ -47,7 +47,8 @@ class FedPlanner {
   static PlannerSettings settings() {
     PlannerSettings settings;
     settings.gripper = franka_hand();
-    settings.X_WK = Eigen::Isometry3d(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3) / 3.75));
+    settings.X_WK =
+        Eigen::Isometry3d(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
     settings.frames.results = CloudFrame::kWorld;
     return settings;
   }

@@ -1,7 +1,9 @@
 #include <CLI/CLI.hpp>
 
 #include "io/file_bytes.hpp"
+#include "io/planner/gripper_file.hpp"
 #include "process/planner/command_line.hpp"
+#include "process/planner/status_text.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
 
@@ -47,6 +49,21 @@ TEST_CASE("what nobody listens to can be left out, and planning gives way", "[pl
   CHECK(settings.process.niceness == 0);
   CHECK_THROWS_AS(settings_of("--nice 20"), CLI::ParseError);
   CHECK_THROWS_AS(settings_of("--occupancy-period -1"), CLI::ParseError);
+}
+
+TEST_CASE("another hand, or another file of its name, gives the settings another hash",
+          "[planner][status]") {
+  const test::TempFolder folder;
+  const std::string franka = io::gripper_toml("franka");
+  std::string longer = franka;
+  longer.replace(longer.find("tcp = 0.1034"), 12, "tcp = 0.1044");
+  const std::string hash = hash_of(settings_of("--gripper franka"));
+  const auto hash_of_file = [&](const std::string& text) {
+    return hash_of(settings_of("--gripper " + folder.write("franka.toml", text)));
+  };
+  CHECK(hash_of_file(franka) == hash);
+  CHECK(hash_of_file(longer) != hash);
+  CHECK(hash_of(settings_of("--gripper wsg50")) != hash);
 }
 
 TEST_CASE("a gripper that is not known is wrong usage of the planner", "[planner]") {

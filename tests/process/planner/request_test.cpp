@@ -1,10 +1,13 @@
 // Requests for grasps and their answers.
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <lcmtypes/quadrille/grasp_request_t.hpp>
 #include <lcmtypes/quadrille/grasps_t.hpp>
+#include <lcmtypes/quadrille/occupancy_t.hpp>
 #include <lcmtypes/quadrille/planner_status_t.hpp>
 #include <map>
 #include <set>
+#include <thread>
 #include <vector>
 
 #include "process/planner/command_line.hpp"
@@ -60,7 +63,7 @@ class Asked {
     return answers.back();
   }
   planner_status_t status() {
-    node_.publish_status(0, {});
+    node_.publish_status({});
     return status_;
   }
   void give(const std::string& channel, const Bytes& bytes) {
@@ -72,6 +75,8 @@ class Asked {
   /// All grasps that were published.
   std::vector<grasps_t> answers;
   std::multiset<std::string> channels;
+  /// Of the cloud of the last map.
+  std::int64_t map_utime = 0;
 
  private:
   static PlannerSettings settings_from(const std::string& options) {
@@ -86,6 +91,11 @@ class Asked {
       channels.insert(channel);
       if (channel == "GRASPS")
         REQUIRE(answers.emplace_back().decode(bytes.data(), 0, size) == size);
+      occupancy_t map{};
+      if (channel == "OCCUPANCY") {
+        REQUIRE(map.decode(bytes.data(), 0, size) == size);
+        map_utime = map.utime;
+      }
       if (channel == "QUADRILLE_PLANNER_STATUS")
         REQUIRE(status_.decode(bytes.data(), 0, size) == size);
     };
@@ -268,6 +278,19 @@ TEST_CASE("pairs are kept within their bounds, the newest always", "[process][re
   pairs.add(pair(6, 1000));
   CHECK(pairs.size() == 1);
   CHECK(pairs.newest()->cloud->utime == 6);
+}
+
+TEST_CASE("the newest map is published when clouds stop coming", "[planner][process]") {
+  Asked asked("--occupancy-period 1");
+  asked.show(1);
+  asked.show(2);
+  for (int tries = 0; tries < 1000 && asked.channels.count("OCCUPANCY") < 2; ++tries) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    if (const auto job = asked.node().find_spare_job()) asked.node().work(*job);
+  }
+  CHECK(asked.channels.count("OCCUPANCY") == 2);
+  CHECK(asked.map_utime == 2);
+  CHECK_FALSE(asked.node().find_spare_job());
 }
 
 TEST_CASE("shapes come with each plan and occupancy at its own pace, or not at all",

@@ -14,6 +14,20 @@ TEST_CASE("a channel without events is named with those that had some", "[proces
                                           "(1); name the channel with --b"});
 }
 
+TEST_CASE("a prefix that is in the way is told", "[process][log]") {
+  const auto advice = [](const std::string& held) {
+    ChannelCensus census;
+    census.add(held);
+    return census.find_missing({{"--a", "R2/CLOUD"}}, "R2/").at(0);
+  };
+  CHECK(advice("CLOUD") ==
+        "no event on R2/CLOUD; the log holds CLOUD (1); none begins with R2/: leave out "
+        "--channel-prefix");
+  CHECK(advice("R2/CAMERA") ==
+        "no event on R2/CLOUD; the log holds R2/CAMERA (1); name the channel with --a, without "
+        "R2/");
+}
+
 TEST_CASE("a channel that has events is told with the option that renames it", "[process][log]") {
   ChannelCensus census;
   for (const char* channel : {"QUADRICS", "CAMERA", "QUADRICS", "STATUS"}) census.add(channel);

@@ -28,7 +28,7 @@ std::string logged_by(Call&& call) {
 struct IdleNode : Node {
   std::vector<InChannel> in_channels() const override { return {}; }
   std::optional<Job> receive(const std::string&, std::span<const std::byte>) override { return {}; }
-  void publish_status(std::int64_t, const std::vector<std::string>&) override {}
+  std::string publish_status(const RunState&) override { return {}; }
   std::string summary() const override { return ""; }
 };
 
@@ -45,7 +45,12 @@ TEST_CASE("thousands of clouds that fail give some lines", "[process][log]") {
   const auto seconds = std::chrono::steady_clock::now() - start;
   CHECK(node.failed() == 3000);
   CHECK(std::count(log.begin(), log.end(), '\n') <= 2 + seconds / std::chrono::seconds(1));
-  CHECK(log.find("cloud 0: cannot be encoded; 0 more since the last record") != std::string::npos);
+  CHECK(log.find("cloud 0: cannot be encoded\n") != std::string::npos);
+}
+
+TEST_CASE("a record tells how many it stands for, if it does for more", "[process][log]") {
+  CHECK(with_held_back("cut short", 0) == "cut short");
+  CHECK(with_held_back("cut short", 7) == "cut short; 7 more since the last record");
 }
 
 }  // namespace quadrille

@@ -24,8 +24,9 @@ class SlowNode : public Node {
     return Job{0, [this] { work_until_status(); }};
   }
 
-  void publish_status(std::int64_t, const std::vector<std::string>&) override {
+  std::string publish_status(const RunState&) override {
     if (statuses_++ == 0) publish_("WORK", kByte);
+    return {};
   }
 
   std::string summary() const override { return ""; }

@@ -28,10 +28,11 @@ class EchoNode : public Node {
     if (channel != "IN") return std::nullopt;
     return Job{0, [this] { publish_("OUT", std::vector<std::byte>(kEventBytes)); }};
   }
-  void publish_status(std::int64_t, const std::vector<std::string>& warnings) override {
-    for (const std::string& warning : warnings) {
+  std::string publish_status(const RunState& run) override {
+    for (const std::string& warning : run.warnings) {
       publish_("STATUS", std::as_bytes(std::span(warning)));
     }
+    return {};
   }
   std::string summary() const override { return ""; }
 

@@ -65,8 +65,6 @@ TEST_CASE("equal settings have equal hashes and others do not", "[process][statu
   other.seed += 1;
   CHECK(hash_of({}) == hash_of({}));
   CHECK(hash_of({}) != hash_of(other));
-  // The published test vector of FNV-1a for no bytes.
-  CHECK(SettingsText().hash() == "cbf29ce484222325");
 }
 
 TEST_CASE("a process knows its memory and files", "[process][status]") {
@@ -91,18 +89,22 @@ TEST_CASE("an exposition is what Prometheus reads", "[process][status]") {
   Stages stages({"detect"});
   for (int ms = 1; ms <= 100; ++ms) stages.add("detect", ms);
   CHECK_THROWS_AS(stages.add("dream", 1.0), std::out_of_range);
-  Exposition out("quadrille_test");
+  Exposition out("quadrille_test", {{"channel", "CAMERA"}});
   out.add_counter("clouds", "Clouds.", 7);
   out.add_counters("refused", "Refused.", {counted("cut \"short\"\n", 3)});
   out.add_stages(stages.to_message());
   out.add_process(describe_process("0"));
   const std::string& text = out.text();
-  CHECK(text.find("# TYPE quadrille_test_clouds_total counter\nquadrille_test_clouds_total 7\n") !=
+  CHECK(text.find("# TYPE quadrille_test_clouds_total counter\n"
+                  "quadrille_test_clouds_total{channel=\"CAMERA\"} 7\n") != std::string::npos);
+  CHECK(text.find("_refused_total{channel=\"CAMERA\",reason=\"cut \\\"short\\\"\\n\"} 3\n") !=
         std::string::npos);
-  CHECK(text.find("_refused_total{reason=\"cut \\\"short\\\"\\n\"} 3\n") != std::string::npos);
-  CHECK(text.find("_stage_seconds{stage=\"detect\",quantile=\"0.5\"} 0.05\n") != std::string::npos);
-  CHECK(text.find("_stage_seconds_sum{stage=\"detect\"} 5.05\n") != std::string::npos);
-  CHECK(text.find("_stage_seconds_count{stage=\"detect\"} 100\n") != std::string::npos);
+  CHECK(text.find("_stage_seconds{channel=\"CAMERA\",stage=\"detect\",quantile=\"0.5\"} 0.05\n") !=
+        std::string::npos);
+  CHECK(text.find("_stage_seconds_sum{channel=\"CAMERA\",stage=\"detect\"} 5.05\n") !=
+        std::string::npos);
+  CHECK(text.find("_stage_seconds_count{channel=\"CAMERA\",stage=\"detect\"} 100\n") !=
+        std::string::npos);
   // The grammar of the format.
   const std::regex kLine(
       R"(# (HELP [a-z_]+ .+|TYPE [a-z_]+ (counter|gauge|summary))|)"
@@ -129,6 +131,22 @@ TEST_CASE("the file of statistics is always whole and alone", "[process][status]
   const std::filesystem::directory_iterator files(std::filesystem::path(path).parent_path());
   CHECK(std::distance(begin(files), end(files)) == 1);
   CHECK_THROWS_AS(StatsFile("/nonexistent/stats.prom"), io::FileError);
+}
+
+TEST_CASE("a file of statistics is that of one process", "[process][status]") {
+  const test::TempFolder folder;
+  const std::string path = folder.path("stats.prom");
+  {
+    StatsFile file(path);
+    CHECK_THROWS_AS(StatsFile(path), io::FileError);
+    // The one that took the first one's place is held too.
+    file.write("one 1\n");
+    CHECK_THROWS_AS(StatsFile(path), io::FileError);
+    CHECK(test::content_of(path) == "one 1\n");
+    const StatsFile other(folder.path("other.prom"));
+  }
+  // Who has ended holds nothing.
+  CHECK_NOTHROW(StatsFile(path));
 }
 
 }  // namespace

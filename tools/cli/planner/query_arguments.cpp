@@ -60,6 +60,10 @@ void QueryArguments::add_to(CLI::App& app) {
   app.add_option("--target", query_.ids, "Grasp only these quadrics or boxes, by their numbers")
       ->type_name("ID,...")
       ->delimiter(',');
+  app.add_option("--tracks", query_.tracks,
+                 "Grasp only what has these tracks; the clouds of a log are tracked")
+      ->type_name("TRACK,...")
+      ->delimiter(',');
   app.add_option_function<std::string>(
          "--near",
          [this](const std::string& list) {

@@ -4,16 +4,26 @@
 
 namespace quadrille::io {
 
-Config load_config(const std::string& path) {
+namespace {
+
+Config read(SettingReader reader) {
   Config config;
-  if (path.empty()) return config;
-  SettingReader reader(path);
   reader.read(&config.detector);
   reader.read(&config.track);
   reader.read(&config.planner);
   reader.check("", config.detector, config.track, config.planner);
   config.given = reader.given();
   return config;
+}
+
+}  // namespace
+
+Config load_config(const std::string& path) {
+  return path.empty() ? Config() : read(SettingReader(path));
+}
+
+Config parse_config(std::string_view text, const std::string& path) {
+  return read(SettingReader(text, path));
 }
 
 }  // namespace quadrille::io

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "io/config.hpp"
 #include "quadrille/grasping/plan_options.hpp"
@@ -17,6 +18,10 @@ struct Config : DetectorConfig {
 /// @param path  empty for the defaults
 /// @throws FileError likewise
 Config load_config(const std::string& path);
+
+/// The same from the text of such a file.
+/// @param path  what it is called in errors
+Config parse_config(std::string_view text, const std::string& path);
 
 /// A file that load_config() reads back to the same settings, with unit, range, default and meaning
 /// of each as a comment.

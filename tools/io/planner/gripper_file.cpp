@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <set>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 #include "io/planner/gripper_files.hpp"
+#include "io/setting_text.hpp"
 #include "io/toml_file.hpp"
 
 namespace quadrille::io {
@@ -21,11 +23,8 @@ class GripperReader {
 
   void read(const char* key, double* value) { *value = number(key, required(key)); }
 
-  /// Leaves the value alone where the key is missing.
-  void read_if_there(const char* key, double* value) {
-    known_.insert(key);
-    if (const toml::node* node = table_.get(key)) *value = number(key, *node);
-  }
+  /// A key that may be missing.
+  bool has(const char* key) const { return table_.contains(key); }
 
   template <int Size>
   void read(const char* key, Eigen::Matrix<double, Size, 1>* value) {
@@ -74,20 +73,28 @@ class GripperReader {
   std::set<std::string> known_;
 };
 
+/// Visits each field of a gripper but its name, with its key and whether a file has to have it.
+template <class SomeGripper, class Visit>
+void visit_fields(SomeGripper& gripper, const Visit& visit) {
+  visit("max_opening", gripper.max_opening, true);
+  visit("min_opening", gripper.min_opening, true);
+  visit("finger", gripper.finger, true);
+  visit("finger_front", gripper.finger_front, true);
+  visit("pad", gripper.pad, true);
+  visit("palm", gripper.palm, true);
+  visit("max_force", gripper.max_force, true);
+  visit("link_length", gripper.link_length, false);
+  visit("link_angle", gripper.link_angle, false);
+  visit("tcp", gripper.tcp, false);
+}
+
 Gripper gripper_from(toml::table table, const std::string& path) {
   GripperReader reader(path, std::move(table));
   Gripper gripper;
   gripper.name = reader.read_name();
-  reader.read("max_opening", &gripper.max_opening);
-  reader.read("min_opening", &gripper.min_opening);
-  reader.read("finger", &gripper.finger);
-  reader.read("finger_front", &gripper.finger_front);
-  reader.read("pad", &gripper.pad);
-  reader.read("palm", &gripper.palm);
-  reader.read("max_force", &gripper.max_force);
-  reader.read_if_there("link_length", &gripper.link_length);
-  reader.read_if_there("link_angle", &gripper.link_angle);
-  reader.read_if_there("tcp", &gripper.tcp);
+  visit_fields(gripper, [&](const char* key, auto& field, bool required) {
+    if (required || reader.has(key)) reader.read(key, &field);
+  });
   reader.refuse_unknown();
   try {
     gripper.check();
@@ -105,6 +112,19 @@ Gripper load_gripper(const std::string& name_or_path) {
   if (name_or_path.ends_with(".toml")) return read_gripper(name_or_path);
   const std::string path = name_or_path + ".toml";
   return gripper_from(parse_toml(gripper_toml(name_or_path), path), path);
+}
+
+std::string to_toml(const Gripper& gripper) {
+  std::string text = fmt::format("name = \"{}\"\n", gripper.name);
+  visit_fields(gripper, [&](const char* key, const auto& field, bool) {
+    if constexpr (std::is_same_v<decltype(field), const double&>) {
+      text += fmt::format("{} = {}\n", key, toml_of(field));
+    } else {
+      const std::vector<double> numbers(field.begin(), field.end());
+      text += fmt::format("{} = {}\n", key, toml_of(numbers));
+    }
+  });
+  return text;
 }
 
 std::vector<std::string> gripper_names() {

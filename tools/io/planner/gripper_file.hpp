@@ -18,6 +18,9 @@ Gripper read_gripper(const std::string& path);
 /// @throws std::invalid_argument if there is no gripper of that name; lists the names
 Gripper load_gripper(const std::string& name_or_path);
 
+/// All that a file says of a gripper, as read_gripper() reads it: equal texts are equal grippers.
+std::string to_toml(const Gripper& gripper);
+
 /// The built-in grippers: those of tools/grippers, in the order of their names.
 std::vector<std::string> gripper_names();
 

@@ -43,6 +43,7 @@ Json to_json(const CollisionShape& shape) {
 Json to_json(const GraspQuery& query) {
   Json json = Json::object();
   if (!query.ids.empty()) json["target"] = query.ids;
+  if (!query.tracks.empty()) json["tracks"] = query.tracks;
   if (query.near_C) json["near"] = array_of(*query.near_C);
   if (query.region) {
     json["roi"] = {{"pose", to_json(query.region->X_CR)},

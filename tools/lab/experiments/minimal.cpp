@@ -7,10 +7,11 @@
 #include "fits/compact_fit.hpp"
 #include "fits/linear_system.hpp"
 #include "fits/solution_space.hpp"
+#include "fits/three_point_fit.hpp"
 #include "lab/experiments/experiments.hpp"
 #include "lab/experiments/measure.hpp"
 #include "lab/experiments/random_quadric.hpp"
-#include "search/basis.hpp"
+#include "search/gradient_scales.hpp"
 
 namespace quadrille::experiments {
 namespace {
@@ -69,12 +70,20 @@ Vector10d by_qr(const OrientedPointsd& points) {
   return with_lambda(qr.colsPermutation() * p, qr.colsPermutation() * mu, points);
 }
 
-Vector10d by_closed_form(const OrientedPointsd& points) {
-  const auto pencil = make_pencil({points.at(0), points.at(1), points.at(2)});
+Vector10d through_fourth(const std::optional<Pencil>& pencil, const OrientedPointsd& points) {
   if (!pencil) return Vector10d::Zero();
   const Eigen::Vector4d x = points.points.col(3).homogeneous();
   const double z = pencil->plane.dot(x);
   return Quadric(pencil->at(-x.dot(pencil->Q0 * x) / (z * z))).coefficients();
+}
+
+Vector10d by_closed_form(const OrientedPointsd& points) {
+  return through_fourth(make_pencil({points.at(0), points.at(1), points.at(2)}), points);
+}
+
+Vector10d by_solved_lengths(const OrientedPointsd& points) {
+  return through_fourth(make_scaled_pencil({points.at(0), points.at(1), points.at(2)}, 0.0),
+                        points);
 }
 
 Vector10d coefficients_of(const std::optional<Quadric>& Q) {
@@ -85,8 +94,13 @@ std::vector<Way> all_ways() {
   using Dynamic = Eigen::MatrixXd;
   return {
       {"closed form (make_pencil, λ)", "closed form", false, by_closed_form},
-      {"closed form, normalised and checked (fit_three_and_one)", "closed form, checked", false,
-       [](const OrientedPointsd& p) { return coefficients_of(fit_three_and_one(p)); }},
+      {"closed form with solved lengths (make_scaled_pencil, λ)", "lengths solved", false,
+       by_solved_lengths},
+      {"the same, normalised, with its error (fit_three_points)", "with its error", false,
+       [](const OrientedPointsd& p) {
+         const auto fit = fit_three_points(p);
+         return fit ? fit->Q.coefficients() : Vector10d(Vector10d::Zero());
+       }},
       {"compact system of 4 points by normal equations (fit_compact)", "4 points, normal equations",
        false, [](const OrientedPointsd& p) { return coefficients_of(fit_compact(p)); }},
       {"12x10, pivoted QR", "12x10, pivoted QR", false, by_qr},

@@ -1,10 +1,11 @@
 #include "lab/experiments/samplers.hpp"
 
 #include <array>
+#include <cmath>
 
 #include "fits/compact_fit.hpp"
 #include "fits/taubin_fit.hpp"
-#include "search/basis.hpp"
+#include "search/gradient_scales.hpp"
 #include "search/vote.hpp"
 #include "search/web_vote.hpp"
 
@@ -13,6 +14,8 @@ namespace {
 
 // As in hypotheses.cpp.
 constexpr double kMaxInconsistent = 0.6, kNormalNoise = 0.05;
+// Least distance of voters, and of a fourth point, from the plane of three.
+constexpr double kMinHeight = 0.1;
 
 OrientedPointsd random_tuple(const Neighbourhood& from, int count, RandomStream& random) {
   OrientedPointsd tuple(count);
@@ -26,19 +29,26 @@ OrientedPointsd random_tuple(const Neighbourhood& from, int count, RandomStream&
 
 VoteOptions vote_options() {
   VoteOptions options;
-  options.min_height = 0.1;
+  options.min_height = kMinHeight;
   options.min_cosine = kSamplerCosine;
   return options;
 }
 
-void vote_with_three(const Neighbourhood& from, const OrientedPointsf& voters, bool check,
+/// How bases of three points become pencils.
+struct Three {
+  bool solve_lengths;
+  bool check;
+};
+
+void vote_with_three(const Neighbourhood& from, const OrientedPointsf& voters, const Three& way,
                      RandomStream& random, std::vector<Quadric>* hypotheses) {
   std::array<OrientedPoint, 3> basis;
   for (OrientedPoint& point : basis) {
     point = from.points.at(random.below(static_cast<int>(from.points.size())));
   }
-  const auto pencil = make_pencil(basis);
-  if (!pencil || (check && inconsistency(basis) > kMaxInconsistent)) return;
+  const auto pencil =
+      way.solve_lengths ? make_scaled_pencil(basis, kScaleSoftness) : make_pencil(basis);
+  if (!pencil || (way.check && inconsistency(basis) > kMaxInconsistent)) return;
   for (const VotePeak& peak : vote(*pencil, voters, vote_options())) {
     hypotheses->emplace_back(pencil->at(peak.lambda));
   }
@@ -57,6 +67,17 @@ void vote_with_two(const Neighbourhood& from, const OrientedPointsf& voters, Ran
   }
 }
 
+/// The soft pencil of the first three through the fourth.
+std::optional<Quadric> through_four(const OrientedPointsd& points) {
+  const auto pencil =
+      make_scaled_pencil({points.at(0), points.at(1), points.at(2)}, kScaleSoftness);
+  if (!pencil) return std::nullopt;
+  const Eigen::Vector4d x = points.points.col(3).homogeneous();
+  const double z = pencil->plane.dot(x);
+  if (!(std::abs(z) > kMinHeight)) return std::nullopt;
+  return Quadric(pencil->at(-x.dot(pencil->Q0 * x) / (z * z)));
+}
+
 template <class Fit>
 Sampler tuple_sampler(const std::string& name, int count, Fit fit) {
   return {name, [count, fit](const Neighbourhood& from, const OrientedPointsf&,
@@ -70,18 +91,19 @@ Sampler tuple_sampler(const std::string& name, int count, Fit fit) {
 
 std::vector<Sampler> all_samplers() {
   using P = const OrientedPointsd&;
-  const auto three = [](bool check) {
-    return [check](const Neighbourhood& from, const OrientedPointsf& voters, RandomStream& random,
-                   std::vector<Quadric>* hypotheses) {
-      vote_with_three(from, voters, check, random, hypotheses);
+  const auto three = [](const Three& way) {
+    return [way](const Neighbourhood& from, const OrientedPointsf& voters, RandomStream& random,
+                 std::vector<Quadric>* hypotheses) {
+      vote_with_three(from, voters, way, random, hypotheses);
     };
   };
   return {
-      {kThreeName, three(true)},
-      {"3 points, vote", three(false)},
+      {kThreeName, three({true, true})},
+      {"3 points, vote", three({true, false})},
+      {"3 points, common scale, vote, consistency test", three({false, true})},
       {"2 points, vote in 3 dimensions", vote_with_two},
       tuple_sampler("4 points, compact", 4, [](P p) { return fit_compact(p); }),
-      tuple_sampler("4 points, closed form", 4, [](P p) { return fit_three_and_one(p); }),
+      tuple_sampler("4 points, closed form", 4, through_four),
       tuple_sampler("9 points, Taubin", 9, [](P p) { return fit_taubin(p); }),
   };
 }

@@ -10,7 +10,7 @@ namespace quadrille::experiments {
 
 /// Least cosine between a voter's or an inlier's normal and a hypothesis's gradient.
 inline constexpr double kSamplerCosine = 0.85;
-/// The detector's own way.
+/// With solved lengths of the gradients; the detector's default has the common scale.
 inline constexpr const char* kThreeName = "3 points, vote, consistency test";
 
 /// Turns random points of a neighbourhood into hypotheses.

@@ -2,21 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
-
+#include "io/hash.hpp"
 #include "quadrille/grasping/plan_options.hpp"
 
 namespace quadrille::study {
 namespace {
 
 using Cells = std::vector<std::string>;
-
-/// FNV-1a, 64 bits.
-std::string check_sum(const std::string& text) {
-  std::uint64_t sum = 0xcbf29ce484222325u;
-  for (const char c : text) sum = (sum ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return fmt::format("{:016x}", sum);
-}
 
 template <class Value>
 std::string cell(const Value& value) {
@@ -107,7 +99,7 @@ Label label_of(const StudyOptions& options, const std::string& version, const st
           {"friction", cell(options.trial.friction)},
           {"density", cell(options.trial.density)},
           {"force", cell(options.trial.force)},
-          {"settings", check_sum(settings)}};
+          {"settings", io::hash_text(settings)}};
 }
 
 const Cells& grasp_columns() {

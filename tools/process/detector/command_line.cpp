@@ -21,12 +21,11 @@ std::string check_shard(const std::string& text) try {
 
 DetectorCommandLine::DetectorCommandLine(CLI::App& app) {
   settings_.process.add_to(app, "cloud");
-  add_pattern_option(app, "--in-channel", settings_.in_channel, "clouds");
-  add_channel_option(app, "--out-channel", settings_.out_channel, "quadrics");
-  add_channel_option(app, "--boxes-channel", settings_.boxes_channel, "boxes");
-  add_channel_option(app, "--status-channel", settings_.status_channel, "status");
-  add_channel_option(app, "--pose-channel", settings_.pose_channel,
-                     "camera's poses (bot_core.pose_t) in a fixed frame");
+  DetectorSettings::visit_channels(
+      settings_, [&](Way, const char* option, std::string& name, const char* what) {
+        const bool may_be_pattern = &name == &settings_.in_channel;
+        (may_be_pattern ? add_pattern_option : add_channel_option)(app, option, name, what);
+      });
   app.add_option("--shard", shard_,
                  "Answer the I-th share of the clouds alone, on channels that end in _I; see "
                  "quadrille merge")
@@ -58,12 +57,9 @@ DetectorSettings DetectorCommandLine::settings() const {
         "a pattern stands for several cameras, and poses are those of one; start a process for "
         "each");
   }
-  check_distinct({{"--in-channel", settings.in_channel},
-                  {"--out-channel", settings.out_channel},
-                  {"--boxes-channel", settings.boxes_channel},
-                  {"--shard", settings.seen_channel},
-                  {"--status-channel", settings.status_channel},
-                  {"--pose-channel", settings.pose_channel}});
+  std::vector<NamedChannel> channels = channels_of(settings);
+  channels.push_back({"--shard", settings.seen_channel});
+  check_distinct(channels);
   return settings;
 }
 
@@ -75,18 +71,15 @@ void DetectorCommandLine::name_channels(DetectorSettings* settings) const {
     settings->warnings.push_back("with --shard surfaces get no tracks");
   }
   const ProcessArguments& process = settings->process;
-  for (std::string* in : {&settings->in_channel, &settings->pose_channel}) {
-    *in = process.prefixed(*in);
-  }
   // Nobody merges logs, nor cameras of a pattern.
   if (!settings->shard.is_whole() && process.in_log.empty() &&
       !bus::ChannelPattern(settings->in_channel).is_pattern()) {
     settings->seen_channel = process.prefixed(settings->shard.seen_channel(settings->out_channel));
   }
-  for (std::string* out :
-       {&settings->out_channel, &settings->boxes_channel, &settings->status_channel}) {
-    *out = process.prefixed(settings->shard.channel(*out));
-  }
+  DetectorSettings::visit_channels(
+      *settings, [&](Way way, const char*, std::string& name, const char*) {
+        name = process.prefixed(way == Way::kIn ? name : settings->shard.channel(name));
+      });
 }
 
 }  // namespace quadrille

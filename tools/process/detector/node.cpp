@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "io/hash.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/other_senders.hpp"
 #include "process/runtime/process_info.hpp"
@@ -22,22 +23,16 @@
 namespace quadrille {
 namespace {
 
+// A channel without clouds for so long makes room for another one.
+constexpr std::chrono::seconds kSilence{10};
+
 std::string hash_of(const DetectorSettings& settings) {
   SettingsText text;
   text.add_all(settings.detector);
   text.add_all(settings.track);
-  for (const std::string* channel :
-       {&settings.in_channel, &settings.out_channel, &settings.boxes_channel,
-        &settings.status_channel, &settings.pose_channel}) {
-    text.add("channel", *channel);
-  }
-  text.add("clouds", std::string(word_of(settings.frames.clouds)));
-  text.add("results", std::string(word_of(settings.frames.of_results())));
-  if (settings.X_WK) {
-    for (const double number : settings.X_WK->matrix().reshaped()) {
-      text.add("pose", io::toml_of(number));
-    }
-  }
+  text.add_channels(channels_of(settings));
+  text.add("shard", fmt::format("{}/{}", settings.shard.index, settings.shard.count));
+  text.add_frames(settings.frames, settings.X_WK);
   return text.hash();
 }
 
@@ -55,18 +50,22 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
 }
 
 std::vector<InChannel> DetectorNode::in_channels() const {
-  std::vector<InChannel> channels = {{"--in-channel", settings_.in_channel}};
-  if (!settings_.pose_channel.empty()) {
-    channels.push_back({"--pose-channel", settings_.pose_channel});
-  }
+  std::vector<InChannel> channels;
+  DetectorSettings::visit_channels(
+      settings_, [&](Way way, const char* option, const std::string& name, const char*) {
+        if (way == Way::kIn && !name.empty()) channels.push_back({option, name});
+      });
   return channels;
 }
 
 std::vector<OutChannel> DetectorNode::out_channels() const {
-  const bool several = in_channel_.is_pattern();
-  return {{"--out-channel", settings_.out_channel, several},
-          {"--boxes-channel", settings_.boxes_channel, several},
-          {"--status-channel", settings_.status_channel}};
+  std::vector<OutChannel> channels;
+  DetectorSettings::visit_channels(
+      settings_, [&](Way way, const char* option, const std::string& name, const char*) {
+        const bool several = in_channel_.is_pattern() && &name != &settings_.status_channel;
+        if (way == Way::kOut) channels.push_back({option, name, several});
+      });
+  return channels;
 }
 
 std::optional<Job> DetectorNode::receive(const std::string& channel,
@@ -85,9 +84,13 @@ bool DetectorNode::takes_clouds_of(const std::string& channel) const {
 }
 
 /// Why clouds of that channel are not taken; nullopt if they are.
-std::optional<bus::Rejection> DetectorNode::refuse_channel(const std::string& channel) {
-  if (cloud_channels_.contains(channel)) return std::nullopt;
-  if (cloud_channels_.size() == Trackers::kMaxTrackers) {
+std::optional<bus::Rejection> DetectorNode::refuse_channel(const std::string& channel,
+                                                           TimePoint now) {
+  if (const auto known = cloud_channels_.find(channel); known != cloud_channels_.end()) {
+    known->second = now;
+    return std::nullopt;
+  }
+  if (cloud_channels_.size() == Trackers::kMaxTrackers && !forget_silent_channel(now)) {
     return bus::Rejection{bus::RejectReason::kBadChannel,
                           fmt::format("clouds of {} channels are taken already; start one process "
                                       "more, and give each a pattern of its own",
@@ -99,15 +102,29 @@ std::optional<bus::Rejection> DetectorNode::refuse_channel(const std::string& ch
   } catch (const std::invalid_argument& error) {
     return bus::Rejection{bus::RejectReason::kBadChannel, error.what()};
   }
-  cloud_channels_.insert(channel);
+  cloud_channels_.emplace(channel, now);
   return std::nullopt;
+}
+
+/// Makes room for another channel; false if clouds have come on all of them lately.
+bool DetectorNode::forget_silent_channel(TimePoint now) {
+  const auto oldest =
+      std::min_element(cloud_channels_.begin(), cloud_channels_.end(),
+                       [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (now - oldest->second < kSilence) return false;
+  cloud_channels_.erase(oldest);
+  return true;
 }
 
 /// Where the results of a channel's clouds go.
 /// @param name  of the channel, or what it begins with
 std::string DetectorNode::results_channel(const std::string& name,
                                           const std::string& cloud_channel) const {
-  return in_channel_.is_pattern() ? name + "_" + cloud_channel : name;
+  if (!in_channel_.is_pattern()) return name;
+  // The prefix of all channels begins the result's name already.
+  const std::string& prefix = settings_.process.channel_prefix;
+  const bool has_prefix = cloud_channel.starts_with(prefix);
+  return name + "_" + (has_prefix ? cloud_channel.substr(prefix.size()) : cloud_channel);
 }
 
 void DetectorNode::receive_pose(const std::string& channel, std::span<const std::byte> bytes) {
@@ -145,7 +162,7 @@ void DetectorNode::tell_of(std::span<const std::byte> cloud, std::int64_t digest
     shard_cloud_t message;
     message.utime = stamp->utime;
     message.seq = stamp->seq;
-    message.message_digest = digest_of_message(cloud);
+    message.message_digest = static_cast<std::int64_t>(io::hash_of(cloud));
     message.cloud_digest = digest;
     message.shard = settings_.shard.index;
     message.shards = settings_.shard.count;
@@ -170,14 +187,14 @@ std::optional<Job> DetectorNode::take_cloud(const std::string& channel,
     refusals_.add(channel, *rejection);
     return std::nullopt;
   }
-  if (const auto rejection = refuse_channel(channel)) {
+  if (const auto rejection = refuse_channel(channel, now)) {
     refusals_.add(channel, *rejection);
     return std::nullopt;
   }
   ++counts_.decoded;
   stages_.add("decode", bus::ms_since(now));
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
-  if (settings_.shard.is_whole()) gaps_.add(cloud.cloud.frame, cloud.seq);
+  if (settings_.shard.is_whole()) gaps_.add(channel + '\n' + cloud.cloud.frame, cloud.seq);
   const std::int64_t utime = cloud.utime;
   *digest = cloud.digest;
   // Chosen now, and not when the work begins, by when more poses may have come than in a replay.

@@ -3,9 +3,9 @@
 #include <chrono>
 #include <cstdint>
 #include <lcmtypes/quadrille/detector_status_t.hpp>
+#include <map>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,8 +35,7 @@ class DetectorNode : public Node {
   std::vector<InChannel> in_channels() const override;
   std::vector<OutChannel> out_channels() const override;
   std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
-  void publish_status(std::int64_t superseded, const std::vector<std::string>& warnings) override;
-  std::string exposition() const override;
+  std::string publish_status(const RunState& run) override;
   std::string summary() const override;
   std::vector<std::string> find_oddities() const override;
 
@@ -50,7 +49,8 @@ class DetectorNode : public Node {
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
   CameraPose choose_pose(std::int64_t utime);
   bool takes_clouds_of(const std::string& channel) const;
-  std::optional<bus::Rejection> refuse_channel(const std::string& channel);
+  std::optional<bus::Rejection> refuse_channel(const std::string& channel, TimePoint now);
+  bool forget_silent_channel(TimePoint now);
   std::string results_channel(const std::string& name, const std::string& cloud_channel) const;
   void track(const std::string& channel, const bus::CloudMessage& cloud,
              const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
@@ -83,11 +83,10 @@ class DetectorNode : public Node {
   SequenceGaps gaps_;
   Refusals refusals_;
   Untracked untracked_;
-  /// On which clouds have come.
-  std::set<std::string> cloud_channels_;
+  /// On which clouds have come, with the time of the last one.
+  std::map<std::string, TimePoint> cloud_channels_;
   Stages stages_{{"decode", "wait", "detect", "quadrics", "boxes"}};
   Rate received_rate_, published_rate_;
-  detector_status_t last_status_{};
 };
 
 }  // namespace quadrille

@@ -12,14 +12,34 @@
 
 namespace quadrille {
 
-void DetectorNode::publish_status(std::int64_t superseded,
-                                  const std::vector<std::string>& warnings) {
+namespace {
+
+std::string to_exposition(const detector_status_t& status, const DetectorSettings& settings) {
+  Exposition out("quadrille_detector",
+                 {{"channel", settings.in_channel}, {"status_channel", settings.status_channel}});
+  out.add_counter("clouds_received", "Messages on the channel of the clouds.", status.received);
+  out.add_counter("clouds_decoded", "Clouds that passed all checks.", status.decoded);
+  out.add_counter("clouds_missing", "Clouds that never came, by gaps in their seq.",
+                  status.missing);
+  out.add_counter("clouds_superseded", "Clouds dropped for a newer one.", status.superseded);
+  out.add_counter("clouds_failed", "Clouds on which the detection failed.", status.failed);
+  out.add_counter("quadrics_published", "Messages of quadrics.", status.published);
+  out.add_counters("messages_refused", "Messages refused.", status.rejected);
+  out.add_counters("clouds_untracked", "Clouds without tracks.", status.untracked);
+  out.add_gauge("clouds_per_second", "Over the last ten seconds.", status.received_rate);
+  out.add_gauge("quadrics_per_second", "Over the last ten seconds.", status.published_rate);
+  out.add_common(status);
+  return out.text();
+}
+
+}  // namespace
+
+std::string DetectorNode::publish_status(const RunState& run) {
   detector_status_t status{};
   fill_counts(&status);
-  CommonStatus{traffic(), superseded, warnings, settings_hash_}.write_to(&status);
+  write_common(run, settings_hash_, &status);
   publish_(settings_.status_channel, bus::encode(status));
-  const std::lock_guard lock(mutex_);
-  last_status_ = std::move(status);
+  return to_exposition(status, settings_);
 }
 
 void DetectorNode::fill_counts(detector_status_t* status) {
@@ -35,30 +55,6 @@ void DetectorNode::fill_counts(detector_status_t* status) {
   status->untracked = untracked_.to_message();
   status->num_untracked = static_cast<std::int32_t>(status->untracked.size());
   set_stages(stages_, status);
-}
-
-std::string DetectorNode::exposition() const {
-  const std::lock_guard lock(mutex_);
-  const detector_status_t& status = last_status_;
-  Exposition out("quadrille_detector");
-  out.add_counter("clouds_received", "Messages on the channel of the clouds.", status.received);
-  out.add_counter("clouds_decoded", "Clouds that passed all checks.", status.decoded);
-  out.add_counter("clouds_missing", "Clouds that never came, by gaps in their seq.",
-                  status.missing);
-  out.add_counter("clouds_superseded", "Clouds dropped for a newer one.", status.superseded);
-  out.add_counter("clouds_failed", "Clouds on which the detection failed.", status.failed);
-  out.add_counter("quadrics_published", "Messages of quadrics.", status.published);
-  out.add_counter("received_bytes", "Bytes of clouds received.", status.received_bytes);
-  out.add_counter("published_bytes", "Bytes of results published.", status.published_bytes);
-  out.add_counters("messages_refused", "Messages refused.", status.rejected);
-  out.add_counters("clouds_untracked", "Clouds without tracks.", status.untracked);
-  out.add_gauge("clouds_per_second", "Over the last ten seconds.", status.received_rate);
-  out.add_gauge("quadrics_per_second", "Over the last ten seconds.", status.published_rate);
-  out.add_gauge("warnings", "What is wrong with the transport.", status.num_warnings);
-  out.add_transport(status.transport);
-  out.add_stages(status.stages);
-  out.add_process(status.process);
-  return out.text();
 }
 
 std::string DetectorNode::summary() const {

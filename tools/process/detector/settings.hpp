@@ -35,6 +35,18 @@ struct DetectorSettings {
   TrackOptions track;
   /// What of the configuration is not heeded, to be logged.
   std::vector<std::string> warnings;
+
+  /// Lists each channel: which way its messages go, the option that names it, its name, and what
+  /// it carries. The one on which a shard tells of clouds has no option.
+  template <class Settings, class Visit>
+  static void visit_channels(Settings& settings, const Visit& visit) {
+    visit(Way::kIn, "--in-channel", settings.in_channel, "clouds");
+    visit(Way::kOut, "--out-channel", settings.out_channel, "quadrics");
+    visit(Way::kOut, "--boxes-channel", settings.boxes_channel, "boxes");
+    visit(Way::kOut, "--status-channel", settings.status_channel, "status");
+    visit(Way::kIn, "--pose-channel", settings.pose_channel,
+          "camera's poses (bot_core.pose_t) in a fixed frame");
+  }
 };
 
 }  // namespace quadrille

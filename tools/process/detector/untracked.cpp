@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "process/runtime/limited_log.hpp"
 #include "process/runtime/logging.hpp"
 
 namespace quadrille {
@@ -12,8 +13,8 @@ void Untracked::add(const std::string& channel, std::int64_t cloud_utime, PoseLa
   ++counts_[static_cast<std::size_t>(lack)];
   const auto held_back = log_.admit();
   if (!held_back) return;
-  log_warning(fmt::format("{}: cloud {} is not {}: {}; {} more since the last record", channel,
-                          cloud_utime, what, detail, *held_back));
+  log_warning(with_held_back(
+      fmt::format("{}: cloud {} is not {}: {}", channel, cloud_utime, what, detail), *held_back));
 }
 
 std::vector<count_t> Untracked::to_message() const {

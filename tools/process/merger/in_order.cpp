@@ -56,6 +56,7 @@ void InOrder::add(int shard, Key key, std::int64_t cloud_digest, Bytes message,
   answered.cloud_digest = cloud_digest;
   answered.answered = true;
   answered.message = std::move(message);
+  waiting_bytes_ += answered.message.size();
   answered.since = now;
   set_told(shard, *position);
   // Shards answer in order.
@@ -180,15 +181,20 @@ std::vector<InOrder::Result> InOrder::take(Clock::time_point now) {
       give_up(clouds_[*obstacle]);
       continue;
     }
-    if (obstacle && clouds_.size() - done_ <= kMaxWaiting) break;
+    if (obstacle && !is_too_much()) break;
     for (Position left = *next - done_; left > 0; --left) finish_first();
     Cloud& first = clouds_[done_];
+    waiting_bytes_ -= first.message.size();
     due.push_back({std::move(first.message), first.since});
     last_ = first.key;
     finish_first();
   }
   while (clouds_.size() - done_ > kMaxWaiting) finish_first();
   return due;
+}
+
+bool InOrder::is_too_much() const {
+  return clouds_.size() - done_ > kMaxWaiting || waiting_bytes_ > kMaxWaitingBytes;
 }
 
 std::optional<InOrder::Position> InOrder::find_next_answered() const {
@@ -209,6 +215,7 @@ std::optional<InOrder::Position> InOrder::find_unsettled(Position result) const 
 void InOrder::finish_first() {
   constexpr std::size_t kKept = 256;
   Cloud& first = clouds_[done_++];
+  waiting_bytes_ -= first.message.size();
   first.message = {};
   if (first.answered) {
     ++merged_;

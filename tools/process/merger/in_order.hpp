@@ -44,6 +44,8 @@ class InOrder {
 
   /// Clouds that wait at the most, with or without their results; with more the oldest goes.
   static constexpr std::size_t kMaxWaiting = 256;
+  /// What the results that wait take at the most; with more the oldest goes [byte].
+  static constexpr std::size_t kMaxWaitingBytes = 64 << 20;
 
   /// A shard tells that it has received a cloud.
   /// @param shard           from 0
@@ -97,6 +99,7 @@ class InOrder {
   std::optional<Position> find_unsettled(Position result) const;
   bool has_patience_ended(Clock::time_point now) const;
   void give_up(const Cloud& cloud);
+  bool is_too_much() const;
   void finish_first();
 
   std::vector<Source> sources_;
@@ -104,6 +107,8 @@ class InOrder {
   /// Those that are done, of which some are kept to know what comes late, and then those that wait.
   std::deque<Cloud> clouds_;
   Position done_ = 0;
+  /// Of the results that wait.
+  std::size_t waiting_bytes_ = 0;
   /// Where time ran backwards last: what comes now belongs behind it.
   Position anew_ = 0;
   /// Of the last result that went out since then.

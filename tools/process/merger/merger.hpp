@@ -43,10 +43,9 @@ class Merger {
   void publish_due();
 
   /// @param warnings  what is wrong with the transport
-  void publish_status(const bus::Traffic& traffic, std::vector<std::string> warnings);
+  /// @return the same in the text format that Prometheus reads
+  std::string publish_status(const bus::Traffic& traffic, std::vector<std::string> warnings);
 
-  /// The last published status in the text format that Prometheus reads.
-  std::string exposition() const;
   std::string summary() const;
 
  private:
@@ -71,7 +70,7 @@ class Merger {
   std::optional<InOrder::Clock::time_point> first_heard_;
   Refusals refusals_;
   LimitedLog mismatch_log_, twin_log_;
-  merger_status_t counts_{}, last_status_{};
+  merger_status_t counts_{};
   Rate received_rate_, published_rate_;
   Stages stages_{{"wait"}};
 };

@@ -30,6 +30,31 @@ count_t labelled(const shard_state_t& shard, std::int64_t count) {
   return entry;
 }
 
+std::string to_exposition(const merger_status_t& status, const MergerOptions& options) {
+  Exposition out("quadrille_merger",
+                 {{"channel", options.channel}, {"status_channel", options.status_channel}});
+  out.add_counter("results_received", "Messages of quadrics, of all shards.", status.received);
+  out.add_counter("results_published", "Of these, those that went on.", status.published);
+  out.add_counter("results_late", "Dropped: after a later one, or a second time.", status.late);
+  out.add_counter("clouds_unanswered", "Clouds that a shard took and did not answer in time.",
+                  status.unanswered);
+  out.add_counters("messages_refused", "Messages refused.", status.rejected);
+  std::vector<count_t> works, clouds, results, lost;
+  for (const shard_state_t& shard : status.shards) {
+    works.push_back(labelled(shard, shard.state == "works" ? 1 : 0));
+    clouds.push_back(labelled(shard, shard.clouds));
+    results.push_back(labelled(shard, shard.results));
+    lost.push_back(labelled(shard, shard.times_lost));
+  }
+  out.add_gauges("shard_works", "Whether results wait for a shard.", "shard", works);
+  out.add_counters("shard_clouds", "Clouds that a shard told of.", clouds, "shard");
+  out.add_counters("shard_results", "Messages of quadrics of a shard.", results, "shard");
+  out.add_counters("shard_lost", "How often a shard was lost.", lost, "shard");
+  out.add_gauge("results_per_second", "Over the last ten seconds.", status.published_rate);
+  out.add_common(status);
+  return out.text();
+}
+
 }  // namespace
 
 std::vector<std::string> Merger::find_warnings() const {
@@ -67,7 +92,7 @@ void Merger::fill_counts(merger_status_t* status) {
   set_stages(stages_, status);
 }
 
-void Merger::publish_status(const bus::Traffic& traffic, std::vector<std::string> warnings) {
+std::string Merger::publish_status(const bus::Traffic& traffic, std::vector<std::string> warnings) {
   merger_status_t status;
   fill_counts(&status);
   status.transport = to_message(traffic);
@@ -75,37 +100,7 @@ void Merger::publish_status(const bus::Traffic& traffic, std::vector<std::string
   status.warnings = std::move(warnings);
   status.num_warnings = static_cast<std::int32_t>(status.warnings.size());
   publish_(options_.status_channel, bus::encode(status));
-  last_status_ = std::move(status);
-}
-
-std::string Merger::exposition() const {
-  const merger_status_t& status = last_status_;
-  Exposition out("quadrille_merger");
-  out.add_counter("results_received", "Messages of quadrics, of all shards.", status.received);
-  out.add_counter("results_published", "Of these, those that went on.", status.published);
-  out.add_counter("results_late", "Dropped: after a later one, or a second time.", status.late);
-  out.add_counter("clouds_unanswered", "Clouds that a shard took and did not answer in time.",
-                  status.unanswered);
-  out.add_counter("received_bytes", "Bytes of results received.", status.received_bytes);
-  out.add_counter("published_bytes", "Bytes of results published.", status.published_bytes);
-  out.add_counters("messages_refused", "Messages refused.", status.rejected);
-  std::vector<count_t> works, clouds, results, lost;
-  for (const shard_state_t& shard : status.shards) {
-    works.push_back(labelled(shard, shard.state == "works" ? 1 : 0));
-    clouds.push_back(labelled(shard, shard.clouds));
-    results.push_back(labelled(shard, shard.results));
-    lost.push_back(labelled(shard, shard.times_lost));
-  }
-  out.add_gauges("shard_works", "Whether results wait for a shard.", "shard", works);
-  out.add_counters("shard_clouds", "Clouds that a shard told of.", clouds, "shard");
-  out.add_counters("shard_results", "Messages of quadrics of a shard.", results, "shard");
-  out.add_counters("shard_lost", "How often a shard was lost.", lost, "shard");
-  out.add_gauge("results_per_second", "Over the last ten seconds.", status.published_rate);
-  out.add_gauge("warnings", "What is wrong with the shards or the transport.", status.num_warnings);
-  out.add_transport(status.transport);
-  out.add_stages(status.stages);
-  out.add_process(status.process);
-  return out.text();
+  return to_exposition(status, options_);
 }
 
 std::string Merger::summary() const {

@@ -1,13 +1,16 @@
 #include "process/merger/run_merger.hpp"
 
-#include <fmt/format.h>
+#include <string>
+#include <vector>
 
+#include "process/runtime/log_listening.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/loss_watch.hpp"
 #include "process/runtime/other_senders.hpp"
 #include "process/runtime/respawn.hpp"
 #include "process/runtime/stats_file.hpp"
 #include "quadrille/bus/connection.hpp"
+#include "quadrille/bus/receiver.hpp"
 #include "quadrille/bus/stop.hpp"
 #include "quadrille/bus/ticker.hpp"
 #include "quadrille/bus/url.hpp"
@@ -15,7 +18,10 @@
 namespace quadrille {
 namespace {
 
-void subscribe(const MergerOptions& options, bus::Connection* connection, Merger* merger) {
+/// @return the channels of the results
+std::vector<std::string> subscribe(const MergerOptions& options, bus::Connection* connection,
+                                   Merger* merger) {
+  std::vector<std::string> channels;
   for (int i = 0; i < options.shards; ++i) {
     const Shard shard{i + 1, options.shards};
     const std::string results = shard.channel(options.channel);
@@ -26,8 +32,9 @@ void subscribe(const MergerOptions& options, bus::Connection* connection, Merger
                           [=](const std::string& name, std::span<const std::byte> bytes) {
                             merger->receive_seen(i, name, bytes);
                           });
-    log_info(fmt::format("listening to {} on {}", results, connection->url()));
+    channels.push_back(results);
   }
+  return channels;
 }
 
 void publish_status(const bus::Connection& connection, const OtherSenders& others, StatsFile* stats,
@@ -35,33 +42,37 @@ void publish_status(const bus::Connection& connection, const OtherSenders& other
   const bus::Traffic traffic = connection.traffic();
   std::vector<std::string> warnings = LossWatch::find_warnings(traffic, connection.warnings());
   for (std::string& warning : others.find_warnings()) warnings.push_back(std::move(warning));
-  merger->publish_status(traffic, std::move(warnings));
-  stats->write(merger->exposition());
+  stats->write(merger->publish_status(traffic, std::move(warnings)));
 }
 
 }  // namespace
 
 void run_merger(const MergerSettings& settings) {
   start_logging("quadrille-merge", settings.process.verbose);
-  if (settings.process.respawn) respawn();
+  if (settings.process.respawn) {
+    // What can be told now is not to be tried again and again.
+    StatsFile(settings.process.stats_file);
+    respawn();
+  }
   bus::install_stop_signals();
-  bus::Connection connection(bus::resolve_url(settings.process.lcm_url),
-                             bus::parse_senders(settings.process.accept_from));
+  StatsFile stats(settings.process.stats_file);
+  const std::string url = bus::resolve_url(settings.process.lcm_url);
+  bus::Connection connection(url, bus::parse_senders(settings.process.accept_from));
   for (const std::string& warning : connection.warnings()) log_warning(warning);
   Merger merger(settings.merger, [&](const std::string& channel, std::span<const std::byte> bytes) {
     connection.publish(channel, bytes);
   });
-  subscribe(settings.merger, &connection, &merger);
+  log_listening(subscribe(settings.merger, &connection, &merger), url, connection);
   OtherSenders others;
   connection.subscribe(
       settings.merger.status_channel,
       [&](const std::string& name, std::span<const std::byte> bytes) { others.hear(name, bytes); });
-  StatsFile stats(settings.process.stats_file);
   LossWatch losses;
   bus::Ticker loss_tick(std::chrono::milliseconds(50)), status_tick(std::chrono::seconds(1));
+  bus::EndlessHandler handler(connection);
   constexpr int kWaitMs = 10;
   while (!bus::stop_requested()) {
-    connection.handle(kWaitMs);
+    handler.handle(kWaitMs);
     merger.publish_due();
     if (loss_tick.due()) {
       if (const auto loss = losses.check(connection.traffic())) log_warning(*loss);

@@ -11,7 +11,7 @@ struct MergerSettings {
 };
 
 /// Merges the results of detectors that share a stream, until a stop is requested.
-/// @throws std::runtime_error if the bus cannot be used
+/// @throws std::runtime_error if the bus cannot be used, or the connection is lost
 void run_merger(const MergerSettings& settings);
 
 }  // namespace quadrille

@@ -13,15 +13,12 @@ PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
   // Few look at it, and it takes a tenth of the time of a plan.
   settings_.occupancy_period = 1.0;
   settings_.process.add_to(app, "plan");
-  add_channel_option(app, "--cloud-channel", settings_.cloud_channel, "clouds");
-  add_channel_option(app, "--quadrics-channel", settings_.quadrics_channel, "quadrics");
-  add_channel_option(app, "--grasps-channel", settings_.grasps_channel, "grasps");
-  add_channel_option(app, "--request-channel", settings_.request_channel,
-                     "requests (quadrille.grasp_request_t)");
+  PlannerSettings::visit_channels(
+      settings_, [&](Way, const char* option, std::string& name, const char* what) {
+        add_channel_option(app, option, name, what);
+      });
   app.add_flag("--on-request", settings_.on_request,
                "Plan only what is asked for, and not on each cloud");
-  add_channel_option(app, "--shapes-channel", settings_.shapes_channel, "collision shapes");
-  add_channel_option(app, "--occupancy-channel", settings_.occupancy_channel, "occupancy");
   app.add_flag("!--no-shapes", settings_.shapes, "Publish no collision shapes");
   app.add_flag("!--no-occupancy", settings_.occupancy, "Publish no occupancy");
   app.add_option("--occupancy-period", settings_.occupancy_period,
@@ -34,9 +31,6 @@ PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
       ->check(CLI::Range(0, 19))
       ->type_name("N")
       ->capture_default_str();
-  add_channel_option(app, "--status-channel", settings_.status_channel, "status");
-  add_channel_option(app, "--pose-channel", settings_.pose_channel,
-                     "camera's poses (bot_core.pose_t) in a fixed frame");
   camera_.add_to(app, "--pose-channel");
   settings_.frames.add_to(app);
   planner_.add_to(app, "franka");
@@ -52,22 +46,12 @@ PlannerSettings PlannerCommandLine::settings() const {
   settings.pose_age = config.track.pose_age;
   settings.X_WK = camera_.X_WK;
   settings.process.check();
-  for (std::string* channel :
-       {&settings.cloud_channel, &settings.quadrics_channel, &settings.grasps_channel,
-        &settings.request_channel, &settings.shapes_channel, &settings.occupancy_channel,
-        &settings.status_channel, &settings.pose_channel}) {
-    *channel = settings.process.prefixed(*channel);
-  }
+  PlannerSettings::visit_channels(settings, [&](Way, const char*, std::string& name, const char*) {
+    name = settings.process.prefixed(name);
+  });
   check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,
               {settings.cloud_channel, settings.quadrics_channel, settings.request_channel});
-  check_distinct({{"--cloud-channel", settings.cloud_channel},
-                  {"--quadrics-channel", settings.quadrics_channel},
-                  {"--grasps-channel", settings.grasps_channel},
-                  {"--request-channel", settings.request_channel},
-                  {"--shapes-channel", settings.shapes_channel},
-                  {"--occupancy-channel", settings.occupancy_channel},
-                  {"--status-channel", settings.status_channel},
-                  {"--pose-channel", settings.pose_channel}});
+  check_distinct(channels_of(settings));
   settings.gripper = planner_.gripper();
   return settings;
 }

@@ -43,21 +43,23 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
       occupancies_(occupancy_interval(settings)) {}
 
 std::vector<InChannel> PlannerNode::in_channels() const {
-  std::vector<InChannel> channels = {
-      {"--cloud-channel", settings_.cloud_channel},
-      {"--quadrics-channel", settings_.quadrics_channel},
-      {"--request-channel", settings_.request_channel, settings_.on_request}};
-  if (!settings_.pose_channel.empty()) {
-    channels.push_back({"--pose-channel", settings_.pose_channel});
-  }
+  std::vector<InChannel> channels;
+  PlannerSettings::visit_channels(
+      settings_, [&](Way way, const char* option, const std::string& name, const char*) {
+        if (way != Way::kIn || name.empty()) return;
+        const bool expected = &name != &settings_.request_channel || settings_.on_request;
+        channels.push_back({option, name, expected});
+      });
   return channels;
 }
 
 std::vector<OutChannel> PlannerNode::out_channels() const {
-  return {{"--grasps-channel", settings_.grasps_channel},
-          {"--shapes-channel", settings_.shapes_channel},
-          {"--occupancy-channel", settings_.occupancy_channel},
-          {"--status-channel", settings_.status_channel}};
+  std::vector<OutChannel> channels;
+  PlannerSettings::visit_channels(
+      settings_, [&](Way way, const char* option, const std::string& name, const char*) {
+        if (way == Way::kOut) channels.push_back({option, name});
+      });
+  return channels;
 }
 
 std::optional<Job> PlannerNode::receive(const std::string& channel,
@@ -101,8 +103,9 @@ std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
   if (!placement.lack.empty()) {
     ++poseless_;
     if (const auto held_back = poseless_log_.admit()) {
-      log_warning(fmt::format("{}: cloud {} is not planned on: {}; {} more since the last record",
-                              settings_.pose_channel, cloud.utime, placement.lack, *held_back));
+      log_warning(with_held_back(fmt::format("{}: cloud {} is not planned on: {}",
+                                             settings_.pose_channel, cloud.utime, placement.lack),
+                                 *held_back));
     }
   }
   return make_job(pairing_.add(std::move(cloud), std::move(placement)));
@@ -127,10 +130,9 @@ std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
 void PlannerNode::log_unpaired(const std::string& channel, const Pairing::GivenUp& quadrics) {
   const auto held_back = unpaired_log_.admit();
   if (!held_back) return;
-  log_warning(
-      fmt::format("{}: the quadrics of cloud {} are not planned on: {}; {} more since the "
-                  "last record",
-                  channel, quadrics.utime, explain(quadrics.why), *held_back));
+  log_warning(with_held_back(fmt::format("{}: the quadrics of cloud {} are not planned on: {}",
+                                         channel, quadrics.utime, explain(quadrics.why)),
+                             *held_back));
 }
 
 std::optional<Job> PlannerNode::receive_request(const std::string& channel,
@@ -199,10 +201,10 @@ void PlannerNode::plan_and_publish(const SharedPair& shared) {
   const double plan_ms = bus::ms_since(start);
   const Stamp stamp{pair.cloud->utime, pair.cloud->seq,
                     pair.placement.frame_of_results(pair.cloud->cloud.frame)};
-  std::int64_t bytes =
+  const std::int64_t grasp_bytes =
       publish(settings_.grasps_channel, make_grasps_message(stamp, plan, settings_));
   const double latency = bus::ms_since(pair.at);
-  bytes += publish_maps(stamp, plan, pair.placement.X_RK);
+  const std::int64_t bytes = grasp_bytes + publish_maps(stamp, plan, pair.placement.X_RK);
   log_debug(fmt::format("cloud {}: {} quadrics, {} grasps, {:.1f} ms", pair.cloud->utime,
                         pair.quadrics.detections.size(), plan.grasps.size(), latency));
   for (const std::string& warning : plan.warnings) {
@@ -227,11 +229,39 @@ std::int64_t PlannerNode::publish_maps(const Stamp& stamp, const GraspPlan& plan
   if (settings_.shapes) {
     bytes += publish(settings_.shapes_channel, make_shapes_message(stamp, plan));
   }
-  if (settings_.occupancy && occupancies_.admit()) {
-    bytes += publish(settings_.occupancy_channel,
-                     make_occupancy_message(stamp, in_frame(plan.space, X_RK).get()));
+  if (!settings_.occupancy) return bytes;
+  Map map{stamp, plan.space, X_RK};
+  if (!occupancies_.admit()) {
+    late_map_ = std::move(map);
+    return bytes;
   }
-  return bytes;
+  late_map_.reset();
+  return bytes + publish_occupancy(map);
+}
+
+std::int64_t PlannerNode::publish_occupancy(const Map& map) {
+  const std::string& channel = settings_.occupancy_channel;
+  try {
+    return publish(channel, make_occupancy_message(map.stamp, in_frame(map.space, map.X_RK).get()));
+  } catch (const std::invalid_argument& error) {
+    // The grasps are out. A map has its place, too far from the origin of W for some.
+    if (const auto held_back = map_log_.admit()) {
+      log_warning(with_held_back(
+          fmt::format("{}: no map of cloud {}: {}", channel, map.stamp.utime, error.what()),
+          *held_back));
+    }
+    return 0;
+  }
+}
+
+/// The map of the last cloud, once it is due.
+std::optional<Job> PlannerNode::find_spare_job() {
+  if (!late_map_ || !occupancies_.admit()) return std::nullopt;
+  return Job{late_map_->stamp.utime, [this, map = *std::exchange(late_map_, std::nullopt)] {
+               const std::int64_t bytes = publish_occupancy(map);
+               const std::lock_guard lock(mutex_);
+               counts_.published_bytes += bytes;
+             }};
 }
 
 void PlannerNode::answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at) {

@@ -34,13 +34,19 @@ class PlannerNode : public Node {
   std::vector<InChannel> in_channels() const override;
   std::vector<OutChannel> out_channels() const override;
   std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
-  void publish_status(std::int64_t superseded, const std::vector<std::string>& warnings) override;
-  std::string exposition() const override;
+  std::optional<Job> find_spare_job() override;
+  std::string publish_status(const RunState& run) override;
   std::string summary() const override;
   std::vector<std::string> find_oddities() const override;
 
  private:
   using SharedPair = std::shared_ptr<const CloudAndQuadrics>;
+  /// Of a cloud, in the camera's frame K.
+  struct Map {
+    Stamp stamp;
+    std::shared_ptr<const OccupancyGrid> space;
+    Eigen::Isometry3d X_RK;
+  };
 
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
@@ -58,6 +64,7 @@ class PlannerNode : public Node {
   std::int64_t publish(const std::string& channel, const Message& message);
   std::int64_t publish_maps(const Stamp& stamp, const GraspPlan& plan,
                             const Eigen::Isometry3d& X_RK);
+  std::int64_t publish_occupancy(const Map& map);
   void fill_counts(planner_status_t* status);
 
   const PlannerSettings settings_;
@@ -72,13 +79,15 @@ class PlannerNode : public Node {
   CameraPoses camera_poses_;
   std::int64_t requests_ = 0, unmet_ = 0;
   Refusals refused_clouds_, refused_quadrics_, refused_poses_, refused_requests_;
-  bus::RateLimiter poseless_log_{std::chrono::seconds(1)}, unpaired_log_{std::chrono::seconds(1)};
+  bus::RateLimiter poseless_log_{std::chrono::seconds(1)}, unpaired_log_{std::chrono::seconds(1)},
+      map_log_{std::chrono::seconds(1)};
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
   Rate received_rate_, published_rate_;
-  planner_status_t last_status_{};
   // For the working thread; below it the last cloud that was made ready.
   bus::RateLimiter occupancies_;
+  /// The newest map, if it came too soon after another.
+  std::optional<Map> late_map_;
   SharedPair ready_;
   std::optional<GraspScene> scene_;
 };

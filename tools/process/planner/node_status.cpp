@@ -24,19 +24,12 @@ std::string list_counts(const std::vector<count_t>& counts) {
 
 }  // namespace
 
-void PlannerNode::publish_status(std::int64_t superseded,
-                                 const std::vector<std::string>& warnings) {
+std::string PlannerNode::publish_status(const RunState& run) {
   planner_status_t status{};
   fill_counts(&status);
-  CommonStatus{traffic(), superseded, warnings, settings_hash_}.write_to(&status);
+  write_common(run, settings_hash_, &status);
   publish_(settings_.status_channel, bus::encode(status));
-  const std::lock_guard lock(mutex_);
-  last_status_ = std::move(status);
-}
-
-std::string PlannerNode::exposition() const {
-  const std::lock_guard lock(mutex_);
-  return to_exposition(last_status_);
+  return to_exposition(status, settings_);
 }
 
 void PlannerNode::fill_counts(planner_status_t* filled) {

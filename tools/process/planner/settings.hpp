@@ -37,6 +37,22 @@ struct PlannerSettings {
   bool on_request = false;
   Gripper gripper;
   PlanOptions plan;
+
+  /// Lists each channel: which way its messages go, the option that names it, its name, and what
+  /// it carries.
+  template <class Settings, class Visit>
+  static void visit_channels(Settings& settings, const Visit& visit) {
+    visit(Way::kIn, "--cloud-channel", settings.cloud_channel, "clouds");
+    visit(Way::kIn, "--quadrics-channel", settings.quadrics_channel, "quadrics");
+    visit(Way::kOut, "--grasps-channel", settings.grasps_channel, "grasps");
+    visit(Way::kIn, "--request-channel", settings.request_channel,
+          "requests (quadrille.grasp_request_t)");
+    visit(Way::kOut, "--shapes-channel", settings.shapes_channel, "collision shapes");
+    visit(Way::kOut, "--occupancy-channel", settings.occupancy_channel, "occupancy");
+    visit(Way::kOut, "--status-channel", settings.status_channel, "status");
+    visit(Way::kIn, "--pose-channel", settings.pose_channel,
+          "camera's poses (bot_core.pose_t) in a fixed frame");
+  }
 };
 
 }  // namespace quadrille

@@ -1,5 +1,6 @@
 #include "process/planner/status_text.hpp"
 
+#include "io/planner/gripper_file.hpp"
 #include "process/runtime/exposition.hpp"
 #include "process/runtime/process_info.hpp"
 
@@ -8,27 +9,17 @@ namespace quadrille {
 std::string hash_of(const PlannerSettings& settings) {
   SettingsText text;
   text.add_all(settings.plan);
-  text.add("gripper", settings.gripper.name);
+  text.add("gripper", io::to_toml(settings.gripper));
   text.add("on_request", settings.on_request ? "true" : "false");
   text.add("pose_age", io::toml_of(settings.pose_age));
-  for (const std::string* channel :
-       {&settings.cloud_channel, &settings.quadrics_channel, &settings.grasps_channel,
-        &settings.request_channel, &settings.shapes_channel, &settings.occupancy_channel,
-        &settings.status_channel, &settings.pose_channel}) {
-    text.add("channel", *channel);
-  }
-  text.add("clouds", std::string(word_of(settings.frames.clouds)));
-  text.add("results", std::string(word_of(settings.frames.of_results())));
-  if (settings.X_WK) {
-    for (const double number : settings.X_WK->matrix().reshaped()) {
-      text.add("pose", io::toml_of(number));
-    }
-  }
+  text.add_channels(channels_of(settings));
+  text.add_frames(settings.frames, settings.X_WK);
   return text.hash();
 }
 
-std::string to_exposition(const planner_status_t& status) {
-  Exposition out("quadrille_planner");
+std::string to_exposition(const planner_status_t& status, const PlannerSettings& settings) {
+  Exposition out("quadrille_planner", {{"channel", settings.cloud_channel},
+                                       {"status_channel", settings.status_channel}});
   out.add_counter("clouds_received", "Messages on the channel of the clouds.",
                   status.received_clouds);
   out.add_counter("clouds_decoded", "Clouds that passed all checks.", status.decoded_clouds);
@@ -47,18 +38,13 @@ std::string to_exposition(const planner_status_t& status) {
   out.add_counter("requests_received", "Requests for grasps.", status.requests);
   out.add_counter("requests_answered", "Requests that were answered.", status.answered);
   out.add_counter("requests_unmet", "Requests that could not be met.", status.unmet);
-  out.add_counter("received_bytes", "Bytes of messages received.", status.received_bytes);
-  out.add_counter("published_bytes", "Bytes of results published.", status.published_bytes);
   out.add_counters("clouds_refused", "Clouds refused.", status.rejected_clouds);
   out.add_counters("quadrics_refused", "Quadrics refused.", status.rejected_quadrics);
   out.add_counters("requests_refused", "Requests refused.", status.rejected_requests);
   out.add_counters("poses_refused", "Poses refused.", status.rejected_poses);
   out.add_gauge("clouds_per_second", "Over the last ten seconds.", status.received_rate);
   out.add_gauge("grasps_per_second", "Over the last ten seconds.", status.published_rate);
-  out.add_gauge("warnings", "What is wrong with the transport.", status.num_warnings);
-  out.add_transport(status.transport);
-  out.add_stages(status.stages);
-  out.add_process(status.process);
+  out.add_common(status);
   return out.text();
 }
 

@@ -11,6 +11,6 @@ namespace quadrille {
 std::string hash_of(const PlannerSettings& settings);
 
 /// A status in the text format that Prometheus reads.
-std::string to_exposition(const planner_status_t& status);
+std::string to_exposition(const planner_status_t& status, const PlannerSettings& settings);
 
 }  // namespace quadrille

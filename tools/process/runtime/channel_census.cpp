@@ -9,7 +9,9 @@
 #include "quadrille/bus/channel_pattern.hpp"
 
 namespace quadrille {
-std::vector<std::string> ChannelCensus::find_missing(const std::vector<InChannel>& wanted) const {
+
+std::vector<std::string> ChannelCensus::find_missing(const std::vector<InChannel>& wanted,
+                                                     const std::string& prefix) const {
   std::vector<std::string> lines;
   for (const InChannel& channel : wanted) {
     const bus::ChannelPattern wanted_name(channel.name);
@@ -20,10 +22,19 @@ std::vector<std::string> ChannelCensus::find_missing(const std::vector<InChannel
     const std::string held = events_.empty() ? "no events at all" : io::list_channels(events_);
     std::string line = fmt::format("no event on {}; the log holds {}", channel.name, held);
     // Where there is nothing, another name helps no more.
-    if (!events_.empty()) line += "; name the channel with " + channel.option;
+    if (!events_.empty()) line += advise(channel.option, prefix);
     lines.push_back(std::move(line));
   }
   return lines;
+}
+
+std::string ChannelCensus::advise(const std::string& option, const std::string& prefix) const {
+  if (prefix.empty()) return "; name the channel with " + option;
+  const auto next = events_.lower_bound(prefix);
+  if (next != events_.end() && next->first.starts_with(prefix)) {
+    return fmt::format("; name the channel with {}, without {}", option, prefix);
+  }
+  return fmt::format("; none begins with {}: leave out --channel-prefix", prefix);
 }
 
 std::string ChannelCensus::find_taken(const std::vector<OutChannel>& wanted) const {

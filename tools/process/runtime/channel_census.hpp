@@ -15,12 +15,16 @@ class ChannelCensus {
   void add(const std::string& channel) { ++events_[channel]; }
 
   /// A line for each of the channels that had no event, with those that had some.
-  std::vector<std::string> find_missing(const std::vector<InChannel>& wanted) const;
+  /// @param prefix  of --channel-prefix, with which the wanted ones begin
+  std::vector<std::string> find_missing(const std::vector<InChannel>& wanted,
+                                        const std::string& prefix = "") const;
 
   /// Those of the channels that had events, with the options that rename them; empty if none had.
   std::string find_taken(const std::vector<OutChannel>& wanted) const;
 
  private:
+  std::string advise(const std::string& option, const std::string& prefix) const;
+
   std::map<std::string, std::int64_t> events_;
 };
 

@@ -2,11 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <utility>
-
-#include "io/file_bytes.hpp"
-#include "io/new_file.hpp"
 
 namespace quadrille {
 namespace {
@@ -29,13 +25,21 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
+Exposition::Exposition(std::string prefix, const Labels& labels) : prefix_(std::move(prefix)) {
+  for (const auto& [name, value] : labels) {
+    labels_ += fmt::format("{}{}={}", labels_.empty() ? "" : ",", name, quoted(value));
+  }
+}
+
 void Exposition::start(const std::string& name, const std::string& help, const char* type) {
   text_ += fmt::format("# HELP {0}_{1} {2}\n# TYPE {0}_{1} {3}\n", prefix_, name, help, type);
 }
 
 void Exposition::add_sample(const std::string& name, const std::string& labels, double value) {
-  text_ += fmt::format("{}_{}{} {}\n", prefix_, name,
-                       labels.empty() ? "" : fmt::format("{{{}}}", labels), value);
+  const char* comma = labels_.empty() || labels.empty() ? "" : ",";
+  const std::string all = fmt::format("{}{}{}", labels_, comma, labels);
+  text_ += fmt::format("{}_{}{} {}\n", prefix_, name, all.empty() ? "" : fmt::format("{{{}}}", all),
+                       value);
 }
 
 void Exposition::add_counter(const std::string& name, const std::string& help, std::int64_t value) {
@@ -113,15 +117,6 @@ void Exposition::add_transport(const transport_t& transport) {
   }
   add_counter("dropped_messages", "Messages driven out by newer ones before they were read.",
               transport.dropped_messages);
-}
-
-void replace_file(const std::string& path, const std::string& text) {
-  io::NewFile file(path);
-  std::ofstream out(file.path(), std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw io::FileError(path, "", "cannot be written; is the disk full?");
-  file.commit();
 }
 
 }  // namespace quadrille

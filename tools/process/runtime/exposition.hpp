@@ -6,6 +6,7 @@
 #include <lcmtypes/quadrille/stage_t.hpp>
 #include <lcmtypes/quadrille/transport_t.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace quadrille {
@@ -14,8 +15,11 @@ namespace quadrille {
 /// and bytes.
 class Exposition {
  public:
+  using Labels = std::vector<std::pair<std::string, std::string>>;
+
   /// @param prefix  of all names, such as "quadrille_detector"
-  explicit Exposition(std::string prefix) : prefix_(std::move(prefix)) {}
+  /// @param labels  of all samples: they tell processes of one kind apart
+  explicit Exposition(std::string prefix, const Labels& labels = {});
 
   /// What only grows; "_total" is added to the name.
   void add_counter(const std::string& name, const std::string& help, std::int64_t value);
@@ -29,6 +33,17 @@ class Exposition {
   void add_process(const process_t& process);
   void add_transport(const transport_t& transport);
 
+  /// What the status messages of all processes have in common.
+  template <class Status>
+  void add_common(const Status& status) {
+    add_counter("received_bytes", "Bytes of messages received.", status.received_bytes);
+    add_counter("published_bytes", "Bytes of results published.", status.published_bytes);
+    add_gauge("warnings", "What is wrong, in sentences of the status.", status.num_warnings);
+    add_transport(status.transport);
+    add_stages(status.stages);
+    add_process(status.process);
+  }
+
   const std::string& text() const { return text_; }
 
  private:
@@ -37,11 +52,7 @@ class Exposition {
                     const std::vector<count_t>& values);
   void add_sample(const std::string& name, const std::string& labels, double value);
 
-  std::string prefix_, text_;
+  std::string prefix_, labels_, text_;
 };
-
-/// Replaces a file as a whole, so that no reader meets half of it.
-/// @throws io::FileError if that fails
-void replace_file(const std::string& path, const std::string& text);
 
 }  // namespace quadrille

@@ -6,10 +6,14 @@
 
 namespace quadrille {
 
+std::string with_held_back(const std::string& record, std::int64_t held_back) {
+  if (held_back == 0) return record;
+  return fmt::format("{}; {} more since the last record", record, held_back);
+}
+
 void LimitedLog::log(void (*write)(const std::string&), const std::string& record) {
   const std::lock_guard lock(mutex_);
-  const auto held_back = limiter_.admit();
-  if (held_back) write(fmt::format("{}; {} more since the last record", record, *held_back));
+  if (const auto held_back = limiter_.admit()) write(with_held_back(record, *held_back));
 }
 
 void LimitedLog::warning(const std::string& record) { log(log_warning, record); }

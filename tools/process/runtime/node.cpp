@@ -16,16 +16,6 @@ void Node::work(const Job& job) {
   }
 }
 
-void Node::note_traffic(const bus::Traffic& traffic) {
-  const std::lock_guard lock(traffic_mutex_);
-  traffic_ = traffic;
-}
-
-bus::Traffic Node::traffic() const {
-  const std::lock_guard lock(traffic_mutex_);
-  return traffic_;
-}
-
 void Node::refuse(const Job& job, const std::string& why) noexcept {
   if (!job.refuse) return;
   try {

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -49,6 +48,16 @@ struct Job {
   std::string kind = {};
 };
 
+/// What a run tells its node, for the status.
+struct RunState {
+  /// What the connection has received; nothing in a replay.
+  bus::Traffic traffic = {};
+  /// Jobs dropped for a newer one.
+  std::int64_t superseded = 0;
+  /// What is wrong with the transport, or odd about the log.
+  std::vector<std::string> warnings = {};
+};
+
 /// The work of a process, the same on the bus and in replay.
 class Node {
  public:
@@ -66,17 +75,12 @@ class Node {
   virtual std::optional<Job> receive(const std::string& channel,
                                      std::span<const std::byte> bytes) = 0;
 
+  /// What is to be done while no message asks for anything. For the working thread, on the bus.
+  virtual std::optional<Job> find_spare_job() { return std::nullopt; }
+
   /// Publishes the status. For a thread of its own, also while a job is done.
-  /// @param superseded  jobs dropped for a newer one
-  /// @param warnings    what is wrong with the transport
-  virtual void publish_status(std::int64_t superseded,
-                              const std::vector<std::string>& warnings) = 0;
-
-  /// The last published status in the text format that Prometheus reads; empty if there is none.
-  virtual std::string exposition() const { return {}; }
-
-  /// Notes what the connection has received, for the status. For any thread.
-  void note_traffic(const bus::Traffic& traffic);
+  /// @return the same in the text format that Prometheus reads
+  virtual std::string publish_status(const RunState& run) = 0;
 
   /// What went in, came out and was refused so far, in one line.
   virtual std::string summary() const = 0;
@@ -93,13 +97,7 @@ class Node {
   /// Jobs that failed.
   std::int64_t failed() const { return failed_; }
 
- protected:
-  /// What was noted last; nothing in a replay.
-  bus::Traffic traffic() const;
-
  private:
-  mutable std::mutex traffic_mutex_;
-  bus::Traffic traffic_;
   std::atomic<std::int64_t> failed_{0};
   LimitedLog failure_log_;
 };

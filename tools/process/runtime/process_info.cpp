@@ -1,6 +1,5 @@
 #include "process/runtime/process_info.hpp"
 
-#include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -9,6 +8,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+
+#include "io/hash.hpp"
 
 namespace quadrille {
 namespace {
@@ -43,11 +44,19 @@ std::int32_t count_open_files() {
 
 }  // namespace
 
-std::string SettingsText::hash() const {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : text_) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  return fmt::format("{:016x}", hash);
+void SettingsText::add_channels(const std::vector<NamedChannel>& channels) {
+  for (const NamedChannel& channel : channels) add(channel.option, channel.name);
 }
+
+void SettingsText::add_frames(const CloudFrames& frames,
+                              const std::optional<Eigen::Isometry3d>& X_WK) {
+  add("clouds", std::string(word_of(frames.clouds)));
+  add("results", std::string(word_of(frames.of_results())));
+  if (!X_WK) return;
+  for (const double number : X_WK->matrix().reshaped()) add("pose", io::toml_of(number));
+}
+
+std::string SettingsText::hash() const { return io::hash_text(text_); }
 
 process_t describe_process(const std::string& settings) {
   constexpr std::int64_t kKilobyte = 1024;

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <lcmtypes/quadrille/process_t.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "cli/process_arguments.hpp"
 #include "io/setting_text.hpp"
+#include "process/runtime/cloud_frame.hpp"
 
 namespace quadrille {
 
@@ -22,7 +27,12 @@ class SettingsText {
     });
   }
 
-  /// 16 hexadecimal digits, the same for equal settings (FNV-1a).
+  void add_channels(const std::vector<NamedChannel>& channels);
+
+  /// @param X_WK  the pose of a camera at rest, if there is one
+  void add_frames(const CloudFrames& frames, const std::optional<Eigen::Isometry3d>& X_WK);
+
+  /// 16 hexadecimal digits, the same for equal settings.
   std::string hash() const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "process/runtime/limited_log.hpp"
 #include "process/runtime/logging.hpp"
 
 namespace quadrille {
@@ -10,8 +11,9 @@ void Refusals::add(const std::string& channel, const bus::Rejection& rejection) 
   counts_.add(rejection.reason);
   const auto held_back = log_.admit();
   if (!held_back) return;
-  log_warning(fmt::format("{}: refused a message: {} ({}); {} more since the last record", channel,
-                          to_string(rejection.reason), rejection.detail, *held_back));
+  log_warning(with_held_back(fmt::format("{}: refused a message: {} ({})", channel,
+                                         to_string(rejection.reason), rejection.detail),
+                             *held_back));
 }
 
 std::string describe(const bus::RejectCounts& counts) {

@@ -36,6 +36,8 @@ std::string describe_end(int status) {
 class Supervisor {
  public:
   Supervisor() : watched_(watched_signals()) {
+    // Ignored, as a parent may have left it, children vanish without a word.
+    signal(SIGCHLD, SIG_DFL);
     // Blocked, they wait until they are asked for: none comes between two steps unnoticed.
     pthread_sigmask(SIG_BLOCK, &watched_, &before_);
   }
@@ -77,7 +79,9 @@ class Supervisor {
   int wait_for_child() {
     for (;;) {
       int status = 0;
-      if (waitpid(child_, &status, WNOHANG) == child_) return status;
+      const pid_t ended = waitpid(child_, &status, WNOHANG);
+      if (ended == child_) return status;
+      if (ended < 0 && errno != EINTR) return kLost;
       const int signal = sigwaitinfo(&watched_, nullptr);
       if (signal <= 0 || signal == SIGCHLD) continue;
       stopping_ = true;
@@ -105,6 +109,9 @@ class Supervisor {
       if (signal < 0 && errno == EAGAIN) return false;
     }
   }
+
+  /// As of a child that exits with 1: somebody else has asked for its status.
+  static constexpr int kLost = 1 << 8;
 
   sigset_t watched_, before_;
   pid_t child_ = -1;

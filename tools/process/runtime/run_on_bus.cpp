@@ -3,6 +3,7 @@
 #include <chrono>
 #include <thread>
 
+#include "process/runtime/log_listening.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/loss_watch.hpp"
 #include "process/runtime/other_senders.hpp"
@@ -41,12 +42,10 @@ void subscribe_to_status(const Node& node, OtherSenders& others, bus::Connection
 
 void publish_status(const bus::Connection& connection, const bus::Mailbox<Job>& mailbox,
                     const OtherSenders& others, StatsFile& stats, Node& node) {
-  const bus::Traffic traffic = connection.traffic();
-  std::vector<std::string> warnings = LossWatch::find_warnings(traffic, connection.warnings());
-  for (std::string& warning : others.find_warnings()) warnings.push_back(std::move(warning));
-  node.note_traffic(traffic);
-  node.publish_status(mailbox.superseded(), warnings);
-  stats.write(node.exposition());
+  RunState run{connection.traffic(), mailbox.superseded()};
+  run.warnings = LossWatch::find_warnings(run.traffic, connection.warnings());
+  for (std::string& warning : others.find_warnings()) run.warnings.push_back(std::move(warning));
+  stats.write(node.publish_status(run));
 }
 
 void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
@@ -66,23 +65,25 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
 }  // namespace
 
 void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
-  bus::Connection connection(bus::resolve_url(arguments.lcm_url),
-                             bus::parse_senders(arguments.accept_from));
+  StatsFile stats(arguments.stats_file);
+  const std::string url = bus::resolve_url(arguments.lcm_url);
+  bus::Connection connection(url, bus::parse_senders(arguments.accept_from));
   for (const std::string& warning : connection.warnings()) log_warning(warning);
   const auto node = make_node([&](const std::string& channel, std::span<const std::byte> bytes) {
     connection.publish(channel, bytes);
   });
   bus::Mailbox<Job> mailbox;
+  std::vector<std::string> channels;
   for (const InChannel& channel : node->in_channels()) {
+    channels.push_back(channel.name);
     connection.subscribe(bus::ChannelPattern(channel.name),
                          [&](const std::string& name, std::span<const std::byte> bytes) {
                            if (auto job = node->receive(name, bytes)) hand_over(*job, mailbox);
                          });
-    log_info(fmt::format("listening to {} on {}", channel.name, connection.url()));
   }
+  log_listening(channels, url, connection);
   OtherSenders others;
   subscribe_to_status(*node, others, connection);
-  StatsFile stats(arguments.stats_file);
   work_until_stopped(connection, mailbox, others, stats, *node, arguments.niceness);
   publish_status(connection, mailbox, others, stats, *node);
   const std::string losses = LossWatch::describe(connection.traffic());

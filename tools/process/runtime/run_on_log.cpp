@@ -46,8 +46,7 @@ class LogRun {
     survey_ = bus::replay_log(arguments_.in_log,
                               [this](const bus::LogReader::Event& event) { handle(event); });
     const std::string incomplete = describe_incomplete();
-    node_->publish_status(0, find_warnings(incomplete));
-    stats_.write(node_->exposition());
+    stats_.write(node_->publish_status({.warnings = find_warnings(incomplete)}));
     check_written();
     out_.flush();
     file_.commit();
@@ -96,7 +95,8 @@ class LogRun {
   /// Those about the log are logged too. What is missing from half a log tells nothing of it.
   std::vector<std::string> find_warnings(const std::string& incomplete) const {
     if (!incomplete.empty()) return {incomplete};
-    std::vector<std::string> warnings = census_.find_missing(node_->in_channels());
+    std::vector<std::string> warnings =
+        census_.find_missing(node_->in_channels(), arguments_.channel_prefix);
     if (survey_.defect) warnings.push_back(*survey_.defect);
     for (std::string& oddity : node_->find_oddities()) warnings.push_back(std::move(oddity));
     for (std::string& warning : warnings) {

@@ -2,33 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <cstring>
 #include <stdexcept>
 
+#include "io/hash.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 
 namespace quadrille {
-
-/// FNV-1a over words, ended by splitmix64's mixing so that the remainder by a small N is even.
-std::int64_t digest_of_message(std::span<const std::byte> bytes) {
-  std::uint64_t state = 0xcbf29ce484222325;
-  // The head, with its time and number, and a thousandth of the rest: clouds that tell the same
-  // time differ there.
-  constexpr std::size_t kHead = 256, kSamples = 512, kWord = sizeof(std::uint64_t);
-  const std::size_t step = std::max(kWord, bytes.size() / kSamples / kWord * kWord);
-  for (std::size_t at = 0; at + kWord <= bytes.size(); at += at < kHead ? kWord : step) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes.data() + at, kWord);
-    state = (state ^ word) * 0x100000001b3;
-    state ^= state >> 32;
-  }
-  state = (state ^ (state >> 30)) * 0xbf58476d1ce4e5b9;
-  state = (state ^ (state >> 27)) * 0x94d049bb133111eb;
-  return static_cast<std::int64_t>(state ^ (state >> 31));
-}
 
 namespace {
 
@@ -44,7 +25,7 @@ std::uint64_t share_of(std::span<const std::byte> message, int count) {
   const auto stamp = bus::read_stamp(message);
   // A source that does not count leaves 0.
   if (stamp && stamp->seq != 0) return share_of_number(stamp->seq, count);
-  return static_cast<std::uint64_t>(digest_of_message(message)) % static_cast<std::uint64_t>(count);
+  return io::hash_of(message) % static_cast<std::uint64_t>(count);
 }
 
 }  // namespace

@@ -7,10 +7,6 @@
 
 namespace quadrille {
 
-/// A number that tells most messages apart, the same on all machines. It does not look at all bytes
-/// of a large one.
-std::int64_t digest_of_message(std::span<const std::byte> bytes);
-
 /// The share of one of several detectors in a stream of clouds.
 struct Shard {
   /// From 1 to count.

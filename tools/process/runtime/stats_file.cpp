@@ -3,19 +3,30 @@
 #include <exception>
 #include <utility>
 
-#include "process/runtime/exposition.hpp"
+#include "io/new_file.hpp"
 #include "process/runtime/logging.hpp"
 
 namespace quadrille {
 
 StatsFile::StatsFile(std::string path) : path_(std::move(path)) {
-  if (!path_.empty()) replace_file(path_, "");
+  if (path_.empty()) return;
+  claim_ = FileClaim::of_target(path_);
+  replace("");
+}
+
+void StatsFile::replace(const std::string& text) {
+  io::NewFile file(path_);
+  file.write(text);
+  // Claimed before it takes the other's place, the name never stands for a file that nobody holds.
+  FileClaim claim = FileClaim::of_file(file.path());
+  file.commit();
+  claim_ = std::move(claim);
 }
 
 void StatsFile::write(const std::string& text) noexcept {
   if (path_.empty()) return;
   try {
-    replace_file(path_, text);
+    replace(text);
   } catch (const std::exception& error) {
     if (log_.admit()) log_error(error.what());
   }

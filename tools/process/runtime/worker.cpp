@@ -24,7 +24,9 @@ void Worker::run() {
   // alone.
   if (niceness_ > 0) setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + niceness_);
   while (!stop_) {
-    if (const auto job = mailbox_.take(std::chrono::milliseconds(100))) node_.work(*job);
+    auto job = mailbox_.take(std::chrono::milliseconds(100));
+    if (!job) job = node_.find_spare_job();
+    if (job) node_.work(*job);
   }
 }
 

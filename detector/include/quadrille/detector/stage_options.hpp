@@ -106,6 +106,18 @@ constexpr auto words_of(BasisKind) {
                                          {"sphere", BasisKind::kSphere}});
 }
 
+/// Which lengths the gradients at three oriented points are given, of which normals tell the
+/// directions alone.
+enum class GradientLengths {
+  kCommon,  ///< one for all (paper, eq. 5): exact on spheres and circular cylinders
+  kSolved,  ///< those with which the points lie on one quadric (paper, eq. 4)
+};
+
+constexpr auto words_of(GradientLengths) {
+  return std::to_array<Word<GradientLengths>>(
+      {{"common", GradientLengths::kCommon}, {"solved", GradientLengths::kSolved}});
+}
+
 /// How a vote's parameter λ in (−∞, ∞) is carried to a bounded place for its bin (paper,
 /// "Quantizing λ").
 enum class Quantisation {
@@ -149,20 +161,45 @@ struct GrowOptions {
   }
 };
 
+/// The paper's clustering of hypotheses as printed: of raw ones, before any is grown.
+struct ClusterOptions {
+  bool enabled = false;
+  double max_difference = 0.4;
+  double max_close = 0.4;
+
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.enabled, {"search.clusters.enabled",
+                  "Whether the hypotheses of a neighbourhood are agglomerated, and the cluster "
+                  "taken that has the most support in all."});
+    v(o.max_difference, {"search.clusters.max_difference", "", 0.0, 10.0,
+                         "τ: largest ‖q₁ − q₂‖₁ of unit coefficients in coordinates of the "
+                         "neighbourhood."});
+    v(o.max_close, {"search.clusters.max_close", "", 0.0, 1000.0,
+                    "Largest d_close of two members of a cluster."});
+  }
+};
+
 /// Where hypotheses are looked for, and how many.
 struct SearchOptions {
   BasisKind basis = BasisKind::kThreePoints;
+  GradientLengths gradient_lengths = GradientLengths::kCommon;
   Quantisation quantisation = Quantisation::kArctangent;
   std::vector<double> radii = {5.0, 9.0, 15.0};
   int bases = 5;
   int voters = 100;
   bool hash_triplets = false;
   double min_support = 0.5;
+  ClusterOptions clusters;
   GrowOptions grow;
 
   template <class Options, class Visitor>
   static void visit(Options& o, Visitor&& v) {
     v(o.basis, {"search.basis", "How hypotheses are drawn."});
+    v(o.gradient_lengths, {"search.gradient_lengths",
+                           "Lengths of the gradients at three or four points: solved ones find "
+                           "more kinds of quadrics with a third of the bases, but in whole scenes "
+                           "fewer small surfaces and faces beside others."});
     v(o.quantisation, {"search.quantisation", "How the votes are put into bins."});
     v(o.radii, {"search.radii", "", 0.5, 1000.0,
                 "Radii of the neighbourhoods that bases are drawn from, in cells, ascending."});
@@ -173,6 +210,7 @@ struct SearchOptions {
                         "5)."});
     v(o.min_support, {"search.min_support", "", 0.0, 1.0,
                       "Share of a neighbourhood that a hypothesis must explain."});
+    ClusterOptions::visit(o.clusters, v);
     GrowOptions::visit(o.grow, v);
   }
 };

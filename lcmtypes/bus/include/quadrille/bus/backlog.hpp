@@ -11,8 +11,9 @@
 
 namespace quadrille::bus {
 
-/// Messages that came faster than they were handled, in their order. Of each channel only so many
-/// bytes wait; what does not fit drives out the oldest of its channel, never the newest.
+/// Messages that came faster than they were handled, in their order. For each subscriber only so
+/// many bytes wait; what does not fit drives out the oldest of its fullest channel: of several
+/// channels a fast one does not drive out what comes on a slow one.
 class Backlog {
  public:
   struct Message {
@@ -25,7 +26,7 @@ class Backlog {
   /// What a message takes beside its bytes [byte].
   static constexpr std::size_t kOverhead = 256;
 
-  /// @param max_bytes  of one channel, with the overhead; its newest message waits in any case
+  /// @param max_bytes  of one subscriber, with the overhead; its newest message waits in any case
   explicit Backlog(std::size_t max_bytes) : max_bytes_(max_bytes) {}
 
   void push(const std::string& channel, std::span<const std::byte> bytes, void* subscriber);
@@ -39,12 +40,18 @@ class Backlog {
   std::int64_t dropped() const { return dropped_; }
 
  private:
-  void drop_oldest(void* subscriber);
+  struct Waiting {
+    std::size_t bytes = 0;
+    std::map<std::string, std::size_t> by_channel;
+  };
+
+  void drop_of_fullest(void* subscriber);
+  /// Counts a message no longer.
+  void forget(const Message& message);
 
   std::size_t max_bytes_;
   std::deque<Message> messages_;
-  /// By subscriber.
-  std::map<void*, std::size_t> bytes_;
+  std::map<void*, Waiting> waiting_;
   std::int64_t dropped_ = 0;
 };
 

@@ -5,6 +5,9 @@
 
 namespace quadrille::bus {
 
+/// The regular expression that matches a text and nothing else.
+std::string pattern_of(const std::string& text);
+
 /// The name of a channel, or a pattern of names: what has a character that no name may have is a
 /// regular expression, which a name has to match from end to end. A dot alone makes no pattern.
 class ChannelPattern {

@@ -111,7 +111,7 @@ class Connection {
   bool more_waits() const;
   bool handle_backlog(bool lcm_is_empty);
 
-  void prepare_socket();
+  void prepare_socket(const std::vector<int>& others);
   void count_drops(Traffic* traffic) const;
 
   std::string url_;
@@ -126,7 +126,7 @@ class Connection {
   mutable std::mutex drops_mutex_;
   mutable std::optional<DropCauses> drops_;
   std::int64_t asked_buffer_ = 0;
-  int turn_ = 0;
+  unsigned turn_ = 0;
   std::atomic<std::int64_t> largest_message_{0}, dropped_messages_{0};
   std::unique_ptr<lcm_t, Destroyer> lcm_;
 };

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "quadrille/bus/accepted_senders.hpp"
-#include "quadrille/bus/url.hpp"
 
 namespace quadrille::bus {
 
@@ -12,11 +11,5 @@ namespace quadrille::bus {
 /// A datagram cannot pass for one of this machine by its address: that is told by how it came.
 /// @throws std::runtime_error if an interface does not exist or the kernel refuses the filter
 void guard_socket(int socket, const AcceptedSenders& senders);
-
-/// Guards the sockets with which LCM receives: LCM keeps them to itself, so all of this process
-/// that are bound to the port of the address are guarded. Call it after the first subscription.
-/// @return how many these are
-/// @throws std::runtime_error as guard_socket() does
-int guard_receiving_sockets(const Url& url, const AcceptedSenders& senders);
 
 }  // namespace quadrille::bus

@@ -8,7 +8,7 @@ namespace quadrille::bus {
 
 /// Percentiles of durations [ms].
 struct DurationSummary {
-  double p50 = 0.0, p90 = 0.0, p95 = 0.0, p99 = 0.0, max = 0.0;
+  double p50 = 0.0, p90 = 0.0, p99 = 0.0, max = 0.0;
 };
 
 /// The last so many durations of something that happens again and again.

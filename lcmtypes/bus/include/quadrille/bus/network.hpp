@@ -8,8 +8,8 @@
 
 namespace quadrille::bus {
 
-/// The receive buffer that clouds of usual sizes need, and more [byte].
-inline constexpr int kReceiveBufferBytes = 32 << 20;
+/// The receive buffer that is advised for clouds of usual sizes, of which it holds a dozen [byte].
+inline constexpr int kReceiveBufferBytes = 64 << 20;
 
 /// The receive buffer that is asked for where the address names none [byte]. The kernel grants no
 /// more than net.core.rmem_max, and takes no memory for what is not filled.
@@ -20,7 +20,7 @@ inline constexpr std::int64_t kUsualCloudBytes = 640 * 480 * 16;
 
 /// Why the multicast group of a udpm address cannot be reached, with the commands that mend it;
 /// nullopt if a route exists, and for other providers.
-/// @throws std::invalid_argument if the network part is not "address:port"
+/// @throws std::invalid_argument as multicast_group() does
 std::optional<std::string> find_route_problem(const Url& url);
 
 /// The receive buffer without which messages of that size are lost sooner or later: it holds one
@@ -43,6 +43,9 @@ std::string mend_receive_buffer(std::int64_t asked, int wanted);
 std::optional<std::string> find_buffer_problem(std::int64_t asked, std::int64_t granted,
                                                std::int64_t message_bytes);
 
+/// The same before any message came, foreseen for clouds of kUsualCloudBytes.
+std::optional<std::string> foresee_buffer_problem(std::int64_t asked, std::int64_t granted);
+
 /// The receive buffer that the kernel grants to a UDP socket that asks for so much [byte].
 /// @throws std::runtime_error if no socket can be made
 int granted_receive_buffer(int asked);
@@ -50,9 +53,5 @@ int granted_receive_buffer(int asked);
 /// The same for a process that may exceed net.core.rmem_max (CAP_NET_ADMIN, as root has), and does.
 /// @throws std::runtime_error if no socket can be made
 int forced_receive_buffer(int asked);
-
-/// UDP datagrams that this machine dropped since its start because a receive buffer was full;
-/// -1 where the system does not tell.
-std::int64_t count_dropped_datagrams();
 
 }  // namespace quadrille::bus

@@ -9,15 +9,17 @@
 namespace quadrille::bus {
 
 /// The descriptors of this process's UDP sockets that are bound to the port of a udpm address, in
-/// ascending order. LCM makes one with the first subscription.
+/// ascending order. LCM makes one with the first subscription, and keeps it to itself: it is the
+/// one that was not there before.
 std::vector<int> find_receiving_sockets(const Url& url);
 
 /// The socket with which LCM receives datagrams in this process, to ask the kernel how it fares.
 class ReceiveSocket {
  public:
-  /// The last of find_receiving_sockets().
-  /// @return nullopt if there is none, and for other providers
-  static std::optional<ReceiveSocket> find(const Url& url);
+  /// @param fd  its descriptor, which stays open for longer than this lives
+  explicit ReceiveSocket(int fd) : fd_(fd) {}
+
+  int descriptor() const { return fd_; }
 
   /// Its receive buffer, as it is asked for: without what the kernel adds for itself [byte].
   std::int64_t buffer() const;
@@ -30,8 +32,6 @@ class ReceiveSocket {
   std::int64_t dropped() const;
 
  private:
-  explicit ReceiveSocket(int fd) : fd_(fd) {}
-
   int fd_;
 };
 

@@ -9,6 +9,21 @@
 
 namespace quadrille::bus {
 
+/// Handles the messages of a connection that is not to end by itself.
+class EndlessHandler {
+ public:
+  /// The connection must outlive this.
+  explicit EndlessHandler(Connection& connection) : connection_(connection) {}
+
+  /// As Connection::handle().
+  /// @throws std::runtime_error if the connection was lost
+  void handle(int timeout_ms);
+
+ private:
+  Connection& connection_;
+  int failures_ = 0;
+};
+
 /// Handles the messages of a connection in a thread of its own, from its start to its end.
 class Receiver {
  public:

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <netinet/in.h>
+
 #include <map>
+#include <optional>
 #include <string>
 
 namespace quadrille::bus {
@@ -18,8 +21,17 @@ struct Url {
 /// @throws std::invalid_argument if there is no "provider://"
 Url parse_url(const std::string& text);
 
-/// Refuses addresses at which a process hears nobody, or is heard by nobody: those of providers
-/// that reach no other process, and a ttl that is none, of which LCM says nothing.
+/// The multicast group and port of a udpm address; LCM's own where it names none.
+/// @throws std::invalid_argument if it is not ADDRESS:PORT, or no multicast address
+sockaddr_in multicast_group(const Url& url);
+
+/// The receive buffer that an address asks for [byte]; nullopt if it names none.
+/// @throws std::invalid_argument if that is no number of bytes from 1 to the largest int
+std::optional<int> named_receive_buffer(const Url& url);
+
+/// Refuses addresses at which a process hears nobody, or is heard by nobody, whatever the network:
+/// those of providers that reach no other process, of no multicast group, or with arguments out of
+/// range, of which LCM says nothing.
 /// @throws std::invalid_argument that says what to give instead
 void check_live(const Url& url);
 

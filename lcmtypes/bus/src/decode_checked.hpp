@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "byte_reader.hpp"
+#include "quadrille/bus/cloud_message.hpp"
+
+namespace quadrille::bus {
+
+/// Decodes a message of ours by LCM's generated code, once each of its members has been checked:
+/// after that the code can allocate no more than a small multiple of the bytes.
+/// @param check    walks over all members after the fingerprint
+/// @param convert  makes the result of what was decoded
+template <class Message, class Result = Message>
+Decoded<Result> decode_checked(
+    std::span<const std::byte> bytes, std::size_t max_bytes, void (*check)(ByteReader&),
+    Result (*convert)(Message) = [](Message m) { return m; }) try {
+  if (bytes.size() > max_bytes) {
+    refuse(RejectReason::kTooLarge, std::to_string(bytes.size()) + " bytes");
+  }
+  ByteReader reader(bytes);
+  if (reader.read_int64("the fingerprint") != Message::getHash()) {
+    refuse(RejectReason::kUnknownType, std::string("not quadrille.") + Message::getTypeName());
+  }
+  check(reader);
+  reader.expect_end();
+  Message message;
+  const int size = static_cast<int>(bytes.size());
+  if (message.decode(bytes.data(), 0, size) != size) {
+    refuse(RejectReason::kBadLength, "the decoder reads another size");
+  }
+  return convert(std::move(message));
+} catch (const Refused& refused) {
+  return refused.rejection;
+} catch (const std::bad_alloc&) {
+  return Rejection{RejectReason::kInternal, "out of memory"};
+}
+
+}  // namespace quadrille::bus

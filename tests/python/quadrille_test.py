@@ -1,0 +1,160 @@
+#!/usr/bin/env python3
+"""The Python package against numpy's own numbers and against the programs' JSON.
+
+    quadrille_test.py PROGRAM SCAN.pcd   with the package in PYTHONPATH
+"""
+import json
+import subprocess
+import sys
+import threading
+import unittest
+
+import numpy as np
+
+import quadrille
+
+PROGRAM, SCAN = sys.argv[1], sys.argv[2]
+
+
+def ball(radius=0.05, centre=(0.02, -0.01, 0.6), count=4000):
+    """What a sensor at the origin sees of a ball, without noise."""
+    rng = np.random.default_rng(1)
+    n = rng.normal(size=(count, 3))
+    n /= np.linalg.norm(n, axis=1)[:, None]
+    p = np.asarray(centre) + radius * n
+    return p[(n * p).sum(1) < 0]
+
+
+def run(*arguments):
+    done = subprocess.run([PROGRAM, *arguments, "--json", "-"], capture_output=True, check=True)
+    return json.loads(done.stdout)
+
+
+class Detect(unittest.TestCase):
+    def test_a_ball_has_its_true_centre_and_radius(self):
+        found = quadrille.detect(ball())
+        self.assertEqual([d.type for d in found], ["sphere"])
+        sphere = found.detections[0]
+        self.assertAlmostEqual(sphere.dimensions["radius"], 0.05, delta=4e-4)
+        np.testing.assert_allclose(sphere.X_CQ[:3, 3], (0.02, -0.01, 0.6), atol=6e-4)
+        self.assertEqual(sphere.Q.shape, (4, 4))
+        np.testing.assert_allclose(sphere.Q, sphere.Q.T, atol=1e-12)
+        p = np.append(ball()[0], 1.0)
+        self.assertLess(abs(p @ sphere.Q @ p), 1e-4)
+        self.assertLess(np.abs(sphere.distance(ball())).max(), 8e-4)
+
+    def test_layouts_and_types_of_arrays_give_the_same(self):
+        p = ball().astype(np.float32)
+        q = quadrille.detect(p).detections[0].Q
+        wide = np.zeros((len(p), 5), np.float32)
+        wide[:, 1:4] = p
+        for same in (p.astype(np.float64), np.asfortranarray(p), wide[:, 1:4], p.tolist()):
+            np.testing.assert_array_equal(quadrille.detect(same).detections[0].Q, q)
+
+    def test_organised_clouds_may_have_gaps(self):
+        u, v = np.meshgrid(np.arange(320), np.arange(240))
+        rays = np.stack([(u - 160) / 300.0, (v - 120) / 300.0, np.ones(u.shape)], -1)
+        d = rays / np.linalg.norm(rays, axis=2)[..., None]
+        c, r = np.array([0.0, 0.0, 0.6]), 0.08
+        b = d @ c
+        with np.errstate(invalid="ignore"):
+            t = b - np.sqrt(b * b - (c @ c - r * r))
+        found = quadrille.detect(d * t[..., None])
+        self.assertEqual(found.points_finite, int(np.isfinite(t).sum()))
+        self.assertEqual([x.type for x in found], ["sphere"])
+        self.assertAlmostEqual(found.detections[0].dimensions["radius"], r, delta=5e-4)
+
+    def test_the_program_finds_the_same_in_a_real_scan(self):
+        points, viewpoint = quadrille.read_cloud(SCAN)
+        found = quadrille.detect(points, viewpoint=viewpoint, settings={"seed": 3, "threads": 2})
+        theirs = run("detect", "--seed", "3", SCAN)
+        self.assertGreater(len(found), 0)
+        self.assertEqual([d.type for d in found], [d["type"] for d in theirs["detections"]])
+        for mine, other in zip(found, theirs["detections"]):
+            self.assertEqual(mine.score, other["score"])
+            self.assertEqual(mine.inliers, other["inliers"])
+            np.testing.assert_allclose(mine.X_CQ[:3, 3], other["pose"]["position"], rtol=1e-12)
+
+    def test_other_threads_run_meanwhile(self):
+        points, _ = quadrille.read_cloud(SCAN)
+        done, counted = threading.Event(), []
+
+        def count():
+            n = 0
+            while not done.wait(0.0005):
+                n += 1
+            counted.append(n)
+
+        thread = threading.Thread(target=count)
+        thread.start()
+        total = sum(quadrille.detect(points).total_ms for _ in range(5))
+        done.set()
+        thread.join()
+        self.assertGreater(counted[0], total / 50.0)
+
+    def test_what_is_wrong_is_told_in_one_line(self):
+        for wrong, part in ((lambda: quadrille.detect(np.zeros((3, 4))), "(3, 4)"),
+                            (lambda: quadrille.detect(np.zeros(3)), "(3,)"),
+                            (lambda: quadrille.detect(ball(), settings={"sed": 1}), "sed"),
+                            (lambda: quadrille.detect(ball(), settings={"threads": 0}), "threads"),
+                            (lambda: quadrille.plan(ball(), None, "franka"), "incompatible"),
+                            (lambda: quadrille.Gripper("franco"), "robotiq")):
+            with self.assertRaises((ValueError, TypeError)) as caught:
+                wrong()
+            self.assertIn(part, str(caught.exception))
+        self.assertEqual(len(quadrille.detect(np.zeros((0, 3)))), 0)
+
+
+class Plan(unittest.TestCase):
+    def test_grasps_are_those_of_the_program(self):
+        points, viewpoint = quadrille.read_cloud(SCAN)
+        found = quadrille.detect(points, viewpoint=viewpoint)
+        plan = quadrille.plan(points, found, "franka", viewpoint=viewpoint)
+        theirs = run("plan", "--gripper", "franka", SCAN)["grasps"]
+        self.assertGreater(len(plan), 0)
+        self.assertEqual([g.target for g in plan], [g["target"] for g in theirs])
+        for mine, other in zip(plan, theirs):
+            np.testing.assert_allclose(mine.X_CG[:3, 3], other["X_CG"]["position"], atol=1e-6)
+            np.testing.assert_allclose(mine.contacts, other["contacts"], atol=1e-6)
+            self.assertAlmostEqual(mine.width, np.linalg.norm(mine.contacts[0] - mine.contacts[1]),
+                                   delta=0.01)
+            back = mine.X_CG[:3, 3] - mine.approach * mine.X_CG[:3, 2]
+            np.testing.assert_allclose(mine.pregrasp[:3, 3], back, atol=1e-12)
+
+    def test_a_scene_answers_queries(self):
+        points, viewpoint = quadrille.read_cloud(SCAN)
+        found = quadrille.detect(points, viewpoint=viewpoint)
+        scene = quadrille.GraspScene(points, found, quadrille.Gripper("franka"),
+                                     viewpoint=viewpoint)
+        target = scene.plan().grasps[0].target
+        self.assertEqual({g.target for g in scene.plan(targets=[target])}, {target})
+        self.assertEqual(len(scene.plan(best=1)), 1)
+        none = scene.plan(targets=[9999])
+        self.assertEqual(len(none), 0)
+        self.assertIn("9999", " ".join(none.warnings))
+
+    def test_hands_have_the_poses_of_other_software(self):
+        points, viewpoint = quadrille.read_cloud(SCAN)
+        found = quadrille.detect(points, viewpoint=viewpoint)
+        hand = quadrille.Gripper("franka")
+        grasp = quadrille.plan(points, found, hand, viewpoint=viewpoint).grasps[0]
+        # MoveIt's hand link has the same axes, and its origin lies tcp behind the pads.
+        moveit = grasp.hand_pose(hand, "moveit")
+        np.testing.assert_allclose(moveit[:3, :3], grasp.X_CG[:3, :3], atol=1e-12)
+        np.testing.assert_allclose(grasp.X_CG[:3, 3] - moveit[:3, 3], hand.tcp * moveit[:3, 2],
+                                   atol=1e-12)
+
+
+class Track(unittest.TestCase):
+    def test_a_moving_ball_keeps_its_track(self):
+        tracker = quadrille.Tracker()
+        tracks = []
+        for n in range(4):
+            found = quadrille.detect(ball(centre=(0.01 * n, 0.0, 0.6)))
+            tracker.update(found, 100000 * n)
+            tracks.append(found.detections[0].track)
+        self.assertEqual(tracks, [1, 1, 1, 1])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "quadrille/bus/connection.hpp"
+
+namespace quadrille {
+
+/// Logs on which channels a process listens, and with which receive buffer, once it does.
+/// @param url  as it was given: the buffer in use is what the kernel grants
+void log_listening(const std::vector<std::string>& channels, const std::string& url,
+                   const bus::Connection& connection);
+
+}  // namespace quadrille

@@ -1,0 +1,123 @@
+"""Quadrics in point clouds, and grasps on them.
+
+    import numpy as np, quadrille
+    found = quadrille.detect(points)                    # (N, 3) or (H, W, 3), metres
+    plan = quadrille.plan(points, found, "franka")
+    best = plan.grasps[0].X_CG                          # (4, 4)
+
+Lengths are in metres, angles in radians, times in milliseconds. Frame C is that of the points. A
+pose X_AB takes points of frame B to frame A.
+"""
+
+import json as _json
+import os as _os
+
+from . import _core
+from ._core import (Box, Detection, FileError, Grasp, GraspQuery, Gripper, Plan, Result,
+                    __version__, grippers, read_cloud)
+
+__all__ = ["Box", "Detection", "FileError", "Grasp", "GraspQuery", "GraspScene", "Gripper", "Plan",
+           "Result", "Tracker", "detect", "grippers", "plan", "read_cloud"]
+
+_ORIGIN = (0.0, 0.0, 0.0)
+
+
+def _settings(settings):
+    """TOML, and what it is called in errors, from None, a path or a dict."""
+    if settings is None:
+        return "", "settings"
+    if isinstance(settings, (str, _os.PathLike)):
+        with open(settings, encoding="utf-8") as file:
+            return file.read(), _os.fspath(settings)
+    lines = []
+
+    def add(table, prefix):
+        for key, value in table.items():
+            if isinstance(value, dict):
+                add(value, prefix + key + ".")
+            else:
+                lines.append(f"{prefix}{key} = {_json.dumps(value)}\n")
+
+    add(settings, "")
+    return "".join(lines), "settings"
+
+
+def _gripper(gripper):
+    return gripper if isinstance(gripper, Gripper) else Gripper(_os.fspath(gripper))
+
+
+def detect(points, *, viewpoint=_ORIGIN, settings=None):
+    """Finds the quadrics of one cloud.
+
+    points     array of shape (N, 3), or (H, W, 3) row by row of an organised cloud, in frame C [m];
+               NaN where nothing was measured. float32 in C order is taken as it is, all else is
+               converted first.
+    viewpoint  where the sensor stood, in frame C [m]
+    settings   path of a TOML file, or a dict such as {"seed": 2, "only": ["sphere"],
+               "planes.sigmas": 3.0}; `quadrille config` prints all of them
+
+    Returns a Result, which is also a sequence of its Detections, best first. The same points and
+    settings give the same bits. Other Python threads run meanwhile.
+    Raises ValueError if points have another shape or a setting is wrong.
+    """
+    text, source = _settings(settings)
+    return _core.detect(points, viewpoint, text, source)
+
+
+class GraspScene:
+    """One cloud made ready to be asked for grasps more than once.
+
+    points, viewpoint, settings  as of detect()
+    result   what detect() found in these points
+    gripper  name of a built-in hand (see grippers()), path of a TOML file, or a Gripper
+    """
+
+    def __init__(self, points, result, gripper, *, viewpoint=_ORIGIN, settings=None):
+        text, source = _settings(settings)
+        self._scene = _core.GraspScene(points, result, _gripper(gripper), viewpoint, text, source)
+
+    @property
+    def timings(self):
+        """Milliseconds by stage."""
+        return self._scene.timings
+
+    def plan(self, **query):
+        """The grasps that are wanted, as a Plan, best first.
+
+        targets        ids of detections and boxes
+        tracks         tracks of detections
+        types          their types, such as ["cylinder"]
+        near           only the target nearest to this point [m]
+        min_size, max_size          of a target's longest side [m]
+        approach, approach_angle    direction to come along, to within this angle [rad]
+        min_clearance  distance of the hand from all but its target [m]
+        best           grasps at most
+        """
+        return self._scene.plan(GraspQuery(**query))
+
+
+def plan(points, result, gripper, *, viewpoint=_ORIGIN, settings=None, **query):
+    """Plans grasps on what detect() found in these points: GraspScene(…).plan(**query)."""
+    scene = GraspScene(points, result, gripper, viewpoint=viewpoint, settings=settings)
+    return scene.plan(**query)
+
+
+class Tracker:
+    """Gives the detections of successive clouds ids that last.
+
+    settings  as of detect(), of which the table `track` counts
+    """
+
+    def __init__(self, settings=None):
+        self._tracker = _core.Tracker(*_settings(settings))
+
+    def update(self, result, utime, X_WC=None):
+        """Sets Detection.track of all detections of a Result.
+
+        utime  time of the cloud [us]
+        X_WC   pose of its frame in a fixed frame W, of shape (4, 4); a camera at rest by default
+        """
+        if X_WC is None:
+            self._tracker.update(result, utime)
+        else:
+            self._tracker.update(result, utime, X_WC)
