@@ -152,9 +152,8 @@ void add_view_command(CLI::App& app) {
   add_channel_option(*command, "--boxes-channel", channels.boxes, "boxes");
   add_channel_option(*command, "--grasps-channel", channels.grasps, "grasps");
   add_channel_option(*command, "--occupancy-channel", channels.occupancy, "occupancy");
-  add_channel_option(*command, "--detector-status", channels.detector_status,
-                     "the detector's status");
-  add_channel_option(*command, "--planner-status", channels.planner_status, "the planner's status");
+  add_channel_option(*command, "--detector-status", channels.detector_status, "detector's status");
+  add_channel_option(*command, "--planner-status", channels.planner_status, "planner's status");
   arguments->planner.add_to(*command, "franka");
   add_channel_option(*command, "--channel", arguments->channel,
                      "clouds, of a log that has several");
