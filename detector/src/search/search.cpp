@@ -87,14 +87,16 @@ class Searcher {
     for (int i = samples_.size() - 1; i > 0; --i) std::swap(order[i], order[shuffle.below(i + 1)]);
     for (const int seed : order) {
       if (!open_[seed]) continue;
-      std::optional<Candidate> candidate = try_seed(seed);
-      if (!candidate) {
+      std::vector<Candidate> grown = try_seed(seed);
+      if (grown.empty()) {
         retire(seed);
         continue;
       }
       open_[seed] = 0;
-      for (const int i : candidate->region) open_[i] = 0;
-      candidates.push_back(std::move(*candidate));
+      for (Candidate& candidate : grown) {
+        for (const int i : candidate.region) open_[i] = 0;
+        candidates.push_back(std::move(candidate));
+      }
     }
     return candidates;
   }
@@ -107,14 +109,16 @@ class Searcher {
     for (const int j : samples_.neighbours_of(seed)) open_[j] = 0;
   }
 
-  /// Tries neighbourhoods from the largest: what most of a large one agrees on needs no small one.
-  std::optional<Candidate> try_seed(int seed) {
+  /// A candidate of each neighbourhood that gives one, the largest first. What half of a large one
+  /// agrees on may be one quadric through two small things: the small ones have their say, too.
+  std::vector<Candidate> try_seed(int seed) {
+    std::vector<Candidate> candidates;
     std::size_t last = 0;
     for (auto radius = options_.radii.rbegin(); radius != options_.radii.rend(); ++radius) {
       const std::vector<int> around =
           neighbourhood(samples_, seed, static_cast<float>(*radius) * samples_.cell[seed], open_,
                         &stamp_, ++mark_);
-      if (static_cast<int>(around.size()) < options_.grow.min_samples / 2) return std::nullopt;
+      if (static_cast<int>(around.size()) < options_.grow.min_samples / 2) break;
       // The same samples would be tried with the same bases.
       if (around.size() == last) continue;
       last = around.size();
@@ -122,9 +126,9 @@ class Searcher {
       if (!hypothesis) continue;
       std::optional<Candidate> grown =
           grow(samples_, *hypothesis, around, free_, inlier_, options_.grow);
-      if (grown) return grown;
+      if (grown) candidates.push_back(std::move(*grown));
     }
-    return std::nullopt;
+    return candidates;
   }
 
   std::optional<Quadric> best_hypothesis(int seed, const std::vector<int>& around) {
