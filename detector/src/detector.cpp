@@ -47,7 +47,7 @@ std::vector<Detection> measure_all(const Aggregation& aggregation,
   std::vector<Detection> detections;
   const auto report = [&](const Surface& surface) {
     if (is_flat(surface) && is_part_of(surface, finest, planes, coarse)) return;
-    detections.push_back(measure(surface, finest, viewpoint));
+    detections.push_back(measure(surface, finest, viewpoint, context.sight));
   };
   for (const Surface& surface : aggregation.surfaces()) report(surface);
   if (lets_pass(options.only, QuadricType::kPlane)) {
@@ -137,14 +137,31 @@ std::vector<Box> find_boxes_anywhere(const PointCloud& cloud, const Eigen::Vecto
   return boxes;
 }
 
+/// Diagonal of the bounding box of the finite points [m].
+double diameter_of(const PointCloud& cloud) {
+  Eigen::AlignedBox3f box;
+  for (const Eigen::Vector3f& p : cloud.points) {
+    if (p.allFinite()) box.extend(p);
+  }
+  return box.isEmpty() ? 0.0 : static_cast<double>(box.diagonal().norm());
+}
+
+/// The options with what they leave to the cloud and to what is sought.
+DetectorOptions settled(DetectorOptions options, const PointCloud& cloud) {
+  if (options.sampling.relative_cell > 0.0) {
+    options.sampling.cell = options.sampling.relative_cell * diameter_of(cloud);
+  }
+  return seeks_spheres_alone(options) ? sphere_options(std::move(options)) : options;
+}
+
 DetectionResult detect_quadrics(const PointCloud& cloud, const DetectorOptions& given,
                                 const CloudCheck& check, StageClock& clock) {
   given.check();
-  const DetectorOptions options = seeks_spheres_alone(given) ? sphere_options(given) : given;
   DetectionResult result;
   result.points_finite = check.finite;
   result.warnings = check.warnings;
   if (!check.usable) return result;
+  const DetectorOptions options = settled(given, cloud);
   Findings found = find_anywhere(cloud, check.centre, options, clock);
   result.detections = std::move(found.detections);
   result.points_used = found.points_used;

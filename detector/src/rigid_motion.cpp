@@ -1,8 +1,35 @@
 #include "quadrille/detector/rigid_motion.hpp"
 
+#include <Eigen/QR>
 #include <utility>
 
 namespace quadrille {
+namespace {
+
+/// How the coefficients of quadrics change, f(x) to f(X⁻¹ x).
+Eigen::Matrix<double, 10, 10> coefficients_map(const Eigen::Isometry3d& X_FC) {
+  Eigen::Matrix<double, 10, 10> map;
+  for (int k = 0; k < 10; ++k) {
+    map.col(k) = Quadric(Vector10d(Vector10d::Unit(k))).transformed(X_FC).coefficients();
+  }
+  return map;
+}
+
+/// The covariance of a unit q after a linear map, as that of the unit vector there.
+QuadricCovariance mapped(const QuadricCovariance& covariance,
+                         const Eigen::Matrix<double, 10, 10>& map, const Vector10d& q) {
+  const Vector10d there = (map * q).normalized();
+  const Eigen::Matrix<double, 10, 10> turn =
+      (map - there * (there.transpose() * map)) / (map * q).norm();
+  QuadricCovariance result;
+  result.known = turn * covariance.known * turn.transpose();
+  if (covariance.open.cols() == 0) return result;
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(turn * covariance.open);
+  result.open = qr.householderQ() * Eigen::MatrixXd::Identity(10, covariance.open.cols());
+  return result;
+}
+
+}  // namespace
 
 PointCloud moved(PointCloud cloud, const Eigen::Isometry3d& X_FC) {
   if (X_FC.matrix().isIdentity(0.0)) return cloud;
@@ -13,6 +40,8 @@ PointCloud moved(PointCloud cloud, const Eigen::Isometry3d& X_FC) {
 
 Detection moved(Detection detection, const Eigen::Isometry3d& X_FC) {
   if (X_FC.matrix().isIdentity(0.0)) return detection;
+  detection.covariance =
+      mapped(detection.covariance, coefficients_map(X_FC), detection.Q_C.coefficients());
   detection.Q_C = detection.Q_C.transformed(X_FC).normalized();
   detection.X_CQ = X_FC * detection.X_CQ;
   return detection;

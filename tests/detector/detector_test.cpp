@@ -182,6 +182,32 @@ TEST_CASE("a sphere is found in a cloud from all sides", "[detector][voxel]") {
   CHECK(ball->seen > 0.9);
 }
 
+TEST_CASE("cells as a share of the cloud see the same in millimetres", "[detector][voxel]") {
+  PointCloud cloud;
+  RandomStream random(122, 0);
+  for (int i = 0; i < 20000; ++i) {
+    const Eigen::Vector3d n =
+        Eigen::Vector3d(gaussian(random), gaussian(random), gaussian(random)).normalized();
+    cloud.points.push_back((0.0625 * n).cast<float>());
+  }
+  PointCloud large = cloud;
+  for (Eigen::Vector3f& p : large.points) p *= 64.0f;
+  DetectorOptions options;
+  options.sampling.relative_cell = 0.03;
+  // The diagonal of the box about a ball is √3 of its diameter.
+  DetectorOptions same;
+  same.sampling.cell = 0.03 * std::sqrt(3.0) * 0.125;
+  const Detection* ball = find(detect(cloud, options), QuadricType::kSphere);
+  REQUIRE(ball);
+  const DetectionResult in_metres = detect(cloud, same), enlarged = detect(large, options);
+  REQUIRE(find(in_metres, QuadricType::kSphere));
+  REQUIRE(find(enlarged, QuadricType::kSphere));
+  CHECK(dimension(*find(enlarged, QuadricType::kSphere), "radius") == Approx(4.0).epsilon(0.01));
+  CHECK(detect(cloud, options).points_used == detect(cloud, same).points_used);
+  // By the default, a cell of 3 mm, the large ball is too sparse to be seen.
+  CHECK_FALSE(find(detect(large), QuadricType::kSphere));
+}
+
 TEST_CASE("the stages' times add up to no more than the total", "[detector]") {
   double sum = 0;
   for (const StageTime& stage : table_result().timings) {

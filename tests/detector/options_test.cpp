@@ -121,7 +121,7 @@ TEST_CASE("a visit reaches each setting", "[options]") {
   // A new field stops these lines from compiling until it is listed here, and visited.
   DetectorOptions o;
   auto& [seed, threads, only, report, sampling, planes, inlier, search, agglomerate, aggregate] = o;
-  auto& [cell, noisiest_cell, stride, noise] = sampling;
+  auto& [cell, relative_cell, noisiest_cell, stride, noise] = sampling;
   auto& [noise_radius, quantile, patches] = noise;
   auto& [p1, p2, p3, p4, p5] = planes;
   auto& [i1, i2, i3] = inlier;
@@ -135,6 +135,7 @@ TEST_CASE("a visit reaches each setting", "[options]") {
                                         &only,
                                         &report,
                                         &cell,
+                                        &relative_cell,
                                         &noisiest_cell,
                                         &stride,
                                         &noise_radius,

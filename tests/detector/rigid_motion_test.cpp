@@ -40,3 +40,37 @@ TEST_CASE("a moved detection holds the moved points, and its pose moves with it"
   CHECK((there.X_CQ.matrix() - (X_FC * d.X_CQ).matrix()).norm() < 1e-15);
   CHECK(moved(d, Eigen::Isometry3d::Identity()).Q_C.coefficients() == d.Q_C.coefficients());
 }
+
+TEST_CASE("a covariance moves as the quadrics do that it is made of", "[frames]") {
+  RandomStream random(5, 0);
+  const Eigen::Isometry3d X_FC = test::random_pose(random, 2.0);
+  const auto unit = [&] {
+    Vector10d v;
+    for (int k = 0; k < 10; ++k) v[k] = 2.0 * random.uniform() - 1.0;
+    return Vector10d(v.normalized());
+  };
+  Detection d;
+  const Vector10d q = unit();
+  d.Q_C = Quadric(q);
+  const auto across = [&] {
+    const Vector10d v = unit();
+    return Vector10d((v - v.dot(q) * q).normalized());
+  };
+  const Vector10d known = across(), open = across();
+  d.covariance.known = known * known.transpose();
+  d.covariance.open = open;
+  const Detection there = moved(d, X_FC);
+  // How far the moved unit vector goes when q does, to first order.
+  const auto moved_step = [&](const Vector10d& step) {
+    constexpr double kStep = 1e-6;
+    const auto at = [&](double h) {
+      return Quadric(Vector10d(q + h * step)).transformed(X_FC).normalized().coefficients();
+    };
+    return Vector10d((at(kStep) - at(-kStep)) / (2.0 * kStep));
+  };
+  const Vector10d step = moved_step(known);
+  CHECK((there.covariance.known - step * step.transpose()).norm() < 1e-6 * step.squaredNorm());
+  REQUIRE(there.covariance.open.cols() == 1);
+  CHECK(std::abs(there.covariance.open.col(0).dot(moved_step(open).normalized())) ==
+        Approx(1.0).epsilon(1e-6));
+}

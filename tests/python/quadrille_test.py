@@ -41,6 +41,11 @@ class Detect(unittest.TestCase):
         np.testing.assert_allclose(sphere.Q, sphere.Q.T, atol=1e-12)
         p = np.append(ball()[0], 1.0)
         self.assertLess(abs(p @ sphere.Q @ p), 1e-4)
+        # The covariance of a unit vector has none along it.
+        self.assertEqual(sphere.covariance.shape, (10, 10))
+        self.assertLess(abs(sphere.q @ sphere.covariance @ sphere.q), 1e-9)
+        self.assertGreater(np.trace(sphere.covariance), 0)
+        self.assertEqual(sphere.open_directions.shape, (10, 0))
         self.assertLess(np.abs(sphere.distance(ball())).max(), 8e-4)
 
     def test_layouts_and_types_of_arrays_give_the_same(self):

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace quadrille::io {
@@ -59,7 +60,8 @@ std::string list_channels(const std::map<std::string, std::int64_t>& counts) {
 }
 
 std::string describe(const Dimension& dimension) {
-  return fmt::format("{:.1f} {}", shown_value(dimension), unit_of(dimension));
+  return fmt::format("{:.1f} {}{}", shown_value(dimension), unit_of(dimension),
+                     std::isfinite(dimension.std) ? "" : "*");
 }
 
 std::string describe_dimensions(const Detection& detection) {

@@ -48,6 +48,15 @@ void bind_detection(py::module_& module) {
       .def_property_readonly("X_CQ", [](const Detection& d) { return matrix_of(d.X_CQ); })
       .def_property_readonly("dimensions", &values_of)
       .def_property_readonly("deviations", &deviations_of)
+      .def_property_readonly(
+          "q", [](const Detection& d) { return d.Q_C.coefficients(); },
+          "A … J of unit norm, shape (10,).")
+      .def_property_readonly(
+          "covariance", [](const Detection& d) { return d.covariance.known; },
+          "Covariance of q along the directions that the view shows, (10, 10).")
+      .def_property_readonly(
+          "open_directions", [](const Detection& d) { return d.covariance.open; },
+          "Directions of q that the view leaves open, orthonormal columns, (10, K).")
       .def_property_readonly("extent", [](const Detection& d) { return corners_of(d.extent_Q); })
       .def_readonly("seen", &Detection::seen)
       .def_readonly("track", &Detection::track)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -20,9 +21,9 @@ namespace {
 
 using io::Json;
 
-/// "41.0 ± 0.2 mm"; a deviation as large as the value tells that this is hardly known.
+/// "41.0 ± 0.2 mm"; without a finite deviation the value is a guess.
 std::string measure_text(double value, double std, const char* unit) {
-  if (!(std < value)) return fmt::format("{:.1f} {} (hardly known)", value, unit);
+  if (!std::isfinite(std)) return fmt::format("{:.1f} {} (a guess)", value, unit);
   return fmt::format("{:.1f} ± {:.1f} {}", value, std, unit);
 }
 

@@ -1,6 +1,9 @@
 #include "cloud/far_cloud.hpp"
 
 #include <Eigen/Geometry>
+#include <utility>
+
+#include "quadrille/detector/rigid_motion.hpp"
 
 namespace quadrille {
 namespace {
@@ -20,10 +23,7 @@ PointCloud translated(PointCloud cloud, const Eigen::Vector3d& shift) {
 }
 
 Detection translated(Detection detection, const Eigen::Vector3d& shift) {
-  const Eigen::Isometry3d X(Eigen::Translation3d{shift});
-  detection.Q_C = detection.Q_C.transformed(X).normalized();
-  detection.X_CQ = X * detection.X_CQ;
-  return detection;
+  return moved(std::move(detection), Eigen::Isometry3d(Eigen::Translation3d{shift}));
 }
 
 }  // namespace quadrille

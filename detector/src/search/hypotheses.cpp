@@ -9,6 +9,8 @@
 #include "fit/monomials.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "search/basis.hpp"
+#include "search/cone_basis.hpp"
+#include "search/cylinder_basis.hpp"
 #include "search/gradient_scales.hpp"
 #include "search/sphere_vote.hpp"
 #include "search/web_vote.hpp"
@@ -111,6 +113,19 @@ std::vector<Eigen::Matrix4d> spheres_through_one(const OrientedPointsf& voters,
   return list;
 }
 
+template <std::size_t kPoints>
+std::array<OrientedPoint, kPoints> draw_points(const OrientedPointsf& voters,
+                                               RandomStream& random) {
+  std::array<OrientedPoint, kPoints> points;
+  for (OrientedPoint& point : points) point = draw(voters, random);
+  return points;
+}
+
+std::vector<Eigen::Matrix4d> list_of(const std::optional<Eigen::Matrix4d>& Q) {
+  if (!Q) return {};
+  return {*Q};
+}
+
 }  // namespace
 
 std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const OrientedPointsf& voters,
@@ -127,6 +142,10 @@ std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const OrientedPoint
       return through_two(voters, options, random);
     case BasisKind::kSphere:
       return spheres_through_one(voters, options, random);
+    case BasisKind::kCylinder:
+      return list_of(cylinder_through(draw_points<2>(voters, random)));
+    case BasisKind::kCone:
+      return list_of(cone_through(draw_points<3>(voters, random)));
   }
   return {};
 }

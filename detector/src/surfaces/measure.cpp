@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 #include "base/quantile.hpp"
-#include "fit/family_spec.hpp"
 #include "quadrille/detector/canonical.hpp"
+#include "surfaces/hidden_ends.hpp"
+#include "surfaces/uncertainty.hpp"
 
 namespace quadrille {
 namespace {
@@ -17,19 +20,13 @@ namespace {
 constexpr double kTrimmedShare = 0.004;
 // Bins of which those that hold a sample were seen.
 constexpr int kBinsAround = 24, kBinsAlong = 8;
-// The variance of a fit's noise over that of independent noise with the same residuals, as measured
-// in generated scenes: rounded depths and mixed pixels make neighbours alike.
-constexpr double kNoiseFactor = 1.5;
-// Noise that neighbours have in common comes in waves. So many samples lie on one, and count as one
-// measurement of it.
-constexpr double kSamplesPerWave = 64.0;
-// Points for the information of a family that was not fitted, as many as other fits take.
-constexpr int kInformationPoints = 240;
-// Eigenvalues of the information below this share of the largest: the data leave the direction
-// open.
-constexpr double kMinInformationShare = 1e-10;
-// At an edge the last cells are mixed or lost: deviation of an extent, in cells.
-constexpr double kEdgeCells = 3.0;
+// The last cells at an edge are mixed with what lies behind, or lost: how much longer a cylinder is
+// than the samples on it show, and the standard deviation of that, in cells.
+constexpr double kLostCells = 1.5, kEdgeCells = 1.5;
+// The same of the sides of a plane's patch.
+constexpr double kPatchEdgeCells = 3.0;
+// A score says how likely a surface is right; with a dimension that is a guess it is so in part.
+constexpr double kGuessFactor = 0.9;
 
 /// Positions of the region in the canonical frame.
 std::vector<Eigen::Vector3d> canonical_points(const Surface& surface, const SurfaceSamples& samples,
@@ -125,75 +122,22 @@ double share_seen(const std::vector<Eigen::Vector3d>& points, const Eigen::Align
          (kBinsAround * kBinsAlong);
 }
 
-/// Variance of an independent measurement by the residuals and what the fit averages over: white
-/// noise over its points, and the noise that neighbours have in common over waves.
-double variance_of_mean(const Surface& surface, double common_noise) {
-  const double n = surface.fit.points;
-  const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
-  const double waves =
-      std::clamp(static_cast<double>(surface.region.size()) / kSamplesPerWave, 1.0, free);
-  const double common = common_noise * common_noise;
-  return surface.fit.rss / n * ((1.0 - common) * kNoiseFactor / free + common / waves);
+bool has_length(QuadricType type) {
+  return type == QuadricType::kCylinder || type == QuadricType::kEllipticCylinder;
 }
 
-/// Covariance of the parameters of a family at the surface's fit; directions that the data leave
-/// open are cut off.
-/// @param information  of the family's parameters for residuals of unit variance
-/// @param points       that the information sums over
-Eigen::MatrixXd covariance(const Eigen::MatrixXd& information, double points, double variance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
-  const double min_known = kMinInformationShare * eigen.eigenvalues().tail<1>()[0];
-  const Eigen::VectorXd inverse =
-      eigen.eigenvalues().unaryExpr([&](double l) { return l > min_known ? 1.0 / l : 0.0; });
-  return variance * points * eigen.eigenvectors() * inverse.asDiagonal() *
-         eigen.eigenvectors().transpose();
-}
-
-/// Standard deviations of the canonical dimensions, by finite differences over the parameters.
-std::vector<double> deviations(const Surface& surface, const SurfaceSamples& samples,
-                               const CanonicalForm& form) {
-  const std::size_t size = form.dimensions.size();
-  std::vector<double> result(size, 0.0);
-  Family family = surface.fit.family;
-  Eigen::MatrixXd information = surface.fit.information;
-  double count = surface.fit.points;
-  // That an ellipsoid is one of revolution is mostly our choice and not the scene's.
-  if (form.type == QuadricType::kEllipsoid && family != Family::kGeneral) {
-    const OrientedPointsf points =
-        fit_points(samples, surface.region, surface.local, kInformationPoints);
-    const std::optional<FamilyFit> at = refine(points, Family::kGeneral, surface.fit.posed, 0);
-    if (at) {
-      family = Family::kGeneral;
-      information = at->information;
-      count = at->points;
-    }
-  }
-  const Eigen::MatrixXd C =
-      covariance(information, count, variance_of_mean(surface, samples.common_noise));
-  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(size), C.rows());
-  for (Eigen::Index k = 0; k < C.rows(); ++k) {
-    const double h = std::max(1e-6, 1e-3 * std::sqrt(C(k, k)));
-    Eigen::VectorXd step = Eigen::VectorXd::Zero(C.rows());
-    step[k] = h;
-    const CanonicalForm other = canonical_form(moved(family, surface.fit.posed, step));
-    if (other.type != form.type) continue;
-    for (std::size_t i = 0; i < size; ++i) {
-      J(static_cast<Eigen::Index>(i), k) =
-          (other.dimensions[i].second - form.dimensions[i].second) / h;
-    }
-  }
-  const Eigen::MatrixXd V = J * C * J.transpose();
-  for (std::size_t i = 0; i < size; ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    result[i] = std::sqrt(std::max(0.0, V(k, k)));
-  }
-  return result;
+/// The length of a cylinder; a guess where something hides an end.
+Dimension length_of(const Detection& d, const Surface& surface, const SurfaceSamples& samples,
+                    double cell, const Sight& sight) {
+  const bool open = hides_an_end(sight, samples, surface.region, d.X_CQ, d.extent_Q);
+  return {"length", d.extent_Q.sizes().z() + kLostCells * cell,
+          open ? std::numeric_limits<double>::infinity() : kEdgeCells * cell};
 }
 
 }  // namespace
 
-Detection measure(const Surface& surface, const SurfaceSamples& samples,
-                  const Eigen::Vector3d& eye) {
+Detection measure(const Surface& surface, const SurfaceSamples& samples, const Eigen::Vector3d& eye,
+                  const Sight& sight) {
   const CanonicalForm form = canonical_form(surface.fit.posed);
   Detection d;
   d.type = form.type;
@@ -201,11 +145,11 @@ Detection measure(const Surface& surface, const SurfaceSamples& samples,
   d.score = surface.confidence;
   d.rms = surface.rms;
   double side = 0;
-  float cell = 0;
+  double cell = 0;
   for (const int i : surface.region) {
     d.inliers += samples.count[i];
     side += d.Q_C.gradient(samples.raw[i].cast<double>()).dot(samples.n[i].cast<double>());
-    cell = std::max(cell, samples.cell[i]);
+    cell = std::max(cell, static_cast<double>(samples.cell[i]));
   }
   if (side < 0) d.Q_C = d.Q_C.flipped();
 
@@ -216,17 +160,21 @@ Detection measure(const Surface& surface, const SurfaceSamples& samples,
   d.extent_Q = trimmed_box(points);
   d.seen = share_seen(points, d.extent_Q, form.type);
 
-  const std::vector<double> std = deviations(surface, samples, form);
+  Uncertainty uncertainty = uncertainty_of(surface, samples, form);
+  bool guessed = false;
   for (std::size_t i = 0; i < form.dimensions.size(); ++i) {
     const auto& [name, value] = form.dimensions[i];
     const double unit = is_angle(name) ? 1.0 : surface.local.scale;
-    d.dimensions.push_back({name, unit * value, unit * std[i]});
+    d.dimensions.push_back({name, unit * value, unit * uncertainty.std[i]});
+    guessed |= !std::isfinite(uncertainty.std[i]);
   }
-  const Eigen::Vector3d size = d.extent_Q.sizes();
-  const double edge = kEdgeCells * static_cast<double>(cell);
-  if (d.type == QuadricType::kCylinder || d.type == QuadricType::kEllipticCylinder) {
-    d.dimensions.push_back({"length", size.z(), edge});
+  if (guessed) d.score *= kGuessFactor;
+  d.covariance = std::move(uncertainty.covariance);
+  if (has_length(d.type)) {
+    d.dimensions.push_back(length_of(d, surface, samples, cell, sight));
   } else if (d.type == QuadricType::kPlane) {
+    const Eigen::Vector3d size = d.extent_Q.sizes();
+    const double edge = kPatchEdgeCells * cell;
     d.dimensions.push_back({"width", size.x(), edge});
     d.dimensions.push_back({"height", size.y(), edge});
   }

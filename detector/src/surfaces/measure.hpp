@@ -1,6 +1,7 @@
 #pragma once
 
 #include "quadrille/detector/detection.hpp"
+#include "samples/sight.hpp"
 #include "surfaces/surface.hpp"
 
 namespace quadrille {
@@ -8,10 +9,11 @@ namespace quadrille {
 /// Names and measures a surface: type and canonical pose by eigen-analysis of its fit, dimensions
 /// with their standard deviations, the extent of its samples, and the share of it that was seen.
 ///
-/// Standard deviations come from the covariance of the fit, s² (JᵀJ)⁻¹ scaled to the effective
-/// number of measurements, through the derivative of the dimensions.
-/// @param eye  the viewpoint in frame C [m]
-Detection measure(const Surface& surface, const SurfaceSamples& samples,
-                  const Eigen::Vector3d& eye);
+/// Standard deviations are those of uncertainty_of(). The length of a cylinder is a guess where
+/// what lies in front, or the border of the image, hides an end.
+/// @param eye    the viewpoint in frame C [m]
+/// @param sight  what the sensor saw; without it each end counts as seen
+Detection measure(const Surface& surface, const SurfaceSamples& samples, const Eigen::Vector3d& eye,
+                  const Sight& sight = {});
 
 }  // namespace quadrille

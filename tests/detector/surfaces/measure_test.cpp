@@ -51,7 +51,8 @@ TEST_CASE("a cylinder gets its radius, length, axis, extent and seen share", "[m
   CHECK(d.X_CQ.translation().norm() < 0.002);
   CHECK(std::abs(d.X_CQ.linear()(2, 2)) > 0.9995);
   CHECK(d.X_CQ.linear().determinant() == Approx(1.0));
-  CHECK(d.extent_Q.sizes().z() == Approx(dimension(d, "length").value));
+  // The last cells at either end are mixed with what lies behind, or lost.
+  CHECK(d.extent_Q.sizes().z() == Approx(dimension(d, "length").value - 1.5 * kCell));
   CHECK(d.extent_Q.center().z() == Approx(0.0).margin(0.003));
   CHECK(d.seen == Approx(2.4 / (2 * M_PI)).margin(0.05));
   CHECK(d.Q_C.coefficients().norm() == Approx(1.0));

@@ -15,8 +15,18 @@ namespace quadrille {
 struct Dimension {
   std::string name;
   double value = 0.0;
-  /// Standard deviation, in the unit of the value.
+  /// Standard deviation, in the unit of the value; infinite where the view does not show the
+  /// dimension and its value is a guess.
   double std = 0.0;
+};
+
+/// What is known of the coefficients of a quadric of unit norm, in the order of
+/// Quadric::coefficients().
+struct QuadricCovariance {
+  /// Covariance along the directions that the view shows.
+  Eigen::Matrix<double, 10, 10> known = Eigen::Matrix<double, 10, 10>::Zero();
+  /// Orthonormal columns: the directions that it leaves open, along which q may lie anywhere.
+  Eigen::Matrix<double, 10, Eigen::Dynamic> open = Eigen::Matrix<double, 10, Eigen::Dynamic>(10, 0);
 };
 
 /// One quadric found in a cloud with frame C.
@@ -27,6 +37,8 @@ struct Detection {
   QuadricType type = QuadricType::kPlane;
   /// Of unit norm, its gradient pointing to the side that the sensor saw.
   Quadric Q_C;
+  /// Of the coefficients of Q_C. Messages and files do not hold it.
+  QuadricCovariance covariance;
   /// Confidence, 0 to 1.
   double score = 0.0;
   /// Cloud points that lie on the quadric with a compatible normal.

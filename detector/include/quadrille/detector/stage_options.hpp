@@ -32,6 +32,7 @@ struct NoiseOptions {
 /// How the points are averaged.
 struct SamplingOptions {
   double cell = 0.0031;
+  double relative_cell = 0.0;
   double noisiest_cell = 0.8;
   int stride = 1;
   NoiseOptions noise;
@@ -41,6 +42,10 @@ struct SamplingOptions {
     v(o.cell, {"sampling.cell", "m", 1e-5, 10.0,
                "Edge of the finest cells, at the depth of the nearer third of the points: about a "
                "tenth of the smallest object."});
+    v(o.relative_cell, {"sampling.relative_cell", "", 0.0, 1.0,
+                        "The paper's τ_s: the same as a share of the diagonal of the cloud's "
+                        "bounding box, in place of sampling.cell; 0 for that. The paper has 0.025 "
+                        "to 0.05."});
     v(o.noisiest_cell, {"sampling.noisiest_cell", "", 0.01, 100.0,
                         "Noise of a finest cell's mean, in cells, above which the cells are "
                         "doubled: smaller ones would show the noise and not the surface."});
@@ -96,6 +101,8 @@ enum class BasisKind {
   kNinePoints,   ///< nine points without normals
   kTwoPoints,    ///< two oriented points and a vote in three dimensions (paper, figure 2b)
   kSphere,       ///< one oriented point and a vote for the radius (paper, figure 2b)
+  kCylinder,     ///< two oriented points give a circular cylinder
+  kCone,         ///< three oriented points give a circular cone
 };
 
 constexpr auto words_of(BasisKind) {
@@ -103,7 +110,9 @@ constexpr auto words_of(BasisKind) {
                                          {"four_points", BasisKind::kFourPoints},
                                          {"nine_points", BasisKind::kNinePoints},
                                          {"two_points", BasisKind::kTwoPoints},
-                                         {"sphere", BasisKind::kSphere}});
+                                         {"sphere", BasisKind::kSphere},
+                                         {"cylinder", BasisKind::kCylinder},
+                                         {"cone", BasisKind::kCone}});
 }
 
 /// Which lengths the gradients at three oriented points are given, of which normals tell the

@@ -1,0 +1,46 @@
+#include "search/cone_basis.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace quadrille {
+namespace {
+
+// Of normals with a smaller triple product the noise makes apex and axis.
+constexpr double kMinTripleProduct = 0.005;
+
+}  // namespace
+
+std::optional<Eigen::Matrix4d> cone_through(const std::array<OrientedPoint, 3>& basis) {
+  Eigen::Matrix3d N;
+  Eigen::Vector3d heights;
+  for (int i = 0; i < 3; ++i) {
+    const OrientedPoint& point = basis[static_cast<std::size_t>(i)];
+    N.row(i) = point.n.transpose();
+    heights[i] = point.n.dot(point.x);
+  }
+  if (!(std::abs(N.determinant()) > kMinTripleProduct)) return std::nullopt;
+  const Eigen::Matrix3d inverse = N.inverse();
+  const Eigen::Vector3d p = inverse * heights;
+  // n·a / sin α = 1 for normals that point inwards.
+  Eigen::Vector3d a = inverse * Eigen::Vector3d::Ones();
+  const double sine = 1.0 / a.norm();
+  if (!(sine < 1.0)) return std::nullopt;
+  a *= sine;
+  double least = 0.0, most = 0.0;
+  for (const OrientedPoint& point : basis) {
+    const double along = a.dot(point.x - p);
+    least = std::min(least, along);
+    most = std::max(most, along);
+  }
+  // As many signs as nappes.
+  if (least < 0.0 && most > 0.0) return std::nullopt;
+  const bool outwards = least < 0.0;
+  Eigen::Matrix4d Q;
+  const Eigen::Matrix3d A = (1.0 - sine * sine) * Eigen::Matrix3d::Identity() - a * a.transpose();
+  Q << A, -A * p, -(A * p).transpose(), p.dot(A * p);
+  return outwards ? Q : Eigen::Matrix4d(-Q);
+}
+
+}  // namespace quadrille

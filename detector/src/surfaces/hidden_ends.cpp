@@ -1,0 +1,52 @@
+#include "surfaces/hidden_ends.hpp"
+
+#include <cmath>
+
+namespace quadrille {
+namespace {
+
+// Samples within so many cells of an end are moved along the axis to as many beyond it.
+constexpr double kEndCells = 2.0;
+// What is seen so many cells nearer than the surface would be is something in front of it, and not
+// what it stands on.
+constexpr double kInFrontCells = 6.0;
+
+enum class Sighting { kHidden, kSeen, kUnknown };
+
+/// What the sensor tells of a place that a surface would reach.
+Sighting look_at(const Sight& sight, const Eigen::Vector3d& p_V, double in_front) {
+  if (!(p_V.z() > 0.0)) return Sighting::kHidden;
+  const double i = std::floor((p_V.x() / p_V.z() - sight.corner.x()) / sight.step);
+  const double j = std::floor((p_V.y() / p_V.z() - sight.corner.y()) / sight.step);
+  if (!(i >= 0 && j >= 0 && i < sight.width && j < sight.height)) return Sighting::kHidden;
+  const float w = sight.w[static_cast<std::size_t>(j) * static_cast<std::size_t>(sight.width) +
+                          static_cast<std::size_t>(i)];
+  if (w == 0.0f) return Sighting::kUnknown;
+  return p_V.z() - 1.0 / w > in_front ? Sighting::kHidden : Sighting::kSeen;
+}
+
+}  // namespace
+
+bool hides_an_end(const Sight& sight, const SurfaceSamples& samples, std::span<const int> region,
+                  const Eigen::Isometry3d& X_CQ, const Eigen::AlignedBox3d& extent_Q) {
+  if (sight.w.empty()) return false;
+  const Eigen::Isometry3d X_VQ = sight.X_VC.cast<double>() * X_CQ, X_QC = X_CQ.inverse();
+  for (const double end : {extent_Q.min().z(), extent_Q.max().z()}) {
+    const double outwards = end < extent_Q.center().z() ? -1.0 : 1.0;
+    int hidden = 0, seen = 0;
+    for (const int i : region) {
+      Eigen::Vector3d p_Q = X_QC * samples.raw[i].cast<double>();
+      const double reach = kEndCells * static_cast<double>(samples.cell[i]);
+      if (std::abs(p_Q.z() - end) > reach) continue;
+      p_Q.z() = end + outwards * reach;
+      const Sighting sighting =
+          look_at(sight, X_VQ * p_Q, kInFrontCells * static_cast<double>(samples.cell[i]));
+      hidden += sighting == Sighting::kHidden;
+      seen += sighting == Sighting::kSeen;
+    }
+    if (hidden > seen) return true;
+  }
+  return false;
+}
+
+}  // namespace quadrille

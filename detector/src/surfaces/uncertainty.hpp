@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "surfaces/surface.hpp"
+
+namespace quadrille {
+
+/// What the samples of a surface leave open of its quadric.
+struct Uncertainty {
+  /// Standard deviation of each canonical dimension [m], of angles [rad]; infinite where the
+  /// samples do not show the dimension and its value is a guess.
+  std::vector<double> std;
+  QuadricCovariance covariance;
+};
+
+/// The covariance of a surface's fit, V (JᵀJ / N)⁻¹ with N points and the variance V of their mean
+/// noise, and through the derivatives by the family's parameters that of q and of the dimensions.
+///
+/// V has two parts: noise of its own on each point is averaged over all points; what neighbours
+/// have in common is a shape of its own, which a fit follows as it follows the surface, and is
+/// hardly averaged at all.
+/// @param form  of the surface's fit, in its local coordinates
+Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples,
+                           const CanonicalForm& form);
+
+}  // namespace quadrille
