@@ -3,8 +3,11 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
+#include <vector>
 
 #include "fit/family_spec.hpp"
 
@@ -13,14 +16,18 @@ namespace {
 
 // The noise of a fit that is each point's own, over that of independent noise with the same
 // residuals. This and the next five were fitted to the errors of 2,000 dimensions in scenes with
-// exact truth, of generated and of simulated stereo, structured light and time of flight.
-constexpr double kOwnFactor = 1.4;
-// Standard deviation of a mean of noise that all neighbours share, in rms residuals.
-constexpr double kSharedShare = 0.64;
-// How fast the noise counts as shared, over the correlation of neighbours' residuals and the share
-// of common noise, each above what chance gives.
-constexpr double kCorrelationRate = 4.8, kChanceCorrelation = 0.033;
-constexpr double kCommonRate = 2.4, kChanceCommon = 0.053;
+// exact truth: generated ones, and simulated stereo, structured light and time of flight.
+constexpr double kOwnFactor = 1.0;
+// Edge of the blocks that waves of noise are averaged over, in the unit of the fit.
+constexpr double kBlock = 0.6;
+// Standard deviation of a mean of noise that neighbours share, in rms residuals: of what is no
+// larger than the noise that was measured, and of a shape of its own, which the fit follows.
+constexpr double kSharedShare = 0.105, kFlawShareOfRms = 0.455;
+// Where the one becomes the other: residuals over the measured noise, and the width of the step.
+constexpr double kFlawResidual = 1.0, kFlawStep = 0.02;
+// How fast noise counts as shared, over the correlation of neighbours' residuals above what chance
+// gives.
+constexpr double kCorrelationRate = 80.0, kChanceCorrelation = 0.033;
 // Semi-axes of one ellipsoid, where the simplest one that explains the samples is published, differ
 // from it by this share.
 constexpr double kRoundnessStd = 0.12;
@@ -55,15 +62,44 @@ Information information_of(const Surface& surface, const SurfaceSamples& samples
   return {fit.family, fit.information, static_cast<double>(fit.points)};
 }
 
+/// Variance of the mean residual by the means of blocks: waves of noise that are shorter than a
+/// block leave the blocks independent of each other [unit of the fit, squared].
+double variance_by_blocks(const Surface& surface, const SurfaceSamples& samples) {
+  const Eigen::Matrix4d Q = surface.fit.posed.matrix();
+  std::vector<std::pair<std::array<int, 3>, double>> residuals;
+  residuals.reserve(surface.region.size());
+  for (const int i : surface.region) {
+    const Eigen::Vector3d x =
+        (samples.raw[i].cast<double>() - surface.local.centre) / surface.local.scale;
+    const Eigen::Vector4d g = Q * x.homogeneous();
+    const double distance = x.homogeneous().dot(g) / (2.0 * g.head<3>().norm());
+    const Eigen::Vector3i block = (x / kBlock).array().floor().cast<int>();
+    residuals.push_back({{block.x(), block.y(), block.z()}, distance});
+  }
+  std::sort(residuals.begin(), residuals.end());
+  double square = 0.0, sum = 0.0;
+  for (std::size_t k = 0; k < residuals.size(); ++k) {
+    sum += residuals[k].second;
+    const bool last = k + 1 == residuals.size() || residuals[k + 1].first != residuals[k].first;
+    if (last) square += sum * sum, sum = 0.0;
+  }
+  const double n = static_cast<double>(residuals.size());
+  return square / (n * n);
+}
+
+/// How far the noise is one that neighbours share, 0 to 1.
+double shared_noise(const Evidence& evidence) {
+  return -std::expm1(-kCorrelationRate * std::max(0.0, evidence.correlation - kChanceCorrelation));
+}
+
 /// Variance of the mean of the noise, in the squared unit of the fit.
-double variance_of_mean(const Surface& surface, double common_noise) {
+double variance_of_mean(const Surface& surface, const SurfaceSamples& samples) {
   const double n = surface.fit.points;
   const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
-  const double shared =
-      kCorrelationRate * std::max(0.0, surface.evidence.correlation - kChanceCorrelation) +
-      kCommonRate * std::max(0.0, common_noise - kChanceCommon);
-  return surface.fit.rss / n *
-         (kOwnFactor / free + kSharedShare * kSharedShare * -std::expm1(-shared));
+  const double step = (surface.evidence.residual - kFlawResidual) / kFlawStep;
+  const double flaw = kFlawShareOfRms * kFlawShareOfRms / (1.0 + std::exp(-step));
+  const double shared = shared_noise(surface.evidence) * (kSharedShare * kSharedShare + flaw);
+  return surface.fit.rss / n * (kOwnFactor / free + shared) + variance_by_blocks(surface, samples);
 }
 
 /// The derivative of a function of the fit by the family's parameters, by finite differences.
@@ -114,7 +150,7 @@ Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples
   const Information information = information_of(surface, samples, form.type);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information.sum);
   const double min_known = kMinInformationShare * eigen.eigenvalues().tail<1>()[0];
-  const double variance = variance_of_mean(surface, samples.common_noise) * information.points;
+  const double variance = variance_of_mean(surface, samples) * information.points;
   const Eigen::VectorXd variances =
       eigen.eigenvalues().unaryExpr([&](double l) { return l > min_known ? variance / l : 0.0; });
   const Eigen::MatrixXd& V = eigen.eigenvectors();

@@ -19,9 +19,9 @@ struct Uncertainty {
 /// The covariance of a surface's fit, V (JᵀJ / N)⁻¹ with N points and the variance V of their mean
 /// noise, and through the derivatives by the family's parameters that of q and of the dimensions.
 ///
-/// V has two parts: noise of its own on each point is averaged over all points; what neighbours
-/// have in common is a shape of its own, which a fit follows as it follows the surface, and is
-/// hardly averaged at all.
+/// V has three parts: noise of its own on each point is averaged over all points; waves of noise
+/// over the blocks that they are shorter than; what is larger, a bent depth image or a flaw of the
+/// body, is followed by the fit as the surface is, and hardly averaged at all.
 /// @param form  of the surface's fit, in its local coordinates
 Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples,
                            const CanonicalForm& form);
