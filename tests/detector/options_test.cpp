@@ -125,7 +125,7 @@ TEST_CASE("a visit reaches each setting", "[options]") {
   auto& [noise_radius, quantile, patches] = noise;
   auto& [p1, p2, p3, p4, p5] = planes;
   auto& [i1, i2, i3] = inlier;
-  auto& [basis, lengths, quantisation, radii, s1, s2, hash, s3, clusters, grow] = search;
+  auto& [basis, lengths, quantisation, radii, s1, s2, s4, hash, s3, clusters, grow] = search;
   auto& [enabled, c1, c2, c3] = agglomerate;
   auto& [raw, r1, r2] = clusters;
   auto& [grow_families, g1, g2, g3] = grow;
@@ -155,6 +155,7 @@ TEST_CASE("a visit reaches each setting", "[options]") {
                                         &radii,
                                         &s1,
                                         &s2,
+                                        &s4,
                                         &hash,
                                         &s3,
                                         &enabled,

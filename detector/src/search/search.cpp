@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/random.hpp"
+#include "search/bases_needed.hpp"
 #include "search/cluster_hypotheses.hpp"
 
 namespace quadrille {
@@ -131,6 +132,13 @@ class Searcher {
     return candidates;
   }
 
+  /// Bases that are enough where the best explains `most` of n voters.
+  double bases_for(int most, int n) const {
+    if (options_.confidence == 0.0) return options_.bases;
+    return bases_needed(static_cast<double>(most) / n, basis_size(options_.basis),
+                        options_.confidence);
+  }
+
   std::optional<Quadric> best_hypothesis(int seed, const std::vector<int>& around) {
     RandomStream random(seed_, 1 + static_cast<std::uint64_t>(seed));
     const Normalisation local = normalisation_of(samples_, around);
@@ -149,11 +157,13 @@ class Searcher {
     vote_options.min_height = std::max(kMinHeight, kMinHeightLimits * limit);
     vote_options.min_cosine = inlier_.min_cosine;
     std::vector<Hypothesis> all;
-    for (int trial = 0; trial < options_.bases; ++trial) {
+    int most = 0;
+    for (int trial = 0; trial < options_.bases && trial < bases_for(most, n); ++trial) {
       for (const Eigen::Matrix4d& Q :
            draw_hypotheses(options_.basis, voters, vote_options, random, memory)) {
         const int support = count_support(voters, Q, limit, static_cast<float>(inlier_.min_cosine));
         all.push_back({Q, support});
+        most = std::max(most, support);
       }
     }
     const Hypothesis best =

@@ -196,6 +196,7 @@ struct SearchOptions {
   Quantisation quantisation = Quantisation::kArctangent;
   std::vector<double> radii = {5.0, 9.0, 15.0};
   int bases = 5;
+  double confidence = 0.0;
   int voters = 100;
   bool hash_triplets = false;
   double min_support = 0.5;
@@ -212,7 +213,10 @@ struct SearchOptions {
     v(o.quantisation, {"search.quantisation", "How the votes are put into bins."});
     v(o.radii, {"search.radii", "", 0.5, 1000.0,
                 "Radii of the neighbourhoods that bases are drawn from, in cells, ascending."});
-    v(o.bases, {"search.bases", "", 1, 10000, "Bases per seed and radius."});
+    v(o.bases, {"search.bases", "", 1, 10000, "Bases per seed and radius, at most."});
+    v(o.confidence, {"search.confidence", "", 0.0, 0.999999,
+                     "Above 0: no more bases than one of points on the best surface so far takes, "
+                     "with this confidence."});
     v(o.voters, {"search.voters", "", 16, 100000, "Voters per basis at most."});
     v(o.hash_triplets, {"search.hash_triplets",
                         "Whether a basis of three points is voted on only once (paper, section "
