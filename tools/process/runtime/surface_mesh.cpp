@@ -73,13 +73,16 @@ class Marcher {
     const auto [entry, is_new] =
         vertices_.try_emplace(std::minmax(a, b), static_cast<int>(mesh_.vertices.size()));
     if (!is_new) return entry->second;
-    Eigen::Vector3d low = point(a), high = point(b);
-    const bool low_inside = values_[a] < 0.0;
-    for (int n = 0; n < 30; ++n) {
-      const Eigen::Vector3d middle = 0.5 * (low + high);
-      ((Q_.value(middle) < 0.0) == low_inside ? low : high) = middle;
-    }
-    mesh_.vertices.push_back(0.5 * (low + high));
+    // Along a line f is a parabola: c + bt + at², known from its ends and its middle.
+    const Eigen::Vector3d from = point(a), to = point(b);
+    const double f0 = values_[a], f1 = values_[b], middle = Q_.value(0.5 * (from + to));
+    const double square = 2.0 * (f0 + f1 - 2.0 * middle), slope = f1 - f0 - square;
+    const double root = std::sqrt(std::max(0.0, slope * slope - 4.0 * square * f0));
+    const double s = -0.5 * (slope + std::copysign(root, slope));
+    // Of the two roots the one between the ends.
+    double t = f0 / s;
+    if (!(t >= 0.0 && t <= 1.0)) t = s / square;
+    mesh_.vertices.push_back(from + std::clamp(t, 0.0, 1.0) * (to - from));
     return entry->second;
   }
 
