@@ -90,7 +90,8 @@ TEST_CASE("wrong usage ends the command with 2", "[command]") {
            "plan --gripper franka --unknown x " + cloud, "scene s.ply --family x",
            "log o.lcm --as x " + cloud, "plan --gripper franka --unknown 1 " + cloud,
            "scene s.ply --family 3", "detect --picture p.jpg " + cloud,
-           "plan --gripper franka --picture p.png.txt " + cloud}) {
+           "plan --gripper franka --picture p.png.txt " + cloud,
+           "detect --picture p.png --picture-view below " + cloud}) {
     const Run run = run_quadrille(arguments);
     INFO(arguments << "\n" << run.err);
     CHECK(run.code == 2);

@@ -85,6 +85,20 @@ TEST_CASE("several plans are drawn into a picture each", "[command][picture]") {
   CHECK_FALSE(std::filesystem::exists(picture));
 }
 
+TEST_CASE("of several views each is a picture of its own", "[command][picture]") {
+  const TwoClouds two;
+  const std::string picture = two.folder.path("p.svg");
+  REQUIRE(
+      run_quadrille(kDetect + two.small + " --picture-view top,side --picture " + picture).code ==
+      0);
+  CHECK(std::filesystem::exists(two.folder.path("p_top.svg")));
+  CHECK(std::filesystem::exists(two.folder.path("p_side.svg")));
+  CHECK_FALSE(std::filesystem::exists(picture));
+  REQUIRE(run_quadrille(kDetect + two.small + " --picture-view top --picture " + picture).code ==
+          0);
+  CHECK(std::filesystem::exists(picture));
+}
+
 TEST_CASE("a cloud of a log is named by its number, from 1 on", "[command][log]") {
   const TwoClouds two;
   for (const std::string& command : {kDetect, kPlan}) {

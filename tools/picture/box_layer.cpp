@@ -28,29 +28,27 @@ int hidden_corner(const Box& box, const View& view) {
 
 }  // namespace
 
-std::optional<Eigen::Vector2i> draw_box(const Box& box, const Color& color, const View& view,
-                                        Image* image) {
+Sketch sketch_box(const Box& box, const Color& color, const View& view) {
   std::array<Eigen::Vector2d, 8> corners;
-  std::optional<Eigen::Vector2d> top;
+  bool any_in_view = false;
   for (int n = 0; n < 8; ++n) {
     const auto at = view.project(corner_of(box, n));
-    if (!at) return std::nullopt;
+    if (!at) return {};
     corners[n] = *at;
-    const bool in_view =
-        at->x() >= 0.0 && at->x() < view.width && at->y() >= 0.0 && at->y() < view.height;
-    if (in_view && (!top || at->y() < top->y())) top = *at;
+    any_in_view |= view.holds(*at);
   }
-  if (!top) return std::nullopt;
+  if (!any_in_view) return {};
   const int hidden = hidden_corner(box, view);
+  Strokes seen{{}, kWidth, color, kSeen}, behind{{}, kWidth, color, kHidden};
   for (int n = 0; n < 8; ++n) {
     for (int i = 0; i < 3; ++i) {
       const int other = n | 1 << i;
       if (other == n) continue;
-      const bool behind = n == hidden || other == hidden;
-      draw_line(corners[n], corners[other], kWidth, color, behind ? kHidden : kSeen, image);
+      (n == hidden || other == hidden ? behind : seen)
+          .segments.push_back({corners[n], corners[other]});
     }
   }
-  return top->cast<int>();
+  return {{behind, seen}, {}};
 }
 
 }  // namespace quadrille

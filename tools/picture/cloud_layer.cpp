@@ -8,34 +8,40 @@ namespace quadrille {
 namespace {
 
 /// Taps of the smoothing window: half its side and the step between them [pixels].
-constexpr int kHalfWindow = 8, kTapStep = 2;
+constexpr int kHalfWindow = 4, kTapStep = 2;
 /// Neighbours whose depth differs by more than this share belong to something else.
 constexpr float kSameDepth = 0.02f;
 
 /// Normal of the plane that fits a pixel's surroundings: on a plane, 1/z is linear in the pixel.
 Eigen::Vector3d normal_at(const std::vector<float>& depth, const View& view, int x, int y) {
   const float z = depth[static_cast<std::size_t>(y) * view.width + x];
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d sums = Eigen::Vector3d::Zero();
+  float n = 1e-3f, sx = 0, sy = 0, sxx = 1e-3f, sxy = 0, syy = 1e-3f, sw = 0, sxw = 0, syw = 0;
   for (int dy = -kHalfWindow; dy <= kHalfWindow; dy += kTapStep) {
     for (int dx = -kHalfWindow; dx <= kHalfWindow; dx += kTapStep) {
       const int u = x + dx, v = y + dy;
       if (u < 0 || v < 0 || u >= view.width || v >= view.height) continue;
       const float w = depth[static_cast<std::size_t>(v) * view.width + u];
       if (w == 0.0f || std::abs(w - z) > kSameDepth * z) continue;
-      const Eigen::Vector3d tap(dx, dy, 1);
-      moments += tap * tap.transpose();
-      sums += tap / w;
+      const float i = static_cast<float>(dx), j = static_cast<float>(dy), inverse = 1.0f / w;
+      n += 1.0f;
+      sx += i;
+      sy += j;
+      sxx += i * i;
+      sxy += i * j;
+      syy += j * j;
+      sw += inverse;
+      sxw += i * inverse;
+      syw += j * inverse;
     }
   }
-  moments.diagonal().array() += 1e-3;
-  const Eigen::Vector3d slope = moments.inverse() * sums;
+  Eigen::Matrix3d moments;
+  moments << sxx, sxy, sx, sxy, syy, sy, sx, sy, n;
+  const Eigen::Vector3d slope = moments.inverse() * Eigen::Vector3d(sxw, syw, sw);
   const Eigen::Vector2d tilt = view.focal * slope.head<2>();
   const Eigen::Vector3d ray = view.ray(x, y);
-  Eigen::Vector3d n(tilt.x(), tilt.y(), 0.0);
-  n.z() = slope.z() - tilt.dot(ray.head<2>());
-  n.normalize();
-  return n.dot(ray) > 0 ? Eigen::Vector3d(-n) : n;
+  Eigen::Vector3d normal(tilt.x(), tilt.y(), slope.z() - tilt.dot(ray.head<2>()));
+  normal.normalize();
+  return normal.dot(ray) > 0 ? Eigen::Vector3d(-normal) : normal;
 }
 
 }  // namespace

@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
+
+#include "picture/contour.hpp"
 
 namespace quadrille {
 namespace {
+
+/// A step in depth of more than this share is an edge.
+constexpr float kStep = 0.03f;
 
 /// Where a ray meets the surface first: depth along z (0 if it misses) and the mesh cell.
 struct Hit {
@@ -74,11 +80,11 @@ struct Window {
   int left = 0, top = 0, width = 0, height = 0;
 };
 
-Window window_of(const Detection& detection, const ClippedQuadric& surface, const View& view) {
+Window window_of(const ClippedQuadric& surface, const Eigen::Isometry3d& X_CQ, const View& view) {
   Eigen::AlignedBox2d box;
   for (int i = 0; i < 8; ++i) {
     const auto corner = static_cast<Eigen::AlignedBox3d::CornerType>(i);
-    const auto at = view.project(detection.X_CQ * surface.box_Q().corner(corner));
+    const auto at = view.project(X_CQ * surface.box_Q().corner(corner));
     if (!at) return {0, 0, view.width, view.height};
     box.extend(*at);
   }
@@ -90,13 +96,53 @@ Window window_of(const Detection& detection, const ClippedQuadric& surface, cons
           clip(box.max().y() + 4, view.height) - top};
 }
 
-void tint(const ClippedQuadric& surface, const Window& window, const std::vector<float>& depth,
-          const View& view, const Color& color, float alpha, Image* image) {
+bool can_be_drawn(const Detection& detection) {
+  return !detection.extent_Q.isEmpty() && detection.Q_C.matrix().allFinite();
+}
+
+ContourGrid grid_over(const Window& window) {
+  ContourGrid grid;
+  // Beyond the window by a step, so that outlines close.
+  grid.origin = Eigen::Vector2d(window.left, window.top).array() - grid.step;
+  grid.columns = static_cast<int>(window.width / grid.step) + 3;
+  grid.rows = static_cast<int>(window.height / grid.step) + 3;
+  return grid;
+}
+
+/// True where the surface ends or steps back between two hits.
+bool is_outline(const Hit& a, const Hit& b) {
+  if (a.z == 0.0f || b.z == 0.0f) return a.z != b.z;
+  return std::abs(a.z - b.z) > kStep * std::min(a.z, b.z);
+}
+
+bool is_on_side(const Hit& hit, const Hit& a, const Hit& b) {
+  if (a.z == 0.0f || b.z == 0.0f) return (hit.z == 0.0f) == (a.z == 0.0f);
+  return std::abs(hit.z - a.z) < std::abs(hit.z - b.z);
+}
+
+/// Traces where one of the two numbers of the mesh's cells changes on a piece without outline.
+std::vector<Segment> trace_mesh(const ContourGrid& grid, const std::vector<Hit>& hits,
+                                const std::function<Hit(const Eigen::Vector2d&)>& hit,
+                                int Hit::*cell) {
+  return trace_contours<Hit>(
+      grid, hits, hit,
+      [&](const Hit& a, const Hit& b) { return a.*cell != b.*cell && !is_outline(a, b); },
+      [&](const Hit& h, const Hit& a, const Hit&) { return h.*cell == a.*cell; });
+}
+
+}  // namespace
+
+void tint_quadric(const Detection& detection, const Color& color, const std::vector<float>& depth,
+                  const View& view, Image* image) {
+  if (!can_be_drawn(detection)) return;
+  const ClippedQuadric surface(detection, view);
+  const Window window = window_of(surface, detection.X_CQ, view);
+  const float alpha = is_flat(detection.type) ? 0.2f : 0.45f;
   for (int y = window.top; y < window.top + window.height; ++y) {
     for (int x = window.left; x < window.left + window.width; ++x) {
       const float z = depth[static_cast<std::size_t>(y) * view.width + x];
       if (z == 0.0f) continue;
-      const Eigen::Vector3d ray = view.ray(x, y);
+      const Eigen::Vector3d ray = view.ray(x + 0.5, y + 0.5);
       for (const double t : surface.depths(ray)) {
         if (t == 0.0 || std::abs(t - z) * ray.norm() > 2.0 * surface.tolerance()) continue;
         image->blend(x, y, color, alpha);
@@ -106,77 +152,30 @@ void tint(const ClippedQuadric& surface, const Window& window, const std::vector
   }
 }
 
-/// The first hits of all pixels of a window, with easy access beyond its border.
-class HitImage {
- public:
-  HitImage(const ClippedQuadric& surface, const Window& window, const View& view)
-      : window_(window), hits_(static_cast<std::size_t>(window.width) * window.height) {
-    for (int y = 0; y < window.height; ++y) {
-      for (int x = 0; x < window.width; ++x) {
-        hits_[static_cast<std::size_t>(y) * window.width + x] =
-            surface.hit(view.ray(window.left + x, window.top + y));
-      }
-    }
-  }
-
-  Hit at(int x, int y) const {
-    if (x < 0 || y < 0 || x >= window_.width || y >= window_.height) return {};
-    return hits_[static_cast<std::size_t>(y) * window_.width + x];
-  }
-
-  /// True where the surface ends or steps back, within a distance of some pixels.
-  bool is_outline(int x, int y, int reach) const {
-    const Hit here = at(x, y);
-    for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
-      const float z = at(x + reach * dx, y + reach * dy).z;
-      if (z == 0.0f || std::abs(z - here.z) > 0.03f * here.z) return true;
-    }
-    return false;
-  }
-
-  bool is_mesh_line(int x, int y) const {
-    const Hit here = at(x, y), right = at(x + 1, y), below = at(x, y + 1);
-    return here.ring != right.ring || here.ring != below.ring || here.sector != right.sector ||
-           here.sector != below.sector;
-  }
-
- private:
-  Window window_;
-  std::vector<Hit> hits_;
-};
-
-std::optional<Eigen::Vector2i> draw_lines(const HitImage& hits, const Window& window,
-                                          const Color& color, Image* image) {
-  int top = window.height, left = window.width, right = -1;
-  for (int y = 0; y < window.height; ++y) {
-    for (int x = 0; x < window.width; ++x) {
-      if (hits.at(x, y).z == 0.0f) continue;
-      top = std::min(top, y);
-      left = std::min(left, x);
-      right = std::max(right, x);
-      if (hits.is_outline(x, y, 3)) {
-        image->blend(window.left + x, window.top + y, color, 1.0f);
-      } else if (hits.is_mesh_line(x, y)) {
-        image->blend(window.left + x, window.top + y, color, 0.75f);
-      }
-    }
-  }
-  if (right < 0) return std::nullopt;
-  return Eigen::Vector2i(window.left + (left + right) / 2, window.top + top);
-}
-
-}  // namespace
-
-std::optional<Eigen::Vector2i> draw_quadric(const Detection& detection, const Color& color,
-                                            const std::vector<float>& depth, const View& view,
-                                            Image* image) {
-  if (detection.extent_Q.isEmpty() || !detection.Q_C.matrix().allFinite()) return std::nullopt;
+QuadricSketch sketch_quadric(const Detection& detection, const Color& color, const View& view) {
+  if (!can_be_drawn(detection) || is_flat(detection.type)) return {};
   const ClippedQuadric surface(detection, view);
-  const Window window = window_of(detection, surface, view);
-  const bool flat = is_flat(detection.type);
-  tint(surface, window, depth, view, color, flat ? 0.2f : 0.45f, image);
-  if (flat) return std::nullopt;
-  return draw_lines(HitImage(surface, window, view), window, color, image);
+  const ContourGrid grid = grid_over(window_of(surface, detection.X_CQ, view));
+  const std::function hit = [&](const Eigen::Vector2d& p) {
+    return surface.hit(view.ray(p.x(), p.y()));
+  };
+  QuadricSketch drawn;
+  drawn.step = grid.step;
+  std::vector<Hit> hits;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const Eigen::Vector2d p = grid.at(column, row);
+      hits.push_back(hit(p));
+      if (hits.back().z != 0.0f && view.holds(p)) drawn.covered.push_back(p);
+    }
+  }
+  if (drawn.covered.empty()) return {};
+  for (int Hit::*cell : {&Hit::ring, &Hit::sector}) {
+    drawn.sketch.strokes.push_back({trace_mesh(grid, hits, hit, cell), 1.0, color, 0.75f});
+  }
+  drawn.sketch.strokes.push_back(
+      {trace_contours<Hit>(grid, hits, hit, is_outline, is_on_side), 3.0, color, 1.0f});
+  return drawn;
 }
 
 }  // namespace quadrille

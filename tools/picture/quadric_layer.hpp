@@ -1,22 +1,30 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
-#include "picture/image.hpp"
+#include "picture/sketch.hpp"
 #include "picture/view.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 
-/// Draws one detection over the cloud: the points on it tinted; if it is curved also the outline of
-/// its surface within the extent of its inliers and lines of constant height and angle. Nothing
-/// hides the lines.
-/// @return the topmost pixel in the middle of the drawn surface, for a label; nullopt if none of it
-///         is in view
-std::optional<Eigen::Vector2i> draw_quadric(const Detection& detection, const Color& color,
-                                            const std::vector<float>& depth, const View& view,
-                                            Image* image);
+/// What is drawn of a curved detection.
+struct QuadricSketch {
+  Sketch sketch;
+  /// Points of the picture that its surface covers, some pixels apart.
+  std::vector<Eigen::Vector2d> covered;
+  /// The distance between them [pixels].
+  double step = 0.0;
+};
+
+/// The outline of a curved surface within the extent of its inliers, and lines of constant height
+/// and angle. Nothing hides the lines; of a flat one nothing is drawn.
+QuadricSketch sketch_quadric(const Detection& detection, const Color& color, const View& view);
+
+/// Tints the points of the cloud that lie on a detection.
+/// @param depth, view, image  of one size
+void tint_quadric(const Detection& detection, const Color& color, const std::vector<float>& depth,
+                  const View& view, Image* image);
 
 }  // namespace quadrille

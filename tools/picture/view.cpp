@@ -8,6 +8,9 @@ namespace quadrille {
 namespace {
 
 constexpr double kNear = 1e-3;
+/// An eye above or aside stands so many reaches away, nearly as if the view were parallel; that
+/// aside stands so much higher, so that tables are seen.
+constexpr double kFar = 6.0, kRise = 0.25;
 
 std::vector<Eigen::Vector3d> finite_points(const PointCloud& cloud) {
   std::vector<Eigen::Vector3d> points;
@@ -74,6 +77,63 @@ Eigen::Isometry3d choose_pose(const std::vector<Eigen::Vector3d>& points,
   return look_at(target + 2.5 * reach * Eigen::Vector3d(-0.6, -0.6, 0.5).normalized(), target, up);
 }
 
+/// Makes the points, nearly all of them, and more fill the view from its pose.
+void fill_view(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& more,
+               View* view) {
+  std::vector<double> u, v;
+  for (const Eigen::Vector3d& p : points) {
+    const Eigen::Vector3d p_V = view->X_VC * p;
+    if (p_V.z() <= kNear) continue;
+    u.push_back(p_V.x() / p_V.z());
+    v.push_back(p_V.y() / p_V.z());
+  }
+  if (u.empty()) return;
+  const auto range = [](const std::vector<double>& values) {
+    return Eigen::Vector2d(quantile(values, 0.002), quantile(values, 0.998));
+  };
+  Eigen::Vector2d u_range = range(u), v_range = range(v);
+  for (const Eigen::Vector3d& p : more) {
+    const Eigen::Vector3d p_V = view->X_VC * p;
+    if (p_V.z() <= kNear) continue;
+    const Eigen::Vector2d at = p_V.head<2>() / p_V.z();
+    u_range = {std::min(u_range[0], at.x()), std::max(u_range[1], at.x())};
+    v_range = {std::min(v_range[0], at.y()), std::max(v_range[1], at.y())};
+  }
+  const double du = std::max(u_range[1] - u_range[0], 1e-6);
+  const double dv = std::max(v_range[1] - v_range[0], 1e-6);
+  view->height = static_cast<int>(view->width * std::clamp(dv / du, 0.45, 0.9));
+  view->focal = 0.97 * std::min(view->width / du, view->height / dv);
+  view->cx = view->width / 2.0 - view->focal * (u_range[0] + u_range[1]) / 2;
+  view->cy = view->height / 2.0 - view->focal * (v_range[0] + v_range[1]) / 2;
+}
+
+/// The normal of the largest plane that looks upward, else the direction that is thought to.
+Eigen::Vector3d find_up(const ViewSubject& subject, const Eigen::Vector3d& guess) {
+  Eigen::Vector3d up = guess;
+  double most = 0.0;
+  for (const auto& [normal, count] : subject.planes_C) {
+    const double weight = count * normal.dot(guess);
+    if (normal.dot(guess) < 0.3 || weight <= most) continue;
+    most = weight;
+    up = normal.normalized();
+  }
+  return up;
+}
+
+/// Chooses the middle of a view and how far it reaches: to the box, if there is one, and around it.
+void choose_subject(const std::vector<Eigen::Vector3d>& points, const Eigen::AlignedBox3d& box_C,
+                    View* view) {
+  if (!box_C.isEmpty()) {
+    view->middle_C = box_C.center();
+    view->reach = std::max(0.8 * box_C.diagonal().norm(), kNear);
+    return;
+  }
+  view->middle_C = median_point(points);
+  std::vector<double> distances;
+  for (const Eigen::Vector3d& p : points) distances.push_back((p - view->middle_C).norm());
+  view->reach = std::max(quantile(distances, 0.98), kNear);
+}
+
 /// Half the side of the square that a point has to cover [pixels].
 int splat_radius(const std::vector<Eigen::Vector2i>& pixels, const View& view) {
   // Cells of growing size: once they hold the cloud without gaps, their number falls with the area.
@@ -102,6 +162,16 @@ std::optional<Eigen::Vector2d> View::project(const Eigen::Vector3d& p_C) const {
   return Eigen::Vector2d(focal * p.x() / p.z() + cx, focal * p.y() / p.z() + cy);
 }
 
+View View::scaled(double scale) const {
+  View view = *this;
+  view.focal *= scale;
+  view.cx *= scale;
+  view.cy *= scale;
+  view.width = std::max(1, static_cast<int>(std::ceil(scale * width)));
+  view.height = std::max(1, static_cast<int>(std::ceil(scale * height)));
+  return view;
+}
+
 View fit_view(const PointCloud& cloud, int width) {
   View view;
   view.width = width;
@@ -109,24 +179,29 @@ View fit_view(const PointCloud& cloud, int width) {
   const std::vector<Eigen::Vector3d> points = finite_points(cloud);
   if (points.empty()) return view;
   view.X_VC = choose_pose(points, cloud.viewpoint);
-  std::vector<double> u, v;
-  for (const Eigen::Vector3d& p : points) {
-    const Eigen::Vector3d p_V = view.X_VC * p;
-    if (p_V.z() <= kNear) continue;
-    u.push_back(p_V.x() / p_V.z());
-    v.push_back(p_V.y() / p_V.z());
-  }
-  if (u.empty()) return view;
-  const auto range = [](const std::vector<double>& values) {
-    return Eigen::Vector2d(quantile(values, 0.002), quantile(values, 0.998));
-  };
-  const Eigen::Vector2d u_range = range(u), v_range = range(v);
-  const double du = std::max(u_range[1] - u_range[0], 1e-6);
-  const double dv = std::max(v_range[1] - v_range[0], 1e-6);
-  view.height = static_cast<int>(width * std::clamp(dv / du, 0.45, 0.9));
-  view.focal = 0.97 * std::min(width / du, view.height / dv);
-  view.cx = width / 2.0 - view.focal * (u_range[0] + u_range[1]) / 2;
-  view.cy = view.height / 2.0 - view.focal * (v_range[0] + v_range[1]) / 2;
+  fill_view(points, {}, &view);
+  return view;
+}
+
+View fit_view(const PointCloud& cloud, int width, ViewSide side, const ViewSubject& subject) {
+  View view = fit_view(cloud, width);
+  std::vector<Eigen::Vector3d> points = finite_points(cloud);
+  if (side == ViewSide::kCamera || points.empty()) return view;
+  const Eigen::Isometry3d X_CV = view.X_VC.inverse();
+  const Eigen::Vector3d up = find_up(subject, -X_CV.linear().col(1));
+  Eigen::Vector3d forward = X_CV.linear().col(2) - up * up.dot(X_CV.linear().col(2));
+  // A camera that looks straight down has the far side on top.
+  if (forward.norm() < 1e-3) forward = -X_CV.linear().col(1);
+  forward = (forward - up * up.dot(forward)).normalized();
+  choose_subject(points, subject.box_C, &view);
+  std::erase_if(points,
+                [&](const Eigen::Vector3d& p) { return (p - view.middle_C).norm() > view.reach; });
+  if (points.empty()) return view;
+  const Eigen::Vector3d aside = forward.cross(up) + kRise * up;
+  const Eigen::Vector3d towards = side == ViewSide::kTop ? up : aside.normalized();
+  view.X_VC = look_at(view.middle_C + kFar * view.reach * towards, view.middle_C,
+                      side == ViewSide::kTop ? forward : up);
+  fill_view(points, subject.more_C, &view);
   return view;
 }
 
@@ -135,7 +210,7 @@ std::vector<float> depth_image(const PointCloud& cloud, const View& view) {
   std::vector<float> depths;
   for (const Eigen::Vector3d& p : finite_points(cloud)) {
     const auto at = view.project(p);
-    if (!at || at->minCoeff() < 0 || at->x() >= view.width || at->y() >= view.height) continue;
+    if (!at || !view.holds(*at) || (p - view.middle_C).norm() > view.reach) continue;
     pixels.push_back(at->cast<int>());
     depths.push_back(static_cast<float>((view.X_VC * p).z()));
   }

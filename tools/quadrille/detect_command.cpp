@@ -13,7 +13,6 @@
 #include "io/run_info.hpp"
 #include "io/settings_json.hpp"
 #include "picture/picture.hpp"
-#include "picture/png.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
 #include "quadrille/inputs.hpp"
@@ -26,7 +25,8 @@ namespace {
 
 struct DetectArguments {
   std::vector<std::string> inputs;
-  std::string json, picture;
+  std::string json;
+  PictureArguments picture;
   bool track = false;
   DetectorArguments detector;
   InputArguments input;
@@ -52,7 +52,7 @@ void run(const DetectArguments& arguments) {
   const DetectorSetup setup = arguments.detector.overrule(io::load_config(config));
   print_warnings(config, setup.warnings);
   const io::RunInfo info = run_info(arguments, setup);
-  PicturePaths pictures(arguments.picture, may_be_several(arguments.inputs));
+  PicturePaths pictures(arguments.picture.path, may_be_several(arguments.inputs));
   JsonLines json(arguments.json);
   Tracking tracking(setup.track, arguments.track);
   const auto put_out = [&](const std::string& path, const InputCloud& input,
@@ -65,7 +65,7 @@ void run(const DetectArguments& arguments) {
     if (!json.owns_stdout()) print(detection_table(input.info, result));
     print_warnings(input.info.input, result.warnings);
     if (!pictures.wanted()) return;
-    write_png(pictures.next(path), draw_picture({input.info.input, input.cloud, found}));
+    arguments.picture.write(pictures.next(path), {input.info.input, input.cloud, found});
   };
   const auto detect_and_put_out = [&](const std::string& path, const InputCloud& input) {
     DetectionResult result = detect(input.cloud, setup.options);
@@ -90,7 +90,7 @@ void add_detect_command(CLI::App& app) {
   command->add_flag("--track", arguments->track,
                     "Take files for successive views of a camera at rest; logs always are");
   arguments->input.add_to(*command);
-  add_picture_option(*command, arguments->picture, "the cloud and the quadrics");
+  arguments->picture.add_to(*command, "the cloud and the quadrics");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });
 }

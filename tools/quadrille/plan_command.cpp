@@ -25,7 +25,6 @@
 #include "io/run_info.hpp"
 #include "io/settings_json.hpp"
 #include "picture/picture.hpp"
-#include "picture/png.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
@@ -41,7 +40,8 @@ namespace quadrille {
 namespace {
 
 struct PlanArguments {
-  std::string json, picture, map;
+  std::string json, map;
+  PictureArguments picture;
   std::vector<std::string> inputs, views;
   DetectorArguments detector;
   PlannerArguments planner;
@@ -188,8 +188,8 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   result.boxes = moved(std::move(result.boxes), input.X_CK);
   put_out(arguments, setup, input, std::move(info), result, moved(planned, input.X_CK), output);
   if (!output->pictures.wanted()) return;
-  write_png(output->pictures.next(path),
-            draw_picture({input.info.input, input.cloud, found, &planned, &setup.gripper}));
+  arguments.picture.write(output->pictures.next(path),
+                          {input.info.input, input.cloud, found, &planned, &setup.gripper});
 }
 
 /// Views and a map belong to one scene.
@@ -208,7 +208,7 @@ void run(const PlanArguments& arguments) {
   arguments.query.query();
   refuse_same(arguments.inputs.front(), arguments.views);
   PlanOutput output{JsonLines(arguments.json),
-                    PicturePaths(arguments.picture, may_be_several(arguments.inputs)),
+                    PicturePaths(arguments.picture.path, may_be_several(arguments.inputs)),
                     {}};
   if (!arguments.map.empty()) output.map.emplace(arguments.map);
   Tracking tracking(setup.detector.track, false);
@@ -245,7 +245,7 @@ void add_plan_command(CLI::App& app) {
   command->get_option("--convention")->needs("--json");
   arguments->input.add_to(*command);
   arguments->query.add_to(*command);
-  add_picture_option(*command, arguments->picture, "the cloud, the quadrics and the grasps");
+  arguments->picture.add_to(*command, "the cloud, the quadrics and the grasps");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });
 }

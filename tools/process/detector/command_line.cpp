@@ -31,6 +31,8 @@ DetectorCommandLine::DetectorCommandLine(CLI::App& app) {
                  "quadrille merge")
       ->check(CLI::Validator(check_shard, ""))
       ->type_name("I/N");
+  app.add_flag("--viz", settings_.viz,
+               "Also publish the cloud and what is found for Meldis, Drake's viewer");
   camera_.add_to(app, "--pose-channel");
   settings_.frames.add_to(app);
   detector_.add_to(app);
@@ -59,6 +61,9 @@ DetectorSettings DetectorCommandLine::settings() const {
   }
   std::vector<NamedChannel> channels = channels_of(settings);
   channels.push_back({"--shard", settings.seen_channel});
+  DetectorSettings::visit_viewer(settings, [&](const std::string& name) {
+    channels.push_back({"--viz", name});
+  });
   check_distinct(channels);
   return settings;
 }
@@ -80,6 +85,8 @@ void DetectorCommandLine::name_channels(DetectorSettings* settings) const {
       *settings, [&](Way way, const char*, std::string& name, const char*) {
         name = process.prefixed(way == Way::kIn ? name : settings->shard.channel(name));
       });
+  DetectorSettings::visit_viewer(*settings,
+                                 [&](std::string& name) { name = process.prefixed(name); });
 }
 
 }  // namespace quadrille

@@ -46,6 +46,7 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
       trackers_(settings.track),
       camera_poses_(settings.X_WK, settings.track.pose_age),
       untracked_(settings.frames.clouds == CloudFrame::kCamera) {
+  if (settings.viz) viewer_.emplace(settings.viewer, publish_);
   for (const std::string& warning : settings.warnings) log_warning(warning);
 }
 
@@ -65,6 +66,9 @@ std::vector<OutChannel> DetectorNode::out_channels() const {
         const bool several = in_channel_.is_pattern() && &name != &settings_.status_channel;
         if (way == Way::kOut) channels.push_back({option, name, several});
       });
+  DetectorSettings::visit_viewer(settings_, [&](const std::string& name) {
+    channels.push_back({"--viz", name});
+  });
   return channels;
 }
 
@@ -272,6 +276,8 @@ void DetectorNode::detect_and_publish(const std::string& channel, const bus::Clo
         latency = bus::ms_since(received);
       });
   publish_boxes(channel, cloud, frame, result);
+  const double boxes_ms = bus::ms_since(received) - latency;
+  if (viewer_ && placement.lack.empty()) show(cloud, placement, result);
   log_debug(fmt::format("cloud {}: {} of {} points, {} quadrics, {} boxes, {:.1f} ms", cloud.utime,
                         result.points_used, cloud.cloud.read, result.detections.size(),
                         result.boxes.size(), latency));
@@ -282,7 +288,7 @@ void DetectorNode::detect_and_publish(const std::string& channel, const bus::Clo
   stages_.add("wait", std::chrono::duration<double, std::milli>(start - received).count());
   stages_.add("detect", detect_ms);
   stages_.add("quadrics", latency);
-  stages_.add("boxes", bus::ms_since(received) - latency);
+  stages_.add("boxes", boxes_ms);
 }
 
 /// The planner waits for these.

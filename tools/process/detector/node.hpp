@@ -19,6 +19,7 @@
 #include "process/runtime/refusals.hpp"
 #include "process/runtime/sequence_gaps.hpp"
 #include "process/runtime/stages.hpp"
+#include "process/runtime/viewer.hpp"
 #include "quadrille/bus/channel_pattern.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/detector/detection.hpp"
@@ -63,6 +64,8 @@ class DetectorNode : public Node {
                         const std::string& frame, const DetectionResult& result);
   void publish_boxes(const std::string& channel, const bus::CloudMessage& cloud,
                      const std::string& frame, const DetectionResult& result);
+  void show(const bus::CloudMessage& cloud, const Placement& placement,
+            const DetectionResult& result);
   void fill_counts(detector_status_t* status);
 
   const DetectorSettings settings_;
@@ -75,6 +78,8 @@ class DetectorNode : public Node {
   /// For the working thread.
   Trackers trackers_;
   LimitedLog trackers_log_;
+  /// None without --viz.
+  std::optional<Viewer> viewer_;
 
   mutable std::mutex mutex_;
   detector_status_t counts_{};

@@ -8,6 +8,7 @@
 #include "cli/process_arguments.hpp"
 #include "process/runtime/cloud_frame.hpp"
 #include "process/runtime/shard.hpp"
+#include "process/runtime/viewer.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/tracker.hpp"
 
@@ -31,6 +32,10 @@ struct DetectorSettings {
   /// The pose of a camera at rest in W; none: not known.
   std::optional<Eigen::Isometry3d> X_WK;
   CloudFrames frames;
+  /// Whether the viewer's messages are published, and on which channels: those that Meldis knows.
+  bool viz = false;
+  ViewerChannels viewer = {"DRAKE_VIEWER_LOAD_ROBOT", "DRAKE_VIEWER_DRAW"};
+  std::string viewer_cloud_channel = "DRAKE_POINT_CLOUD";
   DetectorOptions detector;
   TrackOptions track;
   /// What of the configuration is not heeded, to be logged.
@@ -46,6 +51,15 @@ struct DetectorSettings {
     visit(Way::kOut, "--status-channel", settings.status_channel, "status");
     visit(Way::kIn, "--pose-channel", settings.pose_channel,
           "camera's poses (bot_core.pose_t) in a fixed frame");
+  }
+
+  /// Lists the channels of the viewer, if there is one.
+  template <class Settings, class Visit>
+  static void visit_viewer(Settings& settings, const Visit& visit) {
+    if (!settings.viz) return;
+    visit(settings.viewer.load);
+    visit(settings.viewer.draw);
+    visit(settings.viewer_cloud_channel);
   }
 };
 

@@ -31,6 +31,8 @@ PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
       ->check(CLI::Range(0, 19))
       ->type_name("N")
       ->capture_default_str();
+  app.add_flag("--viz", settings_.viz,
+               "Also publish the hand at the best grasp for Meldis, Drake's viewer");
   camera_.add_to(app, "--pose-channel");
   settings_.frames.add_to(app);
   planner_.add_to(app, "franka");
@@ -51,7 +53,12 @@ PlannerSettings PlannerCommandLine::settings() const {
   });
   check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,
               {settings.cloud_channel, settings.quadrics_channel, settings.request_channel});
-  check_distinct(channels_of(settings));
+  std::vector<NamedChannel> channels = channels_of(settings);
+  PlannerSettings::visit_viewer(settings, [&](std::string& name) {
+    name = settings.process.prefixed(name);
+    channels.push_back({"--viz", name});
+  });
+  check_distinct(channels);
   settings.gripper = planner_.gripper();
   return settings;
 }

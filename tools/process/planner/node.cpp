@@ -10,6 +10,7 @@
 #include "process/planner/messages.hpp"
 #include "process/planner/request.hpp"
 #include "process/planner/status_text.hpp"
+#include "process/planner/viewer_hands.hpp"
 #include "process/runtime/logging.hpp"
 #include "quadrille/bus/clock.hpp"
 #include "quadrille/bus/encode.hpp"
@@ -40,7 +41,9 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
       publish_(std::move(publish)),
       settings_hash_(hash_of(settings)),
       camera_poses_(settings.X_WK, settings.pose_age),
-      occupancies_(occupancy_interval(settings)) {}
+      occupancies_(occupancy_interval(settings)) {
+  if (settings.viz) viewer_.emplace(settings.viewer, publish_);
+}
 
 std::vector<InChannel> PlannerNode::in_channels() const {
   std::vector<InChannel> channels;
@@ -59,6 +62,9 @@ std::vector<OutChannel> PlannerNode::out_channels() const {
       settings_, [&](Way way, const char* option, const std::string& name, const char*) {
         if (way == Way::kOut) channels.push_back({option, name});
       });
+  PlannerSettings::visit_viewer(settings_, [&](const std::string& name) {
+    channels.push_back({"--viz", name});
+  });
   return channels;
 }
 
@@ -204,7 +210,9 @@ void PlannerNode::plan_and_publish(const SharedPair& shared) {
   const std::int64_t grasp_bytes =
       publish(settings_.grasps_channel, make_grasps_message(stamp, plan, settings_));
   const double latency = bus::ms_since(pair.at);
-  const std::int64_t bytes = grasp_bytes + publish_maps(stamp, plan, pair.placement.X_RK);
+  std::int64_t bytes = grasp_bytes + publish_maps(stamp, plan, pair.placement.X_RK);
+  const double maps_ms = bus::ms_since(pair.at) - latency;
+  if (viewer_) bytes += viewer_->show(stamp.utime, hand_links(plan, settings_.gripper));
   log_debug(fmt::format("cloud {}: {} quadrics, {} grasps, {:.1f} ms", pair.cloud->utime,
                         pair.quadrics.detections.size(), plan.grasps.size(), latency));
   for (const std::string& warning : plan.warnings) {
@@ -218,7 +226,7 @@ void PlannerNode::plan_and_publish(const SharedPair& shared) {
   stages_.add("wait", std::chrono::duration<double, std::milli>(start - pair.at).count());
   stages_.add("plan", plan_ms);
   stages_.add("grasps", latency);
-  stages_.add("maps", bus::ms_since(pair.at) - latency);
+  stages_.add("maps", maps_ms);
 }
 
 /// Publishes what is wanted beside the grasps.
@@ -309,7 +317,8 @@ void PlannerNode::publish_answer(const grasp_request_t& request, const SharedPai
     stamp.frame = pair->placement.frame_of_results(pair->cloud->cloud.frame);
   }
   const std::int64_t bytes =
-      publish(settings_.grasps_channel, make_grasps_message(stamp, plan, settings_));
+      publish(settings_.grasps_channel, make_grasps_message(stamp, plan, settings_)) +
+      (viewer_ && pair ? viewer_->show(stamp.utime, hand_links(plan, settings_.gripper)) : 0);
   const std::lock_guard lock(mutex_);
   counts_.published_bytes += bytes;
   if (pair) counts_.cloud_utime = pair->cloud->utime;

@@ -20,6 +20,7 @@
 #include "process/runtime/refusals.hpp"
 #include "process/runtime/sequence_gaps.hpp"
 #include "process/runtime/stages.hpp"
+#include "process/runtime/viewer.hpp"
 #include "quadrille/bus/rate_limiter.hpp"
 #include "quadrille/bus/request_message.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
@@ -90,6 +91,8 @@ class PlannerNode : public Node {
   std::optional<Map> late_map_;
   SharedPair ready_;
   std::optional<GraspScene> scene_;
+  /// None without --viz.
+  std::optional<Viewer> viewer_;
 };
 
 }  // namespace quadrille

@@ -6,6 +6,7 @@
 
 #include "cli/process_arguments.hpp"
 #include "process/runtime/cloud_frame.hpp"
+#include "process/runtime/viewer.hpp"
 #include "quadrille/detector/tracker.hpp"
 #include "quadrille/grasping/gripper.hpp"
 #include "quadrille/grasping/plan.hpp"
@@ -33,6 +34,11 @@ struct PlannerSettings {
   bool shapes = true, occupancy = true;
   /// On the bus, occupancy is published at most this often; 0: with each plan [s].
   double occupancy_period = 0.0;
+  /// Whether the viewer's messages are published, and on which channels: another scene of Meldis
+  /// than the detector's, for a load message resets all of its scene.
+  bool viz = false;
+  ViewerChannels viewer = {"DRAKE_VIEWER_LOAD_ROBOT_ILLUSTRATION",
+                           "DRAKE_VIEWER_DRAW_ILLUSTRATION"};
   /// Plan only what is asked for.
   bool on_request = false;
   Gripper gripper;
@@ -52,6 +58,14 @@ struct PlannerSettings {
     visit(Way::kOut, "--status-channel", settings.status_channel, "status");
     visit(Way::kIn, "--pose-channel", settings.pose_channel,
           "camera's poses (bot_core.pose_t) in a fixed frame");
+  }
+
+  /// Lists the channels of the viewer, if there is one.
+  template <class Settings, class Visit>
+  static void visit_viewer(Settings& settings, const Visit& visit) {
+    if (!settings.viz) return;
+    visit(settings.viewer.load);
+    visit(settings.viewer.draw);
   }
 };
 

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/publish.hpp"
+#include "quadrille/detector/detection.hpp"
+
+namespace quadrille {
+
+/// One shape of a link, as drake.lcmt_viewer_geometry_data has it.
+struct ViewerShape {
+  std::int8_t type = 0;
+  Eigen::Isometry3d X_LS = Eigen::Isometry3d::Identity();
+  /// Red, green, blue, opacity.
+  std::array<float, 4> color = {1.0f, 1.0f, 1.0f, 1.0f};
+  std::vector<float> numbers;
+};
+
+/// Something that moves as one.
+struct ViewerLink {
+  std::string name;
+  Eigen::Isometry3d X_WL = Eigen::Isometry3d::Identity();
+  std::vector<ViewerShape> shapes;
+};
+
+/// A box of a size, about the middle.
+ViewerShape box_shape(const Eigen::Vector3d& size, const Eigen::Isometry3d& X_LS,
+                      const std::array<float, 4>& color);
+
+/// What was found: spheres, ellipsoids and cylinders as such, planes as thin boxes, boxes by their
+/// sizes, all other quadrics as meshes of their seen part. Names hold the track, or the id of what
+/// has none.
+std::vector<ViewerLink> links_of(const DetectionResult& found);
+
+/// The channels of a scene.
+struct ViewerChannels {
+  std::string load, draw;
+};
+
+/// Shows links in Meldis. A load message resets the viewer's whole scene, so it is sent only when
+/// links come or go or change their shape, and, for viewers that start later, again from time to
+/// time, when those that have it take no heed of it; poses are sent each time.
+class Viewer {
+ public:
+  Viewer(ViewerChannels channels, bus::Publish publish);
+
+  /// @param utime  of the cloud [us]
+  /// @return how many bytes were published
+  std::int64_t show(std::int64_t utime, std::vector<ViewerLink> links);
+
+ private:
+  bool shows(const std::vector<ViewerLink>& links) const;
+
+  ViewerChannels channels_;
+  bus::Publish publish_;
+  std::vector<ViewerLink> loaded_;
+  std::optional<std::int64_t> loaded_at_;
+};
+
+/// The finite points of a cloud, evenly thinned, as a drake.lcmt_point_cloud as Meldis takes it: x,
+/// y, z alone, and flagged as finite.
+/// @param X_RC  pose of the cloud's frame in that of the results
+std::vector<std::byte> encode_viewer_cloud(const bus::CloudMessage& cloud,
+                                           const Eigen::Isometry3d& X_RC);
+
+}  // namespace quadrille
