@@ -165,3 +165,15 @@ TEST_CASE("a ball is found within a share of its diameter, whatever the order of
   found.type = QuadricType::kCylinder;
   CHECK_FALSE(is_ball(found, found.X_CQ.translation(), {0.1, 0.1, 0.1}, 0.05));
 }
+
+TEST_CASE("each scene of an object asks for that object alone", "[experiment][scene]") {
+  const Report report = quick_figure("objects");
+  CHECK(report.data.rows.size() == 10);
+  int found = 0;
+  for (const auto& row : report.data.rows) {
+    CAPTURE(row[0], row[1]);
+    CHECK(row[2] == "1");
+    found += row[3] == "1";
+  }
+  CHECK(found >= 7);
+}

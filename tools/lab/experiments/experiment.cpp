@@ -29,6 +29,7 @@ const std::vector<Experiment>& all_experiments() {
       {"examples", "fits to noisy points, drawn (figure 5B)", run_examples},
       {"planes", "quadrics in place of planes that are not taken out first (figure 9)", run_planes},
       {"balls", "eight generated sequences of moving balls (table 1)", run_balls},
+      {"objects", "35 scenes of five objects in clutter (section 5)", run_objects},
       {"sequence", "errors of a ball in a sequence of real scans (figure 6c, table 1)",
        run_sequence},
   };

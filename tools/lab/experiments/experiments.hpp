@@ -56,6 +56,9 @@ Report run_planes(const Settings& settings);
 /// Eight generated sequences in place of table 1's.
 Report run_balls(const Settings& settings);
 
+/// 35 generated scenes of five objects in clutter, in place of the paper's own (section 5).
+Report run_objects(const Settings& settings);
+
 /// Errors of radius and centre on a sequence of real scans, $QUADRILLE_DATA or ../shared.
 /// @throws io::FileError if there are no scans, or their manifest or one of them cannot be read
 Report run_sequence(const Settings& settings);
