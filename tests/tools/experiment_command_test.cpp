@@ -44,6 +44,26 @@ TEST_CASE("an experiment writes a page, numbers and a plot, the same each time",
   }
 }
 
+TEST_CASE("all experiments run by one command, and what is written stays where one has no data",
+          "[experiment][command][slow]") {
+  const TempFolder folder;
+  const EnvironmentVariable data("QUADRILLE_DATA", folder.path("d"));
+  const auto run = run_quadrille("experiment all --quick --out '" + folder.path("o") + "'");
+  // The last has no scans.
+  CHECK(run.code == 1);
+  CHECK(test::lines_of(run.err) == 1);
+  CHECK(contains(run.err, "manifest.json: no real scans"));
+  for (const Experiment& experiment : all_experiments()) {
+    CAPTURE(experiment.name);
+    const bool done = experiment.name != "sequence";
+    CHECK(contains("\n" + run.out, "\n" + std::string(experiment.name) + ":\n") == done);
+    for (const char* ending : {".md", ".csv", ".svg"}) {
+      const std::string file = folder.path("o/" + std::string(experiment.name).append(ending));
+      CHECK(std::filesystem::exists(file) == done);
+    }
+  }
+}
+
 TEST_CASE("a folder that cannot be written to is named before any work",
           "[experiment][bench][command][hostile]") {
   const TempFolder folder;

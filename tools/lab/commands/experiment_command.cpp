@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
@@ -14,6 +16,8 @@
 
 namespace quadrille {
 namespace {
+
+constexpr const char* kAll = "all";
 
 struct ExperimentArguments {
   std::string name, out = ".";
@@ -26,32 +30,66 @@ void list_experiments() {
   }
 }
 
-void run(ExperimentArguments arguments) {
-  if (arguments.name.empty()) return list_experiments();
-  const experiments::Experiment& experiment = *experiments::find_experiment(arguments.name);
-  const std::string name = arguments.name;
-  const OutputFolder files(arguments.out, {name + ".md", name + ".csv", name + ".svg"});
+/// Those that a name asks for.
+std::vector<const experiments::Experiment*> chosen(const std::string& name) {
+  std::vector<const experiments::Experiment*> chosen;
+  for (const auto& experiment : experiments::all_experiments()) {
+    if (name == kAll || name == experiment.name) chosen.push_back(&experiment);
+  }
+  // What a process has held at most can be measured only before it has held more.
+  std::stable_partition(chosen.begin(), chosen.end(),
+                        [](const auto* experiment) { return experiment->name == "growth"; });
+  return chosen;
+}
+
+OutputFolder folder_for(const std::string& out,
+                        const std::vector<const experiments::Experiment*>& chosen) {
+  std::vector<std::string> names;
+  for (const auto* experiment : chosen) {
+    for (const char* ending : {".md", ".csv", ".svg"}) {
+      names.push_back(std::string(experiment->name).append(ending));
+    }
+  }
+  return {out, names};
+}
+
+/// Runs one, the `index`th of `count`, and writes its files.
+void run_one(const experiments::Experiment& experiment, experiments::Settings settings,
+             const OutputFolder& files, std::size_t index, std::size_t count) {
+  const std::string name(experiment.name);
   experiments::Report report;
   {
     ProgressLine line;
-    arguments.settings.progress = [&](double share) { line.show(share); };
-    report = experiment.run(arguments.settings);
+    settings.progress = [&](double share) {
+      line.show((static_cast<double>(index) + share) / static_cast<double>(count));
+    };
+    report = experiment.run(settings);
   }
   files.write(name + ".md",
-              experiments::to_markdown(report, experiment, arguments.settings, QUADRILLE_VERSION));
+              experiments::to_markdown(report, experiment, settings, QUADRILLE_VERSION));
   files.write(name + ".csv", experiments::to_csv(report.data));
   files.write(name + ".svg", experiments::to_svg(report.plots));
+  if (count > 1) print(name + ":\n");
   for (const std::string& finding : report.findings) print(finding + "\n");
+}
+
+void run(const ExperimentArguments& arguments) {
+  if (arguments.name.empty()) return list_experiments();
+  const auto experiments = chosen(arguments.name);
+  const OutputFolder files = folder_for(arguments.out, experiments);
+  for (std::size_t k = 0; k < experiments.size(); ++k) {
+    run_one(*experiments[k], arguments.settings, files, k, experiments.size());
+  }
   print(files.list() + "\n");
 }
 
 std::string check_name(const std::string& name) {
-  if (experiments::find_experiment(name)) return "";
+  if (!chosen(name).empty()) return "";
   std::string names;
   for (const auto& experiment : experiments::all_experiments()) {
-    names += (names.empty() ? "" : ", ") + std::string(experiment.name);
+    names += std::string(experiment.name) + ", ";
   }
-  return "'" + name + "' is none of: " + names;
+  return "'" + name + "' is none of: " + names + kAll;
 }
 
 }  // namespace
@@ -60,7 +98,8 @@ void add_experiment_command(CLI::App& app) {
   auto arguments = std::make_shared<ExperimentArguments>();
   CLI::App* command =
       app.add_subcommand("experiment", "Repeat an experiment of the paper; without NAME list them");
-  command->add_option("NAME", arguments->name, "Which one")->check(CLI::Validator(check_name, ""));
+  command->add_option("NAME", arguments->name, "Which one, or all")
+      ->check(CLI::Validator(check_name, ""));
   command->add_option("--out", arguments->out, "Folder for NAME.md, NAME.csv and NAME.svg")
       ->type_name("FOLDER");
   add_seed_option(*command, arguments->settings.seed, "the random numbers");

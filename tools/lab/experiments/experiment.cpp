@@ -24,6 +24,12 @@ const std::vector<Experiment>& all_experiments() {
       {"deviations", "published standard deviations beside the errors, in generated scenes",
        run_deviations},
       {"growth", "time and memory over the size of fused clouds", run_growth},
+      {"votes", "the votes for λ of one basis (figure 3)", run_votes},
+      {"pencil", "the surfaces of one pencil over λ (figure 4a)", run_pencil},
+      {"examples", "fits to noisy points, drawn (figure 5B)", run_examples},
+      {"planes", "quadrics in place of planes that are not taken out first (figure 9)", run_planes},
+      {"balls", "eight generated sequences of moving balls (table 1)", run_balls},
+      {"objects", "35 scenes of five objects in clutter (section 5)", run_objects},
       {"sequence", "errors of a ball in a sequence of real scans (figure 6c, table 1)",
        run_sequence},
   };

@@ -41,6 +41,24 @@ Report run_deviations(const Settings& settings);
 /// Time and memory of detect() over the size of a cloud fused from many views, and what it finds.
 Report run_growth(const Settings& settings);
 
+/// The votes for λ of one basis among foreign points (paper, figure 3).
+Report run_votes(const Settings& settings);
+
+/// The surfaces of one pencil for λ from −75 to 75 (figure 4a).
+Report run_pencil(const Settings& settings);
+
+/// Fits to noisy points, drawn in sections (figure 5 B).
+Report run_examples(const Settings& settings);
+
+/// What the search finds of planes that are not taken out before it (figure 9).
+Report run_planes(const Settings& settings);
+
+/// Eight generated sequences in place of table 1's.
+Report run_balls(const Settings& settings);
+
+/// 35 generated scenes of five objects in clutter, in place of the paper's own (section 5).
+Report run_objects(const Settings& settings);
+
 /// Errors of radius and centre on a sequence of real scans, $QUADRILLE_DATA or ../shared.
 /// @throws io::FileError if there are no scans, or their manifest or one of them cannot be read
 Report run_sequence(const Settings& settings);

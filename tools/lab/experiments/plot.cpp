@@ -41,6 +41,12 @@ struct Axis {
     const double margin = (last - first) * kMargin / (1.0 - 2.0 * kMargin);
     low = unscaled(first - margin), high = unscaled(last + margin);
   }
+  double units_per_pixel() const { return (scaled(high) - scaled(low)) / std::abs(length); }
+  /// Widens a linear axis about its middle.
+  void stretch_to(double units_per_pixel) {
+    const double middle = 0.5 * (low + high), half = 0.5 * units_per_pixel * std::abs(length);
+    low = middle - half, high = middle + half;
+  }
   double place(double value) const {
     return from + length * (scaled(value) - scaled(low)) / (scaled(high) - scaled(low));
   }
@@ -82,6 +88,11 @@ Colours colours_of(const std::vector<Plot>& plots) {
 std::string colour_of(std::size_t index) { return kColours[index % kColours.size()]; }
 
 std::string style_of(const Series& series, std::size_t index) {
+  // Pieces are too short for dashes.
+  if (series.drawn == Drawn::kPieces && series.dashed) {
+    return fmt::format("stroke=\"{}\" stroke-width=\"5\" stroke-opacity=\"0.35\" fill=\"none\"",
+                       colour_of(index));
+  }
   // After all colours, the same again with dots.
   const char* dash = series.dashed ? " stroke-dasharray=\"6 3\"" : "";
   if (index >= kColours.size()) dash = " stroke-dasharray=\"2 2\"";
@@ -121,14 +132,36 @@ std::vector<std::pair<double, double>> placed(const Series& series, const Axis& 
   return points;
 }
 
+std::string circles(const std::vector<std::pair<double, double>>& points, double radius,
+                    std::size_t colour) {
+  std::string svg;
+  for (const auto& [at_x, at_y] : points) {
+    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\"/>\n", at_x, at_y,
+                       radius, colour_of(colour));
+  }
+  return svg;
+}
+
+/// One path for all pieces.
+std::string pieces(const Series& series, const Axis& x, const Axis& y, std::size_t colour) {
+  std::string path;
+  for (std::size_t i = 0; i + 1 < series.points.size(); i += 2) {
+    const auto &a = series.points[i], &b = series.points[i + 1];
+    path += fmt::format("M{:.1f} {:.1f}L{:.1f} {:.1f}", x.place(a.first), y.place(a.second),
+                        x.place(b.first), y.place(b.second));
+  }
+  if (path.empty()) return "";
+  return fmt::format("<path d=\"{}\" {}/>\n", path, style_of(series, colour));
+}
+
 std::string curve(const Series& series, const Axis& x, const Axis& y, std::size_t colour) {
+  if (series.drawn == Drawn::kPieces) return pieces(series, x, y, colour);
   const auto points = placed(series, x, y);
-  std::string svg, path;
+  if (series.drawn == Drawn::kDots) return circles(points, 1.5, colour);
+  const bool dotted = series.marked || points.size() == 1;
+  std::string svg = dotted ? circles(points, 4, colour) : "", path;
   for (const auto& [at_x, at_y] : points) {
     path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", at_x, at_y);
-    if (!series.marked && points.size() > 1) continue;
-    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"4\" fill=\"{}\"/>\n", at_x, at_y,
-                       colour_of(colour));
   }
   // A path of one point would not be seen.
   if (points.size() < 2) return svg;
@@ -144,13 +177,19 @@ std::string panel(const Plot& plot, double top, const Colours& colours) {
   }
   for (const double value : plot.min_y_range) y.include(value);
   x.finish(), y.finish();
+  if (plot.equal_axes) {
+    const double scale = std::max(x.units_per_pixel(), y.units_per_pixel());
+    x.stretch_to(scale), y.stretch_to(scale);
+  }
   std::string svg = frame(plot, x, y, top);
   double height = top + 10;
   for (const Series& series : plot.lines) {
     const std::size_t colour = colours.at(way_of(series));
     svg += curve(series, x, y, colour);
     const double at = kLeft + kWidth + 12;
-    svg += line(at, height, at + 24, height, style_of(series, colour));
+    svg += series.drawn == Drawn::kDots
+               ? circles({{at + 12, height}}, 3, colour)
+               : line(at, height, at + 24, height, style_of(series, colour));
     svg += label(at + 30, height + 4, "start", series.name);
     height += 16;
   }

@@ -223,6 +223,8 @@ Body random_box(double scale, Random* random) {
 
 Body make_cylinder(double radius, double length) { return tin(radius, radius, length, true); }
 
+Body make_ball(const Vector3d& axes) { return ball(axes.x(), axes.y(), axes.z()); }
+
 Body make_tray(double half_x, double half_y, double height) {
   Body body{"tray", {}, {}, Isometry3d::Identity(), std::sqrt(half_x * half_x + half_y * half_y)};
   for (const double side : {-1.0, 1.0}) {

@@ -15,6 +15,10 @@ Body random_box(double scale, Random* random);
 /// A round cylinder with both ends, standing on z = 0 of its frame B: surfaces side, end, end.
 Body make_cylinder(double radius, double length);
 
+/// An ellipsoid of semi-axes along x, y, z, or a sphere where they are equal, that touches z = 0 of
+/// its frame B.
+Body make_ball(const Eigen::Vector3d& axes);
+
 /// The four thin walls of a rectangular tray, standing on z = 0.
 Body make_tray(double half_x, double half_y, double height);
 

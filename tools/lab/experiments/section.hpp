@@ -1,0 +1,26 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <utility>
+#include <vector>
+
+#include "quadrille/detector/quadric.hpp"
+
+namespace quadrille::experiments {
+
+/// A plane through a point, with the two unit directions that span it.
+struct SectionPlane {
+  Eigen::Vector3d origin, u, v;
+
+  Eigen::Vector3d at(double a, double b) const { return origin + a * u + b * v; }
+};
+
+/// Where a quadric meets a plane, within |a| <= half and |b| <= half: pieces of the conic, each
+/// from one point (a, b) to the next. The points lie on it to rounding; a branch that turns back
+/// within a cell of the grid is not seen.
+/// @param half  of the square's side, in the unit of the quadric
+/// @param cells  of the grid along a side
+std::vector<std::pair<double, double>> section(const Quadric& Q, const SectionPlane& plane,
+                                               double half, int cells = 80);
+
+}  // namespace quadrille::experiments
