@@ -45,8 +45,8 @@ TEST_CASE("the clouds of a log come in any order", "[view][log]") {
 TEST_CASE("each cloud is worked on once, however many ask for it", "[view][log]") {
   const test::TempFolder folder;
   std::atomic<int> worked{0};
-  view::LogBackend backend(view::LogFrames(write_log(folder, 3), ""),
-                           [&](logs::LoggedCloud logged) {
+  view::LogBackend backend(view::LogFrames(write_log(folder, 3), ""), {"franka", "wsg50"},
+                           [&](logs::LoggedCloud logged, const view::PlanChoice&) {
                              ++worked;
                              view::Scene scene;
                              scene.cloud = logged.message.cloud;
@@ -54,10 +54,12 @@ TEST_CASE("each cloud is worked on once, however many ask for it", "[view][log]"
                            });
   std::vector<std::thread> askers;
   for (int i = 0; i < 12; ++i)
-    askers.emplace_back([&, i] { backend.frame(static_cast<std::size_t>(i % 3)); });
+    askers.emplace_back([&, i] { backend.frame(static_cast<std::size_t>(i % 3), {}); });
   for (std::thread& asker : askers) asker.join();
   CHECK(worked == 3);
-  CHECK(backend.frame(1) != nullptr);
-  CHECK(backend.frame(3) == nullptr);
+  CHECK(backend.frame(1, {}) != nullptr);
+  CHECK(backend.frame(3, {}) == nullptr);
   CHECK(worked == 3);
+  CHECK(backend.frame(1, {"wsg50", "", 0.0}) != backend.frame(1, {"", "", 0.01}));
+  CHECK(worked == 5);
 }

@@ -20,11 +20,27 @@ class FakeBackend : public view::Backend {
   explicit FakeBackend(std::string name = "log") : name_(std::move(name)) {}
 
   io::Json session() override { return {{"mode", "log"}, {"name", name_}}; }
-  view::Pack frame(std::size_t number) override { return number == 0 ? large_ : nullptr; }
+  view::Pack frame(std::size_t number, const view::PlanChoice& choice) override {
+    if (choice.gripper == "none")
+      throw std::invalid_argument("gripper: there is none of that name");
+    return number == 0 ? large_ : nullptr;
+  }
+  std::int64_t ask(const view::Question& question) override {
+    if (!asking_allowed) throw view::NotAllowed("requests are off");
+    asked = question;
+    return 7;
+  }
+  io::Json wait_answer(std::int64_t number, std::chrono::milliseconds) override {
+    if (number != 7) throw std::out_of_range("there is no such question");
+    return {{"grasps", io::Json::array()}};
+  }
   std::uint64_t wait_newer(std::uint64_t version, std::chrono::milliseconds) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return version + 1;
   }
+
+  bool asking_allowed = true;
+  view::Question asked;
 
   static constexpr std::size_t kLarge = std::size_t{16} << 20;
 
@@ -119,6 +135,48 @@ TEST_CASE("nothing can be changed, and there are no files but the page's", "[vie
         fmt::format("GET {} HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n", path));
     CHECK(raw.answer().find(" 404 ") != std::string::npos);
   }
+}
+
+TEST_CASE("how a log is planned on is chosen in the address, and checked", "[view][requests]") {
+  Fixture f;
+  CHECK(f.status_of("/api/frames/0?gripper=wsg50&unknown=free&clearance=2.5") == 200);
+  CHECK(f.status_of("/api/frames/0?gripper=none") == 400);
+  for (const char* wrong : {"-1", "1e9", "nan", "inf", "5mm", "0x10"}) {
+    CAPTURE(wrong);
+    CHECK(f.status_of(std::string("/api/frames/0?clearance=") + wrong) == 400);
+  }
+}
+
+TEST_CASE("the page may ask the planner, other pages may not", "[view][requests][safety]") {
+  Fixture f;
+  const std::string question = R"({"track": 3, "clearance": 5})";
+  const auto ask = [&](const httplib::Headers& headers, const std::string& body,
+                       const char* type = "application/json") {
+    const auto answer = f.client.Post("/api/questions", headers, body, type);
+    return answer ? answer->status : -1;
+  };
+  const std::string origin = fmt::format("http://127.0.0.1:{}", f.server.port());
+  CHECK(ask({{"Origin", origin}}, question) == 200);
+  CHECK(f.backend.asked.track == 3);
+  CHECK(f.backend.asked.min_clearance == 0.005);
+  CHECK(ask({{"Origin", "http://evil.example"}}, question) == 403);
+  CHECK(ask({{"Host", "evil.example"}}, question) == 403);
+  // What a form of another page can send without being asked for leave.
+  for (const char* type : {"text/plain", "application/x-www-form-urlencoded"}) {
+    CHECK(ask({}, question, type) == 405);
+  }
+  for (const char* wrong :
+       {"", "[]", "{}", "{\"track\": -1}", "{\"track\": 3000000000}", "{\"track\": 1.5}",
+        "{\"track\": \"1\"}", "{\"track\": 1, \"clearance\": -1}",
+        "{\"track\": 1, \"clearance\": \"5\"}"}) {
+    CAPTURE(wrong);
+    CHECK(ask({}, wrong) == 400);
+  }
+  CHECK(ask({}, std::string(2000, ' ') + question) == 413);
+  f.backend.asking_allowed = false;
+  CHECK(ask({}, question) == 403);
+  CHECK(f.status_of("/api/questions/7") == 200);
+  CHECK(f.status_of("/api/questions/8") == 404);
 }
 
 TEST_CASE("whatever a name holds, the answer is sound JSON", "[view][safety][hostile]") {

@@ -9,23 +9,26 @@
 
 #include "cli/detector_arguments.hpp"
 #include "cli/output.hpp"
+#include "cli/report_option.hpp"
 #include "io/planner/config.hpp"
 #include "io/run_info.hpp"
 #include "io/settings_json.hpp"
 #include "picture/picture.hpp"
+#include "quadrille/command_report.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
 #include "quadrille/tracking.hpp"
+#include "view/scene_of_result.hpp"
 
 namespace quadrille {
 namespace {
 
 struct DetectArguments {
   std::vector<std::string> inputs;
-  std::string json;
+  std::string json, report;
   PictureArguments picture;
   bool track = false;
   DetectorArguments detector;
@@ -49,11 +52,14 @@ io::RunInfo with_warnings(io::RunInfo run, const std::vector<std::string>& more)
 void run(const DetectArguments& arguments) {
   arguments.input.check(arguments.inputs);
   const std::string& config = arguments.detector.config;
-  const DetectorSetup setup = arguments.detector.overrule(io::load_config(config));
+  io::Config settings = io::load_config(config);
+  const DetectorSetup setup = arguments.detector.overrule(settings);
+  settings.detector = setup.options;
   print_warnings(config, setup.warnings);
   const io::RunInfo info = run_info(arguments, setup);
   PicturePaths pictures(arguments.picture.path, may_be_several(arguments.inputs));
   JsonLines json(arguments.json);
+  CommandReport report(arguments.report, arguments.inputs, settings);
   Tracking tracking(setup.track, arguments.track);
   const auto put_out = [&](const std::string& path, const InputCloud& input,
                            const DetectionResult& found) {
@@ -73,9 +79,11 @@ void run(const DetectArguments& arguments) {
     std::erase_if(result.detections, [](const Detection& d) { return !is_reported(d); });
     std::erase_if(result.boxes, [](const Box& box) { return !is_reported(box); });
     put_out(path, input, result);
+    if (report.wanted()) report.add(input, view::scene_of_result(input.cloud, result, input.X_CK));
   };
   const ReadingResult read = for_each_input(arguments.inputs, arguments.input, detect_and_put_out);
   if (read.gave_anything()) json.finish();
+  if (read.gave_anything()) report.finish();
   read.check();
 }
 
@@ -91,6 +99,7 @@ void add_detect_command(CLI::App& app) {
                     "Take files for successive views of a camera at rest; logs always are");
   arguments->input.add_to(*command);
   arguments->picture.add_to(*command, "the cloud and the quadrics");
+  add_report_option(*command, arguments->report, "the clouds and the quadrics");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });
 }

@@ -17,6 +17,7 @@
 #include "cli/output.hpp"
 #include "cli/planner/planner_arguments.hpp"
 #include "cli/planner/query_arguments.hpp"
+#include "cli/report_option.hpp"
 #include "io/file_bytes.hpp"
 #include "io/new_file.hpp"
 #include "io/planner/config.hpp"
@@ -26,6 +27,7 @@
 #include "io/settings_json.hpp"
 #include "picture/picture.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/command_report.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
 #include "quadrille/grasping/conventions.hpp"
@@ -35,12 +37,13 @@
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
 #include "quadrille/tracking.hpp"
+#include "view/scene_of_result.hpp"
 
 namespace quadrille {
 namespace {
 
 struct PlanArguments {
-  std::string json, map;
+  std::string json, map, report;
   PictureArguments picture;
   std::vector<std::string> inputs, views;
   DetectorArguments detector;
@@ -127,14 +130,18 @@ struct PlanSetup {
   PlanOptions options;
   /// Without the warnings about a cloud.
   io::RunInfo info;
+  /// All of the settings, the command line's included.
+  io::Config config;
 };
 
 PlanSetup setup_of(const PlanArguments& arguments) {
-  const io::Config config = io::load_config(arguments.detector.config);
   PlanSetup setup;
-  setup.detector = arguments.detector.overrule_for_planning(config);
+  setup.config = io::load_config(arguments.detector.config);
+  setup.detector = arguments.detector.overrule_for_planning(setup.config);
   setup.gripper = arguments.planner.gripper();
-  setup.options = arguments.planner.overrule(config.planner);
+  setup.options = arguments.planner.overrule(setup.config.planner);
+  setup.config.detector = setup.detector.options;
+  setup.config.planner = setup.options;
   setup.info.seed = setup.detector.options.seed;
   setup.info.settings = io::changed_settings(setup.detector.options, setup.options);
   setup.info.gripper = setup.gripper.name;
@@ -147,6 +154,7 @@ struct PlanOutput {
   JsonLines json;
   PicturePaths pictures;
   std::optional<io::NewFile> map;
+  CommandReport report;
 };
 
 /// Writes and prints what was found and planned, in the cloud's own frame.
@@ -176,9 +184,10 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);
   const GraspQuery query = moved(arguments.query.query(), input.X_CK.inverse());
+  const std::vector<PointCloud> views =
+      read_views(arguments.views, input.X_CK.inverse(), &info.warnings);
   const GraspPlan planned =
-      plan_grasps(input.cloud, detections, setup.gripper, setup.options,
-                  read_views(arguments.views, input.X_CK.inverse(), &info.warnings), query);
+      plan_grasps(input.cloud, detections, setup.gripper, setup.options, views, query);
   found.boxes = planned.boxes;
   // All were in the way; shown is what was asked for.
   std::erase_if(found.detections, [](const Detection& d) { return !is_reported(d); });
@@ -187,9 +196,15 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   result.detections = moved(std::move(result.detections), input.X_CK);
   result.boxes = moved(std::move(result.boxes), input.X_CK);
   put_out(arguments, setup, input, std::move(info), result, moved(planned, input.X_CK), output);
-  if (!output->pictures.wanted()) return;
-  arguments.picture.write(output->pictures.next(path),
-                          {input.info.input, input.cloud, found, &planned, &setup.gripper});
+  if (output->pictures.wanted()) {
+    arguments.picture.write(output->pictures.next(path),
+                            {input.info.input, input.cloud, found, &planned, &setup.gripper});
+  }
+  if (!output->report.wanted()) return;
+  view::Scene scene = view::scene_of_result(input.cloud, found, input.X_CK);
+  view::add_plan(GraspScene(input.cloud, detections, setup.gripper, setup.options, views), query,
+                 planned, setup.gripper, setup.options.unknown, input.X_CK, {}, &scene);
+  output->report.add(input, std::move(scene));
 }
 
 /// Views and a map belong to one scene.
@@ -209,7 +224,8 @@ void run(const PlanArguments& arguments) {
   refuse_same(arguments.inputs.front(), arguments.views);
   PlanOutput output{JsonLines(arguments.json),
                     PicturePaths(arguments.picture.path, may_be_several(arguments.inputs)),
-                    {}};
+                    {},
+                    CommandReport(arguments.report, arguments.inputs, setup.config)};
   if (!arguments.map.empty()) output.map.emplace(arguments.map);
   Tracking tracking(setup.detector.track, false);
   const auto visit = [&](const std::string& path, const InputCloud& input) {
@@ -217,7 +233,10 @@ void run(const PlanArguments& arguments) {
   };
   if (arguments.map.empty() && arguments.views.empty()) {
     const ReadingResult read = for_each_input(arguments.inputs, arguments.input, visit);
-    if (read.gave_anything()) output.json.finish();
+    if (read.gave_anything()) {
+      output.json.finish();
+      output.report.finish();
+    }
     return read.check();
   }
   const std::string& path = arguments.inputs.front();
@@ -225,6 +244,7 @@ void run(const PlanArguments& arguments) {
   print_warnings(path, warnings);
   visit(path, input);
   output.json.finish();
+  output.report.finish();
 }
 
 }  // namespace
@@ -246,6 +266,7 @@ void add_plan_command(CLI::App& app) {
   arguments->input.add_to(*command);
   arguments->query.add_to(*command);
   arguments->picture.add_to(*command, "the cloud, the quadrics and the grasps");
+  add_report_option(*command, arguments->report, "the clouds, the quadrics and the grasps");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });
 }

@@ -6,29 +6,35 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/detector_arguments.hpp"
 #include "cli/output.hpp"
 #include "cli/planner/planner_arguments.hpp"
 #include "cli/progress_line.hpp"
+#include "cli/report_option.hpp"
 #include "io/file_bytes.hpp"
 #include "io/planner/config.hpp"
 #include "lab/physics/attempts.hpp"
 #include "lab/physics/plan_file.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/command_report.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/grasping/grasp_scene.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/try_table.hpp"
+#include "view/scene_of_result.hpp"
 
 namespace quadrille {
 namespace {
 
 struct TryArguments {
   std::vector<std::string> inputs;
-  std::string json;
+  std::string json, report;
   bool exact = false, only_first = false;
   DetectorArguments detector;
   PlannerArguments planner;
@@ -40,48 +46,91 @@ struct Job {
   Gripper gripper;
   DetectorOptions detector;
   PlanOptions plan;
+  /// All of the settings, the command line's included.
+  io::Config config;
 };
 
 Job job_of(const TryArguments& arguments) {
   const Gripper gripper = arguments.planner.gripper();
-  const io::Config config = io::load_config(arguments.detector.config);
+  io::Config config = io::load_config(arguments.detector.config);
   const DetectorSetup setup = arguments.detector.overrule_for_planning(config);
   print_warnings(arguments.detector.config, setup.warnings);
-  return {gripper, setup.options, arguments.planner.overrule(config.planner)};
+  config.detector = setup.options;
+  config.planner = arguments.planner.overrule(config.planner);
+  return {gripper, config.detector, config.planner, config};
 }
 
 /// What is to be tried, and on what it was planned.
 struct Planned {
-  std::vector<Grasp> grasps;
-  physics::SeenQuadrics seen;
+  InputCloud input;
+  /// Those of a plan in a file have only id and quadric.
+  std::vector<Detection> detections;
+  GraspPlan plan;
 };
 
 Planned plan_on(const std::string& path, const physics::TrueScene& truth,
                 const TryArguments& arguments, const Job& job) {
-  const auto [input, warnings] = read_single_cloud(path);
+  auto [input, warnings] = read_single_cloud(path);
   print_warnings(path, warnings);
-  const std::vector<Detection> detections =
+  std::vector<Detection> detections =
       arguments.exact ? truth.detections
                       : bus::as_received(detect_quadrics(input.cloud, job.detector).detections);
-  return {plan_grasps(input.cloud, detections, job.gripper, job.plan).grasps,
-          physics::seen_quadrics(detections)};
+  GraspPlan plan = plan_grasps(input.cloud, detections, job.gripper, job.plan);
+  return {std::move(input), std::move(detections), std::move(plan)};
+}
+
+/// What came of each of the grasps; empty for those that were not tried.
+std::vector<std::string> outcomes_of(const std::vector<Grasp>& grasps,
+                                     const std::vector<physics::Attempt>& attempts,
+                                     bool only_first) {
+  std::vector<std::string> outcomes;
+  std::set<int> seen;
+  auto attempt = attempts.begin();
+  for (const Grasp& grasp : grasps) {
+    const bool tried = seen.insert(grasp.target).second || !only_first;
+    outcomes.push_back(tried && attempt != attempts.end() ? to_string((attempt++)->outcome) : "");
+  }
+  return outcomes;
+}
+
+void report_on(const Planned& planned, bool from_file, std::vector<std::string> outcomes,
+               const Job& job, CommandReport* report) {
+  const PointCloud& cloud = planned.input.cloud;
+  DetectionResult found;
+  found.boxes = planned.plan.boxes;
+  if (!from_file) found.detections = planned.detections;
+  const auto still = Eigen::Isometry3d::Identity();
+  view::Scene scene = view::scene_of_result(cloud, found, still);
+  scene.outcomes = std::move(outcomes);
+  view::add_plan(GraspScene(cloud, found.detections, job.gripper, job.plan), {}, planned.plan,
+                 job.gripper, job.plan.unknown, still, {}, &scene);
+  report->add(planned.input, std::move(scene));
 }
 
 std::vector<physics::Attempt> attempts_on(const std::string& input, const TryArguments& arguments,
-                                          const Job& job) {
+                                          const Job& job, CommandReport* report) {
   physics::TrueScene truth;
   Planned planned;
-  if (input.ends_with(".json")) {
-    const physics::PlanFile plan = physics::read_plan(input);
-    truth = physics::read_true_scene(plan.cloud);
-    planned = {plan.grasps, physics::seen_quadrics(plan.detections)};
+  const bool from_file = input.ends_with(".json");
+  if (from_file) {
+    physics::PlanFile file = physics::read_plan(input);
+    truth = physics::read_true_scene(file.cloud);
+    if (report->wanted()) planned.input = read_single_cloud(file.cloud).input;
+    planned.detections = std::move(file.detections);
+    planned.plan.grasps = std::move(file.grasps);
   } else {
     truth = physics::read_true_scene(input);
     planned = plan_on(input, truth, arguments, job);
   }
+  const std::vector<Grasp>& grasps = planned.plan.grasps;
   ProgressLine line;
-  return physics::try_grasps(planned.grasps, planned.seen, truth, job.gripper, arguments.trial,
-                             arguments.only_first, [&](double share) { line.show(share); });
+  std::vector<physics::Attempt> attempts = physics::try_grasps(
+      grasps, physics::seen_quadrics(planned.detections), truth, job.gripper, arguments.trial,
+      arguments.only_first, [&](double share) { line.show(share); });
+  if (report->wanted()) {
+    report_on(planned, from_file, outcomes_of(grasps, attempts, arguments.only_first), job, report);
+  }
+  return attempts;
 }
 
 void run(const TryArguments& arguments) {
@@ -89,12 +138,13 @@ void run(const TryArguments& arguments) {
   if (!missing.empty()) throw std::runtime_error(missing);
   const Job job = job_of(arguments);
   JsonLines json(arguments.json);
+  CommandReport report(arguments.report, arguments.inputs, job.config);
   std::vector<physics::Attempt> all;
   std::size_t failed = 0;
   for (const std::string& input : arguments.inputs) {
     std::vector<physics::Attempt> attempts;
     try {
-      attempts = attempts_on(input, arguments, job);
+      attempts = attempts_on(input, arguments, job, &report);
     } catch (const io::FileError& error) {
       if (arguments.inputs.size() == 1) throw;
       // What cannot be read must not lose what can.
@@ -109,6 +159,7 @@ void run(const TryArguments& arguments) {
   if (failed < arguments.inputs.size()) {
     json.finish();
     if (!json.owns_stdout()) print(attempt_summary(all));
+    report.finish();
   }
   if (failed > 0) {
     throw std::runtime_error(
@@ -144,6 +195,7 @@ void add_try_command(CLI::App& app) {
   command->add_option("--force", arguments->trial.force, "Closing force [N]; 0: the gripper's own")
       ->check(CLI::Range(0.0, 10000.0));
   command->add_option("--json", arguments->json, "Write JSON; - is stdout")->type_name("FILE|-");
+  add_report_option(*command, arguments->report, "the scenes, the grasps and what came of them");
   arguments->detector.add_to(*command);
   command->callback([arguments] { run(*arguments); });
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 #include <chrono>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 #include <utility>
@@ -38,7 +40,7 @@ struct ViewArguments {
   view::LiveChannels channels;
   view::ServerOptions server{"127.0.0.1", 8765};
   view::PackLimits limits;
-  bool open = false;
+  bool open = false, allow_requests = false;
   DetectorArguments detector;
   PlannerArguments planner;
   FrameArguments frames;
@@ -48,24 +50,11 @@ view::PlanSetup setup_of(const ViewArguments& arguments) {
   const io::Config config = io::load_config(arguments.detector.config);
   const DetectorSetup detector = arguments.detector.overrule_for_planning(config);
   print_warnings(arguments.detector.config, detector.warnings);
-  return {detector.options, arguments.planner.overrule(config.planner), arguments.planner.gripper(),
-          arguments.limits.voxels};
-}
-
-std::unique_ptr<view::Backend> open_log(const ViewArguments& arguments) {
-  const auto make_scene = [frames = arguments.frames,
-                           setup = setup_of(arguments)](logs::LoggedCloud logged) {
-    const Eigen::Isometry3d X_CK = frames.working_frame();
-    PointCloud cloud = moved(std::move(logged.message.cloud), X_CK.inverse());
-    frames.place_viewpoint(&cloud);
-    view::Scene scene = scene_of_cloud(cloud, X_CK, setup);
-    scene.name = logged.channel;
-    scene.utime = logged.message.utime;
-    scene.seq = logged.message.seq;
-    return scene;
-  };
-  return std::make_unique<view::LogBackend>(view::LogFrames(arguments.in_log, arguments.channel),
-                                            make_scene, arguments.limits);
+  return {detector.options,
+          arguments.planner.overrule(config.planner),
+          arguments.planner.gripper(),
+          {},
+          arguments.limits};
 }
 
 /// The hand that messages name: a built-in one, or that of --gripper.
@@ -76,11 +65,63 @@ std::optional<Gripper> find_gripper(const Gripper& given, const std::string& nam
   return io::load_gripper(name);
 }
 
+/// The setup with what the page chose.
+/// @throws std::invalid_argument if there is no such hand or policy
+view::PlanSetup chosen(view::PlanSetup setup, const view::PlanChoice& choice) {
+  if (!choice.gripper.empty()) {
+    const std::optional<Gripper> gripper = find_gripper(setup.gripper, choice.gripper);
+    if (!gripper) throw std::invalid_argument("gripper: there is none of that name");
+    setup.gripper = *gripper;
+  }
+  bool known = choice.unknown.empty();
+  for (const auto& [word, policy] : words_of(UnknownPolicy{})) {
+    if (choice.unknown != word) continue;
+    setup.plan.unknown = policy;
+    known = true;
+  }
+  if (!known) throw std::invalid_argument("unknown: there is no such policy");
+  setup.query.min_clearance = choice.min_clearance;
+  return setup;
+}
+
+/// The built-in hands and that of --gripper.
+std::vector<std::string> known_grippers(const std::string& given) {
+  std::vector<std::string> names = io::gripper_names();
+  if (std::find(names.begin(), names.end(), given) == names.end()) names.push_back(given);
+  return names;
+}
+
+std::unique_ptr<view::Backend> open_log(const ViewArguments& arguments) {
+  const view::PlanSetup setup = setup_of(arguments);
+  const auto make_scene = [frames = arguments.frames, setup](logs::LoggedCloud logged,
+                                                             const view::PlanChoice& choice) {
+    const Eigen::Isometry3d X_CK = frames.working_frame();
+    PointCloud cloud = moved(std::move(logged.message.cloud), X_CK.inverse());
+    frames.place_viewpoint(&cloud);
+    view::Scene scene = scene_of_cloud(cloud, X_CK, chosen(setup, choice));
+    scene.name = logged.channel;
+    scene.utime = logged.message.utime;
+    scene.seq = logged.message.seq;
+    return scene;
+  };
+  return std::make_unique<view::LogBackend>(view::LogFrames(arguments.in_log, arguments.channel),
+                                            known_grippers(setup.gripper.name), make_scene,
+                                            arguments.limits);
+}
+
+/// Lets the processes of the robot go first where the processor is short.
+void step_back() {
+  constexpr int kNiceness = 10;
+  setpriority(PRIO_PROCESS, 0, kNiceness);
+}
+
 std::unique_ptr<view::Backend> open_bus(const ViewArguments& arguments) {
+  // Before there are threads: they inherit it.
+  step_back();
   view::LiveChannels channels = arguments.channels;
   for (std::string* channel :
        {&channels.cloud, &channels.quadrics, &channels.boxes, &channels.grasps, &channels.occupancy,
-        &channels.detector_status, &channels.planner_status}) {
+        &channels.detector_status, &channels.planner_status, &channels.requests}) {
     *channel = arguments.bus.prefixed(*channel);
   }
   const std::string url = bus::resolve_url(arguments.bus.lcm_url);
@@ -88,7 +129,8 @@ std::unique_ptr<view::Backend> open_bus(const ViewArguments& arguments) {
   const auto find = [given = arguments.planner.gripper()](const std::string& name) {
     return find_gripper(given, name);
   };
-  return std::make_unique<view::LiveBackend>(url, channels, find, arguments.limits);
+  return std::make_unique<view::LiveBackend>(url, channels, find, arguments.allow_requests,
+                                             arguments.limits);
 }
 
 /// Shows an address in the user's browser, if there is one.
@@ -109,7 +151,11 @@ void run(const ViewArguments& arguments) {
   bus::install_stop_signals();
   const view::Server server(*backend, arguments.server);
   if (!view::is_loopback(arguments.server.bind_address)) {
-    print_warnings("--bind", {"all who reach this machine can look at the clouds"});
+    print_warnings("--bind",
+                   {arguments.allow_requests
+                        ? "all who reach this machine can look at the clouds, and ask the "
+                          "planner"
+                        : "all who reach this machine can look at the clouds"});
   }
   print(fmt::format("quadrille view: {} (Ctrl-C ends it)\n", server.address()));
   if (arguments.open) open_browser(server.address());
@@ -136,6 +182,10 @@ void add_view_command(CLI::App& app) {
       ->type_name("ADDRESS")
       ->capture_default_str();
   command->add_flag("--open", arguments->open, "Open the page in the browser");
+  command
+      ->add_flag("--allow-requests", arguments->allow_requests,
+                 "Let the page ask the planner for grasps on an object")
+      ->excludes("--in-log");
   command->add_option("--max-points", arguments->limits.points, "Points of a cloud to show")
       ->check(CLI::Range(1000, 1000000))
       ->type_name("N")
@@ -154,6 +204,7 @@ void add_view_command(CLI::App& app) {
   add_channel_option(*command, "--occupancy-channel", channels.occupancy, "occupancy");
   add_channel_option(*command, "--detector-status", channels.detector_status, "detector's status");
   add_channel_option(*command, "--planner-status", channels.planner_status, "planner's status");
+  add_channel_option(*command, "--request-channel", channels.requests, "requests");
   arguments->planner.add_to(*command, "franka");
   add_channel_option(*command, "--channel", arguments->channel,
                      "clouds, of a log that has several");

@@ -12,11 +12,11 @@
 
 namespace quadrille::view {
 
-/// The channels of what is shown.
+/// The channels of what is shown, and of what is asked.
 struct LiveChannels {
   std::string cloud = "POINT_CLOUD", quadrics = "QUADRICS", boxes = "BOXES", grasps = "GRASPS",
               occupancy = "OCCUPANCY", detector_status = "QUADRILLE_DETECTOR_STATUS",
-              planner_status = "QUADRILLE_PLANNER_STATUS";
+              planner_status = "QUADRILLE_PLANNER_STATUS", requests = "GRASP_REQUEST";
 };
 
 /// The bytes of a message that several may hold; null for none.

@@ -9,32 +9,35 @@ namespace {
 /// Eyes do not see more than this many scenes a second, and the robot needs the processor.
 constexpr std::chrono::milliseconds kMinPeriod{50};
 
-/// Subscribes before the receiver starts.
-bus::Connection& subscribed(bus::Connection& connection, MessageKeeper* keeper) {
-  const LiveChannels& c = keeper->channels();
-  for (const std::string& channel :
-       {c.cloud, c.quadrics, c.boxes, c.grasps, c.occupancy, c.detector_status, c.planner_status}) {
-    connection.subscribe(channel, [keeper](const std::string& name, std::span<const std::byte> b) {
-      keeper->take(name, b);
-    });
-  }
-  return connection;
-}
-
 }  // namespace
 
 LiveBackend::LiveBackend(const std::string& url, const LiveChannels& channels,
-                         FindGripper find_gripper, const PackLimits& limits)
+                         FindGripper find_gripper, bool allow_requests, const PackLimits& limits)
     : keeper_(channels),
       find_gripper_(std::move(find_gripper)),
       limits_(limits),
+      allow_requests_(allow_requests),
       connection_(url),
-      maker_([this] { make_scenes(); }),
-      receiver_(subscribed(connection_, &keeper_)) {}
+      questions_(connection_, channels.requests) {
+  subscribe();
+  receiver_.emplace(connection_);
+  maker_ = std::thread([this] { make_scenes(); });
+}
 
 LiveBackend::~LiveBackend() {
   stop_ = true;
   maker_.join();
+}
+
+void LiveBackend::subscribe() {
+  const LiveChannels& c = keeper_.channels();
+  for (const std::string& channel :
+       {c.cloud, c.quadrics, c.boxes, c.grasps, c.occupancy, c.detector_status, c.planner_status}) {
+    connection_.subscribe(channel, [this](const std::string& name, std::span<const std::byte> b) {
+      const bool is_answer = name == keeper_.channels().grasps && questions_.take(b);
+      if (!is_answer) keeper_.take(name, b);
+    });
+  }
 }
 
 void LiveBackend::make_scenes() {
@@ -55,7 +58,10 @@ void LiveBackend::make_scenes() {
 
 io::Json LiveBackend::session() {
   keeper_.watch();
-  return {{"mode", "live"}, {"name", connection_.url()}, {"frames", io::Json::array()}};
+  return {{"mode", "live"},
+          {"name", connection_.url()},
+          {"frames", io::Json::array()},
+          {"requests", allow_requests_}};
 }
 
 Pack LiveBackend::newest() {
@@ -72,5 +78,18 @@ std::uint64_t LiveBackend::wait_newer(std::uint64_t version, std::chrono::millis
 }
 
 io::Json LiveBackend::status() { return live_status(keeper_.latest()); }
+
+std::int64_t LiveBackend::ask(const Question& question) {
+  if (!allow_requests_) {
+    throw NotAllowed("requests are off; start quadrille view with --allow-requests");
+  }
+  return questions_.ask(question);
+}
+
+io::Json LiveBackend::wait_answer(std::int64_t number, std::chrono::milliseconds timeout) {
+  const Bytes bytes = questions_.wait(number, timeout);
+  const auto scene = scene_of_answer(bytes, find_gripper_, limits_);
+  return scene ? plan_json(*scene, limits_) : io::Json(nullptr);
+}
 
 }  // namespace quadrille::view

@@ -39,6 +39,10 @@ std::optional<bus::CloudMessage> find_cloud(const std::deque<Bytes>& clouds,
   return std::nullopt;
 }
 
+std::optional<grasps_t> read_grasps(const Bytes& bytes) {
+  return read<grasps_t>(bytes, [](const auto& b) { return bus::decode_grasps(b); });
+}
+
 Grasp from_message(const grasp_t& m) {
   Grasp grasp;
   grasp.target = m.target;
@@ -140,8 +144,7 @@ Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper
   add_cloud(find_cloud(messages.clouds, quadrics), quadrics, &scene);
   const std::string frame = scene.cloud.frame;
   if (quadrics) add_quadrics(std::move(*quadrics), boxes, &scene);
-  const auto grasps =
-      read<grasps_t>(messages.grasps, [](const auto& b) { return bus::decode_grasps(b); });
+  const auto grasps = read_grasps(messages.grasps);
   if (grasps && grasps->frame == frame) add_grasps(*grasps, find_gripper, limits.grasps, &scene);
   const auto map =
       read<occupancy_t>(messages.occupancy, [](const auto& b) { return bus::decode_occupancy(b); });
@@ -149,6 +152,18 @@ Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper
   if (auto block = read_octree(map->data, map->resolution)) {
     scene.voxels = layers_of(std::move(*block), limits.voxels);
   }
+  return scene;
+}
+
+std::optional<Scene> scene_of_answer(const Bytes& bytes, const FindGripper& find_gripper,
+                                     const PackLimits& limits) {
+  const auto grasps = read_grasps(bytes);
+  if (!grasps) return std::nullopt;
+  Scene scene;
+  scene.utime = grasps->utime;
+  scene.seq = grasps->seq;
+  scene.cloud.frame = grasps->frame;
+  add_grasps(*grasps, find_gripper, limits.grasps, &scene);
   return scene;
 }
 

@@ -19,6 +19,10 @@ using FindGripper = std::function<std::optional<Gripper>(const std::string& name
 Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper,
                  const PackLimits& limits = {});
 
+/// Grasps alone, as the planner answers a question; nullopt if the bytes are damaged.
+std::optional<Scene> scene_of_answer(const Bytes& grasps, const FindGripper& find_gripper,
+                                     const PackLimits& limits = {});
+
 /// Rate, latency and losses of both processes, for people; what cannot be decoded is left out.
 io::Json live_status(const LatestMessages& messages);
 

@@ -4,6 +4,8 @@
 #include <list>
 #include <mutex>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "view/backend.hpp"
 #include "view/log_frames.hpp"
@@ -12,7 +14,8 @@
 namespace quadrille::view {
 
 /// Detects and plans on one cloud of a log.
-using MakeScene = std::function<Scene(logs::LoggedCloud cloud)>;
+/// @throws std::invalid_argument if what is chosen does not exist
+using MakeScene = std::function<Scene(logs::LoggedCloud cloud, const PlanChoice& choice)>;
 
 /// Shows the clouds of a log; each is worked on when it is asked for first, one at a time.
 class LogBackend : public Backend {
@@ -20,21 +23,26 @@ class LogBackend : public Backend {
   /// Packed scenes that are kept at most [byte].
   static constexpr std::size_t kMaxCacheBytes = std::size_t{128} << 20;
 
-  LogBackend(LogFrames frames, MakeScene make_scene, const PackLimits& limits = {});
+  /// @param grippers  the names that may be chosen
+  LogBackend(LogFrames frames, std::vector<std::string> grippers, MakeScene make_scene,
+             const PackLimits& limits = {});
 
   io::Json session() override;
-  Pack frame(std::size_t number) override;
+  Pack frame(std::size_t number, const PlanChoice& choice) override;
 
  private:
-  Pack cached(std::size_t number);
-  void keep(std::size_t number, const Pack& pack);
+  using Key = std::pair<std::size_t, PlanChoice>;
+
+  Pack cached(const Key& key);
+  void keep(const Key& key, const Pack& pack);
 
   LogFrames frames_;
+  std::vector<std::string> grippers_;
   MakeScene make_scene_;
   PackLimits limits_;
   std::mutex work_mutex_, cache_mutex_;
   /// The ones used last first.
-  std::list<std::pair<std::size_t, Pack>> cache_;
+  std::list<std::pair<Key, Pack>> cache_;
   std::size_t cached_bytes_ = 0;
 };
 

@@ -92,6 +92,7 @@ Json grasps_of(const Scene& scene, std::size_t max_grasps) {
   for (const Grasp& grasp : scene.grasps) {
     if (list.size() == max_grasps) break;
     Json json = io::to_json(grasp);
+    if (list.size() < scene.outcomes.size()) json["outcome"] = scene.outcomes[list.size()];
     // From the palm's front to the pads, closed and opened: the tips of linked fingers draw back.
     if (scene.gripper) {
       json["reach"] = scene.gripper->reach(grasp.width);
@@ -153,6 +154,15 @@ Json objects_of(const Scene& scene, const PackLimits& limits, Arrays* arrays, Js
 
 }  // namespace
 
+Json plan_json(const Scene& scene, const PackLimits& limits) {
+  return {{"grasps", grasps_of(scene, limits.grasps)},
+          {"rejected", refusals_of(scene.rejected, scene.unknown)},
+          {"gripper_name", scene.gripper_name},
+          {"gripper", scene.gripper ? gripper_of(*scene.gripper) : Json(nullptr)},
+          {"unknown", word_of(scene.unknown)},
+          {"warnings", scene.warnings}};
+}
+
 std::string pack_scene(const Scene& scene, const PackLimits& limits) {
   Arrays arrays;
   Json json = {{"name", scene.name},
@@ -163,16 +173,11 @@ std::string pack_scene(const Scene& scene, const PackLimits& limits) {
   Json points;
   json["objects"] = objects_of(scene, limits, &arrays, &points);
   json["points"] = points;
-  json["grasps"] = grasps_of(scene, limits.grasps);
-  json["rejected"] = refusals_of(scene.rejected, scene.unknown);
-  json["gripper_name"] = scene.gripper_name;
-  json["gripper"] = scene.gripper ? gripper_of(*scene.gripper) : Json(nullptr);
-  json["unknown"] = word_of(scene.unknown);
+  json.update(plan_json(scene, limits));
   json["voxels"] = voxels_of(scene.voxels, &arrays);
   Json timings = Json::object();
   io::add_stages(scene.timings, &timings);
   json["timings"] = timings;
-  json["warnings"] = scene.warnings;
   return join_pack(json, arrays);
 }
 

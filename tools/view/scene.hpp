@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/json.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/grasping/grasp.hpp"
@@ -29,6 +30,8 @@ struct Scene {
   std::vector<Box> boxes;
   /// Best first.
   std::vector<Grasp> grasps;
+  /// What came of each when it was tried; empty: none was.
+  std::vector<std::string> outcomes;
   std::string gripper_name;
   /// None: the hand cannot be drawn.
   std::optional<Gripper> gripper;
@@ -45,6 +48,9 @@ struct Scene {
 struct PackLimits {
   std::size_t points = 80000, voxels = 20000, objects = 255, grasps = 1000;
 };
+
+/// The grasps of a scene, why others were refused, and the hand, as the page takes them.
+io::Json plan_json(const Scene& scene, const PackLimits& limits = {});
 
 /// A scene as the page takes it: "QVW1", the length of the JSON as 32 bits, the JSON, and the
 /// arrays that it names by their offset from its end. Little-endian.

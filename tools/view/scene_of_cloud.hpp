@@ -1,6 +1,7 @@
 #pragma once
 
 #include "quadrille/detector/options.hpp"
+#include "quadrille/grasping/grasp_query.hpp"
 #include "view/log_backend.hpp"
 
 namespace quadrille::view {
@@ -10,8 +11,8 @@ struct PlanSetup {
   DetectorOptions detector;
   PlanOptions plan;
   Gripper gripper;
-  /// Most voxels of one layer.
-  std::size_t max_voxels = PackLimits{}.voxels;
+  GraspQuery query;
+  PackLimits limits;
 };
 
 /// Detects and plans on one cloud, as `quadrille plan` does. Each object is also asked for alone,

@@ -10,6 +10,7 @@
 
 #include "view/assets.hpp"
 #include "view/pack.hpp"
+#include "view/page_requests.hpp"
 
 namespace quadrille::view {
 namespace {
@@ -18,6 +19,10 @@ namespace {
 constexpr const char* kContentSecurityPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+
+constexpr const char* kQuestionsPath = "/api/questions";
+/// The page asks again, so that nothing waits for long when the program ends.
+constexpr std::chrono::milliseconds kAnswerWait{1000};
 
 /// Makes the thread that accepts connections wait while too many are open.
 class BoundedPool : public httplib::ThreadPool {
@@ -57,6 +62,21 @@ void send_pack(httplib::Response& response, const Pack& pack) {
       });
 }
 
+/// The only thing that is sent here. Its type lets no form of another page send it.
+bool is_question(const httplib::Request& request) {
+  return request.method == "POST" && request.path == kQuestionsPath &&
+         request.get_header_value("Content-Type") == "application/json";
+}
+
+/// The number in the path of a request.
+template <class Number>
+Number number_in(const httplib::Request& request) {
+  const std::string digits = request.matches[1];
+  Number number = 0;
+  std::from_chars(digits.data(), digits.data() + digits.size(), number);
+  return number;
+}
+
 }  // namespace
 
 Server::Server(Backend& backend, const ServerOptions& options)
@@ -91,6 +111,12 @@ void Server::limit() {
   server_->set_exception_handler([](const auto&, auto& response, std::exception_ptr thrown) {
     try {
       std::rethrow_exception(thrown);
+    } catch (const NotAllowed& error) {
+      refuse(response, 403, error.what());
+    } catch (const std::out_of_range& error) {
+      refuse(response, 404, error.what());
+    } catch (const std::invalid_argument& error) {
+      refuse(response, 400, error.what());
     } catch (const std::exception& error) {
       refuse(response, 500, error.what());
     } catch (...) {
@@ -122,7 +148,7 @@ bool Server::admit(const httplib::Request& request, httplib::Response& response)
     refuse(response, 403, "this view is for its own machine: open it by its address");
   } else if (!guard_.allows_origin(request.get_header_value("Origin"), host)) {
     refuse(response, 403, "this view is not for other pages");
-  } else if (request.method != "GET" && request.method != "HEAD") {
+  } else if (!is_question(request) && request.method != "GET" && request.method != "HEAD") {
     refuse(response, 405, "nothing can be changed here");
   } else {
     return true;
@@ -150,10 +176,17 @@ void Server::add_routes() {
     send_json(response, backend_.status());
   });
   server_->Get(R"(/api/frames/(\d{1,9}))", [this](const Request& request, Response& response) {
-    const std::string digits = request.matches[1];
-    std::size_t number = 0;
-    std::from_chars(digits.data(), digits.data() + digits.size(), number);
-    send_pack(response, backend_.frame(number));
+    const PlanChoice choice =
+        read_choice(request.get_param_value("gripper"), request.get_param_value("unknown"),
+                    request.get_param_value("clearance"));
+    send_pack(response, backend_.frame(number_in<std::size_t>(request), choice));
+  });
+  server_->Post(kQuestionsPath, [this](const Request& request, Response& response) {
+    send_json(response, {{"number", backend_.ask(read_question(request.body))}});
+  });
+  server_->Get(R"(/api/questions/(\d{1,16}))", [this](const Request& request, Response& response) {
+    const auto number = number_in<std::int64_t>(request);
+    send_json(response, {{"answer", backend_.wait_answer(number, kAnswerWait)}});
   });
   server_->Get("/api/newest", [this](const Request&, Response& response) {
     send_pack(response, backend_.newest());

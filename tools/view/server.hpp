@@ -23,7 +23,8 @@ struct ServerOptions {
   int port = 0;
 };
 
-/// Serves the page and its data to browsers; nothing can be changed through it.
+/// Serves the page and its data to browsers. Nothing can be changed through it; whether the robot's
+/// planner may be asked is up to the backend.
 class Server {
  public:
   /// Requests that are worked on, and others that wait for it, at the same time.

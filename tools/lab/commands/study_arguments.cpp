@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/choice_option.hpp"
+#include "cli/report_option.hpp"
 #include "cli/seed_option.hpp"
 #include "io/planner/config.hpp"
 
@@ -104,6 +105,7 @@ void StudyArguments::add_to(CLI::App& command) {
       ->type_name("I/N")
       ->check(CLI::Validator(check_shard, ""));
   add_trial_options(command, this);
+  add_report_option(command, report, "the shares, and the first clouds with their grasps");
   frames.add_to(command);
 }
 
@@ -120,13 +122,17 @@ study::StudyOptions StudyArguments::options() const {
   return options;
 }
 
-study::Label StudyArguments::label(const study::StudyOptions& options) const {
+std::string StudyArguments::settings(const study::StudyOptions& options) {
   io::Config config;
   config.detector = options.detector;
   config.planner = options.plan;
+  return io::to_toml(config);
+}
+
+study::Label StudyArguments::label(const study::StudyOptions& options) const {
   const std::string family = inputs.empty() ? scene::traits_of(this->family).name : "";
   return study::label_of(options, QUADRILLE_VERSION, family,
-                         io::to_toml(config) + sizes_of(options.gripper) + text_of(frames));
+                         settings(options) + sizes_of(options.gripper) + text_of(frames));
 }
 
 std::vector<study::SceneName> StudyArguments::chosen(

@@ -22,7 +22,7 @@ struct StudyArguments {
   int scenes = 0, threads = 0;
   std::uint64_t seed = 0;
   scene::Family family = scene::Family::kTabletop;
-  std::string csv, config;
+  std::string csv, config, report;
   /// I/N.
   std::string shard = "1/1";
   study::Tries tries = study::Tries::kFirst;
@@ -35,6 +35,8 @@ struct StudyArguments {
 
   /// With what each scene is worked on.
   study::StudyOptions options() const;
+  /// The same as TOML.
+  static std::string settings(const study::StudyOptions& options);
   /// What every row says of them.
   study::Label label(const study::StudyOptions& options) const;
   /// Which scenes of all are this run's.

@@ -17,6 +17,7 @@
 #include "io/new_file.hpp"
 #include "lab/commands/study_arguments.hpp"
 #include "lab/commands/study_clouds.hpp"
+#include "lab/commands/study_report.hpp"
 #include "lab/experiments/plot.hpp"
 #include "lab/scene/scene.hpp"
 #include "lab/scene/scene_files.hpp"
@@ -125,6 +126,11 @@ void run(const StudyArguments& arguments) {
   print(study::summary_text(groups));
   const std::string plot = std::filesystem::path(arguments.csv).replace_extension(".svg").string();
   write_plot(plot, groups);
+  if (!arguments.report.empty()) {
+    // Made anew: the clouds of a log are read once.
+    write_study_report(arguments.report, study_of(arguments), groups,
+                       StudyArguments::settings(study.options));
+  }
   print(fmt::format("{}, {}, {}\n", arguments.csv, study::scenes_path(arguments.csv), plot));
   if (const int failed = failed_of(groups); failed > 0) {
     throw std::runtime_error(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -37,6 +38,20 @@ struct GroupSummary {
 /// either of its files, and more than once.
 /// @throws io::FileError if a file is missing or damaged, or a scene is in two of them
 std::vector<GroupSummary> summarise(const std::vector<std::string>& csv_paths);
+
+/// One share of a summary, by its name.
+struct Figure {
+  std::string name;
+  Ratio ratio;
+};
+
+/// All shares of a group in the order in which they are told, the first grasps also by type of
+/// object; empty if no scene has a truth.
+std::vector<Figure> figures_of(const GroupSummary& group);
+
+/// "312 of 400", "78.0 %" and "73.7 to 81.8 %", Wilson's 95 % interval; "none", "" and "" of
+/// nothing.
+std::array<std::string, 3> words_of(const Ratio& ratio);
 
 /// For people: shares with Wilson's 95 % intervals, and the first grasps by type of object.
 std::string summary_text(const std::vector<GroupSummary>& groups);

@@ -9,15 +9,7 @@
 namespace quadrille::study {
 namespace {
 
-std::string share_line(const std::string& name, const Ratio& ratio) {
-  if (ratio.of == 0) return fmt::format("  {:<32} none\n", name);
-  const Share share = wilson_share(ratio.counted, ratio.of);
-  return fmt::format("  {:<32} {:>5} of {:>5} {:6.1f} %  ({:.1f} to {:.1f} %)\n", name,
-                     ratio.counted, ratio.of, 100.0 * share.value, 100.0 * share.low,
-                     100.0 * share.high);
-}
-
-std::string type_lines(const GroupSummary& group) {
+void add_types(const GroupSummary& group, std::vector<Figure>* figures) {
   std::map<std::string, Ratio> good, held;
   for (const FirstGrasp& first : group.first) {
     const std::string type = first.object_type.empty() ? "nothing" : first.object_type;
@@ -26,12 +18,16 @@ std::string type_lines(const GroupSummary& group) {
     held[type].counted += first.held;
     held[type].of += first.tried;
   }
-  std::string text;
   for (const auto& [type, ratio] : good) {
-    text += share_line(fmt::format("- on {} good", type), ratio);
-    if (held[type].of > 0) text += share_line(fmt::format("- on {} held", type), held[type]);
+    figures->push_back({fmt::format("- on {} good", type), ratio});
+    if (held[type].of > 0) figures->push_back({fmt::format("- on {} held", type), held[type]});
   }
-  return text;
+}
+
+std::string line_of(const Figure& figure) {
+  if (figure.ratio.of == 0) return fmt::format("  {:<32} none\n", figure.name);
+  const auto [counts, share, interval] = words_of(figure.ratio);
+  return fmt::format("  {:<32} {:>14} {:>8}  ({})\n", figure.name, counts, share, interval);
 }
 
 std::string group_text(const GroupSummary& group) {
@@ -44,17 +40,8 @@ std::string group_text(const GroupSummary& group) {
     text += fmt::format("  {} scenes have no truth, and no part in what follows\n",
                         group.without_truth);
   }
-  if (group.without_truth + group.failed == group.scenes) return text;
-  text += share_line("objects with a grasp", group.objects_with_grasp);
-  text += share_line("objects with a good first grasp", group.objects_with_good);
-  text += share_line("objects with a held first grasp", group.objects_with_held);
-  text += share_line("first grasps good", group.first_good);
-  text += share_line("first grasps touching", group.first_touching);
-  text += share_line("first grasps held", group.first_held);
-  text += type_lines(group);
-  text += share_line("all grasps good", group.all_good);
-  text += share_line("all grasps touching", group.all_touching);
-  return text + share_line("grasps held of all tried", group.all_held);
+  for (const Figure& figure : figures_of(group)) text += line_of(figure);
+  return text;
 }
 
 using Choose = std::function<bool(const FirstGrasp&)>;
@@ -86,6 +73,29 @@ experiments::Plot score_plot(const std::string& title, const std::vector<GroupSu
 }
 
 }  // namespace
+
+std::vector<Figure> figures_of(const GroupSummary& group) {
+  if (group.without_truth + group.failed == group.scenes) return {};
+  std::vector<Figure> figures = {{"objects with a grasp", group.objects_with_grasp},
+                                 {"objects with a good first grasp", group.objects_with_good},
+                                 {"objects with a held first grasp", group.objects_with_held},
+                                 {"first grasps good", group.first_good},
+                                 {"first grasps touching", group.first_touching},
+                                 {"first grasps held", group.first_held}};
+  add_types(group, &figures);
+  figures.push_back({"all grasps good", group.all_good});
+  figures.push_back({"all grasps touching", group.all_touching});
+  figures.push_back({"grasps held of all tried", group.all_held});
+  return figures;
+}
+
+std::array<std::string, 3> words_of(const Ratio& ratio) {
+  if (ratio.of == 0) return {"none", "", ""};
+  const Share share = wilson_share(ratio.counted, ratio.of);
+  return {fmt::format("{} of {}", ratio.counted, ratio.of),
+          fmt::format("{:.1f} %", 100.0 * share.value),
+          fmt::format("{:.1f} to {:.1f} %", 100.0 * share.low, 100.0 * share.high)};
+}
 
 std::string summary_text(const std::vector<GroupSummary>& groups) {
   std::string text;

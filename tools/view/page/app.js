@@ -3,18 +3,21 @@ import { isPlane } from "./colours.js";
 import { byId } from "./dom.js";
 import { Labels } from "./labels.js";
 import { readLink, writeLink } from "./link.js";
-import { unpack } from "./pack.js";
 import { fillDetail, fillHealth, fillList, fillSource, fillSwitches } from "./panel.js";
+import { addAnswer, askParts, makeChoices, questionOf, showChoices } from "./questions.js";
+import { fillReport } from "./report.js";
+import { openSource } from "./source.js";
 import { Timeline } from "./timeline.js";
 import { World } from "./world.js";
 
 const kMaxScenes = 8;
 
 const view = readLink(location.hash);
+const source = openSource();
 const scenes = new Map();
 const labels = new Labels(byId("labels"), byId("leaders"));
 const world = new World(byId("canvas"), choose, (drawn) => { labels.arrange(drawn); keepLink(); });
-let session = null, scene = null, timeline = null, wanted = null;
+let session = null, scene = null, timeline = null, wanted = null, asked = null;
 
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 const isDark = () => (view.theme ? view.theme === "dark" : prefersDark.matches);
@@ -29,14 +32,31 @@ function keepLink() {
   }, 300);
 }
 
-/// Shows the scene anew: after a click, or with other data.
-function refresh() {
-  document.documentElement.dataset.theme = isDark() ? "dark" : "light";
+/// A button that is replaced between press and release would not be clicked, a field would lose its text.
+let pressed = false;
+const panelIsUsed = () => pressed || document.activeElement?.id === "ask-clearance";
+
+function watchPanel() {
+  byId("panel").addEventListener("pointerdown", () => { pressed = true; });
+  for (const end of ["pointerup", "pointercancel"]) {
+    // After the click that a release makes.
+    window.addEventListener(end, () => setTimeout(() => { pressed = false; }));
+  }
+}
+
+function fillPanel() {
   fillSwitches(view, refresh);
-  if (!scene) return;
   fillSource(scene, session);
   fillList(scene, view, choose);
-  fillDetail(scene, view, chooseGrasp);
+  showChoices(scene, session);
+  fillDetail(scene, view, chooseGrasp, (object) => askParts(object, session, view, ask));
+}
+
+/// Shows the scene anew: after a click, or with other data, which can wait for a user's hand.
+function refresh(canWait = false) {
+  document.documentElement.dataset.theme = isDark() ? "dark" : "light";
+  if (!scene) return;
+  if (!canWait || !panelIsUsed()) fillPanel();
   labels.show(scene, view);
   world.show(scene, view, isDark());
   keepLink();
@@ -53,24 +73,36 @@ function chooseGrasp(number) {
   refresh();
 }
 
-function take(data) {
-  scene = data;
-  if (!scene.objects.some((object) => object.id === view.chosen)) view.chosen = null;
-  if (!world.controls && view.camera) world.place(...view.camera);
-  refresh();
-  notice("");
+/// Plans anew on the log, with what was chosen.
+function replan() {
+  scenes.clear();
+  go(view.frame);
 }
 
-async function fetchScene(path) {
-  const answer = await fetch(path);
-  if (!answer.ok) throw new Error((await answer.text()).trim());
-  return unpack(await answer.arrayBuffer());
+/// Asks the robot's planner for grasps of an object.
+async function ask(object) {
+  notice(`planning for ${object.id} …`);
+  try {
+    asked = { object, answer: await source.ask(questionOf(object, scene, view)) };
+    take(scene);
+  } catch (error) {
+    notice(error.message);
+  }
+}
+
+function take(data) {
+  scene = data;
+  if (asked) addAnswer(scene, asked.object, asked.answer);
+  if (!scene.objects.some((object) => object.id === view.chosen)) view.chosen = null;
+  if (!world.controls && view.camera) world.place(...view.camera);
+  refresh(true);
+  notice("");
 }
 
 /// The scene of one cloud of the log, the last few from memory.
 async function sceneOf(frame) {
   if (!scenes.has(frame)) {
-    scenes.set(frame, fetchScene(`/api/frames/${frame}`));
+    scenes.set(frame, source.frame(frame, view.plan));
     if (scenes.size > kMaxScenes) scenes.delete(scenes.keys().next().value);
   }
   try {
@@ -102,12 +134,11 @@ async function go(frame) {
 /// Fetches the newest scene when the server tells of one; while one is fetched others are passed over.
 function listen() {
   let shown = 0, busy = false;
-  const events = new EventSource("/api/events");
   const follow = async (version) => {
     if (busy || version === shown) return;
     busy = true;
     try {
-      take(await fetchScene("/api/newest"));
+      take(await source.newest());
       shown = version;
       document.body.dataset.version = version;
     } catch (error) {
@@ -115,13 +146,11 @@ function listen() {
     }
     busy = false;
   };
-  events.onmessage = (event) => {
-    const news = JSON.parse(event.data);
-    fillHealth(news.status);
-    if (news.version === 0) notice("no quadrics and no clouds have come yet; is the detector running?");
-    else follow(news.version);
-  };
-  events.onerror = () => notice("the connection to quadrille view is lost; it is tried again");
+  source.listen(({ version, status }) => {
+    fillHealth(status);
+    if (version === 0) notice("no quadrics and no clouds have come yet; is the detector running?");
+    else follow(version);
+  }, () => notice("the connection to quadrille view is lost; it is tried again"));
 }
 
 function nextObject() {
@@ -157,22 +186,26 @@ const kKeys = {
 function watchKeys() {
   document.addEventListener("keydown", (event) => {
     const act = kKeys[event.key];
-    const typing = event.target.id === "scrub" || (event.key === " " && event.target.tagName === "BUTTON");
+    const typing = ["INPUT", "SELECT"].includes(event.target.tagName) || (event.key === " " && event.target.tagName === "BUTTON");
     if (!act || typing || event.ctrlKey || event.metaKey || event.altKey || !scene) return;
     event.preventDefault();
     act();
   });
   byId("theme").addEventListener("click", switchTheme);
-  prefersDark.addEventListener("change", refresh);
+  prefersDark.addEventListener("change", () => refresh());
 }
 
 async function start() {
   watchKeys();
+  watchPanel();
+  fillSwitches(view, refresh);
   refresh();
-  session = await (await fetch("/api/session")).json();
-  if (session.mode !== "log") return listen();
-  timeline = new Timeline(session.frames, go);
-  await go(Math.min(view.frame, session.frames.length - 1));
+  session = await source.session();
+  makeChoices(session, view, replan);
+  if (session.mode === "live") return listen();
+  if (session.mode === "report") fillReport(session);
+  timeline = new Timeline(session.frames, go, session.names);
+  if (session.frames.length) await go(Math.min(view.frame, session.frames.length - 1));
 }
 
 start().catch((error) => notice(error.message));

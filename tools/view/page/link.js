@@ -6,7 +6,8 @@ const kHidden = ["occupied", "unknown"];
 
 export function firstView() {
   const layers = Object.fromEntries(kLayers.map((layer) => [layer, !kHidden.includes(layer)]));
-  return { frame: 0, chosen: null, grasp: 0, colour: "object", layers, theme: null, camera: null };
+  return { frame: 0, chosen: null, grasp: 0, colour: "object", layers, theme: null, camera: null,
+    plan: { gripper: "", unknown: "", clearance: "" } };
 }
 
 export function readLink(fragment) {
@@ -22,6 +23,7 @@ export function readLink(fragment) {
     for (const layer of kLayers) view.layers[layer] = on.includes(layer);
   }
   if (["light", "dark"].includes(given.get("theme"))) view.theme = given.get("theme");
+  for (const name of Object.keys(view.plan)) view.plan[name] = (given.get(name) || "").slice(0, 100);
   const numbers = (given.get("camera") || "").split("_").map(Number);
   if (numbers.length === 9 && numbers.every(Number.isFinite)) {
     view.camera = [numbers.slice(0, 3), numbers.slice(3, 6), numbers.slice(6)];
@@ -37,6 +39,7 @@ export function writeLink(view, camera) {
   given.set("colour", view.colour);
   given.set("layers", kLayers.filter((layer) => view.layers[layer]).join("."));
   if (view.theme) given.set("theme", view.theme);
+  for (const [name, value] of Object.entries(view.plan)) if (value) given.set(name, value);
   if (camera) given.set("camera", camera.flat().join("_"));
   return "#" + given.toString();
 }

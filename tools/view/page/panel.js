@@ -16,11 +16,13 @@ export function fillSwitches(view, change) {
     onclick: () => { view.layers[layer] = !view.layers[layer]; change(); } })));
 }
 
+const nameOf = (path) => path.split("/").pop();
+
 export function fillSource(scene, session) {
   const time = scene.utime ? ` · ${(scene.utime / 1e6).toFixed(3)} s` : "";
   const times = Object.entries(scene.timings).map(([stage, ms]) => `${words(stage.replace(/_ms$/, ""))} ${ms.toFixed(0)} ms`);
   byId("source").replaceChildren(
-    element("span", { text: `${session.mode === "live" ? "live" : session.name} · frame ${scene.frame || "?"}${time}` }),
+    element("span", { text: `${session.mode === "live" ? "live" : nameOf(session.name)}${scene.frame && ` · frame ${scene.frame}`}${time}` }),
     element("br"),
     element("span", { text: [`${scene.points.positions.length / 3} of ${scene.points.total} points`, ...times].join(" · ") }),
     ...scene.warnings.map((warning) => element("div", { class: "warning", text: warning })));
@@ -49,13 +51,16 @@ export function fillList(scene, view, choose) {
   byId("planes-list").replaceChildren(...rows[1]);
 }
 
-export function fillDetail(scene, view, chooseGrasp) {
+/// askParts(object) makes what asks for more grasps of an object.
+export function fillDetail(scene, view, chooseGrasp, askParts) {
   const object = scene.objects.find((candidate) => candidate.id === view.chosen);
   const grasps = object ? scene.grasps.filter((grasp) => grasp.target === object.id) : scene.grasps;
   const parts = [];
   if (object) parts.push(...factsOf(object));
   if (!object || !isPlane(object)) {
     parts.push(element("h2", { text: object ? `Grasps of ${object.id} (${grasps.length})` : `All grasps (${grasps.length})` }));
+    if (object) parts.push(...askParts(object));
+    for (const warning of (object && object.answered) || []) parts.push(element("div", { class: "warning", text: warning }));
     parts.push(grasps.length ? graspTable(grasps, view, chooseGrasp) : element("p", { text: "No grasp was found." }));
     parts.push(...refusals(object ? object.rejected : scene.rejected, object));
   }
@@ -77,7 +82,8 @@ function factsOf(object) {
 }
 
 function graspTable(grasps, view, chooseGrasp) {
-  const head = element("tr", {}, ["kind", "score", "width", "clear", "µ"].map((text) => element("th", { text })));
+  const tried = grasps.some((grasp) => grasp.outcome);
+  const head = element("tr", {}, ["kind", "score", "width", "clear", "µ", ...(tried ? ["tried"] : [])].map((text) => element("th", { text })));
   const rows = grasps.slice(0, kMaxRows).map((grasp, i) => {
     const score = element("td", { text: grasp.score.toFixed(2) });
     score.style.color = `rgb(${scoreColour(grasp.score).map((value) => Math.round(210 * value)).join(",")})`;
@@ -85,7 +91,8 @@ function graspTable(grasps, view, chooseGrasp) {
       onclick: () => chooseGrasp(i) }, [
       element("td", { text: view.chosen === null ? `${grasp.kind} ${grasp.target}` : grasp.kind }), score,
       element("td", { text: `${mm(grasp.width)} mm` }), element("td", { text: `${mm(grasp.clearance)} mm` }),
-      element("td", { text: grasp.friction_needed.toFixed(2) })]);
+      element("td", { text: grasp.friction_needed.toFixed(2) }),
+      ...(tried ? [element("td", { text: words(grasp.outcome || "") })] : [])]);
   });
   const table = element("table", {}, [head, ...rows]);
   if (grasps.length <= kMaxRows) return table;

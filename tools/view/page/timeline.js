@@ -4,14 +4,16 @@ import { byId } from "./dom.js";
 const kMinDelay = 60, kMaxDelay = 1000;
 
 export class Timeline {
-  /// go is called with the number of a cloud and resolves when that is shown.
-  constructor(utimes, go) {
+  /// go is called with the number of a cloud and resolves when that is shown; names are those of clouds that
+  /// no log has put in time.
+  constructor(utimes, go, names) {
     this.utimes = utimes;
+    this.names = names;
     this.go = go;
     this.frame = 0;
     this.playing = false;
     this.found = new Map();
-    byId("timeline").hidden = false;
+    byId("timeline").hidden = utimes.length < 2 && Boolean(names);
     this.scrub = byId("scrub");
     this.scrub.max = utimes.length - 1;
     this.scrub.addEventListener("input", () => { this.stop(); this.go(Number(this.scrub.value)); });
@@ -26,7 +28,8 @@ export class Timeline {
     this.found.set(frame, found);
     this.scrub.value = frame;
     const seconds = (this.utimes[frame] - this.utimes[0]) / 1e6;
-    byId("time").textContent = `cloud ${frame + 1} of ${this.utimes.length} · ${seconds.toFixed(2)} s`;
+    const what = this.names ? this.names[frame] : `${seconds.toFixed(2)} s`;
+    byId("time").textContent = `cloud ${frame + 1} of ${this.utimes.length} · ${what}`;
     this.drawMarks();
   }
 
@@ -67,7 +70,7 @@ export class Timeline {
     while (this.playing) {
       const next = (this.frame + 1) % this.utimes.length;
       const delay = (this.utimes[next] - this.utimes[this.frame]) / 1000;
-      const wait = Math.min(Math.max(delay, kMinDelay), kMaxDelay);
+      const wait = this.names ? kMaxDelay : Math.min(Math.max(delay, kMinDelay), kMaxDelay);
       await Promise.all([new Promise((done) => setTimeout(done, wait)), this.go(next)]);
     }
   }

@@ -1,33 +1,22 @@
 #!/usr/bin/env python3
-"""Opens the page of quadrille view in a real browser, without a screen, and uses it.
+"""Opens the page of quadrille view on a log in a real browser, and uses it.
 
-usage: browser_test.py BIN_FOLDER CHROMIUM CHROMEDRIVER SCREENSHOTS_FOLDER
+usage: log_test.py BIN_FOLDER CHROMIUM CHROMEDRIVER SCREENSHOTS_FOLDER
 """
 
 import json
 import os
-import re
-import signal
 import struct
-import subprocess
 import sys
 import tempfile
 import time
 
-from selenium import webdriver
-from selenium.webdriver.chrome.service import Service
-from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-# A loaded machine without a graphics card may take long; nothing else depends on time.
-PATIENCE_S = 120
+from page import Page, View, expect, open_browser, quadrille
+
 SCENES = 3
 HOSTILE_FRAME = '<img src=x onerror="document.title=\'hacked\'">'
-
-
-def quadrille(bin_folder, *arguments):
-    return subprocess.run([os.path.join(bin_folder, "quadrille"), *arguments], check=True,
-                          capture_output=True, text=True).stdout
 
 
 def write_hostile_cloud(scene, path):
@@ -47,75 +36,6 @@ def write_hostile_cloud(scene, path):
     data = data[:name_at] + text(HOSTILE_FRAME) + data[name_at + 4 + name_size:]
     with open(path, "wb") as file:
         file.write(struct.pack(">IqqII", magic, number, utime, channel_size, len(data)) + channel + data)
-
-
-class View:
-    """A running quadrille view."""
-
-    def __init__(self, bin_folder, log):
-        self.process = subprocess.Popen(
-            [os.path.join(bin_folder, "quadrille"), "view", "--in-log", log, "--port", "0"],
-            stdout=subprocess.PIPE, text=True)
-        self.address = re.search(r"http://\S+", self.process.stdout.readline()).group(0)
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.process.send_signal(signal.SIGTERM)
-        assert self.process.wait(PATIENCE_S) == 0, "view ends with 0 after SIGTERM"
-
-
-def open_browser(chromium, driver):
-    options = webdriver.ChromeOptions()
-    options.binary_location = chromium
-    for argument in ("--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader",
-                     "--enable-unsafe-swiftshader", "--window-size=1500,940", "--hide-scrollbars"):
-        options.add_argument(argument)
-    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
-    return webdriver.Chrome(service=Service(driver), options=options)
-
-
-class Page:
-    def __init__(self, browser, screenshots):
-        self.browser, self.screenshots = browser, screenshots
-
-    def open(self, address):
-        self.browser.get("about:blank")
-        self.browser.get(address)
-
-    def wait_for(self, script, what):
-        end = time.monotonic() + PATIENCE_S
-        while time.monotonic() < end:
-            value = self.browser.execute_script("return " + script)
-            if value:
-                return value
-            time.sleep(0.05)
-        raise AssertionError("did not happen: " + what)
-
-    def wait_for_frame(self, frame):
-        self.wait_for(f"document.body.dataset.frame === '{frame}'", f"cloud {frame} is shown")
-
-    def all(self, selector):
-        return self.browser.find_elements(By.CSS_SELECTOR, selector)
-
-    def press(self, key):
-        self.browser.find_element(By.TAG_NAME, "body").send_keys(key)
-
-    def photograph(self, name):
-        # Two pictures are drawn after a change: one of the scene, one with the labels in place.
-        self.browser.execute_async_script(
-            "const done = arguments[0]; requestAnimationFrame(() => requestAnimationFrame(done));")
-        self.browser.save_screenshot(os.path.join(self.screenshots, name + ".png"))
-
-    def check_console(self):
-        bad = [entry for entry in self.browser.get_log("browser")
-               if entry["level"] == "SEVERE" or "console-api" in entry["source"]]
-        assert not bad, bad
-
-
-def expect(actual, expected, what):
-    assert actual == expected, f"{what}: {actual!r} instead of {expected!r}"
 
 
 def objects_of(plan):
@@ -209,8 +129,14 @@ def check_layers_and_theme(page):
     page.photograph("dark" if before == "light" else "light")
 
 
+def start_anew(page):
+    page.open(page.browser.current_url.split("#")[0])
+    page.wait_for_frame(0)
+
+
 def check_link(page, plan):
     """A copied link shows the same cloud, object and colours from the same side."""
+    start_anew(page)
     best = plan["grasps"][0]["target"]
     page.all(f'#list [data-object="{best}"]')[0].click()
     page.press("v")
@@ -224,10 +150,37 @@ def check_link(page, plan):
     expect(page.browser.current_url, link, "the view restored from a link")
 
 
+def choose(page, menu, value):
+    page.browser.execute_script(
+        "const [menu, value] = arguments; menu.value = value; menu.dispatchEvent(new Event('change'));",
+        page.all("#choice-" + menu)[0], value)
+
+
+def check_choices(page, bin_folder, log):
+    """Another gripper and another policy give the plan that `quadrille plan` makes with them."""
+    start_anew(page)
+    choose(page, "gripper", "wsg50")
+    choose(page, "unknown", "free")
+    plan = json.loads(quadrille(bin_folder, "plan", log + "#1", "--gripper", "wsg50", "--unknown", "free",
+                                "--json", "-"))
+    best = plan["grasps"][0]["target"]
+    grasps = sum(1 for grasp in plan["grasps"] if grasp["target"] == best)
+    item = f'#list [data-object="{best}"] .side'
+    page.wait_for(f"document.querySelector('{item}')?.textContent === '{grasps} grasps'", "the other hand's grasps")
+    page.wait_for("location.hash.includes('gripper=wsg50') && location.hash.includes('unknown=free')",
+                  "the link holds what was chosen")
+    page.photograph("other_gripper")
+    choose(page, "clearance", "30")
+    roomy = json.loads(quadrille(bin_folder, "plan", log + "#1", "--gripper", "wsg50", "--unknown", "free",
+                                 "--min-clearance", "0.03", "--json", "-"))
+    without = len(objects_of(roomy)) - len({grasp["target"] for grasp in roomy["grasps"]})
+    page.wait_for(f"document.querySelectorAll('#list .side.none').length === {without}", "few grasps have so much room")
+
+
 def check_hostile_name(page, bin_folder, log, folder):
     hostile = os.path.join(folder, "hostile.lcm")
     write_hostile_cloud(log, hostile)
-    with View(bin_folder, hostile) as view:
+    with View(bin_folder, "--in-log", hostile) as view:
         page.open(view.address)
         page.wait_for_frame(0)
         assert HOSTILE_FRAME in page.all("#source")[0].text, "the name is shown as text"
@@ -251,7 +204,7 @@ def main():
         browser = open_browser(chromium, driver)
         try:
             page = Page(browser, screenshots)
-            with View(bin_folder, log) as view:
+            with View(bin_folder, "--in-log", log) as view:
                 page.open(view.address)
                 page.wait_for_frame(0)
                 page.photograph("log")
@@ -262,11 +215,12 @@ def main():
                 check_timeline(page, plans)
                 check_layers_and_theme(page)
                 check_link(page, plans[0])
+                check_choices(page, bin_folder, log)
                 page.check_console()
             check_hostile_name(page, bin_folder, log, folder)
         finally:
             browser.quit()
-    print(f"browser_test: all is well; pictures in {screenshots}")
+    print(f"log_test: all is well; pictures in {screenshots}")
 
 
 if __name__ == "__main__":

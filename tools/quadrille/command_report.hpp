@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/planner/config.hpp"
+#include "quadrille/inputs.hpp"
+#include "view/report_file.hpp"
+
+namespace quadrille {
+
+/// The page of --report-html, if it is wanted.
+class CommandReport {
+ public:
+  /// @param path      where to write it; empty: it is not wanted
+  /// @param inputs    what the command works on
+  /// @param settings  with what, the command line's included
+  /// @throws io::FileError if the file cannot be created
+  CommandReport(const std::string& path, const std::vector<std::string>& inputs,
+                const io::Config& settings);
+
+  bool wanted() const { return file_.has_value(); }
+
+  /// Shows the scene under its cloud's name.
+  void add(const InputCloud& input, view::Scene scene);
+  void add_table(view::ReportTable table);
+
+  /// Writes the page, if it is wanted.
+  /// @throws io::FileError if it cannot be written
+  void finish();
+
+ private:
+  bool several_;
+  std::optional<view::ReportFile> file_;
+};
+
+}  // namespace quadrille

@@ -1,0 +1,65 @@
+#include "view/page_requests.hpp"
+
+#include <charconv>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "io/json.hpp"
+#include "quadrille/grasping/grasp_query.hpp"
+
+namespace quadrille::view {
+namespace {
+
+constexpr double kMillimetre = 1e-3;
+
+double metres_of(double clearance) {
+  if (!(clearance >= 0.0 && kMillimetre * clearance <= GraspQuery::kMaxMinClearance)) {
+    throw std::invalid_argument("clearance: is a number of millimetres from 0 to 30");
+  }
+  return kMillimetre * clearance;
+}
+
+/// A whole number that is not negative.
+template <class Integer>
+Integer whole(const io::Json& json, const char* name) {
+  const auto found = json.find(name);
+  if (found == json.end()) return 0;
+  constexpr auto kMax = static_cast<std::uint64_t>(std::numeric_limits<Integer>::max());
+  if (!found->is_number_unsigned() || found->get<std::uint64_t>() > kMax) {
+    throw std::invalid_argument(std::string(name) + ": is a whole number, not negative");
+  }
+  return found->get<Integer>();
+}
+
+}  // namespace
+
+PlanChoice read_choice(const std::string& gripper, const std::string& unknown,
+                       const std::string& clearance) {
+  PlanChoice choice{gripper, unknown, 0.0};
+  if (clearance.empty()) return choice;
+  double value = 0.0;
+  const char* const end = clearance.data() + clearance.size();
+  const auto [last, error] = std::from_chars(clearance.data(), end, value);
+  if (error != std::errc{} || last != end) value = -1.0;
+  choice.min_clearance = metres_of(value);
+  return choice;
+}
+
+Question read_question(const std::string& body) {
+  const io::Json json = io::Json::parse(body, nullptr, false);
+  if (!json.is_object()) throw std::invalid_argument("a question is a JSON object");
+  Question question;
+  question.track = whole<std::int32_t>(json, "track");
+  question.target = whole<std::int32_t>(json, "target");
+  question.cloud_utime = whole<std::int64_t>(json, "cloud_utime");
+  if (question.track == 0 && question.target == 0) {
+    throw std::invalid_argument("a question names a track or a target");
+  }
+  const auto clearance = json.find("clearance");
+  if (clearance == json.end()) return question;
+  question.min_clearance = metres_of(clearance->is_number() ? clearance->get<double>() : -1.0);
+  return question;
+}
+
+}  // namespace quadrille::view
