@@ -39,7 +39,7 @@ ReportTable grasps_table() {
 void add_rows(const Scene& scene, ReportTable* objects, ReportTable* grasps) {
   for (const Detection& d : scene.detections) {
     objects->rows.push_back({scene.name, fmt::format("{}", d.id), spaced(to_string(d.type)),
-                             fmt::format("{:.2f}", d.score), io::describe_dimensions(d),
+                             fmt::format("{:.2f}", d.score), spaced(io::describe_dimensions(d)),
                              place(d.X_CQ.translation())});
   }
   for (const Box& box : scene.boxes) {

@@ -95,6 +95,7 @@ function take(data) {
   if (asked) addAnswer(scene, asked.object, asked.answer);
   if (!scene.objects.some((object) => object.id === view.chosen)) view.chosen = null;
   if (!world.controls && view.camera) world.place(...view.camera);
+  view.camera = null;
   refresh(true);
   notice("");
 }
@@ -120,6 +121,8 @@ async function go(frame) {
     const data = await sceneOf(frame);
     // Somebody scrubbed on meanwhile.
     if (wanted !== frame) return;
+    // The clouds of a report have nothing in common.
+    if (session.names && scene && view.frame !== frame) world.forgetPlace();
     view.frame = frame;
     take(data);
     timeline.show(frame, scene.objects.filter((object) => !isPlane(object)).length);

@@ -3,14 +3,18 @@ import { byId, element } from "./dom.js";
 
 const isNumber = (text) => /^[-+]?[\d.]+ ?(%|mm|ms|°)?$/.test(text);
 
+/// Columns in which nothing stands are left out.
+function tableOf({ columns, rows }) {
+  const used = columns.map((_, i) => i).filter((i) => rows.some((row) => row[i]));
+  const cell = (text) => element("td", { text, class: isNumber(text) ? "number" : "" });
+  return element("table", {}, [
+    element("tr", {}, used.map((i) => element("th", { text: columns[i] }))),
+    ...rows.map((row) => element("tr", {}, used.map((i) => cell(row[i]))))]);
+}
+
 export function fillReport(session) {
   const parts = [element("h1", { text: session.name })];
-  for (const { title, columns, rows } of session.tables) {
-    parts.push(element("h2", { text: title }), element("table", { class: "report" }, [
-      element("tr", {}, columns.map((text) => element("th", { text }))),
-      ...rows.map((row) => element("tr", {}, row.map((text) =>
-        element("td", { text, class: isNumber(text) ? "number" : "" }))))]));
-  }
+  for (const table of session.tables) parts.push(element("h2", { text: table.title }), tableOf(table));
   for (const note of session.notes) parts.push(element("p", { class: "warning", text: note }));
   parts.push(element("h2", { text: "Made by" }), element("pre", { text: session.command }));
   parts.push(element("details", {}, [element("summary", { text: "Settings" }), element("pre", { text: session.settings })]));

@@ -78,7 +78,7 @@ export class World {
     this.data = scene;
     this.dark = dark;
     this.renderer.setClearColor(dark ? 0x121a22 : 0xffffff, 1);
-    if (!this.controls) this.lookFromSensor();
+    if (!this.controls || (this.awaitsThings && this.things().length)) this.lookFromSensor();
     this.putCloud(view);
     this.putObjects(view);
     this.putVoxels(view);
@@ -203,11 +203,12 @@ export class World {
     return best ? best.id : null;
   }
 
+  things() { return this.data.objects.filter((object) => !isPlane(object)); }
+
   /// Where things are: their middle, and how far they reach from there.
   focus() {
     const box = new THREE.Box3();
-    const things = this.data.objects.filter((object) => !isPlane(object));
-    for (const object of things) {
+    for (const object of this.things()) {
       for (const corner of cornersOf(object)) box.expandByPoint(corner);
     }
     if (box.isEmpty()) box.setFromArray(this.data.points.positions);
@@ -228,6 +229,7 @@ export class World {
 
   /// From where the sensor stood, a little to the side so that depth shows.
   lookFromSensor() {
+    this.awaitsThings = this.things().length === 0;
     const { centre, radius } = this.focus();
     const ahead = centre.clone().sub(new THREE.Vector3(...this.data.viewpoint)).normalize();
     if (ahead.lengthSq() < 0.5) ahead.set(0, 0, 1);
@@ -264,8 +266,15 @@ export class World {
     this.controls.zoomSpeed = 0.8;
     this.controls.target.set(...target);
     this.controls.addEventListener("change", () => { this.dirty = true; });
+    this.controls.addEventListener("start", () => { this.awaitsThings = false; });
     this.controls.update();
     this.dirty = true;
+  }
+
+  /// Looks anew at what is shown next.
+  forgetPlace() {
+    if (this.controls) this.controls.dispose();
+    this.controls = null;
   }
 
   /// What place() takes, rounded to a tenth of a millimetre.
