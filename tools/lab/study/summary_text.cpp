@@ -25,9 +25,12 @@ void add_types(const GroupSummary& group, std::vector<Figure>* figures) {
 }
 
 std::string line_of(const Figure& figure) {
-  if (figure.ratio.of == 0) return fmt::format("  {:<32} none\n", figure.name);
-  const auto [counts, share, interval] = words_of(figure.ratio);
-  return fmt::format("  {:<32} {:>14} {:>8}  ({})\n", figure.name, counts, share, interval);
+  const Ratio& ratio = figure.ratio;
+  if (ratio.of == 0) return fmt::format("  {:<32} none\n", figure.name);
+  const Share share = wilson_share(ratio.counted, ratio.of);
+  return fmt::format("  {:<32} {:>5} of {:>5} {:6.1f} %  ({:.1f} to {:.1f} %)\n", figure.name,
+                     ratio.counted, ratio.of, 100.0 * share.value, 100.0 * share.low,
+                     100.0 * share.high);
 }
 
 std::string group_text(const GroupSummary& group) {
