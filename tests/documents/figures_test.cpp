@@ -20,7 +20,8 @@ using test::run_quadrille;
 
 namespace {
 
-constexpr const char* kReadme = "README.md";
+constexpr const char* kLaboratory = "tools/lab/README.md";
+constexpr const char* kGrasps = "grasping/README.md";
 constexpr const char* kPaper = "tools/lab/experiments/PAPER.md";
 
 Report run_experiment(const char* name) { return experiments::find_experiment(name)->run({}); }
@@ -44,13 +45,13 @@ std::string pair_of_shares(const std::string& right, const std::string& any) {
 
 }  // namespace
 
-TEST_CASE("the README lists each experiment", "[documents]") {
+TEST_CASE("the laboratory's page lists each experiment", "[documents]") {
   for (const auto& experiment : experiments::all_experiments()) {
-    check_says(kReadme, fmt::format("| `{}` |", experiment.name));
+    check_says(kLaboratory, fmt::format("| `{}` |", experiment.name));
   }
 }
 
-TEST_CASE("the README quotes what a plan of its table gives", "[documents][slow]") {
+TEST_CASE("the page on grasps quotes what a plan of its table gives", "[documents][slow]") {
   const test::TempFolder folder;
   const std::string table = folder.path("table.ply"), plan = folder.path("plan.json");
   REQUIRE(run_quadrille("scene " + table + " --family tabletop --seed 7").code == 0);
@@ -62,15 +63,15 @@ TEST_CASE("the README quotes what a plan of its table gives", "[documents][slow]
   const json with = planned("");
   int ways = static_cast<int>(with.at("grasps").size());
   for (const auto& [reason, count] : with.at("rejected").items()) ways += count.get<int>();
-  check_says(kReadme, fmt::format("in which {} ways to hold are considered",
+  check_says(kGrasps, fmt::format("in which {} ways to hold are considered",
                                   with_commas((ways + 50) / 100 * 100)));
   const std::string config = folder.write("c.toml", "[planner]\nclear_above = false\n");
   const json without = planned(" --config " + config);
-  check_says(kReadme, fmt::format("without it there are {} grasps instead of {}",
+  check_says(kGrasps, fmt::format("without it there are {} grasps instead of {}",
                                   without.at("grasps").size(), with.at("grasps").size()));
 }
 
-TEST_CASE("the README shows what trying grasps prints", "[documents][slow]") {
+TEST_CASE("the laboratory's page shows what trying grasps prints", "[documents][slow]") {
   const test::TempFolder folder;
   const std::string scan = folder.path("scan.ply");
   REQUIRE(run_quadrille("scene " + scan + " --family tabletop --seed 7").code == 0);
@@ -84,31 +85,31 @@ TEST_CASE("the README shows what trying grasps prints", "[documents][slow]") {
     int target = 0;
     double score = 0;
     if (!(words >> target >> score)) continue;
-    check_says(kReadme, line);
+    check_says(kLaboratory, line);
     ++rows;
   }
   // No row stands there that is not printed.
-  const std::string readme = test::folded_document(kReadme);
-  const std::size_t begin = readme.find("slip/mm turn/deg outcome");
-  const std::size_t end = readme.find("```", begin);
+  const std::string page = test::folded_document(kLaboratory);
+  const std::size_t begin = page.find("slip/mm turn/deg outcome");
+  const std::size_t end = page.find("```", begin);
   REQUIRE(end != std::string::npos);
-  const std::string block = readme.substr(begin, end - begin);
+  const std::string block = page.substr(begin, end - begin);
   const std::regex row("\\d+ 0\\.\\d\\d [a-z]");
   CHECK(std::distance(std::sregex_iterator(block.begin(), block.end(), row), {}) == rows);
   CHECK(rows > 2);
 }
 
-TEST_CASE("the README says what is found in fused clouds", "[documents][slow]") {
+TEST_CASE("the laboratory's page says what is found in fused clouds", "[documents][slow]") {
   const Report report = run_experiment("growth");
   REQUIRE(report.data.rows.size() == 5);
-  const std::string readme = test::folded_document(kReadme);
+  const std::string page = test::folded_document(kLaboratory);
   for (const auto& row : report.data.rows) {
     const std::string points = with_commas(std::stoi(row[0])),
                       found = fmt::format("{} of {}", row[3], row[4]);
     CAPTURE(points, found);
-    const std::size_t at = readme.find(fmt::format("| {} |", points));
+    const std::size_t at = page.find(fmt::format("| {} |", points));
     REQUIRE(at != std::string::npos);
-    CHECK(readme.find(fmt::format("| {} |", found), at) < at + 60);
+    CHECK(page.find(fmt::format("| {} |", found), at) < at + 60);
   }
 }
 
