@@ -8,26 +8,40 @@
 
 namespace quadrille {
 
-ProgressLine::~ProgressLine() {
-  if (shown_ >= 0) std::fputs("\r\033[K", stderr);
+ProgressLine::ProgressLine() : on_terminal_(isatty(STDERR_FILENO) != 0) {}
+
+ProgressLine::~ProgressLine() { wipe(); }
+
+void ProgressLine::wipe() {
+  if (on_terminal_ && shown_ >= 0) std::fputs("\r\033[K", stderr);
+  shown_ = -1;
 }
 
 void ProgressLine::show(double share) {
-  // Work that is over sooner needs no forecast, and the first steps allow none [s].
-  constexpr double kMinTime = 5.0;
   const int percent = static_cast<int>(100.0 * share);
   const Clock::time_point now = Clock::now();
-  const bool is_news = percent != shown_ || now - last_ > std::chrono::seconds(1);
-  if (!is_news || !isatty(STDERR_FILENO)) return;
+  // Where nothing can be wiped, lines of a log.
+  const std::chrono::seconds period(on_terminal_ ? 1 : 10);
+  const bool is_news = on_terminal_ && percent != shown_;
+  if (!is_news && now - last_ < period) return;
   shown_ = percent;
   last_ = now;
-  const int filled = percent / 4;
-  std::string line = fmt::format("\r[{:=>{}}{:>{}}] {:3} %", "", filled, "", 25 - filled, percent);
-  const double passed = std::chrono::duration<double>(now - start_).count();
-  if (passed > kMinTime && share > 0.0) {
-    line += fmt::format(", {} left", describe_duration(passed * (1.0 - share) / share));
+  const std::string left = time_left(share, now);
+  if (!on_terminal_) {
+    fmt::print(stderr, "quadrille: {} % done{}\n", percent, left);
+    return;
   }
-  std::fputs((line + "\033[K").c_str(), stderr);
+  const int filled = percent / 4;
+  fmt::print(stderr, "\r[{:=>{}}{:>{}}] {:3} %{}\033[K", "", filled, "", 25 - filled, percent,
+             left);
+}
+
+std::string ProgressLine::time_left(double share, Clock::time_point now) const {
+  // Work that is over sooner needs no forecast, and the first steps allow none [s].
+  constexpr double kMinTime = 5.0;
+  const double passed = std::chrono::duration<double>(now - start_).count();
+  if (passed < kMinTime || share <= 0.0) return "";
+  return fmt::format(", {} left", describe_duration(passed * (1.0 - share) / share));
 }
 
 std::string describe_duration(double seconds) {

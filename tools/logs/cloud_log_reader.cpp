@@ -9,6 +9,7 @@ CloudLogReader::CloudLogReader(const std::string& path, const std::string& chann
 
 std::optional<LoggedCloud> CloudLogReader::next() {
   while (const auto event = log_.next()) {
+    ++read_;
     ++channels_[event->channel];
     if (!channel_.empty() && event->channel != channel_) continue;
     bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(event->bytes);
@@ -20,6 +21,11 @@ std::optional<LoggedCloud> CloudLogReader::next() {
     if (!other_type) rejected_.add(reason);
   }
   return std::nullopt;
+}
+
+double CloudLogReader::share() const {
+  const auto events = log_.survey().events;
+  return events > 0 ? static_cast<double>(read_) / static_cast<double>(events) : 1.0;
 }
 
 }  // namespace quadrille::logs

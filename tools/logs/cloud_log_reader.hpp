@@ -36,12 +36,15 @@ class CloudLogReader {
   const bus::RejectCounts& rejected() const { return rejected_; }
   /// The events read so far of each channel, of those passed over too.
   const std::map<std::string, std::int64_t>& channels() const { return channels_; }
+  /// How much of the log has been read, from 0 to 1.
+  double share() const;
   /// Where the log is cut short; nullopt if it is whole.
   const std::optional<std::string>& defect() const { return log_.survey().defect; }
 
  private:
   bus::LogReader log_;
   std::string channel_;
+  std::int64_t read_ = 0;
   bus::RejectCounts rejected_;
   std::map<std::string, std::int64_t> channels_;
 };

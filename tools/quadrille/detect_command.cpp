@@ -68,7 +68,9 @@ void run(const DetectArguments& arguments) {
     result.boxes = moved(std::move(result.boxes), input.X_CK);
     const io::RunInfo whole = with_warnings(with_warnings(info, input.warnings), result.warnings);
     json.write(io::detect_json(input.info, whole, result));
-    if (!json.owns_stdout()) print(detection_table(input.info, result));
+    if (!json.owns_stdout()) {
+      print(detection_table(input.info, result, Paint::of_stdout()));
+    }
     print_warnings(input.info.input, result.warnings);
     if (!pictures.wanted()) return;
     arguments.picture.write(pictures.next(path), {input.info.input, input.cloud, found});

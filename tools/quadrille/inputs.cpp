@@ -1,6 +1,7 @@
 #include "quadrille/inputs.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -15,6 +16,7 @@
 
 #include "cli/output.hpp"
 #include "cli/process_arguments.hpp"
+#include "cli/progress_line.hpp"
 #include "io/cloud_file.hpp"
 #include "io/describe.hpp"
 #include "io/file_bytes.hpp"
@@ -79,6 +81,7 @@ std::optional<InputCloud> read_logged_cloud(logs::CloudLogReader& reader, const 
   input.cloud = moved(std::move(logged->message.cloud), input.X_CK.inverse());
   frames.place_viewpoint(&input.cloud);
   describe(path + "#" + std::to_string(number), start, &input);
+  input.share = reader.share();
   input.channel = logged->channel;
   input.utime = logged->message.utime;
   return input;
@@ -195,8 +198,13 @@ ReadingResult for_each_input(
     const std::function<void(const std::string& path, InputCloud)>& visit) {
   ReadingResult result;
   result.inputs = paths.size();
+  std::optional<ProgressLine> line;
+  if (isatty(STDOUT_FILENO) == 0 && may_be_several(paths)) line.emplace();
+  double done = 0.0;
   for (const std::string& path : paths) {
     const auto visit_and_count = [&](InputCloud input) {
+      const double share = (done + input.share) / static_cast<double>(paths.size());
+      if (line) line->wipe();
       try {
         visit(path, std::move(input));
       } catch (const io::FileError& error) {
@@ -204,6 +212,7 @@ ReadingResult for_each_input(
         throw std::runtime_error(error.what());
       }
       ++result.clouds;
+      if (line) line->show(share);
     };
     try {
       print_warnings(path, for_each_cloud(path, arguments, visit_and_count));
@@ -213,6 +222,7 @@ ReadingResult for_each_input(
       fmt::print(stderr, "quadrille: {}\n", error.what());
       ++result.failed;
     }
+    ++done;
   }
   return result;
 }

@@ -40,6 +40,8 @@ struct InputCloud {
   /// For clouds of a log: the channel, and the time of capture [us].
   std::string channel;
   std::int64_t utime = 0;
+  /// How much of its input has been read, from 0 to 1.
+  double share = 1.0;
   /// For the last cloud that is taken of a log: what is wrong with the log.
   std::vector<std::string> warnings;
 };
@@ -74,8 +76,9 @@ struct ReadingResult {
   void check() const;
 };
 
-/// Calls visit for each cloud of each input and prints what is wrong with the inputs. What cannot
-/// be read of several inputs is told of and passed over.
+/// Calls visit for each cloud of each input and prints what is wrong with the inputs, and how far
+/// it is where no results on the same terminal show that. What cannot be read of several inputs is
+/// told of and passed over.
 /// @throws io::FileError if the only input cannot be read
 /// @throws std::runtime_error in place of any io::FileError of visit's
 ReadingResult for_each_input(const std::vector<std::string>& paths, const InputArguments& arguments,

@@ -170,8 +170,11 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
   object["query"] = io::to_json(arguments.query.query());
   if (arguments.convention) add_hands(plan, setup.gripper, *arguments.convention, &object);
   output->json.write(object);
-  if (!output->json.owns_stdout())
-    print(detection_table(input.info, result) + grasp_table(plan, setup.options.unknown));
+  if (!output->json.owns_stdout()) {
+    const Paint paint = Paint::of_stdout();
+    print(detection_table(input.info, result, paint) +
+          grasp_table(plan, setup.options.unknown, paint));
+  }
   if (output->map) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
 }
 

@@ -9,22 +9,25 @@
 
 namespace quadrille {
 
-std::string detection_table(const io::InputInfo& input, const DetectionResult& result) {
+std::string detection_table(const io::InputInfo& input, const DetectionResult& result,
+                            const Paint& paint) {
   std::string text = fmt::format(
       "{}: {} points, {} finite, {} used; read {:.1f} ms, detect {:.1f} ms\n", input.input,
       input.points_read, result.points_finite, result.points_used, input.read_ms, result.total_ms);
-  if (result.detections.empty()) return text + "  no quadrics found\n";
+  if (result.detections.empty()) return text + paint.bad("  no quadrics found") + "\n";
   const bool tracked = std::any_of(result.detections.begin(), result.detections.end(),
                                    [](const Detection& detection) { return detection.track > 0; });
-  text += fmt::format("  {:>3}  {}{:<22} {:>5} {:>8} {:>7} {:>5}  {:^23}  {}\n", "id",
-                      tracked ? "track  " : "", "type", "score", "inliers", "rms/mm", "seen",
-                      "position/m", "dimensions");
+  text += paint.head(fmt::format("  {:>3}  {}{:<22} {:>5} {:>8} {:>7} {:>5}  {:^23}  {}", "id",
+                                 tracked ? "track  " : "", "type", "score", "inliers", "rms/mm",
+                                 "seen", "position/m", "dimensions")) +
+          "\n";
   for (const Detection& d : result.detections) {
     const Eigen::Vector3d p = d.X_CQ.translation();
-    text += fmt::format(
-        "  {:>3}  {}{:<22} {:>5.2f} {:>8} {:>7.2f} {:>5.2f}  {:>7.3f} {:>7.3f} {:>7.3f}  {}\n",
-        d.id, tracked ? fmt::format("{:>5}  ", d.track) : "", to_string(d.type), d.score, d.inliers,
+    const std::string row = fmt::format(
+        "  {:>3}  {}{:<22} {:>5.2f} {:>8} {:>7.2f} {:>5.2f}  {:>7.3f} {:>7.3f} {:>7.3f}  {}", d.id,
+        tracked ? fmt::format("{:>5}  ", d.track) : "", to_string(d.type), d.score, d.inliers,
         1000.0 * d.rms, d.seen, p.x(), p.y(), p.z(), io::describe_dimensions(d));
+    text += (is_flat(d.type) ? paint.faint(row) : row) + "\n";
   }
   for (const Box& box : result.boxes) {
     const Eigen::Vector3d p = box.X_CB.translation();
@@ -35,14 +38,15 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
   return text;
 }
 
-std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown) {
+std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown, const Paint& paint) {
   std::string text;
   if (plan.grasps.empty()) {
-    text = "  no grasps found\n  " + explain_no_grasps(plan, unknown) + "\n";
+    text = paint.bad("  no grasps found") + "\n  " + explain_no_grasps(plan, unknown) + "\n";
   } else {
-    text = fmt::format("  {:>5} {:>6} {:<6} {:>5} {:>8} {:>8} {:>8} {:>7}        {}\n", "grasp",
-                       "target", "kind", "score", "width/mm", "friction", "epsilon", "free/mm",
-                       "position/m");
+    text = paint.head(fmt::format("  {:>5} {:>6} {:<6} {:>5} {:>8} {:>8} {:>8} {:>7}        {}",
+                                  "grasp", "target", "kind", "score", "width/mm", "friction",
+                                  "epsilon", "free/mm", "position/m")) +
+           "\n";
   }
   int number = 0;
   for (const Grasp& g : plan.grasps) {
@@ -59,7 +63,8 @@ std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown) {
   for (const auto& [reason, count] : plan.rejected) {
     reasons += fmt::format("{}{} {}", reasons.empty() ? "" : ", ", reason, count);
   }
-  return text + fmt::format("  refused: {}; plan {:.1f} ms\n", reasons, plan.total_ms);
+  return text + paint.faint(fmt::format("  refused: {}; plan {:.1f} ms", reasons, plan.total_ms)) +
+         "\n";
 }
 
 }  // namespace quadrille

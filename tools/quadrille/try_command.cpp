@@ -153,7 +153,9 @@ void run(const TryArguments& arguments) {
       continue;
     }
     json.write(attempts_json(input, attempts));
-    if (!json.owns_stdout()) print(attempt_table(input, attempts));
+    if (!json.owns_stdout()) {
+      print(attempt_table(input, attempts, Paint::of_stdout()));
+    }
     all.insert(all.end(), attempts.begin(), attempts.end());
   }
   if (failed < arguments.inputs.size()) {

@@ -72,17 +72,24 @@ std::string shown(const Attempt& attempt, double value) {
   return lost ? "-" : fmt::format("{:.1f}", value);
 }
 
+std::string painted(Outcome outcome, const Paint& paint) {
+  if (outcome == Outcome::kHeld) return paint.good(to_string(outcome));
+  return outcome == Outcome::kUntried ? to_string(outcome) : paint.bad(to_string(outcome));
+}
+
 }  // namespace
 
-std::string attempt_table(const std::string& input, const std::vector<Attempt>& attempts) {
+std::string attempt_table(const std::string& input, const std::vector<Attempt>& attempts,
+                          const Paint& paint) {
   std::string text = input + ":\n";
   if (attempts.empty()) return text + "  no grasps to try\n";
-  text += fmt::format("  {:>6} {:>5} {:<22} {:>8} {:>7} {:>8}  {}\n", "target", "score", "object",
-                      "width/mm", "slip/mm", "turn/deg", "outcome");
+  text += paint.head(fmt::format("  {:>6} {:>5} {:<22} {:>8} {:>7} {:>8}  {}", "target", "score",
+                                 "object", "width/mm", "slip/mm", "turn/deg", "outcome")) +
+          "\n";
   for (const Attempt& a : attempts) {
     text += fmt::format("  {:>6} {:>5.2f} {:<22} {:>8.1f} {:>7} {:>8}  {}{}\n", a.target, a.score,
                         a.type, 1000.0 * a.width, shown(a, 1000.0 * a.trial.slip),
-                        shown(a, degrees(a.trial.rotation)), to_string(a.outcome),
+                        shown(a, degrees(a.trial.rotation)), painted(a.outcome, paint),
                         a.first ? "" : " (not the target's first)");
   }
   return text;
