@@ -20,7 +20,7 @@ float coordinate(int point, int axis) {
   return point == 1 ? 0.0f : static_cast<float>(1 + point + 10 * axis);
 }
 
-std::uint32_t packed(const Rgb& rgb) {
+std::uint32_t packed_rgb(const Rgb& rgb) {
   return (std::uint32_t{rgb[0]} << 16) | (std::uint32_t{rgb[1]} << 8) | rgb[2];
 }
 
@@ -46,7 +46,7 @@ TEST_CASE("the packed colours of a PCD file stay with their points", "[pcd][colo
       std::string file = pcd_head(colour, type, "binary");
       for (int i = 0; i < 3; ++i) {
         put(&file, coordinate(i, 0), false);
-        put(&file, packed(kRgb[static_cast<std::size_t>(i)]) | 0xff000000u, false);
+        put(&file, packed_rgb(kRgb[static_cast<std::size_t>(i)]) | 0xff000000u, false);
         put(&file, coordinate(i, 1), false);
         put(&file, coordinate(i, 2), false);
       }
