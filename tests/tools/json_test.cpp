@@ -155,6 +155,9 @@ TEST_CASE("labels name a detection with units", "[json]") {
   Detection hidden = d;
   hidden.dimensions[1].std = std::numeric_limits<double>::infinity();
   CHECK(io::describe_dimensions(hidden) == "radius 41.0 mm, length 90.9 mm*");
+  CHECK(io::short_label(hidden) == "3 cylinder r 41.0 l 90.9 mm*");
+  std::swap(hidden.dimensions[0].std, hidden.dimensions[1].std);
+  CHECK(io::short_label(hidden) == "3 cylinder r 41.0* l 90.9 mm");
   d.type = QuadricType::kCone;
   d.dimensions = {{"half_angle", 0.5, 0.0}};
   CHECK(io::short_label(d) == "3 cone angle 28.6 deg");

@@ -44,3 +44,22 @@ TEST_CASE("each point belongs to the surface that it lies on", "[view][points]")
       view::owners_of({{0.1f, 0, 0}, {1.0f, 0.1f, 0}, {0.5f, 0, 0}, {1.0f, 0, 0}}, balls);
   CHECK(owners == std::vector<std::uint8_t>{1, 2, 0, 0});
 }
+
+TEST_CASE("the points that are shown keep their own colours", "[view][points][colours]") {
+  PointCloud cloud;
+  for (int i = 0; i < 200; ++i) {
+    cloud.points.push_back({i % 5 == 0 ? std::nanf("") : static_cast<float>(i), 0, 1});
+    cloud.colours.push_back({static_cast<std::uint8_t>(i), 0, 7});
+  }
+  std::vector<Rgb> colours;
+  const auto shown = view::thin_out(cloud, 100, &colours);
+  REQUIRE(!shown.empty());
+  REQUIRE(colours.size() == shown.size());
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    CHECK(colours[i] == Rgb{static_cast<std::uint8_t>(shown[i].x()), 0, 7});
+  }
+  cloud.colours.clear();
+  colours.clear();
+  view::thin_out(cloud, 100, &colours);
+  CHECK(colours.empty());
+}

@@ -98,9 +98,11 @@ std::string short_label(const Detection& detection) {
   for (std::size_t i = 0; i < shown; ++i) {
     const char* unit = unit_of(dimensions[i]);
     text += fmt::format(" {} {:.1f}", short_name(dimensions[i].name), shown_value(dimensions[i]));
+    const bool guess = !std::isfinite(dimensions[i].std);
     // One unit serves neighbours that share it.
     const bool last = i + 1 == shown;
     if (last || std::string(unit_of(dimensions[i + 1])) != unit) text += fmt::format(" {}", unit);
+    if (guess) text += "*";
   }
   return text;
 }

@@ -2,11 +2,14 @@
 
 #include <liblzf/lzf.h>
 
+#include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
 
 #include "io/file_bytes.hpp"
 #include "io/header_lines.hpp"
+#include "io/packed_point.hpp"
 #include "io/pcd_header.hpp"
 #include "quadrille/detector/ingest.hpp"
 
@@ -35,17 +38,68 @@ float load(const std::byte* from, const PcdField& field) {
   return value;
 }
 
-PointLayout packed_layout(const PcdHeader& header) {
-  PointLayout layout;
-  const bool organised = header.height > 1 && header.width > 1;
-  layout.width = organised ? header.width : header.points;
-  layout.height = organised ? header.height : 1;
-  return layout;
+Rgb rgb_of(std::uint32_t packed) {
+  return {static_cast<std::uint8_t>(packed >> 16), static_cast<std::uint8_t>(packed >> 8),
+          static_cast<std::uint8_t>(packed)};
 }
 
-PointCloud read_packed(const PcdHeader& header, const std::vector<float>& packed,
+Rgb load_rgb(const std::byte* from) {
+  std::uint32_t packed;
+  std::memcpy(&packed, from, sizeof packed);
+  return rgb_of(packed);
+}
+
+/// The colour that a word of an ascii file tells. Writers put down 0xRRGGBB as a number, or the
+/// float of those bits, which is tiny, or with an opaque alpha negative and huge.
+Rgb rgb_of(std::string_view word) {
+  const double value = to_number(word).value_or(0.0);
+  if (value >= 1.0 && value <= 4294967295.0) return rgb_of(static_cast<std::uint32_t>(value));
+  return rgb_of(std::bit_cast<std::uint32_t>(static_cast<float>(value)));
+}
+
+void set_size(const PcdHeader& header, PointLayout* layout) {
+  const bool organised = header.height > 1 && header.width > 1;
+  layout->width = organised ? header.width : header.points;
+  layout->height = organised ? header.height : 1;
+}
+
+PointCloud read_packed(const PcdHeader& header, const std::vector<PackedPoint>& packed,
                        const Eigen::Isometry3d& X_CF) {
-  return read_points(std::as_bytes(std::span(packed)), packed_layout(header), X_CF);
+  PointLayout layout = packed_points_layout(header.rgb.has_value());
+  set_size(header, &layout);
+  return read_points(std::as_bytes(std::span(packed)), layout, X_CF);
+}
+
+/// Where the values of a field stand in binary data.
+struct FieldPlace {
+  const std::byte* first;
+  std::size_t step;
+};
+
+/// Gathers the points out of binary data; place_of(field) tells where the values of a field stand.
+template <class PlaceOf>
+std::vector<PackedPoint> pack(const PcdHeader& header, PlaceOf&& place_of) {
+  std::vector<PackedPoint> packed(header.points);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const std::size_t field = header.position[axis];
+    const FieldPlace place = place_of(field);
+    for (std::uint64_t i = 0; i < header.points; ++i) {
+      packed[i].position[axis] = load(place.first + i * place.step, header.fields[field]);
+    }
+  }
+  if (!header.rgb) return packed;
+  const FieldPlace place = place_of(*header.rgb);
+  for (std::uint64_t i = 0; i < header.points; ++i) {
+    packed[i].rgb = load_rgb(place.first + i * place.step);
+  }
+  return packed;
+}
+
+/// The column of a field in the lines of an ascii file.
+std::uint64_t column_of(const PcdHeader& header, std::size_t field) {
+  std::uint64_t column = 0;
+  for (std::size_t i = 0; i < field; ++i) column += header.fields[i].count;
+  return column;
 }
 
 PointCloud read_ascii(std::span<const std::byte> bytes, const PcdHeader& header,
@@ -56,14 +110,16 @@ PointCloud read_ascii(std::span<const std::byte> bytes, const PcdHeader& header,
   }
   std::array<std::uint64_t, 3> columns{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    for (std::size_t i = 0; i < header.position[axis]; ++i) columns[axis] += header.fields[i].count;
+    columns[axis] = column_of(header, header.position[axis]);
   }
+  const std::uint64_t rgb_column = header.rgb ? column_of(header, *header.rgb) : values;
   TextCursor cursor(bytes, header.size);
-  std::vector<float> packed(3 * header.points);
+  std::vector<PackedPoint> packed(header.points);
   for (std::uint64_t point = 0; point < header.points; ++point) {
     for (std::uint64_t column = 0; column < values; ++column) {
       const std::string_view word = cursor.next_word();
       if (word.empty()) fail_short(name, bytes.size(), header);
+      if (column == rgb_column) packed[point].rgb = rgb_of(word);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (columns[axis] != column) continue;
         const auto value = to_number(word);
@@ -71,7 +127,7 @@ PointCloud read_ascii(std::span<const std::byte> bytes, const PcdHeader& header,
           throw FileError(name, "byte " + std::to_string(cursor.offset() - word.size()),
                           "'" + std::string(word.substr(0, 40)) + "' is no number; correct it");
         }
-        packed[3 * point + axis] = static_cast<float>(*value);
+        packed[point].position[axis] = static_cast<float>(*value);
       }
     }
   }
@@ -86,23 +142,23 @@ PointCloud read_binary(std::span<const std::byte> bytes, const PcdHeader& header
   const auto& [x, y, z] = header.position;
   const std::uint64_t size = header.fields[x].size;
   if (header.fields[y].size == size && header.fields[z].size == size) {
-    PointLayout layout = packed_layout(header);
+    PointLayout layout;
+    set_size(header, &layout);
     if (size == 8) layout.scalar = PointLayout::Scalar::kFloat64;
     layout.x = header.offset_of(x);
     layout.y = header.offset_of(y);
     layout.z = header.offset_of(z);
     layout.point_step = step;
+    if (header.rgb) {
+      const std::size_t rgb = header.offset_of(*header.rgb);
+      layout.rgb = {rgb + 2, rgb + 1, rgb};
+    }
     return read_points(data, layout, X_CF);
   }
-  std::vector<float> packed(3 * header.points);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t field = header.position[axis];
-    const std::byte* from = data.data() + header.offset_of(field);
-    for (std::uint64_t i = 0; i < header.points; ++i) {
-      packed[3 * i + axis] = load(from + i * step, header.fields[field]);
-    }
-  }
-  return read_packed(header, packed, X_CF);
+  const auto place_of = [&](std::size_t field) {
+    return FieldPlace{data.data() + header.offset_of(field), step};
+  };
+  return read_packed(header, pack(header, place_of), X_CF);
 }
 
 /// The decompressed data of a binary_compressed file: all x, then all y, …
@@ -138,16 +194,11 @@ std::vector<std::byte> decompress(std::span<const std::byte> bytes, const PcdHea
 PointCloud read_compressed(std::span<const std::byte> bytes, const PcdHeader& header,
                            const std::string& name, const Eigen::Isometry3d& X_CF) {
   const std::vector<std::byte> data = decompress(bytes, header, name);
-  std::vector<float> packed(3 * header.points);
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const std::size_t field = header.position[axis];
-    const PcdField& f = header.fields[field];
-    const std::byte* from = data.data() + header.offset_of(field) * header.points;
-    for (std::uint64_t i = 0; i < header.points; ++i) {
-      packed[3 * i + axis] = load(from + i * f.size, f);
-    }
-  }
-  return read_packed(header, packed, X_CF);
+  const auto place_of = [&](std::size_t field) {
+    return FieldPlace{data.data() + header.offset_of(field) * header.points,
+                      header.fields[field].size};
+  };
+  return read_packed(header, pack(header, place_of), X_CF);
 }
 
 PointCloud read_data(std::span<const std::byte> bytes, const PcdHeader& header,

@@ -34,6 +34,7 @@ class PcdHeaderReader {
     header_.size = cursor_.offset();
     check_size();
     find_position();
+    find_colour();
     return header_;
   }
 
@@ -150,6 +151,15 @@ class PcdHeaderReader {
       }
       header_.position[axis] = static_cast<std::size_t>(found - header_.fields.begin());
     }
+  }
+
+  void find_colour() {
+    const auto found =
+        std::find_if(header_.fields.begin(), header_.fields.end(), [](const PcdField& f) {
+          return (f.name == "rgb" || f.name == "rgba") && f.size == 4 && f.count == 1;
+        });
+    if (found == header_.fields.end()) return;
+    header_.rgb = static_cast<std::size_t>(found - header_.fields.begin());
   }
 
   TextCursor cursor_;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ struct PcdHeader {
   std::size_t size = 0;
   /// Indices of x, y and z among the fields.
   std::array<std::size_t, 3> position{};
+  /// Index of the colour among the fields, 0x00RRGGBB in 4 bytes of any type, if there is one.
+  std::optional<std::size_t> rgb;
 
   /// Bytes of one point in a binary file, and values of one point in an ascii file.
   std::uint64_t point_step() const;

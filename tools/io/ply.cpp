@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "io/file_bytes.hpp"
 #include "io/new_file.hpp"
+#include "io/packed_point.hpp"
 #include "io/ply_body.hpp"
 #include "io/ply_header.hpp"
 #include "quadrille/detector/ingest.hpp"
@@ -38,6 +40,22 @@ Columns position_columns(const PlyElement& vertex, const std::string& name) {
   return columns;
 }
 
+/// Places of red, green and blue, as a byte each; nothing if the vertices have no such colours.
+std::optional<Columns> colour_columns(const PlyElement& vertex) {
+  const std::array<std::string, 3> names = {"red", "green", "blue"};
+  Columns columns;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto found =
+        std::find_if(vertex.properties.begin(), vertex.properties.end(), [&](const auto& property) {
+          return property.name == names[i] && !property.is_list &&
+                 property.scalar == PlyScalar::kUint8;
+        });
+    if (found == vertex.properties.end()) return std::nullopt;
+    columns[i] = static_cast<std::size_t>(found - vertex.properties.begin());
+  }
+  return columns;
+}
+
 bool can_read_in_place(const PlyHeader& header, const PlyElement& vertex, const Columns& columns) {
   const auto scalar = [&](int axis) { return vertex.properties[columns[axis]].scalar; };
   return header.format != PlyHeader::Format::kAscii && !vertex.has_list() &&
@@ -45,7 +63,7 @@ bool can_read_in_place(const PlyHeader& header, const PlyElement& vertex, const 
 }
 
 PointLayout layout_in_place(const PlyHeader& header, const PlyElement& vertex,
-                            const Columns& columns) {
+                            const Columns& columns, const std::optional<Columns>& colours) {
   PointLayout layout;
   layout.big_endian = header.format == PlyHeader::Format::kBigEndian;
   if (vertex.properties[columns[0]].scalar == PlyScalar::kFloat64) {
@@ -59,6 +77,9 @@ PointLayout layout_in_place(const PlyHeader& header, const PlyElement& vertex,
   layout.x = offset_of(columns[0]);
   layout.y = offset_of(columns[1]);
   layout.z = offset_of(columns[2]);
+  if (colours) {
+    layout.rgb = {offset_of((*colours)[0]), offset_of((*colours)[1]), offset_of((*colours)[2])};
+  }
   layout.point_step = vertex.min_bytes(false);
   return layout;
 }
@@ -76,15 +97,16 @@ PointCloud read_vertices(std::span<const std::byte> bytes, const PlyHeader& head
                          const PlyElement& vertex, PlyBody* body, const std::string& name,
                          const Eigen::Isometry3d& X_CF) {
   const Columns columns = position_columns(vertex, name);
+  const std::optional<Columns> colours = colour_columns(vertex);
   PointLayout layout;
   if (can_read_in_place(header, vertex, columns)) {
     body->check_count(vertex);
-    layout = layout_in_place(header, vertex, columns);
+    layout = layout_in_place(header, vertex, columns, colours);
     set_size(header, vertex, &layout);
     return read_points(bytes.subspan(body->offset()), layout, X_CF);
   }
-  const std::vector<float> packed = body->read_columns(vertex, columns);
-  layout.big_endian = std::endian::native == std::endian::big;
+  const std::vector<PackedPoint> packed = body->read_points(vertex, columns, colours);
+  layout = packed_points_layout(colours.has_value());
   set_size(header, vertex, &layout);
   return read_points(std::as_bytes(std::span(packed)), layout, X_CF);
 }
@@ -121,15 +143,21 @@ std::string ply_of(const PointCloud& cloud) {
     text += fmt::format("comment width {} height {}\n", cloud.width, cloud.height);
   }
   text += fmt::format("element vertex {}\n", cloud.points.size());
-  text += "property float x\nproperty float y\nproperty float z\nend_header\n";
-  text.reserve(text.size() + 12 * cloud.points.size());
-  for (const Eigen::Vector3f& p : cloud.points) {
+  text += "property float x\nproperty float y\nproperty float z\n";
+  const bool coloured = cloud.coloured();
+  if (coloured) text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
+  text += "end_header\n";
+  text.reserve(text.size() + (coloured ? 15 : 12) * cloud.points.size());
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const Eigen::Vector3f& p = cloud.points[i];
     for (const float value : {p.x(), p.y(), p.z()}) {
       const auto bits = std::bit_cast<std::uint32_t>(value);
       for (int shift = 0; shift < 32; shift += 8) {
         text.push_back(static_cast<char>((bits >> shift) & 0xff));
       }
     }
+    if (!coloured) continue;
+    for (const std::uint8_t value : cloud.colours[i]) text.push_back(static_cast<char>(value));
   }
   return text;
 }

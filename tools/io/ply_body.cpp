@@ -138,13 +138,19 @@ void PlyBody::skip(const PlyElement& element) {
   }
 }
 
-std::vector<float> PlyBody::read_columns(const PlyElement& element,
-                                         const std::array<std::size_t, 3>& columns) {
+std::vector<PackedPoint> PlyBody::read_points(
+    const PlyElement& element, const std::array<std::size_t, 3>& columns,
+    const std::optional<std::array<std::size_t, 3>>& colours) {
   check_count(element);
-  std::vector<float> packed(3 * element.count);
+  std::vector<PackedPoint> packed(element.count);
   walk(element, [&](std::uint64_t record, std::size_t property, double value) {
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (columns[axis] == property) packed[3 * record + axis] = static_cast<float>(value);
+    PackedPoint& point = packed[record];
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (columns[i] == property) point.position[i] = static_cast<float>(value);
+      // In text a byte can be any number.
+      if (colours && (*colours)[i] == property && value >= 0.0 && value <= 255.0) {
+        point.rgb[i] = static_cast<std::uint8_t>(value);
+      }
     }
   });
   return packed;

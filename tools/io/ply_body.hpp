@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "io/packed_point.hpp"
 #include "io/ply_header.hpp"
 
 namespace quadrille::io {
@@ -20,11 +22,13 @@ class PlyBody {
   /// @throws FileError if the data ends before
   void skip(const PlyElement& element);
 
-  /// Reads three properties of all records of an element, as packed float32 x y z.
-  /// @param columns  their places among the element's properties
+  /// Reads the positions, and the colours if there are any, of all records of an element.
+  /// @param columns  the places of x, y and z among the element's properties
+  /// @param colours  those of red, green and blue, a byte each
   /// @throws FileError if the data ends before or a value is no number
-  std::vector<float> read_columns(const PlyElement& element,
-                                  const std::array<std::size_t, 3>& columns);
+  std::vector<PackedPoint> read_points(const PlyElement& element,
+                                       const std::array<std::size_t, 3>& columns,
+                                       const std::optional<std::array<std::size_t, 3>>& colours);
 
   /// Where the next record begins [bytes].
   std::size_t offset() const { return offset_; }

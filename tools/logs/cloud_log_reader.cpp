@@ -12,7 +12,8 @@ std::optional<LoggedCloud> CloudLogReader::next() {
     ++read_;
     ++channels_[event->channel];
     if (!channel_.empty() && event->channel != channel_) continue;
-    bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(event->bytes);
+    bus::Decoded<bus::CloudMessage> decoded =
+        bus::decode_cloud(event->bytes, bus::kMaxMessageBytes, bus::CloudColours::kKeep);
     if (auto* message = std::get_if<bus::CloudMessage>(&decoded)) {
       return LoggedCloud{std::move(*message), event->channel, event->utime};
     }

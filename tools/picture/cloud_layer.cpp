@@ -44,9 +44,18 @@ Eigen::Vector3d normal_at(const std::vector<float>& depth, const View& view, int
   return normal.dot(ray) > 0 ? Eigen::Vector3d(-normal) : normal;
 }
 
-}  // namespace
+void draw_colours(const DepthImage& cloud, const View& view, Image* image) {
+  for (int y = 0; y < view.height; ++y) {
+    for (int x = 0; x < view.width; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * view.width + x;
+      if (cloud.depth[i] == 0.0f) continue;
+      const Rgb& rgb = cloud.colours[i];
+      image->blend(x, y, Color(rgb[0], rgb[1], rgb[2]) / 255.0f, 1.0f);
+    }
+  }
+}
 
-void draw_cloud(const std::vector<float>& depth, const View& view, Image* image) {
+void draw_grey(const std::vector<float>& depth, const View& view, Image* image) {
   std::vector<float> known;
   for (const float z : depth) {
     if (z > 0.0f) known.push_back(z);
@@ -64,6 +73,16 @@ void draw_cloud(const std::vector<float>& depth, const View& view, Image* image)
       const float grey = (0.22f + 0.62f * static_cast<float>(lit)) * (1.05f - 0.35f * distance);
       image->blend(x, y, Color(grey, grey, grey), 1.0f);
     }
+  }
+}
+
+}  // namespace
+
+void draw_cloud(const DepthImage& cloud, const View& view, Image* image) {
+  if (cloud.colours.empty()) {
+    draw_grey(cloud.depth, view, image);
+  } else {
+    draw_colours(cloud, view, image);
   }
 }
 

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <vector>
-
 #include "picture/image.hpp"
 #include "picture/view.hpp"
 
 namespace quadrille {
 
-/// Paints a depth image in grey, shaded by its smoothed normals and darker with distance.
-void draw_cloud(const std::vector<float>& depth, const View& view, Image* image);
+/// Paints the points of a cloud in their own colours if they have any, else in grey, shaded by
+/// their smoothed normals and darker with distance.
+void draw_cloud(const DepthImage& cloud, const View& view, Image* image);
 
 }  // namespace quadrille

@@ -68,13 +68,13 @@ std::vector<Eigen::Vector2d> ends_in_view(const Strokes& strokes, const View& vi
 /// Puts a picture together, layer by layer.
 class Composer {
  public:
-  Composer(const View& view, const std::vector<float>& depth, const View& ground_view)
+  Composer(const View& view, const DepthImage& cloud, const View& ground_view)
       : layout_{view, Image(ground_view.width, ground_view.height, kBackground), {}, {}},
-        depth_(depth),
+        depth_(cloud.depth),
         ground_view_(ground_view),
         lines_(view.width, view.height),
         bodies_(view.width, view.height) {
-    draw_cloud(depth, ground_view, &layout_.ground);
+    draw_cloud(cloud, ground_view, &layout_.ground);
   }
 
   void add(const Detection& detection, const Color& color) {
@@ -219,8 +219,8 @@ std::optional<Canvas::Format> format_of(const std::string& path) {
 PictureLayout lay_out(const PictureContent& content, const PictureOptions& options) {
   const View view = fit_view(content.cloud, options.width, options.side, subject_of(content));
   const View ground_view = view.scaled(kGroundScale);
-  const std::vector<float> depth = depth_image(content.cloud, ground_view);
-  Composer composer(view, depth, ground_view);
+  const DepthImage cloud = depth_image(content.cloud, ground_view);
+  Composer composer(view, cloud, ground_view);
   add_detections(content.result, &composer);
   if (content.plan != nullptr && content.gripper != nullptr) {
     composer.add(*content.plan, *content.gripper);

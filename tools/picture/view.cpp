@@ -205,16 +205,22 @@ View fit_view(const PointCloud& cloud, int width, ViewSide side, const ViewSubje
   return view;
 }
 
-std::vector<float> depth_image(const PointCloud& cloud, const View& view) {
+DepthImage depth_image(const PointCloud& cloud, const View& view) {
   std::vector<Eigen::Vector2i> pixels;
   std::vector<float> depths;
-  for (const Eigen::Vector3d& p : finite_points(cloud)) {
+  std::vector<std::size_t> sources;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (!cloud.points[i].allFinite()) continue;
+    const Eigen::Vector3d p = cloud.points[i].cast<double>();
     const auto at = view.project(p);
     if (!at || !view.holds(*at) || (p - view.middle_C).norm() > view.reach) continue;
     pixels.push_back(at->cast<int>());
     depths.push_back(static_cast<float>((view.X_VC * p).z()));
+    sources.push_back(i);
   }
-  std::vector<float> image(static_cast<std::size_t>(view.width) * view.height, 0.0f);
+  const bool coloured = cloud.coloured();
+  const std::size_t size = static_cast<std::size_t>(view.width) * view.height;
+  DepthImage image{std::vector<float>(size, 0.0f), std::vector<Rgb>(coloured ? size : 0)};
   const int radius = splat_radius(pixels, view);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const int left = std::max(0, pixels[i].x() - radius);
@@ -222,8 +228,10 @@ std::vector<float> depth_image(const PointCloud& cloud, const View& view) {
     const int bottom = std::min(view.height - 1, pixels[i].y() + radius);
     for (int y = std::max(0, pixels[i].y() - radius); y <= bottom; ++y) {
       for (int x = left; x <= right; ++x) {
-        float& z = image[static_cast<std::size_t>(y) * view.width + x];
-        if (z == 0.0f || depths[i] < z) z = depths[i];
+        const std::size_t at = static_cast<std::size_t>(y) * view.width + x;
+        if (image.depth[at] != 0.0f && image.depth[at] <= depths[i]) continue;
+        image.depth[at] = depths[i];
+        if (coloured) image.colours[at] = cloud.colours[sources[i]];
       }
     }
   }

@@ -53,8 +53,16 @@ View fit_view(const PointCloud& cloud, int width);
 /// A view from above, or from the right of the camera, of the subject.
 View fit_view(const PointCloud& cloud, int width, ViewSide side, const ViewSubject& subject);
 
-/// Depth along z of the cloud in a view [m], row by row; 0 where there is no point. Points cover as
-/// many pixels as it takes to close the gaps between neighbours.
-std::vector<float> depth_image(const PointCloud& cloud, const View& view);
+/// What a view shows of a cloud, row by row.
+struct DepthImage {
+  /// Depth along z [m]; 0 where there is no point.
+  std::vector<float> depth;
+  /// The colour of the point that each pixel shows; empty if the cloud has no colours.
+  std::vector<Rgb> colours;
+};
+
+/// The nearest points of the cloud in a view. Points cover as many pixels as it takes to close the
+/// gaps between neighbours.
+DepthImage depth_image(const PointCloud& cloud, const View& view);
 
 }  // namespace quadrille

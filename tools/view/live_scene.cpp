@@ -33,7 +33,9 @@ std::optional<bus::CloudMessage> find_cloud(const std::deque<Bytes>& clouds,
     const auto stamp = bus::read_stamp(**bytes);
     if (!stamp) continue;
     if (quadrics && (stamp->utime != quadrics->utime || stamp->seq != quadrics->seq)) continue;
-    const auto decode = [](const auto& b) { return bus::decode_cloud(b); };
+    const auto decode = [](const auto& b) {
+      return bus::decode_cloud(b, bus::kMaxMessageBytes, bus::CloudColours::kKeep);
+    };
     if (auto cloud = read<bus::CloudMessage>(*bytes, decode)) return cloud;
   }
   return std::nullopt;

@@ -33,7 +33,7 @@ std::optional<logs::LoggedCloud> LogFrames::load(std::size_t number) {
   }
   while (const auto event = reader_->next()) {
     if (next_event_++ < events_[number]) continue;
-    auto decoded = bus::decode_cloud(event->bytes);
+    auto decoded = bus::decode_cloud(event->bytes, bus::kMaxMessageBytes, bus::CloudColours::kKeep);
     auto* const message = std::get_if<bus::CloudMessage>(&decoded);
     if (message == nullptr) break;
     return logs::LoggedCloud{std::move(*message), event->channel, event->utime};

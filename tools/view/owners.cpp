@@ -43,14 +43,18 @@ std::size_t stride_of(const PointCloud& cloud, std::size_t max_points) {
 
 }  // namespace
 
-std::vector<Eigen::Vector3f> thin_out(const PointCloud& cloud, std::size_t max_points) {
+std::vector<Eigen::Vector3f> thin_out(const PointCloud& cloud, std::size_t max_points,
+                                      std::vector<Rgb>* colours) {
   const std::size_t stride = stride_of(cloud, max_points);
   const std::size_t width = cloud.organised() ? static_cast<std::size_t>(cloud.width) : 1;
+  const bool coloured = colours != nullptr && cloud.coloured();
   std::vector<Eigen::Vector3f> kept;
   for (std::size_t row = 0; row < cloud.points.size() / width; row += stride) {
     for (std::size_t column = 0; column < width; column += stride) {
       const Eigen::Vector3f& p = cloud.points[row * width + column];
-      if (p.allFinite() && kept.size() < max_points) kept.push_back(p);
+      if (!p.allFinite() || kept.size() >= max_points) continue;
+      kept.push_back(p);
+      if (coloured) colours->push_back(cloud.colours[row * width + column]);
     }
   }
   return kept;

@@ -9,8 +9,10 @@
 namespace quadrille::view {
 
 /// The most points of a cloud that are shown, evenly spread: every n-th one, or of an organised
-/// cloud every n-th of every n-th row. Missing points are left out.
-std::vector<Eigen::Vector3f> thin_out(const PointCloud& cloud, std::size_t max_points);
+/// cloud every n-th of every n-th row. Missing points are left out. `colours` are those of the
+/// points that are shown, if the cloud has any.
+std::vector<Eigen::Vector3f> thin_out(const PointCloud& cloud, std::size_t max_points,
+                                      std::vector<Rgb>* colours = nullptr);
 
 /// For each point the detection on whose surface it lies, as its place from 1 on; 0 for none. Where
 /// several would do, the nearest. No more than 255 detections are looked at.

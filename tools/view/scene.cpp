@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -103,16 +104,19 @@ Json grasps_of(const Scene& scene, std::size_t max_grasps) {
   return list;
 }
 
+/// Triples of numbers one after the other.
+template <class Number>
+std::vector<Number> flattened(const std::vector<std::array<Number, 3>>& triples) {
+  std::vector<Number> numbers;
+  for (const auto& triple : triples) numbers.insert(numbers.end(), triple.begin(), triple.end());
+  return numbers;
+}
+
 Json voxels_of(const VoxelLayers& layers, Arrays* arrays) {
-  const auto flat = [](const auto& voxels) {
-    std::vector<std::uint16_t> numbers;
-    for (const auto& voxel : voxels) numbers.insert(numbers.end(), voxel.begin(), voxel.end());
-    return numbers;
-  };
   return {{"edge", layers.edge},
           {"corner", io::array_of(layers.corner)},
-          {"occupied", arrays->add(flat(layers.occupied))},
-          {"unknown", arrays->add(flat(layers.unknown))}};
+          {"occupied", arrays->add(flattened(layers.occupied))},
+          {"unknown", arrays->add(flattened(layers.unknown))}};
 }
 
 /// What is the same for quadrics and boxes.
@@ -126,10 +130,12 @@ void add_common(const Scene& scene, int id, Json* object) {
 Json objects_of(const Scene& scene, const PackLimits& limits, Arrays* arrays, Json* points) {
   std::vector<Detection> detections = scene.detections;
   if (detections.size() > limits.objects) detections.resize(limits.objects);
-  const std::vector<Eigen::Vector3f> shown = thin_out(scene.cloud, limits.points);
+  std::vector<Rgb> colours;
+  const std::vector<Eigen::Vector3f> shown = thin_out(scene.cloud, limits.points, &colours);
   const std::vector<std::uint8_t> owners = owners_of(shown, detections);
   *points = arrays->add_positions(shown);
   (*points)["owners"] = arrays->add(owners);
+  if (!colours.empty()) (*points)["colours"] = arrays->add(flattened(colours));
   (*points)["total"] = scene.cloud.read;
   Json objects = Json::array();
   for (std::size_t i = 0; i < detections.size(); ++i) {

@@ -12,16 +12,21 @@
 namespace quadrille {
 namespace {
 
+/// Where the last value that is read ends within a record [bytes].
+std::size_t end_of_values(const PointLayout& layout, std::size_t scalar_size) {
+  const std::size_t end = std::max({layout.x, layout.y, layout.z}) + scalar_size;
+  return layout.rgb ? std::max(end, *std::max_element(layout.rgb->begin(), layout.rgb->end()) + 1)
+                    : end;
+}
+
 /// Bytes that the layout reaches, or SIZE_MAX if that number overflows.
-std::size_t bytes_needed(const PointLayout& layout, std::size_t row_step, std::size_t scalar_size) {
+std::size_t bytes_needed(const PointLayout& layout, std::size_t row_step, std::size_t record_end) {
   if (layout.width == 0 || layout.height == 0) return 0;
-  const std::size_t last_coordinate = std::max({layout.x, layout.y, layout.z});
   std::size_t rows, columns, end;
   if (__builtin_mul_overflow(layout.height - 1, row_step, &rows) ||
       __builtin_mul_overflow(layout.width - 1, layout.point_step, &columns) ||
       __builtin_add_overflow(rows, columns, &end) ||
-      __builtin_add_overflow(end, last_coordinate, &end) ||
-      __builtin_add_overflow(end, scalar_size, &end)) {
+      __builtin_add_overflow(end, record_end, &end)) {
     return std::numeric_limits<std::size_t>::max();
   }
   return end;
@@ -35,6 +40,12 @@ Scalar load(const std::byte* from, bool swap) {
   return std::bit_cast<Scalar>(raw);
 }
 
+Rgb load_rgb(const std::byte* record, const std::array<std::size_t, 3>& offsets) {
+  Rgb rgb;
+  for (std::size_t i = 0; i < 3; ++i) rgb[i] = std::to_integer<std::uint8_t>(record[offsets[i]]);
+  return rgb;
+}
+
 template <class Scalar>
 void append_points(std::span<const std::byte> bytes, const PointLayout& layout,
                    std::size_t row_step, const Eigen::Isometry3d& X_CF, PointCloud* cloud) {
@@ -44,6 +55,7 @@ void append_points(std::span<const std::byte> bytes, const PointLayout& layout,
   const Eigen::Vector3f missing =
       Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
   cloud->points.reserve(layout.width * layout.height);
+  if (layout.rgb) cloud->colours.reserve(layout.width * layout.height);
   for (std::size_t row = 0; row < layout.height; ++row) {
     const std::byte* record = bytes.data() + row * row_step;
     for (std::size_t column = 0; column < layout.width; ++column, record += layout.point_step) {
@@ -56,7 +68,10 @@ void append_points(std::span<const std::byte> bytes, const PointLayout& layout,
             moves ? (X_CF * p_F.template cast<double>()).template cast<float>().eval() : p);
       } else if (organised) {
         cloud->points.push_back(missing);
+      } else {
+        continue;
       }
+      if (layout.rgb) cloud->colours.push_back(load_rgb(record, *layout.rgb));
     }
   }
 }
@@ -67,11 +82,10 @@ PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layo
                        const Eigen::Isometry3d& X_CF) {
   const bool wide = layout.scalar == PointLayout::Scalar::kFloat64;
   const std::size_t scalar_size = wide ? 8 : 4;
-  const std::size_t record_end = std::max({layout.x, layout.y, layout.z}) + scalar_size;
+  const std::size_t record_end = end_of_values(layout, scalar_size);
   if (record_end > layout.point_step) {
-    throw std::invalid_argument("point layout: a coordinate ends at byte " +
-                                std::to_string(record_end) + " of records of " +
-                                std::to_string(layout.point_step) + " bytes");
+    throw std::invalid_argument("point layout: a value ends at byte " + std::to_string(record_end) +
+                                " of records of " + std::to_string(layout.point_step) + " bytes");
   }
   std::size_t row_step = layout.row_step;
   if (row_step == 0 && __builtin_mul_overflow(layout.width, layout.point_step, &row_step)) {
@@ -81,7 +95,7 @@ PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layo
     throw std::invalid_argument("point layout: rows of " + std::to_string(row_step) +
                                 " bytes do not hold " + std::to_string(layout.width) + " points");
   }
-  if (bytes_needed(layout, row_step, scalar_size) > bytes.size()) {
+  if (bytes_needed(layout, row_step, record_end) > bytes.size()) {
     throw std::invalid_argument("point layout: " + std::to_string(layout.width) + " x " +
                                 std::to_string(layout.height) + " points do not fit into " +
                                 std::to_string(bytes.size()) + " bytes");

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <lcmtypes/bot_core/pointcloud2_t.hpp>
 #include <lcmtypes/bot_core/pointcloud_t.hpp>
 #include <lcmtypes/drake/lcmt_point_cloud.hpp>
 #include <new>
+#include <optional>
 #include <stdexcept>
 
 #include "byte_reader.hpp"
@@ -26,8 +28,20 @@ struct CloudView {
   std::span<const std::byte> records;
 };
 
+/// The offset of a field that packs a colour into 32 bits; nothing if the field is another.
+std::optional<std::size_t> colour_offset(const std::string& name, std::int32_t offset,
+                                         std::int8_t type) {
+  const bool wide = type == drake::lcmt_point_cloud::FLOAT32 ||
+                    type == drake::lcmt_point_cloud::UINT32 ||
+                    type == drake::lcmt_point_cloud::INT32;
+  if ((name != "rgb" && name != "rgba") || !wide || offset < 0) return std::nullopt;
+  return static_cast<std::size_t>(offset);
+}
+
 /// Finds x, y and z among the fields, whose layout both byte-block types share.
-void read_fields(ByteReader& reader, PointLayout* layout) {
+/// @return the offset of the colour, if there is one
+std::optional<std::size_t> read_fields(ByteReader& reader, PointLayout* layout) {
+  std::optional<std::size_t> colour;
   // A field has a name (4 + 1), an offset (4), a type (1) and a count (4).
   const std::int32_t count = reader.read_count("fields", 14);
   std::array<bool, 3> found{};
@@ -38,6 +52,7 @@ void read_fields(ByteReader& reader, PointLayout* layout) {
     const std::int32_t offset = reader.read_int32("field offset");
     const std::int8_t type = reader.read_int8("field type");
     reader.read_int32("field count");
+    if (const auto found = colour_offset(name, offset, type)) colour = found;
     if (name != "x" && name != "y" && name != "z") continue;
     const std::size_t axis = static_cast<std::size_t>(name[0] - 'x');
     if (found[axis] || offset < 0) refuse(RejectReason::kBadLayout, "field " + name);
@@ -53,6 +68,12 @@ void read_fields(ByteReader& reader, PointLayout* layout) {
   }
   layout->scalar = types[0] == drake::lcmt_point_cloud::FLOAT64 ? PointLayout::Scalar::kFloat64
                                                                 : PointLayout::Scalar::kFloat32;
+  return colour;
+}
+
+/// Takes over the colours if their bytes lie within the records.
+void set_colour(std::size_t red, std::size_t green, std::size_t blue, PointLayout* layout) {
+  if (std::max(red, blue) < layout->point_step) layout->rgb = {red, green, blue};
 }
 
 /// Takes over a grid whose rows neither overlap nor overflow.
@@ -81,7 +102,7 @@ CloudView view_drake(ByteReader& reader) {
   view.frame = reader.read_string("frame_name", kMaxFrameBytes);
   grid.width = reader.read_int64("width");
   grid.height = reader.read_int64("height");
-  read_fields(reader, &view.layout);
+  const std::optional<std::size_t> colour = read_fields(reader, &view.layout);
   const std::int64_t flags = reader.read_int64("flags");
   view.layout.big_endian = (flags & drake::lcmt_point_cloud::IS_BIGENDIAN) != 0;
   grid.point_step = reader.read_int32("point_step");
@@ -89,6 +110,8 @@ CloudView view_drake(ByteReader& reader) {
   reader.take(reader.read_int16("filler_size"), 1, "filler");
   view.records = reader.take(reader.read_int64("data_size"), 1, "data");
   set_grid(grid, &view.layout);
+  // Drake writes red, green and blue as bytes in this order, on any machine.
+  if (colour) set_colour(*colour, *colour + 1, *colour + 2, &view.layout);
   return view;
 }
 
@@ -100,13 +123,19 @@ CloudView view_pointcloud2(ByteReader& reader) {
   view.frame = reader.read_string("frame_id", kMaxFrameBytes);
   grid.height = reader.read_int32("height");
   grid.width = reader.read_int32("width");
-  read_fields(reader, &view.layout);
+  const std::optional<std::size_t> colour = read_fields(reader, &view.layout);
   view.layout.big_endian = reader.read_int8("is_bigendian") != 0;
   grid.point_step = reader.read_int32("point_step");
   grid.row_step = reader.read_int32("row_step");
   view.records = reader.take(reader.read_int32("data_nbytes"), 1, "data");
   reader.read_int8("is_dense");
   set_grid(grid, &view.layout);
+  if (colour) {
+    // As in PCL: 0x00RRGGBB in the order of bytes of the other fields.
+    const bool big = view.layout.big_endian;
+    set_colour(*colour + (big ? 1 : 2), *colour + (big ? 2 : 1), *colour + (big ? 3 : 0),
+               &view.layout);
+  }
   return view;
 }
 
@@ -137,13 +166,15 @@ CloudView view_cloud(ByteReader& reader) {
 
 }  // namespace
 
-Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes, std::size_t max_bytes) try {
+Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes, std::size_t max_bytes,
+                                   CloudColours colours) try {
   if (bytes.size() > max_bytes) {
     refuse(RejectReason::kTooLarge, std::to_string(bytes.size()) + " bytes");
   }
   ByteReader reader(bytes);
-  const CloudView view = view_cloud(reader);
+  CloudView view = view_cloud(reader);
   reader.expect_end();
+  if (colours == CloudColours::kDrop) view.layout.rgb.reset();
   CloudMessage message{view.utime, view.seq, read_points(view.records, view.layout)};
   message.cloud.frame = view.frame;
   message.digest = digest_of(message.cloud);

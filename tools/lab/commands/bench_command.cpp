@@ -93,7 +93,7 @@ void compare(BenchArguments arguments) {
     if (contender.absent.empty()) continue;
     print_warnings("bench", {"without " + contender.name + ": " + contender.absent});
   }
-  const OutputFolder files(arguments.out, {"bench.md", "bench.csv", "bench.json", "bench.svg"});
+  OutputFolder files(arguments.out, {"bench.md", "bench.csv", "bench.json", "bench.svg"});
   std::vector<bench::Row> rows;
   {
     ProgressLine line;

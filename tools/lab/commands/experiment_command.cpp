@@ -55,7 +55,7 @@ OutputFolder folder_for(const std::string& out,
 
 /// Runs one, the `index`th of `count`, and writes its files.
 void run_one(const experiments::Experiment& experiment, experiments::Settings settings,
-             const OutputFolder& files, std::size_t index, std::size_t count) {
+             std::size_t index, std::size_t count, OutputFolder* files) {
   const std::string name(experiment.name);
   experiments::Report report;
   {
@@ -65,10 +65,10 @@ void run_one(const experiments::Experiment& experiment, experiments::Settings se
     };
     report = experiment.run(settings);
   }
-  files.write(name + ".md",
-              experiments::to_markdown(report, experiment, settings, QUADRILLE_VERSION));
-  files.write(name + ".csv", experiments::to_csv(report.data));
-  files.write(name + ".svg", experiments::to_svg(report.plots));
+  files->write(name + ".md",
+               experiments::to_markdown(report, experiment, settings, QUADRILLE_VERSION));
+  files->write(name + ".csv", experiments::to_csv(report.data));
+  if (!report.plots.empty()) files->write(name + ".svg", experiments::to_svg(report.plots));
   if (count > 1) print(name + ":\n");
   for (const std::string& finding : report.findings) print(finding + "\n");
 }
@@ -76,9 +76,9 @@ void run_one(const experiments::Experiment& experiment, experiments::Settings se
 void run(const ExperimentArguments& arguments) {
   if (arguments.name.empty()) return list_experiments();
   const auto experiments = chosen(arguments.name);
-  const OutputFolder files = folder_for(arguments.out, experiments);
+  OutputFolder files = folder_for(arguments.out, experiments);
   for (std::size_t k = 0; k < experiments.size(); ++k) {
-    run_one(*experiments[k], arguments.settings, files, k, experiments.size());
+    run_one(*experiments[k], arguments.settings, k, experiments.size(), &files);
   }
   print(files.list() + "\n");
 }
@@ -100,7 +100,9 @@ void add_experiment_command(CLI::App& app) {
       app.add_subcommand("experiment", "Repeat an experiment of the paper; without NAME list them");
   command->add_option("NAME", arguments->name, "Which one, or all")
       ->check(CLI::Validator(check_name, ""));
-  command->add_option("--out", arguments->out, "Folder for NAME.md, NAME.csv and NAME.svg")
+  command
+      ->add_option("--out", arguments->out,
+                   "Folder for NAME.md, NAME.csv and, if it has plots, NAME.svg")
       ->type_name("FOLDER");
   add_seed_option(*command, arguments->settings.seed, "the random numbers");
   command->add_flag("--quick", arguments->settings.quick, "Little work, to see that it runs");

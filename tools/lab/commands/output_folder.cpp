@@ -10,7 +10,7 @@ namespace quadrille {
 namespace fs = std::filesystem;
 
 OutputFolder::OutputFolder(const std::string& folder, const std::vector<std::string>& names)
-    : folder_(folder), names_(names) {
+    : folder_(folder) {
   if (folder.empty()) throw io::FileError("--out", "", "is empty; give a folder, such as .");
   std::error_code error;
   fs::create_directories(folder, error);
@@ -22,13 +22,14 @@ OutputFolder::OutputFolder(const std::string& folder, const std::vector<std::str
   for (const std::string& name : names) io::NewFile probe(path_of(name));
 }
 
-void OutputFolder::write(const std::string& name, const std::string& text) const {
+void OutputFolder::write(const std::string& name, const std::string& text) {
   io::write_file(path_of(name), text);
+  written_.push_back(name);
 }
 
 std::string OutputFolder::list() const {
   std::string paths;
-  for (const std::string& name : names_) paths += (paths.empty() ? "" : ", ") + path_of(name);
+  for (const std::string& name : written_) paths += (paths.empty() ? "" : ", ") + path_of(name);
   return paths;
 }
 

@@ -17,16 +17,16 @@ class OutputFolder {
 
   /// Writes a file, which appears, or replaces the one before, once it is whole.
   /// @throws io::FileError if that fails
-  void write(const std::string& name, const std::string& text) const;
+  void write(const std::string& name, const std::string& text);
 
-  /// The paths of all files, for the user to read.
+  /// The paths of the files that were written, for the user to read.
   std::string list() const;
 
  private:
   std::string path_of(const std::string& name) const;
 
   std::string folder_;
-  std::vector<std::string> names_;
+  std::vector<std::string> written_;
 };
 
 }  // namespace quadrille

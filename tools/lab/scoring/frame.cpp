@@ -54,15 +54,18 @@ void take_truth(const ordered_json& truth, Frame* frame) {
 /// Leaves out points that are not finite, and gives those of no surface the normal zero.
 void clean(Frame* frame) {
   std::size_t kept = 0;
+  const bool coloured = frame->cloud.coloured();
   for (std::size_t i = 0; i < frame->cloud.points.size(); ++i) {
     if (!frame->cloud.points[i].allFinite()) continue;
     frame->cloud.points[kept] = frame->cloud.points[i];
+    if (coloured) frame->cloud.colours[kept] = frame->cloud.colours[i];
     frame->labels[kept] = frame->labels[i];
     frame->normals[kept] =
         frame->normals[i].allFinite() ? frame->normals[i] : Eigen::Vector3f::Zero();
     ++kept;
   }
   frame->cloud.points.resize(kept);
+  if (coloured) frame->cloud.colours.resize(kept);
   frame->cloud.width = frame->cloud.height = 0;
   frame->labels.resize(kept);
   frame->normals.resize(kept);

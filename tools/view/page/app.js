@@ -45,7 +45,7 @@ function watchPanel() {
 }
 
 function fillPanel() {
-  fillSwitches(view, refresh);
+  fillSwitches(view, refresh, Boolean(scene.points.colours));
   fillSource(scene, session);
   fillList(scene, view, choose);
   showChoices(scene, session);

@@ -1,7 +1,7 @@
 // What is looked at, as the fragment of the address: a copied link restores it.
 
 export const kLayers = ["cloud", "quadrics", "boxes", "planes", "labels", "gripper", "candidates", "occupied", "unknown"];
-export const kColours = ["object", "depth", "normal"];
+export const kColours = ["object", "depth", "normal", "own"];
 const kHidden = ["occupied", "unknown"];
 
 export function firstView() {

@@ -15,6 +15,7 @@ export function unpack(buffer) {
 
   scene.points.positions = positionsOf(take(Uint16Array, scene.points), scene.points);
   scene.points.owners = take(Uint8Array, scene.points.owners);
+  if (scene.points.colours) scene.points.colours = take(Uint8Array, scene.points.colours);
   for (const object of scene.objects) {
     if (!object.mesh) continue;
     const vertices = object.mesh.vertices;

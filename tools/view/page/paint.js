@@ -1,4 +1,4 @@
-// The colours of a cloud's points: by the object that they lie on, by depth, or by normal.
+// The colours of a cloud's points: by the object that they lie on, by depth, by normal, or their own.
 import { depthColour, isPlane, objectColour, rgbOf } from "./colours.js";
 import { normalsOf } from "./normals.js";
 
@@ -6,7 +6,8 @@ import { normalsOf } from "./normals.js";
 export function coloursOf(scene, by, dark) {
   const { positions } = scene.points;
   if (by === "normal") return normalsOf(positions, scene.viewpoint).map((value) => 0.5 + 0.5 * value);
-  const paint = by === "object" ? byObject(scene, dark) : byDepth(scene);
+  if (by === "own" && scene.points.colours) return Float32Array.from(scene.points.colours, (value) => value / 255);
+  const paint = by === "depth" ? byDepth(scene) : byObject(scene, dark);
   const colours = new Float32Array(positions.length);
   for (let i = 0; i < positions.length / 3; ++i) colours.set(paint(i), 3 * i);
   return colours;

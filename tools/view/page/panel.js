@@ -6,10 +6,12 @@ import { kColours, kLayers } from "./link.js";
 const kMaxRows = 20;
 const mm = (metres) => (1000 * metres).toFixed(0);
 
-/// Buttons for colours and layers; change is called after each click.
-export function fillSwitches(view, change) {
-  byId("colours").replaceChildren(...kColours.map((colour) => element("button", {
-    text: `by ${colour}`, role: "radio", "aria-checked": String(view.colour === colour), id: `colour-${colour}`,
+/// Buttons for colours and layers, those for the points' own only if they have some; change is called after each click.
+export function fillSwitches(view, change, hasColours = false) {
+  const colours = kColours.filter((colour) => colour !== "own" || hasColours);
+  const shown = colours.includes(view.colour) ? view.colour : "object";
+  byId("colours").replaceChildren(...colours.map((colour) => element("button", {
+    text: colour === "own" ? "by own colour" : `by ${colour}`, role: "radio", "aria-checked": String(shown === colour), id: `colour-${colour}`,
     onclick: () => { view.colour = colour; change(); } })));
   byId("layers").replaceChildren(...kLayers.map((layer) => element("button", {
     text: layer, "aria-pressed": String(view.layers[layer]), id: `layer-${layer}`,

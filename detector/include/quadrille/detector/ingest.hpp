@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "quadrille/detector/point_cloud.hpp"
@@ -24,6 +26,9 @@ struct PointLayout {
   std::size_t row_step = 0;
   /// Records per row, and rows. An unorganised cloud has height 1.
   std::size_t width = 0, height = 1;
+  /// Byte offsets of red, green and blue within a record, a byte each; without them no colours are
+  /// kept.
+  std::optional<std::array<std::size_t, 3>> rgb;
 };
 
 /// Reads the points out of raw bytes; NaN, infinite and all-zero records count as missing.

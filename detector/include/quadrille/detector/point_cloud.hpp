@@ -1,15 +1,23 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace quadrille {
 
+/// Red, green and blue, 0 to 255.
+using Rgb = std::array<std::uint8_t, 3>;
+
 /// One measured cloud in the frame C of its points.
 struct PointCloud {
   /// Positions p_C [m]. A missing point of an organised cloud has NaN coordinates.
   std::vector<Eigen::Vector3f> points;
+  /// The colour of each point, also of a missing one; empty if the source has none or was not
+  /// asked.
+  std::vector<Rgb> colours;
   /// Pixels per row if the cloud is organised (row by row); otherwise 0.
   int width = 0;
   /// Rows if the cloud is organised; otherwise 0.
@@ -22,6 +30,7 @@ struct PointCloud {
   std::size_t read = 0;
 
   bool organised() const { return width > 0 && height > 1; }
+  bool coloured() const { return !colours.empty() && colours.size() == points.size(); }
 };
 
 }  // namespace quadrille

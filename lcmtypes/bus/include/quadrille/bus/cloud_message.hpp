@@ -60,6 +60,9 @@ inline constexpr std::size_t kMaxMessageBytes = std::size_t{256} << 20;
 /// The longest name of a frame that is accepted [byte].
 inline constexpr std::size_t kMaxFrameBytes = 1024;
 
+/// Whether colours are read: those who detect and plan alone need none.
+enum class CloudColours { kDrop, kKeep };
+
 /// Reads a cloud out of a message of any of the formats.
 ///
 /// Every length, sign and product is checked before anything is allocated, and memory stays within
@@ -68,8 +71,12 @@ inline constexpr std::size_t kMaxFrameBytes = 1024;
 /// origin.
 /// @param bytes      the message as it came, fingerprint first
 /// @param max_bytes  larger messages are refused [byte]
+/// @param colours    whether to keep those of a field `rgb` or `rgba` of 32 bits: in
+///                   drake.lcmt_point_cloud the bytes red, green, blue, as Drake writes them; in
+///                   bot_core.pointcloud2_t 0x00RRGGBB, as PCL does. Others are passed over.
 Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes,
-                                   std::size_t max_bytes = kMaxMessageBytes);
+                                   std::size_t max_bytes = kMaxMessageBytes,
+                                   CloudColours colours = CloudColours::kDrop);
 
 /// The bytes of a cloud as a message: float32 x, y, z without other fields.
 ///
