@@ -4,8 +4,10 @@
     quadrille_test.py PROGRAM SCAN.pcd   with the package in PYTHONPATH
 """
 import json
+import pathlib
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -51,8 +53,9 @@ def peak_growth(work):
     return resident("VmHWM") - before
 
 
-def run(*arguments):
-    done = subprocess.run([PROGRAM, *arguments, "--json", "-"], capture_output=True, check=True)
+def run(*arguments, stdin=None):
+    done = subprocess.run([PROGRAM, *arguments, "--json", "-"], stdin=stdin, stdout=subprocess.PIPE,
+                          check=True)
     return json.loads(done.stdout)
 
 
@@ -159,6 +162,52 @@ class Detect(unittest.TestCase):
                 wrong()
             self.assertIn(part, str(caught.exception))
         self.assertEqual(len(quadrille.detect(np.zeros((0, 3)))), 0)
+
+
+class Files(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_what_numpy_saves_is_read(self):
+        p = ball().astype(np.float32)
+        p = p[: len(p) // 10 * 10]
+        records = np.zeros(len(p), [("ring", "u1"), ("x", "f8"), ("y", "f8"), ("z", "f8")])
+        for axis in range(3):
+            records["xyz"[axis]] = p[:, axis]
+        image = p.reshape(10, -1, 3)
+        for n, (saved, expected) in enumerate((
+                (p, p), (p.astype(np.float64), p), (p.astype(">f8"), p), (np.asfortranarray(p), p),
+                (image, image), (np.asfortranarray(image), image), (records, p),
+                (records.reshape(10, -1), image), (np.zeros((0, 3)), np.zeros((0, 3))))):
+            np.save(self.folder / f"{n}.npy", saved)
+            points, viewpoint = quadrille.read_cloud(self.folder / f"{n}.npy")
+            np.testing.assert_array_equal(points, expected)
+            np.testing.assert_array_equal(viewpoint, np.zeros(3))
+        found = run("detect", str(self.folder / "3.npy"))["detections"]
+        self.assertEqual([d["type"] for d in found], ["sphere"])
+        with open(self.folder / "0.npy", "rb") as file:
+            piped = run("detect", "-", stdin=file)
+        self.assertEqual(piped["detections"], found)
+
+    def test_the_cloud_among_several_arrays_is_the_one_called_so(self):
+        p, seen_from = ball().astype(np.float32), np.array([0.1, 0.0, -0.2])
+        for save in (np.savez, np.savez_compressed):
+            path = self.folder / "a.npz"
+            save(path, points=p, colours=np.zeros(3), viewpoint=seen_from)
+            points, viewpoint = quadrille.read_cloud(path)
+            np.testing.assert_array_equal(points, p)
+            np.testing.assert_array_equal(viewpoint, seen_from)
+            save(path, p)
+            np.testing.assert_array_equal(quadrille.read_cloud(path)[0], p)
+        np.savez(path, a=p, b=p)
+        with self.assertRaisesRegex(quadrille.FileError, "a.npy, b.npy; call the cloud's array 'points'"):
+            quadrille.read_cloud(path)
+        cut = path.read_bytes()[: 3000]
+        path.write_bytes(cut)
+        with self.assertRaisesRegex(ValueError, "damaged"):
+            quadrille.read_cloud(path)
 
 
 class Plan(unittest.TestCase):
