@@ -5,6 +5,10 @@
     plan = quadrille.plan(points, found, "franka")
     best = plan.grasps[0].X_CG                          # (4, 4)
 
+The messages of LCM are classes beside these, as lcm-gen makes them: quadrille.quadrics_t, …,
+quadrille.drake.lcmt_point_cloud, quadrille.bot_core.pose_t, …. quadrille.lcm reads logs and
+subscribes.
+
 Lengths are in metres, angles in radians, times in milliseconds. Frame C is that of the points. A
 pose X_AB takes points of frame B to frame A.
 """
@@ -24,6 +28,7 @@ from numpy.typing import ArrayLike as _ArrayLike
 from . import _core
 from ._core import (Box, Detection, FileError, Grasp, GraspQuery, Gripper, Plan, Result,
                     __version__, conventions, grippers, read_cloud)
+from ._lcmtypes import *
 
 __all__ = ["Box", "Detection", "FileError", "Grasp", "GraspQuery", "GraspScene", "Gripper", "Plan",
            "Result", "Tracker", "conventions", "detect", "grippers", "plan", "read_cloud"]
