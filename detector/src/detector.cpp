@@ -92,7 +92,7 @@ std::size_t count_points(const CellPyramid& pyramid) {
 }
 
 /// All stages on a cloud near the origin.
-Findings find_all(const PointCloud& cloud, const DetectorOptions& options, StageClock& clock) {
+Findings find_all(const CloudView& cloud, const DetectorOptions& options, StageClock& clock) {
   const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
   clock.end("cells");
   if (!pyramid) return {};
@@ -117,7 +117,7 @@ Findings find_all(const PointCloud& cloud, const DetectorOptions& options, Stage
 }
 
 /// The same wherever the cloud lies: far from the origin its coordinates have few digits to spare.
-Findings find_anywhere(const PointCloud& cloud, const Eigen::Vector3d& centre,
+Findings find_anywhere(const CloudView& cloud, const Eigen::Vector3d& centre,
                        const DetectorOptions& options, StageClock& clock) {
   if (!is_far(centre)) return find_all(cloud, options, clock);
   const Eigen::Vector3d shift = -centre.array().round().matrix();
@@ -127,7 +127,7 @@ Findings find_anywhere(const PointCloud& cloud, const Eigen::Vector3d& centre,
 }
 
 /// The same of boxes.
-std::vector<Box> find_boxes_anywhere(const PointCloud& cloud, const Eigen::Vector3d& centre,
+std::vector<Box> find_boxes_anywhere(const CloudView& cloud, const Eigen::Vector3d& centre,
                                      std::vector<Detection> detections) {
   if (!is_far(centre)) return find_boxes(cloud, detections);
   const Eigen::Vector3d shift = -centre.array().round().matrix();
@@ -138,7 +138,7 @@ std::vector<Box> find_boxes_anywhere(const PointCloud& cloud, const Eigen::Vecto
 }
 
 /// Diagonal of the bounding box of the finite points [m].
-double diameter_of(const PointCloud& cloud) {
+double diameter_of(const CloudView& cloud) {
   Eigen::AlignedBox3f box;
   for (const Eigen::Vector3f& p : cloud.points) {
     if (p.allFinite()) box.extend(p);
@@ -147,14 +147,14 @@ double diameter_of(const PointCloud& cloud) {
 }
 
 /// The options with what they leave to the cloud and to what is sought.
-DetectorOptions settled(DetectorOptions options, const PointCloud& cloud) {
+DetectorOptions settled(DetectorOptions options, const CloudView& cloud) {
   if (options.sampling.relative_cell > 0.0) {
     options.sampling.cell = options.sampling.relative_cell * diameter_of(cloud);
   }
   return seeks_spheres_alone(options) ? sphere_options(std::move(options)) : options;
 }
 
-DetectionResult detect_quadrics(const PointCloud& cloud, const DetectorOptions& given,
+DetectionResult detect_quadrics(const CloudView& cloud, const DetectorOptions& given,
                                 const CloudCheck& check, StageClock& clock) {
   given.check();
   DetectionResult result;
@@ -197,7 +197,7 @@ DetectorOptions sphere_options(DetectorOptions options) {
   return options;
 }
 
-DetectionResult detect_quadrics(const PointCloud& cloud, const DetectorOptions& options) {
+DetectionResult detect_quadrics(const CloudView& cloud, const DetectorOptions& options) {
   StageClock clock;
   DetectionResult result = detect_quadrics(cloud, options, check_cloud(cloud), clock);
   result.timings = clock.timings();
@@ -205,7 +205,7 @@ DetectionResult detect_quadrics(const PointCloud& cloud, const DetectorOptions& 
   return result;
 }
 
-DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options,
+DetectionResult detect(const CloudView& cloud, const DetectorOptions& options,
                        const QuadricsReady& ready) {
   StageClock clock;
   const CloudCheck check = check_cloud(cloud);

@@ -4,9 +4,12 @@
     quadrille_test.py PROGRAM SCAN.pcd   with the package in PYTHONPATH
 """
 import json
+import pathlib
 import subprocess
 import sys
+import tempfile
 import threading
+import time
 import unittest
 
 import numpy as np
@@ -25,8 +28,34 @@ def ball(radius=0.05, centre=(0.02, -0.01, 0.6), count=4000):
     return p[(n * p).sum(1) < 0]
 
 
-def run(*arguments):
-    done = subprocess.run([PROGRAM, *arguments, "--json", "-"], capture_output=True, check=True)
+def organised_ball(width, height, radius=0.08):
+    """A ball before a wall, noise of half a millimetre, (H, W, 3) of float32."""
+    u, v = np.meshgrid(np.arange(width), np.arange(height))
+    rays = np.stack([(u - width / 2) / width, (v - height / 2) / width, np.ones(u.shape)], -1)
+    a, b, c = (rays * rays).sum(-1), 0.6 * rays[..., 2], 0.36 - radius**2
+    with np.errstate(invalid="ignore"):
+        z = np.fmin((b - np.sqrt(b * b - a * c)) / a, 0.9)
+    z += np.random.default_rng(2).normal(scale=5e-4, size=z.shape)
+    return (rays * z[..., None]).astype(np.float32)
+
+
+def peak_growth(work):
+    """By how much the largest resident memory of this process exceeds that before the work [B]."""
+
+    def resident(field):
+        with open("/proc/self/status", encoding="ascii") as file:
+            return 1024 * next(int(line.split()[1]) for line in file if line.startswith(field))
+
+    with open("/proc/self/clear_refs", "w", encoding="ascii") as file:
+        file.write("5")  # the peak begins anew
+    before = resident("VmRSS")
+    work()
+    return resident("VmHWM") - before
+
+
+def run(*arguments, stdin=None):
+    done = subprocess.run([PROGRAM, *arguments, "--json", "-"], stdin=stdin, stdout=subprocess.PIPE,
+                          check=True)
     return json.loads(done.stdout)
 
 
@@ -56,6 +85,31 @@ class Detect(unittest.TestCase):
         for same in (p.astype(np.float64), np.asfortranarray(p), wide[:, 1:4], p.tolist()):
             np.testing.assert_array_equal(quadrille.detect(same).detections[0].Q, q)
 
+    def test_views_of_records_that_lie_askew_are_converted(self):
+        p = ball().astype(np.float32)
+        records = np.zeros(len(p), [("tag", "u1"), ("xyz", "<f4", 3)])
+        records["xyz"] = p
+        self.assertFalse(records["xyz"].flags.aligned)
+        np.testing.assert_array_equal(quadrille.detect(records["xyz"]).detections[0].Q,
+                                      quadrille.detect(p).detections[0].Q)
+
+    def test_float32_is_not_copied(self):
+        """240 MB of points that are missing, so that the detector needs nothing for itself."""
+        points = np.full((20_000_000, 3), np.nan, np.float32)
+        self.assertLess(peak_growth(lambda: quadrille.detect(points)), points.nbytes / 20)
+        # What shows that a copy would be noticed.
+        self.assertGreater(peak_growth(lambda: quadrille.detect(points[::-1])), points.nbytes / 2)
+
+    def test_a_call_takes_as_long_as_it_does_in_cpp(self):
+        points = organised_ball(640, 480)
+        shares = []
+        for _ in range(15):
+            start = time.perf_counter()
+            found = quadrille.detect(points)
+            shares.append(1e3 * (time.perf_counter() - start) / found.total_ms - 1)
+        self.assertEqual(sorted(d.type for d in found), ["plane", "sphere"])
+        self.assertLess(np.median(shares), 0.03)
+
     def test_organised_clouds_may_have_gaps(self):
         u, v = np.meshgrid(np.arange(320), np.arange(240))
         rays = np.stack([(u - 160) / 300.0, (v - 120) / 300.0, np.ones(u.shape)], -1)
@@ -71,7 +125,7 @@ class Detect(unittest.TestCase):
 
     def test_the_program_finds_the_same_in_a_real_scan(self):
         points, viewpoint = quadrille.read_cloud(SCAN)
-        found = quadrille.detect(points, viewpoint=viewpoint, settings={"seed": 3, "threads": 2})
+        found = quadrille.detect(points, viewpoint=viewpoint, config={"seed": 3, "threads": 2})
         theirs = run("detect", "--seed", "3", SCAN)
         self.assertGreater(len(found), 0)
         self.assertEqual([d.type for d in found], [d["type"] for d in theirs["detections"]])
@@ -100,14 +154,60 @@ class Detect(unittest.TestCase):
     def test_what_is_wrong_is_told_in_one_line(self):
         for wrong, part in ((lambda: quadrille.detect(np.zeros((3, 4))), "(3, 4)"),
                             (lambda: quadrille.detect(np.zeros(3)), "(3,)"),
-                            (lambda: quadrille.detect(ball(), settings={"sed": 1}), "sed"),
-                            (lambda: quadrille.detect(ball(), settings={"threads": 0}), "threads"),
+                            (lambda: quadrille.detect(ball(), config={"sed": 1}), "sed"),
+                            (lambda: quadrille.detect(ball(), config={"threads": 0}), "threads"),
                             (lambda: quadrille.plan(ball(), None, "franka"), "incompatible"),
                             (lambda: quadrille.Gripper("franco"), "robotiq")):
             with self.assertRaises((ValueError, TypeError)) as caught:
                 wrong()
             self.assertIn(part, str(caught.exception))
         self.assertEqual(len(quadrille.detect(np.zeros((0, 3)))), 0)
+
+
+class Files(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def test_what_numpy_saves_is_read(self):
+        p = ball().astype(np.float32)
+        p = p[: len(p) // 10 * 10]
+        records = np.zeros(len(p), [("ring", "u1"), ("x", "f8"), ("y", "f8"), ("z", "f8")])
+        for axis in range(3):
+            records["xyz"[axis]] = p[:, axis]
+        image = p.reshape(10, -1, 3)
+        for n, (saved, expected) in enumerate((
+                (p, p), (p.astype(np.float64), p), (p.astype(">f8"), p), (np.asfortranarray(p), p),
+                (image, image), (np.asfortranarray(image), image), (records, p),
+                (records.reshape(10, -1), image), (np.zeros((0, 3)), np.zeros((0, 3))))):
+            np.save(self.folder / f"{n}.npy", saved)
+            points, viewpoint = quadrille.read_cloud(self.folder / f"{n}.npy")
+            np.testing.assert_array_equal(points, expected)
+            np.testing.assert_array_equal(viewpoint, np.zeros(3))
+        found = run("detect", str(self.folder / "3.npy"))["detections"]
+        self.assertEqual([d["type"] for d in found], ["sphere"])
+        with open(self.folder / "0.npy", "rb") as file:
+            piped = run("detect", "-", stdin=file)
+        self.assertEqual(piped["detections"], found)
+
+    def test_the_cloud_among_several_arrays_is_the_one_called_so(self):
+        p, seen_from = ball().astype(np.float32), np.array([0.1, 0.0, -0.2])
+        for save in (np.savez, np.savez_compressed):
+            path = self.folder / "a.npz"
+            save(path, points=p, colours=np.zeros(3), viewpoint=seen_from)
+            points, viewpoint = quadrille.read_cloud(path)
+            np.testing.assert_array_equal(points, p)
+            np.testing.assert_array_equal(viewpoint, seen_from)
+            save(path, p)
+            np.testing.assert_array_equal(quadrille.read_cloud(path)[0], p)
+        np.savez(path, a=p, b=p)
+        with self.assertRaisesRegex(quadrille.FileError, "a.npy, b.npy; call the cloud's array 'points'"):
+            quadrille.read_cloud(path)
+        cut = path.read_bytes()[: 3000]
+        path.write_bytes(cut)
+        with self.assertRaisesRegex(ValueError, "damaged"):
+            quadrille.read_cloud(path)
 
 
 class Plan(unittest.TestCase):
@@ -134,6 +234,9 @@ class Plan(unittest.TestCase):
         target = scene.plan().grasps[0].target
         self.assertEqual({g.target for g in scene.plan(targets=[target])}, {target})
         self.assertEqual(len(scene.plan(best=1)), 1)
+        around = [found.detections[i].X_CQ[:3, 3] + side for i in range(len(found)) for side in
+                  (-0.01, 0.01) if found.detections[i].id == target]
+        self.assertEqual({g.target for g in scene.plan(roi=around)}, {target})
         none = scene.plan(targets=[9999])
         self.assertEqual(len(none), 0)
         self.assertIn("9999", " ".join(none.warnings))
@@ -144,6 +247,7 @@ class Plan(unittest.TestCase):
         hand = quadrille.Gripper("franka")
         grasp = quadrille.plan(points, found, hand, viewpoint=viewpoint).grasps[0]
         # MoveIt's hand link has the same axes, and its origin lies tcp behind the pads.
+        self.assertEqual(quadrille.conventions(), ["drake", "moveit", "gpd", "graspnet"])
         moveit = grasp.hand_pose(hand, "moveit")
         np.testing.assert_allclose(moveit[:3, :3], grasp.X_CG[:3, :3], atol=1e-12)
         np.testing.assert_allclose(grasp.X_CG[:3, 3] - moveit[:3, 3], hand.tcp * moveit[:3, 2],

@@ -10,6 +10,9 @@
 
 #include "io/file_bytes.hpp"
 #include "io/gzip.hpp"
+#include "io/npy.hpp"
+#include "io/npy_header.hpp"
+#include "io/npz.hpp"
 #include "io/pcd.hpp"
 #include "io/ply.hpp"
 #include "io/xyz.hpp"
@@ -34,11 +37,15 @@ Parser parser_of(const std::filesystem::path& path) {
   if (extension == ".ply") return parse_ply;
   if (extension == ".pcd") return parse_pcd;
   if (extension == ".xyz") return parse_xyz;
+  if (extension == ".npy") return parse_npy;
+  if (extension == ".npz") return parse_npz;
   return nullptr;
 }
 
-/// Of text without a file's name.
+/// Of bytes without a file's name.
 Parser parser_of(std::span<const std::byte> bytes) {
+  if (is_npy(bytes)) return parse_npy;
+  if (is_npz(bytes)) return parse_npz;
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()),
                               std::min<std::size_t>(bytes.size(), 1000));
   if (text.starts_with("ply")) return parse_ply;
@@ -52,9 +59,10 @@ PointCloud read_cloud(const std::string& path, const Eigen::Isometry3d& X_CF) {
   const Parser named = parser_of(std::filesystem::path(path));
   if (!is_input && !named) {
     if (!std::filesystem::exists(path)) throw FileError(path, "", "no such file; check the path");
-    throw FileError(path, "",
-                    "unknown kind of file; give a .ply, .pcd or .xyz file, or (to detect and plan) "
-                    "an LCM log");
+    throw FileError(
+        path, "",
+        "unknown kind of file; give a .ply, .pcd, .xyz, .npy or .npz file, or (to detect "
+        "and plan) an LCM log");
   }
   const std::string name = is_input ? "standard input" : path;
   std::vector<std::byte> bytes = is_input ? read_standard_input() : read_file(path);

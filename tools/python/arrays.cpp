@@ -1,6 +1,5 @@
 #include "python/arrays.hpp"
 
-#include <cstring>
 #include <stdexcept>
 
 namespace quadrille::python {
@@ -19,23 +18,32 @@ std::string shape_of(const py::array& array) {
 
 }  // namespace
 
-PointCloud cloud_of(const Points& points, const Eigen::Vector3d& viewpoint) {
+CloudView view_of(const Points& points, const Eigen::Vector3d& viewpoint) {
   const py::ssize_t dimensions = points.ndim();
   if (dimensions < 2 || dimensions > 3 || points.shape(dimensions - 1) != 3) {
     throw std::invalid_argument("points of shape " + shape_of(points) +
                                 ": give (N, 3), or (H, W, 3) of an organised cloud");
   }
-  PointCloud cloud;
-  cloud.viewpoint = viewpoint;
-  const auto count = static_cast<std::size_t>(points.size()) / 3;
-  cloud.read = count;
+  static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) &&
+                alignof(Eigen::Vector3f) == alignof(float));
+  CloudView view;
+  view.points = {reinterpret_cast<const Eigen::Vector3f*>(points.data()),
+                 static_cast<std::size_t>(points.size()) / 3};
+  view.viewpoint = viewpoint;
   if (dimensions == 3) {
-    cloud.height = static_cast<int>(points.shape(0));
-    cloud.width = static_cast<int>(points.shape(1));
+    view.height = static_cast<int>(points.shape(0));
+    view.width = static_cast<int>(points.shape(1));
   }
-  static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float));
-  const auto* first = reinterpret_cast<const Eigen::Vector3f*>(points.data());
-  cloud.points.assign(first, first + count);
+  return view;
+}
+
+PointCloud cloud_of(const CloudView& view) {
+  PointCloud cloud;
+  cloud.points.assign(view.points.begin(), view.points.end());
+  cloud.width = view.width;
+  cloud.height = view.height;
+  cloud.viewpoint = view.viewpoint;
+  cloud.read = cloud.points.size();
   return cloud;
 }
 

@@ -9,19 +9,25 @@
 #include <string>
 #include <vector>
 
+#include "quadrille/detector/cloud_view.hpp"
 #include "quadrille/detector/detection.hpp"
-#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille::python {
 
 namespace py = pybind11;
 
-/// Points as they come from numpy; what is not of this type and order is converted.
-using Points = py::array_t<float, py::array::c_style | py::array::forcecast>;
+/// Points as they come from numpy; what is not of this type and order, or lies askew in memory, is
+/// converted.
+using Points = py::array_t<float, py::array::c_style | py::array::forcecast |
+                                      py::detail::npy_api::NPY_ARRAY_ALIGNED_>;
 
-/// A cloud of points of shape (N, 3), or (H, W, 3) if it is organised [m].
+/// A cloud of points of shape (N, 3), or (H, W, 3) if it is organised [m], which stay where they
+/// are: the array must outlive it.
 /// @throws std::invalid_argument if the shape is another
-PointCloud cloud_of(const Points& points, const Eigen::Vector3d& viewpoint);
+CloudView view_of(const Points& points, const Eigen::Vector3d& viewpoint);
+
+/// The same with points of its own, for the planner.
+PointCloud cloud_of(const CloudView& view);
 
 /// A pose as a matrix of shape (4, 4).
 inline Eigen::Matrix4d matrix_of(const Eigen::Isometry3d& X) { return X.matrix(); }

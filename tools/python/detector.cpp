@@ -1,7 +1,10 @@
 #include "quadrille/detector/detector.hpp"
 
+#include <pybind11/stl/filesystem.h>
+
 #include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <iterator>
 #include <map>
 #include <memory>
@@ -35,53 +38,87 @@ std::map<std::string, double> deviations_of(const Detection& d) {
   return deviations;
 }
 
-void bind_detection(py::module_& module) {
-  py::class_<Detection>(module, "Detection")
-      .def_readonly("id", &Detection::id)
-      .def_property_readonly("type",
-                             [](const Detection& d) { return std::string(to_string(d.type)); })
-      .def_readonly("score", &Detection::score)
-      .def_readonly("inliers", &Detection::inliers)
-      .def_readonly("rms", &Detection::rms)
-      .def_property_readonly("Q",
-                             [](const Detection& d) -> Eigen::Matrix4d { return d.Q_C.matrix(); })
-      .def_property_readonly("X_CQ", [](const Detection& d) { return matrix_of(d.X_CQ); })
-      .def_property_readonly("dimensions", &values_of)
-      .def_property_readonly("deviations", &deviations_of)
+void bind_numbers(py::class_<Detection>& detection) {
+  detection
+      .def_property_readonly(
+          "Q", [](const Detection& d) -> Eigen::Matrix4d { return d.Q_C.matrix(); },
+          "Symmetric (4, 4) of unit norm: f(p) = (p 1) Q (p 1)^T with p in frame C [m]; its "
+          "gradient points to the side that the sensor saw.")
       .def_property_readonly(
           "q", [](const Detection& d) { return d.Q_C.coefficients(); },
-          "A … J of unit norm, shape (10,).")
+          "A … J of unit norm, (10,): f = Ax²+By²+Cz²+2Dxy+2Exz+2Fyz+2Gx+2Hy+2Iz+J.")
       .def_property_readonly(
           "covariance", [](const Detection& d) { return d.covariance.known; },
           "Covariance of q along the directions that the view shows, (10, 10).")
       .def_property_readonly(
           "open_directions", [](const Detection& d) { return d.covariance.open; },
           "Directions of q that the view leaves open, orthonormal columns, (10, K).")
-      .def_property_readonly("extent", [](const Detection& d) { return corners_of(d.extent_Q); })
-      .def_readonly("seen", &Detection::seen)
-      .def_readonly("track", &Detection::track)
-      .def("distance",
-           [](const Detection& d, const Eigen::Matrix<double, Eigen::Dynamic, 3>& points) {
-             Eigen::VectorXd distances(points.rows());
-             for (Eigen::Index n = 0; n < points.rows(); ++n) {
-               distances[n] = d.Q_C.distance(points.row(n).transpose());
-             }
-             return distances;
-           })
+      .def_property_readonly(
+          "X_CQ", [](const Detection& d) { return matrix_of(d.X_CQ); },
+          "Pose of the quadric's frame Q, (4, 4) [m]: origin at its centre (or apex, vertex, "
+          "middle "
+          "of the seen part of an axis), z along its axis of symmetry or a plane's normal.")
+      .def_property_readonly("dimensions", &values_of,
+                             "Name and value [m, angles rad], such as {'radius': 0.03}.")
+      .def_property_readonly(
+          "deviations", &deviations_of,
+          "Standard deviation of each dimension; inf where the view does not show it.")
+      .def_property_readonly(
+          "extent", [](const Detection& d) { return corners_of(d.extent_Q); },
+          "Least and largest corner of the inliers in frame Q, (2, 3) [m].");
+}
+
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+Eigen::VectorXd distances_to(const Detection& d, const Rows& points) {
+  Eigen::VectorXd distances(points.rows());
+  for (Eigen::Index n = 0; n < points.rows(); ++n) {
+    distances[n] = d.Q_C.distance(points.row(n).transpose());
+  }
+  return distances;
+}
+
+void bind_detection(py::module_& module) {
+  py::class_<Detection> detection(module, "Detection", "One quadric found in a cloud of frame C.");
+  detection.def_readonly("id", &Detection::id, "1, 2, … within one Result, best score first.")
+      .def_property_readonly(
+          "type", [](const Detection& d) { return std::string(to_string(d.type)); },
+          "Name of the type, such as 'elliptic_cylinder'.")
+      .def_readonly("score", &Detection::score, "Confidence, 0 to 1.")
+      .def_readonly("inliers", &Detection::inliers, "Points that lie on it.")
+      .def_readonly("rms", &Detection::rms, "Root mean square of their distances [m].")
+      .def_readonly("seen", &Detection::seen, "Observed share of its extent, 0 to 1.")
+      .def_readonly("track", &Detection::track,
+                    "The same for one surface in all clouds that a "
+                    "Tracker saw, from 1 on; 0 if none did.")
+      .def("distance", &distances_to, py::arg("points"),
+           "First-order distances of points (N, 3) in frame C, (N,) [m]; positive on the side that "
+           "the sensor saw.")
       .def("__repr__", &shown);
+  bind_numbers(detection);
 }
 
 void bind_box(py::module_& module) {
-  py::class_<Box>(module, "Box")
-      .def_readonly("id", &Box::id)
-      .def_readonly("faces", &Box::faces)
-      .def_readonly("score", &Box::score)
-      .def_property_readonly("X_CB", [](const Box& box) { return matrix_of(box.X_CB); })
-      .def_property_readonly("size", [](const Box& box) { return box.size; })
-      .def_property_readonly("deviations", [](const Box& box) { return box.std; })
-      .def_readonly("seen", &Box::seen)
-      .def_property_readonly("inner", [](const Box& box) { return corners_of(box.inner_B); })
-      .def_property_readonly("outer", [](const Box& box) { return corners_of(box.outer_B); })
+  py::class_<Box>(module, "Box", "A box whose faces are detected planes.")
+      .def_readonly("id", &Box::id, "Continues the ids of the detections.")
+      .def_readonly("faces", &Box::faces, "Ids of the detections that are its faces.")
+      .def_readonly("score", &Box::score, "Confidence, 0 to 1.")
+      .def_property_readonly(
+          "X_CB", [](const Box& box) { return matrix_of(box.X_CB); },
+          "Pose of the box's frame B, (4, 4) [m]: origin at its middle, x along the longest side, "
+          "z along the shortest.")
+      .def_property_readonly(
+          "size", [](const Box& box) { return box.size; }, "Sides along x, y, z of B, (3,) [m].")
+      .def_property_readonly(
+          "deviations", [](const Box& box) { return box.std; },
+          "Standard deviations of the sides, (3,) [m].")
+      .def_readonly("seen", &Box::seen, "Whether both ends of each side were seen.")
+      .def_property_readonly(
+          "inner", [](const Box& box) { return corners_of(box.inner_B); },
+          "What was seen of it: least and largest corner in frame B, (2, 3) [m].")
+      .def_property_readonly(
+          "outer", [](const Box& box) { return corners_of(box.outer_B); },
+          "What it may reach at most: least and largest corner in frame B, (2, 3) [m].")
       .def("__repr__", [](const Box& box) { return "<Box " + std::to_string(box.id) + ">"; });
 }
 
@@ -95,34 +132,43 @@ std::vector<Found> reported(const std::vector<Found>& all) {
 }
 
 void bind_result(py::module_& module) {
-  py::class_<DetectionResult>(module, "Result")
-      .def_property_readonly("detections",
-                             [](const DetectionResult& r) { return reported(r.detections); })
-      .def_property_readonly("boxes", [](const DetectionResult& r) { return reported(r.boxes); })
-      .def_readonly("points_finite", &DetectionResult::points_finite)
-      .def_readonly("points_used", &DetectionResult::points_used)
-      .def_property_readonly("timings", [](const DetectionResult& r) { return dict_of(r.timings); })
-      .def_readonly("total_ms", &DetectionResult::total_ms)
-      .def_readonly("warnings", &DetectionResult::warnings)
+  py::class_<DetectionResult>(module, "Result",
+                              "What detect() made of a cloud: a sequence of its detections.")
+      .def_property_readonly(
+          "detections", [](const DetectionResult& r) { return reported(r.detections); },
+          "Best score first.")
+      .def_property_readonly(
+          "boxes", [](const DetectionResult& r) { return reported(r.boxes); }, "The surest first.")
+      .def_readonly("points_finite", &DetectionResult::points_finite, "Points that are no NaN.")
+      .def_readonly("points_used", &DetectionResult::points_used, "Those that samples are made of.")
+      .def_property_readonly(
+          "timings", [](const DetectionResult& r) { return dict_of(r.timings); }, "By stage [ms].")
+      .def_readonly("total_ms", &DetectionResult::total_ms, "Of all stages [ms].")
+      .def_readonly("warnings", &DetectionResult::warnings,
+                    "Why the result may be empty or poor; empty when all is well.")
       .def("__iter__",
            [](const DetectionResult& r) { return py::iter(py::cast(reported(r.detections))); })
+      .def("__getitem__",
+           [](const DetectionResult& r, const py::object& index) {
+             return py::cast(reported(r.detections))[index].cast<py::object>();
+           })
       .def("__len__", [](const DetectionResult& r) { return reported(r.detections).size(); });
 }
 
 DetectionResult detect_in(const Points& points, const Eigen::Vector3d& viewpoint,
                           const std::string& settings, const std::string& source) {
   const io::DetectorConfig config = io::parse_detector_config(settings, source);
-  const PointCloud cloud = cloud_of(points, viewpoint);
+  const CloudView cloud = view_of(points, viewpoint);
   const py::gil_scoped_release others_run;
   return detect(cloud, config.detector);
 }
 
 void bind_tracker(py::module_& module) {
-  py::class_<Tracker>(module, "Tracker")
+  py::class_<Tracker>(module, "Tracker", "See quadrille.Tracker.")
       .def(py::init([](const std::string& settings, const std::string& source) {
              return std::make_unique<Tracker>(io::parse_detector_config(settings, source).track);
            }),
-           py::arg("settings") = "", py::arg("source") = "settings")
+           py::arg("settings"), py::arg("source"))
       .def(
           "update",
           [](Tracker& tracker, DetectionResult& result, std::int64_t utime,
@@ -133,8 +179,8 @@ void bind_tracker(py::module_& module) {
           py::arg("X_WC") = Eigen::Matrix4d(Eigen::Matrix4d::Identity()));
 }
 
-py::tuple read_cloud_file(const std::string& path) {
-  const PointCloud cloud = io::read_cloud(path);
+py::tuple read_cloud_file(const std::filesystem::path& path) {
+  const PointCloud cloud = io::read_cloud(path.string());
   std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(cloud.points.size()), 3};
   if (cloud.organised()) shape = {cloud.height, cloud.width, 3};
   Points points(shape);
@@ -152,8 +198,10 @@ void bind_detector(py::module_& module) {
   bind_result(module);
   bind_tracker(module);
   module.def("detect", &detect_in, py::arg("points"), py::arg("viewpoint"), py::arg("settings"),
-             py::arg("source"));
-  module.def("read_cloud", &read_cloud_file, py::arg("path"));
+             py::arg("source"), "See quadrille.detect().");
+  module.def("read_cloud", &read_cloud_file, py::arg("path"),
+             "The points of a file, (N, 3) or (H, W, 3) [m], and its viewpoint, (3,) [m].\n\n"
+             "Raises FileError, a ValueError, in one line if it cannot be read.");
 }
 
 }  // namespace quadrille::python

@@ -13,19 +13,41 @@ namespace quadrille::python {
 namespace {
 
 void bind_gripper(py::module_& module) {
-  py::class_<Gripper>(module, "Gripper")
+  py::class_<Gripper>(module, "Gripper",
+                      "A hand of two parallel jaws, as boxes in the grasp frame G: origin between "
+                      "the pads, z approach, y closing.")
       .def(py::init(&io::load_gripper), py::arg("name_or_path"))
-      .def_readonly("name", &Gripper::name)
-      .def_readonly("max_opening", &Gripper::max_opening)
-      .def_readonly("min_opening", &Gripper::min_opening)
-      .def_property_readonly("finger", [](const Gripper& g) { return g.finger; })
-      .def_readonly("finger_front", &Gripper::finger_front)
-      .def_property_readonly("pad", [](const Gripper& g) { return g.pad; })
-      .def_property_readonly("palm", [](const Gripper& g) { return g.palm; })
-      .def_readonly("max_force", &Gripper::max_force)
-      .def_readonly("tcp", &Gripper::tcp)
+      .def_readonly("name", &Gripper::name, "Its name.")
+      .def_readonly("max_opening", &Gripper::max_opening, "Largest distance between the pads [m].")
+      .def_readonly("min_opening", &Gripper::min_opening, "Smallest distance between the pads [m].")
+      .def_property_readonly(
+          "finger", [](const Gripper& g) { return g.finger; },
+          "Size of a finger along x, y and z, from its back to its tip, (3,) [m].")
+      .def_readonly("finger_front", &Gripper::finger_front,
+                    "How far the tip lies before the origin of G [m].")
+      .def_property_readonly(
+          "pad", [](const Gripper& g) { return g.pad; }, "Size of a pad along x and z, (2,) [m].")
+      .def_property_readonly(
+          "palm", [](const Gripper& g) { return g.palm; },
+          "Size of the palm along x, y and z, (3,) [m].")
+      .def_readonly("max_force", &Gripper::max_force, "Largest closing force [N].")
+      .def_readonly("link_length", &Gripper::link_length,
+                    "Length of the links on which the fingers swing [m]; 0 if they slide.")
+      .def_readonly("link_angle", &Gripper::link_angle,
+                    "Angle of the links to the approach at the largest opening [rad].")
+      .def_readonly("tcp", &Gripper::tcp,
+                    "From the origin of the hand's own frame to that of G [m]; 0: that frame lies "
+                    "at the palm's back.")
       .def("__repr__", [](const Gripper& g) { return "<Gripper " + g.name + ">"; });
-  module.def("grippers", &io::gripper_names);
+  module.def("grippers", &io::gripper_names, "Names of the built-in hands.");
+}
+
+std::vector<std::string> conventions() {
+  std::vector<std::string> names;
+  for (const HandConvention convention : kHandConventions) {
+    names.emplace_back(to_string(convention));
+  }
+  return names;
 }
 
 HandConvention convention_of(const std::string& name) {
@@ -37,47 +59,67 @@ HandConvention convention_of(const std::string& name) {
   throw std::invalid_argument("no convention '" + name + "'; there are: " + known);
 }
 
+Eigen::Matrix<double, 2, 3> contacts_of(const Grasp& g) {
+  Eigen::Matrix<double, 2, 3> contacts;
+  contacts << g.contacts_C[0].transpose(), g.contacts_C[1].transpose();
+  return contacts;
+}
+
 void bind_grasp(py::module_& module) {
-  py::class_<Grasp>(module, "Grasp")
-      .def_readonly("target", &Grasp::target)
-      .def_readonly("track", &Grasp::track)
-      .def_property_readonly("kind", [](const Grasp& g) { return std::string(word_of(g.kind)); })
-      .def_readonly("score", &Grasp::score)
-      .def_property_readonly("X_CG", [](const Grasp& g) { return matrix_of(g.X_CG); })
-      .def_property_readonly("pregrasp", [](const Grasp& g) { return matrix_of(g.pregrasp()); })
-      .def_readonly("width", &Grasp::width)
-      .def_readonly("preshape", &Grasp::preshape)
-      .def_property_readonly("contacts",
-                             [](const Grasp& g) {
-                               Eigen::Matrix<double, 2, 3> contacts;
-                               contacts << g.contacts_C[0].transpose(), g.contacts_C[1].transpose();
-                               return contacts;
-                             })
-      .def_readonly("approach", &Grasp::approach)
-      .def_readonly("friction_needed", &Grasp::friction_needed)
-      .def_readonly("epsilon", &Grasp::epsilon)
-      .def_readonly("clearance", &Grasp::clearance)
-      .def_readonly("unknown_contact", &Grasp::unknown_contact)
+  py::class_<Grasp> grasp(module, "Grasp",
+                          "One grasp. Frame G: origin between the pads, z approach, y closing.");
+  grasp.def_readonly("target", &Grasp::target, "Id of the detection or box that it holds.")
+      .def_readonly("track", &Grasp::track, "Its track; 0 if it has none.")
+      .def_property_readonly(
+          "kind", [](const Grasp& g) { return std::string(word_of(g.kind)); },
+          "'across' the body, on both 'end's, at the 'rim' of a vessel, or by the 'tip's.")
+      .def_readonly("score", &Grasp::score, "0 to 1, best first.")
+      .def_property_readonly(
+          "X_CG", [](const Grasp& g) { return matrix_of(g.X_CG); }, "Pose of the hand, (4, 4) [m].")
+      .def_property_readonly(
+          "pregrasp", [](const Grasp& g) { return matrix_of(g.pregrasp()); },
+          "Pose X_CG from which the hand comes straight, (4, 4) [m]; closed, it can go back there.")
+      .def_readonly("width", &Grasp::width, "Distance between the contacts [m].")
+      .def_readonly("preshape", &Grasp::preshape, "Opening of the hand on its way in [m].")
+      .def_property_readonly("contacts", &contacts_of, "Both of them in frame C, (2, 3) [m].")
+      .def_readonly("approach", &Grasp::approach, "Length of the straight way in [m].")
+      .def_readonly("friction_needed", &Grasp::friction_needed, "Least friction coefficient.")
+      .def_readonly("epsilon", &Grasp::epsilon,
+                    "The largest wrench, of any direction, that a unit contact force resists.")
+      .def_readonly("clearance", &Grasp::clearance,
+                    "Distance of the hand from all but its target [m].")
+      .def_readonly("unknown_contact", &Grasp::unknown_contact,
+                    "Whether a contact lies on a part of the target that was not seen.");
+  grasp
       .def(
           "hand_pose",
           [](const Grasp& g, const Gripper& gripper, const std::string& convention) {
             return matrix_of(hand_pose(convention_of(convention), gripper, g.X_CG, g.width));
           },
-          py::arg("gripper"), py::arg("convention"))
+          py::arg("gripper"), py::arg("convention"),
+          "Pose of the hand as other software writes it, (4, 4) [m]; see conventions().")
       .def("__repr__", [](const Grasp& g) {
         return "<Grasp on " + std::to_string(g.target) + ": score " + std::to_string(g.score) + ">";
       });
+  module.def("conventions", &conventions,
+             "Names of the ways in which other software writes the pose of a hand.");
 }
 
 void bind_plan(py::module_& module) {
-  py::class_<GraspPlan>(module, "Plan")
-      .def_readonly("grasps", &GraspPlan::grasps)
-      .def_readonly("rejected", &GraspPlan::rejected)
-      .def_readonly("boxes", &GraspPlan::boxes)
-      .def_property_readonly("timings", [](const GraspPlan& p) { return dict_of(p.timings); })
-      .def_readonly("total_ms", &GraspPlan::total_ms)
-      .def_readonly("warnings", &GraspPlan::warnings)
+  py::class_<GraspPlan>(module, "Plan", "What was planned on a cloud: a sequence of its grasps.")
+      .def_readonly("grasps", &GraspPlan::grasps, "Best first.")
+      .def_readonly("rejected", &GraspPlan::rejected, "How much was refused, by reason.")
+      .def_readonly("boxes", &GraspPlan::boxes, "Boxes among the detections, which may be targets.")
+      .def_property_readonly(
+          "timings", [](const GraspPlan& p) { return dict_of(p.timings); }, "By stage [ms].")
+      .def_readonly("total_ms", &GraspPlan::total_ms, "Of all stages [ms].")
+      .def_readonly("warnings", &GraspPlan::warnings,
+                    "Why the plan may be empty or poor; empty when all is well.")
       .def("__iter__", [](const GraspPlan& p) { return py::iter(py::cast(p.grasps)); })
+      .def("__getitem__",
+           [](const GraspPlan& p, const py::object& index) {
+             return py::cast(p.grasps)[index].cast<py::object>();
+           })
       .def("__len__", [](const GraspPlan& p) { return p.grasps.size(); });
 }
 
@@ -93,14 +135,16 @@ QuadricType type_of(const std::string& name) {
 /// As Python's keywords have it.
 GraspQuery query_of(const std::vector<int>& targets, const std::vector<int>& tracks,
                     const std::vector<std::string>& types,
-                    const std::optional<Eigen::Vector3d>& near, double min_size, double max_size,
-                    const std::optional<Eigen::Vector3d>& approach, double approach_angle,
-                    double min_clearance, const std::optional<int>& best) {
+                    const std::optional<Eigen::Vector3d>& near,
+                    const std::optional<Eigen::Matrix<double, 2, 3>>& roi, double min_size,
+                    double max_size, const std::optional<Eigen::Vector3d>& approach,
+                    double approach_angle, double min_clearance, const std::optional<int>& best) {
   GraspQuery query;
   query.ids = targets;
   query.tracks = tracks;
   for (const std::string& type : types) query.types.push_back(type_of(type));
   query.near_C = near;
+  if (roi) query.region = {Eigen::Isometry3d::Identity(), {roi->row(0), roi->row(1)}};
   query.min_size = min_size;
   query.max_size = max_size;
   if (approach) query.approach = {approach->stableNormalized(), approach_angle};
@@ -113,22 +157,23 @@ GraspScene scene_of(const Points& points, const DetectionResult& result, const G
                     const Eigen::Vector3d& viewpoint, const std::string& settings,
                     const std::string& source) {
   const PlanOptions options = io::parse_config(settings, source).planner;
-  const PointCloud cloud = cloud_of(points, viewpoint);
+  const CloudView view = view_of(points, viewpoint);
   const py::gil_scoped_release others_run;
+  const PointCloud cloud = cloud_of(view);
   // What quadrille-grasp-planner would get, so that both plan the same grasps.
   return {cloud, bus::as_received(result.detections), gripper, options};
 }
 
 void bind_scene(py::module_& module) {
-  py::class_<GraspScene>(module, "GraspScene")
+  py::class_<GraspScene>(module, "GraspScene", "See quadrille.GraspScene.")
       .def(py::init(&scene_of), py::arg("points"), py::arg("result"), py::arg("gripper"),
            py::arg("viewpoint"), py::arg("settings"), py::arg("source"))
       .def_property_readonly("timings", [](const GraspScene& s) { return dict_of(s.timings()); })
       .def("plan", &GraspScene::plan, py::arg("query"), py::call_guard<py::gil_scoped_release>());
-  py::class_<GraspQuery>(module, "GraspQuery")
+  py::class_<GraspQuery>(module, "GraspQuery", "See quadrille.GraspScene.plan().")
       .def(py::init(&query_of), py::kw_only(), py::arg("targets") = std::vector<int>(),
            py::arg("tracks") = std::vector<int>(), py::arg("types") = std::vector<std::string>(),
-           py::arg("near") = py::none(), py::arg("min_size") = 0.0,
+           py::arg("near") = py::none(), py::arg("roi") = py::none(), py::arg("min_size") = 0.0,
            py::arg("max_size") = std::numeric_limits<double>::infinity(),
            py::arg("approach") = py::none(), py::arg("approach_angle") = 0.5,
            py::arg("min_clearance") = 0.0, py::arg("best") = py::none());

@@ -14,7 +14,8 @@ namespace quadrille {
 
 /// What --help says of the inputs.
 inline constexpr const char* kInputs =
-    "Clouds: .ply, .pcd, .xyz (also .gz), - for one on stdin, or LCM logs; clouds.lcm#2 is the "
+    "Clouds: .ply, .pcd, .xyz, .npy (also .gz), .npz, - for one on stdin, or LCM logs; "
+    "clouds.lcm#2 is the "
     "second "
     "cloud of a log, from 1 on";
 

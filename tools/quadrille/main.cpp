@@ -13,6 +13,7 @@
 #include "quadrille/plan_command.hpp"
 #include "quadrille/scene_command.hpp"
 #include "quadrille/show_command.hpp"
+#include "quadrille/spy_command.hpp"
 #include "quadrille/try_command.hpp"
 #include "quadrille/view_command.hpp"
 
@@ -50,6 +51,7 @@ int main(int argc, char** argv) {
   quadrille::add_gripper_command(app);
   quadrille::add_show_command(app);
   quadrille::add_view_command(app);
+  quadrille::add_spy_command(app);
   quadrille::add_lab_commands(app);
   // The commands do their work while they are parsed.
   return quadrille::run_program(app, argc, argv, [] {});

@@ -25,7 +25,7 @@ bool is_sound(const Detection& plane) {
 /// Makes boxes, those of more faces first, so that one piece of a plane is a face of one of them.
 class BoxMaker {
  public:
-  BoxMaker(const PointCloud& cloud, const std::vector<Detection>& detections) : sight_(cloud) {
+  BoxMaker(const CloudView& cloud, const std::vector<Detection>& detections) : sight_(cloud) {
     for (const Detection& d : detections) {
       last_id_ = std::max(last_id_, d.id);
       if (d.type != QuadricType::kPlane || !is_sound(d)) continue;
@@ -95,7 +95,7 @@ class BoxMaker {
 
 }  // namespace
 
-std::vector<Box> find_boxes(const PointCloud& cloud, const std::vector<Detection>& detections) {
+std::vector<Box> find_boxes(const CloudView& cloud, const std::vector<Detection>& detections) {
   return BoxMaker(cloud, detections).make();
 }
 

@@ -44,7 +44,7 @@ class Thinning {
 
 }  // namespace
 
-Sight::Sight(const PointCloud& cloud) : cloud_(&cloud), view_(find_view(cloud)) {
+Sight::Sight(const CloudView& cloud) : cloud_(cloud), view_(find_view(cloud)) {
   if (!view_) return;
   SeenByTile seen = by_tile(cloud.points);
   double cells = static_cast<double>(seen.level.points.size());
@@ -56,7 +56,7 @@ Sight::Sight(const PointCloud& cloud) : cloud_(&cloud), view_(find_view(cloud)) 
   }
 }
 
-Sight::SeenByTile Sight::by_tile(const std::vector<Eigen::Vector3f>& points) const {
+Sight::SeenByTile Sight::by_tile(std::span<const Eigen::Vector3f> points) const {
   constexpr int kUnseen = -1;
   std::vector<int> tile(points.size(), kUnseen);
   std::vector<Eigen::Vector2f> tangents(points.size());
@@ -112,7 +112,7 @@ Eigen::Vector2i Sight::tile_of(const Eigen::Vector2f& tangents) const {
 
 std::vector<Eigen::Vector3d> Sight::points_within(const Eigen::AlignedBox3d& bounds_C) const {
   std::vector<Eigen::Vector3d> points;
-  for (const Eigen::Vector3f& p : cloud_->points) {
+  for (const Eigen::Vector3f& p : cloud_.points) {
     if (bounds_C.contains(p.cast<double>())) points.push_back(p.cast<double>());
   }
   return points;
@@ -154,7 +154,7 @@ std::vector<Eigen::Vector3d> Sight::points_in(const Eigen::Vector2i& low,
   std::vector<Eigen::Vector3d> points;
   for (int row = low.y(); row <= high.y(); ++row) {
     for (int k = first(level, row); k < last(level, row); ++k) {
-      points.push_back(cloud_->points[level.points[k]].cast<double>());
+      points.push_back(cloud_.points[level.points[k]].cast<double>());
     }
   }
   return points;

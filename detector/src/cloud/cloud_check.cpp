@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "base/quantile.hpp"
 
@@ -21,7 +22,7 @@ constexpr double kCoarse = 4096.0;
 // Points so many times as far from the centre as half of them are outliers.
 constexpr double kOutlier = 100.0;
 
-std::size_t count_finite(const std::vector<Eigen::Vector3f>& points) {
+std::size_t count_finite(std::span<const Eigen::Vector3f> points) {
   // x - x is zero unless x is NaN or infinite. Most runs are finite as a whole.
   constexpr std::size_t kRun = 16;
   using Run = Eigen::Map<const Eigen::Array<float, 3 * kRun, 1>>;
@@ -39,7 +40,7 @@ std::size_t count_finite(const std::vector<Eigen::Vector3f>& points) {
 }
 
 /// Finite points spread evenly over the cloud, some thousands.
-std::vector<Eigen::Vector3d> some_of(const std::vector<Eigen::Vector3f>& points) {
+std::vector<Eigen::Vector3d> some_of(std::span<const Eigen::Vector3f> points) {
   std::vector<Eigen::Vector3d> some;
   const std::size_t stride = std::max<std::size_t>(1, points.size() / 5000);
   for (std::size_t i = 0; i < points.size(); i += stride) {
@@ -88,7 +89,7 @@ Eigen::Vector3d spread_of(const std::vector<Eigen::Vector3d>& points,
 
 }  // namespace
 
-CloudCheck check_cloud(const PointCloud& cloud) {
+CloudCheck check_cloud(const CloudView& cloud) {
   CloudCheck check;
   check.finite = count_finite(cloud.points);
   if (check.finite < kMinPoints) {
@@ -106,12 +107,12 @@ CloudCheck check_cloud(const PointCloud& cloud) {
     check.centre[axis] = quantile(some, 0.5, [axis](const auto& p) { return p[axis]; });
   }
   if (!(check.centre.norm() < kMax)) {
-    check.warnings.push_back("coordinates are too large to be a measurement in metres");
+    check.warnings.emplace_back("coordinates are too large to be a measurement in metres");
     return check;
   }
   const Eigen::Vector3d spread = spread_of(some, check.centre);
   if (check.centre.cwiseAbs().maxCoeff() > kCoarse) {
-    check.warnings.push_back(
+    check.warnings.emplace_back(
         "coordinates of several kilometres are stored to no better than half a millimetre: "
         "subtract an offset first");
   }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/detector/cloud_view.hpp"
 
 namespace quadrille {
 
@@ -21,6 +21,6 @@ struct CloudCheck {
 
 /// Checks that a cloud has enough points that do not all coincide or lie on a line, and that its
 /// coordinates look like metres.
-CloudCheck check_cloud(const PointCloud& cloud);
+CloudCheck check_cloud(const CloudView& cloud);
 
 }  // namespace quadrille

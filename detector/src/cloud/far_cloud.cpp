@@ -15,11 +15,15 @@ constexpr double kFar = 8.0;
 
 bool is_far(const Eigen::Vector3d& centre) { return centre.norm() > kFar; }
 
-PointCloud translated(PointCloud cloud, const Eigen::Vector3d& shift) {
+PointCloud translated(const CloudView& cloud, const Eigen::Vector3d& shift) {
   const Eigen::Vector3f s = shift.cast<float>();
-  for (Eigen::Vector3f& p : cloud.points) p += s;
-  cloud.viewpoint += shift;
-  return cloud;
+  PointCloud moved;
+  moved.points.reserve(cloud.points.size());
+  for (const Eigen::Vector3f& p : cloud.points) moved.points.emplace_back(p + s);
+  moved.width = cloud.width;
+  moved.height = cloud.height;
+  moved.viewpoint = cloud.viewpoint + shift;
+  return moved;
 }
 
 Detection translated(Detection detection, const Eigen::Vector3d& shift) {

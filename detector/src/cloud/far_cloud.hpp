@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "quadrille/detector/cloud_view.hpp"
 #include "quadrille/detector/detection.hpp"
-#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
 
@@ -11,8 +11,8 @@ namespace quadrille {
 /// loses its noise in the squares of the coordinates. Such clouds come in the frame of a map.
 bool is_far(const Eigen::Vector3d& centre);
 
-/// The cloud and its viewpoint moved by a shift [m].
-PointCloud translated(PointCloud cloud, const Eigen::Vector3d& shift);
+/// The points and the viewpoint moved by a shift [m], without the name of their frame.
+PointCloud translated(const CloudView& cloud, const Eigen::Vector3d& shift);
 
 /// The detection moved by a shift [m].
 Detection translated(Detection detection, const Eigen::Vector3d& shift);

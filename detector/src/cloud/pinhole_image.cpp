@@ -45,7 +45,7 @@ float median(std::vector<float>& values) {
 /// Calls visit(t, next) for about so many of the points seen, evenly over the cloud: the point's
 /// (u, v, w) and that of the next one seen.
 template <class Visitor>
-void sample_pairs(const PointCloud& cloud, const PinholeView& view, std::size_t about,
+void sample_pairs(const CloudView& cloud, const PinholeView& view, std::size_t about,
                   Visitor&& visit) {
   const std::size_t step = static_cast<std::size_t>(view.stride), size = cloud.points.size();
   const std::size_t stride = step * std::max<std::size_t>(1, size / step / about);
@@ -73,7 +73,7 @@ float usual_step(std::vector<float>& steps) {
 }
 
 /// Pixel pitch of a cloud in row order: the usual step between consecutive points of one row.
-std::optional<float> pitch_from_order(const PointCloud& cloud, const PinholeView& view) {
+std::optional<float> pitch_from_order(const CloudView& cloud, const PinholeView& view) {
   std::vector<float> steps;
   std::size_t looked = 0;
   sample_pairs(cloud, view, kSteps, [&](const Eigen::Vector3f& t, const Eigen::Vector3f& next) {
@@ -89,7 +89,7 @@ std::optional<float> pitch_from_order(const PointCloud& cloud, const PinholeView
 
 /// Pitch across the rows: the median step from the end of one to the beginning of the next. Nullopt
 /// if there are too few to tell.
-std::optional<float> pitch_across_rows(const PointCloud& cloud, const PinholeView& view) {
+std::optional<float> pitch_across_rows(const CloudView& cloud, const PinholeView& view) {
   const float min_return = kMinReturn * view.bounds.sizes().x();
   std::vector<float> steps;
   float u = std::numeric_limits<float>::lowest(), v = 0.0f;
@@ -129,7 +129,7 @@ float usual_count(const std::vector<int>& histogram) {
 /// Pitch of pixels of which the usual one holds so many points, from the density of points over the
 /// part of the image that they cover.
 /// @param points_per_block  the density is counted in blocks of which the usual one holds as many
-float pitch_from_density(const PointCloud& cloud, const PinholeView& view, float points_per_pixel,
+float pitch_from_density(const CloudView& cloud, const PinholeView& view, float points_per_pixel,
                          float points_per_block) {
   constexpr float kReach = PinholeView::kMaxTangent;
   int blocks = 512;
@@ -159,7 +159,7 @@ struct Phase {
   Eigen::Array2f regularity;
 };
 
-Phase phase_of(const PointCloud& cloud, const PinholeView& view, const Eigen::Array2f& pitch) {
+Phase phase_of(const CloudView& cloud, const PinholeView& view, const Eigen::Array2f& pitch) {
   const Eigen::Array2f turns(static_cast<float>(2 * std::numbers::pi / pitch.x()),
                              static_cast<float>(2 * std::numbers::pi / pitch.y()));
   Eigen::Array2f c = Eigen::Array2f::Zero(), s = Eigen::Array2f::Zero();
@@ -199,7 +199,7 @@ PinholeImage place_image(const PinholeView& view, const Eigen::Array2f& pitch,
 
 /// Pitches along and across the rows of points in row order; nullopt if not each point falls on
 /// the centre of a pixel.
-std::optional<Eigen::Array2f> regular_pitch(const PointCloud& cloud, const PinholeView& view) {
+std::optional<Eigen::Array2f> regular_pitch(const CloudView& cloud, const PinholeView& view) {
   const std::optional<float> along = pitch_from_order(cloud, view);
   if (!along) return std::nullopt;
   const Eigen::Array2f pitch(*along, pitch_across_rows(cloud, view).value_or(*along));
@@ -221,7 +221,7 @@ Eigen::Array2f coarse_enough(const PinholeView& view, Eigen::Array2f pitch, doub
 
 }  // namespace
 
-std::optional<PinholeImage> find_image(const PointCloud& cloud, const PinholeView& view) {
+std::optional<PinholeImage> find_image(const CloudView& cloud, const PinholeView& view) {
   const std::optional<float> ordered = pitch_from_order(cloud, view);
   const Eigen::Array2f pitch =
       Eigen::Array2f::Constant(ordered ? *ordered : pitch_from_density(cloud, view, 1.0f, 1.0f));
@@ -235,7 +235,7 @@ std::optional<PinholeImage> find_image(const PointCloud& cloud, const PinholeVie
   return image;
 }
 
-PinholeImage find_pixels(const PointCloud& cloud, const PinholeView& view, double max_pixels) {
+PinholeImage find_pixels(const CloudView& cloud, const PinholeView& view, double max_pixels) {
   const std::optional<Eigen::Array2f> regular = regular_pitch(cloud, view);
   const Eigen::Array2f pitch =
       coarse_enough(view,

@@ -24,7 +24,7 @@ constexpr float kMinCosine = 0.8f;
 
 /// Rotation that turns the mean viewing direction to z; the identity where z serves already, so
 /// that the pixels of a depth camera stay aligned. Nullopt if there is no mean direction.
-std::optional<Eigen::Isometry3f> view_frame(const PointCloud& cloud) {
+std::optional<Eigen::Isometry3f> view_frame(const CloudView& cloud) {
   const Eigen::Vector3f eye = cloud.viewpoint.cast<float>();
   const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kRays);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -80,7 +80,7 @@ int widen(const SeenPoints& t, Bounds* bounds) {
 }
 
 /// Those of the kSize points from the k-th one on that are finite.
-int count_finite(const PointCloud& cloud, const PinholeView& view, std::size_t k) {
+int count_finite(const CloudView& cloud, const PinholeView& view, std::size_t k) {
   int n = 0;
   for (std::size_t i = k; i < k + SeenPoints::kSize; ++i) {
     const std::size_t at = i * static_cast<std::size_t>(view.stride);
@@ -92,7 +92,7 @@ int count_finite(const PointCloud& cloud, const PinholeView& view, std::size_t k
 }  // namespace
 
 QUADRILLE_VECTOR_CLONES
-SeenPoints PinholeView::look(const std::vector<Eigen::Vector3f>& points, std::size_t k) const {
+SeenPoints PinholeView::look(std::span<const Eigen::Vector3f> points, std::size_t k) const {
   constexpr int kSize = SeenPoints::kSize;
   const std::size_t step = static_cast<std::size_t>(stride), first = k * step;
   std::array<float, kSize> x, y, z;
@@ -116,7 +116,7 @@ SeenPoints PinholeView::look(const std::vector<Eigen::Vector3f>& points, std::si
   return seen;
 }
 
-std::optional<PinholeView> look_from_viewpoint(const PointCloud& cloud, int stride) {
+std::optional<PinholeView> look_from_viewpoint(const CloudView& cloud, int stride) {
   const std::optional<Eigen::Isometry3f> X_VC = view_frame(cloud);
   if (!X_VC) return std::nullopt;
   PinholeView view;
@@ -135,7 +135,7 @@ std::optional<PinholeView> look_from_viewpoint(const PointCloud& cloud, int stri
   return view;
 }
 
-std::optional<PinholeView> find_view(const PointCloud& cloud, int stride) {
+std::optional<PinholeView> find_view(const CloudView& cloud, int stride) {
   if (cloud.points.size() < kMinPoints) return std::nullopt;
   const std::optional<PinholeView> view = look_from_viewpoint(cloud, stride);
   if (!view || view->seen < kMinPoints) return std::nullopt;

@@ -42,7 +42,7 @@ constexpr double kTorn = 1.6, kMaxTorn = 0.02;
 constexpr double kMinAhead = 0.3;
 
 /// Rays from the viewpoint to finite points, evenly over the cloud.
-Points rays_of(const PointCloud& cloud) {
+Points rays_of(const CloudView& cloud) {
   Points rays;
   const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kSome);
   for (std::size_t i = 0; i < cloud.points.size(); i += stride) {
@@ -59,7 +59,7 @@ std::string percent(double share) {
 
 /// Angles between pixels that are neighbours in a row, all as in the middle of the image: a pixel
 /// at the tangents (u, v) is smaller by √(1 + v²) / (1 + u² + v²).
-std::vector<double> pixel_angles(const PointCloud& cloud) {
+std::vector<double> pixel_angles(const CloudView& cloud) {
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> pairs;
   Eigen::Vector3d ahead = Eigen::Vector3d::Zero(), along = Eigen::Vector3d::Zero();
   const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kSome);
@@ -86,7 +86,7 @@ std::vector<double> pixel_angles(const PointCloud& cloud) {
 /// What is wrong where neighbouring pixels of an organised cloud lie in far from neighbouring
 /// directions; empty if they do not. Seen from where the sensor stood the angle between two pixels
 /// is the same whatever their depths.
-std::string torn_image(const PointCloud& cloud) {
+std::string torn_image(const CloudView& cloud) {
   if (!cloud.organised()) return "";
   std::vector<double> angles = pixel_angles(cloud);
   if (angles.size() < kMinPoints) return "";
@@ -181,7 +181,7 @@ std::string among_points(const Points& rays) {
 }
 
 /// What is wrong where a plane hides what lies about it; empty if none does.
-std::string behind_plane(const PointCloud& cloud, const Points& rays,
+std::string behind_plane(const CloudView& cloud, const Points& rays,
                          const std::vector<Detection>& detections) {
   for (const Detection& d : detections) {
     if (d.type != QuadricType::kPlane) continue;
@@ -203,8 +203,7 @@ std::string behind_plane(const PointCloud& cloud, const Points& rays,
 
 }  // namespace
 
-std::string contradict_viewpoint(const PointCloud& cloud,
-                                 const std::vector<Detection>& detections) {
+std::string contradict_viewpoint(const CloudView& cloud, const std::vector<Detection>& detections) {
   const std::string remedy = "; name where the sensor stood (--viewpoint or --camera-pose)";
   if (!cloud.viewpoint.allFinite()) return "the viewpoint of the cloud is not known" + remedy;
   const Points rays = rays_of(cloud);

@@ -2,7 +2,7 @@
 
 namespace quadrille {
 
-std::unique_ptr<CellPyramid> make_pyramid(const PointCloud& cloud, const SamplingOptions& options) {
+std::unique_ptr<CellPyramid> make_pyramid(const CloudView& cloud, const SamplingOptions& options) {
   if (auto pyramid = make_depth_pyramid(cloud, options)) return pyramid;
   return make_voxel_pyramid(cloud, options);
 }

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/detector/cloud_view.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/depth/noise.hpp"
 #include "samples/sight.hpp"
@@ -39,14 +39,14 @@ class CellPyramid {
 
 /// The front end that suits the cloud: a depth grid for a single view, voxels for all else.
 /// @return null if the cloud is too small for either
-std::unique_ptr<CellPyramid> make_pyramid(const PointCloud& cloud, const SamplingOptions& options);
+std::unique_ptr<CellPyramid> make_pyramid(const CloudView& cloud, const SamplingOptions& options);
 
 /// The depth grid of a single-view cloud; null if the cloud is none.
-std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
+std::unique_ptr<CellPyramid> make_depth_pyramid(const CloudView& cloud,
                                                 const SamplingOptions& options);
 
 /// Voxels of a cloud from many sides.
-std::unique_ptr<CellPyramid> make_voxel_pyramid(const PointCloud& cloud,
+std::unique_ptr<CellPyramid> make_voxel_pyramid(const CloudView& cloud,
                                                 const SamplingOptions& options);
 
 }  // namespace quadrille

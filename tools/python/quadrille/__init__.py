@@ -5,89 +5,108 @@
     plan = quadrille.plan(points, found, "franka")
     best = plan.grasps[0].X_CG                          # (4, 4)
 
+The messages of LCM are classes beside these, as lcm-gen makes them: quadrille.quadrics_t, …,
+quadrille.drake.lcmt_point_cloud, quadrille.bot_core.pose_t, …. quadrille.lcm reads logs and
+subscribes.
+
 Lengths are in metres, angles in radians, times in milliseconds. Frame C is that of the points. A
 pose X_AB takes points of frame B to frame A.
 """
 
 import json as _json
 import os as _os
+from typing import Any as _Any
+from typing import Dict as _Dict
+from typing import List as _List
+from typing import Mapping as _Mapping
+from typing import Optional as _Optional
+from typing import Tuple as _Tuple
+from typing import Union as _Union
+
+from numpy.typing import ArrayLike as _ArrayLike
 
 from . import _core
 from ._core import (Box, Detection, FileError, Grasp, GraspQuery, Gripper, Plan, Result,
-                    __version__, grippers, read_cloud)
+                    __version__, conventions, grippers, read_cloud)
+from ._lcmtypes import *
 
 __all__ = ["Box", "Detection", "FileError", "Grasp", "GraspQuery", "GraspScene", "Gripper", "Plan",
-           "Result", "Tracker", "detect", "grippers", "plan", "read_cloud"]
+           "Result", "Tracker", "conventions", "detect", "grippers", "plan", "read_cloud"]
+
+_Path = _Union[str, "_os.PathLike[str]"]
+_Config = _Union[None, _Path, _Mapping[str, _Any]]
 
 _ORIGIN = (0.0, 0.0, 0.0)
 
 
-def _settings(settings):
-    """TOML, and what it is called in errors, from None, a path or a dict."""
-    if settings is None:
-        return "", "settings"
-    if isinstance(settings, (str, _os.PathLike)):
-        with open(settings, encoding="utf-8") as file:
-            return file.read(), _os.fspath(settings)
-    lines = []
+def _settings(config: _Config) -> _Tuple[str, str]:
+    """TOML, and what it is called in errors."""
+    if config is None:
+        return "", "config"
+    if not isinstance(config, _Mapping):
+        with open(config, encoding="utf-8") as file:
+            return file.read(), _os.fspath(config)
+    lines: _List[str] = []
 
-    def add(table, prefix):
+    def add(table: _Mapping[str, _Any], prefix: str) -> None:
         for key, value in table.items():
-            if isinstance(value, dict):
+            if isinstance(value, _Mapping):
                 add(value, prefix + key + ".")
             else:
                 lines.append(f"{prefix}{key} = {_json.dumps(value)}\n")
 
-    add(settings, "")
-    return "".join(lines), "settings"
+    add(config, "")
+    return "".join(lines), "config"
 
 
-def _gripper(gripper):
+def _gripper(gripper: _Union[_Path, Gripper]) -> Gripper:
     return gripper if isinstance(gripper, Gripper) else Gripper(_os.fspath(gripper))
 
 
-def detect(points, *, viewpoint=_ORIGIN, settings=None):
+def detect(points: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN, config: _Config = None) -> Result:
     """Finds the quadrics of one cloud.
 
     points     array of shape (N, 3), or (H, W, 3) row by row of an organised cloud, in frame C [m];
-               NaN where nothing was measured. float32 in C order is taken as it is, all else is
-               converted first.
+               NaN where nothing was measured. float32 in C order is read where it lies, without
+               a copy: do not write to it meanwhile. All else, such as float64, is converted first.
     viewpoint  where the sensor stood, in frame C [m]
-    settings   path of a TOML file, or a dict such as {"seed": 2, "only": ["sphere"],
+    config     path of a TOML file, or a dict such as {"seed": 2, "only": ["sphere"],
                "planes.sigmas": 3.0}; `quadrille config` prints all of them
 
     Returns a Result, which is also a sequence of its Detections, best first. The same points and
-    settings give the same bits. Other Python threads run meanwhile.
+    config give the same bits. Other Python threads run meanwhile.
     Raises ValueError if points have another shape or a setting is wrong.
     """
-    text, source = _settings(settings)
+    text, source = _settings(config)
     return _core.detect(points, viewpoint, text, source)
 
 
 class GraspScene:
     """One cloud made ready to be asked for grasps more than once.
 
-    points, viewpoint, settings  as of detect()
+    points, viewpoint, config  as of detect()
     result   what detect() found in these points
     gripper  name of a built-in hand (see grippers()), path of a TOML file, or a Gripper
     """
 
-    def __init__(self, points, result, gripper, *, viewpoint=_ORIGIN, settings=None):
-        text, source = _settings(settings)
+    def __init__(self, points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
+                 viewpoint: _ArrayLike = _ORIGIN, config: _Config = None) -> None:
+        text, source = _settings(config)
         self._scene = _core.GraspScene(points, result, _gripper(gripper), viewpoint, text, source)
 
     @property
-    def timings(self):
+    def timings(self) -> _Dict[str, float]:
         """Milliseconds by stage."""
         return self._scene.timings
 
-    def plan(self, **query):
+    def plan(self, **query: _Any) -> Plan:
         """The grasps that are wanted, as a Plan, best first.
 
         targets        ids of detections and boxes
         tracks         tracks of detections
         types          their types, such as ["cylinder"]
         near           only the target nearest to this point [m]
+        roi            only targets with their middle between these two corners, least first [m]
         min_size, max_size          of a target's longest side [m]
         approach, approach_angle    direction to come along, to within this angle [rad]
         min_clearance  distance of the hand from all but its target [m]
@@ -96,22 +115,23 @@ class GraspScene:
         return self._scene.plan(GraspQuery(**query))
 
 
-def plan(points, result, gripper, *, viewpoint=_ORIGIN, settings=None, **query):
+def plan(points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
+         viewpoint: _ArrayLike = _ORIGIN, config: _Config = None, **query: _Any) -> Plan:
     """Plans grasps on what detect() found in these points: GraspScene(…).plan(**query)."""
-    scene = GraspScene(points, result, gripper, viewpoint=viewpoint, settings=settings)
+    scene = GraspScene(points, result, gripper, viewpoint=viewpoint, config=config)
     return scene.plan(**query)
 
 
 class Tracker:
     """Gives the detections of successive clouds ids that last.
 
-    settings  as of detect(), of which the table `track` counts
+    config  as of detect(), of which the table `track` counts
     """
 
-    def __init__(self, settings=None):
-        self._tracker = _core.Tracker(*_settings(settings))
+    def __init__(self, config: _Config = None) -> None:
+        self._tracker = _core.Tracker(*_settings(config))
 
-    def update(self, result, utime, X_WC=None):
+    def update(self, result: Result, utime: int, X_WC: _Optional[_ArrayLike] = None) -> None:
         """Sets Detection.track of all detections of a Result.
 
         utime  time of the cloud [us]

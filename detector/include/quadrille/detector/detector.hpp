@@ -2,9 +2,9 @@
 
 #include <functional>
 
+#include "quadrille/detector/cloud_view.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/options.hpp"
-#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
 
@@ -25,11 +25,11 @@ using QuadricsReady = std::function<void(const DetectionResult& found)>;
 /// The same cloud, options and seed give the same bits, whatever the thread count.
 /// @param ready  called once, for those who wait for the quadrics alone; none by default
 /// @throws std::invalid_argument if an option is out of range (the message names the field)
-DetectionResult detect(const PointCloud& cloud, const DetectorOptions& options = {},
+DetectionResult detect(const CloudView& cloud, const DetectorOptions& options = {},
                        const QuadricsReady& ready = {});
 
 /// The same without boxes: for those who look for them in what they make of the detections, as the
 /// planner does.
-DetectionResult detect_quadrics(const PointCloud& cloud, const DetectorOptions& options = {});
+DetectionResult detect_quadrics(const CloudView& cloud, const DetectorOptions& options = {});
 
 }  // namespace quadrille

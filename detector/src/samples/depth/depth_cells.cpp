@@ -72,7 +72,7 @@ void add_runs(const SeenPoints& t, const int* cell, std::vector<Sums>* sums) {
 }
 
 /// Sums of the points of each cell; of_point gets the cell of each point looked at, −1 if unseen.
-std::vector<Sums> sum_up(const PointCloud& cloud, const PinholeView& view, const DepthCells& cells,
+std::vector<Sums> sum_up(const CloudView& cloud, const PinholeView& view, const DepthCells& cells,
                          std::vector<int>* of_point) {
   constexpr std::size_t kSize = SeenPoints::kSize;
   const CellIndex index(cells);
@@ -90,7 +90,7 @@ std::vector<Sums> sum_up(const PointCloud& cloud, const PinholeView& view, const
 
 /// Of cells across a depth edge, keeps the side, near or far of the middle, that has more points.
 /// @return per cell, whether points stand in clearly different depths; empty if nowhere
-std::vector<char> keep_larger_sides(const PointCloud& cloud, const PinholeView& view,
+std::vector<char> keep_larger_sides(const CloudView& cloud, const PinholeView& view,
                                     const std::vector<int>& of_point, const DepthCells& cells,
                                     std::vector<Sums>* sums) {
   std::vector<int> split(sums->size(), -1);
@@ -215,7 +215,7 @@ void join_side_of_middle(const DepthCells& fine, const FineRows& rows, int i, in
 
 }  // namespace
 
-DepthCells make_depth_cells(const PointCloud& cloud, const PinholeView& view,
+DepthCells make_depth_cells(const CloudView& cloud, const PinholeView& view,
                             const PinholeImage& image, int pixels) {
   DepthCells cells;
   cells.image = image;

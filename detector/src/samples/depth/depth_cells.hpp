@@ -5,8 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "quadrille/detector/cloud_view.hpp"
 #include "quadrille/detector/pinhole.hpp"
-#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
 
@@ -50,7 +50,7 @@ inline bool continuous(const DepthCells& cells, float w_a, float w_b) {
 
 /// Averages the points over cells of the given number of pixels; a cell across a depth edge keeps
 /// the side with more points.
-DepthCells make_depth_cells(const PointCloud& cloud, const PinholeView& view,
+DepthCells make_depth_cells(const CloudView& cloud, const PinholeView& view,
                             const PinholeImage& image, int pixels);
 
 /// Cells of twice the edge; a cell that would span a depth edge keeps the side with more points.

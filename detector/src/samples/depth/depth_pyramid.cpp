@@ -86,7 +86,7 @@ class DepthPyramid : public CellPyramid {
 };
 
 /// Depth that kNearTenths of the points are nearer than [m]; 1 m if too few are seen to tell.
-float near_depth(const PointCloud& cloud, const PinholeView& view) {
+float near_depth(const CloudView& cloud, const PinholeView& view) {
   std::vector<float> w;
   const std::size_t stride = std::max<std::size_t>(1, view.seen / kDepths);
   for (std::size_t i = 0; i < cloud.points.size(); i += stride) {
@@ -101,7 +101,7 @@ float near_depth(const PointCloud& cloud, const PinholeView& view) {
 
 }  // namespace
 
-std::unique_ptr<CellPyramid> make_depth_pyramid(const PointCloud& cloud,
+std::unique_ptr<CellPyramid> make_depth_pyramid(const CloudView& cloud,
                                                 const SamplingOptions& options) {
   const std::optional<PinholeView> view = find_view(cloud, options.stride);
   if (!view) return nullptr;

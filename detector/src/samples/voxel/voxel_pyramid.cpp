@@ -18,7 +18,7 @@ constexpr std::ptrdiff_t kMinPoints = 50;
 
 class VoxelPyramid : public CellPyramid {
  public:
-  VoxelPyramid(const PointCloud& cloud, float edge, const NoiseOptions& noise)
+  VoxelPyramid(const CloudView& cloud, float edge, const NoiseOptions& noise)
       : eye_(cloud.viewpoint.cast<float>()) {
     grids_.emplace_back(cloud.points, std::span<const int>{}, edge);
     for (int l = 1; l < kLevels; ++l) {
@@ -75,7 +75,7 @@ class VoxelPyramid : public CellPyramid {
 
 }  // namespace
 
-std::unique_ptr<CellPyramid> make_voxel_pyramid(const PointCloud& cloud,
+std::unique_ptr<CellPyramid> make_voxel_pyramid(const CloudView& cloud,
                                                 const SamplingOptions& options) {
   const auto finite = std::count_if(cloud.points.begin(), cloud.points.end(),
                                     [](const Eigen::Vector3f& p) { return p.allFinite(); });
