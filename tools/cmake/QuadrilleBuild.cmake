@@ -15,6 +15,8 @@ set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 include(GNUInstallDirs)
 # Of the components runtime, dev, python and doc packages are made.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
+# What is installed is built by the target quadrille_installed, without the tests.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 
 option(BUILD_SHARED_LIBS "Build shared libraries instead of static ones" OFF)
 if(BUILD_SHARED_LIBS)
