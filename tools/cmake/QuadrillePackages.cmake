@@ -14,6 +14,8 @@ set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGE_VENDOR "the quadrille authors")
+# Each component's description begins with a summary of its own.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(CPACK_PACKAGE_CONTACT "the quadrille authors <maintainers@quadrille.invalid>")
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ
     GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -39,33 +41,33 @@ endfunction()
 
 quadrille_package(runtime quadrille science ""
 "finds quadrics in point clouds and plans grasps
- Spheres, cylinders, cones, ellipsoids, bowls, planes and more are found in
- point clouds, and two-finger grasps are planned on them.
- .
- The package has the command quadrille, the LCM processes quadrille-detector
- and quadrille-grasp-planner with their systemd units (none is enabled), and
- descriptions of grippers.")
+Spheres, cylinders, cones, ellipsoids, bowls, planes and more are found in
+point clouds, and two-finger grasps are planned on them.
+
+The package has the command quadrille, the LCM processes quadrille-detector
+and quadrille-grasp-planner with their systemd units (none is enabled), and
+descriptions of grippers.")
 quadrille_package(dev libquadrille-dev libdevel
 "libeigen3-dev, libfcl-dev, liboctomap-dev, liblcm-dev"
 "finds quadrics and plans grasps - libraries
- C++20 libraries that find quadric surfaces in point clouds and plan two-finger
- grasps on them, for CMake and pkg-config.
- .
- The package has the headers and static libraries, the LCM message types as
- .lcm files and as C++ headers, and examples.")
+C++20 libraries that find quadric surfaces in point clouds and plan two-finger
+grasps on them, for CMake and pkg-config.
+
+The package has the headers and static libraries, the types of LCM messages
+as C++ headers and as .lcm files, and examples.")
 # A module is for one version of Python.
 get_directory_property(python_minor DIRECTORY tools/python DEFINITION Python3_VERSION_MINOR)
 math(EXPR next_python_minor "0${python_minor} + 1")
 quadrille_package(python python3-quadrille python
 "python3 (>= 3.${python_minor}), python3 (<< 3.${next_python_minor}~), python3-numpy"
 "finds quadrics and plans grasps - Python package
- Python 3 package that finds quadric surfaces in point clouds, which are arrays
- of numpy, and plans two-finger grasps on them.")
+Python 3 package that finds quadric surfaces in point clouds, which are arrays
+of numpy, and plans two-finger grasps on them.")
 quadrille_package(doc quadrille-doc doc ""
 "finds quadrics and plans grasps - documentation
- The manual of quadrille, which finds quadric surfaces in point clouds and plans
- two-finger grasps on them; how it is built, what the paper's experiments gave,
- and examples in C++ and Python.")
+The manual of quadrille, which finds quadric surfaces in point clouds and
+plans two-finger grasps on them; how it is built, what the paper's experiments
+gave, and examples in C++ and Python.")
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOC_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "liblcm-bin, quadrille-doc")
