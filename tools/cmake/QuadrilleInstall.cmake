@@ -9,8 +9,9 @@ file(RELATIVE_PATH QUADRILLE_PREFIX_FROM_PKGCONFIG
 # quadrille_install_library(COMPONENT DESCRIPTION REQUIRES LIBS): installs quadrille::COMPONENT.
 # REQUIRES are pkg-config modules, LIBS further linker flags.
 function(quadrille_install_library component description requires libs)
-  # Before 1.0 a new minor version may change the binary interface.
-  set_target_properties(quadrille_${component} PROPERTIES VERSION ${PROJECT_VERSION}
+  # Before 1.0 a new minor version may change the binary interface. Without a symbol that is defined
+  # for shared libraries alone their objects are those of static ones.
+  set_target_properties(quadrille_${component} PROPERTIES VERSION ${PROJECT_VERSION} DEFINE_SYMBOL ""
                         SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   install(TARGETS quadrille_${component} EXPORT quadrille_${component}
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
