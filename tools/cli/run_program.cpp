@@ -2,9 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
+
+#include "cli/describe_program.hpp"
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -55,6 +58,10 @@ int run_program(CLI::App& app, int argc, const char* const* argv,
   app.failure_message(describe_usage_error);
   keep_freed_memory();
   try {
+    if (const char* how = std::getenv("QUADRILLE_DESCRIBE")) {
+      std::fputs(describe_program(app, how, {argv + 1, argv + argc}).c_str(), stdout);
+      return 0;
+    }
     app.parse(argc, argv);
     work();
     return 0;

@@ -8,8 +8,21 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
+# Seen from outside is only what the public headers mark with QUADRILLE_EXPORT.
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 
 include(GNUInstallDirs)
+# Of the components runtime, dev, python and doc packages are made.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
+# What is installed is built by the target quadrille_installed, without the tests.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
+
+option(BUILD_SHARED_LIBS "Build shared libraries instead of static ones" OFF)
+if(BUILD_SHARED_LIBS)
+  # From bin and from the Python package in lib/python3/dist-packages.
+  set(CMAKE_INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR} $ORIGIN/../../..)
+endif()
 
 set(QUADRILLE_SANITIZE "" CACHE STRING "Sanitizers for all targets, such as address,undefined")
 if(QUADRILLE_SANITIZE)
@@ -37,4 +50,17 @@ endif()
 # after a square root; without it, loops of them become vector instructions.
 function(quadrille_settings target)
   target_compile_options(${target} PRIVATE ${QUADRILLE_WARNINGS} -ffp-contract=off -fno-math-errno)
+endfunction()
+
+# quadrille_inside(NAME COMPONENT): all of quadrille::COMPONENT, with what a shared library hides, for
+# those that look inside: fits, tests, experiments. Not installed.
+function(quadrille_inside name component)
+  if(BUILD_SHARED_LIBS)
+    add_library(${name} STATIC $<TARGET_OBJECTS:quadrille_${component}>)
+    set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
+  else()
+    add_library(${name} INTERFACE)
+  endif()
+  target_include_directories(${name} INTERFACE src)
+  target_link_libraries(${name} INTERFACE quadrille::${component})
 endfunction()

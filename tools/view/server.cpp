@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <semaphore>
 #include <stdexcept>
+#include <utility>
 
 #include "view/assets.hpp"
 #include "view/pack.hpp"
@@ -25,20 +26,24 @@ constexpr const char* kQuestionsPath = "/api/questions";
 constexpr std::chrono::milliseconds kAnswerWait{1000};
 
 /// Makes the thread that accepts connections wait while too many are open.
-class BoundedPool : public httplib::ThreadPool {
+class BoundedPool : public httplib::TaskQueue {
  public:
-  BoundedPool() : httplib::ThreadPool(Server::kThreads) {}
+  /// Of older versions void, of newer ones whether there was a place.
+  using Enqueued = decltype(std::declval<httplib::TaskQueue&>().enqueue({}));
 
-  void enqueue(std::function<void()> work) override {
+  Enqueued enqueue(std::function<void()> work) override {
     places_.acquire();
-    httplib::ThreadPool::enqueue([this, work = std::move(work)] {
+    return threads_.enqueue([this, work = std::move(work)] {
       work();
       places_.release();
     });
   }
 
+  void shutdown() override { threads_.shutdown(); }
+
  private:
   std::counting_semaphore<Server::kMaxRequests> places_{Server::kMaxRequests};
+  httplib::ThreadPool threads_{Server::kThreads};
 };
 
 void refuse(httplib::Response& response, int status, const std::string& why) {

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "quadrille/detector/export.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/quadric_type.hpp"
 
@@ -24,7 +25,7 @@ struct CanonicalForm {
 };
 
 /// True if a dimension of that name is an angle and not a length.
-bool is_angle(const std::string& dimension);
+QUADRILLE_EXPORT bool is_angle(const std::string& dimension);
 
 /// Finds type, pose and dimensions from the eigenvalues of Q and its upper left 3x3 block: all 17
 /// types, with the circular ones apart.
@@ -33,10 +34,10 @@ bool is_angle(const std::string& dimension);
 /// @param tolerance  relative size below which an eigenvalue, a constant or a difference of
 ///                   semi-axes counts as zero
 /// @throws std::invalid_argument if Q is zero, not finite, or a constant
-CanonicalForm canonical_form(const Quadric& Q, double tolerance = 1e-9);
+QUADRILLE_EXPORT CanonicalForm canonical_form(const Quadric& Q, double tolerance = 1e-9);
 
 /// The quadric of a canonical form, the inverse of canonical_form() up to scale.
 /// @throws std::invalid_argument for a type without dimensions of its own (imaginary ones)
-Quadric from_canonical(const CanonicalForm& form);
+QUADRILLE_EXPORT Quadric from_canonical(const CanonicalForm& form);
 
 }  // namespace quadrille

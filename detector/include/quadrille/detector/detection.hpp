@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "quadrille/detector/box.hpp"
+#include "quadrille/detector/export.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/quadric_type.hpp"
 
@@ -69,7 +70,7 @@ inline bool is_reported(const Detection& detection) { return detection.id >= 0; 
 
 /// The rotation of a pose as messages and files hold it: a unit quaternion with w >= 0, for q and
 /// -q are one rotation, and equal poses are to be written equally.
-Eigen::Quaterniond rotation_of(const Eigen::Isometry3d& X);
+QUADRILLE_EXPORT Eigen::Quaterniond rotation_of(const Eigen::Isometry3d& X);
 
 /// Wall time of one stage of a computation.
 struct StageTime {

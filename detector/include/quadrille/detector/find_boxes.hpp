@@ -5,6 +5,7 @@
 #include "quadrille/detector/box.hpp"
 #include "quadrille/detector/cloud_view.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille {
 
@@ -19,6 +20,7 @@ namespace quadrille {
 /// @param cloud  from which the detections come, with the viewpoint of its sensor
 /// @return boxes in frame C of the cloud; one plane may hold faces of several, as the tops of boxes
 ///         of one height
-std::vector<Box> find_boxes(const CloudView& cloud, const std::vector<Detection>& detections);
+QUADRILLE_EXPORT std::vector<Box> find_boxes(const CloudView& cloud,
+                                             const std::vector<Detection>& detections);
 
 }  // namespace quadrille

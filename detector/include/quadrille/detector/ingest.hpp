@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "quadrille/detector/export.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
@@ -40,7 +41,8 @@ struct PointLayout {
 ///                are rounded to single precision
 /// @return the cloud, its viewpoint at the origin of C and its frame empty
 /// @throws std::invalid_argument if the layout does not fit into the bytes
-PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layout,
-                       const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
+QUADRILLE_EXPORT PointCloud
+read_points(std::span<const std::byte> bytes, const PointLayout& layout,
+            const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
 
 }  // namespace quadrille

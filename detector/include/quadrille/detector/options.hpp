@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "quadrille/detector/export.hpp"
 #include "quadrille/detector/quadric_type.hpp"
 #include "quadrille/detector/setting.hpp"
 #include "quadrille/detector/stage_options.hpp"
@@ -11,7 +12,7 @@ namespace quadrille {
 
 /// The types that a detector can find: not the imaginary ones, and no plane doubled onto itself,
 /// which is reported as a plane.
-std::vector<Word<QuadricType>> words_of(QuadricType);
+QUADRILLE_EXPORT std::vector<Word<QuadricType>> words_of(QuadricType);
 
 /// All settings of the detector, stage by stage.
 struct DetectorOptions {
@@ -49,7 +50,7 @@ struct DetectorOptions {
   }
 
   /// @throws std::invalid_argument naming the field that is out of range
-  void check() const;
+  QUADRILLE_EXPORT void check() const;
 };
 
 }  // namespace quadrille

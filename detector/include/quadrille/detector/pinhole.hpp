@@ -8,6 +8,7 @@
 #include <span>
 
 #include "quadrille/detector/cloud_view.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille {
 
@@ -56,16 +57,17 @@ struct PinholeView {
     return (points + step - 1) / step;
   }
   /// Looks at kSize points from the k-th one of them on; what is past the end counts as missing.
-  SeenPoints look(std::span<const Eigen::Vector3f> points, std::size_t k) const;
+  QUADRILLE_EXPORT SeenPoints look(std::span<const Eigen::Vector3f> points, std::size_t k) const;
 };
 
 /// Looks at a cloud from its viewpoint: along z of the cloud's frame if all points lie there, as in
 /// a camera's own frame, else to the middle of the points. Nullopt if it sees none.
-std::optional<PinholeView> look_from_viewpoint(const CloudView& cloud, int stride = 1);
+QUADRILLE_EXPORT std::optional<PinholeView> look_from_viewpoint(const CloudView& cloud,
+                                                                int stride = 1);
 
 /// The same, but nullopt also if the cloud is no single view: too small, or not all ahead of its
 /// viewpoint within a pinhole's field of view.
-std::optional<PinholeView> find_view(const CloudView& cloud, int stride = 1);
+QUADRILLE_EXPORT std::optional<PinholeView> find_view(const CloudView& cloud, int stride = 1);
 
 /// The pixels that a view fills.
 struct PinholeImage {
@@ -78,12 +80,14 @@ struct PinholeImage {
 /// Finds pitch and phase of square pixels from the points themselves: from the steps between
 /// consecutive points where they come row by row, else from their density. Nullopt if the points
 /// fill no image.
-std::optional<PinholeImage> find_image(const CloudView& cloud, const PinholeView& view);
+QUADRILLE_EXPORT std::optional<PinholeImage> find_image(const CloudView& cloud,
+                                                        const PinholeView& view);
 
 /// Finds the pixels one by one, for a depth image: with a pitch of their own along u and v, if
 /// they repeat so regularly that each point falls into a pixel of its own; else pixels so coarse
 /// that the usual one holds two points. Whatever the points are, the image has max_pixels at most:
 /// its pixels become coarser.
-PinholeImage find_pixels(const CloudView& cloud, const PinholeView& view, double max_pixels);
+QUADRILLE_EXPORT PinholeImage find_pixels(const CloudView& cloud, const PinholeView& view,
+                                          double max_pixels);
 
 }  // namespace quadrille

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille {
 
 /// The paper's 10-vector q = (A B C D E F G H I J).
@@ -16,34 +18,34 @@ class Quadric {
   /// @param Q  4x4 symmetric
   explicit Quadric(const Eigen::Matrix4d& Q) : Q_(Q) {}
   /// @param q  the paper's 10-vector
-  explicit Quadric(const Vector10d& q);
+  QUADRILLE_EXPORT explicit Quadric(const Vector10d& q);
 
   /// 4x4 symmetric matrix Q.
   const Eigen::Matrix4d& matrix() const { return Q_; }
   /// The 10-vector q.
-  Vector10d coefficients() const;
+  QUADRILLE_EXPORT Vector10d coefficients() const;
   /// The same surface with |q| = 1 and the same sign; unchanged if q is zero.
-  Quadric normalized() const;
+  QUADRILLE_EXPORT Quadric normalized() const;
   /// The same surface with the opposite gradient.
   Quadric flipped() const { return Quadric(Eigen::Matrix4d(-Q_)); }
 
   /// f(x), the algebraic distance.
-  double value(const Eigen::Vector3d& x) const;
+  QUADRILLE_EXPORT double value(const Eigen::Vector3d& x) const;
   /// ∇f(x).
-  Eigen::Vector3d gradient(const Eigen::Vector3d& x) const;
+  QUADRILLE_EXPORT Eigen::Vector3d gradient(const Eigen::Vector3d& x) const;
   /// f(x) / |∇f(x)|, the signed first-order distance [m]; infinite where the gradient vanishes.
-  double distance(const Eigen::Vector3d& x) const;
+  QUADRILLE_EXPORT double distance(const Eigen::Vector3d& x) const;
 
   /// The quadric that holds X·x for each x of this one: Q_B = X_BA⁻ᵀ Q_A X_BA⁻¹.
-  Quadric transformed(const Eigen::Isometry3d& X_BA) const;
+  QUADRILLE_EXPORT Quadric transformed(const Eigen::Isometry3d& X_BA) const;
   /// The same for any invertible projective map of homogeneous points, x_B ~ P_BA x_A.
   /// @throws std::invalid_argument if P_BA is singular or not finite
-  Quadric transformed(const Eigen::Projective3d& P_BA) const;
+  QUADRILLE_EXPORT Quadric transformed(const Eigen::Projective3d& P_BA) const;
 
   /// The dual quadric Q*, the locus of the planes Π with Πᵀ Q* Π = 0 that touch this one (paper,
   /// definition 2). The adjugate of Q, which is ~ Q⁻¹ where Q has full rank, and exists for all:
   /// of rank 1 for cones and cylinders, zero for pairs of planes.
-  Eigen::Matrix4d dual() const;
+  QUADRILLE_EXPORT Eigen::Matrix4d dual() const;
 
  private:
   Eigen::Matrix4d Q_ = Eigen::Matrix4d::Zero();

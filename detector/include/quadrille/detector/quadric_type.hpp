@@ -4,6 +4,8 @@
 #include <optional>
 #include <string_view>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille {
 
 /// The 17 real and imaginary affine types of quadrics, with the rotational special cases (sphere,
@@ -35,24 +37,24 @@ enum class QuadricType {
 inline constexpr int kQuadricTypeCount = 21;
 
 /// All types, in the order of the enumeration.
-std::array<QuadricType, kQuadricTypeCount> all_quadric_types();
+QUADRILLE_EXPORT std::array<QuadricType, kQuadricTypeCount> all_quadric_types();
 
 /// The name used in JSON, messages and options, such as "elliptic_cylinder".
-std::string_view to_string(QuadricType type);
+QUADRILLE_EXPORT std::string_view to_string(QuadricType type);
 
 /// The type of a name; nullopt if there is none of that name.
-std::optional<QuadricType> quadric_type_from_string(std::string_view name);
+QUADRILLE_EXPORT std::optional<QuadricType> quadric_type_from_string(std::string_view name);
 
 /// True for a plane and for pairs of planes.
-bool is_flat(QuadricType type);
+QUADRILLE_EXPORT bool is_flat(QuadricType type);
 
 /// True for the types without real points, or with a single one or a single line of them.
-bool is_imaginary(QuadricType type);
+QUADRILLE_EXPORT bool is_imaginary(QuadricType type);
 
 /// Natural logarithm of how often objects have this type, compared with the common ones, which are
 /// circular: few are saddles, hyperboloids of two sheets, or parabolic or hyperbolic cylinders,
 /// which the noise on other shapes and the rounded edges of boxes pass for.
-double log_prior(QuadricType type);
+QUADRILLE_EXPORT double log_prior(QuadricType type);
 
 /// Sets of quadrics that a fit can be restricted to, simplest first.
 enum class Family {

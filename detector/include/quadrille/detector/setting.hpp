@@ -5,6 +5,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille {
 
 /// A row of the table of options: all that there is to say of one, but for its default, which
@@ -46,8 +48,8 @@ constexpr std::string_view word_of(Choice choice) {
 }
 
 /// @throws std::invalid_argument "NAME = VALUE: must lie between MIN and MAX" if it does not
-void check_range(const Setting& setting, double value);
-void check_range(const Setting& setting, int value);
+QUADRILLE_EXPORT void check_range(const Setting& setting, double value);
+QUADRILLE_EXPORT void check_range(const Setting& setting, int value);
 
 /// Checks each option of a struct against its row.
 /// @throws std::invalid_argument naming the first option that is out of range

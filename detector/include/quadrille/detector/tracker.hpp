@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/export.hpp"
 #include "quadrille/detector/setting.hpp"
 
 namespace quadrille {
@@ -41,7 +42,7 @@ struct TrackOptions {
   }
 
   /// @throws std::invalid_argument naming the field that is out of range
-  void check() const;
+  QUADRILLE_EXPORT void check() const;
 };
 
 /// Gives the detections of successive clouds ids that last: one surface, one id, through frames in
@@ -54,18 +55,18 @@ struct TrackOptions {
 class Tracker {
  public:
   /// @throws std::invalid_argument if an option is out of range
-  explicit Tracker(const TrackOptions& options = {});
-  ~Tracker();
-  Tracker(Tracker&&) noexcept;
-  Tracker& operator=(Tracker&&) noexcept;
+  QUADRILLE_EXPORT explicit Tracker(const TrackOptions& options = {});
+  QUADRILLE_EXPORT ~Tracker();
+  QUADRILLE_EXPORT Tracker(Tracker&&) noexcept;
+  QUADRILLE_EXPORT Tracker& operator=(Tracker&&) noexcept;
 
   /// Sets Detection::track of the detections of one cloud, 1, 2, … in order of appearance.
   ///
   /// If time runs backwards, a log has been started again: all is forgotten, and ids begin with 1.
   /// @param utime  time of the cloud [us]; equal times are one moment
   /// @param X_WC   pose of the cloud's frame in a fixed frame W; the identity for a camera at rest
-  void update(std::int64_t utime, const Eigen::Isometry3d& X_WC,
-              std::vector<Detection>* detections);
+  QUADRILLE_EXPORT void update(std::int64_t utime, const Eigen::Isometry3d& X_WC,
+                               std::vector<Detection>* detections);
 
  private:
   struct Track;

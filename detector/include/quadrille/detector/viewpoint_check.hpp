@@ -5,6 +5,7 @@
 
 #include "quadrille/detector/cloud_view.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille {
 
@@ -15,6 +16,7 @@ namespace quadrille {
 /// whatever the cloud, no plane may hide most of what lies about it.
 /// @param detections  what was found in the cloud, in its frame C; of these the planes count
 /// @return one sentence: what is wrong, where, and what to do
-std::string contradict_viewpoint(const CloudView& cloud, const std::vector<Detection>& detections);
+QUADRILLE_EXPORT std::string contradict_viewpoint(const CloudView& cloud,
+                                                  const std::vector<Detection>& detections);
 
 }  // namespace quadrille

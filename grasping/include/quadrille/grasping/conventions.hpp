@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "quadrille/detector/export.hpp"
 #include "quadrille/grasping/gripper.hpp"
 
 namespace quadrille {
@@ -22,19 +23,20 @@ inline constexpr std::array<HandConvention, 4> kHandConventions = {
     HandConvention::kGraspnet};
 
 /// "drake", "moveit", "gpd" or "graspnet".
-std::string_view to_string(HandConvention convention);
+QUADRILLE_EXPORT std::string_view to_string(HandConvention convention);
 
 /// Pose X_GH of the convention's hand frame H in G: a rotation by quarter turns and an offset back
 /// along the approach. Hands whose fingers swing on links have an offset that depends on the width.
 /// @param width  distance between the pads at the end of the grasp [m]
-Eigen::Isometry3d hand_in_grasp(HandConvention convention, const Gripper& gripper, double width);
+QUADRILLE_EXPORT Eigen::Isometry3d hand_in_grasp(HandConvention convention, const Gripper& gripper,
+                                                 double width);
 
 /// The hand's pose X_CH of a grasp X_CG.
-Eigen::Isometry3d hand_pose(HandConvention convention, const Gripper& gripper,
-                            const Eigen::Isometry3d& X_CG, double width);
+QUADRILLE_EXPORT Eigen::Isometry3d hand_pose(HandConvention convention, const Gripper& gripper,
+                                             const Eigen::Isometry3d& X_CG, double width);
 
 /// The grasp X_CG of a hand's pose X_CH, the inverse of hand_pose().
-Eigen::Isometry3d grasp_of_hand(HandConvention convention, const Gripper& gripper,
-                                const Eigen::Isometry3d& X_CH, double width);
+QUADRILLE_EXPORT Eigen::Isometry3d grasp_of_hand(HandConvention convention, const Gripper& gripper,
+                                                 const Eigen::Isometry3d& X_CH, double width);
 
 }  // namespace quadrille

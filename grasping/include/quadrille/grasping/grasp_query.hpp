@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "quadrille/detector/export.hpp"
 #include "quadrille/detector/quadric_type.hpp"
 
 namespace quadrille {
@@ -56,13 +57,13 @@ struct GraspQuery {
   std::optional<int> max_grasps;
 
   /// True if it asks for some targets alone.
-  bool selects() const;
+  QUADRILLE_EXPORT bool selects() const;
 
   /// @throws std::invalid_argument that names the field which is out of range, and the remedy
-  void check() const;
+  QUADRILLE_EXPORT void check() const;
 };
 
 /// A query of frame C in frame F.
-GraspQuery moved(GraspQuery query, const Eigen::Isometry3d& X_FC);
+QUADRILLE_EXPORT GraspQuery moved(GraspQuery query, const Eigen::Isometry3d& X_FC);
 
 }  // namespace quadrille

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "quadrille/detector/export.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/plan.hpp"
 
@@ -17,20 +18,20 @@ struct SceneParts;
 class GraspScene {
  public:
   /// As for plan_grasps(); nothing that is given has to outlive this.
-  GraspScene(const PointCloud& cloud, const std::vector<Detection>& detections,
-             const Gripper& gripper, const PlanOptions& options = {},
-             const std::vector<PointCloud>& further = {});
-  GraspScene(GraspScene&&) noexcept;
-  GraspScene& operator=(GraspScene&&) noexcept;
-  ~GraspScene();
+  QUADRILLE_EXPORT GraspScene(const PointCloud& cloud, const std::vector<Detection>& detections,
+                              const Gripper& gripper, const PlanOptions& options = {},
+                              const std::vector<PointCloud>& further = {});
+  QUADRILLE_EXPORT GraspScene(GraspScene&&) noexcept;
+  QUADRILLE_EXPORT GraspScene& operator=(GraspScene&&) noexcept;
+  QUADRILLE_EXPORT ~GraspScene();
 
   /// What it took to make this, by stage.
-  const std::vector<StageTime>& timings() const;
+  QUADRILLE_EXPORT const std::vector<StageTime>& timings() const;
 
   /// The grasps that are wanted, in the same frame C; its timings are those of this query alone. If
   /// nothing can be what is wanted, a warning says why.
   /// @throws std::invalid_argument if the query is out of range
-  GraspPlan plan(const GraspQuery& query = {}) const;
+  QUADRILLE_EXPORT GraspPlan plan(const GraspQuery& query = {}) const;
 
  private:
   std::unique_ptr<const SceneParts> parts_;

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille {
 
 /// A parallel-jaw hand as boxes in the grasp frame G: origin midway between the finger pads,
@@ -32,24 +34,24 @@ struct Gripper {
 
   /// How much farther from the palm the tips lie at an opening than at the largest one [m]: with L
   /// and φ the links' length and angle, L(cos ψ − cos φ) where sin ψ = sin φ − (max − opening)/2L.
-  double extension(double opening) const;
+  QUADRILLE_EXPORT double extension(double opening) const;
   /// Largest extension over all openings from `narrow` to `wide` [m].
-  double max_extension(double narrow, double wide) const;
+  QUADRILLE_EXPORT double max_extension(double narrow, double wide) const;
   /// From the palm's front to the origin of G, closed to a width [m].
-  double reach(double width) const;
+  QUADRILLE_EXPORT double reach(double width) const;
 
   /// @throws std::invalid_argument naming the field that contradicts the others, and the remedy
-  void check() const;
+  QUADRILLE_EXPORT void check() const;
 };
 
 /// The Franka Hand, sizes after the facts of its description.
-Gripper franka_hand();
+QUADRILLE_EXPORT Gripper franka_hand();
 
 /// The Schunk WSG 50 with its standard fingers, for objects too wide for the Franka Hand.
-Gripper schunk_wsg50();
+QUADRILLE_EXPORT Gripper schunk_wsg50();
 
 /// A built-in gripper by name ("franka", "wsg50"); throws std::invalid_argument listing the names
 /// it knows.
-Gripper gripper_by_name(const std::string& name);
+QUADRILLE_EXPORT Gripper gripper_by_name(const std::string& name);
 
 }  // namespace quadrille

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "quadrille/detector/export.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
 namespace octomap {
@@ -40,10 +41,10 @@ class OccupancyGrid {
   /// @param resolution  voxel edge [m]
   /// @throws std::invalid_argument if the resolution is not positive, the region leaves OctoMap's
   ///         range of ±32768 voxels, or it has more than kMaxVoxels
-  OccupancyGrid(const Eigen::AlignedBox3d& region, double resolution);
+  QUADRILLE_EXPORT OccupancyGrid(const Eigen::AlignedBox3d& region, double resolution);
   /// What one view shows of it.
-  OccupancyGrid(const PointCloud& cloud, const DepthView& view, const Eigen::AlignedBox3d& region,
-                double resolution);
+  QUADRILLE_EXPORT OccupancyGrid(const PointCloud& cloud, const DepthView& view,
+                                 const Eigen::AlignedBox3d& region, double resolution);
 
   /// Looks for free space only in blocks that meet one of these boxes from now on, to save time;
   /// the others stay unknown but for the points in them.
@@ -52,13 +53,13 @@ class OccupancyGrid {
   /// any saw through is free.
   /// @param view  the view of that cloud
   /// @throws std::invalid_argument if it is that of another one
-  void add(const PointCloud& cloud, const DepthView& view);
+  QUADRILLE_EXPORT void add(const PointCloud& cloud, const DepthView& view);
 
   /// Marks unknown voxels over free ones as clear: things stand, and what would reach up there
   /// would be seen below. Only voxels beside the image and at missing pixels, not what a surface
   /// hides: a thing may overhang what stands before it.
   /// @param up_C  unit normal of the plane that things stand on
-  void clear_above(const DepthView& view, const Eigen::Vector3d& up_C);
+  QUADRILLE_EXPORT void clear_above(const DepthView& view, const Eigen::Vector3d& up_C);
 
   double resolution() const { return resolution_; }
   /// Voxels along x, y and z; zero for an empty region.
@@ -66,9 +67,9 @@ class OccupancyGrid {
   /// Corner of voxel (0, 0, 0), in voxels from the origin of C.
   const Eigen::Vector3i& corner() const { return corner_; }
   /// The space that it covers, in frame C [m].
-  Eigen::AlignedBox3d bounds() const;
+  QUADRILLE_EXPORT Eigen::AlignedBox3d bounds() const;
   /// State at a point of C; unknown outside.
-  Voxel at(const Eigen::Vector3d& p_C) const;
+  QUADRILLE_EXPORT Voxel at(const Eigen::Vector3d& p_C) const;
   Voxel at(int i, int j, int k) const { return states_[index(i, j, k)]; }
   std::size_t index(int i, int j, int k) const {
     return (static_cast<std::size_t>(k) * size_.y() + j) * size_.x() + i;
@@ -83,12 +84,12 @@ class OccupancyGrid {
   /// more than kMaxVoxels. Where its lattice is turned a voxel meets several of this one, and is
   /// what the most cautious of them is: occupied if any is, free only if all are.
   /// @throws std::invalid_argument if the region then leaves OctoMap's range
-  OccupancyGrid moved(const Eigen::Isometry3d& X_FC) const;
+  QUADRILLE_EXPORT OccupancyGrid moved(const Eigen::Isometry3d& X_FC) const;
 
   /// The same map as an OctoMap, uniform blocks as single nodes; unknown where it has no node.
   /// @param unknown_occupied  mark unknown space of the region as occupied, for FCL, which lets
   ///                          everything pass where the tree has no node
-  std::shared_ptr<octomap::OcTree> to_octree(bool unknown_occupied = false) const;
+  QUADRILLE_EXPORT std::shared_ptr<octomap::OcTree> to_octree(bool unknown_occupied = false) const;
 
  private:
   void mark_free(const DepthView& view);

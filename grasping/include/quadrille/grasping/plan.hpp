@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/export.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/grasping/collision_shape.hpp"
 #include "quadrille/grasping/grasp.hpp"
@@ -45,8 +46,10 @@ struct GraspPlan {
 ///                 viewpoint: what they show free or occupied is so
 /// @param query    which grasps are wanted; to ask more than once, see GraspScene
 /// @throws std::invalid_argument if gripper, options or query are out of range
-GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
-                      const Gripper& gripper, const PlanOptions& options = {},
-                      const std::vector<PointCloud>& further = {}, const GraspQuery& query = {});
+QUADRILLE_EXPORT GraspPlan plan_grasps(const PointCloud& cloud,
+                                       const std::vector<Detection>& detections,
+                                       const Gripper& gripper, const PlanOptions& options = {},
+                                       const std::vector<PointCloud>& further = {},
+                                       const GraspQuery& query = {});
 
 }  // namespace quadrille

@@ -4,6 +4,7 @@
 #include <limits>
 #include <vector>
 
+#include "quadrille/detector/export.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/setting.hpp"
 
@@ -72,7 +73,7 @@ struct PlanOptions {
   }
 
   /// @throws std::invalid_argument naming the field that is out of range
-  void check() const;
+  QUADRILLE_EXPORT void check() const;
 };
 
 }  // namespace quadrille

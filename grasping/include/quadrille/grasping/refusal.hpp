@@ -3,6 +3,8 @@
 #include <map>
 #include <string_view>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille {
 
 /// Why the planner refused something.
@@ -26,7 +28,7 @@ enum class Refusal {
 };
 
 /// Its name, as in GraspPlan::rejected, in messages and in JSON: "no_shape", "width", …
-std::string_view to_string(Refusal refusal);
+QUADRILLE_EXPORT std::string_view to_string(Refusal refusal);
 
 /// How often something was refused, by reason.
 using RefusalCounts = std::map<Refusal, int>;

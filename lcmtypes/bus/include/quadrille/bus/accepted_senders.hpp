@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille::bus {
 
 /// Whose datagrams are let in. This machine's own always are.
@@ -22,6 +24,6 @@ struct AcceptedSenders {
 /// Reads "10.0.0.5,192.168.7.0/24,eth1": addresses, networks and interfaces. "local" names no other
 /// machine; an empty text lets all in.
 /// @throws std::invalid_argument naming the item that is none of these
-AcceptedSenders parse_senders(const std::string& text);
+QUADRILLE_EXPORT AcceptedSenders parse_senders(const std::string& text);
 
 }  // namespace quadrille::bus

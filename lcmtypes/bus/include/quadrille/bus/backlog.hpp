@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille::bus {
 
 /// Messages that came faster than they were handled, in their order. For each subscriber only so
@@ -29,10 +31,11 @@ class Backlog {
   /// @param max_bytes  of one subscriber, with the overhead; its newest message waits in any case
   explicit Backlog(std::size_t max_bytes) : max_bytes_(max_bytes) {}
 
-  void push(const std::string& channel, std::span<const std::byte> bytes, void* subscriber);
+  QUADRILLE_EXPORT void push(const std::string& channel, std::span<const std::byte> bytes,
+                             void* subscriber);
 
   /// The oldest message; nullopt if none waits.
-  std::optional<Message> pop();
+  QUADRILLE_EXPORT std::optional<Message> pop();
 
   bool empty() const { return messages_.empty(); }
 

@@ -11,6 +11,7 @@
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/rejection.hpp"
 #include "quadrille/detector/box.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
@@ -26,16 +27,16 @@ struct BoxesMessage {
 };
 
 /// One box as a message; its pose is in frame C.
-box_t to_message(const Box& box);
+QUADRILLE_EXPORT box_t to_message(const Box& box);
 
 /// The boxes as a message stamped with their cloud's utime, seq and frame.
-boxes_t to_message(const CloudMessage& cloud, const std::vector<Box>& boxes);
+QUADRILLE_EXPORT boxes_t to_message(const CloudMessage& cloud, const std::vector<Box>& boxes);
 
 /// Reads boxes out of a message of type quadrille.boxes_t, with every length and value checked
 /// before the generated decoder sees the bytes.
 /// @param bytes      the message as it came, fingerprint first
 /// @param max_bytes  larger messages are refused [byte]
-Decoded<BoxesMessage> decode_boxes(std::span<const std::byte> bytes,
-                                   std::size_t max_bytes = kMaxQuadricsBytes);
+QUADRILLE_EXPORT Decoded<BoxesMessage> decode_boxes(std::span<const std::byte> bytes,
+                                                    std::size_t max_bytes = kMaxQuadricsBytes);
 
 }  // namespace quadrille::bus

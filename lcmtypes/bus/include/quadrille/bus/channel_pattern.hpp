@@ -3,10 +3,12 @@
 #include <regex>
 #include <string>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille::bus {
 
 /// The regular expression that matches a text and nothing else.
-std::string pattern_of(const std::string& text);
+QUADRILLE_EXPORT std::string pattern_of(const std::string& text);
 
 /// The name of a channel, or a pattern of names: what has a character that no name may have is a
 /// regular expression, which a name has to match from end to end. A dot alone makes no pattern.
@@ -14,11 +16,11 @@ class ChannelPattern {
  public:
   /// @throws std::invalid_argument if the text is neither a name, as check_channel() has it, nor a
   ///   regular expression of at most 255 characters
-  explicit ChannelPattern(const std::string& text);
+  QUADRILLE_EXPORT explicit ChannelPattern(const std::string& text);
 
   const std::string& text() const { return text_; }
   bool is_pattern() const { return is_pattern_; }
-  bool matches(const std::string& channel) const;
+  QUADRILLE_EXPORT bool matches(const std::string& channel) const;
 
  private:
   std::string text_;

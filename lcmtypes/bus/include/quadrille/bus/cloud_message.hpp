@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "quadrille/bus/rejection.hpp"
+#include "quadrille/detector/export.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille::bus {
@@ -26,7 +27,7 @@ constexpr std::array<CloudFormat, 3> all_cloud_formats() {
 }
 
 /// "drake", "pointcloud2" or "pointcloud".
-std::string_view to_string(CloudFormat format);
+QUADRILLE_EXPORT std::string_view to_string(CloudFormat format);
 
 /// A cloud with what its message said of it.
 struct CloudMessage {
@@ -41,7 +42,7 @@ struct CloudMessage {
 
 /// A number that tells clouds apart, whatever their utime: XXH3 of the points and of their rows and
 /// columns. Never 0.
-std::int64_t digest_of(const PointCloud& cloud);
+QUADRILLE_EXPORT std::int64_t digest_of(const PointCloud& cloud);
 
 /// What the beginning of a cloud's message tells of it.
 struct CloudStamp {
@@ -52,7 +53,7 @@ struct CloudStamp {
 };
 
 /// Reads no more than the beginning; nullopt if no cloud's message begins so.
-std::optional<CloudStamp> read_stamp(std::span<const std::byte> bytes);
+QUADRILLE_EXPORT std::optional<CloudStamp> read_stamp(std::span<const std::byte> bytes);
 
 /// The largest message that LCM delivers over UDP [byte].
 inline constexpr std::size_t kMaxMessageBytes = std::size_t{256} << 20;
@@ -74,9 +75,9 @@ enum class CloudColours { kDrop, kKeep };
 /// @param colours    whether to keep those of a field `rgb` or `rgba` of 32 bits: in
 ///                   drake.lcmt_point_cloud the bytes red, green, blue, as Drake writes them; in
 ///                   bot_core.pointcloud2_t 0x00RRGGBB, as PCL does. Others are passed over.
-Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes,
-                                   std::size_t max_bytes = kMaxMessageBytes,
-                                   CloudColours colours = CloudColours::kDrop);
+QUADRILLE_EXPORT Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes,
+                                                    std::size_t max_bytes = kMaxMessageBytes,
+                                                    CloudColours colours = CloudColours::kDrop);
 
 /// The bytes of a cloud as a message: float32 x, y, z without other fields.
 ///
@@ -84,6 +85,7 @@ Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes,
 /// cloud.read points. kPointCloud cannot tell the rows of an organised cloud; no type can tell the
 /// viewpoint.
 /// @throws std::invalid_argument if the cloud's frame or size does not fit the type
-std::vector<std::byte> encode_cloud(const CloudMessage& message, CloudFormat format);
+QUADRILLE_EXPORT std::vector<std::byte> encode_cloud(const CloudMessage& message,
+                                                     CloudFormat format);
 
 }  // namespace quadrille::bus

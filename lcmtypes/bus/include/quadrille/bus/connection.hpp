@@ -19,6 +19,7 @@
 #include "quadrille/bus/channel_pattern.hpp"
 #include "quadrille/bus/drop_causes.hpp"
 #include "quadrille/bus/receive_socket.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
@@ -58,10 +59,10 @@ class Connection {
   /// @param senders  whose messages are received over udpm; no other address tells senders
   /// @throws std::invalid_argument if the address cannot be parsed, or cannot tell senders
   /// @throws std::runtime_error if it cannot be reached; says what to do about it
-  explicit Connection(const std::string& url, AcceptedSenders senders = {});
+  QUADRILLE_EXPORT explicit Connection(const std::string& url, AcceptedSenders senders = {});
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
-  ~Connection();
+  QUADRILLE_EXPORT ~Connection();
 
   /// The address that is in use.
   const std::string& url() const { return url_; }
@@ -73,14 +74,14 @@ class Connection {
   /// Calls the handler for each message of exactly that channel.
   /// @throws std::invalid_argument if the name is not one to 63 of A-Z a-z 0-9 _ - . /
   /// @throws std::runtime_error if LCM refuses
-  void subscribe(const std::string& channel, Handler handler);
+  QUADRILLE_EXPORT void subscribe(const std::string& channel, Handler handler);
 
   /// Calls the handler for each message of the channels that a pattern matches.
   /// @throws std::runtime_error if LCM refuses
-  void subscribe(const ChannelPattern& pattern, Handler handler);
+  QUADRILLE_EXPORT void subscribe(const ChannelPattern& pattern, Handler handler);
 
   /// Calls the handler for each message of any channel.
-  void subscribe_all(Handler handler);
+  QUADRILLE_EXPORT void subscribe_all(Handler handler);
 
   /// Waits for one message and has it handled, in the order in which they came. Over UDP whatever
   /// LCM holds is taken out of its queue first: there a burst would drive out the newest uncounted,
@@ -88,15 +89,15 @@ class Connection {
   /// What a handler throws passes around LCM and leaves here.
   /// @param timeout_ms  how long to wait [ms]
   /// @return kEnd at the end of a log, when the peer is gone, and when a signal came
-  Outcome handle(int timeout_ms);
+  QUADRILLE_EXPORT Outcome handle(int timeout_ms);
 
   /// What came and what was lost so far; may be called from any thread.
-  Traffic traffic() const;
+  QUADRILLE_EXPORT Traffic traffic() const;
 
   /// Publishes bytes; may be called from any thread. That datagrams were lost is not reported.
   /// @throws std::invalid_argument if the channel's name is unfit
   /// @throws std::runtime_error if LCM reports a failure
-  void publish(const std::string& channel, std::span<const std::byte> bytes);
+  QUADRILLE_EXPORT void publish(const std::string& channel, std::span<const std::byte> bytes);
 
  private:
   struct Subscriber;
@@ -133,6 +134,6 @@ class Connection {
 
 /// Refuses names that LCM would cut off or read as a pattern.
 /// @throws std::invalid_argument if the name is not one to 63 of A-Z a-z 0-9 _ - . /
-void check_channel(const std::string& channel);
+QUADRILLE_EXPORT void check_channel(const std::string& channel);
 
 }  // namespace quadrille::bus

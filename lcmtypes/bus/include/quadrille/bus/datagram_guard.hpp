@@ -1,6 +1,7 @@
 #pragma once
 
 #include "quadrille/bus/accepted_senders.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
@@ -10,6 +11,6 @@ namespace quadrille::bus {
 ///  - those of senders that are not accepted.
 /// A datagram cannot pass for one of this machine by its address: that is told by how it came.
 /// @throws std::runtime_error if an interface does not exist or the kernel refuses the filter
-void guard_socket(int socket, const AcceptedSenders& senders);
+QUADRILLE_EXPORT void guard_socket(int socket, const AcceptedSenders& senders);
 
 }  // namespace quadrille::bus

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille::bus {
 
 /// UDP datagrams that the sockets of this machine, or network namespace, dropped since its start.
@@ -12,7 +14,7 @@ struct UdpErrors {
 };
 
 /// nullopt where the system does not tell.
-std::optional<UdpErrors> read_udp_errors();
+QUADRILLE_EXPORT std::optional<UdpErrors> read_udp_errors();
 
 /// Datagrams that one socket dropped, by cause.
 struct Drops {
@@ -35,8 +37,8 @@ class DropCauses {
       : before_(errors), dropped_(dropped) {}
 
   /// @param before, after  read before and after what the socket dropped
-  void update(std::optional<UdpErrors> before, std::uint32_t dropped,
-              std::optional<UdpErrors> after);
+  QUADRILLE_EXPORT void update(std::optional<UdpErrors> before, std::uint32_t dropped,
+                               std::optional<UdpErrors> after);
 
   const Drops& drops() const { return drops_; }
 

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille::bus {
 
 /// Percentiles of durations [ms].
@@ -16,13 +18,13 @@ class Durations {
  public:
   /// @param window  how many of the last durations count, at least 1
   /// @throws std::invalid_argument if the window is 0
-  explicit Durations(std::size_t window = 1000);
+  QUADRILLE_EXPORT explicit Durations(std::size_t window = 1000);
 
   /// @param ms  one more duration [ms]
-  void add(double ms);
+  QUADRILLE_EXPORT void add(double ms);
 
   /// Nearest-rank percentiles over the window; zeros before the first duration.
-  DurationSummary summary() const;
+  QUADRILLE_EXPORT DurationSummary summary() const;
 
   /// How many there were, and their sum [ms], since the start.
   std::int64_t count() const { return count_; }

@@ -8,6 +8,8 @@
 #include <span>
 #include <string>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille::bus {
 
 /// What the headers of a log's events say, read without their data.
@@ -21,20 +23,20 @@ struct LogSurvey {
 /// Walks over the events of a log, so that LCM's reader meets no length that is not there.
 /// @throws std::runtime_error naming file and offset if the file is missing, is not an LCM log, or
 ///   has an event with an absurd length; a log that is merely cut short is told in the survey
-LogSurvey survey_log(const std::string& path);
+QUADRILLE_EXPORT LogSurvey survey_log(const std::string& path);
 
 /// True if a file begins as LCM logs do, whatever its name; false if it cannot be read.
-bool starts_as_log(const std::string& path);
+QUADRILLE_EXPORT bool starts_as_log(const std::string& path);
 
 /// Refuses an output log that is the input log too: opening it would empty the input.
 /// @throws std::runtime_error naming the file
-void check_different_files(const std::string& in_log, const std::string& out_log);
+QUADRILLE_EXPORT void check_different_files(const std::string& in_log, const std::string& out_log);
 
 /// Reads the whole events of a log in order.
 class LogReader {
  public:
   /// @throws std::runtime_error as survey_log() does
-  explicit LogReader(const std::string& path);
+  QUADRILLE_EXPORT explicit LogReader(const std::string& path);
 
   /// What the headers said before the first event was read; its defect also tells of a log that
   /// was cut short since then.
@@ -49,7 +51,7 @@ class LogReader {
   };
 
   /// The next event; nullopt at the end.
-  std::optional<Event> next();
+  QUADRILLE_EXPORT std::optional<Event> next();
 
  private:
   LogSurvey survey_;
@@ -62,7 +64,7 @@ class LogWriter {
  public:
   /// @param name  what errors call it; empty: the path
   /// @throws std::runtime_error if the file cannot be made
-  explicit LogWriter(const std::string& path, const std::string& name = "");
+  QUADRILLE_EXPORT explicit LogWriter(const std::string& path, const std::string& name = "");
 
   /// Appends one event.
   /// @param utime    the event's time [us]
@@ -70,11 +72,12 @@ class LogWriter {
   /// @throws std::invalid_argument if the channel's name has no such length or the message is too
   ///   large
   /// @throws std::runtime_error if it cannot be written, or an event before could not
-  void write(std::int64_t utime, const std::string& channel, std::span<const std::byte> bytes);
+  QUADRILLE_EXPORT void write(std::int64_t utime, const std::string& channel,
+                              std::span<const std::byte> bytes);
 
   /// Hands all to the system, so that a full disk does not go unnoticed.
   /// @throws std::runtime_error if that fails, or an event could not be written
-  void flush();
+  QUADRILLE_EXPORT void flush();
 
  private:
   [[noreturn]] void fail();

@@ -6,6 +6,7 @@
 
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/rejection.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
@@ -13,7 +14,7 @@ namespace quadrille::bus {
 /// generated decoder sees the bytes; numbers are as they came.
 /// @param bytes      the message as it came, fingerprint first
 /// @param max_bytes  larger messages are refused [byte]
-Decoded<grasps_t> decode_grasps(std::span<const std::byte> bytes,
-                                std::size_t max_bytes = kMaxMessageBytes);
+QUADRILLE_EXPORT Decoded<grasps_t> decode_grasps(std::span<const std::byte> bytes,
+                                                 std::size_t max_bytes = kMaxMessageBytes);
 
 }  // namespace quadrille::bus

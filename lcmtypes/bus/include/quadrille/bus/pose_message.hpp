@@ -6,6 +6,7 @@
 #include <span>
 
 #include "quadrille/bus/rejection.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
@@ -20,6 +21,6 @@ struct PoseMessage {
 /// Reads a pose out of a message of type bot_core.pose_t, with every value checked. Its quaternion
 /// may miss unit norm by the rounding of single precision, and is brought to it.
 /// @param bytes  the message as it came, fingerprint first
-Decoded<PoseMessage> decode_pose(std::span<const std::byte> bytes);
+QUADRILLE_EXPORT Decoded<PoseMessage> decode_pose(std::span<const std::byte> bytes);
 
 }  // namespace quadrille::bus

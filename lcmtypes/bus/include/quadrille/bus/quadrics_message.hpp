@@ -11,6 +11,7 @@
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/rejection.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
@@ -31,26 +32,26 @@ struct QuadricsMessage {
 inline constexpr std::size_t kMaxQuadrics = 4096, kMaxQuadricsBytes = std::size_t{16} << 20;
 
 /// The pose X_CF as a message.
-pose_t to_message(const Eigen::Isometry3d& X_CF);
+QUADRILLE_EXPORT pose_t to_message(const Eigen::Isometry3d& X_CF);
 
 /// The pose of a message; its quaternion must have unit norm.
-Eigen::Isometry3d from_message(const pose_t& pose);
+QUADRILLE_EXPORT Eigen::Isometry3d from_message(const pose_t& pose);
 
 /// One detection as a message; all in frame C.
-quadric_t to_message(const Detection& detection);
+QUADRILLE_EXPORT quadric_t to_message(const Detection& detection);
 
 /// The result of detection as a message stamped with its cloud's utime, seq and frame.
-quadrics_t to_message(const CloudMessage& cloud, const DetectionResult& result);
+QUADRILLE_EXPORT quadrics_t to_message(const CloudMessage& cloud, const DetectionResult& result);
 
 /// The detections as whoever gets them in a message will have them: their poses pass through unit
 /// quaternions, which rounds the last bits. What is computed from these is the same on both sides.
-std::vector<Detection> as_received(const std::vector<Detection>& detections);
+QUADRILLE_EXPORT std::vector<Detection> as_received(const std::vector<Detection>& detections);
 
 /// Reads quadrics out of a message of type quadrille.quadrics_t, with every length, sign and value
 /// checked before the generated decoder sees the bytes. More than kMaxQuadrics are refused.
 /// @param bytes      the message as it came, fingerprint first
 /// @param max_bytes  larger messages are refused [byte]
-Decoded<QuadricsMessage> decode_quadrics(std::span<const std::byte> bytes,
-                                         std::size_t max_bytes = kMaxQuadricsBytes);
+QUADRILLE_EXPORT Decoded<QuadricsMessage> decode_quadrics(
+    std::span<const std::byte> bytes, std::size_t max_bytes = kMaxQuadricsBytes);
 
 }  // namespace quadrille::bus

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille::bus {
 
 /// Lets one record in an interval through and counts those it holds back.
@@ -17,7 +19,7 @@ class RateLimiter {
   /// Asks for one record at that time.
   /// @return how many records were held back since the last one let through; nullopt to hold this
   ///   one back too
-  std::optional<std::int64_t> admit(Clock::time_point now = Clock::now());
+  QUADRILLE_EXPORT std::optional<std::int64_t> admit(Clock::time_point now = Clock::now());
 
  private:
   std::chrono::milliseconds interval_;

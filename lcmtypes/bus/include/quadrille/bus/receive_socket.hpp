@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "quadrille/bus/url.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
 /// The descriptors of this process's UDP sockets that are bound to the port of a udpm address, in
 /// ascending order. LCM makes one with the first subscription, and keeps it to itself: it is the
 /// one that was not there before.
-std::vector<int> find_receiving_sockets(const Url& url);
+QUADRILLE_EXPORT std::vector<int> find_receiving_sockets(const Url& url);
 
 /// The socket with which LCM receives datagrams in this process, to ask the kernel how it fares.
 class ReceiveSocket {
@@ -22,14 +23,14 @@ class ReceiveSocket {
   int descriptor() const { return fd_; }
 
   /// Its receive buffer, as it is asked for: without what the kernel adds for itself [byte].
-  std::int64_t buffer() const;
+  QUADRILLE_EXPORT std::int64_t buffer() const;
 
   /// Makes the buffer larger than net.core.rmem_max, where the process may; else nothing is done.
-  void force_buffer(std::int64_t bytes);
+  QUADRILLE_EXPORT void force_buffer(std::int64_t bytes);
 
   /// Datagrams dropped because the buffer was full or a filter refused them; -1 where the kernel
   /// does not tell.
-  std::int64_t dropped() const;
+  QUADRILLE_EXPORT std::int64_t dropped() const;
 
  private:
   int fd_;

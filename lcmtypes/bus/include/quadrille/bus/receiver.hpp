@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "quadrille/bus/connection.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
@@ -17,7 +18,7 @@ class EndlessHandler {
 
   /// As Connection::handle().
   /// @throws std::runtime_error if the connection was lost
-  void handle(int timeout_ms);
+  QUADRILLE_EXPORT void handle(int timeout_ms);
 
  private:
   Connection& connection_;
@@ -28,14 +29,14 @@ class EndlessHandler {
 class Receiver {
  public:
   /// The connection must outlive this; subscribe before.
-  explicit Receiver(Connection& connection);
+  QUADRILLE_EXPORT explicit Receiver(Connection& connection);
   Receiver(const Receiver&) = delete;
   Receiver& operator=(const Receiver&) = delete;
-  ~Receiver();
+  QUADRILLE_EXPORT ~Receiver();
 
   /// Throws what ended the thread, if something did: an exception of a handler, or a
   /// std::runtime_error if the connection was lost.
-  void check();
+  QUADRILLE_EXPORT void check();
 
  private:
   void run() noexcept;

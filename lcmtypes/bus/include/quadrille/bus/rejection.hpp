@@ -6,6 +6,8 @@
 #include <string_view>
 #include <variant>
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille::bus {
 
 /// Why the bytes of a message were refused.
@@ -33,7 +35,7 @@ constexpr std::array<RejectReason, kRejectReasonCount> all_reject_reasons() {
 }
 
 /// The name used in status messages, such as "cut_short".
-std::string_view to_string(RejectReason reason);
+QUADRILLE_EXPORT std::string_view to_string(RejectReason reason);
 
 /// A refusal, with the member and the numbers it is about.
 struct Rejection {
@@ -53,7 +55,7 @@ class RejectCounts {
   /// Refusals for that reason so far.
   std::int64_t of(RejectReason reason) const { return counts_[static_cast<std::size_t>(reason)]; }
   /// Refusals so far.
-  std::int64_t total() const;
+  QUADRILLE_EXPORT std::int64_t total() const;
 
  private:
   std::array<std::int64_t, kRejectReasonCount> counts_{};

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "quadrille/bus/event_log.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
@@ -16,6 +17,6 @@ using EventHandler = std::function<void(const LogReader::Event&)>;
 /// @return what the log's headers say; its defect tells of a log that was cut short, also while it
 ///   was read
 /// @throws std::runtime_error as survey_log() does; and what the handler throws
-LogSurvey replay_log(const std::string& path, const EventHandler& handler);
+QUADRILLE_EXPORT LogSurvey replay_log(const std::string& path, const EventHandler& handler);
 
 }  // namespace quadrille::bus

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "quadrille/bus/rejection.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
@@ -14,6 +15,6 @@ inline constexpr std::size_t kMaxRequestBytes = 64 << 10;
 /// Reads a request for grasps out of a message of type quadrille.grasp_request_t, with every length
 /// checked before the generated decoder sees the bytes; numbers are as they came.
 /// @param bytes  the message as it came, fingerprint first
-Decoded<grasp_request_t> decode_request(std::span<const std::byte> bytes);
+QUADRILLE_EXPORT Decoded<grasp_request_t> decode_request(std::span<const std::byte> bytes);
 
 }  // namespace quadrille::bus

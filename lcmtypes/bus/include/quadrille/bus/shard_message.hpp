@@ -5,11 +5,12 @@
 #include <span>
 
 #include "quadrille/bus/rejection.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
 /// Reads what a shard tells of a cloud out of a message of type quadrille.shard_cloud_t.
 /// @param bytes  the message as it came, fingerprint first
-Decoded<shard_cloud_t> decode_shard_cloud(std::span<const std::byte> bytes);
+QUADRILLE_EXPORT Decoded<shard_cloud_t> decode_shard_cloud(std::span<const std::byte> bytes);
 
 }  // namespace quadrille::bus

@@ -10,21 +10,23 @@
 #include <vector>
 
 #include "quadrille/bus/rejection.hpp"
+#include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
 /// The refusals as a message: one entry for each reason that occurred.
-std::vector<count_t> to_message(const RejectCounts& counts);
+QUADRILLE_EXPORT std::vector<count_t> to_message(const RejectCounts& counts);
 
 /// Who sent a status message of any process, as printable text; nullopt if the bytes are none.
-std::optional<std::string> read_status_sender(std::span<const std::byte> bytes);
+QUADRILLE_EXPORT std::optional<std::string> read_status_sender(std::span<const std::byte> bytes);
 
 /// Reads how a detector fares out of a message of type quadrille.detector_status_t, with every
 /// length checked before the generated decoder sees the bytes; numbers are as they came.
 /// @param bytes  the message as it came, fingerprint first
-Decoded<detector_status_t> decode_detector_status(std::span<const std::byte> bytes);
+QUADRILLE_EXPORT Decoded<detector_status_t> decode_detector_status(
+    std::span<const std::byte> bytes);
 
 /// The same for a planner and quadrille.planner_status_t.
-Decoded<planner_status_t> decode_planner_status(std::span<const std::byte> bytes);
+QUADRILLE_EXPORT Decoded<planner_status_t> decode_planner_status(std::span<const std::byte> bytes);
 
 }  // namespace quadrille::bus

@@ -1,14 +1,16 @@
 #pragma once
 
+#include "quadrille/detector/export.hpp"
+
 namespace quadrille::bus {
 
 /// Makes SIGINT and SIGTERM ask for a clean end instead of killing the process.
-void install_stop_signals();
+QUADRILLE_EXPORT void install_stop_signals();
 
 /// True once one of the signals came, or request_stop() was called.
-bool stop_requested();
+QUADRILLE_EXPORT bool stop_requested();
 
 /// Asks for the end from within the process, from any thread.
-void request_stop();
+QUADRILLE_EXPORT void request_stop();
 
 }  // namespace quadrille::bus

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace quadrille {
+
+/// The manual page of a program or one of its commands, as roff with the macros of man(7). It names
+/// the day as @DATE@.
+/// @param words  the command, such as {"study", "grasps"}; empty for the program
+/// @throws std::invalid_argument for an unknown command
+std::string manual_page(const CLI::App& app, const std::vector<std::string>& words);
+
+}  // namespace quadrille
