@@ -63,6 +63,8 @@ function refresh(canWait = false) {
 }
 
 function choose(id) {
+  // An answer is shown as long as one looks at its object; the planner's own grasps are newer then.
+  if (id !== view.chosen) asked = null;
   view.chosen = id;
   view.grasp = 0;
   refresh();
