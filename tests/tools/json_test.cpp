@@ -66,7 +66,7 @@ TEST_CASE("the JSON of a detection has the promised keys, types and digits", "[j
   CHECK(json["timings"]["total_ms"] == 4.25);
   const io::Json& d = json["detections"].at(0);
   CHECK(keys_of(d) == Keys{"id", "type", "q", "score", "inliers", "rms", "pose", "dimensions",
-                           "extent", "std", "seen"});
+                           "extent", "std", "seen", "inside"});
   CHECK(d["type"] == "cylinder");
   REQUIRE(d["q"].size() == 10);
   CHECK(d["q"][9].get<double>() == 1.0 / 3.0);

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "quadrille/detector/seen_side.hpp"
+
 namespace quadrille::io {
 namespace {
 
@@ -69,6 +71,7 @@ std::string describe_dimensions(const Detection& detection) {
   for (const Dimension& dimension : detection.dimensions) {
     text += (text.empty() ? "" : ", ") + dimension.name + " " + describe(dimension);
   }
+  if (shows_inside(detection)) text += ", its inside";
   return text;
 }
 

@@ -18,7 +18,8 @@ std::string list_channels(const std::map<std::string, std::int64_t>& counts);
 /// A dimension for people: "41.0 mm", "7.4 deg" for angles.
 std::string describe(const Dimension& dimension);
 
-/// All dimensions of a detection in one line: "radius 41.0 mm, length 90.9 mm".
+/// All dimensions of a detection in one line: "radius 41.0 mm, length 90.9 mm"; of one that was
+/// seen from inside "radius 38.0 mm, length 82.0 mm, its inside".
 std::string describe_dimensions(const Detection& detection);
 
 /// Size and faces of a box in one line: "148.2 x 113.9 x 72.0 mm, faces 3 5 8"; a side that was not

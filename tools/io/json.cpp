@@ -2,6 +2,7 @@
 
 #include "io/json_parts.hpp"
 #include "io/run_info.hpp"
+#include "quadrille/detector/seen_side.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -34,7 +35,8 @@ Json to_json(const Detection& detection) {
                {"dimensions", dimensions},
                {"extent", extent_of(detection.extent_Q)},
                {"std", deviations},
-               {"seen", detection.seen}};
+               {"seen", detection.seen},
+               {"inside", shows_inside(detection)}};
   if (detection.track > 0) json["track"] = detection.track;
   return json;
 }

@@ -13,6 +13,7 @@
 #include "io/config.hpp"
 #include "python/arrays.hpp"
 #include "python/module.hpp"
+#include "quadrille/detector/seen_side.hpp"
 #include "quadrille/detector/tracker.hpp"
 
 namespace quadrille::python {
@@ -88,6 +89,8 @@ void bind_detection(py::module_& module) {
       .def_readonly("inliers", &Detection::inliers, "Points that lie on it.")
       .def_readonly("rms", &Detection::rms, "Root mean square of their distances [m].")
       .def_readonly("seen", &Detection::seen, "Observed share of its extent, 0 to 1.")
+      .def_property_readonly("inside", &shows_inside,
+                             "Whether a round surface was seen from inside, as a mug's inner wall.")
       .def_readonly("track", &Detection::track,
                     "The same for one surface in all clouds that a "
                     "Tracker saw, from 1 on; 0 if none did.")

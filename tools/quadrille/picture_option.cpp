@@ -66,15 +66,17 @@ void PictureArguments::add_to(CLI::App& command, const std::string& what) {
 }
 
 void PictureArguments::write(const std::string& file, const PictureContent& content) const {
-  if (sides.size() < 2) {
-    const ViewSide side = sides.empty() ? ViewSide::kCamera : sides.front();
-    return write_picture(file, content, {.side = side});
-  }
+  const auto draw = [&](const std::string& name, ViewSide side) {
+    write_picture(name, content, {.side = side});
+    // Others than asked for: several inputs, or views, have one of their own each.
+    if (name != path) fmt::print(stderr, "quadrille: drew {}\n", name);
+  };
+  if (sides.size() < 2) return draw(file, sides.empty() ? ViewSide::kCamera : sides.front());
   const std::filesystem::path whole(file);
   for (const ViewSide side : sides) {
     const std::string name =
         fmt::format("{}_{}{}", whole.stem().string(), name_of(side), whole.extension().string());
-    write_picture((whole.parent_path() / name).string(), content, {.side = side});
+    draw((whole.parent_path() / name).string(), side);
   }
 }
 
