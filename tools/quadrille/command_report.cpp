@@ -6,11 +6,12 @@
 #include <utility>
 
 #include "cli/command_line.hpp"
+#include "cli/output.hpp"
 
 namespace quadrille {
 namespace {
 
-/// Without the folders, which concern nobody who gets the page.
+/// Without the folders: a title.
 std::string name_of(const std::string& input) {
   return std::filesystem::path(input).filename().string();
 }
@@ -24,7 +25,7 @@ std::string title_of(const std::vector<std::string>& inputs) {
 
 CommandReport::CommandReport(const std::string& path, const std::vector<std::string>& inputs,
                              const io::Config& settings)
-    : several_(may_be_several(inputs)) {
+    : path_(path), several_(may_be_several(inputs)) {
   if (path.empty()) return;
   file_.emplace(path, title_of(inputs), command_line(), io::to_toml(settings));
 }
@@ -36,12 +37,14 @@ void CommandReport::add(const InputCloud& input, view::Scene scene) {
   file_->report().add_scene(scene, several_);
 }
 
-void CommandReport::add_table(view::ReportTable table) {
-  file_->report().add_table(std::move(table));
-}
-
-void CommandReport::finish() {
-  if (file_) file_->finish();
+void CommandReport::finish(std::size_t failed) {
+  if (!file_) return;
+  if (failed > 0) {
+    file_->report().add_note(fmt::format("{} more inputs could not be read", failed));
+  }
+  const std::string left_out = file_->report().left_out();
+  if (!left_out.empty()) print_warnings(path_, {left_out});
+  file_->finish();
 }
 
 }  // namespace quadrille

@@ -23,14 +23,16 @@ class CommandReport {
   bool wanted() const { return file_.has_value(); }
 
   /// Shows the scene under its cloud's name.
+  /// @pre wanted()
   void add(const InputCloud& input, view::Scene scene);
-  void add_table(view::ReportTable table);
 
-  /// Writes the page, if it is wanted.
+  /// Writes the page, if it is wanted, and warns of what it does not show.
+  /// @param failed  inputs that could not be read
   /// @throws io::FileError if it cannot be written
-  void finish();
+  void finish(std::size_t failed = 0);
 
  private:
+  std::string path_;
   bool several_;
   std::optional<view::ReportFile> file_;
 };

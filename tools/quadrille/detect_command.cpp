@@ -85,7 +85,7 @@ void run(const DetectArguments& arguments) {
   };
   const ReadingResult read = for_each_input(arguments.inputs, arguments.input, detect_and_put_out);
   if (read.gave_anything()) json.finish();
-  if (read.gave_anything()) report.finish();
+  if (read.gave_anything()) report.finish(read.failed);
   read.check();
 }
 

@@ -238,7 +238,7 @@ void run(const PlanArguments& arguments) {
     const ReadingResult read = for_each_input(arguments.inputs, arguments.input, visit);
     if (read.gave_anything()) {
       output.json.finish();
-      output.report.finish();
+      output.report.finish(read.failed);
     }
     return read.check();
   }

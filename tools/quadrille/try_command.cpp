@@ -161,7 +161,7 @@ void run(const TryArguments& arguments) {
   if (failed < arguments.inputs.size()) {
     json.finish();
     if (!json.owns_stdout()) print(attempt_summary(all));
-    report.finish();
+    report.finish(failed);
   }
   if (failed > 0) {
     throw std::runtime_error(

@@ -35,6 +35,10 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
   }
   if (channel == channels_.quadrics) quadrics_came_ = now;
   if (channel == channels_.boxes) boxes_came_ = now;
+  // What the processes tell of themselves is in no scene.
+  const bool is_status =
+      channel == channels_.detector_status || channel == channels_.planner_status;
+  if (is_status) return;
   // Quadrics wait for their boxes, clouds for their quadrics, where such come.
   const auto last = is_cloud ? quadrics_came_ : boxes_came_;
   const bool waits = is_cloud || channel == channels_.quadrics;

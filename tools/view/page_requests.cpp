@@ -1,5 +1,7 @@
 #include "view/page_requests.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -15,7 +17,8 @@ constexpr double kMillimetre = 1e-3;
 
 double metres_of(double clearance) {
   if (!(clearance >= 0.0 && kMillimetre * clearance <= GraspQuery::kMaxMinClearance)) {
-    throw std::invalid_argument("clearance: is a number of millimetres from 0 to 30");
+    throw std::invalid_argument(fmt::format("clearance: is a number of millimetres from 0 to {}",
+                                            GraspQuery::kMaxMinClearance / kMillimetre));
   }
   return kMillimetre * clearance;
 }

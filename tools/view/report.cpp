@@ -89,6 +89,11 @@ void Report::add_scene(const Scene& scene, bool several) {
   utimes_.push_back(scene.utime);
 }
 
+std::string Report::left_out() const {
+  if (left_out_ == 0) return "";
+  return fmt::format("the last {} clouds are not shown: a page can hold no more", left_out_);
+}
+
 std::string Report::session() const {
   io::Json tables = io::Json::array();
   for (const ReportTable& table : tables_) tables.push_back(json_of(table));

@@ -29,6 +29,9 @@ class Report {
   void add_table(ReportTable table) { tables_.push_back(std::move(table)); }
   void add_note(std::string note) { notes_.push_back(std::move(note)); }
 
+  /// What the page leaves out; empty: nothing.
+  std::string left_out() const;
+
   /// The page; pure ASCII but for the program's own text, whatever names the scenes have.
   std::string html() const;
 

@@ -70,7 +70,7 @@ void send_pack(httplib::Response& response, const Pack& pack) {
 /// The only thing that is sent here. Its type lets no form of another page send it.
 bool is_question(const httplib::Request& request) {
   return request.method == "POST" && request.path == kQuestionsPath &&
-         request.get_header_value("Content-Type") == "application/json";
+         request.get_header_value("Content-Type").starts_with("application/json");
 }
 
 /// The number in the path of a request.
@@ -136,7 +136,8 @@ void Server::bind(const ServerOptions& options) {
   port_ = any ? server_->bind_to_any_port(host) : options.port;
   if (port_ <= 0 || (!any && !server_->bind_to_port(host, port_))) {
     throw std::runtime_error(
-        fmt::format("view: cannot listen on port {} of {}; choose another --port, or 0 for any",
+        fmt::format("view: cannot listen on port {} of {}; choose another --port, or 0 for any, or "
+                    "--bind an address of this machine",
                     options.port, host));
   }
   const bool six = host.find(':') != std::string::npos;

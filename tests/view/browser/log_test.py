@@ -166,7 +166,8 @@ def check_choices(page, bin_folder, log):
     best = plan["grasps"][0]["target"]
     grasps = sum(1 for grasp in plan["grasps"] if grasp["target"] == best)
     item = f'#list [data-object="{best}"] .side'
-    page.wait_for(f"document.querySelector('{item}')?.textContent === '{grasps} grasps'", "the other hand's grasps")
+    shown = "1 grasp" if grasps == 1 else f"{grasps} grasps"
+    page.wait_for(f"document.querySelector('{item}')?.textContent === '{shown}'", "the other hand's grasps")
     page.wait_for("location.hash.includes('gripper=wsg50') && location.hash.includes('unknown=free')",
                   "the link holds what was chosen")
     page.photograph("other_gripper")

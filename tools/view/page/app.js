@@ -4,20 +4,22 @@ import { byId } from "./dom.js";
 import { Labels } from "./labels.js";
 import { readLink, writeLink } from "./link.js";
 import { fillDetail, fillHealth, fillList, fillSource, fillSwitches } from "./panel.js";
-import { addAnswer, askParts, makeChoices, questionOf, showChoices } from "./questions.js";
+import { Answers, askParts, makeChoices, showChoices } from "./questions.js";
 import { fillReport } from "./report.js";
 import { openSource } from "./source.js";
 import { Timeline } from "./timeline.js";
 import { World } from "./world.js";
 
 const kMaxScenes = 8;
+const kNothing = "no quadrics and no clouds have come yet; is the detector running, and a camera?";
 
 const view = readLink(location.hash);
 const source = openSource();
 const scenes = new Map();
 const labels = new Labels(byId("labels"), byId("leaders"));
 const world = new World(byId("canvas"), choose, (drawn) => { labels.arrange(drawn); keepLink(); });
-let session = null, scene = null, timeline = null, wanted = null, asked = null;
+let session = null, scene = null, timeline = null, wanted = null, going = null;
+const answers = new Answers();
 
 const prefersDark = matchMedia("(prefers-color-scheme: dark)");
 const isDark = () => (view.theme ? view.theme === "dark" : prefersDark.matches);
@@ -44,27 +46,33 @@ function watchPanel() {
   }
 }
 
+/// Keeps the keyboard where it is, although what had it is made anew.
+function keepFocus(fill) {
+  const { id, dataset } = document.activeElement || document.body;
+  fill();
+  const same = id ? byId(id) : dataset.object && document.querySelector(`[data-object="${dataset.object}"]`);
+  if (same && document.activeElement === document.body) same.focus({ preventScroll: true });
+}
+
 function fillPanel() {
   fillSwitches(view, refresh, Boolean(scene.points.colours));
   fillSource(scene, session);
   fillList(scene, view, choose);
   showChoices(scene, session);
-  fillDetail(scene, view, chooseGrasp, (object) => askParts(object, session, view, ask));
+  fillDetail(scene, view, chooseGrasp, (object) => askParts(object, session, view, answers.of(object, scene), ask));
 }
 
 /// Shows the scene anew: after a click, or with other data, which can wait for a user's hand.
 function refresh(canWait = false) {
   document.documentElement.dataset.theme = isDark() ? "dark" : "light";
   if (!scene) return;
-  if (!canWait || !panelIsUsed()) fillPanel();
+  if (!canWait || !panelIsUsed()) keepFocus(fillPanel);
   labels.show(scene, view);
   world.show(scene, view, isDark());
   keepLink();
 }
 
 function choose(id) {
-  // An answer is shown as long as one looks at its object; the planner's own grasps are newer then.
-  if (id !== view.chosen) asked = null;
   view.chosen = id;
   view.grasp = 0;
   refresh();
@@ -81,25 +89,17 @@ function replan() {
   go(view.frame);
 }
 
-/// Asks the robot's planner for grasps of an object.
-async function ask(object) {
-  notice(`planning for ${object.id} …`);
-  try {
-    asked = { object, answer: await source.ask(questionOf(object, scene, view)) };
-    take(scene);
-  } catch (error) {
-    notice(error.message);
-  }
+function ask(object) {
+  answers.ask(object, scene, view, source, () => { answers.addTo(scene); refresh(); });
 }
 
 function take(data) {
   scene = data;
-  if (asked) addAnswer(scene, asked.object, asked.answer);
+  answers.addTo(scene);
   if (!scene.objects.some((object) => object.id === view.chosen)) view.chosen = null;
   if (!world.controls && view.camera) world.place(...view.camera);
   view.camera = null;
   refresh(true);
-  notice("");
 }
 
 /// The scene of one cloud of the log, the last few from memory.
@@ -116,21 +116,34 @@ async function sceneOf(frame) {
   }
 }
 
+/// Shows a cloud of the log. One is fetched at a time, and then the one that was wanted last.
+/// Resolves to whether it is shown.
 async function go(frame) {
-  wanted = frame;
+  wanted = { frame };
+  const mine = wanted;
+  while (going) await going;
+  if (wanted !== mine) return true;
+  going = show(wanted);
+  const shown = await going;
+  going = null;
+  return shown;
+}
+
+async function show({ frame }) {
   const slow = setTimeout(() => notice(`working on cloud ${frame + 1} …`), 250);
   try {
     const data = await sceneOf(frame);
-    // Somebody scrubbed on meanwhile.
-    if (wanted !== frame) return;
     // The clouds of a report have nothing in common.
     if (session.names && scene && view.frame !== frame) world.forgetPlace();
     view.frame = frame;
     take(data);
+    notice("");
     timeline.show(frame, scene.objects.filter((object) => !isPlane(object)).length);
     document.body.dataset.frame = frame;
+    return true;
   } catch (error) {
     notice(error.message);
+    return false;
   } finally {
     clearTimeout(slow);
   }
@@ -144,6 +157,7 @@ function listen() {
     busy = true;
     try {
       take(await source.newest());
+      notice(scene.points.total || scene.objects.length ? "" : kNothing);
       shown = version;
       document.body.dataset.version = version;
     } catch (error) {
@@ -153,7 +167,7 @@ function listen() {
   };
   source.listen(({ version, status }) => {
     fillHealth(status);
-    if (version === 0) notice("no quadrics and no clouds have come yet; is the detector running?");
+    if (version === 0) notice(kNothing);
     else follow(version);
   }, () => notice("the connection to quadrille view is lost; it is tried again"));
 }
@@ -198,6 +212,8 @@ function watchKeys() {
   });
   byId("theme").addEventListener("click", switchTheme);
   prefersDark.addEventListener("change", () => refresh());
+  // Another link that was pasted; the page's own changes of its address make no such event.
+  window.addEventListener("hashchange", () => location.reload());
 }
 
 async function start() {
@@ -210,7 +226,8 @@ async function start() {
   if (session.mode === "live") return listen();
   if (session.mode === "report") fillReport(session);
   timeline = new Timeline(session.frames, go, session.names);
-  if (session.frames.length) await go(Math.min(view.frame, session.frames.length - 1));
+  view.frame = Math.max(0, Math.min(view.frame, session.frames.length - 1));
+  if (session.frames.length) await go(view.frame);
 }
 
 start().catch((error) => notice(error.message));

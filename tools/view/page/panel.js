@@ -30,13 +30,20 @@ export function fillSource(scene, session) {
     ...scene.warnings.map((warning) => element("div", { class: "warning", text: warning })));
 }
 
+const isPlanned = (scene, object) => Boolean(object && object.rejected) || Boolean(scene.gripper_name);
+
+function countOf(scene, object, count) {
+  if (count === 0) return isPlanned(scene, object) ? "no grasp" : "not planned";
+  return count === 1 ? "1 grasp" : `${count} grasps`;
+}
+
 export function fillList(scene, view, choose) {
   const rows = [[], []];
   for (const object of scene.objects) {
     const count = scene.grasps.filter((grasp) => grasp.target === object.id).length;
     const dot = element("span", { class: "dot" });
     dot.style.background = objectColour(object);
-    const side = isPlane(object) ? "" : count ? `${count} grasps` : "no grasp";
+    const side = isPlane(object) ? "" : countOf(scene, object, count);
     rows[isPlane(object) ? 1 : 0].push(element("button", {
       class: "item", "aria-pressed": String(object.id === view.chosen), "data-object": object.id,
       onclick: () => choose(object.id === view.chosen ? null : object.id) }, [
@@ -63,7 +70,8 @@ export function fillDetail(scene, view, chooseGrasp, askParts) {
     parts.push(element("h2", { text: object ? `Grasps of ${object.id} (${grasps.length})` : `All grasps (${grasps.length})` }));
     if (object) parts.push(...askParts(object));
     for (const warning of (object && object.answered) || []) parts.push(element("div", { class: "warning", text: warning }));
-    parts.push(grasps.length ? graspTable(grasps, view, chooseGrasp) : element("p", { text: "No grasp was found." }));
+    parts.push(grasps.length ? graspTable(grasps, view, chooseGrasp)
+      : element("p", { text: isPlanned(scene, object) ? "No grasp was found." : "No grasps were planned here." }));
     parts.push(...refusals(object ? object.rejected : scene.rejected, object));
   }
   byId("detail").replaceChildren(...parts);
@@ -90,7 +98,7 @@ function graspTable(grasps, view, chooseGrasp) {
     const score = element("td", { text: grasp.score.toFixed(2) });
     score.style.color = `rgb(${scoreColour(grasp.score).map((value) => Math.round(210 * value)).join(",")})`;
     return element("tr", { class: "grasp", tabindex: 0, "aria-selected": String(i === view.grasp),
-      onclick: () => chooseGrasp(i) }, [
+      onclick: () => chooseGrasp(i), onkeydown: (event) => { if (event.key === "Enter") chooseGrasp(i); } }, [
       element("td", { text: view.chosen === null ? `${grasp.kind} ${grasp.target}` : grasp.kind }), score,
       element("td", { text: `${mm(grasp.width)} mm` }), element("td", { text: `${mm(grasp.clearance)} mm` }),
       element("td", { text: grasp.friction_needed.toFixed(2) }),

@@ -22,37 +22,78 @@ export function showChoices(scene, session) {
   byId("choice-unknown").value = scene.unknown;
 }
 
-/// The part of an object's detail that asks the planner for grasps on it.
-export function askParts(object, session, view, ask) {
-  if (session.mode !== "live" || isPlane(object)) return [];
-  if (!session.requests) {
-    return [element("p", { text: "Grasps can be asked for here after quadrille view --allow-requests." })];
+/// The questions and answers of a page: of each object the last.
+export class Answers {
+  constructor() { this.known = new Map(); }
+
+  /// A surface with a track is the same one in later clouds; what has none is known in its own cloud alone.
+  key(object, scene) { return object.track > 0 ? `track ${object.track}` : `${object.id} of ${scene.utime}`; }
+
+  of(object, scene) { return this.known.get(this.key(object, scene)); }
+
+  /// Asks the source for grasps of an object; change is called when the state of the question has changed.
+  async ask(object, scene, view, source, change) {
+    const asked = { state: "planning …", utime: scene.utime };
+    this.known.set(this.key(object, scene), asked);
+    change();
+    try {
+      asked.answer = await source.ask(questionOf(object, scene, view));
+      asked.state = `planned on request, on the cloud of ${(asked.utime / 1e6).toFixed(3)} s`;
+    } catch (error) {
+      asked.state = error.message;
+    }
+    change();
   }
-  const clearance = clearanceField("ask-clearance", view.clearance, (event) => { view.clearance = event.target.value; });
-  return [element("div", { class: "row" }, [
-    element("button", { id: "ask", text: "Plan for this object", onclick: () => ask(object) }),
-    element("label", {}, [element("span", { text: "clearance, mm" }), clearance])])];
+
+  /// Puts the answers in the place of what a new scene says of their objects. Grasps that the planner made by
+  /// itself of a later cloud are newer.
+  addTo(scene) {
+    for (const object of scene.objects) {
+      const asked = this.of(object, scene);
+      if (!asked || !asked.answer) continue;
+      const replaced = scene.utime > asked.utime && scene.grasps.some((grasp) => grasp.target === object.id);
+      if (replaced) this.known.delete(this.key(object, scene));
+      else addAnswer(scene, object, asked.answer);
+    }
+  }
 }
 
-function clearanceField(id, value, onchange) {
-  return element("input", { type: "number", min: 0, max: 30, step: 1, id, value: value || 0, onchange });
-}
-
-export function questionOf(object, scene, view) {
-  const clearance = { clearance: Number(view.clearance) || 0 };
-  if (object.track > 0) return { track: object.track, ...clearance };
-  return { target: object.id, cloud_utime: scene.utime, ...clearance };
-}
-
-const isSame = (object, asked) => (asked.track > 0 ? object.track === asked.track : object.id === asked.id);
-
-/// Puts the planner's answer for one object in the place of what the scene says of that object.
-export function addAnswer(scene, asked, answer) {
-  const object = scene.objects.find((candidate) => isSame(candidate, asked));
-  if (!object) return;
+function addAnswer(scene, object, answer) {
   const grasps = answer.grasps.map((grasp) => ({ ...grasp, target: object.id }));
   scene.grasps = [...grasps, ...scene.grasps.filter((grasp) => grasp.target !== object.id)];
   object.rejected = answer.rejected;
   object.answered = answer.warnings;
   scene.gripper = answer.gripper || scene.gripper;
+  scene.gripper_name = answer.gripper_name;
+}
+
+/// The part of an object's detail that asks the planner for grasps on it.
+export function askParts(object, session, view, asked, ask) {
+  if (session.mode !== "live" || isPlane(object)) return [];
+  if (!session.requests) {
+    return [element("p", { text: "Grasps can be asked for here after quadrille view --allow-requests." })];
+  }
+  const clearance = clearanceField("ask-clearance", view.clearance, (event) => { view.clearance = event.target.value; });
+  const button = element("button", { id: "ask", text: "Plan for this object", onclick: () => ask(object) });
+  return [element("div", { class: "row" }, [button,
+    element("label", {}, [element("span", { text: "clearance, mm" }), clearance])]),
+    element("p", { id: "asked", text: asked ? asked.state : "" })];
+}
+
+/// What is no number from 0 to 30 is refused by the browser, and taken back.
+function clearanceField(id, value, onchange) {
+  const field = element("input", { type: "number", min: 0, max: 30, step: 1, id, value: value || 0, required: "" });
+  let last = field.value;
+  field.addEventListener("change", (event) => {
+    if (!field.reportValidity()) { field.value = last; return; }
+    last = field.value;
+    onchange(event);
+  });
+  return field;
+}
+
+function questionOf(object, scene, view) {
+  const clearance = { clearance: Number(view.clearance) || 0 };
+  if (object.track > 0) return { track: object.track, ...clearance };
+  return { target: object.id, cloud_utime: scene.utime, ...clearance };
 }

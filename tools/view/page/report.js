@@ -14,8 +14,8 @@ function tableOf({ columns, rows }) {
 
 export function fillReport(session) {
   const parts = [element("h1", { text: session.name })];
-  for (const table of session.tables) parts.push(element("h2", { text: table.title }), tableOf(table));
   for (const note of session.notes) parts.push(element("p", { class: "warning", text: note }));
+  for (const table of session.tables) parts.push(element("h2", { text: table.title }), tableOf(table));
   parts.push(element("h2", { text: "Made by" }), element("pre", { text: session.command }));
   parts.push(element("details", {}, [element("summary", { text: "Settings" }), element("pre", { text: session.settings })]));
   byId("tables").replaceChildren(...parts);

@@ -4,13 +4,14 @@ import { byId } from "./dom.js";
 const kMinDelay = 60, kMaxDelay = 1000;
 
 export class Timeline {
-  /// go is called with the number of a cloud and resolves when that is shown; names are those of clouds that
+  /// go is called with the number of a cloud and resolves to whether it is shown; names are those of clouds that
   /// no log has put in time.
   constructor(utimes, go, names) {
     this.utimes = utimes;
     this.names = names;
     this.go = go;
     this.frame = 0;
+    this.wanted = 0;
     this.playing = false;
     this.found = new Map();
     byId("timeline").hidden = utimes.length < 2 && Boolean(names);
@@ -24,7 +25,7 @@ export class Timeline {
   }
 
   show(frame, found) {
-    this.frame = frame;
+    this.frame = this.wanted = frame;
     this.found.set(frame, found);
     this.scrub.value = frame;
     const seconds = (this.utimes[frame] - this.utimes[0]) / 1e6;
@@ -50,7 +51,8 @@ export class Timeline {
 
   step(by) {
     this.stop();
-    return this.go(Math.min(Math.max(this.frame + by, 0), this.utimes.length - 1));
+    this.wanted = Math.min(Math.max(this.wanted + by, 0), this.utimes.length - 1);
+    return this.go(this.wanted);
   }
 
   toggle() {
@@ -71,7 +73,8 @@ export class Timeline {
       const next = (this.frame + 1) % this.utimes.length;
       const delay = (this.utimes[next] - this.utimes[this.frame]) / 1000;
       const wait = this.names ? kMaxDelay : Math.min(Math.max(delay, kMinDelay), kMaxDelay);
-      await Promise.all([new Promise((done) => setTimeout(done, wait)), this.go(next)]);
+      const [shown] = await Promise.all([this.go(next), new Promise((done) => setTimeout(done, wait))]);
+      if (!shown) this.stop();
     }
   }
 }
