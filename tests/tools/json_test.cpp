@@ -149,9 +149,14 @@ TEST_CASE("the JSON of a plan has the promised keys, and its total spans both ha
 
 TEST_CASE("labels name a detection with units", "[json]") {
   Detection d = example_detection();
+  const Eigen::Vector4d diagonal(1.0, 1.0, 0.0, -0.041 * 0.041);
+  d.Q_C = Quadric(Eigen::Matrix4d(diagonal.asDiagonal())).transformed(d.X_CQ);
   CHECK(io::name_of(d) == "3 cylinder");
   CHECK(io::short_label(d) == "3 cylinder r 41.0 l 90.9 mm");
   CHECK(io::describe_dimensions(d) == "radius 41.0 mm, length 90.9 mm");
+  Detection inner = d;
+  inner.Q_C = d.Q_C.flipped();
+  CHECK(io::describe_dimensions(inner) == "radius 41.0 mm, length 90.9 mm, its inside");
   Detection hidden = d;
   hidden.dimensions[1].std = std::numeric_limits<double>::infinity();
   CHECK(io::describe_dimensions(hidden) == "radius 41.0 mm, length 90.9 mm*");

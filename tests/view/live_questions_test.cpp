@@ -16,10 +16,11 @@ namespace {
 /// Questions on a bus of this process, and the last request that was published there.
 struct Bus {
   bus::Connection connection{"memq://"};
-  view::LiveQuestions questions{connection, "ASK"};
+  view::LiveQuestions questions;
   grasp_request_t request{};
 
-  Bus() {
+  explicit Bus(std::chrono::milliseconds min_memory = 0ms)
+      : questions(connection, "ASK", min_memory) {
     connection.subscribe("ASK", [this](const std::string&, std::span<const std::byte> bytes) {
       request = std::get<grasp_request_t>(bus::decode_request(bytes));
     });
@@ -86,6 +87,18 @@ TEST_CASE("answers to what was asked here are kept, all others are not", "[view]
   REQUIRE(answer);
   CHECK(std::get<grasps_t>(bus::decode_grasps(*answer)).request_id == number);
   CHECK_THROWS_AS(bus.questions.wait(number + 1, 1ms), std::out_of_range);
+}
+
+TEST_CASE("a page cannot flood the planner with questions", "[view][requests][hostile]") {
+  Bus bus(1h);
+  view::Question question;
+  question.track = 1;
+  const std::int64_t first = bus.ask(question);
+  for (std::size_t i = 1; i < view::LiveQuestions::kMaxRemembered; ++i) bus.ask(question);
+  CHECK_THROWS_AS(bus.questions.ask(question), view::TooManyQuestions);
+  CHECK(bus.connection.handle(0) == bus::Connection::Outcome::kTimeout);
+  // What was asked before is still answered.
+  CHECK(bus.questions.take(answer_to(first)));
 }
 
 TEST_CASE("no more questions are remembered than there are places", "[view][requests]") {

@@ -75,6 +75,19 @@ TEST_CASE("a report is one file that needs nothing else", "[view][report]") {
   CHECK(data_of(page, "scene-1").empty());
 }
 
+TEST_CASE("a table of a report has no more rows than a browser shows in good time",
+          "[view][report]") {
+  constexpr std::size_t kMost = view::Report::kMaxRows;
+  view::Report report("log", "", "");
+  report.add_table({"Whole", {"row"}, std::vector(kMost, std::vector<std::string>{"a"})});
+  report.add_table({"Cut", {"row"}, std::vector(kMost + 5, std::vector<std::string>{"a"})});
+  const auto session = nlohmann::json::parse(data_of(report.html(), "report"));
+  CHECK(session["tables"][0]["title"] == "Whole");
+  CHECK(session["tables"][0]["rows"].size() == kMost);
+  CHECK(session["tables"][1]["title"] == fmt::format("Cut: the first {} of {}", kMost, kMost + 5));
+  CHECK(session["tables"][1]["rows"].size() == kMost);
+}
+
 TEST_CASE("the policy of a report names each of its scripts, and allows nothing else",
           "[view][report][safety]") {
   view::Report report("a", "", "");

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
 
 namespace quadrille {
 namespace {
 
 std::string check_page_path(const std::string& path) {
-  const bool ends_well = path.ends_with(".html") || path.ends_with(".htm");
+  const std::string suffix = CLI::detail::to_lower(std::filesystem::path(path).extension());
+  const bool ends_well = suffix == ".html" || suffix == ".htm";
   return ends_well ? "" : fmt::format("'{}' must end in .html", path);
 }
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "io/planner/config.hpp"
@@ -25,6 +26,8 @@ class CommandReport {
   /// Shows the scene under its cloud's name.
   /// @pre wanted()
   void add(const InputCloud& input, view::Scene scene);
+  /// @pre wanted()
+  void add_table(view::ReportTable table) { file_->report().add_table(std::move(table)); }
 
   /// Writes the page, if it is wanted, and warns of what it does not show.
   /// @param failed  inputs that could not be read

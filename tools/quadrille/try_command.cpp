@@ -161,6 +161,7 @@ void run(const TryArguments& arguments) {
   if (failed < arguments.inputs.size()) {
     json.finish();
     if (!json.owns_stdout()) print(attempt_summary(all));
+    if (report.wanted()) report.add_table(attempt_summary_table(all));
     report.finish(failed);
   }
   if (failed > 0) {

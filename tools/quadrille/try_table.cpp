@@ -27,18 +27,28 @@ struct Count {
     return found == ends.end() ? 0 : found->second;
   }
   std::string others() const {
-    std::string text;
+    std::vector<std::string> parts;
     for (const auto& [outcome, count] : ends) {
-      if (outcome != Outcome::kHeld) text += fmt::format(", {} {}", count, to_string(outcome));
+      if (outcome != Outcome::kHeld)
+        parts.push_back(fmt::format("{} {}", count, to_string(outcome)));
     }
-    return text;
+    return fmt::format("{}", fmt::join(parts, ", "));
   }
 };
 
+double percent_held(const Count& count) {
+  return count.tried > 0 ? 100.0 * count.held() / count.tried : 0.0;
+}
+
 std::string line_of(const std::string& name, const Count& count) {
-  const double share = count.tried > 0 ? 100.0 * count.held() / count.tried : 0.0;
-  return fmt::format("  {:<24} {:>4} of {:>4} held ({:.1f} %){}\n", name, count.held(), count.tried,
-                     share, count.others());
+  const std::string others = count.others();
+  return fmt::format("  {:<24} {:>4} of {:>4} held ({:.1f} %){}{}\n", name, count.held(),
+                     count.tried, percent_held(count), others.empty() ? "" : ", ", others);
+}
+
+std::vector<std::string> row_of(const std::string& name, const Count& count) {
+  return {name, fmt::format("{} of {}", count.held(), count.tried),
+          fmt::format("{:.1f} %", percent_held(count)), count.others()};
 }
 
 io::Json json_of(const Count& count) {
@@ -101,6 +111,15 @@ std::string attempt_summary(const std::vector<Attempt>& attempts) {
       "in all:\n" + line_of("grasps", summary.all) + line_of("first of each target", summary.first);
   for (const auto& [type, count] : summary.by_type) text += line_of("- " + type, count);
   return text;
+}
+
+view::ReportTable attempt_summary_table(const std::vector<Attempt>& attempts) {
+  const Summary summary(attempts);
+  view::ReportTable table{"Tried", {"", "held", "", "others"}, {}};
+  table.rows.push_back(row_of("grasps", summary.all));
+  table.rows.push_back(row_of("first of each target", summary.first));
+  for (const auto& [type, count] : summary.by_type) table.rows.push_back(row_of(type, count));
+  return table;
 }
 
 io::Json attempts_json(const std::string& input, const std::vector<Attempt>& attempts) {

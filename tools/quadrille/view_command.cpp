@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -104,9 +105,10 @@ std::unique_ptr<view::Backend> open_log(const ViewArguments& arguments) {
     scene.seq = logged.message.seq;
     return scene;
   };
-  return std::make_unique<view::LogBackend>(view::LogFrames(arguments.in_log, arguments.channel),
-                                            known_grippers(setup.gripper.name), make_scene,
-                                            arguments.limits);
+  view::LogFrames frames(arguments.in_log, arguments.channel);
+  if (frames.defect()) print_warnings(arguments.in_log, {*frames.defect()});
+  return std::make_unique<view::LogBackend>(std::move(frames), known_grippers(setup.gripper.name),
+                                            make_scene, arguments.limits);
 }
 
 /// Lets the processes of the robot go first where the processor is short.
@@ -165,6 +167,14 @@ void run(const ViewArguments& arguments) {
   }
 }
 
+/// A cloud in a file is no log, but can become one.
+std::string check_log(const std::string& path) {
+  const std::string suffix = CLI::detail::to_lower(std::filesystem::path(path).extension());
+  if (suffix != ".ply" && suffix != ".pcd") return "";
+  return fmt::format("'{0}' is a cloud, not a log; make one with: quadrille log clouds.lcm {0}",
+                     path);
+}
+
 }  // namespace
 
 void add_view_command(CLI::App& app) {
@@ -173,7 +183,8 @@ void add_view_command(CLI::App& app) {
   command
       ->add_option("--in-log", arguments->in_log,
                    "LCM log whose clouds to work on and show; else what comes over LCM")
-      ->type_name("LOG");
+      ->type_name("LOG")
+      ->check(CLI::Validator(check_log, ""));
   command->add_option("--port", arguments->server.port, "Port to listen on; 0: any that is free")
       ->check(CLI::Range(0, 65535))
       ->type_name("N")

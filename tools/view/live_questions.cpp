@@ -39,16 +39,26 @@ grasp_request_t request_of(const Question& question, std::int64_t number) {
 
 }  // namespace
 
-LiveQuestions::LiveQuestions(bus::Connection& connection, std::string channel)
-    : connection_(connection), channel_(std::move(channel)), last_number_(random_number()) {}
+LiveQuestions::LiveQuestions(bus::Connection& connection, std::string channel,
+                             std::chrono::milliseconds min_memory)
+    : connection_(connection),
+      channel_(std::move(channel)),
+      min_memory_(min_memory),
+      last_number_(random_number()) {}
 
 std::int64_t LiveQuestions::ask(const Question& question) {
   std::int64_t number = 0;
   {
+    const auto now = std::chrono::steady_clock::now();
     const std::lock_guard lock(mutex_);
+    if (asked_.size() == kMaxRemembered) {
+      if (now - asked_.front().when < min_memory_) {
+        throw TooManyQuestions("too many questions; wait some seconds, and ask again");
+      }
+      asked_.pop_front();
+    }
     number = ++last_number_;
-    asked_.push_back({number, nullptr});
-    if (asked_.size() > kMaxRemembered) asked_.pop_front();
+    asked_.push_back({number, now, nullptr});
   }
   connection_.publish(channel_, bus::encode(request_of(question, number)));
   return number;

@@ -20,13 +20,17 @@ class LiveQuestions {
  public:
   /// Questions that are remembered at most, and of their answers the most bytes [byte].
   static constexpr std::size_t kMaxRemembered = 16, kMaxAnswerBytes = std::size_t{4} << 20;
+  /// For so long at least each question is remembered: no more than that many can be asked in it.
+  static constexpr std::chrono::milliseconds kMinMemory{5000};
 
   /// @param connection  publishes; must outlive this
   /// @param channel     of the requests
-  LiveQuestions(bus::Connection& connection, std::string channel);
+  LiveQuestions(bus::Connection& connection, std::string channel,
+                std::chrono::milliseconds min_memory = kMinMemory);
 
   /// Publishes one request.
   /// @return its request_id: from 1 to 2^53, so that JavaScript can hold it
+  /// @throws TooManyQuestions if as many as are remembered were asked just before
   std::int64_t ask(const Question& question);
 
   /// Keeps a message of type grasps_t if it answers a question of here.
@@ -40,6 +44,7 @@ class LiveQuestions {
  private:
   struct Asked {
     std::int64_t number;
+    std::chrono::steady_clock::time_point when;
     Bytes answer;
   };
 
@@ -47,6 +52,7 @@ class LiveQuestions {
 
   bus::Connection& connection_;
   std::string channel_;
+  std::chrono::milliseconds min_memory_;
   std::mutex mutex_;
   std::condition_variable came_;
   /// The oldest first.

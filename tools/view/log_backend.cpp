@@ -19,6 +19,7 @@ io::Json LogBackend::session() {
   return {{"mode", "log"},
           {"name", frames_.path()},
           {"frames", frames_.utimes()},
+          {"warning", frames_.defect().value_or("")},
           {"grippers", grippers_},
           {"policies", policies}};
 }

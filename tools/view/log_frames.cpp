@@ -19,6 +19,7 @@ LogFrames::LogFrames(const std::string& path, const std::string& channel)
     utimes_.push_back(stamp->utime);
     events_.push_back(event);
   }
+  defect_ = reader.survey().defect;
   if (!utimes_.empty()) return;
   throw std::runtime_error(
       fmt::format("{}: holds no cloud{}; record POINT_CLOUD messages, or name another --channel",

@@ -20,12 +20,15 @@ class LogFrames {
   /// When each cloud was taken [us].
   const std::vector<std::int64_t>& utimes() const { return utimes_; }
   const std::string& path() const { return path_; }
+  /// Where the log is cut short; nullopt if it is whole.
+  const std::optional<std::string>& defect() const { return defect_; }
 
   /// The cloud of that number, counted from 0; nullopt if there is none.
   std::optional<logs::LoggedCloud> load(std::size_t number);
 
  private:
   std::string path_, channel_;
+  std::optional<std::string> defect_;
   std::vector<std::int64_t> utimes_;
   /// Where each cloud stands among all events of the log.
   std::vector<std::int64_t> events_;

@@ -1,8 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <stdexcept>
 
 namespace quadrille::view {
+
+/// Thrown when more is asked than a planner should have to answer.
+struct TooManyQuestions : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// What the page asks the planner on the bus: grasps of one object.
 struct Question {

@@ -63,7 +63,12 @@ std::string data_element(const std::string& id, const std::string& text) {
 }
 
 io::Json json_of(const ReportTable& table) {
-  return {{"title", table.title}, {"columns", table.columns}, {"rows", table.rows}};
+  const std::size_t count = table.rows.size(), told = std::min(count, Report::kMaxRows);
+  const std::string title =
+      told == count ? table.title : fmt::format("{}: the first {} of {}", table.title, told, count);
+  io::Json rows = io::Json::array();
+  for (std::size_t i = 0; i < told; ++i) rows.push_back(table.rows[i]);
+  return {{"title", title}, {"columns", table.columns}, {"rows", rows}};
 }
 
 }  // namespace

@@ -17,6 +17,8 @@ class Report {
   static constexpr std::size_t kMaxSceneBytes = std::size_t{16} << 20;
   /// Points of a cloud that are shown where there are several clouds.
   static constexpr std::size_t kPointsOfMany = 25000;
+  /// Rows of a table that are told.
+  static constexpr std::size_t kMaxRows = 2000;
 
   /// @param title    stands above the tables, and on the browser's tab
   /// @param command  as it was typed

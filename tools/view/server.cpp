@@ -118,6 +118,8 @@ void Server::limit() {
       std::rethrow_exception(thrown);
     } catch (const NotAllowed& error) {
       refuse(response, 403, error.what());
+    } catch (const TooManyQuestions& error) {
+      refuse(response, 429, error.what());
     } catch (const std::out_of_range& error) {
       refuse(response, 404, error.what());
     } catch (const std::invalid_argument& error) {

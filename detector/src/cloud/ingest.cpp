@@ -12,11 +12,15 @@
 namespace quadrille {
 namespace {
 
-/// Where the last value that is read ends within a record [bytes].
+/// Where the last value that is read ends within a record, or SIZE_MAX if that overflows [bytes].
 std::size_t end_of_values(const PointLayout& layout, std::size_t scalar_size) {
-  const std::size_t end = std::max({layout.x, layout.y, layout.z}) + scalar_size;
-  return layout.rgb ? std::max(end, *std::max_element(layout.rgb->begin(), layout.rgb->end()) + 1)
-                    : end;
+  const auto end = [](std::size_t offset, std::size_t size) {
+    std::size_t sum;
+    return __builtin_add_overflow(offset, size, &sum) ? std::numeric_limits<std::size_t>::max()
+                                                      : sum;
+  };
+  const std::size_t coordinates = end(std::max({layout.x, layout.y, layout.z}), scalar_size);
+  return layout.rgb ? std::max(coordinates, end(std::ranges::max(*layout.rgb), 1)) : coordinates;
 }
 
 /// Bytes that the layout reaches, or SIZE_MAX if that number overflows.

@@ -150,6 +150,8 @@ TEST_CASE("layouts that do not fit into the bytes are refused", "[ingest][hostil
   refused([](PointLayout* l) { l->width = 1, l->height = 3, l->row_step = kHuge / 2 + 1; });
   refused([](PointLayout* l) { l->width = 3, l->height = 2, l->row_step = kHuge - 11; });
   refused([](PointLayout* l) { l->x = kHuge - 3; });
+  refused([](PointLayout* l) { l->rgb = {{0, 1, kHuge}}; });
+  refused([](PointLayout* l) { l->rgb = {{12, 1, 2}}; });
 }
 
 TEST_CASE("points are moved before they are rounded to single precision", "[ingest]") {

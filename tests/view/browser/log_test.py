@@ -178,6 +178,24 @@ def check_choices(page, bin_folder, log):
     page.wait_for(f"document.querySelectorAll('#list .side.none').length === {without}", "few grasps have so much room")
 
 
+def check_poor_link(page):
+    """A link that asks for what does not exist shows the scene all the same."""
+    page.open(page.browser.current_url.split("#")[0] + "#gripper=claw&unknown=maybe&clearance=x&frame=99&object=77")
+    page.wait_for_frame(SCENES - 1)
+    expect(page.all("#choice-gripper")[0].get_attribute("value"), "franka", "the gripper of the command line")
+
+
+def check_cut_log(page, bin_folder, log, folder):
+    cut = os.path.join(folder, "cut.lcm")
+    with open(log, "rb") as whole, open(cut, "wb") as file:
+        file.write(whole.read()[:-100])
+    with View(bin_folder, "--in-log", cut) as view:
+        page.open(view.address)
+        page.wait_for_frame(0)
+        assert "cut short" in page.all("#source .warning")[0].text, "the page tells of the cut"
+        page.check_console()
+
+
 def check_hostile_name(page, bin_folder, log, folder):
     hostile = os.path.join(folder, "hostile.lcm")
     write_hostile_cloud(log, hostile)
@@ -217,7 +235,9 @@ def main():
                 check_layers_and_theme(page)
                 check_link(page, plans[0])
                 check_choices(page, bin_folder, log)
+                check_poor_link(page)
                 page.check_console()
+            check_cut_log(page, bin_folder, log, folder)
             check_hostile_name(page, bin_folder, log, folder)
         finally:
             browser.quit()

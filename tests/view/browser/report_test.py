@@ -75,6 +75,8 @@ def check_try(page, folder, bin_folder):
     first = tried["grasps"][0]
     page.all(f'#list [data-object="{first["target"]}"]')[0].click()
     expect(page.all("tr.grasp td:nth-child(6)")[0].text, first["outcome"], "what came of the first grasp")
+    sums = page.browser.execute_script("return document.querySelector('#tables table').rows[1].cells[1].textContent")
+    expect(sums, f"{tried['summary']['all']['held']} of {tried['summary']['all']['tried']}", "how many were held")
     page.check_console()
 
 

@@ -27,7 +27,7 @@ export function fillSource(scene, session) {
     element("span", { text: `${session.mode === "live" ? "live" : nameOf(session.name)}${scene.frame && ` · frame ${scene.frame}`}${time}` }),
     element("br"),
     element("span", { text: [`${scene.points.positions.length / 3} of ${scene.points.total} points`, ...times].join(" · ") }),
-    ...scene.warnings.map((warning) => element("div", { class: "warning", text: warning })));
+    ...[session.warning || [], scene.warnings].flat().map((warning) => element("div", { class: "warning", text: warning })));
 }
 
 const isPlanned = (scene, object) => Boolean(object && object.rejected) || Boolean(scene.gripper_name);

@@ -2,9 +2,15 @@
 import { isPlane } from "./colours.js";
 import { byId, element } from "./dom.js";
 
+const kMaxClearance = 30;
+
 /// Gripper, unknown space and clearance of a log's plans; change is called after each choice.
+/// What a link asks for and this log cannot have is forgotten.
 export function makeChoices(session, view, change) {
   if (!session.grippers) return;
+  if (!session.grippers.includes(view.plan.gripper)) view.plan.gripper = "";
+  if (!session.policies.includes(view.plan.unknown)) view.plan.unknown = "";
+  if (!(Number(view.plan.clearance) >= 0 && Number(view.plan.clearance) <= kMaxClearance)) view.plan.clearance = "";
   const labelled = (text, field) => element("label", {}, [element("span", { text }), field]);
   const choose = (name) => (event) => { view.plan[name] = event.target.value; change(); };
   const menu = (name, options) => element("select", { id: `choice-${name}`, onchange: choose(name) },
@@ -82,7 +88,7 @@ export function askParts(object, session, view, asked, ask) {
 
 /// What is no number from 0 to 30 is refused by the browser, and taken back.
 function clearanceField(id, value, onchange) {
-  const field = element("input", { type: "number", min: 0, max: 30, step: 1, id, value: value || 0, required: "" });
+  const field = element("input", { type: "number", min: 0, max: kMaxClearance, step: 1, id, value: value || 0, required: "" });
   let last = field.value;
   field.addEventListener("change", (event) => {
     if (!field.reportValidity()) { field.value = last; return; }
