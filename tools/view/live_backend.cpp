@@ -1,5 +1,6 @@
 #include "view/live_backend.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -8,6 +9,8 @@ namespace {
 
 /// Eyes do not see more than this many scenes a second, and the robot needs the processor.
 constexpr std::chrono::milliseconds kMinPeriod{50};
+/// Of large scenes there are fewer: after each, so many times as long as it took is left to others.
+constexpr int kRest = 4;
 
 }  // namespace
 
@@ -52,7 +55,8 @@ void LiveBackend::make_scenes() {
       ++version_;
     }
     made_.notify_all();
-    std::this_thread::sleep_until(start + kMinPeriod);
+    const auto made = std::chrono::steady_clock::now();
+    std::this_thread::sleep_until(std::max(start + kMinPeriod, made + kRest * (made - start)));
   }
 }
 
