@@ -30,6 +30,11 @@ if(QUADRILLE_SANITIZE)
                       -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${QUADRILLE_SANITIZE})
 endif()
+option(QUADRILLE_COVERAGE "Count which lines run, as clang does; tools/coverage sums them up" OFF)
+if(QUADRILLE_COVERAGE)
+  add_compile_options(-fprofile-instr-generate -fcoverage-mapping)
+  add_link_options(-fprofile-instr-generate)
+endif()
 
 # GCC 12 sees these three where it has inlined the standard library's or Eigen's loops; they stay
 # warnings.

@@ -67,7 +67,7 @@ quadrille_package(doc quadrille-doc doc ""
 "finds quadrics and plans grasps - documentation
 The manual of quadrille, which finds quadric surfaces in point clouds and
 plans two-finger grasps on them; how it is built, what the paper's experiments
-gave, and examples in C++ and Python.")
+gave, the pages of the C++ API, and examples in C++ and Python.")
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOC_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "liblcm-bin, quadrille-doc")
