@@ -57,6 +57,8 @@ def check_request(page):
     assert page.all("tr.grasp"), "one of the objects can be grasped"
     chosen = page.all('#list [aria-pressed="true"] .side')[0].text
     assert "grasp" in chosen and chosen != "no grasp", chosen
+    others = [item.text for item in page.all('#list [aria-pressed="false"] .side')]
+    assert "not planned" in others, f"what was not asked for was not planned: {others}"
     assert "planned on request" in page.all("#asked")[0].text, "the page says that this is an answer"
     page.photograph("live_asked")
 

@@ -70,7 +70,6 @@ function addAnswer(scene, object, answer) {
   object.rejected = answer.rejected;
   object.answered = answer.warnings;
   scene.gripper = answer.gripper || scene.gripper;
-  scene.gripper_name = answer.gripper_name;
 }
 
 /// The part of an object's detail that asks the planner for grasps on it.
