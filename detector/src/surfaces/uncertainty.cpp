@@ -182,7 +182,9 @@ Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples
     open.col(k).setZero();
   }
   const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(open);
-  result.covariance.open = qr.householderQ() * Eigen::MatrixXd::Identity(10, qr.rank());
+  if (qr.rank() > 0) {
+    result.covariance.open = qr.householderQ() * Eigen::MatrixXd::Identity(10, qr.rank());
+  }
   return result;
 }
 

@@ -47,7 +47,7 @@ TEST_CASE("what hangs over seen space beside the image is free, what a surface h
         REQUIRE(is == Voxel::kClear);
         // Straight below it some voxel was seen free.
         double down = 0.0;
-        const auto seen_free = [&](const Eigen::Vector3d& p) {
+        const auto seen_free = [&grid = grid, &scene = scene](const Eigen::Vector3d& p) {
           return grid.at(p) == Voxel::kFree && scene.view.sees_past(p, 0.0001);
         };
         while (!seen_free(p_C - down * up) && down < 1.0) down += 0.001;
@@ -67,7 +67,7 @@ TEST_CASE("each voxel is cleared exactly if its own pixels and the voxel below a
   int axis = 0;
   const double steepest = up.cwiseAbs().maxCoeff(&axis);
   const Eigen::Vector3i size = grid.size();
-  const auto shift = [&](int n) -> Eigen::Vector3i {
+  const auto shift = [&up = up, steepest](int n) -> Eigen::Vector3i {
     return (n * up / steepest).array().round().cast<int>().matrix();
   };
   int looked_at = 0;
