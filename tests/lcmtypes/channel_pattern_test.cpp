@@ -31,4 +31,15 @@ TEST_CASE("what is neither a name nor a pattern is refused", "[bus][channel]") {
   CHECK_THROWS_AS(ChannelPattern(std::string(64, 'A')), std::invalid_argument);
 }
 
+TEST_CASE("a text becomes a pattern that matches it alone", "[bus][channel]") {
+  for (const std::string text : {"robot.1/", "a+b", "x(y)[z]{2}|^$\\*?"}) {
+    const ChannelPattern pattern(pattern_of(text) + "(CLOUD|CLOUDS)");
+    CAPTURE(text);
+    CHECK(pattern.matches(text + "CLOUD"));
+    CHECK(pattern.matches(text + "CLOUDS"));
+    CHECK_FALSE(pattern.matches(text));
+    CHECK_FALSE(pattern.matches("robotx1/CLOUD"));
+  }
+}
+
 }  // namespace quadrille::bus

@@ -121,4 +121,14 @@ TEST_CASE("a map of space survives its message, and no damaged one passes",
   CHECK(std::holds_alternative<Rejection>(decode_occupancy(encode(flat))));
 }
 
+TEST_CASE("messages that are too large, or of another type, are told by the reason",
+          "[bus][status][occupancy][hostile]") {
+  const auto reason = [](const auto& decoded) { return std::get<Rejection>(decoded).reason; };
+  const auto map = encode(make_occupancy());
+  const auto status = encode(make_detector_status());
+  CHECK(reason(decode_occupancy(map, map.size() - 1)) == RejectReason::kTooLarge);
+  CHECK(reason(decode_occupancy(status)) == RejectReason::kUnknownType);
+  CHECK(reason(decode_detector_status(map)) == RejectReason::kUnknownType);
+}
+
 }  // namespace quadrille::bus
