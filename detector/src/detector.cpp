@@ -18,6 +18,7 @@
 #include "surfaces/find_surfaces.hpp"
 #include "surfaces/measure.hpp"
 #include "surfaces/plane_surface.hpp"
+#include "surfaces/point_rms.hpp"
 
 namespace quadrille {
 namespace {
@@ -26,6 +27,14 @@ namespace {
 bool lets_pass(const std::vector<QuadricType>& types, QuadricType type) {
   return types.empty() || std::find(types.begin(), types.end(), type) != types.end();
 }
+
+/// The planes, the samples that they were found on, and per finest cell the plane that it lies on,
+/// −1 for none.
+struct FlatParts {
+  SurfaceSamples coarse;
+  std::vector<PlaneRegion> planes;
+  std::vector<int> plane_of_cell;
+};
 
 /// True if a plane may be a piece that waves have cut off a larger one: one of those before it, the
 /// largest first, is parallel to it within 20°.
@@ -38,28 +47,49 @@ bool has_larger_parallel(const std::vector<PlaneRegion>& planes, std::size_t k) 
                      });
 }
 
-/// Measures the surfaces and the planes.
-std::vector<Detection> measure_all(const Aggregation& aggregation,
-                                   const std::vector<PlaneRegion>& planes,
-                                   const SurfaceSamples& coarse, const SurfaceSamples& finest,
-                                   const SceneContext& context, const DetectorOptions& options,
-                                   const Eigen::Vector3d& viewpoint) {
+/// Detections, and per finest cell the index of the one that it lies on, −1 for none.
+struct Measured {
   std::vector<Detection> detections;
-  const auto report = [&](const Surface& surface) {
-    if (is_flat(surface) && is_part_of(surface, finest, planes, coarse)) return;
-    detections.push_back(measure(surface, finest, viewpoint, context.sight));
-  };
-  for (const Surface& surface : aggregation.surfaces()) report(surface);
-  if (lets_pass(options.only, QuadricType::kPlane)) {
-    const std::vector<Surface> weighed = weighed_planes(coarse, planes, context);
-    for (std::size_t k = 0; k < planes.size(); ++k) {
-      const bool doubtful = weighed[k].confidence < options.aggregate.min_plane_confidence;
-      if (doubtful && has_larger_parallel(planes, k)) continue;
-      detections.push_back(measure(weighed[k], coarse, viewpoint));
-    }
+  std::vector<int> owner;
+};
+
+/// Measures the surfaces.
+void measure_surfaces(const Aggregation& aggregation, const FlatParts& flat,
+                      const SurfaceSamples& finest, const SceneContext& context,
+                      const Eigen::Vector3d& viewpoint, Measured* measured) {
+  for (const Surface& surface : aggregation.surfaces()) {
+    if (is_flat(surface) && is_part_of(surface, finest, flat.planes, flat.coarse)) continue;
+    const int index = static_cast<int>(measured->detections.size());
+    for (const int i : surface.region) measured->owner[finest.source[i]] = index;
+    measured->detections.push_back(measure(surface, finest, viewpoint, context.sight));
   }
-  std::erase_if(detections, [&](const Detection& d) { return !lets_pass(options.only, d.type); });
-  return detections;
+}
+
+/// Measures the planes, which get the cells on them that no surface has.
+void measure_planes(const FlatParts& flat, const SceneContext& context, double min_confidence,
+                    const Eigen::Vector3d& viewpoint, Measured* measured) {
+  const std::vector<Surface> weighed = weighed_planes(flat.coarse, flat.planes, context);
+  std::vector<int> of_plane(flat.planes.size(), -1);
+  for (std::size_t k = 0; k < flat.planes.size(); ++k) {
+    const bool doubtful = weighed[k].confidence < min_confidence;
+    if (doubtful && has_larger_parallel(flat.planes, k)) continue;
+    of_plane[k] = static_cast<int>(measured->detections.size());
+    measured->detections.push_back(measure(weighed[k], flat.coarse, viewpoint));
+  }
+  for (std::size_t c = 0; c < measured->owner.size(); ++c) {
+    const int plane = flat.plane_of_cell[c];
+    if (measured->owner[c] < 0 && plane >= 0) measured->owner[c] = of_plane[plane];
+  }
+}
+
+/// Replaces the rms of the samples by that of the points.
+void set_rms_of_points(const CloudView& cloud, const CellPyramid& pyramid, Measured* measured) {
+  std::vector<Quadric> quadrics;
+  for (const Detection& d : measured->detections) quadrics.push_back(d.Q_C);
+  const std::vector<double> rms = rms_of_points(cloud, pyramid, measured->owner, quadrics);
+  for (std::size_t k = 0; k < rms.size(); ++k) {
+    if (std::isfinite(rms[k])) measured->detections[k].rms = rms[k];
+  }
 }
 
 /// Those to report first; best score first, of equal ones the larger.
@@ -97,20 +127,28 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options, StageC
   clock.end("cells");
   if (!pyramid) return {};
 
-  const SurfaceSamples coarse = pyramid->coarse_samples();
-  const std::vector<PlaneRegion> planes = find_planes(coarse, options.planes);
-  const std::vector<char> keep = cells_off_planes(*pyramid, coarse, planes, options.planes.sigmas);
+  FlatParts flat{pyramid->coarse_samples(), {}, {}};
+  flat.planes = find_planes(flat.coarse, options.planes);
+  flat.plane_of_cell = planes_of_cells(*pyramid, flat.coarse, flat.planes, options.planes.sigmas);
   clock.end("planes");
 
-  const SampleTree tree(*pyramid, pyramid->samples(keep, options.threads));
+  const SampleTree tree(*pyramid,
+                        pyramid->samples(cells_off_planes(flat.plane_of_cell), options.threads));
   clock.end("samples");
 
-  const SceneContext context = {normal_of_largest(planes), pyramid->sight()};
+  const SceneContext context = {normal_of_largest(flat.planes), pyramid->sight()};
   const Aggregation aggregation = find_surfaces(tree, context, options, clock);
+  Measured measured{{}, std::vector<int>(flat.plane_of_cell.size(), -1)};
+  measure_surfaces(aggregation, flat, tree.finest(), context, cloud.viewpoint, &measured);
+  if (lets_pass(options.only, QuadricType::kPlane)) {
+    measure_planes(flat, context, options.aggregate.min_plane_confidence, cloud.viewpoint,
+                   &measured);
+  }
+  set_rms_of_points(cloud, *pyramid, &measured);
+  std::erase_if(measured.detections,
+                [&](const Detection& d) { return !lets_pass(options.only, d.type); });
   Findings findings;
-  findings.detections = ranked(
-      measure_all(aggregation, planes, coarse, tree.finest(), context, options, cloud.viewpoint),
-      options.report);
+  findings.detections = ranked(std::move(measured.detections), options.report);
   findings.points_used = count_points(*pyramid);
   clock.end("measure");
   return findings;

@@ -26,24 +26,34 @@ std::vector<std::vector<int>> planes_near(const CellPyramid& pyramid, const Surf
 
 }  // namespace
 
-std::vector<char> cells_off_planes(const CellPyramid& pyramid, const SurfaceSamples& coarse,
-                                   const std::vector<PlaneRegion>& planes, double sigmas) {
+std::vector<int> planes_of_cells(const CellPyramid& pyramid, const SurfaceSamples& coarse,
+                                 const std::vector<PlaneRegion>& planes, double sigmas) {
   const std::vector<std::vector<int>> near = planes_near(pyramid, coarse, planes);
   const int size = pyramid.size(0);
   static_assert(kLevels == 3);
   const std::array<const int*, kLevels - 1> parents = {pyramid.parents(0).data(),
                                                        pyramid.parents(1).data()};
-  std::vector<char> keep(static_cast<std::size_t>(size), 1);
+  std::vector<int> plane_of_cell(static_cast<std::size_t>(size), -1);
   for (int c = 0; c < size; ++c) {
     int above = c;
     for (const int* parent : parents) above = parent[above];
     if (near[above].empty() || pyramid.count(c) == 0) continue;
     const Eigen::Vector4d x = pyramid.mean(c).cast<double>().homogeneous();
-    const double limit = sigmas * pyramid.sigma(c);
+    double nearest = sigmas * pyramid.sigma(c);
     for (const int k : near[above]) {
-      if (std::abs(planes[k].plane.dot(x)) < limit) keep[c] = 0;
+      const double distance = std::abs(planes[k].plane.dot(x));
+      if (!(distance < nearest)) continue;
+      nearest = distance;
+      plane_of_cell[c] = k;
     }
   }
+  return plane_of_cell;
+}
+
+std::vector<char> cells_off_planes(const std::vector<int>& plane_of_cell) {
+  std::vector<char> keep;
+  keep.reserve(plane_of_cell.size());
+  for (const int plane : plane_of_cell) keep.push_back(plane < 0);
   return keep;
 }
 

@@ -7,11 +7,15 @@
 
 namespace quadrille {
 
-/// Finest cells that lie on one of the planes, next to where the plane was found: zero in the
-/// result, as nothing else is looked for there.
+/// Per finest cell, the plane that it lies on, next to where the plane was found: the nearest, of
+/// several; −1 for none.
 /// @param coarse  the samples that the planes were found on
 /// @param sigmas  largest distance in multiples of the cells' noise
-std::vector<char> cells_off_planes(const CellPyramid& pyramid, const SurfaceSamples& coarse,
-                                   const std::vector<PlaneRegion>& planes, double sigmas);
+std::vector<int> planes_of_cells(const CellPyramid& pyramid, const SurfaceSamples& coarse,
+                                 const std::vector<PlaneRegion>& planes, double sigmas);
+
+/// Per finest cell, zero if it lies on a plane, as nothing else is looked for there.
+/// @param plane_of_cell  as planes_of_cells() gives it
+std::vector<char> cells_off_planes(const std::vector<int>& plane_of_cell);
 
 }  // namespace quadrille

@@ -28,6 +28,9 @@ class CellPyramid {
   virtual int count(int cell) const = 0;
   virtual Eigen::Vector3f mean(int cell) const = 0;
   virtual float sigma(int cell) const = 0;
+  /// The finest cell that a point of the cloud is part of [m]; −1 for none: the point is not
+  /// finite, not seen, or on the other side of a depth edge.
+  virtual int cell_of(const Eigen::Vector3f& point) const = 0;
   /// What was seen along each finest cell; without cells if they are those of no single view.
   virtual Sight sight() const { return {}; }
   /// Samples of the coarsest level, with the smallest windows: what planes are found on.

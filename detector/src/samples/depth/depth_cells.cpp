@@ -215,6 +215,16 @@ void join_side_of_middle(const DepthCells& fine, const FineRows& rows, int i, in
 
 }  // namespace
 
+int DepthCells::cell_of(const Eigen::Vector3f& uvw) const {
+  if (!(uvw.z() > 0.0f)) return -1;
+  const CellIndex index(*this);
+  const int i = static_cast<int>(std::floor((uvw.x() - index.u0) * index.step));
+  const int j = static_cast<int>(std::floor((uvw.y() - index.v0) * index.step));
+  if (i < 0 || j < 0 || i > index.last_i || j > index.last_j) return -1;
+  const int c = j * width + i;
+  return count[c] > 0 && continuous(*this, uvw.z(), w[c]) ? c : -1;
+}
+
 DepthCells make_depth_cells(const CloudView& cloud, const PinholeView& view,
                             const PinholeImage& image, int pixels) {
   DepthCells cells;

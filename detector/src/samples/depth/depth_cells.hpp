@@ -31,6 +31,9 @@ struct DepthCells {
   float pitch() const { return image.pitch.x(); }
   /// Edge of a cell at inverse depth w [m].
   float metric(float w) const { return pitch() * static_cast<float>(pixels) / w; }
+  /// The cell that a point is part of, from its tangents and inverse depth; −1 if it lies outside
+  /// the image or on the other side of a depth edge.
+  int cell_of(const Eigen::Vector3f& uvw) const;
   /// Position of the mean of cell i in frame V [m].
   Eigen::Vector3f position_V(int i) const { return Eigen::Vector3f(u[i], v[i], 1.0f) / w[i]; }
 };

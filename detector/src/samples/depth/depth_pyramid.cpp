@@ -38,9 +38,10 @@ std::vector<int> parents_of(const DepthCells& fine, const DepthCells& coarse) {
 class DepthPyramid : public CellPyramid {
  public:
   /// @param z  depth at which the levels' noise is compared [m]
-  DepthPyramid(const Eigen::Isometry3f& X_CV, std::array<DepthCells, kLevels> cells,
+  DepthPyramid(const PinholeView& view, std::array<DepthCells, kLevels> cells,
                std::vector<NoiseModel> noise, float z)
-      : X_CV_(X_CV),
+      : view_(view),
+        X_CV_(view.X_VC.inverse()),
         cells_(std::move(cells)),
         noise_(std::move(noise)),
         common_noise_(common_share(noise_.front().sigma(z), noise_.back().sigma(z))) {
@@ -52,11 +53,14 @@ class DepthPyramid : public CellPyramid {
   int count(int cell) const override { return cells_[0].count[cell]; }
   Eigen::Vector3f mean(int cell) const override { return X_CV_ * cells_[0].position_V(cell); }
   float sigma(int cell) const override { return noise_[0].sigma(1.0f / cells_[0].w[cell]); }
+  int cell_of(const Eigen::Vector3f& point) const override {
+    return cells_[0].cell_of(view_(point));
+  }
 
   Sight sight() const override {
     const DepthCells& cells = cells_[0];
-    return {X_CV_.inverse(), cells.image.corner, cells.pitch() * static_cast<float>(cells.pixels),
-            cells.width,     cells.height,       cells.w};
+    return {view_.X_VC,  cells.image.corner, cells.pitch() * static_cast<float>(cells.pixels),
+            cells.width, cells.height,       cells.w};
   }
 
   SurfaceSamples coarse_samples() const override {
@@ -78,6 +82,7 @@ class DepthPyramid : public CellPyramid {
   }
 
  private:
+  PinholeView view_;
   Eigen::Isometry3f X_CV_;
   std::array<DepthCells, kLevels> cells_;
   std::vector<NoiseModel> noise_;
@@ -131,8 +136,7 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const CloudView& cloud,
     coarsen();
     noise = measure_noise(cells, options.noise);
   }
-  return std::make_unique<DepthPyramid>(view->X_VC.inverse(), std::move(cells), std::move(noise),
-                                        z);
+  return std::make_unique<DepthPyramid>(*view, std::move(cells), std::move(noise), z);
 }
 
 }  // namespace quadrille

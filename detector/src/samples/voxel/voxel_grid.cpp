@@ -43,6 +43,17 @@ std::uint64_t curve_of(std::uint64_t key) {
 
 }  // namespace
 
+int VoxelGrid::Brick::voxel(int bit) const {
+  return first + count_bits(filled & ((std::uint64_t{1} << bit) - 1));
+}
+
+int VoxelGrid::voxel_of(const Eigen::Vector3f& point) const {
+  if (!is_finite(point)) return -1;
+  const Place place = place_of(point);
+  const Brick* brick = find(place.key);
+  return brick && brick->filled >> place.bit & 1 ? brick->voxel(place.bit) : -1;
+}
+
 void VoxelGrid::rehash(std::size_t slots) {
   slots_.assign(slots, -1);
   for (std::size_t b = 0; b < bricks_.size(); ++b) {
@@ -109,14 +120,13 @@ VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const in
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Eigen::Vector3f& p = points[k];
     if (!is_finite(p)) continue;
-    const std::uint32_t x = coordinate(p.x()), y = coordinate(p.y()), z = coordinate(p.z());
-    const std::uint64_t key = key_of(x / 4, y / 4, z / 4);
-    if (key != last_key) {
-      last = find_or_add(key);
-      last_key = key;
+    const Place at = place_of(p);
+    if (at.key != last_key) {
+      last = find_or_add(at.key);
+      last_key = at.key;
     }
     place[k] = last;
-    bit[k] = static_cast<unsigned char>(x % 4 + 4 * (y % 4) + 16 * (z % 4));
+    bit[k] = static_cast<unsigned char>(at.bit);
     bricks_[last].filled |= std::uint64_t{1} << bit[k];
   }
   const int size = number_voxels();
@@ -125,9 +135,7 @@ VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const in
   count_.assign(sum.size(), 0);
   for (std::size_t k = 0; k < points.size(); ++k) {
     if (place[k] < 0) continue;
-    const Brick& brick = bricks_[place[k]];
-    const std::uint64_t before = (std::uint64_t{1} << bit[k]) - 1;
-    const int v = place[k] = brick.first + count_bits(brick.filled & before);
+    const int v = place[k] = bricks_[place[k]].voxel(bit[k]);
     const int w = weight.empty() ? 1 : weight[k];
     sum[v] += w * points[k].cast<double>();
     count_[v] += w;

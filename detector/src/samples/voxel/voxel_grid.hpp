@@ -28,6 +28,8 @@ class VoxelGrid {
   const std::vector<Eigen::Vector3f>& mean() const { return mean_; }
   /// Per voxel, how many they are.
   const std::vector<int>& count() const { return count_; }
+  /// The voxel that holds a point [m]; −1 if none of the grid's does.
+  int voxel_of(const Eigen::Vector3f& point) const;
 
  private:
   friend class VoxelFinder;
@@ -36,6 +38,14 @@ class VoxelGrid {
     std::uint64_t key = 0, filled = 0;
     /// Its voxels: first … first + size - 1.
     int first = 0, size = 0;
+
+    /// The voxel of one of its bits, which must be filled.
+    int voxel(int bit) const;
+  };
+  /// The brick that a point falls into, and the bit of its voxel.
+  struct Place {
+    std::uint64_t key;
+    int bit;
   };
 
   static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
@@ -47,6 +57,10 @@ class VoxelGrid {
     const double c = static_cast<double>(x) * inverse_;
     return static_cast<std::uint32_t>(std::clamp(c, -kMaxCoordinate, kMaxCoordinate) +
                                       kMaxCoordinate);
+  }
+  Place place_of(const Eigen::Vector3f& p) const {
+    const std::uint32_t x = coordinate(p.x()), y = coordinate(p.y()), z = coordinate(p.z());
+    return {key_of(x / 4, y / 4, z / 4), static_cast<int>(x % 4 + 4 * (y % 4) + 16 * (z % 4))};
   }
   std::size_t slot_of(std::uint64_t key) const {
     return (key * 0x9e3779b97f4a7c15u >> 20) & (slots_.size() - 1);

@@ -34,6 +34,7 @@ class VoxelPyramid : public CellPyramid {
   int count(int cell) const override { return grids_[0].count()[cell]; }
   Eigen::Vector3f mean(int cell) const override { return grids_[0].mean()[cell]; }
   float sigma(int) const override { return sigma_[0]; }
+  int cell_of(const Eigen::Vector3f& point) const override { return grids_[0].voxel_of(point); }
   /// True if the noise that averaging does not remove outweighs the finest voxels.
   bool is_noisy(double noisiest_cell) const {
     return sigma_.back() > static_cast<float>(noisiest_cell) * grids_[0].edge();
