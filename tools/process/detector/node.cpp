@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <lcmtypes/quadrille/shard_cloud_t.hpp>
 #include <random>
-#include <stdexcept>
 #include <utility>
 
 #include "io/hash.hpp"
@@ -14,7 +12,6 @@
 #include "process/runtime/process_info.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/clock.hpp"
-#include "quadrille/bus/connection.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/status_message.hpp"
@@ -22,9 +19,6 @@
 
 namespace quadrille {
 namespace {
-
-// A channel without clouds for so long makes room for another one.
-constexpr std::chrono::seconds kSilence{10};
 
 std::string hash_of(const DetectorSettings& settings) {
   SettingsText text;
@@ -40,12 +34,12 @@ std::string hash_of(const DetectorSettings& settings) {
 
 DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publish)
     : settings_(settings),
-      in_channel_(settings.in_channel),
       publish_(std::move(publish)),
       settings_hash_(hash_of(settings)),
       trackers_(settings.track),
       camera_poses_(settings.X_WK, settings.track.pose_age),
-      untracked_(settings.frames.clouds == CloudFrame::kCamera) {
+      untracked_(settings.frames.clouds == CloudFrame::kCamera),
+      cloud_channels_(settings_) {
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
   for (const std::string& warning : settings.warnings) log_warning(warning);
 }
@@ -60,75 +54,14 @@ std::vector<InChannel> DetectorNode::in_channels() const {
 }
 
 std::vector<OutChannel> DetectorNode::out_channels() const {
-  std::vector<OutChannel> channels;
-  DetectorSettings::visit_channels(
-      settings_, [&](Way way, const char* option, const std::string& name, const char*) {
-        const bool several = in_channel_.is_pattern() && &name != &settings_.status_channel;
-        if (way == Way::kOut) channels.push_back({option, name, several});
-      });
-  DetectorSettings::visit_viewer(settings_, [&](const std::string& name) {
-    channels.push_back({"--viz", name});
-  });
-  return channels;
+  return cloud_channels_.out_channels();
 }
 
 std::optional<Job> DetectorNode::receive(const std::string& channel,
                                          std::span<const std::byte> bytes) {
-  if (takes_clouds_of(channel)) return receive_cloud(channel, bytes);
+  if (cloud_channels_.matches(channel)) return receive_cloud(channel, bytes);
   if (channel == settings_.pose_channel) receive_pose(channel, bytes);
   return std::nullopt;
-}
-
-/// A pattern may match the channels of the results too.
-bool DetectorNode::takes_clouds_of(const std::string& channel) const {
-  if (!in_channel_.matches(channel)) return false;
-  const std::vector<OutChannel> own = out_channels();
-  return std::none_of(own.begin(), own.end(),
-                      [&](const OutChannel& out) { return out.holds(channel); });
-}
-
-/// Why clouds of that channel are not taken; nullopt if they are.
-std::optional<bus::Rejection> DetectorNode::refuse_channel(const std::string& channel,
-                                                           TimePoint now) {
-  if (const auto known = cloud_channels_.find(channel); known != cloud_channels_.end()) {
-    known->second = now;
-    return std::nullopt;
-  }
-  if (cloud_channels_.size() == Trackers::kMaxTrackers && !forget_silent_channel(now)) {
-    return bus::Rejection{bus::RejectReason::kBadChannel,
-                          fmt::format("clouds of {} channels are taken already; start one process "
-                                      "more, and give each a pattern of its own",
-                                      cloud_channels_.size())};
-  }
-  try {
-    bus::check_channel(results_channel(settings_.out_channel, channel));
-    bus::check_channel(results_channel(settings_.boxes_channel, channel));
-  } catch (const std::invalid_argument& error) {
-    return bus::Rejection{bus::RejectReason::kBadChannel, error.what()};
-  }
-  cloud_channels_.emplace(channel, now);
-  return std::nullopt;
-}
-
-/// Makes room for another channel; false if clouds have come on all of them lately.
-bool DetectorNode::forget_silent_channel(TimePoint now) {
-  const auto oldest =
-      std::min_element(cloud_channels_.begin(), cloud_channels_.end(),
-                       [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (now - oldest->second < kSilence) return false;
-  cloud_channels_.erase(oldest);
-  return true;
-}
-
-/// Where the results of a channel's clouds go.
-/// @param name  of the channel, or what it begins with
-std::string DetectorNode::results_channel(const std::string& name,
-                                          const std::string& cloud_channel) const {
-  if (!in_channel_.is_pattern()) return name;
-  // The prefix of all channels begins the result's name already.
-  const std::string& prefix = settings_.process.channel_prefix;
-  const bool has_prefix = cloud_channel.starts_with(prefix);
-  return name + "_" + (has_prefix ? cloud_channel.substr(prefix.size()) : cloud_channel);
 }
 
 void DetectorNode::receive_pose(const std::string& channel, std::span<const std::byte> bytes) {
@@ -191,7 +124,7 @@ std::optional<Job> DetectorNode::take_cloud(const std::string& channel,
     refusals_.add(channel, *rejection);
     return std::nullopt;
   }
-  if (const auto rejection = refuse_channel(channel, now)) {
+  if (const auto rejection = cloud_channels_.refuse(channel, now)) {
     refusals_.add(channel, *rejection);
     return std::nullopt;
   }
@@ -297,7 +230,7 @@ void DetectorNode::publish_quadrics(const std::string& channel, const bus::Cloud
   quadrics_t message = bus::to_message(cloud, result);
   message.frame = frame;
   const auto bytes = bus::encode(message);
-  publish_(results_channel(settings_.out_channel, channel), bytes);
+  publish_(cloud_channels_.results_channel(settings_.out_channel, channel), bytes);
   const std::lock_guard lock(mutex_);
   ++counts_.published;
   counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
@@ -310,7 +243,7 @@ void DetectorNode::publish_boxes(const std::string& channel, const bus::CloudMes
   boxes_t message = bus::to_message(cloud, result.boxes);
   message.frame = frame;
   const auto bytes = bus::encode(message);
-  publish_(results_channel(settings_.boxes_channel, channel), bytes);
+  publish_(cloud_channels_.results_channel(settings_.boxes_channel, channel), bytes);
   const std::lock_guard lock(mutex_);
   counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
 }

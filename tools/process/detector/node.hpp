@@ -3,13 +3,13 @@
 #include <chrono>
 #include <cstdint>
 #include <lcmtypes/quadrille/detector_status_t.hpp>
-#include <map>
 #include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "process/detector/cloud_channels.hpp"
 #include "process/detector/settings.hpp"
 #include "process/detector/trackers.hpp"
 #include "process/detector/untracked.hpp"
@@ -20,7 +20,6 @@
 #include "process/runtime/sequence_gaps.hpp"
 #include "process/runtime/stages.hpp"
 #include "process/runtime/viewer.hpp"
-#include "quadrille/bus/channel_pattern.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
@@ -49,10 +48,6 @@ class DetectorNode : public Node {
   void tell_of(std::span<const std::byte> cloud, std::int64_t digest) noexcept;
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
   CameraPose choose_pose(std::int64_t utime);
-  bool takes_clouds_of(const std::string& channel) const;
-  std::optional<bus::Rejection> refuse_channel(const std::string& channel, TimePoint now);
-  bool forget_silent_channel(TimePoint now);
-  std::string results_channel(const std::string& name, const std::string& cloud_channel) const;
   void track(const std::string& channel, const bus::CloudMessage& cloud,
              const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
   DetectionResult detect_placed(const std::string& channel, const bus::CloudMessage& cloud,
@@ -69,7 +64,6 @@ class DetectorNode : public Node {
   void fill_counts(detector_status_t* status);
 
   const DetectorSettings settings_;
-  const bus::ChannelPattern in_channel_;
   const bus::Publish publish_;
   const std::string settings_hash_;
 
@@ -88,8 +82,7 @@ class DetectorNode : public Node {
   SequenceGaps gaps_;
   Refusals refusals_;
   Untracked untracked_;
-  /// On which clouds have come, with the time of the last one.
-  std::map<std::string, TimePoint> cloud_channels_;
+  CloudChannels cloud_channels_;
   Stages stages_{{"decode", "wait", "detect", "quadrics", "boxes"}};
   Rate received_rate_, published_rate_;
 };

@@ -18,30 +18,12 @@
 #include "quadrille/grasping/rigid_motion.hpp"
 
 namespace quadrille {
-namespace {
-
-using Space = std::shared_ptr<const OccupancyGrid>;
-
-/// The map of frame K in frame R.
-Space in_frame(const Space& space, const Eigen::Isometry3d& X_RK) {
-  if (!space || X_RK.matrix().isIdentity(0.0)) return space;
-  return std::make_shared<const OccupancyGrid>(space->moved(X_RK));
-}
-
-/// None where a log is replayed, whose results do not hang on how fast that goes.
-std::chrono::milliseconds occupancy_interval(const PlannerSettings& settings) {
-  if (!settings.process.in_log.empty()) return std::chrono::milliseconds(0);
-  return std::chrono::milliseconds(static_cast<int>(1000.0 * settings.occupancy_period));
-}
-
-}  // namespace
-
 PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
     : settings_(settings),
       publish_(std::move(publish)),
       settings_hash_(hash_of(settings)),
       camera_poses_(settings.X_WK, settings.pose_age),
-      occupancies_(occupancy_interval(settings)) {
+      occupancies_(settings, publish_) {
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
 }
 
@@ -238,35 +220,15 @@ std::int64_t PlannerNode::publish_maps(const Stamp& stamp, const GraspPlan& plan
     bytes += publish(settings_.shapes_channel, make_shapes_message(stamp, plan));
   }
   if (!settings_.occupancy) return bytes;
-  Map map{stamp, plan.space, X_RK};
-  if (!occupancies_.admit()) {
-    late_map_ = std::move(map);
-    return bytes;
-  }
-  late_map_.reset();
-  return bytes + publish_occupancy(map);
-}
-
-std::int64_t PlannerNode::publish_occupancy(const Map& map) {
-  const std::string& channel = settings_.occupancy_channel;
-  try {
-    return publish(channel, make_occupancy_message(map.stamp, in_frame(map.space, map.X_RK).get()));
-  } catch (const std::invalid_argument& error) {
-    // The grasps are out. A map has its place, too far from the origin of W for some.
-    if (const auto held_back = map_log_.admit()) {
-      log_warning(with_held_back(
-          fmt::format("{}: no map of cloud {}: {}", channel, map.stamp.utime, error.what()),
-          *held_back));
-    }
-    return 0;
-  }
+  return bytes + occupancies_.add({stamp, plan.space, X_RK});
 }
 
 /// The map of the last cloud, once it is due.
 std::optional<Job> PlannerNode::find_spare_job() {
-  if (!late_map_ || !occupancies_.admit()) return std::nullopt;
-  return Job{late_map_->stamp.utime, [this, map = *std::exchange(late_map_, std::nullopt)] {
-               const std::int64_t bytes = publish_occupancy(map);
+  std::optional<MapPublisher::Map> due = occupancies_.take_due();
+  if (!due) return std::nullopt;
+  return Job{due->stamp.utime, [this, map = *std::move(due)] {
+               const std::int64_t bytes = occupancies_.publish(map);
                const std::lock_guard lock(mutex_);
                counts_.published_bytes += bytes;
              }};

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "process/planner/map_publisher.hpp"
 #include "process/planner/messages.hpp"
 #include "process/planner/pairing.hpp"
 #include "process/planner/recent_pairs.hpp"
@@ -42,12 +43,6 @@ class PlannerNode : public Node {
 
  private:
   using SharedPair = std::shared_ptr<const CloudAndQuadrics>;
-  /// Of a cloud, in the camera's frame K.
-  struct Map {
-    Stamp stamp;
-    std::shared_ptr<const OccupancyGrid> space;
-    Eigen::Isometry3d X_RK;
-  };
 
   void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
@@ -65,7 +60,6 @@ class PlannerNode : public Node {
   std::int64_t publish(const std::string& channel, const Message& message);
   std::int64_t publish_maps(const Stamp& stamp, const GraspPlan& plan,
                             const Eigen::Isometry3d& X_RK);
-  std::int64_t publish_occupancy(const Map& map);
   void fill_counts(planner_status_t* status);
 
   const PlannerSettings settings_;
@@ -80,15 +74,12 @@ class PlannerNode : public Node {
   CameraPoses camera_poses_;
   std::int64_t requests_ = 0, unmet_ = 0;
   Refusals refused_clouds_, refused_quadrics_, refused_poses_, refused_requests_;
-  bus::RateLimiter poseless_log_{std::chrono::seconds(1)}, unpaired_log_{std::chrono::seconds(1)},
-      map_log_{std::chrono::seconds(1)};
+  bus::RateLimiter poseless_log_{std::chrono::seconds(1)}, unpaired_log_{std::chrono::seconds(1)};
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
   Rate received_rate_, published_rate_;
   // For the working thread; below it the last cloud that was made ready.
-  bus::RateLimiter occupancies_;
-  /// The newest map, if it came too soon after another.
-  std::optional<Map> late_map_;
+  MapPublisher occupancies_;
   SharedPair ready_;
   std::optional<GraspScene> scene_;
   /// None without --viz.

@@ -8,43 +8,13 @@
 
 #include "picture/view.hpp"
 #include "support/catch.hpp"
+#include "tools/picture/ball_before_wall.hpp"
 #include "tools/support_files.hpp"
 
 using namespace quadrille;
+using namespace quadrille::test;
 
 namespace {
-
-/// A half sphere of radius 0.1 m, 0.6 m before the camera, in front of a wall.
-PointCloud ball_before_wall() {
-  PointCloud cloud;
-  for (int row = 0; row < 120; ++row) {
-    for (int column = 0; column < 160; ++column) {
-      const Eigen::Vector3d ray((column - 79.5) / 150, (row - 59.5) / 150, 1);
-      const double a = ray.squaredNorm(), b = -0.6, c = 0.36 - 0.01;
-      const double discriminant = b * b - a * c;
-      const double z = discriminant >= 0 ? (-b - std::sqrt(discriminant)) / a : 1.0;
-      cloud.points.push_back((z * ray).cast<float>());
-    }
-  }
-  return cloud;
-}
-
-DetectionResult ball_found() {
-  Detection d;
-  d.id = 1;
-  d.type = QuadricType::kSphere;
-  Vector10d q = Vector10d::Zero();
-  q.head<3>().setOnes();
-  q[9] = -0.01;
-  d.X_CQ.translation() = Eigen::Vector3d(0, 0, 0.6);
-  d.Q_C = Quadric(q).transformed(d.X_CQ);
-  d.rms = 0.001;
-  d.extent_Q = {Eigen::Vector3d(-.1, -.1, -.1), Eigen::Vector3d(.1, .1, .1)};
-  d.dimensions = {{"radius", 0.1, 0.0}};
-  DetectionResult result;
-  result.detections = {d};
-  return result;
-}
 
 /// How far a colour is from grey.
 float saturation(const Color& color) { return color.maxCoeff() - color.minCoeff(); }
@@ -80,41 +50,6 @@ Pixels draw_picture(const PictureContent& content, int width) {
 std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// A hand around the ball, from before it.
-GraspPlan plan_on_ball() {
-  GraspPlan plan;
-  Grasp grasp;
-  grasp.target = 1;
-  grasp.preshape = 0.08;
-  grasp.X_CG.translation() = Eigen::Vector3d(0, 0, 0.6);
-  grasp.contacts_C = {Eigen::Vector3d(0, -0.04, 0.6), Eigen::Vector3d(0, 0.04, 0.6)};
-  plan.grasps = {grasp};
-  return plan;
-}
-
-Gripper make_gripper() {
-  Gripper gripper;
-  gripper.finger = {0.02, 0.02, 0.05};
-  gripper.palm = {0.06, 0.2, 0.06};
-  return gripper;
-}
-
-/// True if a straight line meets a box; judged by clipping it to the box's sides.
-bool meets(const Segment& line, const Eigen::AlignedBox2d& box) {
-  double from = 0.0, to = 1.0;
-  for (int i = 0; i < 2; ++i) {
-    const double way = line.to[i] - line.from[i];
-    if (std::abs(way) < 1e-12) {
-      if (line.from[i] < box.min()[i] || line.from[i] > box.max()[i]) return false;
-      continue;
-    }
-    const double a = (box.min()[i] - line.from[i]) / way, b = (box.max()[i] - line.from[i]) / way;
-    from = std::max(from, std::min(a, b));
-    to = std::min(to, std::max(a, b));
-  }
-  return from <= to;
 }
 
 }  // namespace
@@ -158,92 +93,6 @@ TEST_CASE("SVG and PDF hold the cloud as an image, all else as lines, and are sm
   CHECK(count("<path") > 4);
   CHECK(pdf.starts_with("%PDF-"));
   CHECK(pdf.find("/Subtype /Image") != std::string::npos);
-}
-
-TEST_CASE("labels stand beside what they name, never on rims, grasps or each other", "[picture]") {
-  const PointCloud cloud = ball_before_wall();
-  DetectionResult result = ball_found();
-  // Six more balls, some behind others.
-  for (int n = 0; n < 6; ++n) {
-    Detection d = result.detections.front();
-    d.id = n + 2;
-    const Eigen::Isometry3d away(
-        Eigen::Translation3d(0.1 * (n % 3) - 0.12, 0.09 * (n / 3) - 0.05, 0.05 * n));
-    d.X_CQ = away * d.X_CQ;
-    d.Q_C = d.Q_C.transformed(away);
-    result.detections.push_back(d);
-  }
-  Box box;
-  box.id = 9;
-  box.size = {0.2, 0.16, 0.1};
-  box.X_CB =
-      Eigen::Translation3d(-0.2, 0.1, 0.7) * Eigen::AngleAxisd(0.6, Eigen::Vector3d::UnitX());
-  result.boxes = {box};
-  const GraspPlan plan = plan_on_ball();
-  const Gripper gripper = make_gripper();
-  for (const ViewSide side : {ViewSide::kCamera, ViewSide::kTop, ViewSide::kSide}) {
-    const PictureLayout layout =
-        lay_out({"balls.ply", cloud, result, &plan, &gripper}, {.side = side});
-    REQUIRE(layout.labels.size() == 8);
-    int hits = 0, placed = 0, overlaps = 0;
-    for (const Label& label : layout.labels) {
-      if (!label.place) continue;
-      ++placed;
-      for (const Strokes& strokes : layout.sketch.strokes) {
-        for (const Segment& line : strokes.segments) hits += meets(line, label.place->box);
-      }
-      for (const Disc& disc : layout.sketch.discs) {
-        hits += label.place->box.exteriorDistance(disc.center) < disc.radius;
-      }
-      for (const Label& other : layout.labels) {
-        overlaps +=
-            &other != &label && other.place && other.place->box.intersects(label.place->box);
-      }
-    }
-    CHECK(placed == 8);
-    CHECK(hits == 0);
-    CHECK(overlaps == 0);
-  }
-}
-
-TEST_CASE("a leader line ends on the rim of the ball that its label names", "[picture]") {
-  const PointCloud cloud = ball_before_wall();
-  const DetectionResult result = ball_found();
-  const PictureLayout layout = lay_out({"ball.ply", cloud, result});
-  REQUIRE(layout.labels.size() == 1);
-  REQUIRE(layout.labels[0].place);
-  // Rays to the rim touch the ball: its centre lies 0.1 m off them.
-  const Eigen::Vector2d end = layout.labels[0].place->anchor;
-  const Eigen::Vector3d ray = layout.view.ray(end.x(), end.y()).normalized();
-  CHECK(ray.cross(Eigen::Vector3d(0, 0, 0.6)).norm() == Approx(0.1).margin(0.001));
-}
-
-TEST_CASE("a label without room is left out", "[picture]") {
-  TakenCells lines(400, 300), bodies(400, 300);
-  lines.mark(Eigen::AlignedBox2d(Eigen::Vector2d(0, 0), Eigen::Vector2d(400, 300)));
-  const WantedLabel label{{80, 20}, {{200, 150}}};
-  CHECK_FALSE(place_labels({label}, {400, 300}, lines, bodies)[0]);
-  CHECK_FALSE(place_labels({{{500, 20}, {{200, 150}}}}, {400, 300}, {400, 300}, bodies)[0]);
-  CHECK(place_labels({label}, {400, 300}, {400, 300}, lines)[0]);
-}
-
-TEST_CASE("from above the floor fills the view and a ball is round", "[picture]") {
-  PointCloud cloud;
-  for (int i = -60; i <= 60; ++i) {
-    for (int j = -60; j <= 60; ++j) cloud.points.push_back({0.01f * i, 0.2f, 1.0f + 0.01f * j});
-  }
-  ViewSubject subject;
-  subject.planes_C = {{Eigen::Vector3d(0, -1, 0), 1000}, {Eigen::Vector3d(0, 0, -1), 9000}};
-  const View top = fit_view(cloud, 640, ViewSide::kTop, subject);
-  // Up is away from the floor: its normal comes towards the eye.
-  CHECK((top.X_VC.linear() * Eigen::Vector3d(0, -1, 0)).isApprox(Eigen::Vector3d(0, 0, -1), 1e-6));
-  // What is far from the camera is at the top.
-  CHECK(top.project({0, 0.2, 1.4})->y() < top.project({0, 0.2, 0.6})->y());
-  CHECK(top.project({0.4, 0.2, 1})->x() > top.project({-0.4, 0.2, 1})->x());
-  const View side = fit_view(cloud, 640, ViewSide::kSide, subject);
-  // Seen from the right: what is far is on the right, what is high above.
-  CHECK(side.project({0, 0.2, 1.4})->x() > side.project({0, 0.2, 0.6})->x());
-  CHECK(side.project({0, 0.0, 1.0})->y() < side.project({0, 0.2, 1.0})->y());
 }
 
 TEST_CASE("a found ball is coloured where it is, the wall stays grey", "[picture]") {
@@ -376,20 +225,4 @@ TEST_CASE("pictures of strange clouds are drawn without harm", "[picture][hostil
   cloud.points.clear();
   for (int i = 0; i < 50; ++i) cloud.points.push_back({0.01f * i, 0, 0});
   CHECK(draw() == 200);
-}
-
-TEST_CASE("a cloud all around its viewpoint is seen from outside", "[picture]") {
-  PointCloud cloud;
-  for (int i = -10; i <= 10; ++i) {
-    for (int j = -10; j <= 10; ++j) {
-      for (const float side : {-1.0f, 1.0f}) cloud.points.push_back({0.1f * i, 0.1f * j, side});
-    }
-  }
-  const View view = fit_view(cloud, 400);
-  for (const Eigen::Vector3f& p : cloud.points) {
-    const auto at = view.project(p.cast<double>());
-    REQUIRE(at.has_value());
-    CHECK(at->x() > -20);
-    CHECK(at->x() < 420);
-  }
 }

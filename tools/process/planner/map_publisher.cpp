@@ -1,0 +1,70 @@
+#include "process/planner/map_publisher.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "process/runtime/limited_log.hpp"
+#include "process/runtime/logging.hpp"
+#include "quadrille/bus/encode.hpp"
+#include "quadrille/grasping/rigid_motion.hpp"
+
+namespace quadrille {
+namespace {
+
+using Space = std::shared_ptr<const OccupancyGrid>;
+
+/// The map of frame K in frame R.
+Space in_frame(const Space& space, const Eigen::Isometry3d& X_RK) {
+  if (!space || X_RK.matrix().isIdentity(0.0)) return space;
+  return std::make_shared<const OccupancyGrid>(space->moved(X_RK));
+}
+
+/// None where a log is replayed, whose results do not hang on how fast that goes.
+std::chrono::milliseconds interval_of(const PlannerSettings& settings) {
+  if (!settings.process.in_log.empty()) return std::chrono::milliseconds(0);
+  return std::chrono::milliseconds(static_cast<int>(1000.0 * settings.occupancy_period));
+}
+
+}  // namespace
+
+MapPublisher::MapPublisher(const PlannerSettings& settings, bus::Publish publish)
+    : channel_(settings.occupancy_channel),
+      publish_(std::move(publish)),
+      due_(interval_of(settings)),
+      log_(std::chrono::seconds(1)) {}
+
+std::int64_t MapPublisher::add(Map map) {
+  if (!due_.admit()) {
+    late_ = std::move(map);
+    return 0;
+  }
+  late_.reset();
+  return publish(map);
+}
+
+std::optional<MapPublisher::Map> MapPublisher::take_due() {
+  if (!late_ || !due_.admit()) return std::nullopt;
+  return std::exchange(late_, std::nullopt);
+}
+
+std::int64_t MapPublisher::publish(const Map& map) {
+  try {
+    const auto bytes =
+        bus::encode(make_occupancy_message(map.stamp, in_frame(map.space, map.X_RK).get()));
+    publish_(channel_, bytes);
+    return static_cast<std::int64_t>(bytes.size());
+  } catch (const std::invalid_argument& error) {
+    // The grasps are out. A map has its place, too far from the origin of W for some.
+    if (const auto held_back = log_.admit()) {
+      log_warning(with_held_back(
+          fmt::format("{}: no map of cloud {}: {}", channel_, map.stamp.utime, error.what()),
+          *held_back));
+    }
+    return 0;
+  }
+}
+
+}  // namespace quadrille
