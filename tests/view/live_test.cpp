@@ -54,8 +54,9 @@ view::Bytes boxes_bytes(std::int64_t utime) {
   return shared(bus::encode(bus::to_message(cloud_at(utime), std::vector<Box>{})));
 }
 
-view::Bytes grasps_bytes(std::int64_t utime, int target, int track) {
+view::Bytes grasps_bytes(std::int64_t utime, int target, int track, std::int64_t request = 0) {
   grasps_t m{};
+  m.request_id = request;
   m.utime = utime;
   m.frame = "camera";
   m.gripper = "franka";
@@ -112,6 +113,18 @@ TEST_CASE("grasps of an earlier cloud are shown on the surface of their track", 
   messages.grasps = grasps_bytes(100, 3, 9);
   scene = view::live_scene(messages, find_gripper);
   CHECK(scene.grasps.at(0).target == 0);
+}
+
+TEST_CASE("an answer to others replaces no plan of all objects, but is shown where there is none",
+          "[view][live]") {
+  view::MessageKeeper keeper({});
+  const view::Bytes answer = grasps_bytes(100, 1, 4, 77), plan = grasps_bytes(100, 2, 4);
+  keeper.take("GRASPS", *answer);
+  REQUIRE(keeper.latest().grasps);
+  CHECK(*keeper.latest().grasps == *answer);
+  keeper.take("GRASPS", *plan);
+  keeper.take("GRASPS", *answer);
+  CHECK(*keeper.latest().grasps == *plan);
 }
 
 TEST_CASE("damaged messages are left out", "[view][live][hostile]") {

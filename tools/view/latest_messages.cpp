@@ -1,6 +1,9 @@
 #include "view/latest_messages.hpp"
 
 #include <utility>
+#include <variant>
+
+#include "quadrille/bus/grasps_message.hpp"
 
 namespace quadrille::view {
 namespace {
@@ -9,6 +12,15 @@ namespace {
 constexpr std::chrono::seconds kWatchTime{3};
 /// For so long after quadrics, or boxes, more of them are expected.
 constexpr std::chrono::seconds kQuadricsTime{1};
+/// For so long a plan of all objects stands against answers to requests for some.
+constexpr std::chrono::seconds kPlanTime{3};
+
+/// True if grasps answer somebody's request.
+bool is_answer(std::span<const std::byte> bytes) {
+  const auto decoded = bus::decode_grasps(bytes);
+  const auto* const grasps = std::get_if<grasps_t>(&decoded);
+  return grasps != nullptr && grasps->request_id != 0;
+}
 
 }  // namespace
 
@@ -22,9 +34,12 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
       {channels_.planner_status, &LatestMessages::planner_status}};
   const bool is_cloud = channel == channels_.cloud;
   const auto now = Clock::now();
+  const bool is_plan = channel == channels_.grasps && !is_answer(bytes);
   {
     const std::lock_guard lock(mutex_);
     if (is_cloud && now > watched_until_) return;
+    if (is_plan) plan_came_ = now;
+    if (channel == channels_.grasps && now - plan_came_ < kPlanTime && !is_plan) return;
   }
   Bytes copy = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
   const std::lock_guard lock(mutex_);

@@ -39,7 +39,8 @@ class MessageKeeper {
 
   explicit MessageKeeper(LiveChannels channels) : channels_(std::move(channels)) {}
 
-  /// Takes one message; those of other channels are passed over.
+  /// Takes one message; those of other channels are passed over, and so are answers to requests
+  /// of others while the planner plans for all objects by itself.
   void take(const std::string& channel, std::span<const std::byte> bytes);
 
   /// Somebody looks, for the next few seconds at least.
@@ -62,7 +63,7 @@ class MessageKeeper {
   LatestMessages latest_;
   std::size_t cloud_bytes_ = 0;
   bool has_news_ = false;
-  Clock::time_point watched_until_{}, quadrics_came_{}, boxes_came_{};
+  Clock::time_point watched_until_{}, quadrics_came_{}, boxes_came_{}, plan_came_{};
 };
 
 }  // namespace quadrille::view

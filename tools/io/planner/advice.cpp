@@ -15,24 +15,23 @@ struct Advice {
 constexpr std::array<Advice, 16> kAdvice = {{
     {Refusal::kViewpoint,
      "the cloud cannot have been seen from its viewpoint; name where the sensor stood "
-     "(--viewpoint, "
-     "--camera-pose)"},
+     "(--viewpoint, --camera-pose)"},
     {Refusal::kNoShape,
      "the quadrics that were found bound no solid; try a view that shows more of the objects"},
     {Refusal::kFar,
      "most lie too far from the viewpoint, or from each other, for one map; set a larger "
-     "resolution "
-     "under [planner] in --config FILE, or crop the cloud"},
+     "resolution (under [planner] in --config FILE), or crop the cloud"},
     {Refusal::kSeenFromInside,
      "only the insides of hollow things were seen; try a view that shows their rims"},
     {Refusal::kUnmeasured, "the rims were not measured; try a closer view, or one from higher up"},
     {Refusal::kWidth,
-     "most are wider than the gripper's opening, or thinner than it closes; try another --gripper"},
+     "most are wider than the gripper's opening, or thinner than it closes; try another gripper "
+     "(--gripper)"},
     {Refusal::kFriction,
-     "most would slip; if the pads grip better than assumed, set friction under [planner] in "
-     "--config FILE"},
+     "most would slip; if the pads grip better than assumed, set friction (under [planner] in "
+     "--config FILE)"},
     {Refusal::kTwist,
-     "most would twist the walls that they hold; try a --gripper with narrower pads"},
+     "most would twist the walls that they hold; try a gripper with narrower pads (--gripper)"},
     {Refusal::kContradicted,
      "the camera saw through most of the surfaces to be touched, so the fits are poor there; try "
      "a closer view"},
@@ -40,25 +39,28 @@ constexpr std::array<Advice, 16> kAdvice = {{
      "most can only be approached from behind or below; try a view from the side on which the "
      "gripper is to be"},
     {Refusal::kSupport,
-     "most candidates end in the plane that the object stands on; try a --gripper with slimmer "
-     "fingers, or raise the object"},
+     "most candidates end in the plane that the object stands on; try a gripper with slimmer "
+     "fingers (--gripper), or raise the object"},
     {Refusal::kTarget,
-     "most candidates touch the object before they close; try a --gripper that opens wider or has "
-     "longer fingers"},
+     "most candidates touch the object before they close; try a gripper that opens wider or has "
+     "longer fingers (--gripper)"},
     {Refusal::kCollision,
-     "most candidates end in other things; clear the space around, try a slimmer --gripper, or a "
-     "shorter approach under [planner] in --config FILE"},
+     "most candidates end in other things; clear the space around, try a slimmer gripper "
+     "(--gripper), or a shorter approach (under [planner] in --config FILE)"},
     {Refusal::kApproach,
-     "most approaches lie outside the cone that was asked for; widen --approach"},
+     "most approaches lie outside the cone that was asked for; allow a wider one (--approach)"},
     {Refusal::kClearance,
-     "most candidates come nearer to other things than was asked for; lower --min-clearance"},
+     "most candidates come nearer to other things than was asked for; ask for less clearance "
+     "(--min-clearance)"},
     {Refusal::kUnknown, "most candidates end in space the camera has not seen; "},
 }};
 
 std::string_view cure_of_unknown(UnknownPolicy unknown) {
   return unknown == UnknownPolicy::kObstacle
-             ? "try --unknown target-shadow, or add views"
-             : "try --unknown free if nothing else can be there, or add views";
+             ? "let the gripper into the object's own shadow (--unknown target-shadow), or add "
+               "views"
+             : "take unknown space as free if nothing else can be there (--unknown free), or add "
+               "views";
 }
 
 }  // namespace
