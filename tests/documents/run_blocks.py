@@ -26,10 +26,13 @@ import time
 TIMEOUT_S = 120
 BLOCK = re.compile(r"(?:<!-- (live|not run): ([^\n]*?) -->\s*\n)?(?:<!-- the test command -->\n)?^```(\w*)\n(.*?)^```$", re.M | re.S)
 LINKED = ["detector", "grasping", "examples", "lcmtypes", "tests", "tools", "CMakeLists.txt", "README.md"]
+# What a reader has at hand before a block in C++: points of a driver's own.
 CPP = """#include <vector>
 {includes}
+struct {{
+  float x, y, z;
+}} mine[1];
 int main() {{
-  quadrille::PointCloud cloud;
 {body}
 }}
 """

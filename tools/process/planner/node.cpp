@@ -265,13 +265,13 @@ void PlannerNode::refuse(const grasp_request_t& request, const SharedPair& pair,
                          const std::string& why) {
   GraspPlan nothing;
   nothing.warnings = {why};
-  publish_answer(request, pair, std::move(nothing));
+  publish_answer(request, pair, nothing);
   const std::lock_guard lock(mutex_);
   ++unmet_;
 }
 
 void PlannerNode::publish_answer(const grasp_request_t& request, const SharedPair& pair,
-                                 GraspPlan plan) {
+                                 const GraspPlan& plan) {
   Stamp stamp{request.cloud_utime, 0, request.frame, request.request_id};
   if (pair) {
     stamp.utime = pair->cloud->utime;

@@ -55,7 +55,8 @@ class PlannerNode : public Node {
   void plan_and_publish(const SharedPair& pair);
   void answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at);
   void refuse(const grasp_request_t& request, const SharedPair& pair, const std::string& why);
-  void publish_answer(const grasp_request_t& request, const SharedPair& pair, GraspPlan plan);
+  void publish_answer(const grasp_request_t& request, const SharedPair& pair,
+                      const GraspPlan& plan);
   template <class Message>
   std::int64_t publish(const std::string& channel, const Message& message);
   std::int64_t publish_maps(const Stamp& stamp, const GraspPlan& plan,

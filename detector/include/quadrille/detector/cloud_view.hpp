@@ -12,7 +12,7 @@ namespace quadrille {
 struct CloudView {
   CloudView() = default;
   /// The points of a cloud. Implicit, so that what reads clouds takes either.
-  CloudView(const PointCloud& cloud)
+  CloudView(const PointCloud& cloud)  // NOLINT(google-explicit-constructor)
       : points(cloud.points),
         width(cloud.width),
         height(cloud.height),
