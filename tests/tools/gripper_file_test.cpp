@@ -98,7 +98,7 @@ TEST_CASE("a wrong gripper file is refused with its key", "[gripper][hostile]") 
 }
 
 TEST_CASE("the library's own hands are files too, with the same numbers", "[gripper]") {
-  for (const Gripper& expected : {franka_hand(), schunk_wsg50()}) {
+  for (const Gripper& expected : {franka_hand(), schunk_wsg50(), robotiq_2f85(), robotiq_2f140()}) {
     INFO(expected.name);
     const Gripper hand = io::load_gripper(expected.name);
     CHECK(fields_of(hand) == fields_of(expected));

@@ -53,8 +53,9 @@ install(FILES ${PROJECT_BINARY_DIR}/quadrilleConfig.cmake
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/lcmtypes/ DESTINATION ${CMAKE_INSTALL_DATADIR}/lcmtypes
         COMPONENT dev FILES_MATCHING PATTERN "*.lcm" PATTERN bus EXCLUDE)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/grippers DESTINATION ${CMAKE_INSTALL_DATADIR}/quadrille)
+# Those of C++ are built alone as the consumer projects show.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples COMPONENT dev
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libquadrille-dev)
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/libquadrille-dev PATTERN examples/CMakeLists.txt EXCLUDE)
 
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT doc)
 
@@ -72,6 +73,8 @@ foreach(page IN LISTS pages ITEMS tools/view/view.png)
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/quadrille-doc/${folder})
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/examples COMPONENT doc
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/quadrille-doc PATTERN examples/CMakeLists.txt EXCLUDE)
+install(FILES ${PROJECT_SOURCE_DIR}/CITATION.cff COMPONENT doc
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/quadrille-doc)
 
 # Units of systemd, for those who want them: systemctl link or enable them after the installation. They

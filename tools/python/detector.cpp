@@ -155,7 +155,11 @@ void bind_result(py::module_& module) {
            [](const DetectionResult& r, const py::object& index) {
              return py::cast(reported(r.detections))[index].cast<py::object>();
            })
-      .def("__len__", [](const DetectionResult& r) { return reported(r.detections).size(); });
+      .def("__len__", [](const DetectionResult& r) { return reported(r.detections).size(); })
+      .def("__repr__", [](const DetectionResult& r) {
+        return "<Result: " + std::to_string(reported(r.detections).size()) + " quadrics, " +
+               std::to_string(reported(r.boxes).size()) + " boxes>";
+      });
 }
 
 DetectionResult detect_in(const Points& points, const Eigen::Vector3d& viewpoint,

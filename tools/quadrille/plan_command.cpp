@@ -166,6 +166,10 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
     info.warnings.insert(info.warnings.end(), warnings.begin(), warnings.end());
     print_warnings(input.info.input, warnings);
   }
+  // Where nothing was found, what is odd about the cloud is why.
+  GraspPlan nothing;
+  nothing.warnings = result.warnings;
+  const bool is_found = !result.detections.empty() || !plan.warnings.empty();
   io::Json object = io::plan_json(input.info, info, result, plan);
   object["query"] = io::to_json(arguments.query.query());
   if (arguments.convention) add_hands(plan, setup.gripper, *arguments.convention, &object);
@@ -173,7 +177,7 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
   if (!output->json.owns_stdout()) {
     const Paint paint = Paint::of_stdout();
     print(detection_table(input.info, result, paint) +
-          grasp_table(plan, setup.options.unknown, paint));
+          grasp_table(is_found ? plan : nothing, setup.options.unknown, paint));
   }
   if (output->map) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
 }

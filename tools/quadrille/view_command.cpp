@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -170,7 +171,8 @@ void run(const ViewArguments& arguments) {
 /// A cloud in a file is no log, but can become one.
 std::string check_log(const std::string& path) {
   const std::string suffix = CLI::detail::to_lower(std::filesystem::path(path).extension());
-  if (suffix != ".ply" && suffix != ".pcd") return "";
+  const std::set<std::string> clouds = {".ply", ".pcd", ".xyz", ".txt", ".npy", ".npz", ".gz"};
+  if (!clouds.contains(suffix)) return "";
   return fmt::format("'{0}' is a cloud, not a log; make one with: quadrille log clouds.lcm {0}",
                      path);
 }
@@ -181,7 +183,7 @@ void add_view_command(CLI::App& app) {
   auto arguments = std::make_shared<ViewArguments>();
   CLI::App* command = app.add_subcommand("view", "Show clouds, quadrics and grasps in the browser");
   command
-      ->add_option("--in-log", arguments->in_log,
+      ->add_option("--in-log,log", arguments->in_log,
                    "LCM log whose clouds to work on and show; else what comes over LCM")
       ->type_name("LOG")
       ->check(CLI::Validator(check_log, ""));

@@ -121,7 +121,7 @@ CloudCheck check_cloud(const CloudView& cloud) {
     check.warnings.push_back(
         spread[2] > kWidest * kWidest
             ? "half of the points are more than 50 m away: the coordinates look like "
-              "millimetres; give metres"
+              "millimetres or centimetres; give metres"
             : "half of the points are more than 50 m from the viewpoint: name the sensor's "
               "position");
   }

@@ -28,6 +28,7 @@ class PadMeetingFinder {
  public:
   /// @param body     no box; it and the gripper must outlive this
   PadMeetingFinder(const Body& body, const Gripper& gripper);
+  PadMeetingFinder(const Body& body, Gripper&& gripper) = delete;
 
   /// From now on for a hand that closes along y and comes along z, unit vectors in frame C at right
   /// angles; before the first at().

@@ -99,39 +99,4 @@ double Gripper::max_extension(double narrow, double wide) const {
 
 double Gripper::reach(double width) const { return finger.z() - finger_front + extension(width); }
 
-Gripper franka_hand() {
-  Gripper hand;
-  hand.name = "franka";
-  hand.max_opening = 0.08;
-  // Tip 17.5 x 15.2 mm; the tool centre point lies 45 mm before the palm and 9 mm behind the tips.
-  hand.finger = {0.0175, 0.0152, 0.054};
-  hand.finger_front = 0.009;
-  hand.pad = {0.0175, 0.018};
-  hand.palm = {0.063, 0.204, 0.066};
-  hand.max_force = 70.0;
-  // From panda_hand to panda_hand_tcp.
-  hand.tcp = 0.1034;
-  return hand;
-}
-
-Gripper schunk_wsg50() {
-  Gripper hand;
-  hand.name = "wsg50";
-  hand.max_opening = 0.11;
-  hand.finger = {0.02, 0.016, 0.075};
-  hand.finger_front = 0.01;
-  hand.pad = {0.02, 0.02};
-  hand.palm = {0.0495, 0.146, 0.0725};
-  hand.max_force = 80.0;
-  // From the middle of the body, where Drake has the hand's frame.
-  hand.tcp = 0.5 * 0.0725 + 0.065;
-  return hand;
-}
-
-Gripper gripper_by_name(const std::string& name) {
-  if (name == "franka") return franka_hand();
-  if (name == "wsg50") return schunk_wsg50();
-  throw std::invalid_argument("unknown gripper '" + name + "'; known: franka, wsg50");
-}
-
 }  // namespace quadrille

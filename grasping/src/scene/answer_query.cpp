@@ -53,7 +53,10 @@ class QueryPlanner {
     for (std::string& why : missed_ids(query_, parts_.targets, parts_.why_none)) {
       warnings.push_back(std::move(why));
     }
-    if (asked.empty()) warnings.push_back(why_none(query_, parts_.targets));
+    const bool explained =
+        !query_.ids.empty() && std::all_of(query_.ids.begin(), query_.ids.end(),
+                                           [&](int id) { return parts_.why_none.contains(id); });
+    if (asked.empty() && !explained) warnings.push_back(why_none(query_, parts_.targets));
   }
 
   /// By the tips only what is held in no other way.

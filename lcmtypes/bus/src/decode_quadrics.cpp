@@ -85,7 +85,8 @@ Detection to_detection(const quadric_t& m) {
 }
 
 QuadricsMessage from_quadrics(quadrics_t m) {
-  QuadricsMessage message{m.utime, m.seq, std::move(m.frame), {}, m.cloud_digest};
+  QuadricsMessage message{m.utime, m.seq,          std::move(m.frame),
+                          {},      m.cloud_digest, std::move(m.warnings)};
   for (const quadric_t& quadric : m.detections) {
     message.detections.push_back(to_detection(quadric));
   }

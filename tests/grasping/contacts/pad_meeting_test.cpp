@@ -39,7 +39,8 @@ bool off_ends(const Body& body, const Eigen::Vector3d& p_C, const Eigen::Vector3
 
 TEST_CASE("pads that reach over the middle of a cylinder meet its sides", "[pads]") {
   const Body body = cylinder(0.03, 0.1);
-  PadMeetingFinder finder(body, franka_hand());
+  const Gripper hand = franka_hand();
+  PadMeetingFinder finder(body, hand);
   finder.turn(kX, -kZ);
   const auto meeting = finder.at({0.005, 0.0, 0.02});
   REQUIRE(meeting);
@@ -82,7 +83,8 @@ TEST_CASE("pads that reach beside a body, or that it is too wide for, do not mee
 TEST_CASE("pads that lean out over the end of a body meet its edge, which is no hold", "[pads]") {
   const Body body = cylinder(0.02, 0.06);
   const Eigen::Vector3d closing = (kX + 0.2 * kZ).normalized();
-  PadMeetingFinder finder(body, franka_hand());
+  const Gripper hand = franka_hand();
+  PadMeetingFinder finder(body, hand);
   finder.turn(closing, closing.cross(Eigen::Vector3d::UnitY()));
   const auto middle = finder.at(Eigen::Vector3d::Zero());
   REQUIRE(middle);

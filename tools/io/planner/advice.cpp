@@ -84,8 +84,10 @@ std::string explain_no_grasps(const GraspPlan& plan, UnknownPolicy unknown) {
           : std::max_element(plan.rejected.begin(), plan.rejected.end(),
                              [](const auto& a, const auto& b) { return a.second < b.second; });
   if (main == plan.rejected.end() || main->second == 0) {
-    return "nothing that could be grasped was found, or asked for; try a closer view, or one that "
-           "shows more of the objects";
+    return plan.warnings.empty()
+               ? "nothing that could be grasped was found, or asked for; try a closer view, or one "
+                 "that shows more of the objects"
+               : "nothing that could be grasped was found, or asked for; see the warnings";
   }
   const std::string line = advise(main->first, unknown);
   return line.empty() ? "most candidates are refused as '" + main->first + "'" : line;

@@ -9,7 +9,8 @@ std::string octree_bytes(const octomap::OcTree& tree) {
   std::ostringstream stream;
   stream << "# Octomap OcTree binary file\nid " << tree.getTreeType() << "\nsize " << tree.size()
          << "\nres " << tree.getResolution() << "\ndata\n";
-  tree.writeBinaryData(stream);
+  // What OctoMap's writeBinaryData() does, but without its line on the standard error.
+  if (tree.getRoot() != nullptr) tree.writeBinaryNode(stream, tree.getRoot());
   if (!stream) throw std::runtime_error("the octree cannot be written");
   return stream.str();
 }

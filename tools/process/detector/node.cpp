@@ -215,7 +215,7 @@ void DetectorNode::detect_and_publish(const std::string& channel, const bus::Clo
                         result.points_used, cloud.cloud.read, result.detections.size(),
                         result.boxes.size(), latency));
   for (const std::string& warning : result.warnings) {
-    log_debug(fmt::format("cloud {}: {}", cloud.utime, warning));
+    warnings_log_.warning(fmt::format("{}: cloud {}: {}", channel, cloud.utime, warning));
   }
   const std::lock_guard lock(mutex_);
   stages_.add("wait", std::chrono::duration<double, std::milli>(start - received).count());

@@ -71,7 +71,7 @@ class DetectorNode : public Node {
 
   /// For the working thread.
   Trackers trackers_;
-  LimitedLog trackers_log_;
+  LimitedLog trackers_log_, warnings_log_;
   /// None without --viz.
   std::optional<Viewer> viewer_;
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -25,6 +26,7 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
       camera_poses_(settings.X_WK, settings.pose_age),
       occupancies_(settings, publish_) {
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
+  log_info(fmt::format("plans for the hand {}", settings.gripper.name));
 }
 
 std::vector<InChannel> PlannerNode::in_channels() const {
@@ -178,6 +180,14 @@ GraspPlan PlannerNode::plan_placed(const SharedPair& pair, const GraspQuery& que
   const Placement& placement = pair->placement;
   if (!placement.lack.empty()) {
     plan.warnings.push_back("the camera's pose is not known: " + placement.lack);
+  }
+  // Where nothing was found, what was odd about the cloud is why.
+  if (pair->quadrics.detections.empty()) {
+    for (const std::string& warning : pair->quadrics.warnings) {
+      const bool known =
+          std::find(plan.warnings.begin(), plan.warnings.end(), warning) != plan.warnings.end();
+      if (!known) plan.warnings.push_back(warning);
+    }
   }
   return moved(std::move(plan), placement.X_RK);
 }

@@ -8,6 +8,7 @@
 #include "process/runtime/loss_watch.hpp"
 #include "process/runtime/other_senders.hpp"
 #include "process/runtime/run.hpp"
+#include "process/runtime/silent_channels.hpp"
 #include "process/runtime/stats_file.hpp"
 #include "process/runtime/worker.hpp"
 #include "quadrille/bus/connection.hpp"
@@ -49,7 +50,8 @@ void publish_status(const bus::Connection& connection, const bus::Mailbox<Job>& 
 }
 
 void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
-                        const OtherSenders& others, StatsFile& stats, Node& node, int niceness) {
+                        const OtherSenders& others, SilentChannels& silent, StatsFile& stats,
+                        Node& node, int niceness) {
   bus::Ticker status_tick(std::chrono::seconds(1));
   LossWatch losses;
   const Worker worker(mailbox, node, niceness);
@@ -58,6 +60,9 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     receiver.check();
     if (const auto loss = losses.check(connection.traffic())) log_warning(*loss);
+    for (const std::string& line : silent.find_warnings(std::chrono::steady_clock::now())) {
+      log_warning(line);
+    }
     if (status_tick.due()) publish_status(connection, mailbox, others, stats, node);
   }
 }
@@ -73,18 +78,21 @@ void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
     connection.publish(channel, bytes);
   });
   bus::Mailbox<Job> mailbox;
+  const std::vector<InChannel> in_channels = node->in_channels();
+  SilentChannels silent(in_channels, std::chrono::steady_clock::now());
   std::vector<std::string> channels;
-  for (const InChannel& channel : node->in_channels()) {
-    channels.push_back(channel.name);
-    connection.subscribe(bus::ChannelPattern(channel.name),
-                         [&](const std::string& name, std::span<const std::byte> bytes) {
+  for (std::size_t i = 0; i < in_channels.size(); ++i) {
+    channels.push_back(in_channels[i].name);
+    connection.subscribe(bus::ChannelPattern(in_channels[i].name),
+                         [&, i](const std::string& name, std::span<const std::byte> bytes) {
+                           silent.hear(i);
                            if (auto job = node->receive(name, bytes)) hand_over(*job, mailbox);
                          });
   }
   log_listening(channels, url, connection);
   OtherSenders others;
   subscribe_to_status(*node, others, connection);
-  work_until_stopped(connection, mailbox, others, stats, *node, arguments.niceness);
+  work_until_stopped(connection, mailbox, others, silent, stats, *node, arguments.niceness);
   publish_status(connection, mailbox, others, stats, *node);
   const std::string losses = LossWatch::describe(connection.traffic());
   if (!losses.empty()) log_warning("in all " + losses);

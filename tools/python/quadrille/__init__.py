@@ -6,8 +6,8 @@
     best = plan.grasps[0].X_CG                          # (4, 4)
 
 The messages of LCM are classes beside these, as lcm-gen makes them: quadrille.quadrics_t, …,
-quadrille.drake.lcmt_point_cloud, quadrille.bot_core.pose_t, …. quadrille.lcm reads logs and
-subscribes.
+quadrille.drake.lcmt_point_cloud, quadrille.bot_core.pose_t, …. quadrille.lcm reads logs,
+publishes and subscribes.
 
 Lengths are in metres, angles in radians, times in milliseconds. Frame C is that of the points. A
 pose X_AB takes points of frame B to frame A.
@@ -77,6 +77,8 @@ def detect(points: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN, config: _Conf
     config give the same bits. Other Python threads run meanwhile.
     Raises ValueError if points have another shape or a setting is wrong.
     """
+    if isinstance(points, (str, _os.PathLike)):
+        raise TypeError("detect() takes an array, not a path; read it: points, viewpoint = quadrille.read_cloud(path)")
     text, source = _settings(config)
     return _core.detect(points, viewpoint, text, source)
 

@@ -2,17 +2,29 @@
 /* global THREE */
 import { isPlane, objectColour, scoreColour } from "./colours.js";
 import { contactsOf, handAt, marksOf, poseMatrix } from "./hand.js";
+import { byId } from "./dom.js";
 import { coloursOf } from "./paint.js";
 import { cornersOf, meshGeometry, voxelMesh } from "./shapes.js";
 
 const kClickSlack = 5;
+
+/// What draws on the canvas; where the browser has no WebGL, what draws nothing and says so.
+function makeRenderer(canvas) {
+  try {
+    return new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+  } catch {
+    byId("blind").hidden = false;
+    const nothing = () => {};
+    return { setPixelRatio: nothing, setSize: nothing, setClearColor: nothing, render: nothing };
+  }
+}
 
 export class World {
   /// onPick gets the id of what was clicked, or null; onMove is called after each picture.
   constructor(canvas, onPick, onDraw) {
     this.canvas = canvas;
     this.onDraw = onDraw;
-    this.renderer = new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
+    this.renderer = makeRenderer(canvas);
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio || 1, 2));
     this.scene = new THREE.Scene();
     this.camera = new THREE.PerspectiveCamera(45, 1, 0.01, 100);

@@ -50,8 +50,12 @@ QUADRILLE_EXPORT Gripper franka_hand();
 /// The Schunk WSG 50 with its standard fingers, for objects too wide for the Franka Hand.
 QUADRILLE_EXPORT Gripper schunk_wsg50();
 
-/// A built-in gripper by name ("franka", "wsg50"); throws std::invalid_argument listing the names
-/// it knows.
+/// The Robotiq 2F-85 with its flat pads, and the 2F-140 with its large rubber pads.
+QUADRILLE_EXPORT Gripper robotiq_2f85();
+QUADRILLE_EXPORT Gripper robotiq_2f140();
+
+/// A built-in gripper by name ("franka", "robotiq_2f140", "robotiq_2f85", "wsg50").
+/// @throws std::invalid_argument that lists the names it knows
 QUADRILLE_EXPORT Gripper gripper_by_name(const std::string& name);
 
 }  // namespace quadrille

@@ -26,6 +26,8 @@ struct QuadricsMessage {
   std::vector<Detection> detections;
   /// digest_of() the cloud; 0: not known.
   std::int64_t cloud_digest = 0;
+  /// What was odd about the cloud, a sentence each.
+  std::vector<std::string> warnings = {};
 };
 
 /// Limits of what decode_quadrics() takes: ten times what is found in clouds of ten million points.
