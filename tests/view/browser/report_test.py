@@ -97,6 +97,25 @@ def check_study(page, folder, bin_folder):
     page.check_console()
 
 
+def check_blind(page, folder, bin_folder, scan):
+    """A browser without WebGL: the numbers are there, and the page says why there is no picture."""
+    page.browser.execute_cdp_cmd("Page.addScriptToEvaluateOnNewDocument", {"source": """
+        const get = HTMLCanvasElement.prototype.getContext;
+        HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+          return kind.includes("webgl") ? null : get.call(this, kind, ...rest);
+        };"""})
+    report = os.path.join(folder, "blind.html")
+    plan = json.loads(quadrille(bin_folder, "plan", scan, "--gripper", "wsg50", "--report-html", report, "--json", "-"))
+    page.open("file://" + report)
+    page.wait_for_frame(0)
+    check_scene(page, plan)
+    assert page.all("#blind")[0].is_displayed(), "the page says that it draws nothing"
+    expect(page.all("#notice")[0].text, "", "nothing else is wrong")
+    page.all("#list .item")[0].click()
+    assert page.all("tr.grasp"), "grasps of what was chosen are listed"
+    page.photograph("report_blind")
+
+
 def main():
     bin_folder, chromium, driver, screenshots, *scans = sys.argv[1:]
     os.makedirs(screenshots, exist_ok=True)
@@ -109,6 +128,7 @@ def main():
             check_hostile(page, folder, bin_folder, scans[0])
             check_try(page, folder, bin_folder)
             check_study(page, folder, bin_folder)
+            check_blind(page, folder, bin_folder, scans[1])
         finally:
             browser.quit()
     print(f"report_test: all is well; pictures in {screenshots}")

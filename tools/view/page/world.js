@@ -15,7 +15,8 @@ function makeRenderer(canvas) {
   } catch {
     byId("blind").hidden = false;
     const nothing = () => {};
-    return { setPixelRatio: nothing, setSize: nothing, setClearColor: nothing, render: nothing };
+    return { setPixelRatio: nothing, setSize: nothing, setClearColor: nothing, render: nothing,
+      getPixelRatio: () => 1, getSize: (size) => size.set(1, 1) };
   }
 }
 
