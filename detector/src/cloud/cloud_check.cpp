@@ -53,6 +53,7 @@ std::vector<Eigen::Vector3d> some_of(std::span<const Eigen::Vector3f> points) {
 template <class Measure>
 double quantile(const std::vector<Eigen::Vector3d>& points, double share, Measure&& measure) {
   std::vector<double> values;
+  values.reserve(points.size());
   for (const Eigen::Vector3d& p : points) values.push_back(measure(p));
   return quadrille::quantile(values, share);
 }
@@ -82,7 +83,7 @@ bool on_a_line(const Eigen::Vector3d& spread) { return spread[1] < 1e-8 * spread
 Eigen::Vector3d spread_of(const std::vector<Eigen::Vector3d>& points,
                           const Eigen::Vector3d& centre) {
   const double usual = quantile(points, 0.9, [&](const auto& p) { return (p - centre).norm(); });
-  const Eigen::Vector3d spread = spread_within(kOutlier * usual, points, centre);
+  Eigen::Vector3d spread = spread_within(kOutlier * usual, points, centre);
   if (!coincide(spread) && !on_a_line(spread)) return spread;
   return spread_within(kMax, points, centre);
 }

@@ -107,6 +107,7 @@ Eigen::Isometry3d from_message(const pose_t& pose) {
 
 std::vector<Detection> as_received(const std::vector<Detection>& detections) {
   std::vector<Detection> received;
+  received.reserve(detections.size());
   for (const Detection& detection : detections) {
     received.push_back(to_detection(to_message(detection)));
   }
