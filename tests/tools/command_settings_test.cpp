@@ -48,8 +48,11 @@ TEST_CASE("a plan without grasps says why and what to try", "[command]") {
   const TempFolder folder;
   const Run none =
       run_quadrille("plan --gripper franka " + folder.write("a.ply", ply_of({"1 2 3"})));
-  CHECK(contains(none.out,
-                 "no grasps found\n  nothing that could be grasped was found, or asked for; try"));
+  CHECK(
+      contains(none.out,
+               "no grasps found\n  nothing that could be grasped was found, or asked for; see the "
+               "warnings"));
+  CHECK(contains(none.err, "a.ply: warning: "));
   const std::string scene = folder.path("s.ply");
   REQUIRE(run_quadrille("scene --family tabletop --seed 3 " + scene).code == 0);
   // This hand closes on nothing that is wider than a millimetre.
