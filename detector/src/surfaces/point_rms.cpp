@@ -11,7 +11,7 @@ namespace quadrille {
 namespace {
 
 // Points to look at, and those of a quadric that tell its rms within some 15 %.
-constexpr std::size_t kPoints = 50'000;
+constexpr std::size_t kPoints = 10'000;
 constexpr int kMinPoints = 20;
 
 struct Sums {
