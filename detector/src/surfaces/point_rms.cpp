@@ -25,6 +25,7 @@ std::vector<double> rms_of_points(const CloudView& cloud, const CellPyramid& pyr
                                   const std::vector<int>& owner,
                                   std::span<const Quadric> quadrics) {
   std::vector<Eigen::Matrix4f> Q;
+  Q.reserve(quadrics.size());
   for (const Quadric& quadric : quadrics) Q.push_back(quadric.matrix().cast<float>());
   std::vector<Sums> sums(Q.size());
   const std::size_t step = std::max<std::size_t>(1, cloud.points.size() / kPoints);
@@ -38,6 +39,7 @@ std::vector<double> rms_of_points(const CloudView& cloud, const CellPyramid& pyr
     s.squares += d * d;
   }
   std::vector<double> rms;
+  rms.reserve(sums.size());
   for (const Sums& s : sums) {
     rms.push_back(s.n < kMinPoints ? std::numeric_limits<double>::quiet_NaN()
                                    : std::sqrt(s.squares / s.n));
