@@ -23,17 +23,22 @@ build_jobs() {
   echo $((cores < by_memory ? cores : by_memory))
 }
 
+# use_compiler_cache: ccache, if it is there, knows what another clone of the same sources has compiled.
+use_compiler_cache() {
+  command -v ccache >/dev/null || return 0
+  export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER-ccache}
+  # Precompiled headers: without these it takes no source that comes with one.
+  export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS-pch_defines,time_macros}
+  export CCACHE_BASEDIR=${CCACHE_BASEDIR-$root} CCACHE_NOHASHDIR=${CCACHE_NOHASHDIR-1}
+}
+
 # build_quadrille FOLDER ARGUMENT…: configures a Release build in FOLDER with the arguments of
 # QUADRILLE_CMAKE_ARGS, and builds; the arguments go to cmake --build.
 build_quadrille() {
   local folder=$1 extra=()
   shift
   read -r -a extra <<<"${QUADRILLE_CMAKE_ARGS:-}"
-  if command -v ccache >/dev/null; then
-    export CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER-ccache}
-    # Precompiled headers: without these ccache takes no source that comes with one.
-    export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS-pch_defines,time_macros}
-  fi
+  use_compiler_cache
   local log=$folder/configure.log
   mkdir -p "$folder"
   cmake -S "$root" -B "$folder" -DCMAKE_BUILD_TYPE=Release "${extra[@]}" >"$log" 2>&1 || {

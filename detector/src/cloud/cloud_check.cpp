@@ -119,7 +119,7 @@ CloudCheck check_cloud(const CloudView& cloud) {
   }
   const auto range = [&](const auto& p) { return (p - cloud.viewpoint).norm(); };
   if (quantile(some, 0.5, range) > kFarthest) {
-    check.warnings.push_back(
+    check.warnings.emplace_back(
         spread[2] > kWidest * kWidest
             ? "half of the points are more than 50 m away: the coordinates look like "
               "millimetres or centimetres; give metres"
@@ -127,9 +127,9 @@ CloudCheck check_cloud(const CloudView& cloud) {
               "position");
   }
   if (coincide(spread)) {
-    check.warnings.push_back("all points coincide");
+    check.warnings.emplace_back("all points coincide");
   } else if (on_a_line(spread)) {
-    check.warnings.push_back("all points lie on a line");
+    check.warnings.emplace_back("all points lie on a line");
   } else {
     check.usable = true;
   }
