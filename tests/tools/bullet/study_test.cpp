@@ -30,7 +30,7 @@ TEST_CASE("a study holds what quadrille try holds", "[study][command]") {
   }
   REQUIRE(outcomes.size() == tried["grasps"].size());
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    CHECK(outcomes[i] == tried["grasps"][i]["outcome"]);
+    CHECK(outcomes[i] == tried["grasps"][i]["outcome"].get<std::string>());
   }
   const json& first = tried["summary"]["first"];
   CHECK(contains(run.out, "first grasps held"));
