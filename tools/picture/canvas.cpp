@@ -182,7 +182,9 @@ void Canvas::draw(const Image& image, const Eigen::AlignedBox2d& box) {
   cairo_translate(c, box.min().x(), box.min().y());
   cairo_scale(c, box.sizes().x() / image.width(), box.sizes().y() / image.height());
   cairo_set_source_surface(c, pixels.get(), 0.0, 0.0);
-  cairo_pattern_set_extend(cairo_get_source(c), CAIRO_EXTEND_PAD);
+  // Scaled pixels of a border would mix with nothing; vector formats scale when they are shown, and
+  // Cairo 1.18 makes a padded pattern an image of many times as many pixels.
+  if (format_ == Format::kPng) cairo_pattern_set_extend(cairo_get_source(c), CAIRO_EXTEND_PAD);
   cairo_pattern_set_filter(cairo_get_source(c), CAIRO_FILTER_BILINEAR);
   cairo_rectangle(c, 0.0, 0.0, image.width(), image.height());
   cairo_fill(c);
