@@ -6,6 +6,7 @@
 #include <png.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <stdexcept>
@@ -114,7 +115,7 @@ std::vector<std::byte> pack_png(cairo_surface_t* surface) {
 }
 
 std::uint8_t byte_of(float share) {
-  return static_cast<std::uint8_t>(std::clamp(share, 0.0f, 1.0f) * 255.0f + 0.5f);
+  return static_cast<std::uint8_t>(std::lround(std::clamp(share, 0.0f, 1.0f) * 255.0f));
 }
 
 }  // namespace
