@@ -45,6 +45,7 @@ void GraspQuery::check() const {
     }
   }
   if (max_grasps && *max_grasps < 1) refuse("max_grasps", *max_grasps, "1 or more");
+  if (deadline_ms && !(*deadline_ms >= 0.0)) refuse("deadline_ms", *deadline_ms, "0 or more");
 }
 
 GraspQuery moved(GraspQuery query, const Eigen::Isometry3d& X_FC) {

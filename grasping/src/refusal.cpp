@@ -35,9 +35,13 @@ std::string_view to_string(Refusal refusal) {
     case Refusal::kUnknown:
       return "unknown";
     case Refusal::kClearance:
+      return "clearance";
+    case Refusal::kSurplus:
+      return "surplus";
+    case Refusal::kDeadline:
       break;
   }
-  return "clearance";
+  return "deadline";
 }
 
 }  // namespace quadrille

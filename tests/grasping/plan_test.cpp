@@ -255,16 +255,18 @@ TEST_CASE("options out of range are refused by name", "[plan]") {
   CHECK(names(message([](PlanOptions& o) { o.min_wall = 0.02; }), "min_wall"));
   CHECK(names(message([](PlanOptions& o) { o.max_wall = 1.0; }), "max_wall"));
   CHECK(names(message([](PlanOptions& o) { o.max_grasps = 0; }), "max_grasps"));
+  CHECK(names(message([](PlanOptions& o) { o.max_detections = 0; }), "max_detections"));
+  CHECK(names(message([](PlanOptions& o) { o.deadline_ms = -1.0; }), "deadline_ms"));
 }
 
 TEST_CASE("a visit reaches each option of the planner", "[plan]") {
   // A new field stops these lines from compiling until it is listed here, and visited.
   PlanOptions options;
   auto& [unknown, types, resolution, friction, approach, pad_margin, baseline, min_wall, max_wall,
-         clear_above, max_grasps] = options;
-  const std::set<const void*> fields = {&unknown,  &types,       &resolution, &friction,
-                                        &approach, &pad_margin,  &baseline,   &min_wall,
-                                        &max_wall, &clear_above, &max_grasps};
+         clear_above, max_grasps, max_detections, deadline_ms] = options;
+  const std::set<const void*> fields = {
+      &unknown,  &types,    &resolution,  &friction,   &approach,       &pad_margin, &baseline,
+      &min_wall, &max_wall, &clear_above, &max_grasps, &max_detections, &deadline_ms};
   std::set<const void*> visited;
   PlanOptions::visit(options, [&](auto& field, const Setting&) { visited.insert(&field); });
   CHECK(visited == fields);

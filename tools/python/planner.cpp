@@ -138,7 +138,8 @@ GraspQuery query_of(const std::vector<int>& targets, const std::vector<int>& tra
                     const std::optional<Eigen::Vector3d>& near,
                     const std::optional<Eigen::Matrix<double, 2, 3>>& roi, double min_size,
                     double max_size, const std::optional<Eigen::Vector3d>& approach,
-                    double approach_angle, double min_clearance, const std::optional<int>& best) {
+                    double approach_angle, double min_clearance, const std::optional<int>& best,
+                    const std::optional<double>& deadline_ms) {
   GraspQuery query;
   query.ids = targets;
   query.tracks = tracks;
@@ -150,6 +151,7 @@ GraspQuery query_of(const std::vector<int>& targets, const std::vector<int>& tra
   if (approach) query.approach = {approach->stableNormalized(), approach_angle};
   query.min_clearance = min_clearance;
   query.max_grasps = best;
+  query.deadline_ms = deadline_ms;
   return query;
 }
 
@@ -176,7 +178,8 @@ void bind_scene(py::module_& module) {
            py::arg("near") = py::none(), py::arg("roi") = py::none(), py::arg("min_size") = 0.0,
            py::arg("max_size") = std::numeric_limits<double>::infinity(),
            py::arg("approach") = py::none(), py::arg("approach_angle") = 0.5,
-           py::arg("min_clearance") = 0.0, py::arg("best") = py::none());
+           py::arg("min_clearance") = 0.0, py::arg("best") = py::none(),
+           py::arg("deadline_ms") = py::none());
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ using Clock = std::chrono::steady_clock;
 /// Answers one query.
 class QueryPlanner {
  public:
-  QueryPlanner(const SceneParts& parts, const GraspQuery& query) : parts_(parts), query_(query) {}
+  QueryPlanner(const SceneParts& parts, const GraspQuery& query, const Deadline& deadline)
+      : parts_(parts), query_(query), deadline_(deadline) {}
 
   GraspPlan plan() {
     const Clock::time_point start = Clock::now();
@@ -33,9 +34,13 @@ class QueryPlanner {
       refusals_ = parts_.refusals;
     } else {
       for (const Target* target : asked) refusals_[Refusal::kUnmeasured] += target->unmeasured;
+      // What is asked for may be among what there was no time for.
+      const auto late = parts_.refusals.find(Refusal::kDeadline);
+      if (late != parts_.refusals.end()) refusals_.insert(*late);
       explain(asked);
     }
     for (const Target* target : asked) plan_target(*target);
+    tell_of_cut();
     select();
     for (const auto& [why, count] : refusals_) {
       if (count > 0) plan_.rejected.emplace(to_string(why), count);
@@ -59,32 +64,46 @@ class QueryPlanner {
     if (asked.empty() && !explained) warnings.push_back(why_none(query_, parts_.targets));
   }
 
-  /// By the tips only what is held in no other way.
   void plan_target(const Target& target) {
+    const bool cut = deadline_.passed() || try_holds(target);
+    if (cut) ++refusals_[Refusal::kDeadline];
+  }
+
+  /// By the tips only what is held in no other way.
+  /// @return whether the deadline cut it short
+  bool try_holds(const Target& target) {
     const Surroundings around_it{*parts_.space, *parts_.view,           *parts_.map, parts_.shapes,
                                  parts_.owners, parts_.options.unknown, parts_.reach};
     const auto task = [&](const CollisionScene& scene) {
-      return TargetTask{target,        parts_.gripper, parts_.options,    query_,
-                        *parts_.space, scene,          parts_.viewpoint_C};
+      return TargetTask{target,        parts_.gripper, parts_.options, query_,
+                        *parts_.space, scene,          deadline_,      parts_.viewpoint_C};
     };
-    bool held = false;
+    bool held = false, cut = false;
+    const auto keep = [&](const TargetGrasps& found) {
+      plan_.grasps.insert(plan_.grasps.end(), found.grasps.begin(), found.grasps.end());
+      for (const auto& [why, number] : found.refusals) refusals_[why] += number;
+      held |= !found.grasps.empty();
+      cut |= found.cut;
+    };
     std::optional<CollisionScene> solid;
     if (target.solid) {
       solid = solid_scene(target, around_it);
-      held |= keep(grasps_across(task(*solid)));
+      keep(grasps_across(task(*solid)));
     }
     if (target.shell) {
       const CollisionScene shell = shell_scene(target, around_it);
-      held |= keep(grasps_at_rim(task(shell)));
+      keep(grasps_at_rim(task(shell)));
     }
-    if (solid && !held) keep(grasps_by_tips(task(*solid)));
+    if (solid && !held && !cut) keep(grasps_by_tips(task(*solid)));
+    return cut;
   }
 
-  /// True if there are any.
-  bool keep(const TargetGrasps& found) {
-    plan_.grasps.insert(plan_.grasps.end(), found.grasps.begin(), found.grasps.end());
-    for (const auto& [why, number] : found.refusals) refusals_[why] += number;
-    return !found.grasps.empty();
+  void tell_of_cut() {
+    const int targets = refusals_[Refusal::kDeadline];
+    if (targets == 0) return;
+    plan_.warnings.push_back("the deadline cut the plan: " + std::to_string(targets) +
+                             " targets were not tried, or not to their end; raise "
+                             "planner.deadline_ms (--deadline-ms), or ask for fewer targets");
   }
 
   /// Best first; the best grasp of each target before any second one is dropped.
@@ -104,14 +123,15 @@ class QueryPlanner {
 
   const SceneParts& parts_;
   const GraspQuery& query_;
+  const Deadline& deadline_;
   GraspPlan plan_;
   RefusalCounts refusals_;
 };
 
 }  // namespace
 
-GraspPlan answer_query(const SceneParts& parts, const GraspQuery& query) {
-  return QueryPlanner(parts, query).plan();
+GraspPlan answer_query(const SceneParts& parts, const GraspQuery& query, const Deadline& deadline) {
+  return QueryPlanner(parts, query, deadline).plan();
 }
 
 }  // namespace quadrille

@@ -1,12 +1,13 @@
 #pragma once
 
+#include "base/deadline.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "scene/scene_parts.hpp"
 
 namespace quadrille {
 
-/// The grasps that a query asks for.
-GraspPlan answer_query(const SceneParts& parts, const GraspQuery& query);
+/// The grasps that a query asks for, as far as they are found before the deadline.
+GraspPlan answer_query(const SceneParts& parts, const GraspQuery& query, const Deadline& deadline);
 
 }  // namespace quadrille

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <cstddef>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 #include "body/body.hpp"
@@ -20,10 +21,15 @@ using Clock = std::chrono::steady_clock;
 class SceneMaker {
  public:
   SceneMaker(const PointCloud& cloud, const std::vector<Detection>& detections,
-             const std::vector<PointCloud>& further, SceneParts& parts)
-      : cloud_(cloud), detections_(detections), further_(further), parts_(parts) {}
+             const std::vector<PointCloud>& further, const Deadline& deadline, SceneParts& parts)
+      : cloud_(cloud),
+        detections_(detections),
+        further_(further),
+        deadline_(deadline),
+        parts_(parts) {}
 
   void make() {
+    drop_surplus();
     stage("boxes", [&] { parts_.boxes = find_boxes(cloud_, detections_); });
     stage("shapes", [&] { make_shapes(); });
     if (cloud_.points.empty()) warn("the cloud is empty");
@@ -34,6 +40,7 @@ class SceneMaker {
       warn("no point lies before the viewpoint: all space counts as unknown");
     }
     if (seen_so) stage("targets", [&] { choose_targets(); });
+    if (deadline_.passed()) drop_all_targets();
     stage("occupancy", [&] { map_space(); });
   }
 
@@ -47,6 +54,30 @@ class SceneMaker {
   }
 
   void warn(const std::string& text) { parts_.warnings.push_back(text); }
+
+  /// Keeps the detections with the best score, in the order in which they came.
+  void drop_surplus() {
+    const std::size_t all = detections_.size();
+    const auto most = static_cast<std::size_t>(parts_.options.max_detections);
+    if (all <= most) return;
+    std::vector<std::size_t> order(all);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return detections_[a].score > detections_[b].score;
+    });
+    const auto surplus = order.begin() + static_cast<std::ptrdiff_t>(most);
+    for (auto index = surplus; index != order.end(); ++index) {
+      const Detection& d = detections_[*index];
+      if (is_wanted(d, parts_.options)) ++parts_.refusals[Refusal::kSurplus];
+      refuse(d.id, Refusal::kSurplus);
+    }
+    std::sort(order.begin(), surplus);
+    std::vector<Detection> kept;
+    for (auto index = order.begin(); index != surplus; ++index) kept.push_back(detections_[*index]);
+    detections_ = std::move(kept);
+    warn("of " + std::to_string(all) + " detections only the " + std::to_string(most) +
+         " with the best score are planned on (planner.max_detections)");
+  }
 
   void make_shapes() {
     for (const Box& box : parts_.boxes) {
@@ -97,10 +128,20 @@ class SceneMaker {
   }
 
   void choose_targets() {
-    add(quadrille::choose_targets(cloud_, detections_, *parts_.view, parts_.gripper,
-                                  parts_.options));
-    add(choose_boxes(cloud_, parts_.boxes, detections_, parts_.gripper, parts_.options));
+    add(quadrille::choose_targets(cloud_, detections_, *parts_.view, parts_.gripper, parts_.options,
+                                  deadline_));
+    add(choose_boxes(cloud_, parts_.boxes, detections_, parts_.gripper, parts_.options, deadline_));
     drop_far_targets();
+  }
+
+  /// Mapping the space around targets takes long, and is of no use once there is no time to try
+  /// them.
+  void drop_all_targets() {
+    for (const Target& target : parts_.targets) {
+      if (target.wanted) ++parts_.refusals[Refusal::kDeadline];
+      refuse(target.id, Refusal::kDeadline);
+    }
+    parts_.targets.clear();
   }
 
   /// What one map cannot hold is refused: a body that lies far off costs the others nothing.
@@ -170,24 +211,23 @@ class SceneMaker {
   }
 
   const PointCloud& cloud_;
-  const std::vector<Detection>& detections_;
+  std::vector<Detection> detections_;
   const std::vector<PointCloud>& further_;
+  const Deadline& deadline_;
   SceneParts& parts_;
 };
 
 }  // namespace
 
-std::unique_ptr<const SceneParts> make_scene_parts(const PointCloud& cloud,
-                                                   const std::vector<Detection>& detections,
-                                                   const Gripper& gripper,
-                                                   const PlanOptions& options,
-                                                   const std::vector<PointCloud>& further) {
+std::unique_ptr<const SceneParts> make_scene_parts(
+    const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
+    const PlanOptions& options, const std::vector<PointCloud>& further, const Deadline& deadline) {
   auto parts = std::make_unique<SceneParts>();
   parts->gripper = gripper;
   parts->options = options;
   parts->viewpoint_C = cloud.viewpoint;
   parts->reach = hand_reach(gripper, options.approach);
-  SceneMaker(cloud, detections, further, *parts).make();
+  SceneMaker(cloud, detections, further, deadline, *parts).make();
   return parts;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/deadline.hpp"
 #include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
@@ -48,11 +49,10 @@ struct SceneParts {
   std::vector<StageTime> timings;
 };
 
-/// Makes a cloud ready, stage by stage: boxes, shapes, view, targets, occupancy.
-std::unique_ptr<const SceneParts> make_scene_parts(const PointCloud& cloud,
-                                                   const std::vector<Detection>& detections,
-                                                   const Gripper& gripper,
-                                                   const PlanOptions& options,
-                                                   const std::vector<PointCloud>& further);
+/// Makes a cloud ready, stage by stage: boxes, shapes, view, targets, occupancy. Once the deadline
+/// has passed no further targets are chosen.
+std::unique_ptr<const SceneParts> make_scene_parts(
+    const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
+    const PlanOptions& options, const std::vector<PointCloud>& further, const Deadline& deadline);
 
 }  // namespace quadrille

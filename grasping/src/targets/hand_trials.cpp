@@ -105,6 +105,12 @@ bool contradicted(const ContactLine& line, const OccupancyGrid& space) {
   return false;
 }
 
+bool HandTrials::done() {
+  if (checks_ >= max_checks_ || found_.grasps.size() >= max_grasps_) return true;
+  found_.cut = task_.deadline.passed();
+  return found_.cut;
+}
+
 bool HandTrials::resembles_accepted(const ContactLine& line,
                                     const Eigen::Vector3d& approach_C) const {
   const Eigen::Vector3d here = middle(line.contacts_C);

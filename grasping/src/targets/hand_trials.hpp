@@ -44,7 +44,8 @@ class HandTrials {
   HandTrials(const TargetTask& task, int max_checks, std::size_t max_grasps)
       : task_(task), max_checks_(max_checks), max_grasps_(max_grasps) {}
 
-  bool done() const { return checks_ >= max_checks_ || found_.grasps.size() >= max_grasps_; }
+  /// True once there are enough grasps, or enough was tried, or the deadline has passed.
+  bool done();
   void refuse(Refusal why, int count = 1) { found_.refusals[why] += count; }
   /// True if there is a grasp much like this, so that it would add nothing.
   bool resembles_accepted(const ContactLine& line, const Eigen::Vector3d& approach_C) const;

@@ -54,12 +54,16 @@ Eigen::Vector3d Target::up_C() const {
 
 ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detection>& detections,
                              const DepthView& view, const Gripper& gripper,
-                             const PlanOptions& options) {
+                             const PlanOptions& options, const Deadline& deadline) {
   ChosenTargets chosen;
   for (const Detection& d : detections) {
     if (d.type == QuadricType::kPlane) continue;
     const std::optional<Body> body = make_body(d);
     if (!body) continue;
+    if (deadline.passed()) {
+      if (is_wanted(d, options)) chosen.refuse(d.id, Refusal::kDeadline);
+      continue;
+    }
     Target target;
     target.id = d.id;
     target.type = d.type;
@@ -85,7 +89,7 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
 
 ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxes,
                            const std::vector<Detection>& detections, const Gripper& gripper,
-                           const PlanOptions& options) {
+                           const PlanOptions& options, const Deadline& deadline) {
   ChosenTargets chosen;
   for (const Box& box : boxes) {
     // A box does not stand on its own faces.
@@ -97,7 +101,9 @@ ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxe
       return is_wanted(face, options);
     });
     const Body body = make_body(box);
-    if (graspable(body, gripper)) {
+    if (deadline.passed()) {
+      if (wanted) chosen.refuse(box.id, Refusal::kDeadline);
+    } else if (graspable(body, gripper)) {
       Target& target = chosen.targets.emplace_back();
       target.id = box.id;
       target.confidence = box.score;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/deadline.hpp"
 #include "body/body.hpp"
 #include "body/shell.hpp"
 #include "contacts/contact_line.hpp"
@@ -65,12 +66,12 @@ struct ChosenTargets {
 };
 ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detection>& detections,
                              const DepthView& view, const Gripper& gripper,
-                             const PlanOptions& options);
+                             const PlanOptions& options, const Deadline& deadline);
 
 /// The boxes that the hand may hold across two parallel faces, and what was refused.
 ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxes,
                            const std::vector<Detection>& detections, const Gripper& gripper,
-                           const PlanOptions& options);
+                           const PlanOptions& options, const Deadline& deadline);
 
 /// How far the hand reaches from a target's surface, its approach included [m].
 double hand_reach(const Gripper& gripper, double approach);

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "base/deadline.hpp"
 #include "quadrille/grasping/grasp.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/gripper.hpp"
@@ -22,6 +23,7 @@ struct TargetTask {
   const GraspQuery& query;
   const OccupancyGrid& space;
   const CollisionScene& scene;
+  const Deadline& deadline;
   /// Where the sensor stood [m].
   Eigen::Vector3d viewpoint_C;
 };
@@ -30,6 +32,8 @@ struct TargetTask {
 struct TargetGrasps {
   std::vector<Grasp> grasps;
   RefusalCounts refusals;
+  /// True if the deadline ended the search.
+  bool cut = false;
 };
 
 /// Grasps across the whole body.

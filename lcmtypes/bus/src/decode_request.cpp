@@ -6,9 +6,9 @@ namespace quadrille::bus {
 namespace {
 
 constexpr std::size_t kIntegerBytes = 4, kMinTypeBytes = 5, kMaxTypeBytes = 64;
-/// After the types: the flags and doubles of region, near, sizes, approach and clearance, and a
-/// count.
-constexpr std::size_t kFixedBytes = (1 + 10 * 8) + (1 + 3 * 8) + 2 * 8 + (1 + 4 * 8) + 8 + 4;
+/// After the types: the flags and doubles of region, near, sizes, approach and clearance, a count,
+/// and the deadline.
+constexpr std::size_t kFixedBytes = (1 + 10 * 8) + (1 + 3 * 8) + 2 * 8 + (1 + 4 * 8) + 8 + 4 + 8;
 
 void check_request(ByteReader& reader) {
   reader.read_int64("utime");
@@ -21,7 +21,7 @@ void check_request(ByteReader& reader) {
   reader.take(reader.read_count("num_tracks", kIntegerBytes), kIntegerBytes, "tracks");
   const std::int32_t types = reader.read_count("num_types", kMinTypeBytes);
   for (std::int32_t i = 0; i < types; ++i) reader.read_string("types", kMaxTypeBytes);
-  reader.take(1, kFixedBytes, "region to max_grasps");
+  reader.take(1, kFixedBytes, "region to deadline_ms");
 }
 
 }  // namespace

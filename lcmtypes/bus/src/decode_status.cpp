@@ -75,7 +75,7 @@ Decoded<detector_status_t> decode_detector_status(std::span<const std::byte> byt
 }
 
 Decoded<planner_status_t> decode_planner_status(std::span<const std::byte> bytes) {
-  return decode<planner_status_t>(bytes, 18, 5);
+  return decode<planner_status_t>(bytes, 19, 5);
 }
 
 }  // namespace quadrille::bus

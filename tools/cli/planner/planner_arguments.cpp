@@ -20,10 +20,15 @@ void PlannerArguments::add_to(CLI::App& app, const std::string& default_gripper)
   Choices<UnknownPolicy> policies;
   for (const auto& [word, policy] : words_of(UnknownPolicy{})) policies.emplace_back(word, policy);
   add_choice_option(app, "--unknown", unknown, policies, "What unobserved space counts as");
+  app.add_option("--deadline-ms", deadline_ms,
+                 "End a plan after so long with the grasps that it has, and say so; 0: never")
+      ->check(CLI::Range(0.0, 3.6e6))
+      ->type_name("T");
 }
 
 PlanOptions PlannerArguments::overrule(PlanOptions file) const {
   file.unknown = unknown.value_or(file.unknown);
+  file.deadline_ms = deadline_ms.value_or(file.deadline_ms);
   return file;
 }
 

@@ -16,8 +16,9 @@ namespace quadrille {
 struct PlannerArguments {
   std::string gripper_name;
   std::optional<UnknownPolicy> unknown;
+  std::optional<double> deadline_ms;
 
-  /// Adds --gripper and --unknown; this must outlive the app.
+  /// Adds --gripper, --unknown and --deadline-ms; this must outlive the app.
   /// @param default_gripper  empty: --gripper is required
   void add_to(CLI::App& app, const std::string& default_gripper);
   /// The settings of the file, overruled by those of the command line.

@@ -12,7 +12,7 @@ struct Advice {
   std::string_view text;
 };
 
-constexpr std::array<Advice, 16> kAdvice = {{
+constexpr std::array<Advice, 18> kAdvice = {{
     {Refusal::kViewpoint,
      "the cloud cannot have been seen from its viewpoint; name where the sensor stood "
      "(--viewpoint, --camera-pose)"},
@@ -52,6 +52,12 @@ constexpr std::array<Advice, 16> kAdvice = {{
     {Refusal::kClearance,
      "most candidates come nearer to other things than was asked for; ask for less clearance "
      "(--min-clearance)"},
+    {Refusal::kSurplus,
+     "there are more quadrics than are planned on; set max_detections (under [planner] in --config "
+     "FILE), or crop the cloud"},
+    {Refusal::kDeadline,
+     "the deadline passed before a grasp was found; allow more time (--deadline-ms), or ask for "
+     "fewer targets"},
     {Refusal::kUnknown, "most candidates end in space the camera has not seen; "},
 }};
 

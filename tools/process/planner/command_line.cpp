@@ -6,6 +6,13 @@
 #include "io/planner/config.hpp"
 
 namespace quadrille {
+namespace {
+
+// A robot that waits for grasps is better served by some now than by all later [ms]. A log's plans
+// have no deadline, so that they are the same in every replay.
+constexpr double kLiveDeadline = 500.0;
+
+}  // namespace
 
 PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
   // Where cores are few, the detector answers half as late again without this.
@@ -44,6 +51,8 @@ PlannerSettings PlannerCommandLine::settings() const {
   PlannerSettings settings = settings_;
   const io::Config config = io::load_config(config_);
   settings.plan = planner_.overrule(config.planner);
+  const bool deadline_given = planner_.deadline_ms || config.given.contains("planner.deadline_ms");
+  if (settings.process.in_log.empty() && !deadline_given) settings.plan.deadline_ms = kLiveDeadline;
   if (!report_.empty()) settings.plan.targets = report_;
   settings.pose_age = config.track.pose_age;
   settings.X_WK = camera_.X_WK;

@@ -157,7 +157,7 @@ std::int64_t PlannerNode::publish(const std::string& channel, const Message& mes
 }
 
 /// The scene of a pair, in the camera's frame, made ready if it is not that of the last call.
-const GraspScene& PlannerNode::scene_of(const SharedPair& pair) {
+const GraspScene& PlannerNode::scene_of(const SharedPair& pair, double deadline_ms) {
   if (pair == ready_) return *scene_;
   ready_ = nullptr;
   const Placement& placement = pair->placement;
@@ -168,15 +168,28 @@ const GraspScene& PlannerNode::scene_of(const SharedPair& pair) {
   }
   const bool as_results = pair->quadrics.frame == placement.frame;
   const Eigen::Isometry3d& X_FK = as_results ? placement.X_RK : placement.X_CK;
+  PlanOptions options = settings_.plan;
+  options.deadline_ms = deadline_ms;
   scene_.emplace(cloud_K, moved(pair->quadrics.detections, X_FK.inverse()), settings_.gripper,
-                 settings_.plan);
+                 options);
   ready_ = pair;
   return *scene_;
 }
 
 /// The plan in the frame of the results; without grasps where the camera's pose is not known.
-GraspPlan PlannerNode::plan_placed(const SharedPair& pair, const GraspQuery& query) {
-  GraspPlan plan = scene_of(pair).plan(query);
+GraspPlan PlannerNode::plan_placed(const SharedPair& pair, GraspQuery query) {
+  const auto start = std::chrono::steady_clock::now();
+  const double deadline_ms = query.deadline_ms.value_or(settings_.plan.deadline_ms);
+  const GraspScene& scene = scene_of(pair, deadline_ms);
+  // Scene and query share one deadline. A query that has no time left says what it leaves out.
+  constexpr double kNoTime = 1e-3;
+  if (deadline_ms > 0.0) query.deadline_ms = std::max(deadline_ms - bus::ms_since(start), kNoTime);
+  GraspPlan plan = scene.plan(query);
+  if (plan.rejected.contains(std::string(to_string(Refusal::kDeadline)))) {
+    // The scene may lack targets: whoever asks next for this cloud gets a new one.
+    ready_ = nullptr;
+    tell_of_cut(pair->cloud->utime, deadline_ms);
+  }
   const Placement& placement = pair->placement;
   if (!placement.lack.empty()) {
     plan.warnings.push_back("the camera's pose is not known: " + placement.lack);
@@ -190,6 +203,14 @@ GraspPlan PlannerNode::plan_placed(const SharedPair& pair, const GraspQuery& que
     }
   }
   return moved(std::move(plan), placement.X_RK);
+}
+
+void PlannerNode::tell_of_cut(std::int64_t cloud_utime, double deadline_ms) {
+  cut_log_.warning(fmt::format(
+      "cloud {}: the plan was cut after {:g} ms; it has the grasps that were found until then",
+      cloud_utime, deadline_ms));
+  const std::lock_guard lock(mutex_);
+  ++counts_.cut;
 }
 
 void PlannerNode::plan_and_publish(const SharedPair& shared) {

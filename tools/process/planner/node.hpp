@@ -50,8 +50,9 @@ class PlannerNode : public Node {
   std::optional<Job> receive_request(const std::string& channel, std::span<const std::byte> bytes);
   void log_unpaired(const std::string& channel, const Pairing::GivenUp& quadrics);
   std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
-  const GraspScene& scene_of(const SharedPair& pair);
-  GraspPlan plan_placed(const SharedPair& pair, const GraspQuery& query);
+  const GraspScene& scene_of(const SharedPair& pair, double deadline_ms);
+  GraspPlan plan_placed(const SharedPair& pair, GraspQuery query);
+  void tell_of_cut(std::int64_t cloud_utime, double deadline_ms);
   void plan_and_publish(const SharedPair& pair);
   void answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at);
   void refuse(const grasp_request_t& request, const SharedPair& pair, const std::string& why);
@@ -80,6 +81,7 @@ class PlannerNode : public Node {
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
   Rate received_rate_, published_rate_;
   // For the working thread; below it the last cloud that was made ready.
+  LimitedLog cut_log_;
   MapPublisher occupancies_;
   SharedPair ready_;
   std::optional<GraspScene> scene_;

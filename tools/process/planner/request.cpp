@@ -80,6 +80,7 @@ GraspQuery query_of(const grasp_request_t& request, const Placement& placement,
   if (request.has_approach) query.approach = cone_of(request);
   query.min_clearance = request.min_clearance;
   if (request.max_grasps != 0) query.max_grasps = request.max_grasps;
+  if (request.deadline_ms != 0.0) query.deadline_ms = request.deadline_ms;
   query.check();
   return moved(std::move(query), X_FK(request.frame, placement, cloud_frame).inverse());
 }

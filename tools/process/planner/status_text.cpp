@@ -35,6 +35,7 @@ std::string to_exposition(const planner_status_t& status, const PlannerSettings&
   out.add_counter("pairs_superseded", "Pairs dropped for a newer one.", status.superseded);
   out.add_counter("pairs_failed", "Pairs on which the planning failed.", status.failed);
   out.add_counter("grasps_published", "Messages of grasps.", status.published);
+  out.add_counter("plans_cut", "Plans that their deadline cut short.", status.cut);
   out.add_counter("requests_received", "Requests for grasps.", status.requests);
   out.add_counter("requests_answered", "Requests that were answered.", status.answered);
   out.add_counter("requests_unmet", "Requests that could not be met.", status.unmet);

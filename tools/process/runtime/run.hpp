@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 
 #include "cli/process_arguments.hpp"
@@ -12,6 +13,10 @@ namespace quadrille {
 /// @throws std::runtime_error if the bus or a log cannot be used, or a job failed in replay
 void run_process(const std::string& name, const ProcessArguments& arguments,
                  const NodeMaker& make_node);
+
+/// After a stop was requested the job at hand may go on for so long; then it is given up with the
+/// process, which has to end within a second.
+inline constexpr std::chrono::milliseconds kStopPatience{600};
 
 /// Works on the bus until a stop is requested.
 void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node);

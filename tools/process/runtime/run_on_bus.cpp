@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <thread>
 
 #include "process/runtime/log_listening.hpp"
@@ -49,12 +50,21 @@ void publish_status(const bus::Connection& connection, const bus::Mailbox<Job>& 
   stats.write(node.publish_status(run));
 }
 
+/// Tells for the last time how it went.
+void tell_end(const bus::Connection& connection, const bus::Mailbox<Job>& mailbox,
+              const OtherSenders& others, StatsFile& stats, Node& node) {
+  publish_status(connection, mailbox, others, stats, node);
+  const std::string losses = LossWatch::describe(connection.traffic());
+  if (!losses.empty()) log_warning("in all " + losses);
+  log_info(fmt::format("stopped: {}; {} superseded", node.summary(), mailbox.superseded()));
+}
+
 void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
                         const OtherSenders& others, SilentChannels& silent, StatsFile& stats,
                         Node& node, int niceness) {
   bus::Ticker status_tick(std::chrono::seconds(1));
   LossWatch losses;
-  const Worker worker(mailbox, node, niceness);
+  Worker worker(mailbox, node, niceness);
   bus::Receiver receiver(connection);
   while (!bus::stop_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -65,6 +75,11 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
     }
     if (status_tick.due()) publish_status(connection, mailbox, others, stats, node);
   }
+  if (worker.finish(kStopPatience)) return;
+  log_warning("the work at hand does not end; it is given up");
+  tell_end(connection, mailbox, others, stats, node);
+  // No destructor may run: the working thread still uses all that is there.
+  std::_Exit(0);
 }
 
 }  // namespace
@@ -93,10 +108,7 @@ void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
   OtherSenders others;
   subscribe_to_status(*node, others, connection);
   work_until_stopped(connection, mailbox, others, silent, stats, *node, arguments.niceness);
-  publish_status(connection, mailbox, others, stats, *node);
-  const std::string losses = LossWatch::describe(connection.traffic());
-  if (!losses.empty()) log_warning("in all " + losses);
-  log_info(fmt::format("stopped: {}; {} superseded", node->summary(), mailbox.superseded()));
+  tell_end(connection, mailbox, others, stats, *node);
 }
 
 }  // namespace quadrille

@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <exception>
+#include <future>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 
 #include "io/new_file.hpp"
@@ -45,11 +48,7 @@ class LogRun {
     if (arguments_.copy_input) check_unmixed(arguments_.in_log, node_->out_channels());
     survey_ = bus::replay_log(arguments_.in_log,
                               [this](const bus::LogReader::Event& event) { handle(event); });
-    const std::string incomplete = describe_incomplete();
-    stats_.write(node_->publish_status({.warnings = find_warnings(incomplete)}));
-    check_written();
-    out_.flush();
-    file_.commit();
+    const std::string incomplete = save();
     if (!incomplete.empty()) throw std::runtime_error(incomplete);
     log_info(arguments_.in_log + ": " + node_->summary());
     if (node_->failed() == 0) return;
@@ -58,8 +57,23 @@ class LogRun {
   }
 
  private:
+  /// Writes the status, and gives the log its name.
+  /// @return what to tell if it holds less than it should
+  std::string save() {
+    const std::string incomplete = describe_incomplete();
+    stats_.write(node_->publish_status({.warnings = find_warnings(incomplete)}));
+    const std::lock_guard lock(writing_);
+    closed_ = true;
+    check_written();
+    out_.flush();
+    file_.commit();
+    return incomplete;
+  }
+
   /// What a job cannot write ends the run, and not the job alone.
   void publish(const std::string& channel, std::span<const std::byte> bytes) {
+    const std::lock_guard lock(writing_);
+    if (closed_) return;
     try {
       out_.write(utime_, channel, bytes);
     } catch (const std::runtime_error&) {
@@ -76,8 +90,26 @@ class LogRun {
     utime_ = event.utime;
     census_.add(event.channel);
     if (arguments_.copy_input) out_.write(event.utime, event.channel, event.bytes);
-    if (const auto job = node_->receive(event.channel, event.bytes)) node_->work(*job);
+    if (const auto job = node_->receive(event.channel, event.bytes)) work(*job);
     check_written();
+  }
+
+  /// Does a job in a thread of its own, so that a stop need not wait for its end.
+  void work(const Job& job) {
+    const auto done = std::async(std::launch::async, [&] { node_->work(job); });
+    const auto ends_within = [&](std::chrono::milliseconds time) {
+      return done.wait_for(time) == std::future_status::ready;
+    };
+    while (!ends_within(std::chrono::milliseconds(50))) {
+      if (bus::stop_requested() && !ends_within(kStopPatience)) give_up();
+    }
+  }
+
+  /// Ends the process while a job is running, which writes no more.
+  [[noreturn]] void give_up() {
+    --done_;
+    log_error(save());
+    std::_Exit(1);
   }
 
   /// What to tell of a replay that did not reach the end of the log; empty if it did.
@@ -110,6 +142,8 @@ class LogRun {
   io::NewFile file_;
   bus::LogWriter out_;
   StatsFile stats_;
+  std::mutex writing_;
+  bool closed_ = false;
   std::exception_ptr write_error_;
   // Results carry the time of the event that they answer: it is the same in every run, and later
   // than that of no event which is copied after them.

@@ -3,8 +3,6 @@
 #include <signal.h>
 #include <sys/resource.h>
 
-#include <chrono>
-
 namespace quadrille {
 
 Worker::Worker(bus::Mailbox<Job>& mailbox, Node& node, int niceness)
@@ -13,6 +11,11 @@ Worker::Worker(bus::Mailbox<Job>& mailbox, Node& node, int niceness)
 Worker::~Worker() {
   stop_ = true;
   thread_.join();
+}
+
+bool Worker::finish(std::chrono::milliseconds patience) {
+  stop_ = true;
+  return ended_.get_future().wait_for(patience) == std::future_status::ready;
 }
 
 void Worker::run() {
@@ -28,6 +31,7 @@ void Worker::run() {
     if (!job) job = node_.find_spare_job();
     if (job) node_.work(*job);
   }
+  ended_.set_value();
 }
 
 }  // namespace quadrille

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <future>
 #include <thread>
 
 #include "process/runtime/node.hpp"
@@ -17,8 +19,12 @@ class Worker {
   Worker(bus::Mailbox<Job>& mailbox, Node& node, int niceness = 0);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
-  /// Waits for the job at hand; one that still waits in the mailbox is left.
+  /// Waits for the job at hand, however long it takes.
   ~Worker();
+
+  /// Takes no further job from the mailbox and waits for the one at hand, at most for so long.
+  /// @return whether it has ended
+  bool finish(std::chrono::milliseconds patience);
 
  private:
   void run();
@@ -27,6 +33,7 @@ class Worker {
   Node& node_;
   const int niceness_;
   std::atomic<bool> stop_{false};
+  std::promise<void> ended_;
   std::thread thread_;
 };
 

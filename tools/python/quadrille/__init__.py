@@ -113,6 +113,7 @@ class GraspScene:
         approach, approach_angle    direction to come along, to within this angle [rad]
         min_clearance  distance of the hand from all but its target [m]
         best           grasps at most
+        deadline_ms    after which the plan ends with the grasps that it has, and a warning; 0: never
         """
         return self._scene.plan(GraspQuery(**query))
 

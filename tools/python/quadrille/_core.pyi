@@ -184,6 +184,7 @@ class GraspQuery:
         approach_angle: float = ...,
         min_clearance: float = ...,
         best: Optional[int] = ...,
+        deadline_ms: Optional[float] = ...,
     ) -> None: ...
 
 class GraspScene:

@@ -55,6 +55,9 @@ struct GraspQuery {
   double min_clearance = 0.0;
   /// Grasps to return at most, over PlanOptions::max_grasps.
   std::optional<int> max_grasps;
+  /// Time after which the plan ends with the grasps that it has [ms], in place of
+  /// PlanOptions::deadline_ms; 0: none.
+  std::optional<double> deadline_ms;
 
   /// True if it asks for some targets alone.
   QUADRILLE_EXPORT bool selects() const;

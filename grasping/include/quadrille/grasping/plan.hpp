@@ -41,7 +41,8 @@ struct GraspPlan {
 /// Contacts follow in closed form from each quadric, and for boxes (see find_boxes()) lie across
 /// their parallel faces; the hand, swept along its approach and while
 /// it closes, is checked against the voxels, the planes and the shapes of all other detections, and
-/// its opened fingers and palm against the target's own body. Deterministic.
+/// its opened fingers and palm against the target's own body. Deterministic, unless a deadline cuts
+/// it short: then it has the grasps that were found in time, and a warning.
 /// @param further  more views of the same scene at rest, in the same frame C, each with its own
 ///                 viewpoint: what they show free or occupied is so
 /// @param query    which grasps are wanted; to ask more than once, see GraspScene

@@ -36,6 +36,8 @@ struct PlanOptions {
   double max_wall = 0.008;
   bool clear_above = true;
   int max_grasps = 50;
+  int max_detections = 256;
+  double deadline_ms = 0.0;
 
   /// Calls v(field, Setting) for each option, in the order of the configuration file: the row says
   /// what the field is.
@@ -70,6 +72,15 @@ struct PlanOptions {
                       "below. Not if things may hang down."});
     v(o.max_grasps,
       {"planner.max_grasps", "", 1, std::numeric_limits<int>::max(), "Grasps to return at most."});
+    v(o.max_detections,
+      {"planner.max_detections", "", 1, 4096,
+       "Detections to plan on at most, those with the best score: the time that a plan takes grows "
+       "with their number. The others are no targets, and only their points are in the way."});
+    v(o.deadline_ms,
+      {"planner.deadline_ms", "ms", 0.0, 3.6e6,
+       "Time after which a plan ends with the grasps that it has, and says so. 0: none, so that "
+       "the same input always gives the same plan. On the bus the planner has 500 ms if nothing "
+       "else is set."});
   }
 
   /// @throws std::invalid_argument naming the field that is out of range

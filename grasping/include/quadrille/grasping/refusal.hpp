@@ -25,6 +25,8 @@ enum class Refusal {
   kCollision,       ///< a hand that would enter occupied space or another detection
   kUnknown,         ///< a hand that would enter unobserved space
   kClearance,       ///< a hand that would come nearer to things than was asked for
+  kSurplus,         ///< a detection beyond the number that is planned on
+  kDeadline,        ///< a target that was not tried to its end before the deadline
 };
 
 /// Its name, as in GraspPlan::rejected, in messages and in JSON: "no_shape", "width", …

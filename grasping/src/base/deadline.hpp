@@ -1,0 +1,28 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+namespace quadrille {
+
+/// The time by which work has to end, by the wall clock.
+class Deadline {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// Never passes.
+  Deadline() = default;
+  /// Passes after so many milliseconds from now; 0 means never.
+  explicit Deadline(double ms) {
+    if (ms <= 0.0) return;
+    const std::chrono::duration<double, std::milli> wait(ms);
+    at_ = Clock::now() + std::chrono::duration_cast<Clock::duration>(wait);
+  }
+
+  bool passed() const { return at_ && Clock::now() >= *at_; }
+
+ private:
+  std::optional<Clock::time_point> at_;
+};
+
+}  // namespace quadrille
