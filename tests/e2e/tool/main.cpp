@@ -29,11 +29,17 @@ void run(const std::vector<std::string>& words) {
     return stream(words[1], {std::stoi(words[2]), std::stod(words[3]), words[4] != "timeless",
                              std::stoi(words[5])});
   }
+  if (command == "hostile" && words.size() >= 5) {
+    return send_hostile(words[1], words[2],
+                        {std::stol(words[3]), std::stoi(words[4]),
+                         words.size() > 5 ? std::stoi(words[5]) : Hostile{}.at_once});
+  }
   throw std::invalid_argument(
       "use: make-logs FOLDER | check-quadrics LOG | check-status LOG | check-hostile-status LOG | "
       "check-same LIVE OFFLINE CHANNEL | check-copy SOURCE COPY | check-plan LOG JSON | "
       "rename-channel SOURCE COPY FROM TO | load URL LOG BURSTS CLOUDS HZ [lossy] | "
-      "stream URL CLOUDS HZ timed|timeless LEAST_ANSWERED");
+      "stream URL CLOUDS HZ timed|timeless LEAST_ANSWERED | "
+      "hostile URL LOG MESSAGES SEED [AT_ONCE]");
 }
 
 }  // namespace

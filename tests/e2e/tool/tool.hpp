@@ -75,6 +75,18 @@ struct Stream {
 /// @throws std::runtime_error if too few were, one twice, or one after a later one
 void stream(const std::string& url, const Stream& asked);
 
+/// Messages that broken or hostile senders might send.
+struct Hostile {
+  long messages = 0;
+  int seed = 1;
+  /// Messages without a pause of a millisecond between them.
+  int at_once = 10;
+};
+
+/// Sends random changes of the messages of a log, and good clouds between them.
+/// @throws std::runtime_error if a good cloud is not answered on QUADRICS and GRASPS
+void send_hostile(const std::string& url, const std::string& log, const Hostile& asked);
+
 /// Copies a log with one channel under another name.
 void rename_channel(const std::string& source, const std::string& copy, const std::string& from,
                     const std::string& to);
