@@ -27,7 +27,7 @@ make_work_folder
 
 "$bin/quadrille-detector" --lcm-url "$url" --pose-channel POSE --stats-file "$work/detector.prom" 2>"$work/detector" &
 detector=$!
-"$bin/quadrille-grasp-planner" --lcm-url "$url" --deadline-ms 200 --stats-file "$work/planner.prom" 2>"$work/planner" &
+"$bin/quadrille-grasp-planner" --lcm-url "$url" --stats-file "$work/planner.prom" 2>"$work/planner" &
 planner=$!
 started=("$detector" "$planner")
 sleep 0.5

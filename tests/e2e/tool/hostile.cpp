@@ -72,6 +72,11 @@ void put(Number number, bool big_endian, std::size_t at, Bytes& bytes) {
   for (std::size_t i = 0; i < raw.size() && at + i < bytes.size(); ++i) bytes[at + i] = raw[i];
 }
 
+/// Writes a number as often as that, the lowest bytes first.
+void put_run(float number, std::size_t count, std::size_t at, Bytes& bytes) {
+  for (std::size_t i = 0; i < count; ++i) put(number, false, at + 4 * i, bytes);
+}
+
 /// Changes, cuts or lengthens a message at random places, mostly by numbers that make trouble.
 Bytes mutate(Bytes bytes, std::mt19937& random) {
   using Float = std::numeric_limits<float>;
@@ -88,7 +93,7 @@ Bytes mutate(Bytes bytes, std::mt19937& random) {
   const int changes = 1 << random() % 7;
   for (int i = 0; i < changes; ++i) {
     const std::size_t at = first + random() % places;
-    switch (random() % 6) {
+    switch (random() % 8) {
       case 0:
         bytes[at] = static_cast<std::uint8_t>(random());
         break;
@@ -98,8 +103,12 @@ Bytes mutate(Bytes bytes, std::mt19937& random) {
       case 2:
         put(pick(doubles, random), true, at, bytes);
         break;
+      case 3:
+        // A patch of pixels that a driver marks as missing.
+        put_run(pick(floats, random), 1 + random() % 300, at, bytes);
+        break;
       default:
-        put(pick(floats, random), false, at - at % 4, bytes);
+        put(pick(floats, random), false, at, bytes);
     }
   }
   if (random() % 16 == 0) bytes.resize(8 + random() % bytes.size());
