@@ -5,6 +5,7 @@
 #include <lcmtypes/quadrille/grasps_t.hpp>
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "process/detector/command_line.hpp"
@@ -42,7 +43,15 @@ class Chain {
   void take(const std::string& channel, const Bytes& bytes) {
     give(detector_, channel, bytes);
     give(planner_, channel, bytes);
-    if (channel == "POINT_CLOUD") give(planner_, "QUADRICS", published_.at("QUADRICS"));
+    pass_on();
+  }
+
+  /// Nothing comes until clouds wait no longer.
+  void wait() {
+    for (Node* node : {static_cast<Node*>(&detector_), static_cast<Node*>(&planner_)}) {
+      for (const Job& job : node->find_due_jobs(Node::Time::max())) node->work(job);
+    }
+    pass_on();
   }
 
   bus::QuadricsMessage quadrics() const {
@@ -59,14 +68,22 @@ class Chain {
   bus::Publish keep() {
     return [this](const std::string& channel, std::span<const std::byte> bytes) {
       published_[channel] = Bytes(bytes.begin(), bytes.end());
+      if (channel == "QUADRICS") quadrics_are_new_ = true;
     };
   }
   static void give(Node& node, const std::string& channel, const Bytes& bytes) {
-    if (const auto job = node.receive(channel, bytes)) node.work(*job);
+    for (const Job& job : node.take(Node::Time(), channel, bytes)) node.work(job);
     CHECK(node.failed() == 0);
+  }
+  /// What the detector found comes to the planner.
+  void pass_on() {
+    if (std::exchange(quadrics_are_new_, false)) {
+      give(planner_, "QUADRICS", published_.at("QUADRICS"));
+    }
   }
 
   std::map<std::string, Bytes> published_;
+  bool quadrics_are_new_ = false;
   DetectorNode detector_;
   PlannerNode planner_;
 };
@@ -131,7 +148,7 @@ TEST_CASE("results on clouds in the camera's frame can be had in the fixed frame
   const InCamera camera;
   const std::string options = "--pose-channel POSE --result-frame world";
   Chain chain(options, options);
-  chain.take("POSE", encode_pose(990, X_WK()));
+  chain.take("POSE", encode_pose(1000, X_WK()));
   chain.take("POINT_CLOUD", encode_cloud(1000, scene(), "eye"));
   check_grasps(chain, camera.chain);
   CHECK(chain.grasps().frame == "world");
@@ -157,7 +174,7 @@ TEST_CASE("clouds in the fixed frame are seen from where their camera's pose say
   const std::string fixed = "--camera-pose=1,-0.5,0.75,0.5,0.5,-0.5,0.5 --cloud-frame world";
   for (const std::string& options : {moving, fixed}) {
     Chain chain(options, options);
-    if (options == moving) chain.take("POSE", encode_pose(990, X_WK()));
+    if (options == moving) chain.take("POSE", encode_pose(1000, X_WK()));
     chain.take("POINT_CLOUD", cloud_W);
     CAPTURE(options);
     CHECK(chain.grasps().frame == "map");
@@ -166,7 +183,7 @@ TEST_CASE("clouds in the fixed frame are seen from where their camera's pose say
     CHECK(chain.quadrics().detections.at(0).track > 0);
   }
   Chain back(moving + " --result-frame camera", moving + " --result-frame camera");
-  back.take("POSE", encode_pose(990, X_WK()));
+  back.take("POSE", encode_pose(1000, X_WK()));
   back.take("POINT_CLOUD", cloud_W);
   CHECK(back.grasps().frame == "camera");
   check_grasps(back, in_K);
@@ -177,6 +194,7 @@ TEST_CASE("without the pose that it needs no cloud is planned on, and the messag
   const std::string options = "--pose-channel POSE --cloud-frame world";
   Chain chain(options, options);
   chain.take("POINT_CLOUD", encode_cloud(1000, moved(scene(), X_WK()), "map"));
+  chain.wait();
   CHECK(chain.quadrics().detections.empty());
   CHECK(chain.grasps().grasps.empty());
   CHECK(chain.grasps().frame == "map");
@@ -186,13 +204,39 @@ TEST_CASE("without the pose that it needs no cloud is planned on, and the messag
   Chain in_world("--pose-channel POSE --result-frame world",
                  "--pose-channel POSE --result-frame world");
   in_world.take("POINT_CLOUD", encode_cloud(1000, scene(), "eye"));
+  in_world.wait();
   CHECK(in_world.quadrics().frame == "world");
   CHECK(in_world.grasps().frame == "world");
   // Quadrics from elsewhere change nothing.
   Chain careless(options, options);
   careless.take("POSE", encode_pose(5000, X_WK()));
   careless.take("POINT_CLOUD", encode_cloud(1000, moved(scene(), X_WK()), "map"));
+  careless.wait();
   CHECK(careless.grasps().grasps.empty());
+}
+
+TEST_CASE("a cloud between two poses gets the pose between them, whichever comes first",
+          "[process][frames]") {
+  const InCamera camera;
+  const std::string options = "--pose-channel POSE --result-frame world";
+  Eigen::Isometry3d before = X_WK(), after = X_WK();
+  before.translation().x() -= 0.01;
+  after.translation().x() += 0.03;
+  const Bytes cloud = encode_cloud(1000, scene(), "eye");
+  const Bytes first = encode_pose(990, before), second = encode_pose(1030, after);
+  const bool waits = GENERATE(false, true);
+  Chain chain(options, options);
+  chain.take("POSE", waits ? first : second);
+  if (waits) chain.take("POINT_CLOUD", cloud);
+  chain.take("POSE", waits ? second : first);
+  if (!waits) chain.take("POINT_CLOUD", cloud);
+  const bus::QuadricsMessage in_W = chain.quadrics(), in_K = camera.chain.quadrics();
+  REQUIRE(in_W.detections.size() == in_K.detections.size());
+  for (std::size_t n = 0; n < in_K.detections.size(); ++n) {
+    const Detection wanted = moved(in_K.detections[n], X_WK());
+    CHECK((in_W.detections[n].X_CQ.matrix() - wanted.X_CQ.matrix()).norm() < 1e-9);
+  }
+  check_grasps(chain, camera.chain);
 }
 
 TEST_CASE("a filter of the detector's process leaves the planner all that is in the way",

@@ -46,6 +46,7 @@ PlannerSettings PlannerCommandLine::settings() const {
   settings.plan = planner_.overrule(config.planner);
   if (!report_.empty()) settings.plan.targets = report_;
   settings.pose_age = config.track.pose_age;
+  settings.pose_wait = config.track.pose_wait;
   settings.X_WK = camera_.X_WK;
   settings.process.check();
   PlannerSettings::visit_channels(settings, [&](Way, const char*, std::string& name, const char*) {
