@@ -46,6 +46,13 @@ class Chain {
     pass_on();
   }
 
+  /// The planner is told only after the detector has answered.
+  void take_slowly(const std::string& channel, const Bytes& bytes) {
+    give(detector_, channel, bytes);
+    pass_on();
+    give(planner_, channel, bytes);
+  }
+
   /// Nothing comes until clouds wait no longer.
   void wait() {
     for (Node* node : {static_cast<Node*>(&detector_), static_cast<Node*>(&planner_)}) {
@@ -57,6 +64,7 @@ class Chain {
   bus::QuadricsMessage quadrics() const {
     return std::get<bus::QuadricsMessage>(bus::decode_quadrics(published_.at("QUADRICS")));
   }
+  const Bytes& bytes_of(const std::string& channel) const { return published_.at(channel); }
   grasps_t grasps() const {
     const Bytes& bytes = published_.at("GRASPS");
     grasps_t message;
@@ -237,6 +245,24 @@ TEST_CASE("a cloud between two poses gets the pose between them, whichever comes
     CHECK((in_W.detections[n].X_CQ.matrix() - wanted.X_CQ.matrix()).norm() < 1e-9);
   }
   check_grasps(chain, camera.chain);
+}
+
+TEST_CASE("quadrics that come before the planner has the pose wait with their cloud",
+          "[process][frames][pairing]") {
+  const std::string options = "--pose-channel POSE --result-frame world";
+  Chain chain(options, options), slow(options, options);
+  const Bytes cloud = encode_cloud(1000, scene(), "eye");
+  for (Chain* each : {&chain, &slow}) {
+    each->take("POSE", encode_pose(990, X_WK()));
+    each->take("POINT_CLOUD", cloud);
+    // Another one waits behind it.
+    each->take("POINT_CLOUD", encode_cloud(2000, scene(), "eye"));
+  }
+  chain.take("POSE", encode_pose(1010, X_WK()));
+  slow.take_slowly("POSE", encode_pose(1010, X_WK()));
+  CHECK(slow.grasps().utime == 1000);
+  CHECK(slow.bytes_of("GRASPS") == chain.bytes_of("GRASPS"));
+  check_grasps(slow, chain);
 }
 
 TEST_CASE("a filter of the detector's process leaves the planner all that is in the way",

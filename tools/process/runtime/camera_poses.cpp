@@ -48,6 +48,7 @@ CameraPose CameraPoses::at(std::int64_t utime) const {
   const double far = std::numeric_limits<double>::infinity();
   const double since = bracket.before ? seconds_between(bracket.before->utime, utime) : far;
   const double until = bracket.after ? seconds_between(utime, bracket.after->utime) : far;
+  // Hostile times that no double tells apart have no place between them.
   if (since == 0.0) {
     pose.X_WK = bracket.before->X_WC;
     pose.age = 0.0;

@@ -32,11 +32,11 @@ struct PoseSource {
 };
 
 /// Gives clouds the poses of their camera. A cloud whose pose is not known yet waits; the next ones
-/// wait behind it, so that clouds are done in the order in which they came. What time it is tells
-/// the caller: in a replay it is that of the log.
+/// wait behind it, so that clouds are done in the order in which they came. The caller tells the
+/// time, which in a replay is that of the log. Not for two threads at once.
 class PosedClouds {
  public:
-  /// What is done with a cloud, once, when its pose is known, or that it has none.
+  /// What is done with a cloud, once it is known which pose it has, or that it has none.
   using Then = std::function<std::optional<Job>(const CameraPose&)>;
 
   /// Clouds that wait at most; if one more comes the first gets no pose.
@@ -57,7 +57,7 @@ class PosedClouds {
   bool follow(std::int64_t utime, Then then);
 
   /// What came of the clouds whose poses are known, or whose time is over.
-  /// @param now  of a clock that never goes back; clouds and poses that come from now on come then
+  /// @param now  by a clock that never goes back; what comes until the next call comes at this time
   std::vector<Job> take_due(Node::Time now);
 
   /// Messages on the channel of poses.
