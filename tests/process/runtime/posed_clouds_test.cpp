@@ -3,7 +3,9 @@
 #include <spdlog/sinks/ostream_sink.h>
 #include <spdlog/spdlog.h>
 
+#include <limits>
 #include <memory>
+#include <random>
 #include <sstream>
 
 #include "process/encode_pose.hpp"
@@ -288,6 +290,29 @@ TEST_CASE("a camera that turns misplaces too, and one at rest does not", "[proce
                                    "is up to 120 mm a metre away; ") == 0);
   pose.age = 0.019;
   CHECK(describe_if_far(pose).empty());
+}
+
+TEST_CASE("hostile times give a pose or none, but no pose that is no number",
+          "[process][pose][hostile]") {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max(),
+                         kLeast = std::numeric_limits<std::int64_t>::min();
+  const Times times = {kLeast, kLeast + 1, kLeast + 2,    -1,        0,         1,
+                       kMs,    kMost / 2,  kMost / 2 + 1, kMost - 2, kMost - 1, kMost};
+  std::mt19937 random(5);
+  const auto any = [&] { return times[random() % times.size()]; };
+  MovingCamera f(0.05, 1e6);
+  std::size_t clouds = 0;
+  for (int i = 0; i < 20000; ++i) {
+    if (random() % 2 == 0) {
+      f.pose(any(), any());
+    } else {
+      f.cloud(any(), any());
+      ++clouds;
+    }
+    if (f.last.X_WK) REQUIRE(f.last.X_WK->matrix().allFinite());
+  }
+  f.pass(kMost);
+  CHECK(f.done.size() >= clouds - PosedClouds::kMaxWaiting);
 }
 
 TEST_CASE("a message that is no pose is refused and counted", "[process][pose][hostile]") {
