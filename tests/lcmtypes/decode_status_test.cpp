@@ -14,6 +14,7 @@ detector_status_t make_detector_status() {
   m.received = 100;
   m.superseded = 3;
   m.received_rate = 29.5;
+  m.pose_age = 4.25;
   m.transport.dropped_datagrams = 7;
   m.process.version = "0.1.0";
   m.rejected = {{"bad_length", 2}};
@@ -36,6 +37,9 @@ planner_status_t make_planner_status() {
   m.published_rate = 4.5;
   m.rejected_requests = {{"cut_short", 1}};
   m.num_rejected_requests = 1;
+  m.pose_age = 7.5;
+  m.unplaced = {{"late_pose", 4}};
+  m.num_unplaced = 1;
   m.stages.resize(1);
   m.stages[0].name = "grasps";
   m.num_stages = 1;
@@ -86,6 +90,7 @@ TEST_CASE("a detector's status survives its message, and no damaged one passes",
   REQUIRE(std::holds_alternative<detector_status_t>(decoded));
   const auto& got = std::get<detector_status_t>(decoded);
   CHECK(got.superseded == 3);
+  CHECK(got.pose_age == 4.25);
   CHECK(got.transport.dropped_datagrams == 7);
   CHECK(got.stages[1].p99 == 41.5);
   CHECK(got.warnings[0] == "buffer too small");
@@ -102,6 +107,8 @@ TEST_CASE("a planner's status survives its message, and no damaged one passes",
   REQUIRE(std::holds_alternative<planner_status_t>(decoded));
   CHECK(std::get<planner_status_t>(decoded).unpaired_quadrics == 9);
   CHECK(std::get<planner_status_t>(decoded).rejected_requests[0].name == "cut_short");
+  CHECK(std::get<planner_status_t>(decoded).pose_age == 7.5);
+  CHECK(std::get<planner_status_t>(decoded).unplaced[0].count == 4);
   const auto decode = [](std::span<const std::byte> b) { return decode_planner_status(b); };
   check_lengths(bytes, decode);
   check_flips(bytes, decode);

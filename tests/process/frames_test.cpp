@@ -1,17 +1,12 @@
 // Clouds in the camera's frame and in the fixed one, through both processes.
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
-#include <lcmtypes/quadrille/grasps_t.hpp>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "process/detector/command_line.hpp"
-#include "process/detector/node.hpp"
+#include "process/chain.hpp"
 #include "process/encode_pose.hpp"
-#include "process/planner/command_line.hpp"
-#include "process/planner/node.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
@@ -22,54 +17,8 @@ namespace quadrille {
 namespace {
 
 using Bytes = std::vector<std::byte>;
+using test::Chain;
 using test::encode_pose;
-
-template <class CommandLine>
-auto settings_from(const std::string& arguments) {
-  CLI::App app;
-  const CommandLine command_line(app);
-  app.parse(arguments);
-  return command_line.settings();
-}
-
-/// Both processes with the options of their command lines, the one's quadrics given to the other.
-class Chain {
- public:
-  Chain(const std::string& detector, const std::string& planner)
-      : detector_(settings_from<DetectorCommandLine>(detector), keep()),
-        planner_(settings_from<PlannerCommandLine>(planner), keep()) {}
-
-  void take(const std::string& channel, const Bytes& bytes) {
-    give(detector_, channel, bytes);
-    give(planner_, channel, bytes);
-    if (channel == "POINT_CLOUD") give(planner_, "QUADRICS", published_.at("QUADRICS"));
-  }
-
-  bus::QuadricsMessage quadrics() const {
-    return std::get<bus::QuadricsMessage>(bus::decode_quadrics(published_.at("QUADRICS")));
-  }
-  grasps_t grasps() const {
-    const Bytes& bytes = published_.at("GRASPS");
-    grasps_t message;
-    REQUIRE(message.decode(bytes.data(), 0, static_cast<int>(bytes.size())) > 0);
-    return message;
-  }
-
- private:
-  bus::Publish keep() {
-    return [this](const std::string& channel, std::span<const std::byte> bytes) {
-      published_[channel] = Bytes(bytes.begin(), bytes.end());
-    };
-  }
-  static void give(Node& node, const std::string& channel, const Bytes& bytes) {
-    if (const auto job = node.receive(channel, bytes)) node.work(*job);
-    CHECK(node.failed() == 0);
-  }
-
-  std::map<std::string, Bytes> published_;
-  DetectorNode detector_;
-  PlannerNode planner_;
-};
 
 Eigen::Isometry3d X_WK() {
   return Eigen::Translation3d(1.0, -0.5, 0.75) * Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5);
@@ -131,7 +80,7 @@ TEST_CASE("results on clouds in the camera's frame can be had in the fixed frame
   const InCamera camera;
   const std::string options = "--pose-channel POSE --result-frame world";
   Chain chain(options, options);
-  chain.take("POSE", encode_pose(990, X_WK()));
+  chain.take("POSE", encode_pose(1000, X_WK()));
   chain.take("POINT_CLOUD", encode_cloud(1000, scene(), "eye"));
   check_grasps(chain, camera.chain);
   CHECK(chain.grasps().frame == "world");
@@ -157,7 +106,7 @@ TEST_CASE("clouds in the fixed frame are seen from where their camera's pose say
   const std::string fixed = "--camera-pose=1,-0.5,0.75,0.5,0.5,-0.5,0.5 --cloud-frame world";
   for (const std::string& options : {moving, fixed}) {
     Chain chain(options, options);
-    if (options == moving) chain.take("POSE", encode_pose(990, X_WK()));
+    if (options == moving) chain.take("POSE", encode_pose(1000, X_WK()));
     chain.take("POINT_CLOUD", cloud_W);
     CAPTURE(options);
     CHECK(chain.grasps().frame == "map");
@@ -166,7 +115,7 @@ TEST_CASE("clouds in the fixed frame are seen from where their camera's pose say
     CHECK(chain.quadrics().detections.at(0).track > 0);
   }
   Chain back(moving + " --result-frame camera", moving + " --result-frame camera");
-  back.take("POSE", encode_pose(990, X_WK()));
+  back.take("POSE", encode_pose(1000, X_WK()));
   back.take("POINT_CLOUD", cloud_W);
   CHECK(back.grasps().frame == "camera");
   check_grasps(back, in_K);
@@ -177,6 +126,7 @@ TEST_CASE("without the pose that it needs no cloud is planned on, and the messag
   const std::string options = "--pose-channel POSE --cloud-frame world";
   Chain chain(options, options);
   chain.take("POINT_CLOUD", encode_cloud(1000, moved(scene(), X_WK()), "map"));
+  chain.wait();
   CHECK(chain.quadrics().detections.empty());
   CHECK(chain.grasps().grasps.empty());
   CHECK(chain.grasps().frame == "map");
@@ -186,13 +136,57 @@ TEST_CASE("without the pose that it needs no cloud is planned on, and the messag
   Chain in_world("--pose-channel POSE --result-frame world",
                  "--pose-channel POSE --result-frame world");
   in_world.take("POINT_CLOUD", encode_cloud(1000, scene(), "eye"));
+  in_world.wait();
   CHECK(in_world.quadrics().frame == "world");
   CHECK(in_world.grasps().frame == "world");
   // Quadrics from elsewhere change nothing.
   Chain careless(options, options);
   careless.take("POSE", encode_pose(5000, X_WK()));
   careless.take("POINT_CLOUD", encode_cloud(1000, moved(scene(), X_WK()), "map"));
+  careless.wait();
   CHECK(careless.grasps().grasps.empty());
+}
+
+TEST_CASE("a cloud between two poses gets the pose between them, whichever comes first",
+          "[process][frames]") {
+  const InCamera camera;
+  const std::string options = "--pose-channel POSE --result-frame world";
+  Eigen::Isometry3d before = X_WK(), after = X_WK();
+  before.translation().x() -= 0.01;
+  after.translation().x() += 0.03;
+  const Bytes cloud = encode_cloud(1000, scene(), "eye");
+  const Bytes first = encode_pose(990, before), second = encode_pose(1030, after);
+  const bool waits = GENERATE(false, true);
+  Chain chain(options, options);
+  chain.take("POSE", waits ? first : second);
+  if (waits) chain.take("POINT_CLOUD", cloud);
+  chain.take("POSE", waits ? second : first);
+  if (!waits) chain.take("POINT_CLOUD", cloud);
+  const bus::QuadricsMessage in_W = chain.quadrics(), in_K = camera.chain.quadrics();
+  REQUIRE(in_W.detections.size() == in_K.detections.size());
+  for (std::size_t n = 0; n < in_K.detections.size(); ++n) {
+    const Detection wanted = moved(in_K.detections[n], X_WK());
+    CHECK((in_W.detections[n].X_CQ.matrix() - wanted.X_CQ.matrix()).norm() < 1e-9);
+  }
+  check_grasps(chain, camera.chain);
+}
+
+TEST_CASE("quadrics that come before the planner has the pose wait with their cloud",
+          "[process][frames][pairing]") {
+  const std::string options = "--pose-channel POSE --result-frame world";
+  Chain chain(options, options), slow(options, options);
+  const Bytes cloud = encode_cloud(1000, scene(), "eye");
+  for (Chain* each : {&chain, &slow}) {
+    each->take("POSE", encode_pose(990, X_WK()));
+    each->take("POINT_CLOUD", cloud);
+    // Another one waits behind it.
+    each->take("POINT_CLOUD", encode_cloud(2000, scene(), "eye"));
+  }
+  chain.take("POSE", encode_pose(1010, X_WK()));
+  slow.take_slowly("POSE", encode_pose(1010, X_WK()));
+  CHECK(slow.grasps().utime == 1000);
+  CHECK(slow.bytes_of("GRASPS") == chain.bytes_of("GRASPS"));
+  check_grasps(slow, chain);
 }
 
 TEST_CASE("a filter of the detector's process leaves the planner all that is in the way",

@@ -71,11 +71,11 @@ Decoded<Status> decode(std::span<const std::byte> bytes, std::int64_t numbers,
 }  // namespace
 
 Decoded<detector_status_t> decode_detector_status(std::span<const std::byte> bytes) {
-  return decode<detector_status_t>(bytes, 11, 2);
+  return decode<detector_status_t>(bytes, 12, 2);
 }
 
 Decoded<planner_status_t> decode_planner_status(std::span<const std::byte> bytes) {
-  return decode<planner_status_t>(bytes, 19, 5);
+  return decode<planner_status_t>(bytes, 20, 6);
 }
 
 }  // namespace quadrille::bus

@@ -65,7 +65,7 @@ TEST_CASE("options of the tracker out of range are refused by name", "[track][op
     return "";
   };
   for (const char* name : {"track.gate", "track.forget_after", "track.speed", "track.acceleration",
-                           "track.pose_age"}) {
+                           "track.pose_age", "track.pose_wait"}) {
     INFO(name);
     CHECK(error_of(name, 1.0) == "");
     CHECK(error_of(name, -1.0).find(name) == 0);

@@ -83,11 +83,21 @@ Bytes mutate(Bytes bytes, std::mt19937& random) {
   using Double = std::numeric_limits<double>;
   static const std::vector<std::int32_t> integers = {-1,      0,          1,       2,        4096,
                                                      1 << 20, 0x40000001, INT_MAX, INT32_MIN};
-  static const std::vector<float> floats = {
-      1e30f, -1e30f, 1e22f, 1e23f, Float::max(), Float::infinity(), Float::quiet_NaN(),
-      Float::denorm_min(), 0.0f, -0.0f, 65.535f, 1e4f, 1e-20f};
-  static const std::vector<double> doubles = {1e300, -1e300, 1e30, Double::infinity(),
-                                              Double::quiet_NaN(), Double::denorm_min(), 0.0, 1e9};
+  static const std::vector<float> floats = {1e30f,
+                                            -1e30f,
+                                            1e22f,
+                                            1e23f,
+                                            Float::max(),
+                                            Float::infinity(),
+                                            Float::quiet_NaN(),
+                                            Float::denorm_min(),
+                                            0.0f,
+                                            -0.0f,
+                                            65.535f,
+                                            1e4f,
+                                            1e-20f};
+  static const std::vector<double> doubles = {
+      1e300, -1e300, 1e30, Double::infinity(), Double::quiet_NaN(), Double::denorm_min(), 0.0, 1e9};
   // The fingerprint stays, or nothing is read on.
   const std::size_t first = 8, places = bytes.size() - first;
   const int changes = 1 << random() % 7;

@@ -34,12 +34,22 @@ void run(const std::vector<std::string>& words) {
                         {std::stol(words[3]), std::stoi(words[4]),
                          words.size() > 5 ? std::stoi(words[5]) : Hostile{}.at_once});
   }
+  if (command == "make-poses" && words.size() == 6) {
+    return make_pose_log(words[1], {std::stoi(words[2]), std::stoi(words[3]), std::stoi(words[4]),
+                                    std::stoi(words[5])});
+  }
+  if (command == "check-poses" && words.size() == 4) {
+    return check_poses(words[1], {std::stoul(words[2]), std::stoul(words[3])});
+  }
+  if (command == "check-equal" && words.size() == 3) return check_equal_results(words[1], words[2]);
   throw std::invalid_argument(
       "use: make-logs FOLDER | check-quadrics LOG | check-status LOG | check-hostile-status LOG | "
       "check-same LIVE OFFLINE CHANNEL | check-copy SOURCE COPY | check-plan LOG JSON | "
       "rename-channel SOURCE COPY FROM TO | load URL LOG BURSTS CLOUDS HZ [lossy] | "
       "stream URL CLOUDS HZ timed|timeless LEAST_ANSWERED | "
-      "hostile URL LOG MESSAGES SEED [AT_ONCE]");
+      "hostile URL LOG MESSAGES SEED [AT_ONCE] | "
+      "make-poses LOG CLOUDS PERCENT_DISORDERED POSES_LATE_MS CLOUDS_LATE_MS | "
+      "check-poses LOG PLACED REFUSED | check-equal LOG LOG");
 }
 
 }  // namespace

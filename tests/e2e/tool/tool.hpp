@@ -86,6 +86,30 @@ struct Hostile {
 /// Sends random changes of the messages of a log, and good clouds between them.
 /// @throws std::runtime_error if a good cloud is not answered on QUADRICS and GRASPS
 void send_hostile(const std::string& url, const std::string& log, const Hostile& asked);
+/// When the poses and the clouds of a camera come, which moves at half a metre a second: a pose
+/// every 10 ms and a cloud every 100 ms.
+struct PoseTiming {
+  int clouds = 0;
+  /// Of the poses, those that come after the next one.
+  int percent_disordered = 0;
+  /// From the time of a pose or a cloud until it comes.
+  int poses_late_ms = 0, clouds_late_ms = 0;
+};
+
+/// Writes a log of the poses (POSE) and the clouds (POINT_CLOUD, in the camera's frame).
+void make_pose_log(const std::string& path, const PoseTiming& timing);
+
+/// How many clouds get an answer with what was found, and one without for want of a pose.
+struct PosesExpected {
+  std::size_t placed = 0, refused = 0;
+};
+
+/// Prints what became of the clouds of such a log, whose results are in the fixed frame, and checks
+/// it: the numbers, and that each ball lies within a millimetre of its true place.
+void check_poses(const std::string& log, const PosesExpected& expected);
+
+/// Checks that two logs hold the same quadrics and grasps, byte by byte and in one order.
+void check_equal_results(const std::string& log, const std::string& other);
 
 /// Copies a log with one channel under another name.
 void rename_channel(const std::string& source, const std::string& copy, const std::string& from,

@@ -34,8 +34,12 @@ struct Process {
           }
         }) {}
 
-  void take(const std::string& channel, const Bytes& bytes) {
-    if (const auto job = node.receive(channel, bytes)) node.work(*job);
+  void take(const std::string& channel, const Bytes& bytes, std::int64_t now = 0) {
+    for (const Job& job : node.take(Node::Time(now), channel, bytes)) node.work(job);
+  }
+  /// Does what has waited until now.
+  void pass(std::int64_t now) {
+    for (const Job& job : node.find_due_jobs(Node::Time(now))) node.work(job);
   }
 
   /// The tracks of the last message.
@@ -92,10 +96,12 @@ TEST_CASE("with its poses, a camera that jumps about keeps the tracks of what is
   bool lost = false;
   for (int frame = 0; frame < 5; ++frame) {
     const std::int64_t utime = 100000 * (frame + 1);
+    // The camera jumps where no cloud is taken.
     process.take("CAMERA", encode_pose(utime - 3, camera_at(frame)));
-    // Newer than the cloud, and wrong for it.
-    process.take("CAMERA", encode_pose(utime + 1, camera_at(frame + 1)));
     process.take("POINT_CLOUD", encode_view(utime, camera_at(frame)));
+    CHECK(process.published.size() == static_cast<std::size_t>(frame));
+    process.take("CAMERA", encode_pose(utime + 1, camera_at(frame)));
+    process.take("CAMERA", encode_pose(utime + 2, camera_at(frame + 1)));
     blind.take("POINT_CLOUD", encode_view(utime, camera_at(frame)));
     CHECK(process.tracks() == std::set<int>{1, 2});
     lost = lost || blind.tracks() != std::set<int>{1, 2};
@@ -107,10 +113,11 @@ TEST_CASE("with its poses, a camera that jumps about keeps the tracks of what is
 TEST_CASE("clouds before the first pose are not tracked, and the log's end says so",
           "[process][track][pose]") {
   Process process(settings_with_poses());
-  process.take("POINT_CLOUD", encode_view(100000, camera_at(0)));
+  process.take("POINT_CLOUD", encode_view(100000, camera_at(0)), 100000);
+  process.pass(200000);
   CHECK(process.tracks() == std::set<int>{0});
-  process.take("CAMERA", encode_pose(150000, camera_at(0)));
-  process.take("POINT_CLOUD", encode_view(200000, camera_at(0)));
+  process.take("CAMERA", encode_pose(200000, camera_at(0)), 200000);
+  process.take("POINT_CLOUD", encode_view(200000, camera_at(0)), 200000);
   CHECK(process.tracks() == std::set<int>{1, 2});
   REQUIRE(process.node.find_oddities().size() == 1);
   CHECK(process.node.find_oddities()[0].find("1 of 2 clouds") == 0);
@@ -124,8 +131,9 @@ TEST_CASE("if no pose ever comes, the log says so once in a while and the status
   spdlog::set_default_logger(
       std::make_shared<spdlog::logger>("", std::make_shared<spdlog::sinks::ostream_sink_mt>(log)));
   for (int k = 1; k <= 3; ++k) {
-    process.node.receive("POINT_CLOUD", encode_view(100000 * k, camera_at(0)));
+    process.take("POINT_CLOUD", encode_view(100000 * k, camera_at(0)), 100000 * k);
   }
+  process.pass(400000);
   spdlog::set_default_logger(logger);
   const std::size_t first = log.str().find("CAMERA: cloud 100000 is not tracked: no pose has come");
   CHECK(first != std::string::npos);
@@ -133,17 +141,24 @@ TEST_CASE("if no pose ever comes, the log says so once in a while and the status
   CHECK(process.untracked() == "no_pose 3 ");
 }
 
-TEST_CASE("a pose that is too old counts as none", "[process][track][pose]") {
+TEST_CASE("a pose that is too old counts as none, and the status tells its age",
+          "[process][track][pose]") {
   DetectorSettings settings = settings_with_poses();
   settings.track.pose_age = 0.2;
   Process process(settings);
+  CHECK(process.untracked().empty());
+  CHECK(process.status.pose_age == -1.0);
   process.take("CAMERA", encode_pose(100000, camera_at(0)));
+  process.take("CAMERA", encode_pose(490000, camera_at(0)));
   process.take("POINT_CLOUD", encode_view(300000, camera_at(0)));
   CHECK(process.tracks() == std::set<int>{1, 2});
   CHECK(process.untracked().empty());
+  CHECK(process.status.pose_age == Approx(190.0));
   process.take("POINT_CLOUD", encode_view(300001, camera_at(0)));
+  process.pass(1000000);
   CHECK(process.tracks() == std::set<int>{0});
   CHECK(process.untracked() == "old_pose 1 ");
+  CHECK(process.status.pose_age == Approx(189.999));
 }
 
 TEST_CASE("without a channel of poses, or without tracking, no cloud wants a pose",
@@ -153,6 +168,7 @@ TEST_CASE("without a channel of poses, or without tracking, no cloud wants a pos
   for (const DetectorSettings& settings : {DetectorSettings(), idle}) {
     Process process(settings);
     process.take("POINT_CLOUD", encode_view(100000, camera_at(0)));
+    CHECK(process.published.size() == 1);
     CHECK(process.untracked().empty());
   }
 }

@@ -2,6 +2,7 @@
 #include <chrono>
 #include <stdexcept>
 #include <thread>
+#include <utility>
 
 #include "process/runtime/run.hpp"
 #include "support/catch.hpp"
@@ -46,6 +47,56 @@ class SlowNode : public Node {
   std::atomic<int>* const seen_at_work_;
   std::atomic<int> statuses_{0};
 };
+
+/// Has itself sent a message with its first status, whose job is due a while later; no message
+/// comes meanwhile.
+class PatientNode : public Node {
+ public:
+  static constexpr Time kWait = std::chrono::milliseconds(120);
+
+  PatientNode(bus::Publish publish, Time* waited) : publish_(std::move(publish)), waited_(waited) {}
+
+  std::vector<InChannel> in_channels() const override {
+    return {{"--work", "WORK"}, {"--end", "END"}};
+  }
+  std::optional<Job> receive(const std::string& channel, std::span<const std::byte>) override {
+    if (channel == "END") throw std::runtime_error("the end");
+    since_ = now_;
+    return std::nullopt;
+  }
+  std::vector<Job> find_due_jobs(Time now) override {
+    now_ = now;
+    if (!since_ || now - *since_ < kWait) return {};
+    *waited_ = now - *since_;
+    since_.reset();
+    return {Job{0, [this] { publish_("END", kByte); }}};
+  }
+  std::string publish_status(const RunState&) override {
+    if (!std::exchange(started_, true)) publish_("WORK", kByte);
+    return {};
+  }
+  std::string summary() const override { return ""; }
+
+ private:
+  static inline const std::vector<std::byte> kByte{std::byte{1}};
+  const bus::Publish publish_;
+  Time* const waited_;
+  Time now_{};
+  std::optional<Time> since_;
+  bool started_ = false;
+};
+
+TEST_CASE("what waits is done when it is due, though no message comes", "[process]") {
+  ProcessArguments arguments;
+  arguments.lcm_url = "memq://";
+  Node::Time waited{};
+  CHECK_THROWS_WITH(run_on_bus(arguments,
+                               [&](bus::Publish publish) {
+                                 return std::make_unique<PatientNode>(std::move(publish), &waited);
+                               }),
+                    "the end");
+  CHECK(waited >= PatientNode::kWait);
+}
 
 TEST_CASE("the status is published while a long job is done", "[process]") {
   ProcessArguments arguments;

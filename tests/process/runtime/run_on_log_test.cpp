@@ -1,7 +1,10 @@
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "process/runtime/run.hpp"
 #include "quadrille/bus/event_log.hpp"
@@ -39,6 +42,31 @@ class EchoNode : public Node {
  private:
   const bus::Publish publish_;
   const std::function<void()> on_event_;
+};
+
+/// Answers each event on IN once the log is two microseconds further, and at its end.
+class PatientEchoNode : public EchoNode {
+ public:
+  explicit PatientEchoNode(bus::Publish publish) : EchoNode(std::move(publish), nullptr) {}
+
+  std::optional<Job> receive(const std::string& channel,
+                             std::span<const std::byte> bytes) override {
+    waiting_.push_back({now_, *EchoNode::receive(channel, bytes)});
+    return std::nullopt;
+  }
+  std::vector<Job> find_due_jobs(Time now) override {
+    now_ = now;
+    std::vector<Job> jobs;
+    while (!waiting_.empty() && now - waiting_.front().first >= Time(2)) {
+      jobs.push_back(waiting_.front().second);
+      waiting_.pop_front();
+    }
+    return jobs;
+  }
+
+ private:
+  Time now_{};
+  std::deque<std::pair<Time, Job>> waiting_;
 };
 
 /// A log of six large events, and one to write.
@@ -94,6 +122,33 @@ TEST_CASE("a log that is cut short while it is replayed ends the run with an err
         std::string::npos);
   CHECK(error.find("out.lcm holds only what came of these") != std::string::npos);
   CHECK(logs.written() == std::map<std::string, int>{{"OUT", 1}, {"STATUS", 1}});
+}
+
+TEST_CASE("in a replay the log's own times tell what is due, and its end ends all waiting",
+          "[process][log]") {
+  const LogFolder logs;
+  ProcessArguments arguments;
+  arguments.in_log = logs.in();
+  arguments.out_log = logs.out();
+  arguments.copy_input = true;
+  run_on_log(arguments, [&](bus::Publish publish) {
+    return std::make_unique<PatientEchoNode>(std::move(publish));
+  });
+  std::vector<std::pair<std::string, std::int64_t>> events;
+  bus::LogReader log(logs.out());
+  while (const auto event = log.next()) events.emplace_back(event->channel, event->utime);
+  CHECK(events == std::vector<std::pair<std::string, std::int64_t>>{{"IN", 1},
+                                                                    {"IN", 2},
+                                                                    {"IN", 3},
+                                                                    {"OUT", 3},
+                                                                    {"IN", 4},
+                                                                    {"OUT", 4},
+                                                                    {"IN", 5},
+                                                                    {"OUT", 5},
+                                                                    {"IN", 6},
+                                                                    {"OUT", 6},
+                                                                    {"OUT", 6},
+                                                                    {"OUT", 6}});
 }
 
 TEST_CASE("a log that does not fit on the disk leaves nothing under its name", "[process][log]") {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <lcmtypes/quadrille/shard_cloud_t.hpp>
+#include <memory>
 #include <random>
 #include <utility>
 
@@ -30,6 +31,15 @@ std::string hash_of(const DetectorSettings& settings) {
   return text.hash();
 }
 
+/// Where nobody tells poses, or nothing depends on them, the fixed frame is the camera's.
+PoseSource pose_source(const DetectorSettings& settings) {
+  PoseSource source{settings.pose_channel, settings.X_WK, settings.track.pose_age,
+                    settings.track.pose_wait};
+  const bool wanted = settings.track.enabled || settings.frames.need_pose();
+  if (!source.fixed && (source.channel.empty() || !wanted)) source.fixed.emplace().setIdentity();
+  return source;
+}
+
 }  // namespace
 
 DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publish)
@@ -37,8 +47,7 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
       publish_(std::move(publish)),
       settings_hash_(hash_of(settings)),
       trackers_(settings.track),
-      camera_poses_(settings.X_WK, settings.track.pose_age),
-      untracked_(settings.frames.clouds == CloudFrame::kCamera),
+      posed_clouds_(pose_source(settings), settings.frames.need_pose() ? "searched" : "tracked"),
       cloud_channels_(settings_) {
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
   for (const std::string& warning : settings.warnings) log_warning(warning);
@@ -60,19 +69,16 @@ std::vector<OutChannel> DetectorNode::out_channels() const {
 std::optional<Job> DetectorNode::receive(const std::string& channel,
                                          std::span<const std::byte> bytes) {
   if (cloud_channels_.matches(channel)) return receive_cloud(channel, bytes);
-  if (channel == settings_.pose_channel) receive_pose(channel, bytes);
+  if (channel == settings_.pose_channel) {
+    const std::lock_guard lock(mutex_);
+    posed_clouds_.receive_pose(bytes, &refusals_);
+  }
   return std::nullopt;
 }
 
-void DetectorNode::receive_pose(const std::string& channel, std::span<const std::byte> bytes) {
-  const bus::Decoded<bus::PoseMessage> decoded = bus::decode_pose(bytes);
+std::vector<Job> DetectorNode::find_due_jobs(Time now) {
   const std::lock_guard lock(mutex_);
-  ++poses_;
-  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
-    refusals_.add(channel, *rejection);
-  } else {
-    camera_poses_.add(std::get<bus::PoseMessage>(decoded));
-  }
+  return posed_clouds_.take_due(now);
 }
 
 std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
@@ -134,27 +140,14 @@ std::optional<Job> DetectorNode::take_cloud(const std::string& channel,
   if (settings_.shard.is_whole()) gaps_.add(channel + '\n' + cloud.cloud.frame, cloud.seq);
   const std::int64_t utime = cloud.utime;
   *digest = cloud.digest;
-  // Chosen now, and not when the work begins, by when more poses may have come than in a replay.
-  const CameraPose pose = choose_pose(utime);
-  return Job{utime,
-             [this, channel, cloud = std::move(cloud), pose, now] {
-               detect_and_publish(channel, cloud, pose, now);
-             },
-             {},
-             channel};
-}
-
-/// The camera's pose in the fixed frame for a cloud, which is that frame where nobody tells poses;
-/// if it is wanted and none is fresh enough that is counted and logged.
-CameraPose DetectorNode::choose_pose(std::int64_t utime) {
-  const std::string& channel = settings_.pose_channel;
-  const bool wanted = settings_.track.enabled || settings_.frames.need_pose();
-  if ((channel.empty() && !settings_.X_WK) || !wanted) {
-    return {Eigen::Isometry3d::Identity(), {}, {}};
-  }
-  CameraPose pose = camera_poses_.at(utime);
-  if (!pose.X_WK) untracked_.add(channel, utime, pose.lack, pose.detail);
-  return pose;
+  const auto shared = std::make_shared<const bus::CloudMessage>(std::move(cloud));
+  return posed_clouds_.add(utime, [this, channel, shared, now](const CameraPose& pose) {
+    return Job{
+        shared->utime,
+        [this, channel, shared, pose, now] { detect_and_publish(channel, *shared, pose, now); },
+        {},
+        channel};
+  });
 }
 
 /// What is found in a cloud, with tracks, in the frame of the results. Nothing where the pose that

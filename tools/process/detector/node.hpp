@@ -12,9 +12,8 @@
 #include "process/detector/cloud_channels.hpp"
 #include "process/detector/settings.hpp"
 #include "process/detector/trackers.hpp"
-#include "process/detector/untracked.hpp"
-#include "process/runtime/camera_poses.hpp"
 #include "process/runtime/node.hpp"
+#include "process/runtime/posed_clouds.hpp"
 #include "process/runtime/rate.hpp"
 #include "process/runtime/refusals.hpp"
 #include "process/runtime/sequence_gaps.hpp"
@@ -35,6 +34,7 @@ class DetectorNode : public Node {
   std::vector<InChannel> in_channels() const override;
   std::vector<OutChannel> out_channels() const override;
   std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
+  std::vector<Job> find_due_jobs(Time now) override;
   std::string publish_status(const RunState& run) override;
   std::string summary() const override;
   std::vector<std::string> find_oddities() const override;
@@ -46,8 +46,6 @@ class DetectorNode : public Node {
   std::optional<Job> take_cloud(const std::string& channel, std::span<const std::byte> bytes,
                                 std::int64_t* digest);
   void tell_of(std::span<const std::byte> cloud, std::int64_t digest) noexcept;
-  void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
-  CameraPose choose_pose(std::int64_t utime);
   void track(const std::string& channel, const bus::CloudMessage& cloud,
              const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
   DetectionResult detect_placed(const std::string& channel, const bus::CloudMessage& cloud,
@@ -77,11 +75,10 @@ class DetectorNode : public Node {
 
   mutable std::mutex mutex_;
   detector_status_t counts_{};
-  std::int64_t detections_ = 0, poses_ = 0;
-  CameraPoses camera_poses_;
+  std::int64_t detections_ = 0;
+  PosedClouds posed_clouds_;
   SequenceGaps gaps_;
   Refusals refusals_;
-  Untracked untracked_;
   CloudChannels cloud_channels_;
   Stages stages_{{"decode", "wait", "detect", "quadrics", "boxes"}};
   Rate received_rate_, published_rate_;

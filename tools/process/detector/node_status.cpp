@@ -26,6 +26,7 @@ std::string to_exposition(const detector_status_t& status, const DetectorSetting
   out.add_counter("quadrics_published", "Messages of quadrics.", status.published);
   out.add_counters("messages_refused", "Messages refused.", status.rejected);
   out.add_counters("clouds_untracked", "Clouds without tracks.", status.untracked);
+  out.add_pose_age(status.pose_age);
   out.add_gauge("clouds_per_second", "Over the last ten seconds.", status.received_rate);
   out.add_gauge("quadrics_per_second", "Over the last ten seconds.", status.published_rate);
   out.add_common(status);
@@ -52,7 +53,8 @@ void DetectorNode::fill_counts(detector_status_t* status) {
   status->published_rate = published_rate_.update(counts_.published);
   status->rejected = bus::to_message(refusals_.counts());
   status->num_rejected = static_cast<std::int32_t>(status->rejected.size());
-  status->untracked = untracked_.to_message();
+  status->pose_age = posed_clouds_.last_age_ms();
+  status->untracked = posed_clouds_.count_poseless();
   status->num_untracked = static_cast<std::int32_t>(status->untracked.size());
   set_stages(stages_, status);
 }
@@ -60,18 +62,15 @@ void DetectorNode::fill_counts(detector_status_t* status) {
 std::string DetectorNode::summary() const {
   const std::lock_guard lock(mutex_);
   const std::string poses =
-      settings_.pose_channel.empty() ? "" : fmt::format("poses in: {}, ", poses_);
+      settings_.pose_channel.empty() ? "" : fmt::format("poses in: {}, ", posed_clouds_.poses());
   return fmt::format("clouds in: {}, {}{}; quadrics out: {}", counts_.received, poses,
                      describe(refusals_.counts()), detections_);
 }
 
 std::vector<std::string> DetectorNode::find_oddities() const {
   const std::lock_guard lock(mutex_);
-  // A channel without a message is told of with the others.
-  if (poses_ == 0 || untracked_.total() == 0) return {};
-  return {
-      fmt::format("{} of {} clouds had no pose of at most {:g} s before them and were not tracked",
-                  untracked_.total(), counts_.decoded, settings_.track.pose_age)};
+  const std::string oddity = posed_clouds_.find_oddity(counts_.decoded);
+  return oddity.empty() ? std::vector<std::string>{} : std::vector{oddity};
 }
 
 }  // namespace quadrille

@@ -55,6 +55,7 @@ PlannerSettings PlannerCommandLine::settings() const {
   if (settings.process.in_log.empty() && !deadline_given) settings.plan.deadline_ms = kLiveDeadline;
   if (!report_.empty()) settings.plan.targets = report_;
   settings.pose_age = config.track.pose_age;
+  settings.pose_wait = config.track.pose_wait;
   settings.X_WK = camera_.X_WK;
   settings.process.check();
   PlannerSettings::visit_channels(settings, [&](Way, const char*, std::string& name, const char*) {

@@ -23,7 +23,8 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
     : settings_(settings),
       publish_(std::move(publish)),
       settings_hash_(hash_of(settings)),
-      camera_poses_(settings.X_WK, settings.pose_age),
+      posed_clouds_({settings.pose_channel, settings.X_WK, settings.pose_age, settings.pose_wait},
+                    settings.frames.need_pose() ? "planned on" : "placed in the fixed frame"),
       occupancies_(settings, publish_) {
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
   log_info(fmt::format("plans for the hand {}", settings.gripper.name));
@@ -57,19 +58,16 @@ std::optional<Job> PlannerNode::receive(const std::string& channel,
   if (channel == settings_.cloud_channel) return receive_cloud(channel, bytes);
   if (channel == settings_.quadrics_channel) return receive_quadrics(channel, bytes);
   if (channel == settings_.request_channel) return receive_request(channel, bytes);
-  if (channel == settings_.pose_channel) receive_pose(channel, bytes);
+  if (channel == settings_.pose_channel) {
+    const std::lock_guard lock(mutex_);
+    posed_clouds_.receive_pose(bytes, &refused_poses_);
+  }
   return std::nullopt;
 }
 
-void PlannerNode::receive_pose(const std::string& channel, std::span<const std::byte> bytes) {
-  const bus::Decoded<bus::PoseMessage> decoded = bus::decode_pose(bytes);
+std::vector<Job> PlannerNode::find_due_jobs(Time now) {
   const std::lock_guard lock(mutex_);
-  ++poses_;
-  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
-    refused_poses_.add(channel, *rejection);
-  } else {
-    camera_poses_.add(std::get<bus::PoseMessage>(decoded));
-  }
+  return posed_clouds_.take_due(now);
 }
 
 std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
@@ -88,17 +86,10 @@ std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
   stages_.add("decode", decode_ms);
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
   gaps_.add(cloud.cloud.frame, cloud.seq);
-  // Chosen now, as the detector does, and not when the work begins.
-  Placement placement = place(settings_.frames, camera_poses_.at(cloud.utime));
-  if (!placement.lack.empty()) {
-    ++poseless_;
-    if (const auto held_back = poseless_log_.admit()) {
-      log_warning(with_held_back(fmt::format("{}: cloud {} is not planned on: {}",
-                                             settings_.pose_channel, cloud.utime, placement.lack),
-                                 *held_back));
-    }
-  }
-  return make_job(pairing_.add(std::move(cloud), std::move(placement)));
+  const std::int64_t utime = cloud.utime;
+  return posed_clouds_.add(utime, [this, cloud = std::move(cloud)](const CameraPose& pose) mutable {
+    return make_job(pairing_.add(std::move(cloud), place(settings_.frames, pose)));
+  });
 }
 
 std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
@@ -112,17 +103,26 @@ std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
     return std::nullopt;
   }
   ++counts_.decoded_quadrics;
-  auto job = make_job(pairing_.add(std::get<bus::QuadricsMessage>(std::move(decoded))));
-  if (const auto given_up = pairing_.take_given_up()) log_unpaired(channel, *given_up);
+  auto quadrics = std::get<bus::QuadricsMessage>(std::move(decoded));
+  const bool waits = posed_clouds_.follow(
+      quadrics.utime, [this, quadrics](const CameraPose&) { return pair_quadrics(quadrics); });
+  return waits ? std::nullopt : pair_quadrics(quadrics);
+}
+
+/// With the mutex held.
+std::optional<Job> PlannerNode::pair_quadrics(const bus::QuadricsMessage& quadrics) {
+  auto job = make_job(pairing_.add(quadrics));
+  if (const auto given_up = pairing_.take_given_up()) log_unpaired(*given_up);
   return job;
 }
 
-void PlannerNode::log_unpaired(const std::string& channel, const Pairing::GivenUp& quadrics) {
+void PlannerNode::log_unpaired(const Pairing::GivenUp& quadrics) {
   const auto held_back = unpaired_log_.admit();
   if (!held_back) return;
-  log_warning(with_held_back(fmt::format("{}: the quadrics of cloud {} are not planned on: {}",
-                                         channel, quadrics.utime, explain(quadrics.why)),
-                             *held_back));
+  log_warning(
+      with_held_back(fmt::format("{}: the quadrics of cloud {} are not planned on: {}",
+                                 settings_.quadrics_channel, quadrics.utime, explain(quadrics.why)),
+                     *held_back));
 }
 
 std::optional<Job> PlannerNode::receive_request(const std::string& channel,

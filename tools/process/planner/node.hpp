@@ -15,8 +15,8 @@
 #include "process/planner/pairing.hpp"
 #include "process/planner/recent_pairs.hpp"
 #include "process/planner/settings.hpp"
-#include "process/runtime/camera_poses.hpp"
 #include "process/runtime/node.hpp"
+#include "process/runtime/posed_clouds.hpp"
 #include "process/runtime/rate.hpp"
 #include "process/runtime/refusals.hpp"
 #include "process/runtime/sequence_gaps.hpp"
@@ -36,6 +36,7 @@ class PlannerNode : public Node {
   std::vector<InChannel> in_channels() const override;
   std::vector<OutChannel> out_channels() const override;
   std::optional<Job> receive(const std::string& channel, std::span<const std::byte> bytes) override;
+  std::vector<Job> find_due_jobs(Time now) override;
   std::optional<Job> find_spare_job() override;
   std::string publish_status(const RunState& run) override;
   std::string summary() const override;
@@ -44,11 +45,11 @@ class PlannerNode : public Node {
  private:
   using SharedPair = std::shared_ptr<const CloudAndQuadrics>;
 
-  void receive_pose(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_quadrics(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_request(const std::string& channel, std::span<const std::byte> bytes);
-  void log_unpaired(const std::string& channel, const Pairing::GivenUp& quadrics);
+  std::optional<Job> pair_quadrics(const bus::QuadricsMessage& quadrics);
+  void log_unpaired(const Pairing::GivenUp& quadrics);
   std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
   const GraspScene& scene_of(const SharedPair& pair, double deadline_ms);
   GraspPlan plan_placed(const SharedPair& pair, GraspQuery query);
@@ -72,11 +73,11 @@ class PlannerNode : public Node {
   Pairing pairing_;
   RecentPairs recent_;
   planner_status_t counts_{};
-  std::int64_t grasps_ = 0, poses_ = 0, poseless_ = 0;
-  CameraPoses camera_poses_;
+  std::int64_t grasps_ = 0;
+  PosedClouds posed_clouds_;
   std::int64_t requests_ = 0, unmet_ = 0;
   Refusals refused_clouds_, refused_quadrics_, refused_poses_, refused_requests_;
-  bus::RateLimiter poseless_log_{std::chrono::seconds(1)}, unpaired_log_{std::chrono::seconds(1)};
+  bus::RateLimiter unpaired_log_{std::chrono::seconds(1)};
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
   Rate received_rate_, published_rate_;

@@ -11,19 +11,6 @@
 #include "quadrille/bus/status_message.hpp"
 
 namespace quadrille {
-namespace {
-
-/// "no_cloud 2, other_cloud 1"
-std::string list_counts(const std::vector<count_t>& counts) {
-  std::string text;
-  for (const count_t& entry : counts) {
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", entry.name, entry.count);
-  }
-  return text;
-}
-
-}  // namespace
-
 std::string PlannerNode::publish_status(const RunState& run) {
   planner_status_t status{};
   fill_counts(&status);
@@ -55,15 +42,18 @@ void PlannerNode::fill_counts(planner_status_t* filled) {
   status.num_rejected_requests = static_cast<std::int32_t>(status.rejected_requests.size());
   status.rejected_poses = bus::to_message(refused_poses_.counts());
   status.num_rejected_poses = static_cast<std::int32_t>(status.rejected_poses.size());
+  status.pose_age = posed_clouds_.last_age_ms();
+  status.unplaced = posed_clouds_.count_poseless();
+  status.num_unplaced = static_cast<std::int32_t>(status.unplaced.size());
   set_stages(stages_, filled);
 }
 
 std::string PlannerNode::summary() const {
   const std::lock_guard lock(mutex_);
-  const std::string poses =
-      settings_.pose_channel.empty()
-          ? ""
-          : fmt::format("poses in: {}, {}; ", poses_, describe(refused_poses_.counts()));
+  const std::string poses = settings_.pose_channel.empty()
+                                ? ""
+                                : fmt::format("poses in: {}, {}; ", posed_clouds_.poses(),
+                                              describe(refused_poses_.counts()));
   const std::string requests = requests_ == 0
                                    ? ""
                                    : fmt::format("; requests: {}, {}, unmet: {}", requests_,
@@ -91,11 +81,9 @@ std::vector<std::string> PlannerNode::find_oddities() const {
     oddities.push_back(fmt::format("{} of {} clouds have no quadrics and were not planned on",
                                    counts_.decoded_clouds - paired, counts_.decoded_clouds));
   }
-  if (poses_ > 0 && poseless_ > 0) {
-    oddities.push_back(fmt::format(
-        "{} of {} clouds had no pose of at most {:g} s before them and were not planned "
-        "on",
-        poseless_, counts_.decoded_clouds, settings_.pose_age));
+  if (const std::string oddity = posed_clouds_.find_oddity(counts_.decoded_clouds);
+      !oddity.empty()) {
+    oddities.push_back(oddity);
   }
   return oddities;
 }

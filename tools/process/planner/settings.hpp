@@ -27,8 +27,9 @@ struct PlannerSettings {
   std::string pose_channel;
   /// The pose of a camera at rest in W; none: not known.
   std::optional<Eigen::Isometry3d> X_WK;
-  /// Age of the newest pose from which on it tells nothing of a cloud [s].
-  double pose_age = TrackOptions{}.pose_age;
+  /// Longest time between a cloud and each of the poses about it, and how long a cloud waits for
+  /// the later one [s].
+  double pose_age = TrackOptions{}.pose_age, pose_wait = TrackOptions{}.pose_wait;
   CloudFrames frames;
   /// Whether collision shapes and occupancy are published.
   bool shapes = true, occupancy = true;

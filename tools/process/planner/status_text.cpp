@@ -12,6 +12,7 @@ std::string hash_of(const PlannerSettings& settings) {
   text.add("gripper", io::to_toml(settings.gripper));
   text.add("on_request", settings.on_request ? "true" : "false");
   text.add("pose_age", io::toml_of(settings.pose_age));
+  text.add("pose_wait", io::toml_of(settings.pose_wait));
   text.add_channels(channels_of(settings));
   text.add_frames(settings.frames, settings.X_WK);
   return text.hash();
@@ -43,6 +44,8 @@ std::string to_exposition(const planner_status_t& status, const PlannerSettings&
   out.add_counters("quadrics_refused", "Quadrics refused.", status.rejected_quadrics);
   out.add_counters("requests_refused", "Requests refused.", status.rejected_requests);
   out.add_counters("poses_refused", "Poses refused.", status.rejected_poses);
+  out.add_counters("clouds_unplaced", "Clouds without the camera's pose.", status.unplaced);
+  out.add_pose_age(status.pose_age);
   out.add_gauge("clouds_per_second", "Over the last ten seconds.", status.received_rate);
   out.add_gauge("grasps_per_second", "Over the last ten seconds.", status.published_rate);
   out.add_common(status);

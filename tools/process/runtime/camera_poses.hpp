@@ -12,36 +12,50 @@ namespace quadrille {
 
 /// Why a cloud has no pose of its camera.
 enum class PoseLack {
-  kNoPose,   ///< none has come, or only newer ones
-  kOldPose,  ///< the newest is too old
+  kNoPose,    ///< none has come, or only newer ones
+  kOldPose,   ///< the one before the cloud, or the one after it, lies too far from it
+  kLatePose,  ///< none after the cloud has come in time
 };
 
 /// Where the camera stood when it took a cloud: its pose in W, or why that is not known.
 struct CameraPose {
-  std::optional<Eigen::Isometry3d> X_WK;
+  std::optional<Eigen::Isometry3d> X_WK = {};
+  /// Time between the cloud and the nearest of the two poses about it, or the newest pose if it is
+  /// not between two [s]; nullopt if there is none.
+  std::optional<double> age = {};
+  /// How the camera moves, by these two poses or the newest ones; 0 if that is not known.
+  Motion motion = {};
   PoseLack lack = PoseLack::kNoPose;
   /// What is wrong and what to do, for the log; empty if the pose is known.
-  std::string detail;
+  std::string detail = {};
 };
 
 /// The poses of one camera, as they come.
 class CameraPoses {
  public:
-  /// @param fixed    the pose of a camera that stands still; none: they come
-  /// @param max_age  of the newest pose, before it tells nothing of a cloud [s]
-  CameraPoses(std::optional<Eigen::Isometry3d> fixed, double max_age)
-      : fixed_(std::move(fixed)), max_age_(max_age) {}
+  /// @param max_age   longest time between a cloud and each of the two poses about it [s]
+  /// @param max_wait  how long a cloud waits for them, as is told of one that has none [s]
+  CameraPoses(double max_age, double max_wait);
 
   void add(const bus::PoseMessage& pose) { history_.add(pose); }
 
-  /// The pose for a cloud of that time [us]: the newest that is not newer than it.
+  /// The pose for a cloud of that time [us]: between the last pose at or before it and the first
+  /// after it, if both are near enough. One of exactly that time is taken as it is.
   CameraPose at(std::int64_t utime) const;
 
+  /// What is wrong with the poses for a cloud that has none, and what to do.
+  std::string explain(std::int64_t utime, const CameraPose& none) const;
+
  private:
-  std::optional<Eigen::Isometry3d> fixed_;
-  double max_age_;
+  Motion newest_motion() const;
+
+  double max_age_, max_wait_;
   PoseHistory history_;
 };
+
+/// Tells of poses that lie far from a cloud of a moving camera: how far things may be misplaced.
+/// Empty if they are near, or the camera hardly moves.
+std::string describe_if_far(const CameraPose& pose);
 
 /// How a cloud lies, and its results: work is done in frame K, the camera's.
 struct Placement {

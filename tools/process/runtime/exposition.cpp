@@ -86,6 +86,12 @@ void Exposition::add_stages(const std::vector<stage_t>& stages) {
   }
 }
 
+void Exposition::add_pose_age(double ms) {
+  if (ms < 0.0) return;
+  add_gauge("pose_age_seconds", "Time between the last cloud and the nearest pose about it.",
+            kSecondsPerMs * ms);
+}
+
 void Exposition::add_process(const process_t& process) {
   start("info", "Version, and a hash of the settings.", "gauge");
   add_sample(

@@ -30,6 +30,8 @@ class Exposition {
   void add_gauges(const std::string& name, const std::string& help, const std::string& label,
                   const std::vector<count_t>& values);
   void add_stages(const std::vector<stage_t>& stages);
+  /// @param ms  as the status messages tell it; below 0 it is left out
+  void add_pose_age(double ms);
   void add_process(const process_t& process);
   void add_transport(const transport_t& transport);
 

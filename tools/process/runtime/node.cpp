@@ -3,8 +3,17 @@
 #include <fmt/format.h>
 
 #include <exception>
+#include <utility>
 
 namespace quadrille {
+
+std::vector<Job> Node::take(Time now, const std::string& channel,
+                            std::span<const std::byte> bytes) {
+  std::vector<Job> jobs = find_due_jobs(now);
+  if (auto job = receive(channel, bytes)) jobs.push_back(std::move(*job));
+  for (Job& job : find_due_jobs(now)) jobs.push_back(std::move(job));
+  return jobs;
+}
 
 void Node::work(const Job& job) {
   try {

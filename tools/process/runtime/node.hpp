@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -61,6 +62,10 @@ struct RunState {
 /// The work of a process, the same on the bus and in replay.
 class Node {
  public:
+  /// Of a clock that never goes back: on the bus a steady one, in a replay that of the log's
+  /// events.
+  using Time = std::chrono::microseconds;
+
   Node() = default;
   Node(const Node&) = delete;
   Node& operator=(const Node&) = delete;
@@ -74,6 +79,14 @@ class Node {
   /// @return what is to be done now that it is there
   virtual std::optional<Job> receive(const std::string& channel,
                                      std::span<const std::byte> bytes) = 0;
+
+  /// What is to be done of that which had to wait, now that it is so late. For any thread, but not
+  /// for two at once.
+  virtual std::vector<Job> find_due_jobs(Time) { return {}; }
+
+  /// Takes a message that comes at that time.
+  /// @return what is to be done, in this order
+  std::vector<Job> take(Time now, const std::string& channel, std::span<const std::byte> bytes);
 
   /// What is to be done while no message asks for anything. For the working thread, on the bus.
   virtual std::optional<Job> find_spare_job() { return std::nullopt; }

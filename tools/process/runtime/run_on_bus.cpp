@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <mutex>
 #include <thread>
 
 #include "process/runtime/log_listening.hpp"
@@ -30,6 +31,34 @@ void hand_over(Job& job, bus::Mailbox<Job>& mailbox) {
     Node::refuse(job, fmt::format("{} requests wait already", mailbox.kMaxQueued));
   }
 }
+
+/// Gives a node what comes, and its jobs to the mailbox, in one order for all threads.
+class Inbox {
+ public:
+  /// Both must outlive this.
+  Inbox(Node& node, bus::Mailbox<Job>& mailbox) : node_(node), mailbox_(mailbox) {}
+
+  void take(const std::string& channel, std::span<const std::byte> bytes) {
+    const std::lock_guard lock(mutex_);
+    for (Job& job : node_.take(now(), channel, bytes)) hand_over(job, mailbox_);
+  }
+
+  /// Hands over what has waited long enough.
+  void take_due() {
+    const std::lock_guard lock(mutex_);
+    for (Job& job : node_.find_due_jobs(now())) hand_over(job, mailbox_);
+  }
+
+ private:
+  static Node::Time now() {
+    return std::chrono::duration_cast<Node::Time>(
+        std::chrono::steady_clock::now().time_since_epoch());
+  }
+
+  Node& node_;
+  bus::Mailbox<Job>& mailbox_;
+  std::mutex mutex_;
+};
 
 /// Listens on the channel of the node's status, if it has one.
 void subscribe_to_status(const Node& node, OtherSenders& others, bus::Connection& connection) {
@@ -61,7 +90,7 @@ void tell_end(const bus::Connection& connection, const bus::Mailbox<Job>& mailbo
 
 void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
                         const OtherSenders& others, SilentChannels& silent, StatsFile& stats,
-                        Node& node, int niceness) {
+                        Node& node, Inbox& inbox, int niceness) {
   bus::Ticker status_tick(std::chrono::seconds(1));
   LossWatch losses;
   Worker worker(mailbox, node, niceness);
@@ -69,6 +98,7 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
   while (!bus::stop_requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     receiver.check();
+    inbox.take_due();
     if (const auto loss = losses.check(connection.traffic())) log_warning(*loss);
     for (const std::string& line : silent.find_warnings(std::chrono::steady_clock::now())) {
       log_warning(line);
@@ -93,6 +123,7 @@ void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
     connection.publish(channel, bytes);
   });
   bus::Mailbox<Job> mailbox;
+  Inbox inbox(*node, mailbox);
   const std::vector<InChannel> in_channels = node->in_channels();
   SilentChannels silent(in_channels, std::chrono::steady_clock::now());
   std::vector<std::string> channels;
@@ -101,13 +132,13 @@ void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
     connection.subscribe(bus::ChannelPattern(in_channels[i].name),
                          [&, i](const std::string& name, std::span<const std::byte> bytes) {
                            silent.hear(i);
-                           if (auto job = node->receive(name, bytes)) hand_over(*job, mailbox);
+                           inbox.take(name, bytes);
                          });
   }
   log_listening(channels, url, connection);
   OtherSenders others;
   subscribe_to_status(*node, others, connection);
-  work_until_stopped(connection, mailbox, others, silent, stats, *node, arguments.niceness);
+  work_until_stopped(connection, mailbox, others, silent, stats, *node, inbox, arguments.niceness);
   tell_end(connection, mailbox, others, stats, *node);
 }
 

@@ -48,6 +48,8 @@ class LogRun {
     if (arguments_.copy_input) check_unmixed(arguments_.in_log, node_->out_channels());
     survey_ = bus::replay_log(arguments_.in_log,
                               [this](const bus::LogReader::Event& event) { handle(event); });
+    // What waits until now waits in vain.
+    work(node_->find_due_jobs(Node::Time::max()));
     const std::string incomplete = save();
     if (!incomplete.empty()) throw std::runtime_error(incomplete);
     log_info(arguments_.in_log + ": " + node_->summary());
@@ -90,7 +92,11 @@ class LogRun {
     utime_ = event.utime;
     census_.add(event.channel);
     if (arguments_.copy_input) out_.write(event.utime, event.channel, event.bytes);
-    if (const auto job = node_->receive(event.channel, event.bytes)) work(*job);
+    work(node_->take(Node::Time(event.utime), event.channel, event.bytes));
+  }
+
+  void work(const std::vector<Job>& jobs) {
+    for (const Job& job : jobs) work(job);
     check_written();
   }
 

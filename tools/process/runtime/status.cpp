@@ -1,5 +1,7 @@
 #include "process/runtime/status.hpp"
 
+#include <fmt/format.h>
+
 namespace quadrille {
 
 transport_t to_message(const bus::Traffic& traffic) {
@@ -11,6 +13,14 @@ transport_t to_message(const bus::Traffic& traffic) {
   message.unclear_datagrams = traffic.unclear_datagrams;
   message.dropped_messages = traffic.dropped_messages;
   return message;
+}
+
+std::string list_counts(const std::vector<count_t>& counts) {
+  std::string text;
+  for (const count_t& entry : counts) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", entry.name, entry.count);
+  }
+  return text;
 }
 
 }  // namespace quadrille

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <lcmtypes/quadrille/count_t.hpp>
 #include <lcmtypes/quadrille/transport_t.hpp>
 #include <string>
+#include <vector>
 
 #include "process/runtime/node.hpp"
 #include "process/runtime/process_info.hpp"
@@ -14,6 +16,9 @@ namespace quadrille {
 
 /// What the status messages say of the way of the messages into the process.
 transport_t to_message(const bus::Traffic& traffic);
+
+/// "no_cloud 2, other_cloud 1"
+std::string list_counts(const std::vector<count_t>& counts);
 
 /// Writes what the status messages of all nodes have in common.
 /// @param settings  SettingsText::hash()

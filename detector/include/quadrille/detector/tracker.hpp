@@ -19,6 +19,7 @@ struct TrackOptions {
   double speed = 0.5;
   double acceleration = 1.0;
   double pose_age = 1.0;
+  double pose_wait = 0.05;
 
   /// Calls v(field, Setting) for each option, in the order of the configuration file.
   template <class Options, class Visitor>
@@ -36,9 +37,13 @@ struct TrackOptions {
                        "Standard deviation of the acceleration, of hands that move things and so "
                        "on."});
     v(o.pose_age, {"track.pose_age", "s", 0.0, 1e6,
-                   "Largest age of a camera's pose beside the cloud, where poses come as messages "
-                   "of their own; what is older counts as none. The Tracker itself takes whatever "
-                   "pose it is given."});
+                   "Longest time between a cloud and the camera's pose before it, and likewise the "
+                   "one after it, where poses come as messages of their own; what lies further off "
+                   "counts as none. The Tracker itself takes whatever pose it is given."});
+    v(o.pose_wait, {"track.pose_wait", "s", 0.0, 10.0,
+                    "How long a cloud waits for the camera's pose after it, where poses come as "
+                    "messages of their own; one that waits in vain has no pose. No cloud does if "
+                    "this is more than the time between two poses and their delay together."});
   }
 
   /// @throws std::invalid_argument naming the field that is out of range

@@ -17,8 +17,8 @@ struct SceneParts;
 /// share of the rest. Queries may run in several threads at once.
 class GraspScene {
  public:
-  /// As for plan_grasps(); nothing that is given has to outlive this. If the deadline of the options
-  /// passes meanwhile, the scene lacks targets, as each plan on it then says.
+  /// As for plan_grasps(); nothing that is given has to outlive this. If the deadline of the
+  /// options passes meanwhile, the scene lacks targets, as each plan on it then says.
   QUADRILLE_EXPORT GraspScene(const PointCloud& cloud, const std::vector<Detection>& detections,
                               const Gripper& gripper, const PlanOptions& options = {},
                               const std::vector<PointCloud>& further = {});
@@ -29,8 +29,8 @@ class GraspScene {
   /// What it took to make this, by stage.
   QUADRILLE_EXPORT const std::vector<StageTime>& timings() const;
 
-  /// The grasps that are wanted, in the same frame C; its timings and its deadline are those of this
-  /// query alone. If nothing can be what is wanted, a warning says why.
+  /// The grasps that are wanted, in the same frame C; its timings and its deadline are those of
+  /// this query alone. If nothing can be what is wanted, a warning says why.
   /// @throws std::invalid_argument if the query is out of range
   QUADRILLE_EXPORT GraspPlan plan(const GraspQuery& query = {}) const;
 
