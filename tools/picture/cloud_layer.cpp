@@ -44,7 +44,7 @@ Eigen::Vector3d normal_at(const std::vector<float>& depth, const View& view, int
   return normal.dot(ray) > 0 ? Eigen::Vector3d(-normal) : normal;
 }
 
-void draw_colours(const DepthImage& cloud, const View& view, Image* image) {
+void draw_colours(const CloudImage& cloud, const View& view, Image* image) {
   for (int y = 0; y < view.height; ++y) {
     for (int x = 0; x < view.width; ++x) {
       const std::size_t i = static_cast<std::size_t>(y) * view.width + x;
@@ -78,7 +78,7 @@ void draw_grey(const std::vector<float>& depth, const View& view, Image* image) 
 
 }  // namespace
 
-void draw_cloud(const DepthImage& cloud, const View& view, Image* image) {
+void draw_cloud(const CloudImage& cloud, const View& view, Image* image) {
   if (cloud.colours.empty()) {
     draw_grey(cloud.depth, view, image);
   } else {

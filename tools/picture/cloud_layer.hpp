@@ -7,6 +7,6 @@ namespace quadrille {
 
 /// Paints the points of a cloud in their own colours if they have any, else in grey, shaded by
 /// their smoothed normals and darker with distance.
-void draw_cloud(const DepthImage& cloud, const View& view, Image* image);
+void draw_cloud(const CloudImage& cloud, const View& view, Image* image);
 
 }  // namespace quadrille

@@ -68,7 +68,7 @@ std::vector<Eigen::Vector2d> ends_in_view(const Strokes& strokes, const View& vi
 /// Puts a picture together, layer by layer.
 class Composer {
  public:
-  Composer(const View& view, const DepthImage& cloud, const View& ground_view)
+  Composer(const View& view, const CloudImage& cloud, const View& ground_view)
       : layout_{view, Image(ground_view.width, ground_view.height, kBackground), {}, {}},
         depth_(cloud.depth),
         ground_view_(ground_view),
@@ -219,7 +219,7 @@ std::optional<Canvas::Format> format_of(const std::string& path) {
 PictureLayout lay_out(const PictureContent& content, const PictureOptions& options) {
   const View view = fit_view(content.cloud, options.width, options.side, subject_of(content));
   const View ground_view = view.scaled(kGroundScale);
-  const DepthImage cloud = depth_image(content.cloud, ground_view);
+  const CloudImage cloud = cloud_image(content.cloud, ground_view);
   Composer composer(view, cloud, ground_view);
   add_detections(content.result, &composer);
   if (content.plan != nullptr && content.gripper != nullptr) {

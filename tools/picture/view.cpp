@@ -205,7 +205,7 @@ View fit_view(const PointCloud& cloud, int width, ViewSide side, const ViewSubje
   return view;
 }
 
-DepthImage depth_image(const PointCloud& cloud, const View& view) {
+CloudImage cloud_image(const PointCloud& cloud, const View& view) {
   std::vector<Eigen::Vector2i> pixels;
   std::vector<float> depths;
   std::vector<std::size_t> sources;
@@ -220,7 +220,7 @@ DepthImage depth_image(const PointCloud& cloud, const View& view) {
   }
   const bool coloured = cloud.coloured();
   const std::size_t size = static_cast<std::size_t>(view.width) * view.height;
-  DepthImage image{std::vector<float>(size, 0.0f), std::vector<Rgb>(coloured ? size : 0)};
+  CloudImage image{std::vector<float>(size, 0.0f), std::vector<Rgb>(coloured ? size : 0)};
   const int radius = splat_radius(pixels, view);
   for (std::size_t i = 0; i < pixels.size(); ++i) {
     const int left = std::max(0, pixels[i].x() - radius);

@@ -54,7 +54,7 @@ View fit_view(const PointCloud& cloud, int width);
 View fit_view(const PointCloud& cloud, int width, ViewSide side, const ViewSubject& subject);
 
 /// What a view shows of a cloud, row by row.
-struct DepthImage {
+struct CloudImage {
   /// Depth along z [m]; 0 where there is no point.
   std::vector<float> depth;
   /// The colour of the point that each pixel shows; empty if the cloud has no colours.
@@ -63,6 +63,6 @@ struct DepthImage {
 
 /// The nearest points of the cloud in a view. Points cover as many pixels as it takes to close the
 /// gaps between neighbours.
-DepthImage depth_image(const PointCloud& cloud, const View& view);
+CloudImage cloud_image(const PointCloud& cloud, const View& view);
 
 }  // namespace quadrille

@@ -54,7 +54,7 @@ double BoxDraft::max_tolerance() const {
   return tolerance;
 }
 
-BoxDraft draft_of(const std::vector<const Face*>& faces, const Sight& sight) {
+BoxDraft draft_of(const std::vector<const Face*>& faces, const DirectionIndex& sight) {
   BoxDraft draft;
   draft.faces = faces;
   draft.sight = &sight;

@@ -4,9 +4,9 @@
 #include <array>
 #include <vector>
 
+#include "boxes/direction_index.hpp"
 #include "boxes/face.hpp"
 #include "boxes/face_edge.hpp"
-#include "boxes/sight.hpp"
 
 namespace quadrille {
 
@@ -22,7 +22,7 @@ struct BoxDraft {
   std::vector<Eigen::Vector3d> around_C;
   std::vector<std::vector<SeenThrough>> seen_through;
   /// Must outlive this, as must the faces.
-  const Sight* sight = nullptr;
+  const DirectionIndex* sight = nullptr;
 
   Eigen::Isometry3d X_CA() const;
   /// Unit direction in which the upper or lower end of a side looks.
@@ -37,6 +37,6 @@ struct BoxDraft {
 };
 
 /// Finds the axes and looks around.
-BoxDraft draft_of(const std::vector<const Face*>& faces, const Sight& sight);
+BoxDraft draft_of(const std::vector<const Face*>& faces, const DirectionIndex& sight);
 
 }  // namespace quadrille

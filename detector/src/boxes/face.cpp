@@ -147,7 +147,7 @@ Eigen::Vector3d outward_normal(const Detection& plane) {
 
 double Face::tolerance() const { return std::clamp(kSigmas * sigma, kMinTolerance, kMaxTolerance); }
 
-Eigen::Vector3d Face::on_plane(const Eigen::Vector3d& p_C, const Sight& sight) const {
+Eigen::Vector3d Face::on_plane(const Eigen::Vector3d& p_C, const DirectionIndex& sight) const {
   if (sight.single()) {
     const Eigen::Vector3d ray = p_C - sight.eye();
     const double fall = n_C.dot(ray);
@@ -158,7 +158,7 @@ Eigen::Vector3d Face::on_plane(const Eigen::Vector3d& p_C, const Sight& sight) c
   return p_C - height(p_C) * n_C;
 }
 
-double Face::pitch_along(const Eigen::Vector3d& u_C, const Sight& sight) const {
+double Face::pitch_along(const Eigen::Vector3d& u_C, const DirectionIndex& sight) const {
   if (!sight.single()) return pitch;
   const double along = u_C.dot((middle_C - sight.eye()).normalized());
   return pitch / std::max(kMinCosine, std::sqrt(std::max(0.0, 1.0 - along * along)));
@@ -201,7 +201,7 @@ double bend_of(const Piece& piece, const FacePatch& patch) {
 /// The pieces of a patch, the largest first.
 /// @param sigma  noise of the points; measured if it is not given [m]
 std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma,
-                             const Sight& sight) {
+                             const DirectionIndex& sight) {
   Face whole;
   whole.n_C = patch.X_CP.linear().col(2);
   whole.offset = whole.n_C.dot(patch.X_CP.translation());
@@ -255,7 +255,8 @@ std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma
 }
 
 /// The largest piece of a patch that is fitted to points of one.
-std::optional<Face> refitted(const Piece& piece, const FacePatch& patch, const Sight& sight) {
+std::optional<Face> refitted(const Piece& piece, const FacePatch& patch,
+                             const DirectionIndex& sight) {
   std::vector<Piece> pieces = pieces_of(patch_of(piece.measured_C, patch), {}, sight);
   if (pieces.empty()) return std::nullopt;
   return std::move(pieces.front().face);
@@ -263,13 +264,13 @@ std::optional<Face> refitted(const Piece& piece, const FacePatch& patch, const S
 
 }  // namespace
 
-std::optional<Face> face_at(const FacePatch& patch, double sigma, const Sight& sight) {
+std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
   const std::vector<Piece> pieces = pieces_of(patch, sigma, sight);
   if (pieces.empty()) return std::nullopt;
   return refitted(pieces.front(), patch, sight);
 }
 
-std::vector<Face> faces_of(const Detection& plane, const Sight& sight) {
+std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) {
   const FacePatch patch = patch_of(plane);
   std::vector<Piece> pieces = pieces_of(patch, {}, sight);
   std::vector<Face> faces;

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "boxes/sight.hpp"
+#include "boxes/direction_index.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
@@ -42,9 +42,9 @@ struct Face {
   double tolerance() const;
   /// Where the line from the eye to a point meets the plane; the point's foot on the plane where
   /// that is too far askew, or without an eye.
-  Eigen::Vector3d on_plane(const Eigen::Vector3d& p_C, const Sight& sight) const;
+  Eigen::Vector3d on_plane(const Eigen::Vector3d& p_C, const DirectionIndex& sight) const;
   /// Distance between neighbouring points along unit direction u in the plane [m].
-  double pitch_along(const Eigen::Vector3d& u_C, const Sight& sight) const;
+  double pitch_along(const Eigen::Vector3d& u_C, const DirectionIndex& sight) const;
   /// How far the points reach along a unit direction, but for the outermost hundredths [m].
   std::pair<double, double> reach(const Eigen::Vector3d& u_C) const;
 };
@@ -59,10 +59,10 @@ struct FacePatch {
 /// The largest connected piece of flat surface near a patch and nearly parallel to it, with a plane
 /// of its own; nullopt if there are too few points.
 /// @param sigma  noise of the points along its normal [m]
-std::optional<Face> face_at(const FacePatch& patch, double sigma, const Sight& sight);
+std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight);
 
 /// The connected pieces of a plane with their points, the largest first. One plane may hold the
 /// faces of several boxes of the same height.
-std::vector<Face> faces_of(const Detection& plane, const Sight& sight);
+std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight);
 
 }  // namespace quadrille

@@ -142,7 +142,7 @@ double deviation(std::vector<double> values, double middle) {
 
 std::vector<SeenThrough> look_through(const Face& face,
                                       const std::vector<Eigen::Vector3d>& points_C,
-                                      const Sight& sight) {
+                                      const DirectionIndex& sight) {
   const double away = sight.single() && face.height(sight.eye()) < 0.0 ? -1.0 : 1.0;
   std::vector<SeenThrough> seen;
   seen.reserve(points_C.size());
@@ -153,7 +153,7 @@ std::vector<SeenThrough> look_through(const Face& face,
 }
 
 FaceEdge edge_of(const Face& face, const Eigen::Vector3d& out_C,
-                 const std::vector<SeenThrough>& around, const Sight& sight) {
+                 const std::vector<SeenThrough>& around, const DirectionIndex& sight) {
   const Eigen::Vector3d across_C = face.n_C.cross(out_C);
   const double pitch = face.pitch_along(out_C, sight);
   Rows rows(face, out_C, kRowPitches * face.pitch_along(across_C, sight));

@@ -3,8 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "boxes/direction_index.hpp"
 #include "boxes/face.hpp"
-#include "boxes/sight.hpp"
 
 namespace quadrille {
 
@@ -19,7 +19,7 @@ struct SeenThrough {
 /// Points of the cloud as seen through a face's plane.
 std::vector<SeenThrough> look_through(const Face& face,
                                       const std::vector<Eigen::Vector3d>& points_C,
-                                      const Sight& sight);
+                                      const DirectionIndex& sight);
 
 /// Where a face ends on one side.
 struct FaceEdge {
@@ -36,7 +36,7 @@ struct FaceEdge {
 /// @param out_C   unit direction in the plane that the edge lies to
 /// @param around  what was seen through the face's plane towards the face and around it
 FaceEdge edge_of(const Face& face, const Eigen::Vector3d& out_C,
-                 const std::vector<SeenThrough>& around, const Sight& sight);
+                 const std::vector<SeenThrough>& around, const DirectionIndex& sight);
 
 /// How much of a part of a face was seen to be there.
 struct Filling {

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "boxes/box_axes.hpp"
+#include "boxes/direction_index.hpp"
 #include "boxes/face.hpp"
 #include "boxes/grouping.hpp"
 #include "boxes/measure_box.hpp"
 #include "boxes/missing_face.hpp"
-#include "boxes/sight.hpp"
 
 namespace quadrille {
 namespace {
@@ -86,7 +86,7 @@ class BoxMaker {
   // A face whose middle lies so near to a box is a second fit of one of its own [m].
   static constexpr double kPartOf = 0.005;
 
-  Sight sight_;
+  DirectionIndex sight_;
   std::vector<const Detection*> planes_;
   std::vector<Face> faces_;
   std::vector<Box> boxes_;

@@ -174,14 +174,15 @@ Box box_of(const BoxDraft& draft, const BoxEnds& ends) {
 
 }  // namespace
 
-bool is_rectangular(const Face& face, const Sight& sight) {
+bool is_rectangular(const Face& face, const DirectionIndex& sight) {
   if (coverage(face) < kMinCoverage) return false;
   const BoxDraft draft = draft_of({&face}, sight);
   return all_filled(draft, seen_part(find_ends(draft, {})));
 }
 
 std::optional<Box> measure_box(const std::vector<const Face*>& faces,
-                               const std::vector<const Detection*>& planes, const Sight& sight) {
+                               const std::vector<const Detection*>& planes,
+                               const DirectionIndex& sight) {
   const BoxDraft draft = draft_of(faces, sight);
   BoxEnds ends = find_ends(draft, planes);
   if (!is_solid(draft, ends)) return std::nullopt;

@@ -4,21 +4,22 @@
 #include <vector>
 
 #include "boxes/box_ends.hpp"
+#include "boxes/direction_index.hpp"
 #include "boxes/face.hpp"
-#include "boxes/sight.hpp"
 #include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 
 /// True if what was seen of a face fills the rectangle around it, its corners too: no disc does.
-bool is_rectangular(const Face& face, const Sight& sight);
+bool is_rectangular(const Face& face, const DirectionIndex& sight);
 
 /// The box of one, two or three faces that belong together, without its id: axes from the normals,
 /// its seen ends from the planes and outlines of the faces, the others bounded. Nullopt if it is no
 /// solid: a side is too long or too short, a face is not filled, or something was seen within.
 /// @param planes  all planes that were detected but the faces
 std::optional<Box> measure_box(const std::vector<const Face*>& faces,
-                               const std::vector<const Detection*>& planes, const Sight& sight);
+                               const std::vector<const Detection*>& planes,
+                               const DirectionIndex& sight);
 
 }  // namespace quadrille

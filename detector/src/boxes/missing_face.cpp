@@ -35,7 +35,7 @@ std::pair<double, double> reach_of(const std::vector<const Face*>& faces,
 
 /// Where the best known face that lies along a direction ends in it.
 double end_of(const std::vector<const Face*>& faces, const Eigen::Vector3d& out_C,
-              const FacePatch& patch, const Sight& sight) {
+              const FacePatch& patch, const DirectionIndex& sight) {
   const Face* known = faces.front();
   for (const Face* face : faces) {
     if (face->points_C.size() > known->points_C.size()) known = face;
@@ -64,7 +64,7 @@ bool belongs(const Face& missing, const std::vector<const Face*>& faces) {
 
 /// The face on one side, if it is there.
 std::optional<Face> face_on(const Eigen::Vector3d& out_C, const std::vector<const Face*>& faces,
-                            const Eigen::Matrix3d& R_CA, int axis, const Sight& sight) {
+                            const Eigen::Matrix3d& R_CA, int axis, const DirectionIndex& sight) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
   Eigen::Vector3d middle_A;
   Eigen::Vector2d half;
@@ -95,7 +95,7 @@ std::optional<Face> face_on(const Eigen::Vector3d& out_C, const std::vector<cons
 }  // namespace
 
 std::optional<Face> find_missing_face(const std::vector<const Face*>& faces,
-                                      const Eigen::Matrix3d& R_CA, const Sight& sight) {
+                                      const Eigen::Matrix3d& R_CA, const DirectionIndex& sight) {
   std::optional<Face> best;
   if (!sight.single()) return best;
   for (int axis = static_cast<int>(faces.size()); axis < 3; ++axis) {

@@ -14,6 +14,6 @@ namespace quadrille {
 /// @param faces  one or two known faces, the i-th with its normal along column i of the axes
 /// @param R_CA   axes of the box
 std::optional<Face> find_missing_face(const std::vector<const Face*>& faces,
-                                      const Eigen::Matrix3d& R_CA, const Sight& sight);
+                                      const Eigen::Matrix3d& R_CA, const DirectionIndex& sight);
 
 }  // namespace quadrille

@@ -26,7 +26,7 @@ std::optional<std::pair<double, double>> clip(const Eigen::AlignedBox3d& box,
 }
 
 int count_seen_within(const Eigen::AlignedBox3d& box_B, const Eigen::Isometry3d& X_CB,
-                      const std::vector<Eigen::Vector3d>& points_C, const Sight& sight) {
+                      const std::vector<Eigen::Vector3d>& points_C, const DirectionIndex& sight) {
   const Eigen::Isometry3d X_BC = X_CB.inverse();
   const Eigen::Vector3d eye_B = X_BC * sight.eye();
   return static_cast<int>(
@@ -37,8 +37,8 @@ int count_seen_within(const Eigen::AlignedBox3d& box_B, const Eigen::Isometry3d&
 }
 
 double free_of_sight(const Eigen::AlignedBox3d& box_B, const Eigen::Isometry3d& X_CB, int axis,
-                     int side, const std::vector<Eigen::Vector3d>& points_C, const Sight& sight,
-                     std::size_t strays) {
+                     int side, const std::vector<Eigen::Vector3d>& points_C,
+                     const DirectionIndex& sight, std::size_t strays) {
   constexpr double kFar = 1e3;
   if (!sight.single()) return std::numeric_limits<double>::infinity();
   const double end = side > 0 ? box_B.max()[axis] : box_B.min()[axis];

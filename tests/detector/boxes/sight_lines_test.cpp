@@ -40,7 +40,7 @@ TEST_CASE("a segment is clipped by a box", "[boxes][sight]") {
 
 TEST_CASE("points behind a box were seen through it", "[boxes][sight]") {
   const PointCloud cloud = wall();
-  const Sight sight(cloud);
+  const DirectionIndex sight(cloud);
   REQUIRE(sight.single());
   // The box spans tangents of ±1/2 at its front, which is ±3/2 on the wall: 30 points a side.
   const int count =
@@ -51,7 +51,7 @@ TEST_CASE("points behind a box were seen through it", "[boxes][sight]") {
 
 TEST_CASE("an end may be moved up to the first line of sight beside it", "[boxes][sight]") {
   const PointCloud cloud = wall();
-  const Sight sight(cloud);
+  const DirectionIndex sight(cloud);
   std::vector<Eigen::Vector3d> beside;
   for (const Eigen::Vector3d& p : points_of(cloud)) {
     if (p.x() > 2.55) beside.push_back(p);

@@ -1,9 +1,8 @@
-#include "boxes/sight.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "boxes/direction_index.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille {
@@ -36,14 +35,14 @@ std::vector<Eigen::Vector3d> square(double half) {
 
 TEST_CASE("towards a small place all points come", "[boxes][sight]") {
   const PointCloud cloud = image_wall();
-  const Sight sight(cloud);
+  const DirectionIndex sight(cloud);
   // 41 pixels along either side.
   CHECK(within(sight.points_towards(square(0.0401), 0.0), 0.0401).size() == 41 * 41);
 }
 
 TEST_CASE("towards a large place fewer points come, evenly spread", "[boxes][sight]") {
   const PointCloud cloud = image_wall();
-  const Sight sight(cloud);
+  const DirectionIndex sight(cloud);
   const auto points = within(sight.points_towards(square(0.2), 0.0), 0.2);
   const double all = std::pow(0.4 / kPitch, 2);
   CHECK(points.size() < 0.3 * all);

@@ -28,7 +28,7 @@ PointCloud coloured_wall() {
 Color pixel_of(const PointCloud& cloud, const Eigen::Vector3d& p) {
   const View view = fit_view(cloud, 320);
   Image image(view.width, view.height, Color(0, 0, 0));
-  draw_cloud(depth_image(cloud, view), view, &image);
+  draw_cloud(cloud_image(cloud, view), view, &image);
   const Eigen::Vector2i at = view.project(p)->cast<int>();
   return image.at(at.x(), at.y());
 }

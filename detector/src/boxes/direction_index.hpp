@@ -11,10 +11,10 @@
 namespace quadrille {
 
 /// The points of a cloud by the direction in which they were seen.
-class Sight {
+class DirectionIndex {
  public:
   /// @param cloud  its points must outlive this
-  explicit Sight(const CloudView& cloud);
+  explicit DirectionIndex(const CloudView& cloud);
 
   /// True if the cloud is a single view: nothing stands between the eye and a point.
   bool single() const { return view_.has_value(); }

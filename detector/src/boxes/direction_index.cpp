@@ -1,4 +1,4 @@
-#include "boxes/sight.hpp"
+#include "boxes/direction_index.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +44,7 @@ class Thinning {
 
 }  // namespace
 
-Sight::Sight(const CloudView& cloud) : cloud_(cloud), view_(find_view(cloud)) {
+DirectionIndex::DirectionIndex(const CloudView& cloud) : cloud_(cloud), view_(find_view(cloud)) {
   if (!view_) return;
   SeenByTile seen = by_tile(cloud.points);
   double cells = static_cast<double>(seen.level.points.size());
@@ -56,7 +56,7 @@ Sight::Sight(const CloudView& cloud) : cloud_(cloud), view_(find_view(cloud)) {
   }
 }
 
-Sight::SeenByTile Sight::by_tile(std::span<const Eigen::Vector3f> points) const {
+DirectionIndex::SeenByTile DirectionIndex::by_tile(std::span<const Eigen::Vector3f> points) const {
   constexpr int kUnseen = -1;
   std::vector<int> tile(points.size(), kUnseen);
   std::vector<Eigen::Vector2f> tangents(points.size());
@@ -87,7 +87,7 @@ Sight::SeenByTile Sight::by_tile(std::span<const Eigen::Vector3f> points) const 
   return seen;
 }
 
-void Sight::thin(const Eigen::AlignedBox2f& image, double cells, SeenByTile* seen) {
+void DirectionIndex::thin(const Eigen::AlignedBox2f& image, double cells, SeenByTile* seen) {
   Thinning thinning(image, cells);
   std::vector<int>& begin = seen->level.begin;
   int kept = 0;
@@ -104,13 +104,14 @@ void Sight::thin(const Eigen::AlignedBox2f& image, double cells, SeenByTile* see
   seen->tangents.resize(static_cast<std::size_t>(kept));
 }
 
-Eigen::Vector2i Sight::tile_of(const Eigen::Vector2f& tangents) const {
+Eigen::Vector2i DirectionIndex::tile_of(const Eigen::Vector2f& tangents) const {
   const Eigen::Array2f size = view_->bounds.sizes().array().max(1e-6f);
   const Eigen::Array2f place = (tangents - view_->bounds.min()).array() / size * kTiles;
   return place.max(0.0f).min(kTiles - 1.0f).cast<int>();
 }
 
-std::vector<Eigen::Vector3d> Sight::points_within(const Eigen::AlignedBox3d& bounds_C) const {
+std::vector<Eigen::Vector3d> DirectionIndex::points_within(
+    const Eigen::AlignedBox3d& bounds_C) const {
   std::vector<Eigen::Vector3d> points;
   for (const Eigen::Vector3f& p : cloud_.points) {
     if (bounds_C.contains(p.cast<double>())) points.push_back(p.cast<double>());
@@ -118,8 +119,8 @@ std::vector<Eigen::Vector3d> Sight::points_within(const Eigen::AlignedBox3d& bou
   return points;
 }
 
-std::vector<Eigen::Vector3d> Sight::points_towards(std::span<const Eigen::Vector3d> places_C,
-                                                   double margin) const {
+std::vector<Eigen::Vector3d> DirectionIndex::points_towards(
+    std::span<const Eigen::Vector3d> places_C, double margin) const {
   Eigen::AlignedBox3d bounds_C;
   for (const Eigen::Vector3d& p : places_C) bounds_C.extend(p);
   bounds_C.min().array() -= margin;
@@ -136,8 +137,8 @@ std::vector<Eigen::Vector3d> Sight::points_towards(std::span<const Eigen::Vector
   return points_in(tile_of(image.min()), tile_of(image.max()));
 }
 
-std::vector<Eigen::Vector3d> Sight::points_in(const Eigen::Vector2i& low,
-                                              const Eigen::Vector2i& high) const {
+std::vector<Eigen::Vector3d> DirectionIndex::points_in(const Eigen::Vector2i& low,
+                                                       const Eigen::Vector2i& high) const {
   const auto first = [&](const Level& level, int row) {
     return level.begin[row * kTiles + low.x()];
   };
