@@ -1,11 +1,20 @@
 #include "view/http_server.hpp"
 
-#include <algorithm>
+#include <chrono>
 #include <utility>
 
 namespace quadrille::view {
 
 using boost::asio::ip::tcp;
+
+namespace {
+
+/// When it is looked again whether there is a place: soon for a user, and rarely for the processor.
+constexpr std::chrono::milliseconds kRetryTime{10};
+/// Nobody loses a connection before: where many browsers come at once, each has time to ask.
+constexpr std::chrono::milliseconds kGraceTime{100};
+
+}  // namespace
 
 HttpServer::HttpServer(const std::string& address, int port, HttpHandler handler)
     : handler_(std::move(handler)) {
@@ -34,18 +43,26 @@ void HttpServer::listen(const std::string& address, int port) {
 
 void HttpServer::accept() {
   acceptor_.async_accept([this](const boost::system::error_code& error, tcp::socket socket) {
-    std::erase_if(connections_, [](const auto& connection) { return connection.expired(); });
-    // An error says that there are no more descriptors.
-    const bool is_full = error || connections_.size() >= kMaxConnections;
-    const bool has_place = !is_full || let_slowest_go();
-    if (has_place && !error) {
-      const auto connection =
-          std::make_shared<HttpConnection>(std::move(socket), handler_, workers_);
-      connections_.push_back(connection);
-      connection->read();
-    }
-    accept();
+    if (!error) return place(std::move(socket));
+    // There are no more descriptors.
+    let_slowest_go();
+    retry_.expires_after(kRetryTime);
+    retry_.async_wait([this](const auto&) { accept(); });
   });
+}
+
+void HttpServer::place(tcp::socket socket) {
+  std::erase_if(connections_, [](const auto& connection) { return connection.expired(); });
+  if (connections_.size() >= kMaxConnections && !let_slowest_go()) {
+    // Nobody is slow; further browsers wait in the kernel's queue.
+    retry_.expires_after(kRetryTime);
+    return retry_.async_wait(
+        [this, socket = std::move(socket)](const auto&) mutable { place(std::move(socket)); });
+  }
+  const auto connection = std::make_shared<HttpConnection>(std::move(socket), handler_, workers_);
+  connections_.push_back(connection);
+  connection->read();
+  accept();
 }
 
 bool HttpServer::let_slowest_go() {
@@ -55,8 +72,9 @@ bool HttpServer::let_slowest_go() {
     if (!connection || !connection->waits_since()) continue;
     if (!slowest || connection->waits_since() < slowest->waits_since()) slowest = connection;
   }
-  if (slowest) slowest->close();
-  return slowest != nullptr;
+  if (!slowest || HttpConnection::Clock::now() - *slowest->waits_since() < kGraceTime) return false;
+  slowest->close();
+  return true;
 }
 
 }  // namespace quadrille::view

@@ -2,6 +2,7 @@
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/thread_pool.hpp>
 #include <memory>
 #include <string>
@@ -17,8 +18,8 @@ class HttpServer {
  public:
   /// Answers that are made at the same time; the other requests wait.
   static constexpr int kWorkers = 32;
-  /// Browsers open six connections each. When all places are taken, the browser that has kept its
-  /// connection waiting for longest loses it.
+  /// A browser opens up to six connections. When all places are taken, the browser that has kept
+  /// its connection waiting for longest loses it.
   static constexpr int kMaxConnections = 128;
 
   /// Serves from now on, in threads of its own.
@@ -36,13 +37,15 @@ class HttpServer {
  private:
   void listen(const std::string& address, int port);
   void accept();
-  /// @return false if none waits for its browser
+  void place(boost::asio::ip::tcp::socket socket);
+  /// @return false if no browser is slow
   bool let_slowest_go();
 
   HttpHandler handler_;
   boost::asio::io_context sockets_{1};
   boost::asio::thread_pool workers_{kWorkers};
   boost::asio::ip::tcp::acceptor acceptor_{sockets_};
+  boost::asio::steady_timer retry_{sockets_};
   std::vector<std::weak_ptr<HttpConnection>> connections_;
   std::thread thread_;
 };
