@@ -1,5 +1,7 @@
 #include "io/gzip.hpp"
 
+// zlib then takes bytes that it may not change.
+#define ZLIB_CONST
 #include <zlib.h>
 
 #include <algorithm>
@@ -51,8 +53,7 @@ std::vector<std::byte> gunzip(std::span<const std::byte> bytes, const std::strin
   }
   Inflater inflater;
   z_stream& stream = inflater.stream;
-  // zlib does not write there.
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(bytes.data()));
+  stream.next_in = reinterpret_cast<const Bytef*>(bytes.data());
   stream.avail_in = static_cast<uInt>(bytes.size());
   std::vector<std::byte> unpacked;
   for (int state = Z_OK; state != Z_STREAM_END;) {
@@ -78,7 +79,7 @@ std::string gzip(std::string_view bytes) {
   Deflater deflater;
   z_stream& stream = deflater.stream;
   std::string packed(deflateBound(&stream, bytes.size()), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
+  stream.next_in = reinterpret_cast<const Bytef*>(bytes.data());
   stream.avail_in = static_cast<uInt>(bytes.size());
   stream.next_out = reinterpret_cast<Bytef*>(packed.data());
   stream.avail_out = static_cast<uInt>(packed.size());

@@ -45,7 +45,7 @@ void HttpConnection::close() {
 
 void HttpConnection::read() {
   serializer_.reset();
-  answer_ = {};
+  answer_.reset();
   parser_.emplace();
   parser_->header_limit(kMaxHeaderBytes);
   parser_->body_limit(kMaxBodyBytes);
@@ -73,11 +73,11 @@ void HttpConnection::take_request(const Error& error) {
 }
 
 void HttpConnection::write(HttpAnswer answer) {
-  answer_ = std::move(answer);
-  auto& message = answer_.message;
+  answer_.emplace(std::move(answer));
+  auto& message = answer_->message;
   const HttpRequest& request = parser_->get();
   message.version(request.version());
-  if (answer_.next_part) {
+  if (answer_->next_part) {
     // Its end is told by the end of the connection.
     message.keep_alive(false);
   } else {
@@ -86,7 +86,7 @@ void HttpConnection::write(HttpAnswer answer) {
   }
   if (request.method() == http::verb::head) {
     message.body() = {};
-    answer_.next_part = nullptr;
+    answer_->next_part = nullptr;
   }
   serializer_.emplace(message);
   write_some();
@@ -98,15 +98,15 @@ void HttpConnection::write_some() {
                          [self = shared_from_this()](const Error& error, std::size_t) {
                            if (error) return;
                            if (!self->serializer_->is_done()) return self->write_some();
-                           if (self->answer_.next_part) return self->make_next_part();
-                           if (self->answer_.message.keep_alive()) self->read();
+                           if (self->answer_->next_part) return self->make_next_part();
+                           if (self->answer_->message.keep_alive()) self->read();
                          });
 }
 
 void HttpConnection::make_next_part() {
   waits_since_.reset();
   net::post(workers_, [self = shared_from_this()] {
-    std::string part = self->answer_.next_part();
+    std::string part = self->answer_->next_part();
     net::post(self->stream_.get_executor(), [self, part = std::move(part)]() mutable {
       if (!part.empty()) self->write_part(std::move(part));
     });

@@ -54,7 +54,7 @@ class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
   boost::asio::thread_pool& workers_;
   boost::beast::flat_static_buffer<kMaxHeaderBytes + kMaxBodyBytes> buffer_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
-  HttpAnswer answer_;
+  std::optional<HttpAnswer> answer_;
   std::optional<boost::beast::http::response_serializer<Body>> serializer_;
   std::string part_;
   std::optional<Clock::time_point> waits_since_;

@@ -16,10 +16,10 @@ using HttpRequest = boost::beast::http::request<boost::beast::http::string_body>
 struct HttpAnswer {
   /// The body is a view of bytes, so that large ones are not copied for each browser.
   boost::beast::http::response<boost::beast::http::span_body<const char>> message;
-  /// Keeps the bytes of the body alive; null if they last as long as the program.
+  /// Keeps the bytes of the body alive; null if they outlast the server.
   std::shared_ptr<const std::string> bytes;
   /// Makes the next part of a body without a known end; an empty part ends it. Null if there is no
-  /// more than the message. It may wait, and is called on the thread of a worker.
+  /// more than the message. It may wait, is called on the thread of a worker, and must not throw.
   std::function<std::string()> next_part;
 };
 

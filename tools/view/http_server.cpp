@@ -9,9 +9,9 @@ using boost::asio::ip::tcp;
 
 namespace {
 
-/// When it is looked again whether there is a place: soon for a user, and rarely for the processor.
+/// How soon the server looks again for a place: at once for a user, and rarely for the processor.
 constexpr std::chrono::milliseconds kRetryTime{10};
-/// Nobody loses a connection before: where many browsers come at once, each has time to ask.
+/// Nobody loses a connection within this time: where many browsers come at once, each can ask.
 constexpr std::chrono::milliseconds kGraceTime{100};
 
 }  // namespace

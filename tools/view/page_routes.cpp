@@ -1,7 +1,10 @@
 #include "view/page_routes.hpp"
 
+#include <algorithm>
 #include <boost/beast/http/rfc7230.hpp>
 #include <charconv>
+#include <chrono>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
@@ -74,27 +77,30 @@ bool is_question(const HttpRequest& request) {
 PageRoutes::PageRoutes(Backend& backend, const std::string& bind_address, int max_listeners)
     : backend_(backend), guard_(bind_address), max_listeners_(max_listeners) {
   for (const Asset& asset : assets()) {
-    packed_assets_.push_back(std::make_shared<const std::string>(io::gzip(asset.content)));
+    packed_assets_.push_back(io::gzip(asset.content));
+  }
+}
+
+HttpAnswer PageRoutes::answer_or_refuse(const HttpRequest& request) {
+  try {
+    return answer_or_throw(request);
+  } catch (const NotAllowed& error) {
+    return refusal(http::status::forbidden, error.what());
+  } catch (const TooManyQuestions& error) {
+    return refusal(http::status::too_many_requests, error.what());
+  } catch (const std::out_of_range& error) {
+    return refusal(http::status::not_found, error.what());
+  } catch (const std::invalid_argument& error) {
+    return refusal(http::status::bad_request, error.what());
+  } catch (const std::exception& error) {
+    return refusal(http::status::internal_server_error, error.what());
+  } catch (...) {
+    return refusal(http::status::internal_server_error, "failed");
   }
 }
 
 HttpAnswer PageRoutes::answer(const HttpRequest& request) {
-  HttpAnswer answer;
-  try {
-    answer = answer_or_throw(request);
-  } catch (const NotAllowed& error) {
-    answer = refusal(http::status::forbidden, error.what());
-  } catch (const TooManyQuestions& error) {
-    answer = refusal(http::status::too_many_requests, error.what());
-  } catch (const std::out_of_range& error) {
-    answer = refusal(http::status::not_found, error.what());
-  } catch (const std::invalid_argument& error) {
-    answer = refusal(http::status::bad_request, error.what());
-  } catch (const std::exception& error) {
-    answer = refusal(http::status::internal_server_error, error.what());
-  } catch (...) {
-    answer = refusal(http::status::internal_server_error, "failed");
-  }
+  HttpAnswer answer = answer_or_refuse(request);
   answer.message.set("Content-Security-Policy", kContentSecurityPolicy);
   answer.message.set("X-Content-Type-Options", "nosniff");
   answer.message.set("Referrer-Policy", "no-referrer");
@@ -129,14 +135,13 @@ HttpAnswer PageRoutes::answer_or_throw(const HttpRequest& request) {
 HttpAnswer PageRoutes::answer_asset(std::size_t index, const HttpRequest& request) const {
   const Asset& asset = assets()[index];
   HttpAnswer answer;
-  if (http::ext_list(request[http::field::accept_encoding]).exists("gzip")) {
-    answer = shared_answer(asset.type, packed_assets_[index]);
-    answer.message.set(http::field::content_encoding, "gzip");
-  } else {
-    answer.message.set(http::field::content_type, asset.type);
-    answer.message.body() = {asset.content.data(), asset.content.size()};
-  }
+  answer.message.set(http::field::content_type, asset.type);
   answer.message.set(http::field::cache_control, "no-cache");
+  answer.message.body() = asset.content;
+  if (http::ext_list(request[http::field::accept_encoding]).exists("gzip")) {
+    answer.message.set(http::field::content_encoding, "gzip");
+    answer.message.body() = packed_assets_[index];
+  }
   return answer;
 }
 

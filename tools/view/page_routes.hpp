@@ -25,6 +25,7 @@ class PageRoutes {
   void stop() { stopping_ = true; }
 
  private:
+  HttpAnswer answer_or_refuse(const HttpRequest& request);
   HttpAnswer answer_or_throw(const HttpRequest& request);
   HttpAnswer answer_asset(std::size_t index, const HttpRequest& request) const;
   HttpAnswer answer_backend(std::string_view path, std::string_view query);
@@ -32,7 +33,7 @@ class PageRoutes {
 
   Backend& backend_;
   RequestGuard guard_;
-  std::vector<Pack> packed_assets_;
+  std::vector<std::string> packed_assets_;
   int max_listeners_;
   std::atomic<int> listeners_{0};
   std::atomic<bool> stopping_{false};
