@@ -1,13 +1,16 @@
 #include "view/server.hpp"
 
 #include <fmt/format.h>
-#include <httplib.h>
 
 #include <atomic>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <thread>
 
+#include "io/gzip.hpp"
 #include "support/catch.hpp"
+#include "view/http_client.hpp"
+#include "view/http_server.hpp"
 #include "view/pack.hpp"
 
 using namespace quadrille;
@@ -52,56 +55,36 @@ class FakeBackend : public view::Backend {
 struct Fixture {
   FakeBackend backend;
   view::Server server{backend, {}};
-  httplib::Client client{"127.0.0.1", server.port()};
+  HttpClient client{server.port()};
 
-  int status_of(const std::string& path, const httplib::Headers& headers = {}) {
-    const auto answer = client.Get(path, headers);
-    return answer ? answer->status : -1;
+  unsigned status_of(const std::string& path, const HttpClient::Headers& headers = {}) {
+    return client.get(path, headers).result_int();
   }
 };
 
-/// A connection of which nothing is read.
-class StalledClient {
+/// A connection that has sent a request, and has read nothing yet.
+class StalledClient : public TestConnection {
  public:
-  StalledClient(int port, const std::string& request) : socket_(socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(static_cast<std::uint16_t>(port));
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    REQUIRE(connect(socket_, reinterpret_cast<sockaddr*>(&address), sizeof address) == 0);
-    REQUIRE(write(socket_, request.data(), request.size()) == static_cast<ssize_t>(request.size()));
+  StalledClient(int port, const std::string& path) : TestConnection(port) {
+    send(fmt::format("GET {} HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n", path));
   }
-  ~StalledClient() { close(socket_); }
-  StalledClient(const StalledClient&) = delete;
-  StalledClient& operator=(const StalledClient&) = delete;
-
-  std::string answer() const {
-    std::string text(4096, '\0');
-    const ssize_t size = read(socket_, text.data(), text.size());
-    text.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
-    return text;
-  }
-
- private:
-  int socket_;
 };
 
 }  // namespace
 
 TEST_CASE("the page comes with a policy that lets no script in from elsewhere", "[view][safety]") {
   Fixture f;
-  const auto answer = f.client.Get("/");
-  REQUIRE(answer);
-  CHECK(answer->status == 200);
-  const std::string policy = answer->get_header_value("Content-Security-Policy");
+  const auto answer = f.client.get("/");
+  CHECK(answer.result_int() == 200);
+  const std::string policy(answer["Content-Security-Policy"]);
   CHECK(policy.find("default-src 'none'") != std::string::npos);
   CHECK(policy.find("script-src 'self'") != std::string::npos);
   CHECK(policy.find("unsafe") == std::string::npos);
-  CHECK(answer->get_header_value("X-Content-Type-Options") == "nosniff");
+  CHECK(answer["X-Content-Type-Options"] == "nosniff");
   // No script or style within the page, which that policy would refuse.
-  CHECK(answer->body.find("<script>") == std::string::npos);
-  CHECK(answer->body.find("<style") == std::string::npos);
-  CHECK(answer->body.find(" style=") == std::string::npos);
+  CHECK(answer.body().find("<script>") == std::string::npos);
+  CHECK(answer.body().find("<style") == std::string::npos);
+  CHECK(answer.body().find(" style=") == std::string::npos);
   CHECK(f.status_of("/three.min.js") == 200);
   CHECK(f.status_of("/app.js") == 200);
 }
@@ -119,22 +102,35 @@ TEST_CASE("requests for another host or from another page are refused", "[view][
 
 TEST_CASE("nothing can be changed, and there are no files but the page's", "[view][safety]") {
   Fixture f;
-  for (const auto& answer :
-       {f.client.Post("/api/session", "x", "text/plain"), f.client.Put("/", "x", "text/plain"),
-        f.client.Delete("/api/frames/0")}) {
-    REQUIRE(answer);
-    CHECK(answer->status == 405);
-  }
+  CHECK(f.client.send("POST", "/api/session", {}, "x").result_int() == 405);
+  CHECK(f.client.send("PUT", "/", {}, "x").result_int() == 405);
+  CHECK(f.client.send("DELETE", "/api/frames/0", {}, "").result_int() == 405);
   for (const char* path :
        {"/../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/..%2f..%2fetc/passwd", "//etc/passwd",
         "/page/app.js", "/api/frames/../session", "/app.js/..", "/api/frames/-1",
         "/api/frames/99999999999999999999", "/api/frames/1", "/api/newest"}) {
     CAPTURE(path);
-    const StalledClient raw(
-        f.server.port(),
-        fmt::format("GET {} HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n\r\n", path));
-    CHECK(raw.answer().find(" 404 ") != std::string::npos);
+    CHECK(f.status_of(path) == 404);
   }
+}
+
+TEST_CASE("texts are packed for browsers that can unpack them", "[view]") {
+  Fixture f;
+  const std::string plain = f.client.get("/app.js").body();
+  const auto packed = f.client.get("/app.js", {{"Accept-Encoding", "br, gzip"}});
+  CHECK(packed["Content-Encoding"] == "gzip");
+  const auto unpacked = io::gunzip(std::as_bytes(std::span(packed.body())), "app.js");
+  CHECK(std::string(reinterpret_cast<const char*>(unpacked.data()), unpacked.size()) == plain);
+  CHECK(f.client.get("/api/frames/0", {{"Accept-Encoding", "gzip"}})["Content-Encoding"].empty());
+}
+
+TEST_CASE("the head of an answer comes without its body", "[view]") {
+  Fixture f;
+  const auto head = f.client.send("HEAD", "/api/frames/0", {}, "");
+  CHECK(head.result_int() == 200);
+  CHECK(head["Content-Length"] == std::to_string(FakeBackend::kLarge));
+  CHECK(head.body().empty());
+  CHECK(f.client.send("HEAD", "/api/events", {}, "").result_int() == 200);
 }
 
 TEST_CASE("how a log is planned on is chosen in the address, and checked", "[view][requests]") {
@@ -150,10 +146,10 @@ TEST_CASE("how a log is planned on is chosen in the address, and checked", "[vie
 TEST_CASE("the page may ask the planner, other pages may not", "[view][requests][safety]") {
   Fixture f;
   const std::string question = R"({"track": 3, "clearance": 5})";
-  const auto ask = [&](const httplib::Headers& headers, const std::string& body,
+  const auto ask = [&](HttpClient::Headers headers, const std::string& body,
                        const char* type = "application/json") {
-    const auto answer = f.client.Post("/api/questions", headers, body, type);
-    return answer ? answer->status : -1;
+    headers.emplace_back("Content-Type", type);
+    return f.client.send("POST", "/api/questions", headers, body).result_int();
   };
   const std::string origin = fmt::format("http://127.0.0.1:{}", f.server.port());
   CHECK(ask({{"Origin", origin}}, question) == 200);
@@ -182,11 +178,9 @@ TEST_CASE("the page may ask the planner, other pages may not", "[view][requests]
 TEST_CASE("whatever a name holds, the answer is sound JSON", "[view][safety][hostile]") {
   FakeBackend backend("</script><script>alert(1)</script>\xff\xfe\n\"");
   const view::Server server(backend, {});
-  httplib::Client client("127.0.0.1", server.port());
-  const auto answer = client.Get("/api/session");
-  REQUIRE(answer);
-  CHECK(answer->get_header_value("Content-Type") == "application/json");
-  const auto json = nlohmann::json::parse(answer->body);
+  const auto answer = HttpClient(server.port()).get("/api/session");
+  CHECK(answer["Content-Type"] == "application/json");
+  const auto json = nlohmann::json::parse(answer.body());
   CHECK(json["name"].get<std::string>().starts_with(
       "</script><script>alert(1)</script>\xef\xbf\xbd"));
 }
@@ -197,10 +191,8 @@ TEST_CASE("fifty browsers at once are all served", "[view][safety]") {
   std::vector<std::thread> browsers;
   for (int i = 0; i < 50; ++i) {
     browsers.emplace_back([&] {
-      httplib::Client client("127.0.0.1", f.server.port());
-      client.set_read_timeout(60);
-      const auto answer = client.Get("/api/frames/0");
-      if (answer && answer->status == 200 && answer->body.size() == FakeBackend::kLarge) ++served;
+      const auto answer = f.client.get("/api/frames/0");
+      if (answer.result_int() == 200 && answer.body().size() == FakeBackend::kLarge) ++served;
     });
   }
   for (std::thread& browser : browsers) browser.join();
@@ -212,15 +204,20 @@ TEST_CASE("browsers that take nothing hold nobody up, and are let go", "[view][s
   auto server = std::make_unique<view::Server>(backend, view::ServerOptions{});
   std::vector<std::unique_ptr<StalledClient>> stalled;
   for (int i = 0; i < 8; ++i) {
-    stalled.push_back(std::make_unique<StalledClient>(
-        server->port(), "GET /api/frames/0 HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"));
+    stalled.push_back(std::make_unique<StalledClient>(server->port(), "/api/frames/0"));
   }
-  httplib::Client client("127.0.0.1", server->port());
-  const auto answer = client.Get("/api/session");
-  REQUIRE(answer);
-  CHECK(answer->status == 200);
+  CHECK(HttpClient(server->port()).get("/api/session").result_int() == 200);
   // The server ends although they still wait.
   server.reset();
+}
+
+TEST_CASE("when all places are taken, the slowest browsers give way", "[view][safety]") {
+  Fixture f;
+  std::vector<std::unique_ptr<StalledClient>> stalled;
+  for (int i = 0; i < 2 * view::HttpServer::kMaxConnections; ++i) {
+    stalled.push_back(std::make_unique<StalledClient>(f.server.port(), "/api/frames/0"));
+  }
+  CHECK(f.status_of("/api/session") == 200);
 }
 
 TEST_CASE("no more browsers are told of news than there are places", "[view][safety]") {
@@ -228,9 +225,8 @@ TEST_CASE("no more browsers are told of news than there are places", "[view][saf
   std::vector<std::unique_ptr<StalledClient>> listeners;
   int refused = 0, told = 0;
   for (int i = 0; i < view::Server::kMaxListeners + 4; ++i) {
-    listeners.push_back(std::make_unique<StalledClient>(
-        f.server.port(), "GET /api/events HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n"));
-    const std::string answer = listeners.back()->answer();
+    listeners.push_back(std::make_unique<StalledClient>(f.server.port(), "/api/events"));
+    const std::string answer = listeners.back()->read_some();
     refused += answer.find(" 503 ") != std::string::npos ? 1 : 0;
     told += answer.find(" 200 ") != std::string::npos ? 1 : 0;
   }

@@ -1,9 +1,12 @@
 #include "io/gzip.hpp"
 
+// zlib then takes bytes that it may not change.
+#define ZLIB_CONST
 #include <zlib.h>
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "io/file_bytes.hpp"
 
@@ -11,7 +14,7 @@ namespace quadrille::io {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 31, kPiece = 1 << 20;
-// Added to the largest window: gzip's header is expected.
+// Added to the largest window: gzip's header is expected, and written.
 constexpr int kGzip = 16;
 
 /// zlib's state, freed in any case.
@@ -20,6 +23,20 @@ struct Inflater {
   Inflater(const Inflater&) = delete;
   Inflater& operator=(const Inflater&) = delete;
   ~Inflater() { inflateEnd(&stream); }
+
+  z_stream stream{};
+};
+
+/// zlib's state, freed in any case.
+struct Deflater {
+  Deflater() {
+    constexpr int kMemoryLevel = 8;
+    deflateInit2(&stream, Z_BEST_SPEED, Z_DEFLATED, MAX_WBITS + kGzip, kMemoryLevel,
+                 Z_DEFAULT_STRATEGY);
+  }
+  Deflater(const Deflater&) = delete;
+  Deflater& operator=(const Deflater&) = delete;
+  ~Deflater() { deflateEnd(&stream); }
 
   z_stream stream{};
 };
@@ -36,8 +53,7 @@ std::vector<std::byte> gunzip(std::span<const std::byte> bytes, const std::strin
   }
   Inflater inflater;
   z_stream& stream = inflater.stream;
-  // zlib does not write there.
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<std::byte*>(bytes.data()));
+  stream.next_in = reinterpret_cast<const Bytef*>(bytes.data());
   stream.avail_in = static_cast<uInt>(bytes.size());
   std::vector<std::byte> unpacked;
   for (int state = Z_OK; state != Z_STREAM_END;) {
@@ -56,6 +72,20 @@ std::vector<std::byte> gunzip(std::span<const std::byte> bytes, const std::strin
     }
   }
   return unpacked;
+}
+
+std::string gzip(std::string_view bytes) {
+  if (bytes.size() > std::numeric_limits<uInt>::max()) throw std::length_error("more than 4 GiB");
+  Deflater deflater;
+  z_stream& stream = deflater.stream;
+  std::string packed(deflateBound(&stream, bytes.size()), '\0');
+  stream.next_in = reinterpret_cast<const Bytef*>(bytes.data());
+  stream.avail_in = static_cast<uInt>(bytes.size());
+  stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+  stream.avail_out = static_cast<uInt>(packed.size());
+  deflate(&stream, Z_FINISH);
+  packed.resize(stream.total_out);
+  return packed;
 }
 
 }  // namespace quadrille::io

@@ -30,6 +30,7 @@
 #include "quadrille/detector/rigid_motion.hpp"
 #include "view/live_backend.hpp"
 #include "view/log_backend.hpp"
+#include "view/request_guard.hpp"
 #include "view/scene_of_cloud.hpp"
 #include "view/server.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -23,6 +24,24 @@ double metres_of(double clearance) {
   return kMillimetre * clearance;
 }
 
+/// The text that a browser has written with percent signs and pluses; a percent sign that no number
+/// follows stays.
+std::string decoded(std::string_view text) {
+  std::string plain;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const char* const digits = text.data() + at + 1;
+    unsigned char code = 0;
+    if (text[at] == '%' && at + 2 < text.size() &&
+        std::from_chars(digits, digits + 2, code, 16).ptr == digits + 2) {
+      plain += static_cast<char>(code);
+      at += 2;
+    } else {
+      plain += text[at] == '+' ? ' ' : text[at];
+    }
+  }
+  return plain;
+}
+
 /// A whole number that is not negative.
 template <class Integer>
 Integer whole(const io::Json& json, const char* name) {
@@ -36,6 +55,18 @@ Integer whole(const io::Json& json, const char* name) {
 }
 
 }  // namespace
+
+std::string query_value(std::string_view query, std::string_view name) {
+  while (!query.empty()) {
+    const std::string_view pair = query.substr(0, query.find('&'));
+    const std::size_t equals = std::min(pair.find('='), pair.size());
+    if (decoded(pair.substr(0, equals)) == name) {
+      return decoded(pair.substr(std::min(equals + 1, pair.size())));
+    }
+    query.remove_prefix(std::min(pair.size() + 1, query.size()));
+  }
+  return "";
+}
 
 PlanChoice read_choice(const std::string& gripper, const std::string& unknown,
                        const std::string& clearance) {

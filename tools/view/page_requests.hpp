@@ -1,11 +1,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "view/plan_choice.hpp"
 #include "view/question.hpp"
 
 namespace quadrille::view {
+
+/// The first value of that name in the query of an address ("name=value&other=value"), decoded from
+/// percent signs and pluses; empty if there is none.
+std::string query_value(std::string_view query, std::string_view name);
 
 /// The choice in the query of a frame's address, such as "gripper=wsg50&unknown=free&clearance=5".
 /// @param gripper    its values, empty where they are not given

@@ -1,0 +1,80 @@
+#include "view/http_server.hpp"
+
+#include <chrono>
+#include <utility>
+
+namespace quadrille::view {
+
+using boost::asio::ip::tcp;
+
+namespace {
+
+/// How soon the server looks again for a place: at once for a user, and rarely for the processor.
+constexpr std::chrono::milliseconds kRetryTime{10};
+/// Nobody loses a connection within this time: where many browsers come at once, each can ask.
+constexpr std::chrono::milliseconds kGraceTime{100};
+
+}  // namespace
+
+HttpServer::HttpServer(const std::string& address, int port, HttpHandler handler)
+    : handler_(std::move(handler)) {
+  listen(address, port);
+  accept();
+  thread_ = std::thread([this] { sockets_.run(); });
+}
+
+HttpServer::~HttpServer() {
+  sockets_.stop();
+  thread_.join();
+  workers_.stop();
+  workers_.join();
+}
+
+void HttpServer::listen(const std::string& address, int port) {
+  tcp::resolver resolver(sockets_);
+  const tcp::endpoint endpoint =
+      *resolver.resolve(address, std::to_string(port), tcp::resolver::passive).begin();
+  acceptor_.open(endpoint.protocol());
+  // Not SO_REUSEPORT as well: two programs would share one port unawares.
+  acceptor_.set_option(tcp::acceptor::reuse_address(true));
+  acceptor_.bind(endpoint);
+  acceptor_.listen();
+}
+
+void HttpServer::accept() {
+  acceptor_.async_accept([this](const boost::system::error_code& error, tcp::socket socket) {
+    if (!error) return place(std::move(socket));
+    // There are no more descriptors.
+    let_slowest_go();
+    retry_.expires_after(kRetryTime);
+    retry_.async_wait([this](const auto&) { accept(); });
+  });
+}
+
+void HttpServer::place(tcp::socket socket) {
+  std::erase_if(connections_, [](const auto& connection) { return connection.expired(); });
+  if (connections_.size() >= kMaxConnections && !let_slowest_go()) {
+    // Nobody is slow; further browsers wait in the kernel's queue.
+    retry_.expires_after(kRetryTime);
+    return retry_.async_wait(
+        [this, socket = std::move(socket)](const auto&) mutable { place(std::move(socket)); });
+  }
+  const auto connection = std::make_shared<HttpConnection>(std::move(socket), handler_, workers_);
+  connections_.push_back(connection);
+  connection->read();
+  accept();
+}
+
+bool HttpServer::let_slowest_go() {
+  std::shared_ptr<HttpConnection> slowest;
+  for (const auto& place : connections_) {
+    const auto connection = place.lock();
+    if (!connection || !connection->waits_since()) continue;
+    if (!slowest || connection->waits_since() < slowest->waits_since()) slowest = connection;
+  }
+  if (!slowest || HttpConnection::Clock::now() - *slowest->waits_since() < kGraceTime) return false;
+  slowest->close();
+  return true;
+}
+
+}  // namespace quadrille::view
