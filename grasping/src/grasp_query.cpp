@@ -3,6 +3,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "quadrille/grasping/plan_options.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -45,7 +47,9 @@ void GraspQuery::check() const {
     }
   }
   if (max_grasps && *max_grasps < 1) refuse("max_grasps", *max_grasps, "1 or more");
-  if (deadline_ms && !(*deadline_ms >= 0.0)) refuse("deadline_ms", *deadline_ms, "0 or more");
+  if (deadline_ms && !(*deadline_ms >= 0.0 && *deadline_ms <= PlanOptions::kMaxDeadline)) {
+    refuse("deadline_ms", *deadline_ms, "0 to 3600000 ms");
+  }
 }
 
 GraspQuery moved(GraspQuery query, const Eigen::Isometry3d& X_FC) {

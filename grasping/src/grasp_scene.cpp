@@ -1,6 +1,6 @@
 #include "quadrille/grasping/grasp_scene.hpp"
 
-#include <utility>
+#include <algorithm>
 
 #include "scene/answer_query.hpp"
 #include "scene/scene_parts.hpp"
@@ -8,8 +8,12 @@
 namespace quadrille {
 namespace {
 
-Deadline deadline_of(const GraspQuery& query, const PlanOptions& options) {
-  return Deadline(query.deadline_ms.value_or(options.deadline_ms));
+// What a query gets whose deadline passed while its scene was made [ms]: it says what it leaves
+// out.
+constexpr double kNoTime = 1e-3;
+
+double deadline_of(const GraspQuery& query, const PlanOptions& options) {
+  return query.deadline_ms.value_or(options.deadline_ms);
 }
 
 }  // namespace
@@ -31,24 +35,27 @@ const std::vector<StageTime>& GraspScene::timings() const { return parts_->timin
 
 GraspPlan GraspScene::plan(const GraspQuery& query) const {
   query.check();
-  return answer_query(*parts_, query, deadline_of(query, parts_->options));
+  return answer_query(*parts_, query, Deadline(deadline_of(query, parts_->options)));
+}
+
+GraspPlan GraspScene::plan_from_start(const GraspQuery& query) const {
+  double made_ms = 0.0;
+  for (const StageTime& stage : timings()) made_ms += stage.ms;
+  GraspQuery rest = query;
+  rest.deadline_ms = deadline_of(query, parts_->options);
+  if (*rest.deadline_ms > 0.0) rest.deadline_ms = std::max(*rest.deadline_ms - made_ms, kNoTime);
+  GraspPlan plan = this->plan(rest);
+  plan.timings.insert(plan.timings.begin(), timings().begin(), timings().end());
+  plan.total_ms += made_ms;
+  return plan;
 }
 
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
                       const Gripper& gripper, const PlanOptions& options,
                       const std::vector<PointCloud>& further, const GraspQuery& query) {
-  gripper.check();
-  options.check();
-  query.check();
-  const Deadline deadline = deadline_of(query, options);
-  const std::unique_ptr<const SceneParts> parts =
-      make_scene_parts(cloud, detections, gripper, options, further, deadline);
-  GraspPlan plan = answer_query(*parts, query, deadline);
-  std::vector<StageTime> timings = parts->timings;
-  for (const StageTime& stage : timings) plan.total_ms += stage.ms;
-  timings.insert(timings.end(), plan.timings.begin(), plan.timings.end());
-  plan.timings = std::move(timings);
-  return plan;
+  PlanOptions timed = options;
+  timed.deadline_ms = deadline_of(query, options);
+  return GraspScene(cloud, detections, gripper, timed, further).plan_from_start(query);
 }
 
 }  // namespace quadrille

@@ -193,8 +193,8 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   const GraspQuery query = moved(arguments.query.query(), input.X_CK.inverse());
   const std::vector<PointCloud> views =
       read_views(arguments.views, input.X_CK.inverse(), &info.warnings);
-  const GraspPlan planned =
-      plan_grasps(input.cloud, detections, setup.gripper, setup.options, views, query);
+  const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, views);
+  const GraspPlan planned = asked.plan_from_start(query);
   found.boxes = planned.boxes;
   // All were in the way; shown is what was asked for.
   std::erase_if(found.detections, [](const Detection& d) { return !is_reported(d); });
@@ -209,8 +209,8 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   }
   if (!output->report.wanted()) return;
   view::Scene scene = view::scene_of_result(input.cloud, found, input.X_CK);
-  view::add_plan(GraspScene(input.cloud, detections, setup.gripper, setup.options, views), query,
-                 planned, setup.gripper, setup.options.unknown, input.X_CK, {}, &scene);
+  view::add_plan(asked, query, planned, setup.gripper, setup.options.unknown, input.X_CK, {},
+                 &scene);
   output->report.add(input, std::move(scene));
 }
 

@@ -22,7 +22,7 @@ void PlannerArguments::add_to(CLI::App& app, const std::string& default_gripper)
   add_choice_option(app, "--unknown", unknown, policies, "What unobserved space counts as");
   app.add_option("--deadline-ms", deadline_ms,
                  "End a plan after so long with the grasps that it has, and say so; 0: never")
-      ->check(CLI::Range(0.0, 3.6e6))
+      ->check(CLI::Range(0.0, PlanOptions::kMaxDeadline))
       ->type_name("T");
 }
 

@@ -25,6 +25,7 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
       settings_hash_(hash_of(settings)),
       posed_clouds_({settings.pose_channel, settings.X_WK, settings.pose_age, settings.pose_wait},
                     settings.frames.need_pose() ? "planned on" : "placed in the fixed frame"),
+      planner_(settings_),
       occupancies_(settings, publish_) {
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
   log_info(fmt::format("plans for the hand {}", settings.gripper.name));
@@ -156,67 +157,10 @@ std::int64_t PlannerNode::publish(const std::string& channel, const Message& mes
   return static_cast<std::int64_t>(bytes.size());
 }
 
-/// The scene of a pair, in the camera's frame, made ready if it is not that of the last call.
-const GraspScene& PlannerNode::scene_of(const SharedPair& pair, double deadline_ms) {
-  if (pair == ready_) return *scene_;
-  ready_ = nullptr;
-  const Placement& placement = pair->placement;
-  PointCloud cloud_K = moved(pair->cloud->cloud, placement.X_CK.inverse());
-  if (settings_.frames.clouds == CloudFrame::kWorld) cloud_K.viewpoint.setZero();
-  if (!placement.lack.empty()) {
-    cloud_K.viewpoint.setConstant(std::numeric_limits<double>::quiet_NaN());
-  }
-  const bool as_results = pair->quadrics.frame == placement.frame;
-  const Eigen::Isometry3d& X_FK = as_results ? placement.X_RK : placement.X_CK;
-  PlanOptions options = settings_.plan;
-  options.deadline_ms = deadline_ms;
-  scene_.emplace(cloud_K, moved(pair->quadrics.detections, X_FK.inverse()), settings_.gripper,
-                 options);
-  ready_ = pair;
-  return *scene_;
-}
-
-/// The plan in the frame of the results; without grasps where the camera's pose is not known.
-GraspPlan PlannerNode::plan_placed(const SharedPair& pair, GraspQuery query) {
-  const auto start = std::chrono::steady_clock::now();
-  const double deadline_ms = query.deadline_ms.value_or(settings_.plan.deadline_ms);
-  const GraspScene& scene = scene_of(pair, deadline_ms);
-  // Scene and query share one deadline. A query that has no time left says what it leaves out.
-  constexpr double kNoTime = 1e-3;
-  if (deadline_ms > 0.0) query.deadline_ms = std::max(deadline_ms - bus::ms_since(start), kNoTime);
-  GraspPlan plan = scene.plan(query);
-  if (plan.rejected.contains(std::string(to_string(Refusal::kDeadline)))) {
-    // The scene may lack targets: whoever asks next for this cloud gets a new one.
-    ready_ = nullptr;
-    tell_of_cut(pair->cloud->utime, deadline_ms);
-  }
-  const Placement& placement = pair->placement;
-  if (!placement.lack.empty()) {
-    plan.warnings.push_back("the camera's pose is not known: " + placement.lack);
-  }
-  // Where nothing was found, what was odd about the cloud is why.
-  if (pair->quadrics.detections.empty()) {
-    for (const std::string& warning : pair->quadrics.warnings) {
-      const bool known =
-          std::find(plan.warnings.begin(), plan.warnings.end(), warning) != plan.warnings.end();
-      if (!known) plan.warnings.push_back(warning);
-    }
-  }
-  return moved(std::move(plan), placement.X_RK);
-}
-
-void PlannerNode::tell_of_cut(std::int64_t cloud_utime, double deadline_ms) {
-  cut_log_.warning(fmt::format(
-      "cloud {}: the plan was cut after {:g} ms; it has the grasps that were found until then",
-      cloud_utime, deadline_ms));
-  const std::lock_guard lock(mutex_);
-  ++counts_.cut;
-}
-
 void PlannerNode::plan_and_publish(const SharedPair& shared) {
   const CloudAndQuadrics& pair = *shared;
   const auto start = std::chrono::steady_clock::now();
-  const GraspPlan plan = plan_placed(shared, {});
+  const GraspPlan plan = planner_.plan(shared, {});
   const double plan_ms = bus::ms_since(start);
   const Stamp stamp{pair.cloud->utime, pair.cloud->seq,
                     pair.placement.frame_of_results(pair.cloud->cloud.frame)};
@@ -286,7 +230,7 @@ void PlannerNode::answer(const grasp_request_t& request, std::chrono::steady_clo
   } catch (const std::invalid_argument& error) {
     return refuse(request, pair, error.what());
   }
-  publish_answer(request, pair, plan_placed(pair, query));
+  publish_answer(request, pair, planner_.plan(pair, query));
   log_debug(fmt::format("request {}: cloud {}, {:.1f} ms", request.request_id, pair->cloud->utime,
                         bus::ms_since(at)));
 }

@@ -12,6 +12,7 @@
 
 #include "process/planner/map_publisher.hpp"
 #include "process/planner/messages.hpp"
+#include "process/planner/pair_planner.hpp"
 #include "process/planner/pairing.hpp"
 #include "process/planner/recent_pairs.hpp"
 #include "process/planner/settings.hpp"
@@ -24,7 +25,6 @@
 #include "process/runtime/viewer.hpp"
 #include "quadrille/bus/rate_limiter.hpp"
 #include "quadrille/bus/request_message.hpp"
-#include "quadrille/grasping/grasp_scene.hpp"
 
 namespace quadrille {
 
@@ -43,7 +43,7 @@ class PlannerNode : public Node {
   std::vector<std::string> find_oddities() const override;
 
  private:
-  using SharedPair = std::shared_ptr<const CloudAndQuadrics>;
+  using SharedPair = PairPlanner::SharedPair;
 
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_quadrics(const std::string& channel, std::span<const std::byte> bytes);
@@ -51,9 +51,6 @@ class PlannerNode : public Node {
   std::optional<Job> pair_quadrics(const bus::QuadricsMessage& quadrics);
   void log_unpaired(const Pairing::GivenUp& quadrics);
   std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
-  const GraspScene& scene_of(const SharedPair& pair, double deadline_ms);
-  GraspPlan plan_placed(const SharedPair& pair, GraspQuery query);
-  void tell_of_cut(std::int64_t cloud_utime, double deadline_ms);
   void plan_and_publish(const SharedPair& pair);
   void answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at);
   void refuse(const grasp_request_t& request, const SharedPair& pair, const std::string& why);
@@ -81,11 +78,9 @@ class PlannerNode : public Node {
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
   Rate received_rate_, published_rate_;
-  // For the working thread; below it the last cloud that was made ready.
-  LimitedLog cut_log_;
+  // For the working thread.
+  PairPlanner planner_;
   MapPublisher occupancies_;
-  SharedPair ready_;
-  std::optional<GraspScene> scene_;
   /// None without --viz.
   std::optional<Viewer> viewer_;
 };

@@ -32,6 +32,7 @@ void PlannerNode::fill_counts(planner_status_t* filled) {
   status.unpaired = pairing_.count_unpaired();
   status.num_unpaired = static_cast<std::int32_t>(status.unpaired.size());
   status.failed = failed();
+  status.cut = planner_.cut();
   status.requests = requests_;
   status.unmet = unmet_;
   status.rejected_clouds = bus::to_message(refused_clouds_.counts());

@@ -34,6 +34,10 @@ class GraspScene {
   /// @throws std::invalid_argument if the query is out of range
   QUADRILLE_EXPORT GraspPlan plan(const GraspQuery& query = {}) const;
 
+  /// The same as the first query of the scene: what it took to make the scene is among the timings,
+  /// and counts for the deadline.
+  QUADRILLE_EXPORT GraspPlan plan_from_start(const GraspQuery& query = {}) const;
+
  private:
   std::unique_ptr<const SceneParts> parts_;
 };

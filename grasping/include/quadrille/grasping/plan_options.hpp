@@ -25,6 +25,9 @@ constexpr auto words_of(UnknownPolicy) {
 
 /// How grasps are planned.
 struct PlanOptions {
+  /// An hour, which is as good as none [ms].
+  static constexpr double kMaxDeadline = 3.6e6;
+
   UnknownPolicy unknown = UnknownPolicy::kObstacle;
   std::vector<QuadricType> targets;
   double resolution = 0.005;
@@ -77,7 +80,7 @@ struct PlanOptions {
        "Detections to plan on at most, those with the best score: the time that a plan takes grows "
        "with their number. The others are no targets, and only their points are in the way."});
     v(o.deadline_ms,
-      {"planner.deadline_ms", "ms", 0.0, 3.6e6,
+      {"planner.deadline_ms", "ms", 0.0, kMaxDeadline,
        "Time after which a plan ends with the grasps that it has, and says so. 0: none, so that "
        "the same input always gives the same plan. On the bus the planner has 500 ms if nothing "
        "else is set."});

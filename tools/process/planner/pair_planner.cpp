@@ -1,0 +1,67 @@
+#include "process/planner/pair_planner.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <utility>
+
+#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/grasping/refusal.hpp"
+#include "quadrille/grasping/rigid_motion.hpp"
+
+namespace quadrille {
+namespace {
+
+bool was_cut(const GraspPlan& plan) {
+  return plan.rejected.contains(std::string(to_string(Refusal::kDeadline)));
+}
+
+}  // namespace
+
+/// The plan on a pair in the camera's frame. Its scene is made if it is not that of the last call.
+GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const GraspQuery& query) {
+  if (pair == ready_) return scene_->plan(query);
+  const Placement& placement = pair->placement;
+  PointCloud cloud_K = moved(pair->cloud->cloud, placement.X_CK.inverse());
+  if (settings_.frames.clouds == CloudFrame::kWorld) cloud_K.viewpoint.setZero();
+  if (!placement.lack.empty()) {
+    cloud_K.viewpoint.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  const bool as_results = pair->quadrics.frame == placement.frame;
+  const Eigen::Isometry3d& X_FK = as_results ? placement.X_RK : placement.X_CK;
+  PlanOptions options = settings_.plan;
+  options.deadline_ms = query.deadline_ms.value_or(options.deadline_ms);
+  scene_.emplace(cloud_K, moved(pair->quadrics.detections, X_FK.inverse()), settings_.gripper,
+                 options);
+  GraspPlan plan = scene_->plan_from_start(query);
+  // A scene that was cut may lack targets: whoever asks next for this cloud gets a new one.
+  ready_ = was_cut(plan) ? nullptr : pair;
+  return plan;
+}
+
+GraspPlan PairPlanner::plan(const SharedPair& pair, const GraspQuery& query) {
+  GraspPlan plan = plan_in_camera(pair, query);
+  if (was_cut(plan)) {
+    ++cut_;
+    cut_log_.warning(fmt::format(
+        "cloud {}: the deadline cut the plan; it has the grasps that were found until then",
+        pair->cloud->utime));
+  }
+  const Placement& placement = pair->placement;
+  if (!placement.lack.empty()) {
+    plan.warnings.push_back("the camera's pose is not known: " + placement.lack);
+  }
+  // Where nothing was found, what was odd about the cloud is why.
+  if (pair->quadrics.detections.empty()) {
+    for (const std::string& warning : pair->quadrics.warnings) {
+      const bool known =
+          std::find(plan.warnings.begin(), plan.warnings.end(), warning) != plan.warnings.end();
+      if (!known) plan.warnings.push_back(warning);
+    }
+  }
+  return moved(std::move(plan), placement.X_RK);
+}
+
+}  // namespace quadrille

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "process/planner/pairing.hpp"
+#include "process/planner/settings.hpp"
+#include "process/runtime/limited_log.hpp"
+#include "quadrille/grasping/grasp_query.hpp"
+#include "quadrille/grasping/grasp_scene.hpp"
+
+namespace quadrille {
+
+/// Plans grasps on clouds with their quadrics, and keeps the last one ready for further queries.
+/// For one thread, but for cut().
+class PairPlanner {
+ public:
+  using SharedPair = std::shared_ptr<const CloudAndQuadrics>;
+
+  /// The settings must outlive this.
+  explicit PairPlanner(const PlannerSettings& settings) : settings_(settings) {}
+
+  /// The plan in the frame of the results; without grasps where the camera's pose is not known.
+  /// @param query  in the camera's frame
+  GraspPlan plan(const SharedPair& pair, const GraspQuery& query);
+
+  /// Plans so far that their deadline cut short. For any thread.
+  std::int64_t cut() const { return cut_; }
+
+ private:
+  GraspPlan plan_in_camera(const SharedPair& pair, const GraspQuery& query);
+
+  const PlannerSettings& settings_;
+  /// The last cloud, and its scene in the camera's frame.
+  SharedPair ready_;
+  std::optional<GraspScene> scene_;
+  std::atomic<std::int64_t> cut_{0};
+  LimitedLog cut_log_;
+};
+
+}  // namespace quadrille
