@@ -12,6 +12,10 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 
+# The same layout and allocation of Eigen's matrices whatever -march says; eigen_layout.hpp asks
+# consumers for it.
+add_compile_definitions(EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=1)
+
 include(GNUInstallDirs)
 # Of the components runtime, dev, python and doc packages are made.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
