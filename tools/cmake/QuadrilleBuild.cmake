@@ -40,6 +40,15 @@ if(QUADRILLE_COVERAGE)
   add_link_options(-fprofile-instr-generate)
 endif()
 
+option(QUADRILLE_HARDENING "Harden as Debian does its packages, with the standard library's own checks" ON)
+if(QUADRILLE_HARDENING AND NOT QUADRILLE_SANITIZE)
+  # Two percent of the time of a detection, and no bit of a result.
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+  add_compile_options(-fstack-protector-strong
+                      "$<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>")
+  add_link_options(-Wl,-z,relro,-z,now)
+endif()
+
 # GCC 12 sees these three where it has inlined the standard library's or Eigen's loops; they stay
 # warnings.
 set(QUADRILLE_WARNINGS -Wall -Wextra)
