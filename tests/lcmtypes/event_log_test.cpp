@@ -64,18 +64,98 @@ TEST_CASE("what is no log is refused with its name", "[bus][log][hostile]") {
   CHECK_THROWS_WITH(survey_log("/"), test::contains("is not a file"));
 }
 
-TEST_CASE("absurd lengths in a log are refused with their offset", "[bus][log][hostile]") {
+/// Puts bytes into a file at an offset.
+void overwrite(const std::string& path, std::uintmax_t offset, const std::string& bytes) {
+  std::fstream log(path, std::ios::in | std::ios::out | std::ios::binary);
+  log.seekp(static_cast<std::streamoff>(offset));
+  log << bytes;
+}
+
+/// The times of the events that a log gives.
+std::vector<std::int64_t> times_of(const std::string& path) {
+  std::vector<std::int64_t> times;
+  for (LogReader log(path); const auto event = log.next();) times.push_back(event->utime);
+  return times;
+}
+
+using Times = std::vector<std::int64_t>;
+
+TEST_CASE("absurd lengths in a log are told with their offset, and passed over",
+          "[bus][log][hostile]") {
   const test::TemporaryLog file;
-  const std::size_t member = GENERATE(20, 24);
-  const std::int32_t length = GENERATE(0x7fffffff, -1, INT32_MIN);
+  const std::string length = GENERATE(as<std::string>{}, "\x7f\xff\xff\xff", "\xff\xff\xff\xff",
+                                      "\x80" + std::string(3, '\0'));
+  const std::size_t member = GENERATE(20, 24), event = GENERATE(0, 1, 2);
   test::write_three(file.path());
-  std::vector<std::byte> number(4);
-  test::put_int32(number, 0, length);
-  std::fstream log(file.path(), std::ios::in | std::ios::out | std::ios::binary);
-  log.seekp(static_cast<std::streamoff>(test::kEventBytes + member));
-  log.write(reinterpret_cast<const char*>(number.data()), 4);
-  log.close();
-  CHECK_THROWS_WITH(survey_log(file.path()), test::contains("damaged at byte 39"));
+  overwrite(file.path(), event * test::kEventBytes + member, length);
+  Times left = {1000, 2000, 3000};
+  left.erase(left.begin() + static_cast<std::ptrdiff_t>(event));
+  CHECK(times_of(file.path()) == left);
+  const auto defect = survey_log(file.path()).defect;
+  REQUIRE(defect);
+  CHECK(*defect == "damaged at byte " + std::to_string(event * test::kEventBytes) +
+                       ": 39 bytes are no event; all events before and behind are used; copy the "
+                       "log again");
+}
+
+TEST_CASE("behind each damaged byte of a log its events are found again", "[bus][log][hostile]") {
+  const test::TemporaryLog file;
+  // The first four bytes are how logs are told from other files.
+  for (std::uintmax_t at = 4; at < 3 * test::kEventBytes; ++at) {
+    INFO("byte " << at);
+    test::write_three(file.path());
+    overwrite(file.path(), at, "\x07");
+    const std::uintmax_t begin = at / test::kEventBytes * test::kEventBytes, member = at - begin;
+    // Numbers, times, names and data may be any bytes; with less data an event is still one.
+    const bool in_mark = member < 4, shorter = member == 27;
+    const bool longer = member >= 20 && member < 27;
+    CHECK(times_of(file.path()).size() == (in_mark || longer ? 2 : 3));
+    const std::string defect = survey_log(file.path()).defect.value_or("");
+    const bool looks_cut = longer && member >= 23 && begin == 2 * test::kEventBytes;
+    const std::string where = std::to_string(begin + (shorter ? 36 : 0)) + ":";
+    if (in_mark || longer || shorter) {
+      CHECK_THAT(defect,
+                 test::contains((looks_cut ? "cut short at byte " : "damaged at byte ") + where));
+    } else {
+      CHECK(defect.empty());
+    }
+  }
+}
+
+TEST_CASE("foreign bytes between events are passed over, whatever they look like",
+          "[bus][log][hostile]") {
+  const test::TemporaryLog file;
+  test::write_three(file.path());
+  const std::string whole = test::content_of(file.path());
+  const std::string mark = whole.substr(0, 4), header = whole.substr(0, 28);
+  const std::string foreign =
+      GENERATE_COPY(std::string(200000, '\0'), mark, mark + mark + "x", header + "A");
+  std::ofstream(file.path(), std::ios::binary)
+      << whole.substr(0, test::kEventBytes) << foreign << whole.substr(test::kEventBytes);
+  CHECK(times_of(file.path()) == Times{1000, 2000, 3000});
+  CHECK_THAT(
+      survey_log(file.path()).defect.value_or(""),
+      test::contains("damaged at byte 39: " + std::to_string(foreign.size()) + " bytes are"));
+}
+
+TEST_CASE("an event whose data holds a whole log is one event", "[bus][log]") {
+  const test::TemporaryLog file;
+  test::write_three(file.path());
+  const std::string inner = test::content_of(file.path());
+  {
+    LogWriter log(file.path());
+    for (int i = 1; i <= 2; ++i) log.write(i, "LOGS", std::as_bytes(std::span(inner)));
+  }
+  CHECK(times_of(file.path()) == Times{1, 2});
+}
+
+TEST_CASE("a log that ends in zeros, as after a loss of power, is told as damaged there",
+          "[bus][log][hostile]") {
+  const test::TemporaryLog file;
+  test::write_three(file.path());
+  fs::resize_file(file.path(), 3 * test::kEventBytes + GENERATE(5, 27, 28, 5000));
+  CHECK(times_of(file.path()) == Times{1000, 2000, 3000});
+  CHECK_THAT(survey_log(file.path()).defect.value_or(""), test::contains("damaged at byte 117:"));
 }
 
 TEST_CASE("a log is not written over itself", "[bus][log]") {

@@ -82,15 +82,15 @@ TEST_CASE("nothing comes from an empty log", "[bus][log]") {
   CHECK(replayed_times(file.path()).empty());
 }
 
-TEST_CASE("a replay refuses a damaged log before its first event", "[bus][log][hostile]") {
+TEST_CASE("a replay goes on behind damaged bytes", "[bus][log][hostile]") {
   const TemporaryLog file;
   write_three(file.path());
   std::fstream log(file.path(), std::ios::in | std::ios::out | std::ios::binary);
-  // The length of the third event's data.
-  log.seekp(static_cast<std::streamoff>(2 * test::kEventBytes + 24));
+  // The length of the second event's data.
+  log.seekp(static_cast<std::streamoff>(test::kEventBytes + 24));
   log.write("\xff\xff\xff\xff", 4);
   log.close();
-  CHECK_THROWS_WITH(replayed_times(file.path()), test::contains("damaged at byte 78"));
+  CHECK(replayed_times(file.path()) == std::vector<std::int64_t>{1000, 3000});
 }
 
 TEST_CASE("what a handler throws ends a replay", "[bus][log]") {

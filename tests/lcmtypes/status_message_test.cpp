@@ -37,7 +37,8 @@ TEST_CASE("the sender of a status is read, whatever sends it", "[bus][status]") 
 
 TEST_CASE("what a hostile status says of its sender does no harm", "[bus][status][hostile]") {
   // Neither lines nor colours of the terminal.
-  CHECK(read_status_sender(status_of<detector_status_t>("x\n\x1b[31m\xff")) == "x??[31m?");
+  CHECK(read_status_sender(status_of<detector_status_t>("x\n\x1b[31m\xff")) ==
+        "x\\x0a\\x1b[31m\\xff");
   CHECK_FALSE(read_status_sender(status_of<detector_status_t>(std::string(200, 'x'))));
   CHECK_FALSE(read_status_sender(encode(pose_t{})));
   const std::vector<std::byte> whole = status_of<detector_status_t>("robot:12");

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "quadrille/detector/printable.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -21,7 +23,8 @@ CLI::Option* add_word_option(CLI::App& app, const std::string& name,
   const auto take = [name, words, choose](const std::string& word) {
     const auto found = std::find(words.begin(), words.end(), word);
     if (found == words.end()) {
-      throw CLI::ValidationError(name, "'" + word + "' is none of: " + join(words, ", "));
+      throw CLI::ValidationError(name,
+                                 "'" + printable(word) + "' is none of: " + join(words, ", "));
     }
     choose(static_cast<std::size_t>(found - words.begin()));
   };

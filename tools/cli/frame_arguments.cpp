@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/number_list.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
 namespace {
@@ -25,8 +26,8 @@ Eigen::Isometry3d pose_of(const std::string& list) {
   if (!(std::abs(q.norm() - 1.0) < kUnitNorm)) {
     throw CLI::ValidationError(
         "--camera-pose",
-        fmt::format("the quaternion of '{}' has norm {:.3g}; give a unit one, QW first", list,
-                    q.norm()));
+        fmt::format("the quaternion of '{}' has norm {:.3g}; give a unit one, QW first",
+                    printable(list), q.norm()));
   }
   return Eigen::Translation3d(v[0], v[1], v[2]) * q.normalized();
 }

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <optional>
 
+#include "quadrille/detector/printable.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -32,9 +34,9 @@ std::vector<double> numbers_of(const std::string& option, const std::string& lis
                                std::size_t count, const std::string& form) {
   const auto numbers = numbers_of(list);
   if (!numbers || numbers->size() != count) {
-    throw CLI::ValidationError(
-        option,
-        fmt::format("'{}' is not {}: {} finite numbers with commas between", list, form, count));
+    throw CLI::ValidationError(option,
+                               fmt::format("'{}' is not {}: {} finite numbers with commas between",
+                                           printable(list), form, count));
   }
   return *numbers;
 }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "io/file_bytes.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
 
@@ -47,7 +48,8 @@ std::string PicturePaths::next(const std::string& input) {
 
 void print_warnings(const std::string& input, const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) {
-    std::cerr << "quadrille: " << input << ": warning: " << warning << "\n";
+    std::cerr << "quadrille: " << printable(input, kMaxPath)
+              << ": warning: " << printable(warning, kMaxLine) << "\n";
   }
 }
 

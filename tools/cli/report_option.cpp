@@ -6,13 +6,15 @@
 #include <filesystem>
 #include <string>
 
+#include "quadrille/detector/printable.hpp"
+
 namespace quadrille {
 namespace {
 
 std::string check_page_path(const std::string& path) {
   const std::string suffix = CLI::detail::to_lower(std::filesystem::path(path).extension());
   const bool ends_well = suffix == ".html" || suffix == ".htm";
-  return ends_well ? "" : fmt::format("'{}' must end in .html", path);
+  return ends_well ? "" : fmt::format("'{}' must end in .html", printable(path));
 }
 
 }  // namespace

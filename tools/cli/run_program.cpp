@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/describe_program.hpp"
+#include "quadrille/detector/printable.hpp"
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -23,7 +24,7 @@ std::string find_missing_command(const CLI::App& app) {
   }
   if (all.empty() || !app.get_subcommands().empty()) return "";
   const std::vector<std::string> words = app.remaining();
-  return (words.empty() ? "" : "unknown command '" + words.front() + "'; ") +
+  return (words.empty() ? "" : "unknown command '" + printable(words.front()) + "'; ") +
          "give one of the commands " + all;
 }
 
@@ -33,7 +34,7 @@ std::string describe_usage_error(const CLI::App* app, const CLI::Error& error) {
   if (const std::string missing = find_missing_command(*app); !missing.empty()) what = missing;
   while (what.ends_with('\n')) what.pop_back();
   for (const CLI::App* chosen : app->get_subcommands()) command += " " + chosen->get_name();
-  return app->get_name() + ": " + what + "; see " + command + " --help\n";
+  return app->get_name() + ": " + printable(what, kMaxLine) + "; see " + command + " --help\n";
 }
 
 /// Keeps freed memory in the process. Stages and clouds follow each other and need as much again;
@@ -68,7 +69,8 @@ int run_program(CLI::App& app, int argc, const char* const* argv,
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(), error.what());
+    std::fprintf(stderr, "%s: %s\n", app.get_name().c_str(),
+                 printable(error.what(), kMaxLine).c_str());
     return 1;
   }
 }

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <limits>
 
+#include "quadrille/detector/printable.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -13,7 +15,7 @@ std::string check_seed(const std::string& text) {
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, seed);
   if (error == std::errc{} && rest == end) return "";
-  return "'" + text + "' is no whole number from 0 to " +
+  return "'" + printable(text) + "' is no whole number from 0 to " +
          std::to_string(std::numeric_limits<std::uint64_t>::max());
 }
 

@@ -5,6 +5,7 @@
 
 #include "io/setting_text.hpp"
 #include "quadrille/detector/options.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
 namespace {
@@ -12,9 +13,9 @@ namespace {
 QuadricType type_named(const std::string& option, const std::string& name) {
   const auto type = quadric_type_from_string(name);
   if (type && !word_of(*type).empty()) return *type;
-  throw CLI::ValidationError(
-      option, (type ? "type '" + name + "' is never found" : "unknown type '" + name + "'") +
-                  "; the types are " + io::list_words<QuadricType>());
+  throw CLI::ValidationError(option, (type ? "type '" + name + "' is never found"
+                                           : "unknown type '" + printable(name) + "'") +
+                                         "; the types are " + io::list_words<QuadricType>());
 }
 
 }  // namespace

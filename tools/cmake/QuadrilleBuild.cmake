@@ -12,6 +12,10 @@ set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 
+# The same layout and allocation of Eigen's matrices whatever -march says; eigen_layout.hpp asks
+# consumers for it.
+add_compile_definitions(EIGEN_MAX_ALIGN_BYTES=16 EIGEN_MALLOC_ALREADY_ALIGNED=1)
+
 include(GNUInstallDirs)
 # Of the components runtime, dev, python and doc packages are made.
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
@@ -34,6 +38,15 @@ option(QUADRILLE_COVERAGE "Count which lines run, as clang does; tools/coverage 
 if(QUADRILLE_COVERAGE)
   add_compile_options(-fprofile-instr-generate -fcoverage-mapping)
   add_link_options(-fprofile-instr-generate)
+endif()
+
+option(QUADRILLE_HARDENING "Harden as Debian does its packages, with the standard library's own checks" ON)
+if(QUADRILLE_HARDENING AND NOT QUADRILLE_SANITIZE)
+  # Two percent of the time of a detection, and no bit of a result.
+  add_compile_definitions(_GLIBCXX_ASSERTIONS)
+  add_compile_options(-fstack-protector-strong
+                      "$<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE;-D_FORTIFY_SOURCE=2>")
+  add_link_options(-Wl,-z,relro,-z,now)
 endif()
 
 # GCC 12 sees these three where it has inlined the standard library's or Eigen's loops; they stay

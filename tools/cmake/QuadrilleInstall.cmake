@@ -17,11 +17,17 @@ function(quadrille_install_library component description requires libs)
           ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
           LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} NAMELINK_COMPONENT dev
           FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
+  get_target_property(type quadrille_${component} TYPE)
+  if(type STREQUAL STATIC_LIBRARY AND NOT QUADRILLE_SANITIZE AND NOT QUADRILLE_COVERAGE)
+    install(CODE "execute_process(COMMAND \"${PROJECT_SOURCE_DIR}/tools/packaging/seal_archive\"
+                    \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_LIBDIR}/libquadrille_${component}.a\"
+                    \"${CMAKE_LINKER}\" \"${CMAKE_OBJCOPY}\" \"${CMAKE_AR}\" \"${CMAKE_NM}\"
+                    COMMAND_ERROR_IS_FATAL ANY)" COMPONENT dev)
+  endif()
   install(EXPORT quadrille_${component} NAMESPACE quadrille:: COMPONENT dev
           FILE quadrille_${component}.cmake DESTINATION ${QUADRILLE_CMAKE_DIR})
   set(module quadrille-${component})
   set(library "-lquadrille_${component} ")
-  get_target_property(type quadrille_${component} TYPE)
   if(type STREQUAL INTERFACE_LIBRARY)
     set(library "")
   endif()

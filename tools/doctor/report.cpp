@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/describe.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::doctor {
 namespace {
@@ -33,8 +34,10 @@ std::size_t number_of(Verdict verdict, const Findings& findings) {
 std::string to_table(const Findings& findings) {
   std::string table;
   for (const Finding& found : findings) {
-    table += fmt::format("{:<8} {:<15} {}\n", word_of(found.verdict), found.check, found.what);
-    if (!found.remedy.empty()) table += fmt::format("{:<24} -> {}\n", "", found.remedy);
+    table += fmt::format("{:<8} {:<15} {}\n", word_of(found.verdict), found.check,
+                         printable(found.what, kMaxLine));
+    if (!found.remedy.empty())
+      table += fmt::format("{:<24} -> {}\n", "", printable(found.remedy, kMaxLine));
   }
   const auto failed = number_of(Verdict::kFailed, findings);
   const std::string warnings = io::count_of(number_of(Verdict::kWarning, findings), "warning");

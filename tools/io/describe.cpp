@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "quadrille/detector/printable.hpp"
 #include "quadrille/detector/seen_side.hpp"
 
 namespace quadrille::io {
@@ -36,26 +37,13 @@ std::string count_of(std::size_t count, const std::string& noun) {
   return fmt::format("{} {}{}", count, noun, count == 1 ? "" : "s");
 }
 
-namespace {
-
-/// A name of any bytes and length as a line can hold it.
-std::string printable(const std::string& channel) {
-  constexpr std::size_t kMax = 63;
-  std::string text = channel.substr(0, kMax);
-  for (char& c : text) {
-    if (c <= ' ' || c > '~') c = '?';
-  }
-  return channel.size() > kMax ? text + "..." : text;
-}
-
-}  // namespace
-
 std::string list_channels(const std::map<std::string, std::int64_t>& counts) {
-  constexpr std::size_t kShown = 12;
+  constexpr std::size_t kShown = 12, kMaxBytes = 200;
   std::string text;
   std::size_t shown = 0;
   for (const auto& [channel, count] : counts) {
-    if (shown == kShown) return fmt::format("{} and {} more", text, counts.size() - shown);
+    if (shown == kShown || text.size() > kMaxBytes)
+      return fmt::format("{} and {} more", text, counts.size() - shown);
     text += fmt::format("{}{} ({})", shown++ == 0 ? "" : ", ", printable(channel), count);
   }
   return text;

@@ -6,21 +6,14 @@
 #include <filesystem>
 #include <fstream>
 
+#include "quadrille/detector/printable.hpp"
+
 namespace quadrille::io {
-namespace {
-
-/// Keeps the message on one line, whatever a hostile file or file name holds.
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';
-  }
-  return text;
-}
-
-}  // namespace
 
 FileError::FileError(const std::string& path, const std::string& where, const std::string& what)
-    : std::runtime_error(one_line(path + ": " + (where.empty() ? "" : where + ": ") + what)) {}
+    : std::runtime_error(printable(path, kMaxPath) + ": " +
+                         (where.empty() ? "" : printable(where) + ": ") +
+                         printable(what, kMaxLine - kMaxPath)) {}
 
 std::vector<std::byte> read_file(const std::string& path) {
   std::error_code error;

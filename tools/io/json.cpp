@@ -64,6 +64,17 @@ Json to_json(const std::vector<Detection>& detections) {
   return array;
 }
 
+FileError json_error(const std::string& path, const std::string& what, const std::exception& error,
+                     const std::string& cure) {
+  if (const auto* wrong = dynamic_cast<const Json::parse_error*>(&error)) {
+    return FileError(path, "byte " + std::to_string(wrong->byte), what + ": no JSON" + cure);
+  }
+  const bool is_ours = dynamic_cast<const Json::exception*>(&error) == nullptr;
+  const std::string why =
+      is_ours ? error.what() : "a key is missing, or its value is of another type";
+  return FileError(path, "", what + ": " + why + cure);
+}
+
 void add_stages(const std::vector<StageTime>& stages, Json* timings) {
   for (const StageTime& stage : stages) (*timings)[stage.stage + "_ms"] = stage.ms;
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "io/file_bytes.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -88,7 +89,7 @@ std::size_t size_of_type(const std::string& type, const Literals& literals) {
   const char* const end = type.data() + type.size();
   if (type.size() < 3 || type[1] == 'O' ||
       std::from_chars(type.data() + 2, end, size).ptr == type.data() + 2 || size > 1u << 20) {
-    literals.fail(fmt::format("values of type '{}' are no numbers", type));
+    literals.fail(fmt::format("values of type '{}' are no numbers", printable(type)));
   }
   return type[1] == 'U' ? 4 * size : size;
 }
@@ -150,7 +151,7 @@ void parse_dict(Literals literals, NpyHeader* header) {
       header->shape = literals.counts();
       has_shape = true;
     } else {
-      literals.fail(fmt::format("the key '{}' is not expected", key));
+      literals.fail(fmt::format("the key '{}' is not expected", printable(key)));
     }
     if (!literals.take(',')) {
       literals.expect('}');

@@ -11,6 +11,7 @@
 
 #include "io/file_bytes.hpp"
 #include "io/npy.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -73,8 +74,9 @@ std::string choose(std::vector<std::string> names, const std::string& name) {
   if (std::find(names.begin(), names.end(), kPoints) != names.end()) return kPoints;
   std::erase(names, kViewpoint);
   if (names.size() == 1) return names.front();
-  const std::string held = names.size() > 20 ? fmt::format("{} arrays", names.size())
-                                             : fmt::format("{}", fmt::join(names, ", "));
+  const std::string held = names.size() > 20
+                               ? fmt::format("{} arrays", names.size())
+                               : printable(fmt::format("{}", fmt::join(names, ", ")), 200);
   throw FileError(
       name, "",
       fmt::format("has {}; call the cloud's array 'points'", names.empty() ? "no array" : held));
@@ -93,7 +95,8 @@ PointCloud parse_npz(std::span<const std::byte> bytes, const std::string& name,
   const Archive archive(bytes, name);
   const std::vector<std::string> names = archive.names();
   const std::string chosen = choose(names, name);
-  PointCloud cloud = parse_npy(archive.read(chosen), fmt::format("{}: {}", name, chosen), X_CF);
+  PointCloud cloud =
+      parse_npy(archive.read(chosen), fmt::format("{}: {}", name, printable(chosen)), X_CF);
   if (std::find(names.begin(), names.end(), kViewpoint) != names.end()) {
     const std::string viewpoint(kViewpoint);
     cloud.viewpoint =

@@ -12,6 +12,7 @@
 #include "io/packed_point.hpp"
 #include "io/pcd_header.hpp"
 #include "quadrille/detector/ingest.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -125,7 +126,7 @@ PointCloud read_ascii(std::span<const std::byte> bytes, const PcdHeader& header,
         const auto value = to_number(word);
         if (!value) {
           throw FileError(name, "byte " + std::to_string(cursor.offset() - word.size()),
-                          "'" + std::string(word.substr(0, 40)) + "' is no number; correct it");
+                          "'" + printable(word) + "' is no number; correct it");
         }
         packed[point].position[axis] = static_cast<float>(*value);
       }

@@ -6,6 +6,7 @@
 
 #include "io/file_bytes.hpp"
 #include "io/header_lines.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -40,7 +41,7 @@ class PcdHeaderReader {
 
  private:
   [[noreturn]] void fail(std::string_view field, const std::string& what) const {
-    throw FileError(name_, std::string(field.substr(0, 40)), what);
+    throw FileError(name_, std::string(field), what);
   }
 
   void read_entry(const Words& words) {
@@ -56,8 +57,7 @@ class PcdHeaderReader {
     }
     if (words[0] == "VIEWPOINT") return read_viewpoint(words);
     if (words[0] == "DATA") return read_data(words);
-    fail("header",
-         "unknown entry '" + std::string(words[0].substr(0, 40)) + "'; is it a PCD file?");
+    fail("header", "unknown entry '" + printable(words[0]) + "'; is it a PCD file?");
   }
 
   void read_fields(const Words& words) {

@@ -6,6 +6,7 @@
 
 #include "io/file_bytes.hpp"
 #include "io/header_lines.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -48,7 +49,7 @@ PlyBody::PlyBody(std::span<const std::byte> bytes, const PlyHeader& header, cons
 void PlyBody::fail_short(const PlyElement& element) const {
   throw FileError(name_, "byte " + std::to_string(bytes_.size()),
                   "the file ends before its " + std::to_string(element.count) + " '" +
-                      element.name + "' records do; copy it again or correct the count");
+                      printable(element.name) + "' records do; copy it again or correct the count");
 }
 
 void PlyBody::check_count(const PlyElement& element) const {
@@ -76,8 +77,9 @@ void PlyBody::walk_binary(const PlyElement& element, Visitor&& visit) {
       offset_ += size_of(scalar);
       if (property.is_list) {
         if (value < 0) {
-          throw FileError(name_, "byte " + std::to_string(offset_),
-                          "list '" + property.name + "' has a negative length; copy it again");
+          throw FileError(
+              name_, "byte " + std::to_string(offset_),
+              "list '" + printable(property.name) + "' has a negative length; copy it again");
         }
         // At most 2^32 values of 8 bytes: no overflow.
         const std::size_t length = static_cast<std::size_t>(value) * size_of(property.scalar);
@@ -99,7 +101,7 @@ void PlyBody::walk_ascii(const PlyElement& element, Visitor&& visit) {
     const auto value = to_number(word);
     if (!value) {
       throw FileError(name_, "byte " + std::to_string(cursor.offset() - word.size()),
-                      "'" + std::string(word.substr(0, 40)) + "' is no number; correct it");
+                      "'" + printable(word) + "' is no number; correct it");
     }
     return *value;
   };

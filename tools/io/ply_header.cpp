@@ -8,6 +8,7 @@
 
 #include "io/file_bytes.hpp"
 #include "io/header_lines.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -84,7 +85,7 @@ class PlyHeaderReader {
     } else if (format == "binary_big_endian") {
       header_.format = PlyHeader::Format::kBigEndian;
     } else {
-      fail("unknown format '" + std::string(format) +
+      fail("unknown format '" + printable(format) +
            "'; it must be ascii, binary_little_endian or binary_big_endian");
     }
   }
@@ -97,7 +98,7 @@ class PlyHeaderReader {
     } else if (words[0] == "comment" || words[0] == "obj_info") {
       read_comment(words);
     } else {
-      fail("unknown header entry '" + std::string(words[0].substr(0, 40)) + "'; remove it");
+      fail("unknown header entry '" + printable(words[0]) + "'; remove it");
     }
   }
 
@@ -126,7 +127,7 @@ class PlyHeaderReader {
 
   PlyScalar known_scalar(std::string_view word) const {
     const auto scalar = scalar_of(word);
-    if (!scalar) fail("unknown type '" + std::string(word.substr(0, 40)) + "'");
+    if (!scalar) fail("unknown type '" + printable(word) + "'");
     return *scalar;
   }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "quadrille/detector/printable.hpp"
+
 namespace quadrille::io {
 namespace {
 
@@ -71,8 +73,9 @@ void SettingReader::refuse_unknown(const toml::table& table, const std::string& 
       if (name != foreign) refuse_unknown(*inner, name + ".", foreign);
       continue;
     }
-    throw FileError(path_, line_of(node),
-                    "unknown key '" + name + "'; there are " + neighbours_of(name, known_));
+    throw FileError(
+        path_, line_of(node),
+        "unknown key '" + printable(name) + "'; there are " + neighbours_of(name, known_));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "io/file_bytes.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::io {
 
@@ -21,7 +22,7 @@ inline toml::table parse_toml(std::string_view text, const std::string& path) {
     return toml::parse(text, path);
   } catch (const toml::parse_error& error) {
     throw FileError(path, "line " + std::to_string(error.source().begin.line),
-                    "no valid TOML: " + std::string(error.description()));
+                    "no valid TOML: " + printable(error.description(), 200));
   }
 }
 

@@ -24,9 +24,7 @@ class CloudLogReader {
  public:
   /// @param channel  only this channel; empty: all channels, whose events of other types are passed
   ///   over
-  /// @throws std::runtime_error naming file and offset if the file is missing, is not an LCM log,
-  /// or
-  ///   has an event with an absurd length; a log that is merely cut short gives its whole events
+  /// @throws std::runtime_error as bus::survey_log() does
   explicit CloudLogReader(const std::string& path, const std::string& channel = "");
 
   /// The next cloud; nullopt at the end. Events that are no valid clouds are counted.
@@ -38,7 +36,7 @@ class CloudLogReader {
   const std::map<std::string, std::int64_t>& channels() const { return channels_; }
   /// How much of the log has been read, from 0 to 1.
   double share() const;
-  /// Where the log is cut short; nullopt if it is whole.
+  /// Where the log is cut short or damaged; nullopt if it is whole.
   const std::optional<std::string>& defect() const { return log_.survey().defect; }
 
  private:

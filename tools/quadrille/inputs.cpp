@@ -23,6 +23,7 @@
 #include "logs/cloud_log_reader.hpp"
 #include "quadrille/bus/clock.hpp"
 #include "quadrille/bus/event_log.hpp"
+#include "quadrille/detector/printable.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
 
 namespace quadrille {
@@ -48,9 +49,9 @@ std::optional<LogName> log_name_of(const std::string& text) {
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data() + mark + 1, end, *name.number);
   if (error == std::errc{} && rest == end && *name.number > 0) return name;
-  throw io::FileError(
-      name.path, "",
-      fmt::format("'{}' is no number of a cloud; they count from #1", text.substr(mark)));
+  throw io::FileError(name.path, "",
+                      fmt::format("'{}' is no number of a cloud; they count from #1",
+                                  printable(text.substr(mark))));
 }
 
 /// Fills in what is known of a cloud that has been read.
@@ -93,8 +94,8 @@ std::string describe_no_cloud(const logs::CloudLogReader& reader, const std::str
   if (channel.empty() || reader.channels().empty()) {
     return "holds no cloud; record POINT_CLOUD messages";
   }
-  return fmt::format("holds no cloud on {}, but events on {}; name another --channel", channel,
-                     io::list_channels(reader.channels()));
+  return fmt::format("holds no cloud on {}, but events on {}; name another --channel",
+                     printable(channel), io::list_channels(reader.channels()));
 }
 
 /// @param clouds  the clouds of each channel
@@ -133,7 +134,9 @@ std::vector<std::string> visit_numbered(const LogName& log, const InputArguments
       clouds == 0
           ? describe_no_cloud(reader, arguments.channel)
           : fmt::format("holds {}{}", io::count_of(static_cast<std::size_t>(clouds), "cloud"),
-                        arguments.channel.empty() ? "" : fmt::format(" on {}", arguments.channel));
+                        arguments.channel.empty()
+                            ? ""
+                            : fmt::format(" on {}", printable(arguments.channel)));
   throw io::FileError(log.path, "", fmt::format("there is no cloud #{}; it {}", *log.number, held));
 }
 
@@ -219,7 +222,7 @@ ReadingResult for_each_input(
     } catch (const io::FileError& error) {
       if (paths.size() == 1) throw;
       // What cannot be read must not lose what can.
-      fmt::print(stderr, "quadrille: {}\n", error.what());
+      fmt::print(stderr, "quadrille: {}\n", printable(error.what(), kMaxLine));
       ++result.failed;
     }
     ++done;
@@ -235,7 +238,9 @@ SingleCloud read_single_cloud(const std::string& path, const InputArguments& arg
       throw io::FileError(
           path, "",
           fmt::format("holds more than one cloud{}; name one by its number, such as {}#1",
-                      mixed ? fmt::format(", on {} and {}", found->channel, input.channel) : "",
+                      mixed ? fmt::format(", on {} and {}", printable(found->channel),
+                                          printable(input.channel))
+                            : "",
                       path));
     }
     found = std::move(input);

@@ -15,6 +15,7 @@
 #include "io/describe.hpp"
 #include "io/new_file.hpp"
 #include "logs/cloud_log_writer.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
 namespace {
@@ -33,7 +34,8 @@ std::string check_rate(const std::string& text) {
   const bool fit =
       error == std::errc{} && rest == end && rate >= logs::kMinRate && rate <= logs::kMaxRate;
   return fit ? ""
-             : fmt::format("'{}' is no number from {} to {}", text, logs::kMinRate, logs::kMaxRate);
+             : fmt::format("'{}' is no number from {} to {}", printable(text), logs::kMinRate,
+                           logs::kMaxRate);
 }
 
 void run(const LogArguments& arguments) {
@@ -43,7 +45,7 @@ void run(const LogArguments& arguments) {
     const PointCloud cloud = io::read_cloud(input);
     if (!cloud.viewpoint.isZero(0.0)) {
       fmt::print(stderr, "{}: LCM clouds have no viewpoint; readers will assume the origin\n",
-                 input);
+                 printable(input, kMaxPath));
     }
     writer.write(cloud);
   }

@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "quadrille/detector/printable.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -26,7 +28,8 @@ std::vector<ViewSide> parse_sides(const std::string& list, std::string* error) {
     const auto* side = std::find_if(kSides.begin(), kSides.end(),
                                     [&](const auto& known) { return word == known.first; });
     if (side == kSides.end()) {
-      *error = fmt::format("'{}' is none of: camera, top, side; a list is camera,top", word);
+      *error =
+          fmt::format("'{}' is none of: camera, top, side; a list is camera,top", printable(word));
       return {};
     }
     if (std::find(sides.begin(), sides.end(), side->second) == sides.end()) {

@@ -17,6 +17,7 @@
 #include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/detector/printable.hpp"
 #include "quadrille/published_table.hpp"
 
 namespace quadrille {
@@ -67,8 +68,8 @@ std::string describe_nothing(const std::string& channel,
     return "holds no quadrics and no grasps; record QUADRICS and GRASPS";
   }
   return fmt::format(
-      "holds no quadrics, boxes or grasps on {}, but events on {}; name another --channel", channel,
-      io::list_channels(channels));
+      "holds no quadrics, boxes or grasps on {}, but events on {}; name another --channel",
+      printable(channel), io::list_channels(channels));
 }
 
 void run(const ShowArguments& arguments) {

@@ -24,6 +24,7 @@
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/command_report.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/printable.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/try_table.hpp"
@@ -148,7 +149,7 @@ void run(const TryArguments& arguments) {
     } catch (const io::FileError& error) {
       if (arguments.inputs.size() == 1) throw;
       // What cannot be read must not lose what can.
-      fmt::print(stderr, "quadrille: {}\n", error.what());
+      fmt::print(stderr, "quadrille: {}\n", printable(error.what(), kMaxLine));
       ++failed;
       continue;
     }

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <variant>
 
+#include "quadrille/detector/printable.hpp"
+
 namespace quadrille::view {
 
 LogFrames::LogFrames(const std::string& path, const std::string& channel)
@@ -23,7 +25,7 @@ LogFrames::LogFrames(const std::string& path, const std::string& channel)
   if (!utimes_.empty()) return;
   throw std::runtime_error(
       fmt::format("{}: holds no cloud{}; record POINT_CLOUD messages, or name another --channel",
-                  path, channel.empty() ? "" : " on " + channel));
+                  path, channel.empty() ? "" : " on " + printable(channel)));
 }
 
 std::optional<logs::LoggedCloud> LogFrames::load(std::size_t number) {

@@ -8,6 +8,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "quadrille/detector/printable.hpp"
+
 namespace quadrille::bus {
 namespace {
 
@@ -43,7 +45,7 @@ void add_item(const std::string& item, AcceptedSenders* senders) {
   } else if (can_be_interface(item)) {
     senders->interfaces.push_back(item);
   } else {
-    throw std::invalid_argument("'" + item +
+    throw std::invalid_argument("'" + printable(item) +
                                 "' is no sender: give addresses, networks such as 10.0.0.0/24, "
                                 "interfaces or the word local, with commas between");
   }

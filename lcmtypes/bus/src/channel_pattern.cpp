@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "quadrille/bus/connection.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::bus {
 namespace {
@@ -38,8 +39,8 @@ ChannelPattern::ChannelPattern(const std::string& text)
   }
   try {
     regex_.assign(text);
-  } catch (const std::regex_error& error) {
-    throw std::invalid_argument("'" + text + "' is no regular expression: " + error.what());
+  } catch (const std::regex_error&) {
+    throw std::invalid_argument("'" + printable(text) + "' is no regular expression of ECMAScript");
   }
 }
 

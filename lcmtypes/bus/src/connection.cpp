@@ -11,6 +11,7 @@
 #include "quadrille/bus/datagram_guard.hpp"
 #include "quadrille/bus/network.hpp"
 #include "quadrille/bus/url.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::bus {
 namespace {
@@ -50,7 +51,7 @@ void check_channel(const std::string& channel) {
            c == '-' || c == '.' || c == '/';
   });
   if (channel.empty() || channel.size() > 63 || !fit) {
-    throw std::invalid_argument("channel '" + channel +
+    throw std::invalid_argument("channel '" + printable(channel) +
                                 "': must have 1 to 63 characters of A-Z a-z 0-9 _ - . /");
   }
 }
@@ -59,7 +60,7 @@ Connection::Connection(const std::string& url, AcceptedSenders senders)
     : senders_(std::move(senders)) {
   Url parsed = parse_url(url);
   if (!senders_.all && parsed.provider != "udpm") {
-    throw std::invalid_argument("LCM address " + url +
+    throw std::invalid_argument("LCM address " + printable(url) +
                                 ": only with udpm can senders be told; leave out --accept-from");
   }
   if (const auto problem = find_route_problem(parsed)) throw std::runtime_error(*problem);

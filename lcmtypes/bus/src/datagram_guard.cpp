@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "quadrille/bus/receive_socket.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::bus {
 namespace {
@@ -118,7 +119,7 @@ void accept_sound_datagrams(Program* program) {
 std::uint32_t index_of(const std::string& interface) {
   const unsigned index = if_nametoindex(interface.c_str());
   if (index > 0) return index;
-  throw std::runtime_error("no interface '" + interface +
+  throw std::runtime_error("no interface '" + printable(interface) +
                            "' to accept senders from; see: ip -brief link");
 }
 

@@ -5,6 +5,7 @@
 #include <lcmtypes/quadrille/planner_status_t.hpp>
 
 #include "byte_reader.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::bus {
 
@@ -29,11 +30,7 @@ std::optional<std::string> read_status_sender(std::span<const std::byte> bytes) 
     return std::nullopt;
   }
   reader.read_int64("utime");
-  std::string sender = reader.read_string("sender", kMaxSenderBytes);
-  for (char& character : sender) {
-    if (character <= ' ' || character > '~') character = '?';
-  }
-  return sender;
+  return printable(reader.read_string("sender", kMaxSenderBytes));
 } catch (const Refused&) {
   return std::nullopt;
 }

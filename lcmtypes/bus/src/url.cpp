@@ -8,6 +8,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "quadrille/detector/printable.hpp"
+
 namespace quadrille::bus {
 namespace {
 
@@ -36,7 +38,7 @@ std::optional<int> number_in(const std::string& text) {
 }
 
 [[noreturn]] void refuse_address(const Url& url, const std::string& why) {
-  throw std::invalid_argument("LCM address '" + url.to_string() + "': " + why);
+  throw std::invalid_argument("LCM address '" + printable(url.to_string()) + "': " + why);
 }
 
 }  // namespace
@@ -54,7 +56,7 @@ std::string Url::to_string() const {
 Url parse_url(const std::string& text) {
   const std::size_t colon = text.find("://");
   if (colon == std::string::npos || colon == 0) {
-    throw std::invalid_argument("LCM address '" + text +
+    throw std::invalid_argument("LCM address '" + printable(text) +
                                 "': must look like udpm://239.255.76.67:7667?ttl=0");
   }
   Url url;
@@ -75,11 +77,12 @@ sockaddr_in multicast_group(const Url& url) {
   group.sin_family = AF_INET;
   if (inet_pton(AF_INET, network.substr(0, colon).c_str(), &group.sin_addr) != 1 || port < 1 ||
       port > std::numeric_limits<std::uint16_t>::max()) {
-    refuse_address(url, "'" + network + "' must be ADDRESS:PORT, such as " + kDefaultNetwork);
+    refuse_address(url,
+                   "'" + printable(network) + "' must be ADDRESS:PORT, such as " + kDefaultNetwork);
   }
   if (!IN_MULTICAST(ntohl(group.sin_addr.s_addr))) {
     refuse_address(url,
-                   network.substr(0, colon) +
+                   printable(network.substr(0, colon)) +
                        " is no multicast address (224.0.0.0 to 239.255.255.255); give udpm://" +
                        kDefaultNetwork + "?ttl=0");
   }
@@ -92,7 +95,7 @@ std::optional<int> named_receive_buffer(const Url& url) {
   if (named == url.arguments.end()) return std::nullopt;
   const auto bytes = number_in(named->second);
   if (!bytes || *bytes <= 0) {
-    refuse_address(url, "recv_buf_size = '" + named->second +
+    refuse_address(url, "recv_buf_size = '" + printable(named->second) +
                             "' must be a number of bytes from 1 to " +
                             std::to_string(std::numeric_limits<int>::max()));
   }
@@ -107,7 +110,7 @@ void check_live(const Url& url) {
     refuse_address(url, "a log is no bus; replay it with --in-log and --out-log");
   }
   if (url.provider != "udpm" && url.provider != "mpudpm" && url.provider != "tcpq") {
-    refuse_address(url, "LCM has no '" + url.provider + "'; give a udpm or tcpq one");
+    refuse_address(url, "LCM has no '" + printable(url.provider) + "'; give a udpm or tcpq one");
   }
   if (url.provider == "udpm") multicast_group(url);
   named_receive_buffer(url);
@@ -115,8 +118,8 @@ void check_live(const Url& url) {
   if (ttl == url.arguments.end()) return;
   const auto hops = number_in(ttl->second);
   if (!hops || *hops < 0 || *hops > 255) {
-    refuse_address(
-        url, "ttl = '" + ttl->second + "' must be 0 (this machine), 1 (this network) or up to 255");
+    refuse_address(url, "ttl = '" + printable(ttl->second) +
+                            "' must be 0 (this machine), 1 (this network) or up to 255");
   }
 }
 

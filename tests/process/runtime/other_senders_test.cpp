@@ -48,7 +48,7 @@ TEST_CASE("what is no status is told of as another process, in one printable lin
     hostile.hear("STATUS", status_of<detector_status_t>("\n\x1b" + std::to_string(n)), now);
   }
   REQUIRE(hostile.find_warnings(now).size() == 1);
-  CHECK(hostile.find_warnings(now)[0].find("??0 publishes") == 0);
+  CHECK(hostile.find_warnings(now)[0].find("\\x0a\\x1b0 publishes") == 0);
 }
 
 TEST_CASE("every process has a sender of its own", "[process][status]") {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cli/number_list.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
 namespace {
@@ -24,7 +25,8 @@ Region region_of(const std::string& list) {
   const Eigen::AlignedBox3d box(vector_of(v), vector_of(v, 3));
   if (box.isEmpty()) {
     throw CLI::ValidationError(
-        "--roi", fmt::format("'{}' is empty: give the least corner first, {}", list, form));
+        "--roi",
+        fmt::format("'{}' is empty: give the least corner first, {}", printable(list), form));
   }
   return {Eigen::Isometry3d::Identity(), box};
 }
@@ -33,11 +35,12 @@ Cone cone_of(const std::string& list) {
   const std::vector<double> v = numbers_of("--approach", list, 4, "X,Y,Z,DEGREES");
   const Eigen::Vector3d axis = vector_of(v);
   if (!(axis.stableNorm() > 0.0)) {
-    throw CLI::ValidationError("--approach", fmt::format("'{}' has no direction", list));
+    throw CLI::ValidationError("--approach", fmt::format("'{}' has no direction", printable(list)));
   }
   if (!(v[3] > 0.0 && v[3] <= 180.0)) {
     throw CLI::ValidationError(
-        "--approach", fmt::format("'{}': the angle must be more than 0 and at most 180", list));
+        "--approach",
+        fmt::format("'{}': the angle must be more than 0 and at most 180", printable(list)));
   }
   return {axis.stableNormalized(), v[3] * std::numbers::pi / 180.0};
 }

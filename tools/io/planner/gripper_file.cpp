@@ -11,6 +11,7 @@
 #include "io/planner/gripper_files.hpp"
 #include "io/setting_text.hpp"
 #include "io/toml_file.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -40,7 +41,12 @@ class GripperReader {
 
   std::string read_name() {
     known_.insert("name");
-    return table_["name"].value_or(std::filesystem::path(path_).stem().string());
+    const std::string name =
+        table_["name"].value_or(printable(std::filesystem::path(path_).stem().string()));
+    if (name != printable(name) || name.find_first_of("\"\\") != name.npos) {
+      throw FileError(path_, "", "key 'name' must be text of at most 80 bytes without quotes");
+    }
+    return name;
   }
 
   void refuse_unknown() const {
@@ -48,7 +54,7 @@ class GripperReader {
       if (!known_.count(std::string(key.str()))) {
         throw FileError(
             path_, line_of(node),
-            "unknown key '" + std::string(key.str()) + "'; remove it or mend its spelling");
+            "unknown key '" + printable(key.str()) + "'; remove it or mend its spelling");
       }
     }
   }
@@ -137,8 +143,8 @@ std::string gripper_toml(const std::string& name) {
   for (const GripperText& file : gripper_texts()) {
     if (file.name == name) return file.toml;
   }
-  throw std::invalid_argument(
-      fmt::format("unknown gripper '{}'; known: {}", name, fmt::join(gripper_names(), ", ")));
+  throw std::invalid_argument(fmt::format("unknown gripper '{}'; known: {}", printable(name),
+                                          fmt::join(gripper_names(), ", ")));
 }
 
 }  // namespace quadrille::io

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "io/file_bytes.hpp"
+#include "io/json_parts.hpp"
 
 namespace quadrille::experiments {
 namespace {
@@ -53,7 +54,7 @@ std::vector<BallSequence> read_sequences(const fs::path& folder) {
   try {
     sequences = sequences_of(json::parse(text, text + bytes.size()), folder);
   } catch (const std::exception& error) {
-    throw io::FileError(path, "", std::string("no list of scans: ") + error.what() + kCure);
+    throw io::json_error(path, "no list of scans", error, kCure);
   }
   if (sequences.empty()) throw io::FileError(path, "", std::string("lists no sequence") + kCure);
   return sequences;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "io/file_bytes.hpp"
+#include "io/json_parts.hpp"
 
 namespace quadrille::physics {
 namespace {
@@ -64,8 +65,7 @@ PlanFile read_plan(const std::string& path) {
     }
     return plan;
   } catch (const std::exception& error) {
-    throw io::FileError(path, "",
-                        std::string("not what `quadrille plan --json` writes: ") + error.what());
+    throw io::json_error(path, "not what `quadrille plan --json` writes", error);
   }
 }
 

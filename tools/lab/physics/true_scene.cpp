@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "io/file_bytes.hpp"
+#include "io/json_parts.hpp"
 #include "lab/physics/exact_detection.hpp"
 #include "lab/scene/scene_files.hpp"
 #include "quadrille/detector/quadric.hpp"
@@ -168,7 +169,7 @@ TrueScene read_true_scene(const std::string& cloud_path) {
   } catch (const io::FileError&) {
     throw;
   } catch (const std::exception& error) {
-    throw io::FileError(*path, "", std::string("no truth of a scene: ") + error.what());
+    throw io::json_error(*path, "no truth of a scene", error);
   }
 }
 

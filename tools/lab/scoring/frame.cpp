@@ -7,6 +7,7 @@
 
 #include "io/cloud_file.hpp"
 #include "io/file_bytes.hpp"
+#include "io/json_parts.hpp"
 #include "lab/scene/scene_files.hpp"
 
 namespace quadrille::scoring {
@@ -116,7 +117,7 @@ Frame read_frame(const std::string& ply_path) {
   try {
     take_truth(ordered_json::parse(text, text + bytes.size()), &frame);
   } catch (const ordered_json::exception& error) {
-    throw io::FileError(truth, "", std::string("no truth of a scene: ") + error.what());
+    throw io::json_error(truth, "no truth of a scene", error);
   }
   const std::string base = ply_path.substr(0, ply_path.size() - std::strlen(".ply"));
   const std::size_t count = frame.cloud.points.size();

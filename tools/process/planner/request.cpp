@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/detector/printable.hpp"
 #include "quadrille/detector/quadric_type.hpp"
 
 namespace quadrille {
@@ -25,8 +26,9 @@ Eigen::Isometry3d X_FK(const std::string& frame, const Placement& placement,
   if (frame == word_of(CloudFrame::kCamera)) return Eigen::Isometry3d::Identity();
   if (frame == cloud_frame) return placement.X_CK;
   if (frame != word_of(CloudFrame::kWorld)) {
-    throw std::invalid_argument(fmt::format(
-        "frame '{}' is not known: name 'camera', 'world', '{}' or ''", frame, cloud_frame));
+    throw std::invalid_argument(
+        fmt::format("frame '{}' is not known: name 'camera', 'world', '{}' or ''", printable(frame),
+                    printable(cloud_frame)));
   }
   if (!placement.X_WK) {
     throw std::invalid_argument(
@@ -58,7 +60,7 @@ Cone cone_of(const grasp_request_t& request) {
 
 QuadricType type_of(const std::string& name) {
   const auto type = quadric_type_from_string(name);
-  if (!type) throw std::invalid_argument(fmt::format("types: '{}' is no type", name));
+  if (!type) throw std::invalid_argument(fmt::format("types: '{}' is no type", printable(name)));
   return *type;
 }
 

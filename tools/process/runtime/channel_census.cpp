@@ -7,6 +7,7 @@
 
 #include "io/describe.hpp"
 #include "quadrille/bus/channel_pattern.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
 
@@ -42,7 +43,8 @@ std::string ChannelCensus::find_taken(const std::vector<OutChannel>& wanted) con
   for (const OutChannel& channel : wanted) {
     for (const auto& [name, count] : events_) {
       if (!channel.holds(name)) continue;
-      text += fmt::format("{}{} ({}; {})", text.empty() ? "" : ", ", name, count, channel.option);
+      text += fmt::format("{}{} ({}; {})", text.empty() ? "" : ", ", printable(name), count,
+                          channel.option);
     }
   }
   return text;

@@ -15,6 +15,7 @@
 #include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/replay.hpp"
 #include "quadrille/bus/stop.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
 namespace {
@@ -132,13 +133,13 @@ class LogRun {
 
   /// Those about the log are logged too. What is missing from half a log tells nothing of it.
   std::vector<std::string> find_warnings(const std::string& incomplete) const {
-    if (!incomplete.empty()) return {incomplete};
+    if (!incomplete.empty()) return {printable(incomplete, kMaxLine)};
     std::vector<std::string> warnings =
         census_.find_missing(node_->in_channels(), arguments_.channel_prefix);
     if (survey_.defect) warnings.push_back(*survey_.defect);
     for (std::string& oddity : node_->find_oddities()) warnings.push_back(std::move(oddity));
     for (std::string& warning : warnings) {
-      warning = arguments_.in_log + ": " + warning;
+      warning = printable(arguments_.in_log, kMaxPath) + ": " + printable(warning, kMaxLine);
       log_warning(warning);
     }
     return warnings;

@@ -8,6 +8,7 @@
 
 #include "io/hash.hpp"
 #include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
 
@@ -47,7 +48,7 @@ Shard parse_shard(const std::string& text) {
   if (count.ec != std::errc{} || count.ptr != end || shard.index < 1 || shard.count < shard.index ||
       shard.count > kMaxShards) {
     throw std::invalid_argument(
-        fmt::format("shard '{}': must be I/N with 1 <= I <= N <= {}", text, kMaxShards));
+        fmt::format("shard '{}': must be I/N with 1 <= I <= N <= {}", printable(text), kMaxShards));
   }
   return shard;
 }

@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "quadrille/detector/eigen_layout.hpp"
+
 namespace quadrille {
 
 /// A box of which one, two or three faces were detected as planes.

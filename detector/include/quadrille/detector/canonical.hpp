@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/quadric_type.hpp"

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <span>
 
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "quadrille/detector/box.hpp"
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/quadric_type.hpp"

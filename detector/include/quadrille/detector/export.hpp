@@ -1,4 +1,8 @@
 #pragma once
 
+#if __cplusplus < 202002L
+#error "quadrille's headers are C++20: compile with -std=c++20, or newer"
+#endif
+
 /// Marks the functions that a shared library shows; all others are hidden in it.
 #define QUADRILLE_EXPORT __attribute__((visibility("default")))

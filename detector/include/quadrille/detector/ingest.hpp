@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "quadrille/detector/cloud_view.hpp"
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 
 namespace quadrille {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "quadrille/detector/eigen_layout.hpp"
+
 namespace quadrille {
 
 /// Red, green and blue, 0 to 255.

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 
 namespace quadrille {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "quadrille/detector/eigen_layout.hpp"
+
 namespace fcl {
 template <typename S>
 class CollisionGeometry;

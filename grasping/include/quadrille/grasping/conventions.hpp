@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/grasping/gripper.hpp"
 

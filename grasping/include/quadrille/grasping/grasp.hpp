@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <array>
 
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/setting.hpp"
 
 namespace quadrille {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/detector/quadric_type.hpp"
 

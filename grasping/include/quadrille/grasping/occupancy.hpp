@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/grasping/plan.hpp"
 

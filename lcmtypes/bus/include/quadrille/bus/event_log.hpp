@@ -7,22 +7,26 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
 
+class EventFinder;
+
 /// What the headers of a log's events say, read without their data.
 struct LogSurvey {
   /// Whole events.
   std::int64_t events = 0;
-  /// Where the log is cut short, "cut short at byte N: …"; nullopt if it ends with an event.
+  /// Which bytes are no event and what to do, "cut short at byte N: …" at the end of the log,
+  /// "damaged at byte N: …" elsewhere; nullopt if all bytes are events.
   std::optional<std::string> defect;
 };
 
-/// Walks over the events of a log, so that LCM's reader meets no length that is not there.
-/// @throws std::runtime_error naming file and offset if the file is missing, is not an LCM log, or
-///   has an event with an absurd length; a log that is merely cut short is told in the survey
+/// Walks over the events of a log. Behind damaged bytes it goes on where an event begins that is
+/// followed by another one, or by the end of the file.
+/// @throws std::runtime_error naming the file if it is missing, cannot be read or is not an LCM log
 QUADRILLE_EXPORT LogSurvey survey_log(const std::string& path);
 
 /// True if a file begins as LCM logs do, whatever its name; false if it cannot be read.
@@ -37,6 +41,7 @@ class LogReader {
  public:
   /// @throws std::runtime_error as survey_log() does
   QUADRILLE_EXPORT explicit LogReader(const std::string& path);
+  QUADRILLE_EXPORT ~LogReader();
 
   /// What the headers said before the first event was read; its defect also tells of a log that
   /// was cut short since then.
@@ -56,7 +61,8 @@ class LogReader {
  private:
   LogSurvey survey_;
   std::int64_t read_ = 0;
-  std::unique_ptr<lcm::LogFile> file_;
+  std::unique_ptr<EventFinder> finder_;
+  std::vector<std::byte> event_;
 };
 
 /// Writes a log that lcm-logplayer and file:// play.

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "quadrille/bus/rejection.hpp"
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {
