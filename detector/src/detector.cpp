@@ -196,7 +196,7 @@ DetectionResult detect_quadrics(const CloudView& cloud, const DetectorOptions& g
                                 const CloudCheck& check, StageClock& clock) {
   given.check();
   DetectionResult result;
-  result.points_finite = check.finite;
+  result.points_finite = check.range.near;
   result.warnings = check.warnings;
   if (!check.usable) return result;
   const DetectorOptions options = settled(given, cloud);
@@ -235,18 +235,20 @@ DetectorOptions sphere_options(DetectorOptions options) {
   return options;
 }
 
-DetectionResult detect_quadrics(const CloudView& cloud, const DetectorOptions& options) {
+DetectionResult detect_quadrics(const CloudView& given, const DetectorOptions& options) {
   StageClock clock;
-  DetectionResult result = detect_quadrics(cloud, options, check_cloud(cloud), clock);
+  const CloudCheck check = check_cloud(given);
+  DetectionResult result = detect_quadrics(check.range.kept(given), options, check, clock);
   result.timings = clock.timings();
   result.total_ms = clock.total_ms();
   return result;
 }
 
-DetectionResult detect(const CloudView& cloud, const DetectorOptions& options,
+DetectionResult detect(const CloudView& given, const DetectorOptions& options,
                        const QuadricsReady& ready) {
   StageClock clock;
-  const CloudCheck check = check_cloud(cloud);
+  const CloudCheck check = check_cloud(given);
+  const CloudView cloud = check.range.kept(given);
   DetectionResult result = detect_quadrics(cloud, options, check, clock);
   if (ready) ready(result);
   if (check.usable) {

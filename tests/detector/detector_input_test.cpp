@@ -3,7 +3,10 @@
 
 #include "detector/table_scene.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/find_boxes.hpp"
+#include "quadrille/detector/viewpoint_check.hpp"
 #include "support/catch.hpp"
+#include "support/missing_codes.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -139,6 +142,46 @@ TEST_CASE("one point far from all others changes no finding", "[detector][hostil
     check_sound(result);
     CHECK(find(result, QuadricType::kSphere));
     CHECK(find(result, QuadricType::kCylinder));
+  }
+}
+
+TEST_CASE("pixels with codes for missing ones change no bit of the findings",
+          "[detector][hostile]") {
+  const PointCloud holed = with_gaps(table_cloud());
+  const DetectionResult truth = detect(holed);
+  REQUIRE_FALSE(truth.detections.empty());
+  REQUIRE_FALSE(truth.boxes.empty());
+  for (const float code : kMissingCodes) {
+    CAPTURE(code);
+    const PointCloud coded = with_code(table_cloud(), code);
+    const DetectionResult result = detect(coded);
+    CHECK(numbers(result) == numbers(truth));
+    CHECK(result.points_finite == truth.points_finite);
+    CHECK(numbers(detect_quadrics(coded)) == numbers(truth));
+    CHECK(result.warnings.size() == (std::isfinite(code) ? 1 : 0));
+    CHECK(warns(result, "farther than 1 km") == std::isfinite(code));
+    // Likewise for those who call parts of it.
+    const std::vector<Box> boxes = find_boxes(coded, truth.detections);
+    REQUIRE(boxes.size() == truth.boxes.size());
+    for (std::size_t k = 0; k < boxes.size(); ++k) {
+      CHECK(boxes[k].X_CB.matrix() == truth.boxes[k].X_CB.matrix());
+      CHECK(boxes[k].size == truth.boxes[k].size);
+    }
+    CHECK(contradict_viewpoint(coded, truth.detections).empty());
+  }
+}
+
+TEST_CASE("codes in a list of points, also of a map, change no bit of the findings",
+          "[detector][hostile]") {
+  for (const double far : {0.0, 1e4}) {
+    const PointCloud cloud = moved_cloud(table_cloud(), translation(far, 0.0, 0.0));
+    const DetectionResult truth = detect(as_list(with_gaps(cloud)));
+    REQUIRE(find(truth, QuadricType::kSphere));
+    for (const float code : {1e30f, -1e22f, std::numeric_limits<float>::max()}) {
+      PointCloud coded = as_list(with_code(cloud, code));
+      std::erase_if(coded.points, [](const Eigen::Vector3f& p) { return !p.allFinite(); });
+      CHECK(numbers(detect(coded)) == numbers(truth));
+    }
   }
 }
 

@@ -7,6 +7,7 @@
 #include "grasping/scenes.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "support/catch.hpp"
+#include "support/missing_codes.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -97,5 +98,26 @@ TEST_CASE("bodies far off are refused, and cost neither memory nor the others' g
   REQUIRE(plan.grasps.size() == alone.grasps.size());
   for (std::size_t n = 0; n < plan.grasps.size(); ++n) {
     CHECK(plan.grasps[n].X_CG.matrix() == alone.grasps[n].X_CG.matrix());
+  }
+}
+
+TEST_CASE("pixels with codes for missing ones change no grasp and no voxel", "[plan][hostile]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  const std::vector<Detection> detections = {sphere_detection(ball), table_detection()};
+  const PointCloud cloud = render({ball}), holed = with_gaps(cloud);
+  const GraspPlan truth = plan_grasps(holed, detections, franka_hand(), PlanOptions(), {holed});
+  REQUIRE_FALSE(truth.grasps.empty());
+  CHECK(truth.warnings.empty());
+  for (const float code : kMissingCodes) {
+    CAPTURE(code);
+    const PointCloud coded = with_code(cloud, code);
+    const GraspPlan plan = plan_grasps(coded, detections, franka_hand(), PlanOptions(), {coded});
+    CHECK(plan.space->states() == truth.space->states());
+    CHECK(plan.warnings.size() == (std::isfinite(code) ? 2 : 0));
+    REQUIRE(plan.grasps.size() == truth.grasps.size());
+    for (std::size_t n = 0; n < plan.grasps.size(); ++n) {
+      CHECK(plan.grasps[n].X_CG.matrix() == truth.grasps[n].X_CG.matrix());
+      CHECK(plan.grasps[n].score == truth.grasps[n].score);
+    }
   }
 }

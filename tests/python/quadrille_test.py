@@ -123,6 +123,22 @@ class Detect(unittest.TestCase):
         self.assertEqual([x.type for x in found], ["sphere"])
         self.assertAlmostEqual(found.detections[0].dimensions["radius"], r, delta=5e-4)
 
+    def test_codes_for_missing_points_count_as_gaps(self):
+        holed = organised_ball(320, 240)
+        holed[40:44, 50:90] = np.nan
+        truth = quadrille.detect(holed)
+        self.assertEqual(truth.warnings, [])
+        for code in (1e30, np.finfo(np.float32).max, 1e22, -1e23, np.inf):
+            coded = holed.copy()
+            coded[40:44, 50:90] = code
+            found = quadrille.detect(coded)
+            self.assertEqual(found.points_finite, truth.points_finite)
+            self.assertEqual([d.score for d in found], [d.score for d in truth])
+            for mine, other in zip(found, truth):
+                np.testing.assert_array_equal(mine.X_CQ, other.X_CQ)
+            told = [w for w in found.warnings if w.startswith("160 points farther than 1 km")]
+            self.assertEqual(len(told), int(np.isfinite(code)))
+
     def test_the_program_finds_the_same_in_a_real_scan(self):
         points, viewpoint = quadrille.read_cloud(SCAN)
         found = quadrille.detect(points, viewpoint=viewpoint, config={"seed": 3, "threads": 2})

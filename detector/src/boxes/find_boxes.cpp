@@ -11,6 +11,7 @@
 #include "boxes/grouping.hpp"
 #include "boxes/measure_box.hpp"
 #include "boxes/missing_face.hpp"
+#include "quadrille/detector/range_check.hpp"
 
 namespace quadrille {
 namespace {
@@ -96,7 +97,8 @@ class BoxMaker {
 }  // namespace
 
 std::vector<Box> find_boxes(const CloudView& cloud, const std::vector<Detection>& detections) {
-  return BoxMaker(cloud, detections).make();
+  const RangeCheck range = check_range(cloud);
+  return BoxMaker(range.kept(cloud), detections).make();
 }
 
 }  // namespace quadrille

@@ -3,51 +3,24 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "base/quantile.hpp"
+#include "cloud/some_points.hpp"
 
 namespace quadrille {
 namespace {
 
-constexpr std::size_t kMinPoints = 50;
 // Nothing to grasp is this far away, but in millimetres most things are.
 constexpr double kFarthest = 50.0;
 // A scene of which the standard deviation is larger [m].
 constexpr double kWidest = 5.0;
 // Larger coordinates are no measurement; their squares would overflow single precision.
 constexpr double kMax = 1e9;
+const char* const kTooLarge = "coordinates are too large to be a measurement in metres";
 // From here on [m] single precision steps by half a millimetre.
 constexpr double kCoarse = 4096.0;
 // Points so many times as far from the centre as half of them are outliers.
 constexpr double kOutlier = 100.0;
-
-std::size_t count_finite(std::span<const Eigen::Vector3f> points) {
-  // x - x is zero unless x is NaN or infinite. Most runs are finite as a whole.
-  constexpr std::size_t kRun = 16;
-  using Run = Eigen::Map<const Eigen::Array<float, 3 * kRun, 1>>;
-  std::size_t finite = 0, start = 0;
-  for (; start + kRun <= points.size(); start += kRun) {
-    const Run run(points[start].data());
-    if ((run - run).sum() == 0.0f) {
-      finite += kRun;
-      continue;
-    }
-    for (std::size_t i = start; i < start + kRun; ++i) finite += points[i].allFinite();
-  }
-  for (; start < points.size(); ++start) finite += points[start].allFinite();
-  return finite;
-}
-
-/// Finite points spread evenly over the cloud, some thousands.
-std::vector<Eigen::Vector3d> some_of(std::span<const Eigen::Vector3f> points) {
-  std::vector<Eigen::Vector3d> some;
-  const std::size_t stride = std::max<std::size_t>(1, points.size() / 5000);
-  for (std::size_t i = 0; i < points.size(); i += stride) {
-    if (points[i].allFinite()) some.push_back(points[i].cast<double>());
-  }
-  return some;
-}
 
 /// Value of a measure that a share of the points do not exceed.
 template <class Measure>
@@ -90,25 +63,27 @@ Eigen::Vector3d spread_of(const std::vector<Eigen::Vector3d>& points,
 
 }  // namespace
 
-CloudCheck check_cloud(const CloudView& cloud) {
+CloudCheck check_cloud(const CloudView& given) {
   CloudCheck check;
-  check.finite = count_finite(cloud.points);
-  if (check.finite < kMinPoints) {
-    check.warnings.push_back("only " + std::to_string(check.finite) +
-                             " finite points; a surface needs at least " +
-                             std::to_string(kMinPoints));
+  check.range = check_range(given);
+  if (check.range.far > 0) check.warnings.push_back(check.range.warning());
+  if (check.range.near < kMinPoints) {
+    check.warnings.push_back(check.range.far < kMinPoints
+                                 ? "only " + std::to_string(check.range.near) +
+                                       " finite points; a surface needs at least " +
+                                       std::to_string(kMinPoints)
+                                 : kTooLarge);
     return check;
   }
+  const CloudView cloud = check.range.kept(given);
   const std::vector<Eigen::Vector3d> some = some_of(cloud.points);
   if (some.empty()) {
     check.usable = true;
     return check;
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    check.centre[axis] = quantile(some, 0.5, [axis](const auto& p) { return p[axis]; });
-  }
+  check.centre = middle_of(some);
   if (!(check.centre.norm() < kMax)) {
-    check.warnings.emplace_back("coordinates are too large to be a measurement in metres");
+    check.warnings.emplace_back(kTooLarge);
     return check;
   }
   const Eigen::Vector3d spread = spread_of(some, check.centre);
@@ -117,8 +92,8 @@ CloudCheck check_cloud(const CloudView& cloud) {
         "coordinates of several kilometres are stored to no better than half a millimetre: "
         "subtract an offset first");
   }
-  const auto range = [&](const auto& p) { return (p - cloud.viewpoint).norm(); };
-  if (quantile(some, 0.5, range) > kFarthest) {
+  const auto depth = [&](const auto& p) { return (p - cloud.viewpoint).norm(); };
+  if (quantile(some, 0.5, depth) > kFarthest) {
     check.warnings.emplace_back(
         spread[2] > kWidest * kWidest
             ? "half of the points are more than 50 m away: the coordinates look like "

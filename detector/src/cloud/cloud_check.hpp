@@ -1,16 +1,17 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "quadrille/detector/cloud_view.hpp"
+#include "quadrille/detector/range_check.hpp"
 
 namespace quadrille {
 
 /// What a look at the points alone tells.
 struct CloudCheck {
-  std::size_t finite = 0;
+  /// What it keeps is what all stages are to see, and what the rest of this tells of.
+  RangeCheck range;
   /// Coordinate-wise median of the points, about; frame C [m].
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   /// False if no surface can be found in the points.
@@ -19,8 +20,8 @@ struct CloudCheck {
   std::vector<std::string> warnings;
 };
 
-/// Checks that a cloud has enough points that do not all coincide or lie on a line, and that its
-/// coordinates look like metres.
+/// Checks that a cloud has enough points in range (see check_range()) that do not all coincide or
+/// lie on a line, and that its coordinates look like metres.
 CloudCheck check_cloud(const CloudView& cloud);
 
 }  // namespace quadrille

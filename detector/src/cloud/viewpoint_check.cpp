@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "base/quantile.hpp"
+#include "quadrille/detector/range_check.hpp"
 
 namespace quadrille {
 namespace {
@@ -203,7 +204,9 @@ std::string behind_plane(const CloudView& cloud, const Points& rays,
 
 }  // namespace
 
-std::string contradict_viewpoint(const CloudView& cloud, const std::vector<Detection>& detections) {
+std::string contradict_viewpoint(const CloudView& given, const std::vector<Detection>& detections) {
+  const RangeCheck range = check_range(given);
+  const CloudView cloud = range.kept(given);
   const std::string remedy = "; name where the sensor stood (--viewpoint or --camera-pose)";
   if (!cloud.viewpoint.allFinite()) return "the viewpoint of the cloud is not known" + remedy;
   const Points rays = rays_of(cloud);

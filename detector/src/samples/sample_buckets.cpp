@@ -24,12 +24,15 @@ SampleBuckets::SampleBuckets(const SurfaceSamples& samples)
 SampleBuckets::SampleBuckets(const SurfaceSamples& samples, std::vector<int> bucket)
     : grid_(samples.raw, {}, edge_for(samples), &bucket) {
   first_.assign(static_cast<std::size_t>(grid_.size()) + 1, 0);
-  for (const int v : bucket) ++first_[v + 1];
+  // Samples that are not finite lie in no bucket.
+  for (const int v : bucket) {
+    if (v >= 0) ++first_[v + 1];
+  }
   for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
-  list_.assign(bucket.size(), 0);
+  list_.assign(static_cast<std::size_t>(first_.back()), 0);
   std::vector<int> next(first_.begin(), first_.end() - 1);
   for (std::size_t i = 0; i < bucket.size(); ++i) {
-    list_[next[bucket[i]]++] = static_cast<int>(i);
+    if (bucket[i] >= 0) list_[next[bucket[i]]++] = static_cast<int>(i);
   }
 }
 

@@ -108,7 +108,8 @@ double share_seen(const std::vector<Eigen::Vector3d>& points, const Eigen::Align
   std::array<bool, kBinsAround * kBinsAlong> seen{};
   const bool flat = is_flat(type);
   const auto bin = [](double x, double low, double high, int bins) {
-    return std::clamp(static_cast<int>((x - low) / std::max(1e-9, high - low) * bins), 0, bins - 1);
+    const double share = std::clamp((x - low) / std::max(1e-9, high - low), 0.0, 1.0);
+    return std::min(static_cast<int>(share * bins), bins - 1);
   };
   for (const Eigen::Vector3d& p : points) {
     const int along = flat ? bin(p.y(), box.min().y(), box.max().y(), kBinsAlong)

@@ -2,11 +2,13 @@
 #include <chrono>
 #include <cstddef>
 #include <iterator>
+#include <list>
 #include <numeric>
 #include <utility>
 
 #include "body/body.hpp"
 #include "quadrille/detector/find_boxes.hpp"
+#include "quadrille/detector/range_check.hpp"
 #include "quadrille/detector/viewpoint_check.hpp"
 #include "quadrille/grasping/shape.hpp"
 #include "scene/scene_parts.hpp"
@@ -22,11 +24,9 @@ class SceneMaker {
  public:
   SceneMaker(const PointCloud& cloud, const std::vector<Detection>& detections,
              const std::vector<PointCloud>& further, const Deadline& deadline, SceneParts& parts)
-      : cloud_(cloud),
-        detections_(detections),
-        further_(further),
-        deadline_(deadline),
-        parts_(parts) {}
+      : detections_(detections), deadline_(deadline), parts_(parts), cloud_(kept(cloud)) {
+    for (const PointCloud& view : further) further_.push_back(&kept(view));
+  }
 
   void make() {
     drop_surplus();
@@ -79,6 +79,13 @@ class SceneMaker {
          " with the best score are planned on (planner.max_detections)");
   }
 
+  /// The cloud without points that no sensor can have measured.
+  const PointCloud& kept(const PointCloud& cloud) {
+    const RangeCheck& range = ranges_.emplace_back(check_range(cloud));
+    if (range.far > 0) warn(range.warning());
+    return range.kept(cloud);
+  }
+
   void make_shapes() {
     for (const Box& box : parts_.boxes) {
       parts_.shapes.push_back(make_shape(box));
@@ -113,8 +120,8 @@ class SceneMaker {
   /// what counts as free would not be.
   bool has_viewpoint() {
     std::vector<std::string> doubts = {contradict_viewpoint(cloud_, detections_)};
-    for (const PointCloud& cloud : further_) {
-      doubts.push_back(contradict_viewpoint(cloud, detections_));
+    for (const PointCloud* cloud : further_) {
+      doubts.push_back(contradict_viewpoint(*cloud, detections_));
     }
     std::erase(doubts, "");
     for (const std::string& doubt : doubts) warn(doubt);
@@ -195,8 +202,8 @@ class SceneMaker {
     const auto space = std::make_shared<OccupancyGrid>(region, resolution);
     space->restrict_to(std::move(boxes));
     space->add(cloud_, *parts_.view);
-    for (const PointCloud& cloud : further_) {
-      space->add(cloud, DepthView(cloud, parts_.options.baseline, parts_.options.resolution));
+    for (const PointCloud* cloud : further_) {
+      space->add(*cloud, DepthView(*cloud, parts_.options.baseline, parts_.options.resolution));
     }
     const auto standing =
         std::find_if(parts_.targets.begin(), parts_.targets.end(),
@@ -210,11 +217,13 @@ class SceneMaker {
     if (parts_.view->valid()) parts_.map->refine(*parts_.view, further_.empty());
   }
 
-  const PointCloud& cloud_;
   std::vector<Detection> detections_;
-  const std::vector<PointCloud>& further_;
   const Deadline& deadline_;
   SceneParts& parts_;
+  /// A list, so that the clouds in it stay where they are.
+  std::list<RangeCheck> ranges_;
+  const PointCloud& cloud_;
+  std::vector<const PointCloud*> further_;
 };
 
 }  // namespace

@@ -13,9 +13,10 @@ namespace {
 // baseline over depth, as common sensors have it at half a metre.
 constexpr int kMaxBlindPixels = 20;
 
-/// The nearest whole number below or above, of at most 1e8: std::floor is a call on plain x86-64.
+/// The nearest whole number below or above, of at most 1e8, which is in no image; that is also what
+/// becomes of NaN. std::floor is a call on plain x86-64.
 int whole_below(double x) {
-  x = std::clamp(x, -1e8, 1e8);
+  x = x > -1e8 ? std::min(x, 1e8) : -1e8;
   const int n = static_cast<int>(x);
   return n - (x < n);
 }

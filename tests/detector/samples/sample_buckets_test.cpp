@@ -1,6 +1,7 @@
 #include "samples/sample_buckets.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/random.hpp"
 #include "support/catch.hpp"
@@ -37,4 +38,17 @@ TEST_CASE("the buckets of a ball hold all of its samples, and few others", "[buc
     }
   }
   CHECK(SampleBuckets(SurfaceSamples()).near(Vector3f::Zero(), 1.0f).empty());
+}
+
+TEST_CASE("samples without a position lie in no bucket", "[buckets][hostile]") {
+  SurfaceSamples samples;
+  for (int i = 0; i < 100; ++i) {
+    const float x = 0.002f * static_cast<float>(i);
+    samples.raw.push_back(i % 10 == 3 ? Vector3f::Constant(NAN) : Vector3f(x, 0.1f, 1.0f));
+    samples.cell.push_back(0.004f);
+  }
+  samples.p = samples.n = samples.raw;
+  const std::vector<int> near = SampleBuckets(samples).near({0.1f, 0.1f, 1.0f}, 1.0f);
+  CHECK(near.size() == 90);
+  CHECK(std::none_of(near.begin(), near.end(), [](int i) { return i % 10 == 3; }));
 }

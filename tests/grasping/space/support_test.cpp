@@ -1,3 +1,6 @@
+#include "space/support.hpp"
+
+#include "body/body.hpp"
 #include "grasping/scenes.hpp"
 #include "space/collision.hpp"
 #include "support/catch.hpp"
@@ -29,4 +32,16 @@ TEST_CASE("a support holds off what is below it only as far as it reaches",
     CHECK(plane.meets(box, 0.002) == plane.meets(box.inflated(1e-9), 0.002));
   }
   CHECK(inside > 100);
+}
+
+TEST_CASE("a plane whose pose has a number that is none supports nothing", "[support][hostile]") {
+  const Body body = *make_body(sphere_detection(ball_on_table(0.0, 0.0, 0.03)));
+  CHECK(supports_of(body, {table_detection()}).size() == 1);
+  for (int entry = 0; entry < 12; ++entry) {
+    for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+      Detection table = table_detection();
+      table.X_CQ.matrix()(entry / 4, entry % 4) = value;
+      CHECK(supports_of(body, {table}).empty());
+    }
+  }
 }

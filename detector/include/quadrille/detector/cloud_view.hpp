@@ -19,7 +19,8 @@ struct CloudView {
         height(cloud.height),
         viewpoint(cloud.viewpoint) {}
 
-  /// Positions p_C [m]. A missing point of an organised cloud has NaN coordinates.
+  /// Positions p_C [m]. A missing point of an organised cloud has NaN coordinates; points farther
+  /// than kMaxRange from the viewpoint count as missing (see check_range()).
   std::span<const Eigen::Vector3f> points;
   /// Pixels per row if the cloud is organised (row by row); otherwise 0.
   int width = 0;

@@ -85,7 +85,8 @@ struct DetectionResult {
   std::vector<Detection> detections;
   /// What planes among them are faces of, the surest first.
   std::vector<Box> boxes;
-  /// Points with finite coordinates, and those of them that surface samples were made of.
+  /// Points with finite coordinates within kMaxRange, and those of them that surface samples were
+  /// made of.
   std::size_t points_finite = 0, points_used = 0;
   /// In the order of the stages, without their total.
   std::vector<StageTime> timings;

@@ -35,7 +35,8 @@ struct PointLayout {
 
 /// Reads the points out of raw bytes; NaN, infinite and all-zero records count as missing.
 ///
-/// Missing points are dropped from an unorganised cloud and kept as NaN in an organised one.
+/// Missing points are dropped from an unorganised cloud and kept as NaN in an organised one. Points
+/// too far from the viewpoint, which is not known here, are left to check_range().
 /// @param bytes   the records
 /// @param layout  where the coordinates stand
 /// @param X_CF    turns and moves the points of the records, in frame F, to frame C, before they

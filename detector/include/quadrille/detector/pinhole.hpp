@@ -25,9 +25,10 @@ struct PinholeView {
   /// Half the field of view at most, as a tangent: 63°. Depth cameras have 60° at most, and pixels
   /// farther out would be stretched more than twofold.
   static constexpr float kMaxTangent = 2.0f;
-  /// Inverse depth below which points are seen [1/m]: nothing stands a tenth of a millimetre before
-  /// a lens, but for points that stand for missing ones.
-  static constexpr float kMaxInverseDepth = 1e4f;
+  /// Inverse depths between which points are seen [1/m]: nothing stands a tenth of a millimetre
+  /// before a lens, or a million kilometres, but for points that stand for missing ones. Squares of
+  /// the inverse depth keep all their digits.
+  static constexpr float kMinInverseDepth = 1e-9f, kMaxInverseDepth = 1e4f;
 
   /// Frame V: origin at the viewpoint, z into the scene.
   Eigen::Isometry3f X_VC = Eigen::Isometry3f::Identity();
@@ -45,10 +46,10 @@ struct PinholeView {
       return X(r, 0) * p_C.x() + X(r, 1) * p_C.y() + X(r, 2) * p_C.z() + X(r, 3);
     };
     const float w = 1.0f / row(2), u = row(0) * w, v = row(1) * w;
-    // Also false for NaN and for what is infinitely far. No && and ||, that would stop the compiler
+    // Also false for NaN. No && and ||, that would stop the compiler
     // from taking several points at once.
-    const bool inside = (w > 0.0f) & (w < kMaxInverseDepth) & (std::abs(u) < kMaxTangent) &
-                        (std::abs(v) < kMaxTangent);
+    const bool inside = (w > kMinInverseDepth) & (w < kMaxInverseDepth) &
+                        (std::abs(u) < kMaxTangent) & (std::abs(v) < kMaxTangent);
     return {inside ? u : 0.0f, inside ? v : 0.0f, inside ? w : 0.0f};
   }
 

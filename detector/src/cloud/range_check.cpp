@@ -1,0 +1,96 @@
+#include "quadrille/detector/range_check.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "base/vector_clones.hpp"
+#include "cloud/some_points.hpp"
+
+namespace quadrille {
+namespace {
+
+constexpr float kSquaredRange = static_cast<float>(kMaxRange * kMaxRange);
+
+/// Also false for points that are not finite.
+bool in_range(const Eigen::Vector3f& p, const Eigen::Vector3f& from) {
+  return (p - from).squaredNorm() <= kSquaredRange;
+}
+
+/// True if all of 16 points are in range for sure: if the sum of their squared distances is.
+QUADRILLE_VECTOR_CLONES
+bool all_in_range(const float* points, const float* from) {
+  std::array<float, 16> sums{};
+  for (int part = 0; part < 48; part += 16) {
+    for (int k = 0; k < 16; ++k) {
+      const float d = points[part + k] - from[part + k];
+      sums[k] += d * d;
+    }
+  }
+  float sum = 0;
+  for (const float s : sums) sum += s;
+  return sum <= kSquaredRange;
+}
+
+void count(std::span<const Eigen::Vector3f> points, const Eigen::Vector3f& from,
+           RangeCheck* check) {
+  constexpr std::size_t kRun = 16;
+  const Eigen::Matrix<float, 3 * kRun, 1> from_each = from.replicate<kRun, 1>();
+  check->near = check->far = 0;
+  std::size_t i = 0;
+  while (i < points.size()) {
+    if (i + kRun <= points.size() && all_in_range(points[i].data(), from_each.data())) {
+      check->near += kRun, i += kRun;
+      continue;
+    }
+    for (const std::size_t end = std::min(i + kRun, points.size()); i < end; ++i) {
+      const bool near = in_range(points[i], from);
+      check->near += near;
+      check->far += !near && points[i].allFinite();
+    }
+  }
+}
+
+PointCloud without_far(const CloudView& cloud, const Eigen::Vector3f& from) {
+  PointCloud rest;
+  rest.points.assign(cloud.points.begin(), cloud.points.end());
+  rest.width = cloud.width;
+  rest.height = cloud.height;
+  rest.viewpoint = cloud.viewpoint;
+  const auto is_far = [&](const Eigen::Vector3f& p) { return p.allFinite() && !in_range(p, from); };
+  if (cloud.organised()) {
+    const Eigen::Vector3f missing =
+        Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+    std::replace_if(rest.points.begin(), rest.points.end(), is_far, missing);
+  } else {
+    std::erase_if(rest.points, is_far);
+  }
+  return rest;
+}
+
+}  // namespace
+
+RangeCheck check_range(const CloudView& cloud) {
+  RangeCheck check;
+  Eigen::Vector3f from = cloud.viewpoint.cast<float>();
+  count(cloud.points, from, &check);
+  if (check.near < kMinPoints && check.far >= kMinPoints) {
+    const std::vector<Eigen::Vector3d> some = some_of(cloud.points);
+    if (!some.empty()) from = middle_of(some).cast<float>();
+    count(cloud.points, from, &check);
+  }
+  if (check.far > 0) check.rest = without_far(cloud, from);
+  return check;
+}
+
+std::string RangeCheck::warning() const {
+  if (far == 0) return "";
+  return std::to_string(far) + (far == 1 ? " point" : " points") +
+         " farther than 1 km from the viewpoint, as codes for missing ones are, " +
+         (far == 1 ? "is" : "are") + " left out";
+}
+
+}  // namespace quadrille

@@ -1,0 +1,7 @@
+#include "grasping/fuzz/plan_hostile.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  quadrille::test::Choices choices({data, size});
+  quadrille::test::plan_hostile(choices);
+  return 0;
+}
