@@ -21,7 +21,9 @@ constexpr double kMinShareAbove = 0.25;
 /// A large plane that the target stands on: below most of the body, no farther from the body than
 /// the body is large (what stands before it may hide the body's foot).
 std::optional<SupportPlane> support(const Detection& plane, const Body& body) {
-  if (!plane.X_CQ.matrix().allFinite()) return std::nullopt;
+  if (!plane.X_CQ.matrix().allFinite() || !plane.X_CQ.linear().isUnitary(1e-3)) {
+    return std::nullopt;
+  }
   const double size = body.bounds_Q().sizes().maxCoeff();
   const double min_size = std::max(kMinSupportSize, kMinSupportToBody * size);
   if (plane.extent_Q.sizes().head<2>().minCoeff() < min_size) return std::nullopt;
