@@ -23,8 +23,6 @@ check_command_lines() {
       expect_exit 2 "ttl = '$ttl' must be" "$program" --lcm-url "${url%0}$ttl"
     done
   done
-  expect_exit 2 "no multicast address" \
-    "$bin/quadrille" merge --shards 2 --lcm-url udpm://10.0.0.1:7667
   expect_exit 2 "the types are" "$detector" --only torus
   expect_exit 2 "--unknown: 'x' is none of: obstacle, target-shadow, free; see" \
     "$planner" --unknown x

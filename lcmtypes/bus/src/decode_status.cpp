@@ -11,8 +11,6 @@ constexpr std::size_t kMaxStatusBytes = std::size_t{1} << 20;
 /// transport_t; the members of process_t after its strings; those of stage_t after its name.
 constexpr std::int64_t kTransportBytes = 6 * 8, kProcessNumbersBytes = 4 * 8 + 2 * 4,
                        kStageNumbersBytes = 6 * 8;
-/// A string takes its length and its end mark.
-constexpr std::size_t kMinStringBytes = 5;
 
 void skip_counts(ByteReader* reader) {
   const std::int32_t counts = reader->read_count("counts", kMinStringBytes + 8);
