@@ -33,8 +33,6 @@ struct ProcessArguments {
   bool copy_input = false;
   /// Whose messages are received, as bus::parse_senders() reads it; empty: everyone's.
   std::string accept_from;
-  /// Start the process anew whenever it dies.
-  bool respawn = false;
   /// Begins the names of all channels.
   std::string channel_prefix;
   bool verbose = false;
@@ -43,16 +41,9 @@ struct ProcessArguments {
   /// File that always holds the last status, for node exporters; empty for none.
   std::string stats_file;
 
-  /// Adds --in-log, --out-log, --copy-input and --verbose, and what the other two add; this must
-  /// outlive the app.
+  /// Adds the options; this must outlive the app.
   /// @param work  what is logged with --verbose, such as "cloud"
   void add_to(CLI::App& app, const std::string& work);
-
-  /// Adds what concerns the bus alone: --lcm-url, --accept-from, --respawn, --channel-prefix.
-  void add_bus_to(CLI::App& app);
-
-  /// Adds --stats-file.
-  void add_stats_to(CLI::App& app);
 
   /// The channel with the prefix.
   /// @throws CLI::ValidationError if LCM does not take the name

@@ -1,17 +1,11 @@
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <span>
 #include <string>
 
 namespace quadrille::io {
 
-/// XXH3 with 64 bits: a number that tells texts and messages apart, the same on all machines. It
-/// keeps nobody from making two that have the same one.
-std::uint64_t hash_of(std::span<const std::byte> bytes);
-
-/// The same of a text, as 16 hexadecimal digits.
+/// XXH3 of a text with 64 bits, as 16 hexadecimal digits: it tells texts apart, and is the same on
+/// all machines. It keeps nobody from making two texts that have the same one.
 std::string hash_text(const std::string& text);
 
 }  // namespace quadrille::io

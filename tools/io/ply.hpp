@@ -15,16 +15,13 @@ namespace quadrille::io {
 /// `comment viewpoint X Y Z` gives the sensor's place [m], `comment frame NAME` the frame, and
 /// `comment width W height H` or `obj_info num_cols W`, `num_rows H` make the cloud organised
 /// where W x H is the number of vertices.
+/// @param name  stands for the path in errors
 /// @param X_CF  turns and moves the file's frame F to frame C of the cloud, before single precision
-/// @throws FileError if the file is missing, cut short, or of another format
-PointCloud read_ply(const std::string& path,
-                    const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
-
-/// The same from memory; `name` stands for the path in errors.
+/// @throws FileError if the file is cut short, or of another format
 PointCloud parse_ply(std::span<const std::byte> bytes, const std::string& name,
                      const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
 
-/// Writes float x y z, binary little endian, with the comments that read_ply understands.
+/// Writes float x y z, binary little endian, with the comments that parse_ply understands.
 /// @throws FileError if the file cannot be written
 void write_ply(const std::string& path, const PointCloud& cloud);
 

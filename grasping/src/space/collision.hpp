@@ -50,12 +50,10 @@ struct CollisionScene {
   /// points, and the hand may come from any side of that end. Less where the end was measured.
   double end_doubt = 0.008;
 
-  /// What the swept hand runs into, nullopt if nothing. Its closing may touch the target.
-  std::optional<Obstruction> obstruction(const SweptHand& hand) const;
-  /// The same for the palm alone, which no other opening of the hand moves out of the way. It
-  /// stays off the target by end_doubt.
+  /// What the swept palm runs into, nullopt if nothing: no other opening of the hand moves it out
+  /// of the way. It stays off the target by end_doubt.
   std::optional<Obstruction> palm_obstruction(const OrientedBox& palm) const;
-  /// The same for the fingers and their closing.
+  /// The same for the swept fingers and their closing, which may touch the target.
   std::optional<Obstruction> finger_obstruction(const SweptHand& hand) const;
   /// The same for what fingers fill at the end of the approach, whatever their opening: the target
   /// is no obstacle to it.

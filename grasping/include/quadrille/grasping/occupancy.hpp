@@ -88,9 +88,7 @@ class OccupancyGrid {
   QUADRILLE_EXPORT OccupancyGrid moved(const Eigen::Isometry3d& X_FC) const;
 
   /// The same map as an OctoMap, uniform blocks as single nodes; unknown where it has no node.
-  /// @param unknown_occupied  mark unknown space of the region as occupied, for FCL, which lets
-  ///                          everything pass where the tree has no node
-  QUADRILLE_EXPORT std::shared_ptr<octomap::OcTree> to_octree(bool unknown_occupied = false) const;
+  QUADRILLE_EXPORT std::shared_ptr<octomap::OcTree> to_octree() const;
 
  private:
   void mark_free(const DepthView& view);
