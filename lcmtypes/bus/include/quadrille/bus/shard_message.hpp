@@ -9,7 +9,7 @@
 
 namespace quadrille::bus {
 
-/// Reads what a shard tells of a cloud out of a message of type quadrille.shard_cloud_t.
+/// Reads a shard's report on a cloud from a message of type quadrille.shard_cloud_t.
 /// @param bytes  the message as it came, fingerprint first
 QUADRILLE_EXPORT Decoded<shard_cloud_t> decode_shard_cloud(std::span<const std::byte> bytes);
 
