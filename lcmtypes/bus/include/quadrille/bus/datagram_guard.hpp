@@ -10,8 +10,8 @@ namespace quadrille::bus {
 ///  fragment
 ///    that does not begin it, or a channel name without an end;
 ///  - datagrams of senders that are not accepted.
-/// Whether a datagram is local is decided by the interface on which it came and not by its address,
-/// which can be forged.
+/// A datagram counts as local if it came by loopback, whatever its source address, which can be
+/// forged.
 /// @throws std::runtime_error if an interface does not exist or the kernel refuses the filter
 QUADRILLE_EXPORT void guard_socket(int socket, const AcceptedSenders& senders);
 
