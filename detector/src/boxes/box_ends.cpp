@@ -24,8 +24,8 @@ constexpr double kPointsPerMeasurement = 16.0;
 // The outermost layer of a box may be rounded and noisy: its thickness [m], and at most this share
 // of the side.
 constexpr double kSkin = 0.008, kMaxSkinShare = 0.3;
-// Lines of sight that may cross a box as strays without bounding its end, as a share of the points
-// on a face and at least.
+// Lines of sight that may cross a box as strays without bounding its end: this share of the points
+// on a face, and at least kMinStrays.
 constexpr double kStrayShare = 0.01;
 constexpr std::size_t kMinStrays = 5;
 

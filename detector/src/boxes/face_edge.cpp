@@ -18,8 +18,8 @@ constexpr std::size_t kMinRowPoints = 3;
 // An edge counts as seen if at least this many rows, and this share of all rows, see it.
 constexpr std::size_t kMinSeenRows = 3;
 constexpr double kMinSeenShare = 0.3;
-// What lies beside a row is decided by this many points, the nearest within a distance [m]; sensors
-// lose some points beside the edges of things.
+// This many points, the nearest within a distance [m], decide what lies beside a row; sensors lose
+// some points beside the edges of things.
 constexpr std::size_t kVoters = 3;
 constexpr double kMaxBeside = 0.04;
 // A point beside a row touches the row's end if it is no farther from it than this many times their

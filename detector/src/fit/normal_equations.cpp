@@ -43,7 +43,7 @@ struct alignas(kLanes * sizeof(Scalar)) Jacobian {
   Scalar column[kColumns][kChunk];
 };
 
-/// Eight sums side by side: for floats one AVX register, or two SSE ones.
+/// Eight partial sums side by side: for floats one AVX register, or two SSE registers.
 template <typename Scalar>
 struct StrandsOf;
 template <>

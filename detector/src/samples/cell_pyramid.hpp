@@ -32,7 +32,8 @@ class CellPyramid {
   /// The finest cell that contains a point of the cloud [m]. It is −1 if the point is not finite,
   /// not seen, or on the other side of a depth edge.
   virtual int cell_of(const Eigen::Vector3f& point) const = 0;
-  /// What was seen along the ray of each finest cell; empty if the cells do not belong to one view.
+  /// The depth seen along the ray of each finest cell; empty if the cells do not belong to one
+  /// view.
   virtual Sight sight() const { return {}; }
   /// Samples of the coarsest level with the smallest windows, on which planes are found.
   virtual SurfaceSamples coarse_samples() const = 0;

@@ -5,7 +5,7 @@
 namespace quadrille {
 namespace {
 
-// Samples within this many cells of an end are mirrored to the same distance beyond it.
+// Samples within this many cells of an end are moved along the axis to this many cells beyond it.
 constexpr double kEndCells = 2.0;
 // If something is seen this many cells nearer than the surface would be, it stands in front of the
 // surface and does not support it.

@@ -8,7 +8,7 @@
 
 namespace quadrille {
 
-/// What the samples of a surface leave uncertain about its quadric.
+/// The uncertainty that the samples of a surface leave about its quadric.
 struct Uncertainty {
   /// Standard deviation of each canonical dimension [m], of angles [rad]; infinite if the samples
   /// do not show the dimension and its value is a guess.

@@ -22,7 +22,7 @@ using QuadricsReady = std::function<void(const DetectionResult& found)>;
 
 /// Detects the quadrics of one cloud by the method of Birdal et al., CVPR 2018.
 ///
-/// The same cloud, options and seed give the same bits for any thread count.
+/// Equal clouds, options and seeds give equal bits for any thread count.
 /// @param ready  called once as soon as the quadrics are known, before boxes are sought; may be
 ///   empty
 /// @throws std::invalid_argument if an option is out of range (the message names the field)

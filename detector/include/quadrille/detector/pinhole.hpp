@@ -40,7 +40,7 @@ struct PinholeView {
   /// Bounds of the tangents (u, v) of the points that it sees.
   Eigen::AlignedBox2f bounds;
 
-  /// (u, v, w) of a point p_C [m], as in SeenPoints.
+  /// Returns (u, v, w) of a point p_C [m], as in SeenPoints.
   Eigen::Vector3f operator()(const Eigen::Vector3f& p_C) const {
     const Eigen::Matrix4f& X = X_VC.matrix();
     const auto row = [&](int r) {

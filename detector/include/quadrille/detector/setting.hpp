@@ -47,7 +47,8 @@ constexpr std::string_view word_of(Choice choice) {
   return {};
 }
 
-/// @throws std::invalid_argument "NAME = VALUE: must lie between MIN and MAX" if it does not
+/// Checks a value against its row.
+/// @throws std::invalid_argument "NAME = VALUE: must lie between MIN and MAX" if it is out of range
 QUADRILLE_EXPORT void check_range(const Setting& setting, double value);
 QUADRILLE_EXPORT void check_range(const Setting& setting, int value);
 

@@ -97,12 +97,12 @@ struct InlierTest {
 /// Ways to draw hypotheses from a neighbourhood.
 enum class BasisKind {
   kThreePoints,  ///< three oriented points and a vote along their null space (paper, section 4)
-  kFourPoints,   ///< a fourth point fixes λ (paper, theorem 3)
+  kFourPoints,   ///< three oriented points and a fourth point, which fixes λ (paper, theorem 3)
   kNinePoints,   ///< nine points without normals
   kTwoPoints,    ///< two oriented points and a vote in three dimensions (paper, figure 2b)
   kSphere,       ///< one oriented point and a vote for the radius (paper, figure 2b)
-  kCylinder,     ///< two oriented points give a circular cylinder
-  kCone,         ///< three oriented points give a circular cone
+  kCylinder,     ///< two oriented points, which determine a circular cylinder
+  kCone,         ///< three oriented points, which determine a circular cone
 };
 
 constexpr auto words_of(BasisKind) {

@@ -35,7 +35,7 @@ class Backlog {
   QUADRILLE_EXPORT void push(const std::string& channel, std::span<const std::byte> bytes,
                              void* subscriber);
 
-  /// The oldest message; nullopt if none waits.
+  /// Takes the oldest message; nullopt if none waits.
   QUADRILLE_EXPORT std::optional<Message> pop();
 
   bool empty() const { return messages_.empty(); }

@@ -36,7 +36,7 @@ struct Traffic {
   /// Datagrams that the connection's filter refused, because their sender is not accepted or
   /// because no LCM sends such datagrams.
   std::int64_t filtered_datagrams = 0;
-  /// Datagrams dropped for one of these two reasons, without it being known which.
+  /// Datagrams dropped for one of these two reasons when it is not known which.
   std::int64_t unclear_datagrams = 0;
   /// Messages that newer ones drove out before they were handled.
   std::int64_t dropped_messages = 0;
