@@ -12,7 +12,7 @@ namespace quadrille {
 /// Design and Applications 2013, with its two strategies:
 /// - cones, cylinders, paraboloids and similar types: axis or apex first, then a linear fit in the
 ///   design of the type;
-/// - ellipsoids, hyperboloids and central cylinders, which are open sets: Taubin's fit, and if it
+/// - ellipsoids, hyperboloids and central cylinders, which are open sets: Taubin's fit, and if that
 /// is
 ///   of another type, the first quadric of the right type on the line from it to an anchor. The
 ///   anchor is a fit of the type whose quadratic part is fixed (all semi-axes equal).

@@ -13,13 +13,14 @@ namespace quadrille {
 ///
 /// This holds because xᵢᵀQxⱼ in homogeneous coordinates is half of either side: the gradient at one
 /// point, projected on the way to the other. Two of the equations determine α; the third then
-/// measures the consistency of the basis, see `inconsistency`. A pair on one ruling has b_ij = b_ji
-/// = 0 and determines nothing.
+/// measures the consistency of the basis, see `inconsistency`. For a pair on one ruling b_ij = b_ji
+/// = 0, which determines nothing.
 ///
-/// With softness s > 0, for noisy normals, α minimises Σ (αᵢ b_ij − αⱼ b_ji)² / |xⱼ − xᵢ|² + s² Σ
-/// (αᵢ − 1)²; pairs whose tangent planes see the other point at an angle below s keep the paper's
-/// common scale. With s = 0, the two equations with the largest products are solved; relative
-/// errors ε of the products become errors of about ε (|xⱼ − xᵢ| / |b_ij| + |xⱼ − xᵢ| / |b_ji|).
+/// With softness s > 0, for noisy normals, α minimises
+///   Σ (αᵢ b_ij − αⱼ b_ji)² / |xⱼ − xᵢ|² + s² Σ (αᵢ − 1)²;
+/// pairs whose tangent planes see the other point at an angle below s keep the paper's common
+/// scale. With s = 0, the two equations with the largest products are solved; relative errors ε of
+/// the products become errors of about ε (|xⱼ − xᵢ| / |b_ij| + |xⱼ − xᵢ| / |b_ji|).
 /// @return α with a mean of 1. Nullopt if points coincide; if α would not be positive, as for
 ///   normals that look to different sides; if s > 0 and one length is less than a tenth of another;
 ///   or if s = 0 and no two pairs have nonzero products (three points of a plane, or on rulings)

@@ -9,8 +9,9 @@
 
 namespace quadrille {
 
-/// The sphere of signed curvature κ = 1/r that touches an oriented point: f = n·d + κ/2 |d|² with d
-/// = x − x₁. The gradient at the point is n, and κ = 0 gives a plane.
+/// The sphere of signed curvature κ = 1/r that touches an oriented point:
+///   f = n·d + κ/2 |d|² with d = x − x₁.
+/// The gradient at the point is n, and κ = 0 gives a plane.
 Eigen::Matrix4d tangent_sphere(const OrientedPoint& point, double curvature);
 
 /// Votes for the one parameter of a sphere that an oriented point leaves free (paper, figure 2b).

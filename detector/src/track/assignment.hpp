@@ -6,8 +6,8 @@
 namespace quadrille {
 
 /// Pairs rows with columns, each at most once, such that the sum of costs is least; each row that
-/// stays alone costs `alone`. This is Kuhn's (Hungarian) method with potentials, O((rows +
-/// columns)^3).
+/// stays alone costs `alone`. This is Kuhn's (Hungarian) method with potentials, which takes a time
+/// of O((rows + columns)^3).
 ///
 /// A greedy choice would take the cheapest pair first and leave the rest to the others, which swaps
 /// objects that pass each other.

@@ -7,8 +7,9 @@
 
 namespace quadrille {
 
-/// Fits a quadric of revolution in closed form: axis_of_revolution(), then the profile ρ² = α + β s
-/// + γ s² by linear least squares.
+/// Fits a quadric of revolution in closed form: axis_of_revolution(), then by linear least squares
+/// the profile
+///   ρ² = α + β s + γ s².
 /// @return nullopt if the points do not determine the surface
 std::optional<PosedQuadric> initial_revolution(const OrientedPointsf& points);
 
