@@ -13,8 +13,7 @@ namespace quadrille {
 /// - cones, cylinders, paraboloids and similar types: axis or apex first, then a linear fit in the
 ///   design of the type;
 /// - ellipsoids, hyperboloids and central cylinders, which are open sets: Taubin's fit, and if that
-/// is
-///   of another type, the first quadric of the right type on the line from it to an anchor. The
+///   is of another type, the first quadric of the right type on the line from it to an anchor. The
 ///   anchor is a fit of the type whose quadratic part is fixed (all semi-axes equal).
 /// The article's own anchors for hyperboloids differ.
 /// @param points  at least 9
