@@ -7,8 +7,7 @@ namespace quadrille::bus {
 
 /// Makes the kernel drop datagrams that LCM must not see before anyone reads them:
 ///  - datagrams that crash LCM 1.3 to 1.5: a fragment that lies outside its message, a first
-///  fragment
-///    that does not begin it, or a channel name without an end;
+///    fragment that does not begin it, or a channel name without an end;
 ///  - datagrams of senders that are not accepted.
 /// A datagram counts as local if it came by loopback, whatever its source address, which can be
 /// forged.
