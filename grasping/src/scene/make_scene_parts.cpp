@@ -180,7 +180,7 @@ class SceneMaker {
     parts_.why_none[id] = "cannot be held: " + std::string(to_string(why));
   }
 
-  /// The box that a detection is a face of; nullptr if there is none.
+  /// The box of which a detection is a face; nullptr if there is none.
   const Box* box_of(int id) const {
     const auto found = std::find_if(parts_.boxes.begin(), parts_.boxes.end(), [&](const Box& box) {
       return std::find(box.faces.begin(), box.faces.end(), id) != box.faces.end();
@@ -221,7 +221,7 @@ class SceneMaker {
   std::vector<Detection> detections_;
   const Deadline& deadline_;
   SceneParts& parts_;
-  /// A list, so that the clouds in it stay where they are.
+  /// Range checks of all clouds, in a list so that the clouds in it keep their addresses.
   std::list<RangeCheck> ranges_;
   const PointCloud& cloud_;
   std::vector<const PointCloud*> further_;

@@ -8,9 +8,8 @@
 namespace quadrille {
 namespace {
 
-// Half the thickness of the carved layer in standard deviations of the target's points about its
-// surface. The noise is at least the first distance, because fits are no more accurate, and at most
-// the second [m].
+// The target's points are carved up to this many of their standard deviations from its fitted
+// surface: at least the first distance, since fits are no more accurate, at most the second [m].
 constexpr double kCarveSigmas = 3.0, kMinCarveNoise = 0.002, kMaxCarveNoise = 0.01;
 // A detection is part of the target if its centre lies in the target's body grown by the first
 // value [m], and it is no larger than the body, to within a share of the body's size and a fixed
