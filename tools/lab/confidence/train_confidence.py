@@ -21,7 +21,7 @@ import sys
 import numpy
 
 FOLDS = 4
-# Terms are clamped to where all but this share of the surfaces lie.
+# Terms are clamped to the range that holds all but this share of the surfaces.
 TAIL = 0.003
 KINDS = ("curved", "flat")
 
@@ -80,7 +80,7 @@ class Model:
 def fit(x, y, ridge):
     """Newton's method on the log likelihood; the ridge, in standard units, keeps it finite."""
     scale = numpy.maximum(x.std(axis=0), 1e-6)
-    scale[0] = 1.0  # the constant
+    scale[0] = 1.0  # the constant term is not scaled
     x = x / scale
     penalty = ridge * numpy.eye(x.shape[1])
     penalty[0, 0] = 1e-9
