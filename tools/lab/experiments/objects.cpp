@@ -62,7 +62,8 @@ std::vector<SceneObject> scene_objects() {
           {"ball", scene::make_ball({0.08, 0.08, 0.08}), false}};
 }
 
-/// Returns the pose of the object on the table, turned about z, or on its side along x.
+/// Returns the pose of the object on the table, turned about z. Objects that may lie are laid on
+/// their side in every other arrangement.
 Eigen::Isometry3d object_pose(const SceneObject& object, int arrangement) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.linear() = Eigen::AngleAxisd(0.9 * arrangement, Vector3d::UnitZ()).toRotationMatrix();

@@ -19,7 +19,8 @@ constexpr int kSlices = 13;
 /// Distance between the centres of the drawn balls.
 constexpr double kApart = 2.2;
 
-/// Exact oriented points of an ellipsoid whose triangle is large but not close to a great one.
+/// Three exact oriented points of an ellipsoid. Their triangle is large, and its plane does not
+/// pass through the centre.
 struct ExactBasis {
   Quadric Q;
   std::array<OrientedPoint, 3> points;
