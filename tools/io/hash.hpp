@@ -7,11 +7,11 @@
 
 namespace quadrille::io {
 
-/// XXH3 with 64 bits: a number that tells texts and messages apart, the same on all machines. It
-/// keeps nobody from making two that have the same one.
+/// Returns the 64-bit XXH3 hash, which distinguishes texts and messages and is the same on all
+/// machines. It is not cryptographic: two inputs with the same hash can be made on purpose.
 std::uint64_t hash_of(std::span<const std::byte> bytes);
 
-/// The same of a text, as 16 hexadecimal digits.
+/// Returns the hash of a text as 16 hexadecimal digits.
 std::string hash_text(const std::string& text);
 
 }  // namespace quadrille::io

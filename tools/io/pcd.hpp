@@ -12,12 +12,12 @@ namespace quadrille::io {
 /// Reads a PCD file (versions 0.5 to 0.7; ascii, binary, binary_compressed) whose fields x, y, z
 /// are floats of 4 or 8 bytes among any others. The translation of VIEWPOINT becomes the viewpoint;
 /// a HEIGHT above 1 makes the cloud organised.
-/// @param X_CF  turns and moves the file's frame F to frame C of the cloud, before single precision
-/// @throws FileError if the file is missing, cut short, or of another format
+/// @param X_CF  pose of the file's frame F in frame C of the cloud, applied in double precision
+/// @throws FileError if the file is missing, truncated, or of another format
 PointCloud read_pcd(const std::string& path,
                     const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
 
-/// The same from memory; `name` stands for the path in errors.
+/// Like read_pcd(), from memory; `name` is the name of the file in errors.
 PointCloud parse_pcd(std::span<const std::byte> bytes, const std::string& name,
                      const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
 

@@ -181,7 +181,7 @@ export class World {
     this.put("hand", hand);
   }
 
-  /// Returns the corners of the drawn hand.
+  /// Returns the corners of the box around the drawn hand and its contacts.
   handCorners() {
     const box = new THREE.Box3().setFromObject(this.parts.hand || new THREE.Group());
     if (box.isEmpty()) return [];
