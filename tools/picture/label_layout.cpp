@@ -10,7 +10,7 @@ namespace {
 constexpr double kCell = 4.0;
 /// Step between the places that are tried, and the best length of a leader line [pixels].
 constexpr double kTry = 8.0, kBestLength = 18.0;
-/// Cost of leader line that crosses a surface or another line, per cost of the same length.
+/// Cost of leader line that crosses a surface or another line, relative to that of excess length.
 constexpr double kCrossing = 2.0;
 constexpr std::size_t kRimPoints = 48;
 
