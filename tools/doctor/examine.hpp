@@ -7,7 +7,7 @@
 
 namespace quadrille::doctor {
 
-/// What to examine.
+/// The subject of an examination.
 struct Questions {
   /// The LCM address.
   std::string url;

@@ -14,9 +14,9 @@ struct Finding {
   Verdict verdict = Verdict::kOk;
   /// Name of the check, in one or two words.
   std::string check;
-  /// What was found, with its numbers.
+  /// The finding itself, with its numbers.
   std::string what;
-  /// What to type or to change; empty if nothing needs to be.
+  /// The command to type, or the change to make; empty if none is needed.
   std::string remedy = {};
 };
 

@@ -14,7 +14,7 @@ using Json = nlohmann::ordered_json;
 
 struct RunInfo;
 
-/// What is known of a cloud before anything is computed.
+/// Facts about a cloud that are known before anything is computed.
 struct InputInfo {
   /// Path, with a message number for logs.
   std::string input;

@@ -36,7 +36,7 @@ class CloudLogReader {
   const std::map<std::string, std::int64_t>& channels() const { return channels_; }
   /// Share of the log that has been read, from 0 to 1.
   double share() const;
-  /// Where the log is truncated or damaged; nullopt if it is complete.
+  /// Describes where the log is truncated or damaged; nullopt if it is complete.
   const std::optional<std::string>& defect() const { return log_.survey().defect; }
 
  private:

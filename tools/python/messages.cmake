@@ -1,8 +1,8 @@
-# The messages as lcm-gen makes them for Python, in the same package `quadrille`: quadrille.quadrics_t,
-# and those of other packages below it, so that they clash with no one's: quadrille.drake and
-# quadrille.bot_core. Called by CMakeLists.txt; with -P it makes them:
-#   LCM_GEN, SCHEMAS (folder), PACKAGE (folder), WORK (folder), LIST (what imports quadrille's
-#   own types)
+# Builds the messages for Python with lcm-gen, in the package `quadrille` (quadrille.quadrics_t).
+# Messages of other packages go below it (quadrille.drake and quadrille.bot_core), so that they
+# clash with no other software's. CMakeLists.txt includes this file; run with -P it makes the
+# messages, given LCM_GEN, SCHEMAS (folder), PACKAGE (folder), WORK (folder), and LIST (the file
+# that imports quadrille's own types).
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   # quadrille_python_messages(PACKAGE LIST) builds the messages into the folder PACKAGE.
   function(quadrille_python_messages package list)

@@ -21,7 +21,7 @@ class LogFrames {
   /// Time at which each cloud was taken [us].
   const std::vector<std::int64_t>& utimes() const { return utimes_; }
   const std::string& path() const { return path_; }
-  /// Where the log is truncated; nullopt if it is complete.
+  /// Describes where the log is truncated; nullopt if it is complete.
   const std::optional<std::string>& defect() const { return defect_; }
 
   /// Returns the cloud with this number, counted from 0; nullopt if there is none.

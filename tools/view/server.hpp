@@ -10,7 +10,7 @@ namespace quadrille::view {
 class HttpServer;
 class PageRoutes;
 
-/// Where the page is served.
+/// The address at which the page is served.
 struct ServerOptions {
   std::string bind_address = "127.0.0.1";
   /// Port number; 0 for any free port.

@@ -86,7 +86,7 @@ void raise_to_points(const PointCloud& cloud, Shell& shell) {
   shell.body.z_max = bottom + kRaiseStep * static_cast<double>(n);
 }
 
-/// Ends the body where the points measured on it end; false if too few are.
+/// Cuts the body where the points measured on it end; returns false if there are too few.
 bool cut_at_points(const PointCloud& cloud, Shell& shell) {
   std::vector<double> heights;
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();

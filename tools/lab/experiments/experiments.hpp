@@ -50,7 +50,7 @@ Report run_pencil(const Settings& settings);
 /// Fits to noisy points, drawn in sections (figure 5 B).
 Report run_examples(const Settings& settings);
 
-/// What the search finds on planes that are not removed before it (figure 9).
+/// Findings of the search on planes that were not removed before it (figure 9).
 Report run_planes(const Settings& settings);
 
 /// Eight generated sequences that stand in for those of table 1.
