@@ -19,6 +19,11 @@ std::vector<PointCloud> make_clouds() {
   return clouds;
 }
 
+void write_log(const std::string& path, const CloudLogOptions& options) {
+  CloudLogWriter writer(path, options);
+  for (const PointCloud& cloud : make_clouds()) writer.write(cloud);
+}
+
 TEST_CASE("clouds come out of a log as they went in, at the rate asked for", "[logs]") {
   const test::TempFolder folder;
   const auto format = GENERATE(bus::CloudFormat::kDrake, bus::CloudFormat::kPointCloud2,
@@ -27,7 +32,7 @@ TEST_CASE("clouds come out of a log as they went in, at the rate asked for", "[l
   options.rate = 30.0;
   options.channel = "LIDAR";
   options.format = format;
-  write_cloud_log(folder.path("x.lcm"), make_clouds(), options);
+  write_log(folder.path("x.lcm"), options);
   CloudLogReader reader(folder.path("x.lcm"), "LIDAR");
   const std::int64_t utimes[] = {33333, 66667, 100000};
   for (int i = 0; i < 3; ++i) {
@@ -72,7 +77,7 @@ TEST_CASE("events that are no valid clouds are counted, other types passed over"
 
 TEST_CASE("a log cut short gives its whole clouds and tells where it ends", "[logs][hostile]") {
   const test::TempFolder folder;
-  write_cloud_log(folder.path("x.lcm"), make_clouds());
+  write_log(folder.path("x.lcm"), {});
   fs::resize_file(folder.path("x.lcm"), fs::file_size(folder.path("x.lcm")) - 5);
   CloudLogReader reader(folder.path("x.lcm"));
   CHECK(reader.next());

@@ -7,7 +7,7 @@ run_live() {
   local logger=$!
   "$detector" -v --lcm-url "$url" 2>"$work/detector.stderr" &
   local detector_process=$!
-  "$planner" -v --occupancy-period 0 --lcm-url "$url" 2>"$work/planner.stderr" &
+  "$planner" -v --occupancy-period 0 --deadline-ms 0 --lcm-url "$url" 2>"$work/planner.stderr" &
   local planner_process=$!
   started=("$logger" "$detector_process" "$planner_process")
   wait_until 20 enough_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"

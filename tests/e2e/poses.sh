@@ -56,7 +56,7 @@ play() {
   "$bin/quadrille-detector" "${frames[@]}" --config "$work/c.toml" --lcm-url "$url" \
     --stats-file "$work/detector.prom" 2>"$work/detector.stderr" &
   local detector=$!
-  "$bin/quadrille-grasp-planner" "${frames[@]}" --config "$work/c.toml" --no-occupancy \
+  "$bin/quadrille-grasp-planner" "${frames[@]}" --config "$work/c.toml" --no-occupancy --deadline-ms 0 \
     --lcm-url "$url" --stats-file "$work/planner.prom" 2>"$work/planner.stderr" &
   local planner=$!
   started=("$logger" "$detector" "$planner")

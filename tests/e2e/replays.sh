@@ -14,8 +14,6 @@ check_command_lines() {
     expect_exit 1 "lcm-tcpq-server" "$program" --lcm-url tcpq://127.0.0.1:9
     expect_exit 2 "LCM has no 'pigeon'" "$program" --lcm-url pigeon://
     expect_exit 2 "no multicast address" "$program" --lcm-url udpm://10.0.0.1:7667
-    # What no restart mends is not tried again.
-    expect_exit 1 "/none/s.prom: cannot be" "$program" --lcm-url "$url" --respawn --stats-file /none/s.prom
     expect_exit 1 "/none/s.prom: cannot be" "$program" --lcm-url "$url" --stats-file /none/s.prom
     if grep -q "listening" "$work/stderr"; then fail "$program listens before it looks at its files"; fi
     expect_exit 2 "memq reaches no other process" "$program" --lcm-url memq://
@@ -23,8 +21,6 @@ check_command_lines() {
       expect_exit 2 "ttl = '$ttl' must be" "$program" --lcm-url "${url%0}$ttl"
     done
   done
-  expect_exit 2 "no multicast address" \
-    "$bin/quadrille" merge --shards 2 --lcm-url udpm://10.0.0.1:7667
   expect_exit 2 "the types are" "$detector" --only torus
   expect_exit 2 "--unknown: 'x' is none of: obstacle, target-shadow, free; see" \
     "$planner" --unknown x

@@ -1,7 +1,6 @@
 #include "quadrille/bus/status_message.hpp"
 
 #include <lcmtypes/quadrille/detector_status_t.hpp>
-#include <lcmtypes/quadrille/merger_status_t.hpp>
 #include <lcmtypes/quadrille/planner_status_t.hpp>
 #include <lcmtypes/quadrille/pose_t.hpp>
 
@@ -32,7 +31,6 @@ std::vector<std::byte> status_of(const std::string& sender) {
 TEST_CASE("the sender of a status is read, whatever sends it", "[bus][status]") {
   CHECK(read_status_sender(status_of<detector_status_t>("robot:12")) == "robot:12");
   CHECK(read_status_sender(status_of<planner_status_t>("a")) == "a");
-  CHECK(read_status_sender(status_of<merger_status_t>("b")) == "b");
 }
 
 TEST_CASE("what a hostile status says of its sender does no harm", "[bus][status][hostile]") {

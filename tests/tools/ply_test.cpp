@@ -3,6 +3,7 @@
 #include <limits>
 #include <vector>
 
+#include "io/cloud_file.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 
@@ -140,7 +141,7 @@ TEST_CASE("a written PLY file reads back bit for bit", "[ply]") {
   cloud.viewpoint = {0.1, 0.2, -0.3};
   cloud.frame = "camera";
   io::write_ply(folder.path("a.ply"), cloud);
-  const PointCloud back = io::read_ply(folder.path("a.ply"));
+  const PointCloud back = io::read_cloud(folder.path("a.ply"));
   CHECK(back.width == 2);
   CHECK(back.height == 2);
   CHECK(back.viewpoint == cloud.viewpoint);

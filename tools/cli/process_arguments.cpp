@@ -98,19 +98,14 @@ void add_prefix_option(CLI::App& app, std::string& prefix) {
       ->type_name("NAME");
 }
 
-void ProcessArguments::add_bus_to(CLI::App& app) {
+void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
   add_address_option(app, lcm_url);
   app.add_option("--accept-from", accept_from,
                  "Receive only from this machine and these addresses, networks (10.0.0.0/24) and "
                  "interfaces, as they are at the start; local: from no other")
       ->check(CLI::Validator(check_senders, ""))
       ->type_name("SENDER,...");
-  app.add_flag("--respawn", respawn, "Start anew whenever it dies");
   add_prefix_option(app, channel_prefix);
-}
-
-void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
-  add_bus_to(app);
   auto* in = app.add_option("--in-log", in_log, "Replay this log, every " + work + " in order");
   auto* out = app.add_option("--out-log", out_log, "Write what is published to this log");
   auto* copy =
@@ -118,14 +113,8 @@ void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
   in->needs(out);
   out->needs(in);
   copy->needs(in);
-  for (const char* live : {"--lcm-url", "--accept-from", "--respawn"}) {
-    in->excludes(app.get_option(live));
-  }
+  for (const char* live : {"--lcm-url", "--accept-from"}) in->excludes(app.get_option(live));
   app.add_flag("-v,--verbose", verbose, "Log every " + work);
-  add_stats_to(app);
-}
-
-void ProcessArguments::add_stats_to(CLI::App& app) {
   app.add_option("--stats-file", stats_file,
                  "Keep the last status in this file, as Prometheus' node exporter collects it")
       ->type_name("FILE");

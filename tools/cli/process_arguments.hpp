@@ -35,8 +35,6 @@ struct ProcessArguments {
   /// Senders whose messages are received, in the form of bus::parse_senders(); if empty,
   /// everyone's.
   std::string accept_from;
-  /// Restarts the process whenever it dies.
-  bool respawn = false;
   /// Prefix of the names of all channels.
   std::string channel_prefix;
   bool verbose = false;
@@ -45,17 +43,9 @@ struct ProcessArguments {
   /// File that always holds the latest status, for node exporters; empty for none.
   std::string stats_file;
 
-  /// Adds --in-log, --out-log, --copy-input and --verbose, and the options of the other two
-  /// functions; this object must outlive the app.
+  /// Adds the options; this object must outlive the app.
   /// @param work  what is logged with --verbose, such as "cloud"
   void add_to(CLI::App& app, const std::string& work);
-
-  /// Adds the options that concern only the bus: --lcm-url, --accept-from, --respawn,
-  /// --channel-prefix.
-  void add_bus_to(CLI::App& app);
-
-  /// Adds --stats-file.
-  void add_stats_to(CLI::App& app);
 
   /// Returns the channel with the prefix.
   /// @throws CLI::ValidationError if LCM does not accept the name

@@ -7,12 +7,8 @@
 
 namespace quadrille::io {
 
-std::uint64_t hash_of(std::span<const std::byte> bytes) {
-  return XXH3_64bits(bytes.data(), bytes.size());
-}
-
 std::string hash_text(const std::string& text) {
-  return fmt::format("{:016x}", hash_of(std::as_bytes(std::span(text))));
+  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 
 }  // namespace quadrille::io

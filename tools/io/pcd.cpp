@@ -225,8 +225,4 @@ PointCloud parse_pcd(std::span<const std::byte> bytes, const std::string& name,
   return cloud;
 }
 
-PointCloud read_pcd(const std::string& path, const Eigen::Isometry3d& X_CF) {
-  return parse_pcd(read_file(path), path, X_CF);
-}
-
 }  // namespace quadrille::io

@@ -132,10 +132,6 @@ PointCloud parse_ply(std::span<const std::byte> bytes, const std::string& name,
   throw FileError(name, "header", "there is no 'vertex' element; export the cloud with points");
 }
 
-PointCloud read_ply(const std::string& path, const Eigen::Isometry3d& X_CF) {
-  return parse_ply(read_file(path), path, X_CF);
-}
-
 std::string ply_of(const PointCloud& cloud) {
   std::string text = "ply\nformat binary_little_endian 1.0\ncomment units metres\n";
   text += fmt::format("comment viewpoint {} {} {}\n", cloud.viewpoint.x(), cloud.viewpoint.y(),

@@ -15,16 +15,13 @@ namespace quadrille::io {
 /// `comment viewpoint X Y Z` gives the position of the sensor [m], and `comment frame NAME` the
 /// frame. `comment width W height H` or `obj_info num_cols W`, `num_rows H` make the cloud
 /// organised if W x H is the number of vertices.
+/// @param name  name of the file in errors
 /// @param X_CF  pose of the file's frame F in frame C of the cloud, applied in double precision
-/// @throws FileError if the file is missing, truncated, or of another format
-PointCloud read_ply(const std::string& path,
-                    const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
-
-/// Like read_ply(), from memory; `name` is the name of the file in errors.
+/// @throws FileError if the file is truncated, or of another format
 PointCloud parse_ply(std::span<const std::byte> bytes, const std::string& name,
                      const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
 
-/// Writes float x y z, binary little endian, with the comments that read_ply() understands.
+/// Writes float x y z, binary little endian, with the comments that parse_ply() understands.
 /// @throws FileError if the file cannot be written
 void write_ply(const std::string& path, const PointCloud& cloud);
 

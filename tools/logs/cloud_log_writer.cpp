@@ -38,11 +38,4 @@ void CloudLogWriter::write(const PointCloud& cloud) {
   bytes_ += static_cast<std::int64_t>(encoded.size());
 }
 
-void write_cloud_log(const std::string& path, std::span<const PointCloud> clouds,
-                     const CloudLogOptions& options) {
-  CloudLogWriter writer(path, options);
-  for (const PointCloud& cloud : clouds) writer.write(cloud);
-  writer.flush();
-}
-
 }  // namespace quadrille::logs

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string>
 
 #include "quadrille/bus/cloud_message.hpp"
@@ -50,9 +49,5 @@ class CloudLogWriter {
   bus::LogWriter log_;
   std::int64_t clouds_ = 0, bytes_ = 0;
 };
-
-/// Writes all clouds at once, in the same way as CloudLogWriter.
-void write_cloud_log(const std::string& path, std::span<const PointCloud> clouds,
-                     const CloudLogOptions& options = {});
 
 }  // namespace quadrille::logs

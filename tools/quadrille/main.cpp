@@ -9,7 +9,6 @@
 #include "quadrille/gripper_command.hpp"
 #include "quadrille/lab_commands.hpp"
 #include "quadrille/log_command.hpp"
-#include "quadrille/merge_command.hpp"
 #include "quadrille/plan_command.hpp"
 #include "quadrille/scene_command.hpp"
 #include "quadrille/show_command.hpp"
@@ -46,7 +45,6 @@ int main(int argc, char** argv) {
   quadrille::add_scene_command(app);
   quadrille::add_log_command(app);
   quadrille::add_doctor_command(app);
-  quadrille::add_merge_command(app);
   quadrille::add_config_command(app);
   quadrille::add_gripper_command(app);
   quadrille::add_show_command(app);

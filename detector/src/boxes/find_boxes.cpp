@@ -19,8 +19,8 @@ namespace {
 /// Detections may come out of messages.
 bool is_sound(const Detection& plane) {
   const Eigen::Vector3d size = plane.extent_Q.sizes();
-  return plane.X_CQ.matrix().allFinite() && size.allFinite() &&
-         plane.extent_Q.center().allFinite() && size.head<2>().minCoeff() > 0.0;
+  return plane.X_CQ.matrix().allFinite() && plane.X_CQ.linear().isUnitary(1e-3) &&
+         size.allFinite() && plane.extent_Q.center().allFinite() && size.head<2>().minCoeff() > 0.0;
 }
 
 /// Makes boxes, those of more faces first, so that one piece of a plane is a face of one of them.

@@ -186,8 +186,9 @@ std::string behind_plane(const CloudView& cloud, const Points& rays,
                          const std::vector<Detection>& detections) {
   for (const Detection& d : detections) {
     if (d.type != QuadricType::kPlane) continue;
-    if (d.extent_Q.isEmpty() || !(d.extent_Q.sizes().head<2>().minCoeff() > kMinPlane)) continue;
-    if (!(d.extent_Q.sizes().head<2>().maxCoeff() < kMaxPlane)) continue;
+    // Each by itself: the least of several numbers may leave out one that is NaN.
+    const Eigen::Array2d size = d.extent_Q.sizes().head<2>();
+    if (!((size > kMinPlane).all() && (size < kMaxPlane).all())) continue;
     const SeenPlane plane(d, cloud.viewpoint, rays);
     // Of the things on a table seen from below, or of all behind a wall.
     const SeenPlane::Counts about = plane.count(true), all = plane.count(false);

@@ -154,7 +154,7 @@ void end_cone(Body& body) {
 }
 
 bool sound(const Body& body) {
-  if (!body.X_CQ.matrix().allFinite()) return false;
+  if (!body.X_CQ.matrix().allFinite() || !body.X_CQ.linear().isUnitary(1e-3)) return false;
   const Eigen::Vector3d size = body.bounds_Q().sizes();
   return size.allFinite() && size.minCoeff() > 1e-4 && size.maxCoeff() < 100.0;
 }

@@ -129,11 +129,6 @@ std::optional<Obstruction> CollisionScene::closing_obstruction(
   return first_obstruction(*this, {}, fingers, margin);
 }
 
-std::optional<Obstruction> CollisionScene::obstruction(const SweptHand& hand) const {
-  const std::optional<Obstruction> palm = palm_obstruction(hand.palm);
-  return palm ? palm : finger_obstruction(hand);
-}
-
 double CollisionScene::clearance(const SweptHand& hand) const {
   const std::array<OrientedBox, 5> boxes = {hand.fingers[0], hand.fingers[1], hand.palm,
                                             hand.closing[0], hand.closing[1]};

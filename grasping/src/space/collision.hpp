@@ -51,16 +51,13 @@ struct CollisionScene {
   /// points and the hand may come from any side of that end. It is smaller if the end was measured.
   double end_doubt = 0.008;
 
-  /// Returns what the swept hand runs into; nullopt if nothing. While closing, it may touch the
-  /// target.
-  std::optional<Obstruction> obstruction(const SweptHand& hand) const;
-  /// Like obstruction(), for the palm alone, which no other opening of the hand moves out of the
-  /// way. The palm keeps a distance of end_doubt from the target.
+  /// Returns what the swept palm runs into, which no other opening of the hand avoids; nullopt if
+  /// nothing. The palm keeps a distance of end_doubt from the target.
   std::optional<Obstruction> palm_obstruction(const OrientedBox& palm) const;
-  /// Like obstruction(), for the fingers and their closing.
+  /// Returns what the swept fingers or their closing run into; closing, they may touch the target.
   std::optional<Obstruction> finger_obstruction(const SweptHand& hand) const;
-  /// Like obstruction(), for the space that the fingers fill at the end of the approach, whatever
-  /// their opening; there the target is no obstacle.
+  /// Returns what blocks the space that the fingers fill at the end of the approach, whatever their
+  /// opening; the target is no obstacle to it.
   std::optional<Obstruction> closing_obstruction(const std::array<OrientedBox, 2>& fingers) const;
   /// Returns how far the hand may be inflated before it runs into anything other than the target;
   /// found by bisection to within 1 mm, at most kMaxClearance [m].

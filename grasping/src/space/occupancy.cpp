@@ -15,8 +15,7 @@ OccupancyGrid::OccupancyGrid(const Eigen::AlignedBox3d& region, double resolutio
   if (region.isEmpty()) return;
   const Eigen::Array3d lo = region.min().array() / resolution / kBlock;
   const Eigen::Array3d hi = region.max().array() / resolution / kBlock;
-  if (!(lo.abs().maxCoeff() * kBlock < kMaxCoordinate &&
-        hi.abs().maxCoeff() * kBlock < kMaxCoordinate)) {
+  if (!((lo.abs() * kBlock < kMaxCoordinate).all() && (hi.abs() * kBlock < kMaxCoordinate).all())) {
     throw std::invalid_argument(
         "occupancy: region lies farther from the origin than 32000 voxels; move the cloud's frame "
         "nearer to it, or set a larger resolution");

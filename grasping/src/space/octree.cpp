@@ -19,10 +19,8 @@ class RootedTree : public octomap::OcTree {
 /// Writes one grid into a tree, block by block, because OctoMap's own ray insertion takes seconds.
 class TreeWriter {
  public:
-  TreeWriter(const OccupancyGrid& grid, bool unknown_occupied)
-      : grid_(grid),
-        unknown_occupied_(unknown_occupied),
-        tree_(std::make_shared<octomap::OcTree>(grid.resolution())) {}
+  explicit TreeWriter(const OccupancyGrid& grid)
+      : grid_(grid), tree_(std::make_shared<octomap::OcTree>(grid.resolution())) {}
 
   std::shared_ptr<octomap::OcTree> write() {
     constexpr int kEdge = OccupancyGrid::kBlock;
@@ -55,9 +53,7 @@ class TreeWriter {
     return static_cast<int>(first);
   }
 
-  bool absent(int state) const {
-    return state == static_cast<int>(Voxel::kUnknown) && !unknown_occupied_;
-  }
+  static bool absent(int state) { return state == static_cast<int>(Voxel::kUnknown); }
 
   void write_block(const Eigen::Vector3i& low) {
     const int state = uniform(low, OccupancyGrid::kBlock);
@@ -92,14 +88,13 @@ class TreeWriter {
   }
 
   const OccupancyGrid& grid_;
-  bool unknown_occupied_;
   std::shared_ptr<octomap::OcTree> tree_;
 };
 
 }  // namespace
 
-std::shared_ptr<octomap::OcTree> OccupancyGrid::to_octree(bool unknown_occupied) const {
-  return TreeWriter(*this, unknown_occupied).write();
+std::shared_ptr<octomap::OcTree> OccupancyGrid::to_octree() const {
+  return TreeWriter(*this).write();
 }
 
 }  // namespace quadrille

@@ -22,7 +22,9 @@ constexpr double kMinShareAbove = 0.25;
 /// Returns the plane if the target stands on it: a large plane below most of the body, and no
 /// farther from the body than the body is large (something in front may hide the body's foot).
 std::optional<SupportPlane> support(const Detection& plane, const Body& body) {
-  if (!plane.X_CQ.matrix().allFinite()) return std::nullopt;
+  if (!plane.X_CQ.matrix().allFinite() || !plane.X_CQ.linear().isUnitary(1e-3)) {
+    return std::nullopt;
+  }
   const double size = body.bounds_Q().sizes().maxCoeff();
   const double min_size = std::max(kMinSupportSize, kMinSupportToBody * size);
   if (plane.extent_Q.sizes().head<2>().minCoeff() < min_size) return std::nullopt;

@@ -14,6 +14,9 @@ struct Refused {
   Rejection rejection;
 };
 
+/// The shortest string: its length and its end mark [byte].
+inline constexpr std::size_t kMinStringBytes = 5;
+
 /// Reads the members of an LCM message in order and never past its end.
 /// Each read throws Refused, naming the member, if the bytes do not hold it.
 class ByteReader {

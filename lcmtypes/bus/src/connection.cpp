@@ -97,8 +97,6 @@ void Connection::subscribe(const ChannelPattern& pattern, Handler handler) {
                  });
 }
 
-void Connection::subscribe_all(Handler handler) { add_subscriber(".*", "", std::move(handler)); }
-
 void Connection::add_subscriber(const std::string& pattern, const std::string& channel,
                                 Handler handler) {
   auto subscriber = std::make_unique<Subscriber>(Subscriber{this, channel, std::move(handler)});

@@ -13,11 +13,11 @@ namespace quadrille::bus {
 
 /// Decodes a message of ours by LCM's generated code, once each of its members has been checked:
 /// after that the code can allocate no more than a small multiple of the bytes.
-/// @param check    walks over all members after the fingerprint
+/// @param check    is called with a ByteReader and walks over all members after the fingerprint
 /// @param convert  makes the result of what was decoded
-template <class Message, class Result = Message>
+template <class Message, class Result = Message, class Check>
 Decoded<Result> decode_checked(
-    std::span<const std::byte> bytes, std::size_t max_bytes, void (*check)(ByteReader&),
+    std::span<const std::byte> bytes, std::size_t max_bytes, const Check& check,
     Result (*convert)(Message) = [](Message m) { return m; }) try {
   if (bytes.size() > max_bytes) {
     refuse(RejectReason::kTooLarge, std::to_string(bytes.size()) + " bytes");

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kMaxNameBytes = 256;
 /// Fixed members of a quadric, and of a dimension, with empty strings.
-constexpr std::size_t kMinQuadricBytes = 229, kMinDimensionBytes = 21, kMinStringBytes = 5;
+constexpr std::size_t kMinQuadricBytes = 229, kMinDimensionBytes = 21;
 
 void check_finite(ByteReader& reader, const char* member, int count) {
   for (int i = 0; i < count; ++i) reader.read_finite(member);

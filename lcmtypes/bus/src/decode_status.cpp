@@ -1,6 +1,4 @@
-#include <new>
-
-#include "byte_reader.hpp"
+#include "decode_checked.hpp"
 #include "quadrille/bus/status_message.hpp"
 
 namespace quadrille::bus {
@@ -11,61 +9,42 @@ constexpr std::size_t kMaxStatusBytes = std::size_t{1} << 20;
 /// transport_t; the members of process_t after its strings; those of stage_t after its name.
 constexpr std::int64_t kTransportBytes = 6 * 8, kProcessNumbersBytes = 4 * 8 + 2 * 4,
                        kStageNumbersBytes = 6 * 8;
-/// A string takes its length and its end mark.
-constexpr std::size_t kMinStringBytes = 5;
 
-void skip_counts(ByteReader* reader) {
-  const std::int32_t counts = reader->read_count("counts", kMinStringBytes + 8);
+void skip_counts(ByteReader& reader) {
+  const std::int32_t counts = reader.read_count("counts", kMinStringBytes + 8);
   for (std::int32_t i = 0; i < counts; ++i) {
-    reader->skip_string("name");
-    reader->read_int64("count");
+    reader.skip_string("name");
+    reader.read_int64("count");
   }
 }
 
 /// From the transport on; between come so many lists of counts.
-void skip_tail(ByteReader* reader, int lists_of_counts) {
-  reader->take(1, kTransportBytes, "transport");
-  reader->skip_string("version");
-  reader->skip_string("settings");
-  reader->take(1, kProcessNumbersBytes, "process");
+void skip_tail(ByteReader& reader, int lists_of_counts) {
+  reader.take(1, kTransportBytes, "transport");
+  reader.skip_string("version");
+  reader.skip_string("settings");
+  reader.take(1, kProcessNumbersBytes, "process");
   for (int i = 0; i < lists_of_counts; ++i) skip_counts(reader);
-  const std::int32_t stages =
-      reader->read_count("num_stages", kMinStringBytes + kStageNumbersBytes);
+  const std::int32_t stages = reader.read_count("num_stages", kMinStringBytes + kStageNumbersBytes);
   for (std::int32_t i = 0; i < stages; ++i) {
-    reader->skip_string("name");
-    reader->take(1, kStageNumbersBytes, "stage");
+    reader.skip_string("name");
+    reader.take(1, kStageNumbersBytes, "stage");
   }
-  const std::int32_t warnings = reader->read_count("num_warnings", kMinStringBytes);
-  for (std::int32_t i = 0; i < warnings; ++i) reader->skip_string("warning");
-  reader->expect_end();
+  const std::int32_t warnings = reader.read_count("num_warnings", kMinStringBytes);
+  for (std::int32_t i = 0; i < warnings; ++i) reader.skip_string("warning");
 }
 
 /// @param numbers          64-bit numbers between the sender and the transport
 /// @param lists_of_counts  between the process and the stages
 template <class Status>
 Decoded<Status> decode(std::span<const std::byte> bytes, std::int64_t numbers,
-                       int lists_of_counts) try {
-  if (bytes.size() > kMaxStatusBytes) {
-    refuse(RejectReason::kTooLarge, std::to_string(bytes.size()) + " bytes");
-  }
-  ByteReader reader(bytes);
-  if (reader.read_int64("the fingerprint") != Status::getHash()) {
-    refuse(RejectReason::kUnknownType, std::string("not quadrille.") + Status::getTypeName());
-  }
-  reader.read_int64("utime");
-  reader.skip_string("sender");
-  reader.take(numbers, 8, "numbers");
-  skip_tail(&reader, lists_of_counts);
-  Status message;
-  const int size = static_cast<int>(bytes.size());
-  if (message.decode(bytes.data(), 0, size) != size) {
-    refuse(RejectReason::kBadLength, "the decoder reads another size");
-  }
-  return message;
-} catch (const Refused& refused) {
-  return refused.rejection;
-} catch (const std::bad_alloc&) {
-  return Rejection{RejectReason::kInternal, "out of memory"};
+                       int lists_of_counts) {
+  return decode_checked<Status>(bytes, kMaxStatusBytes, [&](ByteReader& reader) {
+    reader.read_int64("utime");
+    reader.skip_string("sender");
+    reader.take(numbers, 8, "numbers");
+    skip_tail(reader, lists_of_counts);
+  });
 }
 
 }  // namespace

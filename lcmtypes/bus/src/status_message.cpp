@@ -1,7 +1,6 @@
 #include "quadrille/bus/status_message.hpp"
 
 #include <lcmtypes/quadrille/detector_status_t.hpp>
-#include <lcmtypes/quadrille/merger_status_t.hpp>
 #include <lcmtypes/quadrille/planner_status_t.hpp>
 
 #include "byte_reader.hpp"
@@ -25,8 +24,7 @@ std::optional<std::string> read_status_sender(std::span<const std::byte> bytes) 
   constexpr std::size_t kMaxSenderBytes = 128;
   ByteReader reader(bytes);
   const std::int64_t fingerprint = reader.read_int64("the fingerprint");
-  if (fingerprint != detector_status_t::getHash() && fingerprint != planner_status_t::getHash() &&
-      fingerprint != merger_status_t::getHash()) {
+  if (fingerprint != detector_status_t::getHash() && fingerprint != planner_status_t::getHash()) {
     return std::nullopt;
   }
   reader.read_int64("utime");

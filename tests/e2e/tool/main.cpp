@@ -25,10 +25,6 @@ void run(const std::vector<std::string>& words) {
                           {std::stoi(words[3]), std::stoi(words[4]), std::stod(words[5]),
                            words.size() > 6 && words[6] == "lossy"});
   }
-  if (command == "stream" && words.size() == 6) {
-    return stream(words[1], {std::stoi(words[2]), std::stod(words[3]), words[4] != "timeless",
-                             std::stoi(words[5])});
-  }
   if (command == "hostile" && words.size() >= 5) {
     return send_hostile(words[1], words[2],
                         {std::stol(words[3]), std::stoi(words[4]),
@@ -46,7 +42,6 @@ void run(const std::vector<std::string>& words) {
       "use: make-logs FOLDER | check-quadrics LOG | check-status LOG | check-hostile-status LOG | "
       "check-same LIVE OFFLINE CHANNEL | check-copy SOURCE COPY | check-plan LOG JSON | "
       "rename-channel SOURCE COPY FROM TO | load URL LOG BURSTS CLOUDS HZ [lossy] | "
-      "stream URL CLOUDS HZ timed|timeless LEAST_ANSWERED | "
       "hostile URL LOG MESSAGES SEED [AT_ONCE] | "
       "make-poses LOG CLOUDS PERCENT_DISORDERED POSES_LATE_MS CLOUDS_LATE_MS | "
       "check-poses LOG PLACED REFUSED | check-equal LOG LOG");

@@ -62,19 +62,6 @@ struct Load {
 ///   lost, or if one is neither received nor counted as missing
 void put_under_load(const std::string& url, const std::string& log, const Load& load);
 
-/// Clouds that are sent one by one.
-struct Stream {
-  int clouds = 0;
-  double clouds_per_second = 30.0;
-  /// False: their utime is 0.
-  bool tells_time = true;
-  int least_answered = 0;
-};
-
-/// Sends clouds of its own, and prints how many were answered on QUADRICS and when.
-/// @throws std::runtime_error if too few were, one twice, or one after a later one
-void stream(const std::string& url, const Stream& asked);
-
 /// Messages that broken or hostile senders might send.
 struct Hostile {
   long messages = 0;

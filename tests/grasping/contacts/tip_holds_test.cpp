@@ -168,7 +168,7 @@ TEST_CASE("a body nearly as wide as the hand opens can be held by the tips", "[t
   for (const TipHold& hold : tip_holds(body, hand, space_above(body), {scene, 0.05, 0.5})) {
     const Eigen::Isometry3d X_CG = grasp_pose(hold.line, hold.approach_C, 0.0);
     const SweptHand swept = sweep_hand(hand, X_CG, hand.max_opening, hold.line.width, 0.05);
-    if (scene.obstruction(swept)) continue;
+    if (scene.palm_obstruction(swept.palm) || scene.finger_obstruction(swept)) continue;
     ++free;
   }
   CHECK(free > 0);

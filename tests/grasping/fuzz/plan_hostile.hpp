@@ -39,7 +39,7 @@ inline PlanOptions hostile_options(Choices& choices) {
 
 inline void require_sound(const GraspPlan& plan) {
   for (const Grasp& grasp : plan.grasps) {
-    if (!grasp.X_CG.matrix().allFinite() || !grasp.X_CG.linear().isUnitary(1e-6)) {
+    if (!grasp.X_CG.matrix().allFinite() || !grasp.X_CG.linear().isUnitary(1e-2)) {
       throw std::logic_error("a grasp's pose is none");
     }
     if (!std::isfinite(grasp.score)) throw std::logic_error("a grasp's score is no number");

@@ -34,7 +34,7 @@ TEST_CASE("a support holds off what is below it only as far as it reaches",
   CHECK(inside > 100);
 }
 
-TEST_CASE("a plane whose pose has a number that is none supports nothing", "[support][hostile]") {
+TEST_CASE("a plane whose pose is none supports nothing", "[support][hostile]") {
   const Body body = *make_body(sphere_detection(ball_on_table(0.0, 0.0, 0.03)));
   CHECK(supports_of(body, {table_detection()}).size() == 1);
   for (int entry = 0; entry < 12; ++entry) {

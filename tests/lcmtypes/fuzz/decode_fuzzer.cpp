@@ -15,7 +15,6 @@
 #include "quadrille/bus/pose_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/request_message.hpp"
-#include "quadrille/bus/shard_message.hpp"
 
 namespace {
 
@@ -48,7 +47,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto cloud = bus::decode_cloud(message);
   // The beginning is good wherever all is.
   if (std::holds_alternative<bus::CloudMessage>(cloud) && !bus::read_stamp(message)) std::abort();
-  bus::decode_shard_cloud(message);
   if (const auto* accepted = std::get_if<bus::CloudMessage>(&cloud)) {
     if (accepted->cloud.points.size() * 4 > message.size()) std::abort();
     if (bus::encode_cloud(*accepted, bus::CloudFormat::kDrake).empty()) std::abort();

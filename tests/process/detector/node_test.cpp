@@ -13,7 +13,6 @@
 #include "process/encode_pose.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
-#include "quadrille/bus/shard_message.hpp"
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
 #include "support/temp_folder.hpp"
@@ -289,58 +288,6 @@ TEST_CASE("a pose that is garbage is refused and counted", "[process][pose][host
   process.take("CAMERA", Bytes(50));
   CHECK(process.node.summary().find("poses in: 1, 1 refused (unknown_type 1)") !=
         std::string::npos);
-}
-
-TEST_CASE("shards tell of every cloud, and which of them answers it", "[process][shard]") {
-  std::vector<std::vector<shard_cloud_t>> told(2);
-  std::vector<int> jobs(2);
-  constexpr int kClouds = 8;
-  for (int i = 0; i < 2; ++i) {
-    const auto which = static_cast<std::size_t>(i);
-    DetectorSettings settings;
-    settings.shard = {i + 1, 2};
-    settings.seen_channel = settings.shard.seen_channel("QUADRICS");
-    DetectorNode node(settings, [&](const std::string& channel, std::span<const std::byte> bytes) {
-      CHECK(channel == (which == 0 ? "QUADRICS_1_SEEN" : "QUADRICS_2_SEEN"));
-      const auto decoded = bus::decode_shard_cloud(bytes);
-      REQUIRE(std::holds_alternative<shard_cloud_t>(decoded));
-      told[which].push_back(std::get<shard_cloud_t>(decoded));
-    });
-    for (int n = 0; n < kClouds; ++n) {
-      if (node.receive("POINT_CLOUD", encode_view(1000 * n, camera_at(n)))) ++jobs[which];
-    }
-    // No cloud: nobody waits for an answer to it.
-    node.receive("POINT_CLOUD", Bytes(100));
-  }
-  CHECK(jobs[0] + jobs[1] == kClouds);
-  for (const auto& of_one : told) REQUIRE(of_one.size() == kClouds);
-  for (std::size_t n = 0; n < kClouds; ++n) {
-    CHECK(told[0][n].utime == static_cast<std::int64_t>(1000 * n));
-    CHECK(told[0][n].message_digest == told[1][n].message_digest);
-    CHECK((told[0][n].cloud_digest == 0) != (told[1][n].cloud_digest == 0));
-    CHECK(told[1][n].shard == 2);
-    CHECK(told[1][n].shards == 2);
-  }
-}
-
-TEST_CASE("a shard misses no clouds that are another's", "[process][shard][status]") {
-  DetectorSettings settings;
-  settings.shard = {1, 2};
-  Process process(settings);
-  int taken = 0;
-  for (int seq = 1; seq <= 12; ++seq) {
-    bus::CloudMessage message{
-        1000 * seq, seq,
-        test::render({test::rectangle(test::translation(0, 0, 1.0), 2, 2)}, {16, 12, 1.0 / 15.0})};
-    if (process.node.receive("POINT_CLOUD",
-                             bus::encode_cloud(message, bus::CloudFormat::kPointCloud2))) {
-      ++taken;
-    }
-  }
-  REQUIRE(taken > 0);
-  REQUIRE(taken < 12);
-  process.node.publish_status({});
-  CHECK(process.status.missing == 0);
 }
 
 TEST_CASE("what the process is to find alone it reports alone, for a planner may listen",

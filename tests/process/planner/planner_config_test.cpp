@@ -29,6 +29,19 @@ TEST_CASE("options of the command line win over the planner's configuration", "[
   CHECK(settings.gripper.name == "franka");
 }
 
+TEST_CASE("on the bus plans have a deadline, in replays they have none", "[planner][deadline]") {
+  const test::TempFolder folder;
+  const std::string log = "--in-log " + folder.write("in.lcm", "") + " --out-log out.lcm";
+  CHECK(settings_of("").plan.deadline_ms == 500.0);
+  CHECK(settings_of(log).plan.deadline_ms == 0.0);
+  const std::string config =
+      "--config " + folder.write("p.toml", "[planner]\ndeadline_ms = 80.0\n");
+  CHECK(settings_of(config).plan.deadline_ms == 80.0);
+  CHECK(settings_of(config + " " + log).plan.deadline_ms == 80.0);
+  CHECK(settings_of(config + " --deadline-ms 0").plan.deadline_ms == 0.0);
+  CHECK_THROWS_AS(settings_of("--deadline-ms -1"), CLI::ParseError);
+}
+
 TEST_CASE("the planner's process checks the whole file", "[planner]") {
   const test::TempFolder folder;
   CHECK_THROWS_AS(settings_of("--config " + folder.write("p.toml", "[planner]\nnonsense = 1\n")),

@@ -1,5 +1,6 @@
 // Requests for grasps and their answers.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <lcmtypes/quadrille/grasp_request_t.hpp>
 #include <lcmtypes/quadrille/grasps_t.hpp>
@@ -49,7 +50,9 @@ const DetectionResult& asked_found() {
 /// A planner's process, which is given clouds with their quadrics, and requests.
 class Asked {
  public:
-  explicit Asked(const std::string& options = "") : node_(settings_from(options), keep()) {}
+  /// Without a deadline, so that a slow machine changes no answer.
+  explicit Asked(const std::string& options = "")
+      : node_(settings_from("--deadline-ms 0 " + options), keep()) {}
 
   void show(std::int64_t utime) {
     const bus::CloudMessage cloud{utime, 0, asked_cloud()};
@@ -145,6 +148,21 @@ TEST_CASE("a request is answered with its id by what it asks for", "[process][re
   CHECK(status.requests == 2);
   CHECK(status.answered == 2);
   CHECK(status.unmet == 0);
+}
+
+TEST_CASE("a request may bring a deadline of its own", "[process][request][deadline]") {
+  Asked asked("--on-request");
+  asked.show(1000);
+  grasp_request_t hasty = request_of(1);
+  hasty.deadline_ms = 1e-6;
+  const grasps_t cut = asked.ask(hasty);
+  CHECK(cut.grasps.empty());
+  CHECK(std::any_of(cut.rejected.begin(), cut.rejected.end(),
+                    [](const count_t& entry) { return entry.name == "deadline"; }));
+  CHECK(asked.status().cut == 1);
+  // The next one gets all, though the scene of the last one lacked its targets.
+  CHECK(targets_of(asked.ask(request_of(2))).size() >= 3);
+  CHECK(asked.status().cut == 1);
 }
 
 TEST_CASE("each cloud is planned on as well unless told otherwise", "[process][request]") {

@@ -76,7 +76,8 @@ def main():
         try:
             page = Page(browser, screenshots)
             with running(program("quadrille-detector"), "--lcm-url", URL), \
-                    running(program("quadrille-grasp-planner"), "--on-request", "--unknown", "free", "--lcm-url", URL):
+                    running(program("quadrille-grasp-planner"), "--on-request", "--unknown", "free",
+                            "--deadline-ms", "0", "--lcm-url", URL):
                 with View(bin_folder, "--lcm-url", URL, "--allow-requests") as view:
                     page.open(view.address)
                     play_until_shown(page, log)

@@ -1,23 +1,10 @@
 #include "process/detector/command_line.hpp"
 
 #include <CLI/CLI.hpp>
-#include <exception>
 
 #include "quadrille/bus/channel_pattern.hpp"
 
 namespace quadrille {
-
-namespace {
-
-/// Empty if a text is a shard, else what is wrong with it.
-std::string check_shard(const std::string& text) try {
-  parse_shard(text);
-  return {};
-} catch (const std::exception& error) {
-  return error.what();
-}
-
-}  // namespace
 
 DetectorCommandLine::DetectorCommandLine(CLI::App& app) {
   settings_.process.add_to(app, "cloud");
@@ -26,11 +13,6 @@ DetectorCommandLine::DetectorCommandLine(CLI::App& app) {
         const bool may_be_pattern = &name == &settings_.in_channel;
         (may_be_pattern ? add_pattern_option : add_channel_option)(app, option, name, what);
       });
-  app.add_option("--shard", shard_,
-                 "Answer the I-th share of the clouds alone, on channels that end in _I; see "
-                 "quadrille merge")
-      ->check(CLI::Validator(check_shard, ""))
-      ->type_name("I/N");
   app.add_flag("--viz", settings_.viz,
                "Also publish the cloud and what is found for Meldis, Drake's viewer");
   camera_.add_to(app, "--pose-channel");
@@ -60,7 +42,6 @@ DetectorSettings DetectorCommandLine::settings() const {
         "each");
   }
   std::vector<NamedChannel> channels = channels_of(settings);
-  channels.push_back({"--shard", settings.seen_channel});
   DetectorSettings::visit_viewer(settings, [&](const std::string& name) {
     channels.push_back({"--viz", name});
   });
@@ -69,22 +50,9 @@ DetectorSettings DetectorCommandLine::settings() const {
 }
 
 void DetectorCommandLine::name_channels(DetectorSettings* settings) const {
-  if (!shard_.empty()) settings->shard = parse_shard(shard_);
-  if (!settings->shard.is_whole() && settings->track.enabled) {
-    // Each shard sees a part of the clouds and would number what it sees by itself.
-    settings->track.enabled = false;
-    settings->warnings.push_back("with --shard surfaces get no tracks");
-  }
   const ProcessArguments& process = settings->process;
-  // Nobody merges logs, nor cameras of a pattern.
-  if (!settings->shard.is_whole() && process.in_log.empty() &&
-      !bus::ChannelPattern(settings->in_channel).is_pattern()) {
-    settings->seen_channel = process.prefixed(settings->shard.seen_channel(settings->out_channel));
-  }
-  DetectorSettings::visit_channels(
-      *settings, [&](Way way, const char*, std::string& name, const char*) {
-        name = process.prefixed(way == Way::kIn ? name : settings->shard.channel(name));
-      });
+  DetectorSettings::visit_channels(*settings, [&](Way, const char*, std::string& name,
+                                                  const char*) { name = process.prefixed(name); });
   DetectorSettings::visit_viewer(*settings,
                                  [&](std::string& name) { name = process.prefixed(name); });
 }

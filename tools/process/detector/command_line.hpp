@@ -26,7 +26,6 @@ class DetectorCommandLine {
   DetectorSettings settings_;
   DetectorArguments detector_;
   CameraPoseArgument camera_;
-  std::string shard_;
 };
 
 }  // namespace quadrille

@@ -2,12 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <lcmtypes/quadrille/shard_cloud_t.hpp>
 #include <memory>
-#include <random>
 #include <utility>
 
-#include "io/hash.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/other_senders.hpp"
 #include "process/runtime/process_info.hpp"
@@ -26,7 +23,6 @@ std::string hash_of(const DetectorSettings& settings) {
   text.add_all(settings.detector);
   text.add_all(settings.track);
   text.add_channels(channels_of(settings));
-  text.add("shard", fmt::format("{}/{}", settings.shard.index, settings.shard.count));
   text.add_frames(settings.frames, settings.X_WK);
   return text.hash();
 }
@@ -84,44 +80,6 @@ std::vector<Job> DetectorNode::find_due_jobs(Time now) {
 
 std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
                                                std::span<const std::byte> bytes) {
-  std::int64_t digest = 0;
-  if (settings_.shard.is_whole()) return take_cloud(channel, bytes, &digest);
-  std::optional<Job> job;
-  if (settings_.shard.takes(bytes)) job = take_cloud(channel, bytes, &digest);
-  if (const auto stamp = bus::read_stamp(bytes)) {
-    // The numbers of a share have gaps: all that come are counted, whoever answers them.
-    const std::lock_guard lock(mutex_);
-    gaps_.add(channel, stamp->seq);
-  }
-  if (!settings_.seen_channel.empty()) tell_of(bytes, digest);
-  return job;
-}
-
-/// Tells quadrille merge of a cloud that has come.
-/// @param digest  of its points if this shard answers it, else 0
-void DetectorNode::tell_of(std::span<const std::byte> cloud, std::int64_t digest) noexcept {
-  const auto stamp = bus::read_stamp(cloud);
-  if (!stamp) return;
-  try {
-    shard_cloud_t message;
-    message.utime = stamp->utime;
-    message.seq = stamp->seq;
-    message.message_digest = static_cast<std::int64_t>(io::hash_of(cloud));
-    message.cloud_digest = digest;
-    message.shard = settings_.shard.index;
-    message.shards = settings_.shard.count;
-    static const std::int64_t kSender = std::random_device()();
-    message.sender = kSender;
-    publish_(settings_.seen_channel, bus::encode(message));
-  } catch (const std::exception& error) {
-    seen_log_.error(error.what());
-  }
-}
-
-/// @param digest  becomes that of the cloud if there is something to do
-std::optional<Job> DetectorNode::take_cloud(const std::string& channel,
-                                            std::span<const std::byte> bytes,
-                                            std::int64_t* digest) {
   const TimePoint now = std::chrono::steady_clock::now();
   bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(bytes);
   const std::lock_guard lock(mutex_);
@@ -138,9 +96,8 @@ std::optional<Job> DetectorNode::take_cloud(const std::string& channel,
   ++counts_.decoded;
   stages_.add("decode", bus::ms_since(now));
   auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
-  if (settings_.shard.is_whole()) gaps_.add(channel + '\n' + cloud.cloud.frame, cloud.seq);
+  gaps_.add(channel + '\n' + cloud.cloud.frame, cloud.seq);
   const std::int64_t utime = cloud.utime;
-  *digest = cloud.digest;
   const auto shared = std::make_shared<const bus::CloudMessage>(std::move(cloud));
   return posed_clouds_.add(utime, [this, channel, shared, now](const CameraPose& pose) {
     return Job{

@@ -43,9 +43,6 @@ class DetectorNode : public Node {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
-  std::optional<Job> take_cloud(const std::string& channel, std::span<const std::byte> bytes,
-                                std::int64_t* digest);
-  void tell_of(std::span<const std::byte> cloud, std::int64_t digest) noexcept;
   void track(const std::string& channel, const bus::CloudMessage& cloud,
              const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
   DetectionResult detect_placed(const std::string& channel, const bus::CloudMessage& cloud,
@@ -64,8 +61,6 @@ class DetectorNode : public Node {
   const DetectorSettings settings_;
   const bus::Publish publish_;
   const std::string settings_hash_;
-
-  LimitedLog seen_log_;
 
   /// Trackers, used by the working thread only.
   Trackers trackers_;

@@ -7,7 +7,6 @@
 
 #include "cli/process_arguments.hpp"
 #include "process/runtime/cloud_frame.hpp"
-#include "process/runtime/shard.hpp"
 #include "process/runtime/viewer.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/tracker.hpp"
@@ -23,10 +22,6 @@ struct DetectorSettings {
   std::string out_channel = "QUADRICS";
   std::string boxes_channel = "BOXES";
   std::string status_channel = "QUADRILLE_DETECTOR_STATUS";
-  /// The clouds that are this detector's; results of a part of them go to channels of its own.
-  Shard shard;
-  /// On which a shard tells of every cloud that it receives; empty for none.
-  std::string seen_channel;
   /// Channel of the camera's poses; empty for a camera at rest.
   std::string pose_channel;
   /// Pose of a camera at rest in W; nullopt if it is not known.
@@ -42,7 +37,7 @@ struct DetectorSettings {
   std::vector<std::string> warnings;
 
   /// Lists each channel: which way its messages go, the option that names it, its name, and what
-  /// it carries. The one on which a shard tells of clouds has no option.
+  /// it carries.
   template <class Settings, class Visit>
   static void visit_channels(Settings& settings, const Visit& visit) {
     visit(Way::kIn, "--in-channel", settings.in_channel, "clouds");

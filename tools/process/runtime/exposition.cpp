@@ -52,23 +52,12 @@ void Exposition::add_gauge(const std::string& name, const std::string& help, dou
   add_sample(name, "", value);
 }
 
-void Exposition::add_labelled(const std::string& name, const std::string& label,
-                              const std::vector<count_t>& values) {
-  for (const count_t& value : values) {
-    add_sample(name, label + "=" + quoted(value.name), static_cast<double>(value.count));
-  }
-}
-
 void Exposition::add_counters(const std::string& name, const std::string& help,
-                              const std::vector<count_t>& counts, const std::string& label) {
+                              const std::vector<count_t>& counts) {
   start(name + "_total", help, "counter");
-  add_labelled(name + "_total", label, counts);
-}
-
-void Exposition::add_gauges(const std::string& name, const std::string& help,
-                            const std::string& label, const std::vector<count_t>& values) {
-  start(name, help, "gauge");
-  add_labelled(name, label, values);
+  for (const count_t& entry : counts) {
+    add_sample(name + "_total", "reason=" + quoted(entry.name), static_cast<double>(entry.count));
+  }
 }
 
 void Exposition::add_stages(const std::vector<stage_t>& stages) {

@@ -24,11 +24,9 @@ class Exposition {
   /// Adds a value that only grows; "_total" is appended to the name.
   void add_counter(const std::string& name, const std::string& help, std::int64_t value);
   void add_gauge(const std::string& name, const std::string& help, double value);
-  /// Adds one counter for each cause, or for each value of another label.
+  /// Adds one counter for each reason.
   void add_counters(const std::string& name, const std::string& help,
-                    const std::vector<count_t>& counts, const std::string& label = "reason");
-  void add_gauges(const std::string& name, const std::string& help, const std::string& label,
-                  const std::vector<count_t>& values);
+                    const std::vector<count_t>& counts);
   void add_stages(const std::vector<stage_t>& stages);
   /// @param ms  value of the status message [ms]; left out if it is negative
   void add_pose_age(double ms);
@@ -50,8 +48,6 @@ class Exposition {
 
  private:
   void start(const std::string& name, const std::string& help, const char* type);
-  void add_labelled(const std::string& name, const std::string& label,
-                    const std::vector<count_t>& values);
   void add_sample(const std::string& name, const std::string& labels, double value);
 
   std::string prefix_, labels_, text_;

@@ -1,8 +1,6 @@
 #include "process/runtime/run.hpp"
 
 #include "process/runtime/logging.hpp"
-#include "process/runtime/respawn.hpp"
-#include "process/runtime/stats_file.hpp"
 #include "quadrille/bus/stop.hpp"
 
 namespace quadrille {
@@ -10,11 +8,6 @@ namespace quadrille {
 void run_process(const std::string& name, const ProcessArguments& arguments,
                  const NodeMaker& make_node) {
   start_logging(name, arguments.verbose);
-  if (arguments.respawn) {
-    // What can be told now is not to be tried again and again.
-    StatsFile(arguments.stats_file);
-    respawn();
-  }
   bus::install_stop_signals();
   if (arguments.in_log.empty()) {
     run_on_bus(arguments, make_node);

@@ -5,7 +5,6 @@
 #include <mutex>
 #include <thread>
 
-#include "process/runtime/log_listening.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/loss_watch.hpp"
 #include "process/runtime/other_senders.hpp"
@@ -59,6 +58,18 @@ class Inbox {
   bus::Mailbox<Job>& mailbox_;
   std::mutex mutex_;
 };
+
+/// Logs on which channels a process listens, and with which receive buffer, once it does.
+/// @param url  as it was given: the buffer in use is what the kernel grants
+void log_listening(const std::vector<InChannel>& channels, const std::string& url,
+                   const bus::Connection& connection) {
+  const auto buffer = connection.traffic().receive_buffer;
+  const std::string granted =
+      buffer > 0 ? fmt::format(", with a receive buffer of {} bytes", buffer) : "";
+  for (const InChannel& channel : channels) {
+    log_info(fmt::format("listening to {} on {}{}", channel.name, url, granted));
+  }
+}
 
 /// Listens on the channel of the node's status, if it has one.
 void subscribe_to_status(const Node& node, OtherSenders& others, bus::Connection& connection) {
@@ -126,16 +137,14 @@ void run_on_bus(const ProcessArguments& arguments, const NodeMaker& make_node) {
   Inbox inbox(*node, mailbox);
   const std::vector<InChannel> in_channels = node->in_channels();
   SilentChannels silent(in_channels, std::chrono::steady_clock::now());
-  std::vector<std::string> channels;
   for (std::size_t i = 0; i < in_channels.size(); ++i) {
-    channels.push_back(in_channels[i].name);
     connection.subscribe(bus::ChannelPattern(in_channels[i].name),
                          [&, i](const std::string& name, std::span<const std::byte> bytes) {
                            silent.hear(i);
                            inbox.take(name, bytes);
                          });
   }
-  log_listening(channels, url, connection);
+  log_listening(in_channels, url, connection);
   OtherSenders others;
   subscribe_to_status(*node, others, connection);
   work_until_stopped(connection, mailbox, others, silent, stats, *node, inbox, arguments.niceness);

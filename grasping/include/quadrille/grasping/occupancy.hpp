@@ -90,9 +90,7 @@ class OccupancyGrid {
 
   /// Converts the grid to an OctoMap in which uniform blocks are single nodes; space without a node
   /// is unknown.
-  /// @param unknown_occupied  marks unknown space of the region as occupied; FCL needs this because
-  ///                          it treats space without a node as free
-  QUADRILLE_EXPORT std::shared_ptr<octomap::OcTree> to_octree(bool unknown_occupied = false) const;
+  QUADRILLE_EXPORT std::shared_ptr<octomap::OcTree> to_octree() const;
 
  private:
   void mark_free(const DepthView& view);

@@ -80,9 +80,6 @@ class Connection {
   /// @throws std::runtime_error if LCM refuses
   QUADRILLE_EXPORT void subscribe(const ChannelPattern& pattern, Handler handler);
 
-  /// Calls the handler for each message of any channel.
-  QUADRILLE_EXPORT void subscribe_all(Handler handler);
-
   /// Waits for one message and has it handled, in the order in which they came. Over UDP whatever
   /// LCM holds is taken out of its queue first: there a burst would drive out the newest uncounted,
   /// here it drives out the oldest, beyond kMaxBacklogBytes, and is counted.
