@@ -8,7 +8,7 @@
 namespace quadrille {
 namespace {
 
-// A direction may miss unit length by the rounding of a few digits.
+// A direction may miss unit length by rounding to a few digits.
 constexpr double kUnitNorm = 1e-6;
 
 template <class Value>
@@ -26,7 +26,7 @@ bool GraspQuery::selects() const {
 }
 
 void GraspQuery::check() const {
-  // Written so that NaN fails.
+  // The conditions are written so that NaN fails.
   if (!(min_size >= 0.0)) refuse("min_size", min_size, "0 or more");
   if (!(max_size >= min_size)) refuse("max_size", max_size, "min_size or more");
   if (!(min_clearance >= 0.0 && min_clearance <= kMaxMinClearance)) {

@@ -8,8 +8,8 @@
 namespace quadrille {
 namespace {
 
-// What a query gets whose deadline passed while its scene was made [ms]: it says what it leaves
-// out.
+// Time for a query whose deadline passed while its scene was made [ms]; the plan then says what it
+// leaves out.
 constexpr double kNoTime = 1e-3;
 
 double deadline_of(const GraspQuery& query, const PlanOptions& options) {

@@ -13,19 +13,19 @@ class Option;
 
 namespace quadrille {
 
-/// The words that an option takes, with what each means.
+/// The words that an option accepts, and the meaning of each.
 template <class Value>
 using Choices = std::vector<std::pair<std::string, Value>>;
 
-/// Adds an option that takes one of a few words, and nothing else.
-/// @param choose  gets the place of the word that was given
+/// Adds an option that accepts only certain words.
+/// @param choose  called with the index of the given word
 CLI::Option* add_word_option(CLI::App& app, const std::string& name,
                              const std::vector<std::string>& words,
                              const std::function<void(std::size_t)>& choose,
                              const std::string& description);
 
-/// Adds an option that takes one of a few words, and nothing else.
-/// @param value  gets what the word means; must outlive the app
+/// Adds an option that accepts only certain words.
+/// @param value  set to the meaning of the given word; must outlive the app
 template <class Value, class Target>
 CLI::Option* add_choice_option(CLI::App& app, const std::string& name, Target& value,
                                const Choices<Value>& choices, const std::string& description) {

@@ -13,7 +13,7 @@ bool is_plain(char c) {
          std::string_view("_-./,:=+@%#").find(c) != std::string_view::npos;
 }
 
-/// A word in quotes where a shell needs them.
+/// Returns a word, in quotes if a shell needs them.
 std::string in_quotes(const std::string& word) {
   if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
   std::string text = "'";
@@ -33,7 +33,7 @@ std::string command_line() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
   std::string line;
   for (std::string word; std::getline(file, word, '\0');) {
-    // The program's name is told without its folder.
+    // The program's name is given without its folder.
     if (line.empty()) word = word.substr(word.rfind('/') + 1);
     line += (line.empty() ? "" : " ") + in_quotes(word);
   }

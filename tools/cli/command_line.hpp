@@ -4,7 +4,8 @@
 
 namespace quadrille {
 
-/// The command line of this process as a shell takes it; empty where the system does not tell.
+/// Returns the command line of this process in the form that a shell accepts; empty if the system
+/// does not reveal it.
 std::string command_line();
 
 }  // namespace quadrille

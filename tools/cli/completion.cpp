@@ -22,8 +22,8 @@ const CLI::Option* find_option(const CLI::App& app, const std::string& name) {
   return nullptr;
 }
 
-/// Where a command line stands at its last word: in which command, after which option that waits
-/// for its value.
+/// The state of a command line at its last word: the command, and the option that waits for its
+/// value.
 struct Place {
   const CLI::App* command;
   const CLI::Option* waiting = nullptr;
@@ -43,7 +43,7 @@ Place walk(const CLI::App& app, const std::vector<std::string>& words) {
   return place;
 }
 
-/// The words that an option takes, by how its value is named: `one|two`, `TYPE,...`.
+/// Returns the words that an option accepts, from the name of its value: `one|two`, `TYPE,...`.
 std::vector<std::string> values_of(const CLI::Option& option) {
   std::string type = option.get_type_name();
   std::vector<std::string> values;
@@ -61,7 +61,7 @@ std::vector<std::string> values_of(const CLI::Option& option) {
 }
 
 std::vector<Completion> complete_value(const CLI::Option& option, const std::string& word) {
-  // Of a list the last element is completed.
+  // In a list, the last element is completed.
   const std::string before = word.substr(0, word.rfind(',') + 1);
   std::vector<Completion> all;
   for (const std::string& value : values_of(option)) all.push_back({before + value, ""});

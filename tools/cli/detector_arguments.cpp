@@ -14,7 +14,7 @@
 namespace quadrille {
 namespace {
 
-/// The settings that the search for spheres alone changes, of those that a file gives.
+/// Lists the settings given in a file that the search for spheres alone overrides.
 std::vector<std::string> overruled_for_spheres(const DetectorOptions& options,
                                                const std::set<std::string>& given) {
   std::map<std::string, std::string> before;
@@ -30,7 +30,7 @@ std::vector<std::string> overruled_for_spheres(const DetectorOptions& options,
   return names;
 }
 
-/// Warns of what the search for spheres alone does not heed.
+/// Warns of settings that the search for spheres alone ignores.
 void warn_of_unheeded(const io::DetectorConfig& file, DetectorSetup* setup) {
   if (!seeks_spheres_alone(setup->options)) return;
   const std::vector<std::string> names = overruled_for_spheres(setup->options, file.given);
@@ -40,7 +40,7 @@ void warn_of_unheeded(const io::DetectorConfig& file, DetectorSetup* setup) {
                   fmt::join(names, ", ")));
 }
 
-/// The bounds of the option `threads`.
+/// Returns the bounds of the option `threads`.
 CLI::Range thread_range() {
   CLI::Range range(0, 0);
   const DetectorOptions options;
@@ -85,7 +85,7 @@ DetectorSetup DetectorArguments::overrule(const io::DetectorConfig& file) const 
 DetectorSetup DetectorArguments::overrule_for_planning(const io::DetectorConfig& file) const {
   DetectorSetup setup = given(file);
   DetectorOptions& options = setup.options;
-  // What the command line asks for goes before the file's own report.
+  // The command line takes precedence over the file's own report.
   if (!only.empty() || options.report.empty()) options.report = std::move(options.only);
   options.only.clear();
   return setup;

@@ -12,7 +12,7 @@
 namespace quadrille {
 namespace {
 
-// A quaternion may miss unit norm by the rounding of a few digits.
+// A quaternion may miss unit norm by rounding to a few digits.
 constexpr double kUnitNorm = 1e-2;
 
 Eigen::Vector3d viewpoint_of(const std::string& list) {

@@ -12,30 +12,30 @@ class App;
 
 namespace quadrille {
 
-/// The pose of a camera that stands still, as the command line has it.
+/// The pose of a static camera from the command line.
 struct CameraPoseArgument {
-  /// Of the camera's frame K, z ahead and x along the rows of its image, in a fixed frame W.
+  /// Pose of the camera's frame K (z forward, x along the rows of its image) in a fixed frame W.
   std::optional<Eigen::Isometry3d> X_WK;
 
-  /// Adds --camera-pose; this must outlive the app.
-  /// @param rival  the option that it excludes
+  /// Adds --camera-pose; this object must outlive the app.
+  /// @param rival  an option that cannot be given together with it
   void add_to(CLI::App& app, const std::string& rival);
 };
 
-/// Where the sensor stood, as the command line has it.
+/// The sensor's position from the command line.
 struct FrameArguments {
-  /// In the cloud's frame C [m]; over what the file says.
+  /// Position in the cloud's frame C [m]; overrides that of the file.
   std::optional<Eigen::Vector3d> viewpoint;
-  /// Its fixed frame is C here.
+  /// Pose of the camera; its fixed frame W is C here.
   CameraPoseArgument camera;
 
-  /// Adds --viewpoint and --camera-pose; this must outlive the app.
+  /// Adds --viewpoint and --camera-pose; this object must outlive the app.
   void add_to(CLI::App& command);
 
-  /// The frame to work in, as a pose in C: the camera's where it is known, as there the pixels lie
-  /// in rows; else C itself.
+  /// Returns the pose in C of the frame in which to work: the camera's frame if it is known,
+  /// because there the pixels lie in rows; otherwise C itself.
   Eigen::Isometry3d working_frame() const;
-  /// Sets the viewpoint of a cloud that is in the working frame.
+  /// Sets the viewpoint of a cloud given in the working frame.
   void place_viewpoint(PointCloud* cloud) const;
 };
 

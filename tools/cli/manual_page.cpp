@@ -10,7 +10,7 @@
 namespace quadrille {
 namespace {
 
-/// Text as roff shows it word for word.
+/// Escapes text so that roff shows it literally.
 std::string escape(const std::string& text) {
   std::string roff;
   for (const char c : text) {
@@ -33,7 +33,7 @@ std::string sentence(const std::string& text) {
   return escape(text) + (text.ends_with('.') ? "" : ".");
 }
 
-/// What a program or command does, as the one line by which pages are searched.
+/// Returns what a program or command does, in the one line by which manual pages are searched.
 std::string purpose(const CLI::App& command) {
   const std::string about = command.get_description();
   std::string line = about.substr(0, about.find_first_of(".;:"));
@@ -47,7 +47,8 @@ std::string upper(std::string text) {
   return text;
 }
 
-/// How a value is named, and the rest that CLI11 says of it, such as its range.
+/// Splits the type of an option into the name of its value and the remarks that CLI11 adds, such as
+/// its range.
 std::pair<std::string, std::string> split_type(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return {};
   const std::string type = option.get_type_name();

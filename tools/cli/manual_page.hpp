@@ -9,8 +9,8 @@ class App;
 
 namespace quadrille {
 
-/// The manual page of a program or one of its commands, as roff with the macros of man(7). It names
-/// the day as @DATE@.
+/// Returns the manual page of a program or one of its commands, as roff with the macros of man(7).
+/// @DATE@ stands for the date.
 /// @param words  the command, such as {"study", "grasps"}; empty for the program
 /// @throws std::invalid_argument for an unknown command
 std::string manual_page(const CLI::App& app, const std::vector<std::string>& words);

@@ -12,7 +12,7 @@
 namespace quadrille {
 namespace {
 
-/// The numbers of a list that commas separate; nullopt if one is none, or not finite.
+/// Returns the numbers of a comma-separated list; nullopt if one is not a finite number.
 std::optional<std::vector<double>> numbers_of(const std::string& list) {
   std::vector<double> numbers;
   const char* at = list.data();

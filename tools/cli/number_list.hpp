@@ -6,11 +6,11 @@
 
 namespace quadrille {
 
-/// The finite numbers of a list that commas separate: "0.1,-2,3e-2".
-/// @param option  that the list was given to
-/// @param count   of numbers that it must hold
-/// @param form    what they are: "X,Y,Z"
-/// @throws CLI::ValidationError that names the option, the list and the form
+/// Returns the finite numbers of a comma-separated list: "0.1,-2,3e-2".
+/// @param option  name of the option that was given the list
+/// @param count  required number of numbers
+/// @param form  form of the list for errors: "X,Y,Z"
+/// @throws CLI::ValidationError naming the option, the list and the form
 std::vector<double> numbers_of(const std::string& option, const std::string& list,
                                std::size_t count, const std::string& form);
 

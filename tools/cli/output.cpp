@@ -21,7 +21,7 @@ JsonLines::JsonLines(const std::string& path) : path_(path) {
 
 void JsonLines::write(const io::Json& json) {
   if (path_.empty()) return;
-  // File names may hold any bytes; JSON may not.
+  // File names may hold any bytes, but JSON must be valid UTF-8.
   const std::string line = json.dump(-1, ' ', false, io::Json::error_handler_t::replace) + "\n";
   if (owns_stdout()) return print(line);
   file_ << line << std::flush;

@@ -10,21 +10,21 @@
 
 namespace quadrille {
 
-/// Writes JSON objects, one a line, to a file, which appears once it is whole, or, for "-", to
+/// Writes JSON objects, one per line, to a file that appears once it is complete, or, for "-", to
 /// stdout.
 class JsonLines {
  public:
-  /// An empty path writes nothing.
+  /// With an empty path, nothing is written.
   /// @throws io::FileError if the file cannot be created
   explicit JsonLines(const std::string& path);
 
-  /// True if stdout belongs to the JSON.
+  /// Returns true if stdout is reserved for the JSON.
   bool owns_stdout() const { return path_ == "-"; }
 
   /// @throws io::FileError if the line cannot be written
   void write(const io::Json& json);
 
-  /// Puts the file in its place; without this call nothing is left behind.
+  /// Puts the file in place; without this call no file is left behind.
   /// @throws io::FileError if that fails
   void finish();
 
@@ -34,13 +34,14 @@ class JsonLines {
   std::ofstream file_;
 };
 
-/// The path for the picture of one input: as given if it is the only one, else with the input's
-/// stem (and, for later clouds of the same input, a number) before the extension.
+/// Chooses the path for the picture of each input: the given one if there is only one input,
+/// otherwise with the input's stem (and, for further clouds of the same input, a number) before the
+/// extension.
 class PicturePaths {
  public:
   PicturePaths(std::string path, bool several) : path_(std::move(path)), several_(several) {}
 
-  /// True if pictures are wanted.
+  /// Returns true if pictures are wanted.
   bool wanted() const { return !path_.empty(); }
   std::string next(const std::string& input);
 
@@ -53,12 +54,13 @@ class PicturePaths {
 /// Writes each warning as one line to stderr.
 void print_warnings(const std::string& input, const std::vector<std::string>& warnings);
 
-/// Appends warnings about something that is not the input itself, named before each: "FILE: …".
+/// Appends warnings about something other than the input itself, each preceded by its name: "FILE:
+/// …".
 void add_warnings(const std::string& about, const std::vector<std::string>& warnings,
                   std::vector<std::string>* all);
 
-/// Writes to stdout and sees to it that it arrived.
-/// @throws std::runtime_error if it did not
+/// Writes to stdout and checks that the text was accepted.
+/// @throws std::runtime_error if it was not
 void print(const std::string& text);
 
 }  // namespace quadrille

@@ -11,7 +11,7 @@
 namespace quadrille {
 namespace {
 
-/// Empty if LCM takes the name, else what is wrong with it.
+/// Returns what is wrong with the name of a channel; empty if LCM accepts it.
 std::string check_channel_name(const std::string& channel) try {
   bus::check_channel(channel);
   return {};
@@ -26,12 +26,12 @@ std::string check_channel_pattern(const std::string& pattern) try {
   return error.what();
 }
 
-/// Empty if channels may begin with it, else what is wrong with it.
+/// Returns what is wrong with a prefix of channel names; empty if it is valid.
 std::string check_prefix(const std::string& prefix) {
   return prefix.empty() ? "" : check_channel_name(prefix);
 }
 
-/// Empty if senders can be read from a text, else what is wrong with it.
+/// Returns what is wrong with a list of senders; empty if it can be parsed.
 std::string check_senders(const std::string& text) try {
   if (text.empty()) return "names nobody; leave it out to receive from everyone";
   bus::parse_senders(text);

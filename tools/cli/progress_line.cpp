@@ -20,7 +20,7 @@ void ProgressLine::wipe() {
 void ProgressLine::show(double share) {
   const int percent = static_cast<int>(100.0 * share);
   const Clock::time_point now = Clock::now();
-  // Where nothing can be wiped, lines of a log.
+  // Without a terminal nothing can be wiped, so the lines are those of a log.
   const std::chrono::seconds period(on_terminal_ ? 1 : 10);
   const bool is_news = on_terminal_ && percent != shown_;
   if (!is_news && now - last_ < period) return;
@@ -37,7 +37,7 @@ void ProgressLine::show(double share) {
 }
 
 std::string ProgressLine::time_left(double share, Clock::time_point now) const {
-  // Work that is over sooner needs no forecast, and the first steps allow none [s].
+  // Shorter work needs no forecast, and the first steps do not allow one [s].
   constexpr double kMinTime = 5.0;
   const double passed = std::chrono::duration<double>(now - start_).count();
   if (passed < kMinTime || share <= 0.0) return "";

@@ -5,8 +5,9 @@
 
 namespace quadrille {
 
-/// Tells on the standard error how far work is and how long it may still take: on a terminal as one
-/// line, which is wiped when this goes, elsewhere as a line every ten seconds.
+/// Shows on the standard error the progress of work and the time that it may still take. On a
+/// terminal this is one line, which is wiped on destruction; elsewhere it is a line every ten
+/// seconds.
 class ProgressLine {
  public:
   ProgressLine();
@@ -14,9 +15,9 @@ class ProgressLine {
   ProgressLine& operator=(const ProgressLine&) = delete;
   ~ProgressLine();
 
-  /// @param share  of the work that is done, 0 to 1
+  /// @param share  share of the work that is done, 0 to 1
   void show(double share);
-  /// Makes room for other output until the next show().
+  /// Clears the line for other output until the next show().
   void wipe();
 
  private:
@@ -29,7 +30,7 @@ class ProgressLine {
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };
 
-/// A duration for people: "45 s", "12 min", "3 h 05 min".
+/// Formats a duration: "45 s", "12 min", "3 h 05 min".
 std::string describe_duration(double seconds);
 
 }  // namespace quadrille

@@ -16,7 +16,7 @@
 namespace quadrille {
 namespace {
 
-/// What is wrong if a program with commands was given none of them; empty otherwise.
+/// Returns an error if a program with commands was given none of them; empty otherwise.
 std::string find_missing_command(const CLI::App& app) {
   std::string all;
   for (const CLI::App* command : app.get_subcommands({})) {
@@ -28,7 +28,7 @@ std::string find_missing_command(const CLI::App& app) {
          "give one of the commands " + all;
 }
 
-/// One line on what is wrong, and where to read on.
+/// Returns one line on what is wrong, and where to find help.
 std::string describe_usage_error(const CLI::App* app, const CLI::Error& error) {
   std::string what = error.what(), command = app->get_name();
   if (const std::string missing = find_missing_command(*app); !missing.empty()) what = missing;
@@ -37,8 +37,8 @@ std::string describe_usage_error(const CLI::App* app, const CLI::Error& error) {
   return app->get_name() + ": " + printable(what, kMaxLine) + "; see " + command + " --help\n";
 }
 
-/// Keeps freed memory in the process. Stages and clouds follow each other and need as much again;
-/// giving it back and taking it anew costs a twentieth of a frame's time.
+/// Keeps freed memory in the process. Stages and clouds follow each other and need as much memory
+/// again; returning it and requesting it anew costs a twentieth of a frame's time.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   constexpr int kMax = 32 << 20;

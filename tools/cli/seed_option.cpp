@@ -9,7 +9,7 @@
 namespace quadrille {
 namespace {
 
-/// Empty if a text is a seed, else what is wrong with it.
+/// Returns what is wrong with the text of a seed; empty if it is valid.
 std::string check_seed(const std::string& text) {
   std::uint64_t seed = 0;
   const char* end = text.data() + text.size();

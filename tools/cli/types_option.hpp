@@ -11,8 +11,8 @@ class App;
 
 namespace quadrille {
 
-/// Adds an option that takes types that can be found, separated by commas.
-/// @param types  gets them; must outlive the app
+/// Adds an option that accepts detectable types, separated by commas.
+/// @param types  set to the types; must outlive the app
 void add_types_option(CLI::App& app, const std::string& name, std::vector<QuadricType>& types,
                       const std::string& description);
 

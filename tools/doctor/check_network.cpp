@@ -14,7 +14,7 @@ constexpr const char* kMendRoute =
     "sudo ip link set lo up && sudo ip route add 224.0.0.0/4 dev lo (other machines are reached by "
     "another interface than lo)";
 
-/// How far an address that has passed check_live() sends.
+/// Returns the ttl of an address that has passed check_live().
 int ttl_of(const bus::Url& url) {
   const auto found = url.arguments.find("ttl");
   return found == url.arguments.end() ? 0 : std::stoi(found->second);
@@ -67,7 +67,7 @@ Finding check_interface(const bus::Url& url) {
             fmt::format("{}: no other machine will hear anything, though ttl asks for it", what),
             "sudo ip route replace 224.0.0.0/4 dev INTERFACE, with one of: ip -brief link"};
   }
-  // Linux delivers to itself over lo whatever its flag says.
+  // Linux delivers to itself over lo whatever the interface's multicast flag says.
   if (!out->is_loopback && !out->can_multicast) {
     return {Verdict::kFailed, "interface", fmt::format("{}: it carries no multicast", what),
             fmt::format("sudo ip link set {} multicast on", out->name)};
@@ -103,7 +103,7 @@ Finding check_buffers(const Buffers& buffers, std::int64_t cloud_bytes, const st
   } else if (buffers.granted >= cloud_bytes) {
     finding.what += ": two in a row do not fit";
   } else if (2 * std::int64_t{buffers.granted} >= cloud_bytes) {
-    // The kernel adds as much again for its bookkeeping, which large datagrams do not need.
+    // The kernel grants as much again for its bookkeeping, which large datagrams hardly need.
     finding.what += ": those that come while the receiver is busy may be lost";
   } else {
     finding.verdict = Verdict::kFailed;

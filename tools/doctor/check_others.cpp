@@ -12,13 +12,14 @@ namespace {
 
 using Streams = std::vector<Stream>;
 
-/// Those who send a kind of message, the option that names its channel, and what two of them are.
+/// A kind of message that only one process should send, the option that names its channel, and what
+/// it means if two do.
 struct Worker {
   Kind kind;
   Verdict verdict;
   const char *what, *option;
 };
-// Two who send clouds keep none from being answered; the newest wins.
+// Two senders of clouds do not prevent answers, since the newest cloud wins.
 constexpr Worker kWorkers[] = {
     {Kind::kCloud, Verdict::kWarning, "send clouds", ""},
     {Kind::kPose, Verdict::kWarning, "send poses", ""},
@@ -27,14 +28,14 @@ constexpr Worker kWorkers[] = {
     {Kind::kGrasps, Verdict::kFailed, "planners answer", "--grasps-channel"},
     {Kind::kPlannerStatus, Verdict::kFailed, "planners answer", "--status-channel"}};
 
-/// Who does the same work at one time, and on which channels.
+/// Processes that do the same work at the same time, and their channels.
 struct Twins {
   const Worker* worker;
   std::set<std::string> senders, channels, options;
 };
 
-/// The senders that sent such messages during one common time. One that begins when the other has
-/// ended is a process that was started anew.
+/// Returns the senders whose messages of a kind overlap in time. A sender that begins after another
+/// has ended is a process that was restarted.
 std::set<std::string> common_senders(const Streams& streams, Kind kind) {
   std::set<std::string> senders;
   for (const Stream& one : streams) {
@@ -46,7 +47,8 @@ std::set<std::string> common_senders(const Streams& streams, Kind kind) {
   return senders;
 }
 
-/// Two processes meet on all of their channels: that is one finding.
+/// Two processes with the same work meet on all of their channels; this combines that into one
+/// finding.
 void add_twins(const std::string& channel, const Streams& streams, std::vector<Twins>* all) {
   for (const Worker& worker : kWorkers) {
     const auto senders = common_senders(streams, worker.kind);
@@ -89,7 +91,8 @@ void check_clash(const std::string& channel, const Streams& streams, Findings* f
                        "give each type a channel of its own"});
 }
 
-/// The streams of each channel that is one of ours, or on which clouds are expected.
+/// Groups the streams by channel, keeping only our own channels and those on which clouds are
+/// expected.
 std::map<std::string, Streams> group_by_channel(const Traffic& traffic,
                                                 const std::string& cloud_channel) {
   const bus::ChannelPattern clouds(cloud_channel);

@@ -16,8 +16,8 @@ std::string describe(const Stream& stream, double seconds) {
                      stream.max_bytes, seconds, stream.channel, stream.sender);
 }
 
-/// What has the processes listen to a channel on which clouds came.
-/// @param prefix  of --channel-prefix; empty for none
+/// Returns the options that make the processes listen to a channel on which clouds came.
+/// @param prefix  value of --channel-prefix; empty for none
 std::string advise_channel(const std::string& channel, const std::string& prefix) {
   const bool begins = !prefix.empty() && channel.starts_with(prefix);
   const std::string advice = fmt::format(
@@ -117,7 +117,8 @@ Finding check_losses(const Traffic& traffic, int port) {
 
 Findings check_clocks(const Traffic& traffic, std::int64_t now) {
   Findings findings;
-  // The day on which this check was written: a machine without a battery begins with 1970.
+  // Clocks before the day on which this check was written are wrong: a machine without a battery
+  // starts in 1970.
   constexpr std::int64_t kEarliest = 1'700'000'000'000'000;
   if (now < kEarliest) {
     findings.push_back({Verdict::kFailed, "clocks", "this machine's clock is years behind",

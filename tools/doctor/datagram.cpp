@@ -18,7 +18,7 @@ std::uint32_t word(std::span<const std::byte> bytes, std::size_t at, std::size_t
   return static_cast<std::uint32_t>(big_endian(bytes.subspan(at, size)));
 }
 
-/// Takes the name of the channel from the front; false if it has no end.
+/// Takes the name of the channel from the front; returns false if it has no end.
 bool take_channel(std::span<const std::byte> rest, Datagram* datagram) {
   const auto end = std::find(rest.begin(), rest.end(), std::byte{0});
   const auto size = static_cast<std::size_t>(end - rest.begin());

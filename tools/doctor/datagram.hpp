@@ -8,24 +8,25 @@
 
 namespace quadrille::doctor {
 
-/// What the head of one of LCM's datagrams says.
+/// The header of one of LCM's datagrams.
 struct Datagram {
-  /// Counts the messages of a sender.
+  /// Number of the message in the sequence of its sender.
   std::uint32_t sequence = 0;
-  /// Of the whole message [byte].
+  /// Size of the whole message [byte].
   std::uint32_t message_bytes = 0;
-  /// Of the datagrams of one message.
+  /// Index of the fragment, and number of fragments of the message.
   std::uint32_t fragment = 0, fragments = 1;
-  /// Only the first fragment tells it.
+  /// Name of the channel; only the first fragment has it.
   std::string channel;
-  /// The first bytes of the message; only of the first fragment.
+  /// The first bytes of the message, in the first fragment only.
   std::span<const std::byte> start;
 };
 
-/// Reads a datagram; nullopt if it is none that LCM would take.
+/// Parses a datagram; nullopt if LCM would not accept it.
 std::optional<Datagram> read_datagram(std::span<const std::byte> bytes);
 
-/// Eight bytes of a message from there on, as LCM writes numbers; nullopt if there are fewer.
+/// Reads an eight-byte number in LCM's byte order from an offset of a message; nullopt if there are
+/// fewer bytes.
 std::optional<std::int64_t> read_number(std::span<const std::byte> bytes, std::size_t at);
 
 }  // namespace quadrille::doctor

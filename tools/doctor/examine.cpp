@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::size_t kUsualBytes = bus::kUsualCloudBytes;
 
-/// What a check finds; an error is a failure of it.
+/// Runs a check; an exception becomes a failure of that check.
 Finding attempt(const std::string& check, const std::function<Finding()>& examine,
                 const std::string& remedy = "see above") {
   try {
@@ -50,7 +50,7 @@ void examine_trips(const bus::Url& url, std::size_t cloud_bytes, const std::stri
   }));
 }
 
-/// What is heard on the bus; what keeps it from being heard becomes a finding.
+/// Listens to the bus; if that fails, adds a finding.
 std::optional<Traffic> try_to_listen(const bus::Url& url, double seconds, Findings* findings) {
   std::optional<Traffic> heard;
   const Finding failure = attempt(

@@ -7,19 +7,20 @@
 
 namespace quadrille::doctor {
 
-/// What to look at.
+/// The subject of an examination.
 struct Questions {
   /// The LCM address.
   std::string url;
-  /// Or a pattern of channels, and what begins the names of all.
+  /// Channel of the clouds, or a pattern of channels; and the prefix of all names.
   std::string cloud_channel = "POINT_CLOUD", channel_prefix;
-  /// A message with a cloud; 0: the largest seen on the bus, or bus::kUsualCloudBytes [byte].
+  /// Size of a message with a cloud [byte]; 0 for the largest one seen on the bus, or
+  /// bus::kUsualCloudBytes.
   std::size_t cloud_bytes = 0;
-  /// How long to listen [s].
+  /// Time to listen [s].
   double seconds = 3.0;
 };
 
-/// Makes all checks that the address allows, in the order in which things have to work.
+/// Runs all checks that make sense for the address, from the network up.
 Findings examine(const Questions& questions);
 
 }  // namespace quadrille::doctor

@@ -6,17 +6,17 @@
 
 namespace quadrille::doctor {
 
-/// How a check ended. Only failures keep clouds from being answered.
+/// The result of a check. Only failures prevent clouds from being answered.
 enum class Verdict { kOk, kWarning, kFailed };
 
-/// What one check found.
+/// The finding of one check.
 struct Finding {
   Verdict verdict = Verdict::kOk;
-  /// The check, in one word or two.
+  /// Name of the check, in one or two words.
   std::string check;
-  /// What is there, with its numbers.
+  /// The finding itself, with its numbers.
   std::string what;
-  /// What to type, or to change; empty if nothing needs to.
+  /// The command to type, or the change to make; empty if none is needed.
   std::string remedy = {};
 };
 

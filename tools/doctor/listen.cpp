@@ -22,7 +22,7 @@ void join(const Socket& socket, const sockaddr_in& group) {
   setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   setsockopt(socket.get(), SOL_SOCKET, SO_REUSEPORT, &on, sizeof on);
   setsockopt(socket.get(), SOL_SOCKET, SO_RCVBUF, &buffer, sizeof buffer);
-  // Bound to the group and not to all addresses, it takes no datagram away from anyone.
+  // A socket bound to the group, not to all addresses, takes no datagrams away from others.
   ip_mreq membership = {};
   membership.imr_multiaddr = group.sin_addr;
   if (bind(socket.get(), reinterpret_cast<const sockaddr*>(&group), sizeof group) != 0 ||
@@ -33,7 +33,7 @@ void join(const Socket& socket, const sockaddr_in& group) {
   }
 }
 
-/// How long there is to wait until then, at least 0.
+/// Returns the time left until then, at least 0.
 int ms_until(Clock::time_point end) {
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();
   return left > 0 ? static_cast<int>(left) : 0;

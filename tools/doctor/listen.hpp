@@ -7,8 +7,9 @@
 
 namespace quadrille::doctor {
 
-/// Hears all that is sent to the multicast group of a udpm address, beside LCM and without changing
-/// what others receive. An LCM handler is not told who sent a message.
+/// Receives everything that is sent to the multicast group of a udpm address, without LCM and
+/// without changing what others receive. This is needed because an LCM handler does not learn who
+/// sent a message.
 /// @throws std::runtime_error if no socket can be made or the group cannot be joined
 Traffic listen(const bus::Url& url, std::chrono::milliseconds duration);
 

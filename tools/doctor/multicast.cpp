@@ -24,7 +24,8 @@ std::string host_of(const sockaddr_in& address) {
   return text.data();
 }
 
-/// The address of this machine that datagrams to the group carry; nullopt if they have no route.
+/// Returns the sender address of datagrams from this machine to the group; nullopt if there is no
+/// route.
 std::optional<std::string> own_address(const sockaddr_in& group) {
   const Socket socket;
   // Connecting a UDP socket sends nothing; it only looks up the route.
@@ -36,8 +37,8 @@ std::optional<std::string> own_address(const sockaddr_in& group) {
   return host_of(own);
 }
 
-/// The interface of the narrowest route to an address; empty if there is none. The own address does
-/// not tell it: over lo it is 0.0.0.0.
+/// Returns the interface of the most specific route to an address; empty if there is none. The
+/// machine's own address does not determine it: over lo it is 0.0.0.0.
 std::string name_of_interface(in_addr_t to) {
   std::ifstream table("/proc/net/route");
   std::string line, best;
@@ -84,7 +85,7 @@ std::optional<Interface> interface_to(const sockaddr_in& group) {
     return Interface{name, *own, (entry->ifa_flags & IFF_LOOPBACK) != 0,
                      (entry->ifa_flags & IFF_MULTICAST) != 0};
   }
-  // A route of another table, of which this one tells nothing.
+  // The route is in another routing table, whose interface is unknown here.
   return Interface{"an interface", *own, false, true};
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Those who received which messages of a trip, and after what time.
+/// Records which messages of a trip were received, and after what time.
 class Arrivals {
  public:
   explicit Arrivals(std::size_t messages) : sent_(messages), latencies_(messages) {}
@@ -42,7 +42,7 @@ class Arrivals {
   bus::Durations latencies_;
 };
 
-/// Handles what comes until then, or until all has come.
+/// Handles messages until a time, or until all have come.
 void handle_until(Clock::time_point end, const Arrivals& arrivals, bus::Connection& connection) {
   for (;;) {
     const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();

@@ -30,7 +30,7 @@ void note_message(const Datagram& datagram, std::int64_t now, Stream* stream) {
   stream->max_bytes = std::max(stream->max_bytes, datagram.message_bytes);
   stream->fingerprint = read_number(datagram.start, 0).value_or(0);
   stream->kind = kind_of(stream->fingerprint);
-  // All the types that have a kind begin with their time.
+  // All types that have a kind begin with their time.
   const auto utime = read_number(datagram.start, 8);
   if (stream->kind != Kind::kOther && utime) note_time(*utime, stream);
 }
@@ -58,7 +58,7 @@ void Traffic::add(const std::string& sender, std::span<const std::byte> bytes, s
     return;
   }
   const std::pair key(datagram->channel, sender);
-  // Only the first fragment names its channel.
+  // Only the first fragment carries the name of the channel.
   const bool is_new =
       receptions_.count(sender) == 0 || (datagram->fragment == 0 && streams_.count(key) == 0);
   if (is_new && std::max(receptions_.size(), streams_.size()) >= kMaxStreams) {

@@ -11,7 +11,7 @@
 
 namespace quadrille::doctor {
 
-/// What messages carry, told by their fingerprints.
+/// The kinds of messages, which are recognised by their fingerprints.
 enum class Kind { kCloud, kPose, kQuadrics, kGrasps, kDetectorStatus, kPlannerStatus, kOther };
 
 Kind kind_of(std::int64_t fingerprint);
@@ -23,41 +23,42 @@ struct Stream {
   std::int64_t fingerprint = 0;
   std::int64_t messages = 0;
   std::uint32_t max_bytes = 0;
-  /// When the first and the last one came [us].
+  /// Arrival times of the first and the last message [us].
   std::int64_t first = 0, last = 0;
-  /// Times that the messages tell: the last one, how many were 0, and how many not newer than the
-  /// one before [us].
+  /// Times inside the messages [us]: the last one, the number that were 0, and the number not newer
+  /// than the previous one.
   std::int64_t utime = 0, zero_utimes = 0, stale_utimes = 0;
 };
 
-/// One socket that sends, "ADDRESS:PORT".
+/// One sending socket, "ADDRESS:PORT".
 struct Sender {
   std::int64_t messages = 0;
-  /// Messages of which nothing came, and of which a part did not.
+  /// Number of messages of which nothing arrived, and of which only a part arrived.
   std::int64_t missing = 0, incomplete = 0;
 };
 
-/// What was heard on the bus, kept within a bounded memory.
+/// The traffic heard on the bus, kept within bounded memory.
 class Traffic {
  public:
-  /// Senders and streams that are kept; what else comes is counted as crowded_out().
+  /// Limit of the senders and streams that are kept; datagrams of others are counted as
+  /// crowded_out().
   static constexpr std::size_t kMaxStreams = 4096;
 
-  /// @param now  when the datagram came [us]
+  /// @param now  arrival time of the datagram [us]
   void add(const std::string& sender, std::span<const std::byte> datagram, std::int64_t now);
 
   std::vector<Stream> streams() const;
   const std::map<std::string, Sender>& senders() const { return senders_; }
-  /// Datagrams that are none of LCM's, or crafted.
+  /// Number of datagrams that are not LCM's, or were crafted.
   std::int64_t malformed() const { return malformed_; }
   std::int64_t crowded_out() const { return crowded_out_; }
-  /// The size of the largest cloud; 0 if none was heard [byte].
+  /// Size of the largest cloud; 0 if none was heard [byte].
   std::uint32_t largest_cloud() const;
 
  private:
   struct Reception {
     std::optional<std::uint32_t> sequence;
-    /// Fragments of the last message: those that came, those there are.
+    /// Number of fragments of the last message that arrived, and that there are.
     std::uint32_t came = 0, fragments = 0;
   };
 

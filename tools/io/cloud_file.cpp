@@ -30,7 +30,7 @@ std::string lower_extension(const std::filesystem::path& path) {
   return extension;
 }
 
-/// nullptr if there is none.
+/// Returns the parser for a file's extension; nullptr if there is none.
 Parser parser_of(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".gz") return parser_of(path.stem());
@@ -42,7 +42,7 @@ Parser parser_of(const std::filesystem::path& path) {
   return nullptr;
 }
 
-/// Of bytes without a file's name.
+/// Returns the parser for bytes without a file name.
 Parser parser_of(std::span<const std::byte> bytes) {
   if (is_npy(bytes)) return parse_npy;
   if (is_npz(bytes)) return parse_npz;

@@ -9,25 +9,25 @@
 
 namespace quadrille::io {
 
-/// What a file of settings says to the detector.
+/// The detector's settings from a file.
 struct DetectorConfig {
   DetectorOptions detector;
   TrackOptions track;
-  /// The keys that it gives, such as "search.basis".
+  /// The keys that the file gives, such as "search.basis".
   std::set<std::string> given;
 };
 
 /// Reads the detector's part of a TOML file that all programs may share; the table [planner] is
 /// left to the planner. Keys and ranges are those of DetectorOptions::visit() and
-/// TrackOptions::visit(). What the file leaves out keeps its default. Keys as earlier versions
-/// spelt them, such as planes.least_samples, are read too.
+/// TrackOptions::visit(). Settings that the file leaves out keep their defaults. Spellings of
+/// earlier versions, such as planes.least_samples, are accepted too.
 /// @param path  empty for the defaults
-/// @throws FileError naming line and key if the file is missing or no TOML, if a key is unknown, or
-///         if a value has the wrong type or is out of range
+/// @throws FileError naming line and key if the file is missing or not TOML, if a key is unknown,
+///         or if a value has the wrong type or is out of range
 DetectorConfig load_detector_config(const std::string& path);
 
-/// The same from the text of such a file.
-/// @param path  what it is called in errors
+/// Like load_detector_config(), from the text of such a file.
+/// @param path  name of the text in errors
 DetectorConfig parse_detector_config(std::string_view text, const std::string& path);
 
 }  // namespace quadrille::io

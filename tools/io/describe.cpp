@@ -90,7 +90,7 @@ std::string short_label(const Detection& detection) {
     const char* unit = unit_of(dimensions[i]);
     text += fmt::format(" {} {:.1f}", short_name(dimensions[i].name), shown_value(dimensions[i]));
     const bool guess = !std::isfinite(dimensions[i].std);
-    // One unit serves neighbours that share it.
+    // Neighbours with the same unit show it once.
     const bool last = i + 1 == shown;
     if (last || std::string(unit_of(dimensions[i + 1])) != unit) text += fmt::format(" {}", unit);
     if (guess) text += "*";

@@ -9,27 +9,27 @@
 
 namespace quadrille::io {
 
-/// A count for people: "1 cloud", "2 clouds".
+/// Returns a readable count: "1 cloud", "2 clouds".
 std::string count_of(std::size_t count, const std::string& noun);
 
-/// Channels with their counts, "A (2), B (1)", of very many the first ones.
+/// Lists channels with their counts, "A (2), B (1)"; if there are very many, only the first ones.
 std::string list_channels(const std::map<std::string, std::int64_t>& counts);
 
-/// A dimension for people: "41.0 mm", "7.4 deg" for angles.
+/// Returns a readable dimension: "41.0 mm", or "7.4 deg" for angles.
 std::string describe(const Dimension& dimension);
 
-/// All dimensions of a detection in one line: "radius 41.0 mm, length 90.9 mm"; of one that was
-/// seen from inside "radius 38.0 mm, length 82.0 mm, its inside".
+/// Returns all dimensions of a detection in one line: "radius 41.0 mm, length 90.9 mm"; if it was
+/// seen from inside, "radius 38.0 mm, length 82.0 mm, its inside".
 std::string describe_dimensions(const Detection& detection);
 
-/// Size and faces of a box in one line: "148.2 x 113.9 x 72.0 mm, faces 3 5 8"; a side that was not
-/// seen comes with its bounds: "60.0 (0.0 to 80.2)".
+/// Returns size and faces of a box in one line: "148.2 x 113.9 x 72.0 mm, faces 3 5 8". A side that
+/// was not seen is given with its bounds: "60.0 (0.0 to 80.2)".
 std::string describe_box(const Box& box);
 
-/// A name for pictures: "1 elliptic cylinder".
+/// Returns a name for pictures: "1 elliptic cylinder".
 std::string name_of(const Detection& detection);
 
-/// A short line for pictures, with three dimensions at most: "1 cylinder r 41.0 l 90.9 mm".
+/// Returns a short line for pictures, with three dimensions at most: "1 cylinder r 41.0 l 90.9 mm".
 std::string short_label(const Detection& detection);
 
 }  // namespace quadrille::io

@@ -1,6 +1,6 @@
 #include "io/gzip.hpp"
 
-// zlib then takes bytes that it may not change.
+// This makes zlib accept const input.
 #define ZLIB_CONST
 #include <zlib.h>
 
@@ -14,10 +14,10 @@ namespace quadrille::io {
 namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 31, kPiece = 1 << 20;
-// Added to the largest window: gzip's header is expected, and written.
+// Added to the window size, this makes zlib read and write gzip's header.
 constexpr int kGzip = 16;
 
-/// zlib's state, freed in any case.
+/// zlib's state for decompression, freed on destruction.
 struct Inflater {
   Inflater() { inflateInit2(&stream, MAX_WBITS + kGzip); }
   Inflater(const Inflater&) = delete;
@@ -27,7 +27,7 @@ struct Inflater {
   z_stream stream{};
 };
 
-/// zlib's state, freed in any case.
+/// zlib's state for compression, freed on destruction.
 struct Deflater {
   Deflater() {
     constexpr int kMemoryLevel = 8;

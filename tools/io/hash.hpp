@@ -4,8 +4,8 @@
 
 namespace quadrille::io {
 
-/// XXH3 of a text with 64 bits, as 16 hexadecimal digits: it tells texts apart, and is the same on
-/// all machines. It keeps nobody from making two texts that have the same one.
+/// Returns the 64-bit XXH3 hash of a text as 16 hexadecimal digits, the same on all machines. It is
+/// not cryptographic: two texts with the same hash can be made on purpose.
 std::string hash_text(const std::string& text);
 
 }  // namespace quadrille::io

@@ -44,7 +44,7 @@ std::optional<double> to_number(std::string_view word) {
   double value = 0.0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (word.empty() || end != word.data() + word.size()) return std::nullopt;
-  // Too small is nearly zero, too large is as good as infinite.
+  // A number too small for a double counts as zero, and one too large as infinite.
   if (error == std::errc::result_out_of_range) {
     const bool tiny = word.find("e-") != word.npos || word.find("E-") != word.npos;
     return tiny ? 0.0 : std::numeric_limits<double>::infinity();

@@ -10,19 +10,19 @@
 
 namespace quadrille::io {
 
-/// Walks through text that precedes or makes up a file's data.
+/// Reads text that precedes or makes up a file's data, piece by piece.
 class TextCursor {
  public:
   explicit TextCursor(std::span<const std::byte> bytes, std::size_t offset = 0);
 
-  /// Bytes read so far.
+  /// Number of bytes read so far.
   std::size_t offset() const { return offset_; }
   bool at_end() const { return offset_ >= text_.size(); }
   std::size_t remaining() const { return text_.size() - offset_; }
 
-  /// The next line without its end (LF or CRLF); nullopt at the end of the text.
+  /// Returns the next line without its end (LF or CRLF); nullopt at the end of the text.
   std::optional<std::string_view> next_line();
-  /// The next run of characters without white space; empty at the end of the text.
+  /// Returns the next run of characters without white space; empty at the end of the text.
   std::string_view next_word();
 
  private:
@@ -30,13 +30,14 @@ class TextCursor {
   std::size_t offset_;
 };
 
-/// The words of one line.
+/// Splits a line into its words.
 std::vector<std::string_view> split_words(std::string_view line);
 
-/// A whole word as a number; nullopt if it is none. Knows nan, inf and a leading plus sign.
+/// Parses a whole word as a number; nullopt if it is none. Accepts nan, inf and a leading plus
+/// sign.
 std::optional<double> to_number(std::string_view word);
 
-/// A whole word as a count; nullopt if it is none or does not fit into 64 bits.
+/// Parses a whole word as a count; nullopt if it is none or does not fit into 64 bits.
 std::optional<std::uint64_t> to_count(std::string_view word);
 
 }  // namespace quadrille::io

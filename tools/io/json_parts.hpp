@@ -11,7 +11,7 @@
 
 namespace quadrille::io {
 
-/// The elements of a vector.
+/// Returns the elements of a vector.
 template <class Vector>
 Json array_of(const Vector& v) {
   Json array = Json::array();
@@ -19,12 +19,12 @@ Json array_of(const Vector& v) {
   return array;
 }
 
-/// The keys that begin each object: the input, with what it was worked on, and its frame.
+/// Returns the keys that begin each object: the input, the run's settings, and the frame.
 Json begin_json(const InputInfo& input, const RunInfo& run);
 
-/// What to throw where reading a file's JSON threw.
-/// @param what  what the file is not
-/// @param cure  how to mend it, behind the reason
+/// Returns the error to throw if reading a file's JSON threw.
+/// @param what  what the file should have been but is not
+/// @param cure  the remedy, which follows the reason
 FileError json_error(const std::string& path, const std::string& what, const std::exception& error,
                      const std::string& cure = "");
 

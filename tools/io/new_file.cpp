@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file that a path means: a link stays a link.
+/// Resolves links, so that a link stays a link when its file is replaced.
 std::string follow_links(const std::string& path) {
   std::error_code error;
   const fs::path real = fs::canonical(path, error);

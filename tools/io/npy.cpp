@@ -20,14 +20,14 @@ namespace {
 constexpr const char* kRemedy =
     "save floats, in metres, of shape (N, 3), or (H, W, 3) of an organised cloud";
 
-/// Sets type and order of the coordinates; false if these are no floats.
+/// Sets type and byte order of the coordinates; returns false if they are not floats.
 bool set_type(const NpyField& field, PointLayout* layout) {
   layout->scalar = field.size == 8 ? PointLayout::Scalar::kFloat64 : PointLayout::Scalar::kFloat32;
   layout->big_endian = field.type.starts_with('>');
   return field.type.size() == 3 && (field.type.ends_with("f4") || field.type.ends_with("f8"));
 }
 
-/// Rows and columns: the dimensions of the array, without that of x, y, z.
+/// Sets rows and columns from the dimensions of the array, without that of x, y, z.
 void set_size(std::span<const std::uint64_t> shape, const std::string& name, PointLayout* layout) {
   const std::uint64_t most = std::numeric_limits<int>::max();
   if (std::any_of(shape.begin(), shape.end(), [&](auto count) { return count > most; })) {
@@ -79,7 +79,7 @@ PointLayout layout_of_records(const NpyHeader& header, const std::string& name) 
   return layout;
 }
 
-/// An array that is stored column by column, in C order.
+/// Converts an array that is stored column by column to C order.
 std::vector<std::byte> in_c_order(std::span<const std::byte> data, const NpyHeader& header) {
   const std::size_t size = header.record_size;
   std::size_t count = 1;

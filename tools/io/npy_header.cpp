@@ -18,7 +18,7 @@ std::string_view text_of(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// Walks through the header's text, a dict of Python's literals.
+/// Parses the header's text, a dict of Python literals.
 class Literals {
  public:
   Literals(std::string_view text, const std::string& name) : text_(text), name_(name) {}
@@ -27,7 +27,7 @@ class Literals {
     throw FileError(name_, "header", what + "; write it anew with numpy.save");
   }
 
-  /// Takes a character if it comes next.
+  /// Consumes a character if it comes next.
   bool take(char c) {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\n')) ++at_;
     if (at_ >= text_.size() || text_[at_] != c) return false;
@@ -59,7 +59,7 @@ class Literals {
     fail("fortran_order is neither True nor False");
   }
 
-  /// A tuple of counts, such as (480, 640, 3), (5,) or ().
+  /// Parses a tuple of counts, such as (480, 640, 3), (5,) or ().
   std::vector<std::uint64_t> counts() {
     std::vector<std::uint64_t> counts;
     expect('(');
@@ -83,7 +83,7 @@ class Literals {
   const std::string& name_;
 };
 
-/// Bytes of one number, such as 4 of "<f4".
+/// Returns the number of bytes of a type, such as 4 for "<f4".
 std::size_t size_of_type(const std::string& type, const Literals& literals) {
   std::size_t size = 0;
   const char* const end = type.data() + type.size();
@@ -94,7 +94,7 @@ std::size_t size_of_type(const std::string& type, const Literals& literals) {
   return type[1] == 'U' ? 4 * size : size;
 }
 
-/// One field ('x', '<f4') or ('x', '<f4', (3,)) of records.
+/// Parses one field ('x', '<f4') or ('x', '<f4', (3,)) of records.
 NpyField parse_field(Literals& literals) {
   NpyField field;
   literals.expect('(');
@@ -161,7 +161,7 @@ void parse_dict(Literals literals, NpyHeader* header) {
   if (header->fields.empty() || !has_shape) literals.fail("descr or shape is missing");
 }
 
-/// Where the dict begins, and how long it is.
+/// Returns the bytes of the dict.
 std::span<const std::byte> dict_of(std::span<const std::byte> bytes, const std::string& name) {
   constexpr std::size_t kVersion = 6, kCount = 8;
   const std::size_t begin =

@@ -30,7 +30,7 @@ class Archive {
     zip_error_init(&error);
     zip_source_t* source = zip_source_buffer_create(bytes.data(), bytes.size(), 0, &error);
     if (source != nullptr) zip_.reset(zip_open_from_source(source, ZIP_RDONLY, &error));
-    // What was opened owns its source.
+    // An archive that was opened owns its source.
     if (!zip_ && source != nullptr) zip_source_free(source);
     zip_error_fini(&error);
     if (!zip_) throw FileError(name, "", "is a damaged .npz file; write it anew with numpy.savez");
@@ -45,7 +45,7 @@ class Archive {
     return names;
   }
 
-  /// Unpacks one array; memory grows with what is really there.
+  /// Decompresses one array; memory grows with the actual data, not with the announced size.
   std::vector<std::byte> read(const std::string& part) const {
     const Part file(zip_fopen(zip_.get(), part.c_str(), 0), &zip_fclose);
     std::vector<std::byte> bytes;
@@ -68,7 +68,7 @@ class Archive {
   std::unique_ptr<zip_t, decltype(&zip_discard)> zip_;
 };
 
-/// Which of the arrays is the cloud.
+/// Chooses the array that holds the cloud.
 std::string choose(std::vector<std::string> names, const std::string& name) {
   constexpr const char* kPoints = "points.npy";
   if (std::find(names.begin(), names.end(), kPoints) != names.end()) return kPoints;

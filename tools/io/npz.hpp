@@ -9,15 +9,15 @@
 
 namespace quadrille::io {
 
-/// True if bytes begin as a .npz file does.
+/// Returns true if the bytes begin like a .npz file.
 bool is_npz(std::span<const std::byte> bytes);
 
-/// Reads a .npz file of numpy, packed or not: its array `points`, or the only one besides
-/// `viewpoint`, as parse_npy() does. The viewpoint is the array `viewpoint` of shape (3,) [m], else
-/// the origin.
-/// @param name  stands for the path in errors
-/// @param X_CF  turns and moves the file's frame F to frame C of the cloud, before single precision
-/// @throws FileError if the file is damaged, an array holds more than 2 GiB, or is no cloud
+/// Reads numpy's .npz file, compressed or not. The cloud is the array `points`, or the only one
+/// besides `viewpoint`, in the form of parse_npy(). The viewpoint is the array `viewpoint` of shape
+/// (3,) [m], or the origin if it is missing.
+/// @param name  name of the file in errors
+/// @param X_CF  pose of the file's frame F in frame C of the cloud, applied in double precision
+/// @throws FileError if the file is damaged, or an array holds more than 2 GiB or is not a cloud
 PointCloud parse_npz(std::span<const std::byte> bytes, const std::string& name,
                      const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
 

@@ -8,13 +8,13 @@
 
 namespace quadrille::io {
 
-/// A point in memory, out of files whose points cannot be read where they stand.
+/// A point in memory, from files whose points cannot be read in place.
 struct PackedPoint {
   std::array<float, 3> position{};
   Rgb rgb{};
 };
 
-/// How an array of them lies in memory; its size is left to the caller.
+/// Returns the layout of an array of packed points; the caller sets its size.
 inline PointLayout packed_points_layout(bool coloured) {
   PointLayout layout;
   layout.big_endian = std::endian::native == std::endian::big;

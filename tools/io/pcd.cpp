@@ -17,7 +17,7 @@
 namespace quadrille::io {
 namespace {
 
-/// LZF turns 3 bytes into 264 at best.
+/// LZF expands 3 bytes to at most 264.
 constexpr std::uint64_t kMaxExpansion = 88;
 
 [[noreturn]] void fail_short(const std::string& name, std::size_t size, const PcdHeader& header) {
@@ -50,8 +50,8 @@ Rgb load_rgb(const std::byte* from) {
   return rgb_of(packed);
 }
 
-/// The colour that a word of an ascii file tells. Writers put down 0xRRGGBB as a number, or the
-/// float of those bits, which is tiny, or with an opaque alpha negative and huge.
+/// Returns the colour that a word of an ascii file stands for. Writers use either 0xRRGGBB as a
+/// number, or the float with those bits, which is tiny, or with an opaque alpha negative and huge.
 Rgb rgb_of(std::string_view word) {
   const double value = to_number(word).value_or(0.0);
   if (value >= 1.0 && value <= 4294967295.0) return rgb_of(static_cast<std::uint32_t>(value));
@@ -71,13 +71,13 @@ PointCloud read_packed(const PcdHeader& header, const std::vector<PackedPoint>& 
   return read_points(std::as_bytes(std::span(packed)), layout, X_CF);
 }
 
-/// Where the values of a field stand in binary data.
+/// Position of a field's values in binary data.
 struct FieldPlace {
   const std::byte* first;
   std::size_t step;
 };
 
-/// Gathers the points out of binary data; place_of(field) tells where the values of a field stand.
+/// Gathers the points from binary data; place_of(field) tells where the values of a field are.
 template <class PlaceOf>
 std::vector<PackedPoint> pack(const PcdHeader& header, PlaceOf&& place_of) {
   std::vector<PackedPoint> packed(header.points);
@@ -96,7 +96,7 @@ std::vector<PackedPoint> pack(const PcdHeader& header, PlaceOf&& place_of) {
   return packed;
 }
 
-/// The column of a field in the lines of an ascii file.
+/// Returns the column of a field in the lines of an ascii file.
 std::uint64_t column_of(const PcdHeader& header, std::size_t field) {
   std::uint64_t column = 0;
   for (std::size_t i = 0; i < field; ++i) column += header.fields[i].count;
@@ -162,7 +162,7 @@ PointCloud read_binary(std::span<const std::byte> bytes, const PcdHeader& header
   return read_packed(header, pack(header, place_of), X_CF);
 }
 
-/// The decompressed data of a binary_compressed file: all x, then all y, …
+/// Returns the decompressed data of a binary_compressed file: all x, then all y, …
 std::vector<std::byte> decompress(std::span<const std::byte> bytes, const PcdHeader& header,
                                   const std::string& name) {
   const std::span<const std::byte> data = bytes.subspan(header.size);

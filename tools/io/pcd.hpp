@@ -12,9 +12,9 @@ namespace quadrille::io {
 /// Reads a PCD file (versions 0.5 to 0.7; ascii, binary, binary_compressed) whose fields x, y, z
 /// are floats of 4 or 8 bytes among any others. The translation of VIEWPOINT becomes the viewpoint;
 /// a HEIGHT above 1 makes the cloud organised.
-/// @param name  stands for the path in errors
-/// @param X_CF  turns and moves the file's frame F to frame C of the cloud, before single precision
-/// @throws FileError if the file is cut short, or of another format
+/// @param name  name of the file in errors
+/// @param X_CF  pose of the file's frame F in frame C of the cloud, applied in double precision
+/// @throws FileError if the file is truncated, or of another format
 PointCloud parse_pcd(std::span<const std::byte> bytes, const std::string& name,
                      const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
 

@@ -13,7 +13,8 @@ namespace {
 
 using Words = std::vector<std::string_view>;
 
-/// More than any sensor's record, and small enough that no product of ours overflows.
+/// Limit of the values in a field: more than any sensor's record has, and small enough that
+/// products of sizes do not overflow.
 constexpr std::uint64_t kMaxFieldValues = 1 << 20;
 constexpr std::size_t kMaxFields = 4096;
 

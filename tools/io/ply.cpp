@@ -23,7 +23,7 @@ bool is_float(const PlyProperty& property) {
   return !property.is_list && property.scalar >= PlyScalar::kFloat32;
 }
 
-/// Places of x, y and z among the vertex properties.
+/// Returns the positions of x, y and z among the vertex properties.
 Columns position_columns(const PlyElement& vertex, const std::string& name) {
   Columns columns;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -40,7 +40,8 @@ Columns position_columns(const PlyElement& vertex, const std::string& name) {
   return columns;
 }
 
-/// Places of red, green and blue, as a byte each; nothing if the vertices have no such colours.
+/// Returns the positions of red, green and blue, as a byte each; nullopt if the vertices have no
+/// such colours.
 std::optional<Columns> colour_columns(const PlyElement& vertex) {
   const std::array<std::string, 3> names = {"red", "green", "blue"};
   Columns columns;
@@ -84,7 +85,8 @@ PointLayout layout_in_place(const PlyHeader& header, const PlyElement& vertex,
   return layout;
 }
 
-/// The cloud's width and height: those of the comments if they fit the count, else one row.
+/// Sets the cloud's width and height: those of the comments if they fit the number of points,
+/// otherwise one row.
 void set_size(const PlyHeader& header, const PlyElement& vertex, PointLayout* layout) {
   constexpr std::uint64_t kMax = std::numeric_limits<int>::max();
   const bool sane = header.width > 1 && header.height > 1 && header.width <= kMax &&

@@ -9,23 +9,23 @@
 
 namespace quadrille::io {
 
-/// Reads a PLY file: ascii, binary little or big endian, vertex positions as float or double among
-/// any other properties, lists and elements.
+/// Reads a PLY file: ascii, binary little or big endian, with vertex positions as float or double
+/// among any other properties, lists and elements.
 ///
-/// `comment viewpoint X Y Z` gives the sensor's place [m], `comment frame NAME` the frame, and
-/// `comment width W height H` or `obj_info num_cols W`, `num_rows H` make the cloud organised
-/// where W x H is the number of vertices.
-/// @param name  stands for the path in errors
-/// @param X_CF  turns and moves the file's frame F to frame C of the cloud, before single precision
-/// @throws FileError if the file is cut short, or of another format
+/// `comment viewpoint X Y Z` gives the position of the sensor [m], and `comment frame NAME` the
+/// frame. `comment width W height H` or `obj_info num_cols W`, `num_rows H` make the cloud
+/// organised if W x H is the number of vertices.
+/// @param name  name of the file in errors
+/// @param X_CF  pose of the file's frame F in frame C of the cloud, applied in double precision
+/// @throws FileError if the file is truncated, or of another format
 PointCloud parse_ply(std::span<const std::byte> bytes, const std::string& name,
                      const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
 
-/// Writes float x y z, binary little endian, with the comments that parse_ply understands.
+/// Writes float x y z, binary little endian, with the comments that parse_ply() understands.
 /// @throws FileError if the file cannot be written
 void write_ply(const std::string& path, const PointCloud& cloud);
 
-/// The bytes of such a file.
+/// Returns the bytes of such a file.
 std::string ply_of(const PointCloud& cloud);
 
 }  // namespace quadrille::io

@@ -55,12 +55,12 @@ void PlyBody::fail_short(const PlyElement& element) const {
 void PlyBody::check_count(const PlyElement& element) const {
   const bool ascii = header_.format == PlyHeader::Format::kAscii;
   const std::uint64_t least = element.min_bytes(ascii);
-  // The last value of an ascii file needs no separator behind it.
+  // The last value of an ascii file needs no separator after it.
   const std::uint64_t left = bytes_.size() - offset_ + (ascii ? 1 : 0);
   if (least > 0 && element.count > left / least) fail_short(element);
 }
 
-/// Calls visit(record, property index, value) for each scalar that is no part of a list.
+/// Calls visit(record, property index, value) for each scalar that is not part of a list.
 template <class Visitor>
 void PlyBody::walk_binary(const PlyElement& element, Visitor&& visit) {
   const bool swap = (header_.format == PlyHeader::Format::kBigEndian) !=
@@ -81,7 +81,7 @@ void PlyBody::walk_binary(const PlyElement& element, Visitor&& visit) {
               name_, "byte " + std::to_string(offset_),
               "list '" + printable(property.name) + "' has a negative length; copy it again");
         }
-        // At most 2^32 values of 8 bytes: no overflow.
+        // There are at most 2^32 values of 8 bytes, so this cannot overflow.
         const std::size_t length = static_cast<std::size_t>(value) * size_of(property.scalar);
         need(length);
         offset_ += length;
@@ -121,7 +121,7 @@ void PlyBody::walk_ascii(const PlyElement& element, Visitor&& visit) {
 template <class Visitor>
 void PlyBody::walk(const PlyElement& element, Visitor&& visit) {
   check_count(element);
-  // Records without properties take no bytes, however many there are.
+  // Records without properties take no bytes, whatever their number.
   if (element.properties.empty()) return;
   if (header_.format == PlyHeader::Format::kAscii) {
     walk_ascii(element, visit);
@@ -149,7 +149,7 @@ std::vector<PackedPoint> PlyBody::read_points(
     PackedPoint& point = packed[record];
     for (std::size_t i = 0; i < 3; ++i) {
       if (columns[i] == property) point.position[i] = static_cast<float>(value);
-      // In text a byte can be any number.
+      // In text, a byte may be given as any number.
       if (colours && (*colours)[i] == property && value >= 0.0 && value <= 255.0) {
         point.rgb[i] = static_cast<std::uint8_t>(value);
       }

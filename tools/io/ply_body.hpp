@@ -12,29 +12,29 @@
 
 namespace quadrille::io {
 
-/// Walks through the data of a PLY file, element by element.
+/// Reads the data of a PLY file, element by element.
 class PlyBody {
  public:
-  /// All three must outlive the walker.
+  /// All three parameters must outlive this object.
   PlyBody(std::span<const std::byte> bytes, const PlyHeader& header, const std::string& name);
 
-  /// Passes over all records of an element.
-  /// @throws FileError if the data ends before
+  /// Skips all records of an element.
+  /// @throws FileError if the data ends too early
   void skip(const PlyElement& element);
 
   /// Reads the positions, and the colours if there are any, of all records of an element.
-  /// @param columns  the places of x, y and z among the element's properties
-  /// @param colours  those of red, green and blue, a byte each
-  /// @throws FileError if the data ends before or a value is no number
+  /// @param columns  positions of x, y and z among the element's properties
+  /// @param colours  positions of red, green and blue, a byte each
+  /// @throws FileError if the data ends too early or a value is not a number
   std::vector<PackedPoint> read_points(const PlyElement& element,
                                        const std::array<std::size_t, 3>& columns,
                                        const std::optional<std::array<std::size_t, 3>>& colours);
 
-  /// Where the next record begins [bytes].
+  /// Offset at which the next record begins [bytes].
   std::size_t offset() const { return offset_; }
 
-  /// Checks the announced count against the bytes left.
-  /// @throws FileError if they cannot hold it
+  /// Checks the announced number of records against the bytes left.
+  /// @throws FileError if the bytes cannot hold them
   void check_count(const PlyElement& element) const;
 
  private:

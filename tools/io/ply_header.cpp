@@ -40,7 +40,7 @@ std::optional<PlyScalar> scalar_of(std::string_view word) {
   return std::nullopt;
 }
 
-/// Reads one header line after the other and remembers where it is, for the errors.
+/// Reads one header line after the other and keeps its position for errors.
 class PlyHeaderReader {
  public:
   PlyHeaderReader(std::span<const std::byte> bytes, const std::string& name)
@@ -131,7 +131,7 @@ class PlyHeaderReader {
     return *scalar;
   }
 
-  /// Comments are free text: what does not parse is no error.
+  /// Reads a comment. Comments are free text, so one that does not parse is no error.
   void read_comment(const Words& words) {
     if (words.size() >= 5 && words[1] == "viewpoint") {
       const auto x = to_number(words[2]), y = to_number(words[3]), z = to_number(words[4]);

@@ -13,7 +13,7 @@ namespace quadrille::io {
 /// Scalar types of PLY.
 enum class PlyScalar { kInt8, kUint8, kInt16, kUint16, kInt32, kUint32, kFloat32, kFloat64 };
 
-/// Bytes of one scalar.
+/// Number of bytes of one scalar.
 std::size_t size_of(PlyScalar scalar);
 
 /// One property of an element: a scalar, or a list with a count before its values.
@@ -24,25 +24,25 @@ struct PlyProperty {
   PlyScalar count = PlyScalar::kUint8;
 };
 
-/// A kind of record, with the number of its records.
+/// A kind of record, and the number of its records.
 struct PlyElement {
   std::string name;
   std::uint64_t count = 0;
   std::vector<PlyProperty> properties;
 
   bool has_list() const;
-  /// Least bytes that one record takes in a file with this encoding.
+  /// Least number of bytes that one record takes in a file with this encoding.
   std::uint64_t min_bytes(bool ascii) const;
 };
 
-/// What stands before the data of a PLY file.
+/// The header of a PLY file.
 struct PlyHeader {
   enum class Format { kAscii, kLittleEndian, kBigEndian };
   Format format = Format::kAscii;
   std::vector<PlyElement> elements;
-  /// Where the data begins [bytes].
+  /// Offset at which the data begins [bytes].
   std::size_t size = 0;
-  /// Announced by comments; 0 if not.
+  /// Width and height that comments announce; 0 if none does.
   std::uint64_t width = 0, height = 0;
   Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero();
   std::string frame;

@@ -9,14 +9,14 @@
 
 namespace quadrille::io {
 
-/// How a result came about, so that its JSON stands alone.
+/// How a result came about, so that its JSON can be understood alone.
 struct RunInfo {
   std::uint64_t seed = 0;
-  /// By their keys in configuration files, those that differ from their defaults.
+  /// Settings that differ from their defaults, by their keys in configuration files.
   Json settings = Json::object();
-  /// Name of the hand; empty where none is planned for.
+  /// Name of the gripper; empty if nothing is planned.
   std::string gripper;
-  /// Sentences.
+  /// Warnings, each a sentence.
   std::vector<std::string> warnings;
 };
 

@@ -9,7 +9,7 @@
 namespace quadrille::io {
 namespace {
 
-/// A key as files of earlier versions spell it; the key itself if its name was always the same.
+/// Returns a key in the spelling of earlier versions; the key itself if its name never changed.
 std::string old_spelling(const std::string& name) {
   const std::size_t start = name.rfind('.') + 1;
   const std::string table = name.substr(0, start), key = name.substr(start);
@@ -20,8 +20,8 @@ std::string old_spelling(const std::string& name) {
   return name;
 }
 
-/// What may stand in the same table as a key, by its dotted name: settings and further tables; of
-/// the whole file if there is no such table.
+/// Lists the settings and tables in the same table as a key, given by its dotted name; those of the
+/// whole file if there is no such table.
 std::string neighbours_of(const std::string& name, const std::set<std::string>& known) {
   std::string table = name.substr(0, name.rfind('.') + 1);
   const auto is_inside = [&](const std::string& k) { return k.starts_with(table); };

@@ -14,7 +14,7 @@
 
 namespace quadrille::io {
 
-/// Sets a field from a node; false if the node's type or range does not suit it.
+/// Sets a field from a node; returns false if the node's type or range does not fit.
 template <class Field>
 bool assign(const toml::node& node, Field* field) {
   if constexpr (Choice<Field>) {
@@ -49,7 +49,7 @@ bool assign(const toml::node& node, Field* field) {
   }
 }
 
-/// What a field can be set to, for errors.
+/// Describes the values that a field can have, for errors.
 template <class Field>
 std::string expected() {
   if constexpr (Choice<Field>) {
@@ -65,18 +65,18 @@ std::string expected() {
   }
 }
 
-/// Reads the options of one struct after the other from a file, and remembers which keys it knows.
+/// Reads the options of one struct after the other from a file, and remembers which keys are known.
 class SettingReader {
  public:
-  /// @throws FileError if the file is missing or no TOML
+  /// @throws FileError if the file is missing or not TOML
   explicit SettingReader(const std::string& path) : path_(path), table_(read_toml(path)) {}
 
-  /// Reads TOML that is called `path` in errors.
-  /// @throws FileError if it is none
+  /// Parses TOML whose name in errors is `path`.
+  /// @throws FileError if the text is not TOML
   SettingReader(std::string_view text, const std::string& path)
       : path_(path), table_(parse_toml(text, path)) {}
 
-  /// Sets what the file gives and leaves the rest.
+  /// Sets the options that the file gives, and leaves the others unchanged.
   /// @throws FileError naming line and key if a value has the wrong type
   template <class Options>
   void read(Options* options) {
@@ -87,8 +87,8 @@ class SettingReader {
     });
   }
 
-  /// Complains about the first key that no read() asked for, then about ranges.
-  /// @param foreign  a table that is left to others; empty for none
+  /// Checks that every key was requested by a read(), and then the ranges.
+  /// @param foreign  a table that belongs to other programs; empty for none
   /// @throws FileError naming line and key, or the field that is out of range
   template <class... Options>
   void check(std::string_view foreign, const Options&... options) const {
@@ -100,11 +100,11 @@ class SettingReader {
     }
   }
 
-  /// The keys that the file gives, by their present names.
+  /// The keys that the file gives, in their current spelling.
   const std::set<std::string>& given() const { return given_; }
 
  private:
-  /// The node of a key, or of its old spelling; null if there is none.
+  /// Returns the node of a key, or of its old spelling; null if there is none.
   const toml::node* find(const std::string& name);
   [[noreturn]] void refuse(const toml::node& node, const std::string& name,
                            const std::string& wanted) const;

@@ -17,7 +17,7 @@ concept Choice = requires(Field field) {
   words_of(field);
 };
 
-/// The words of an enumeration, separated by commas.
+/// Returns the words of an enumeration, separated by commas.
 template <Choice Field>
 std::string list_words() {
   std::string list;
@@ -40,15 +40,15 @@ concept List = requires {
   typename ElementOf<Field>::type;
 };
 
-/// A real number as TOML has it. Whole ones keep a digit after the point, which not all readers do
-/// without.
+/// Formats a real number as TOML. Whole numbers keep a digit after the point, which some readers
+/// require.
 inline std::string toml_of(double value) {
   const std::string text = fmt::format("{}", value);
   const bool whole = std::isfinite(value) && text.find_first_of(".e") == std::string::npos;
   return whole ? text + ".0" : text;
 }
 
-/// The value of an option as TOML has it; equal texts are equal values.
+/// Formats the value of an option as TOML; equal texts are equal values.
 template <class Field>
 std::string toml_of(const Field& field) {
   if constexpr (Choice<Field>) {

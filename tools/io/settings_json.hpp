@@ -9,7 +9,7 @@
 
 namespace quadrille::io {
 
-/// The value of an option as JSON has it: a number, true or false, a word, or a list of these.
+/// Returns the value of an option as JSON: a number, true or false, a word, or a list of these.
 template <class Field>
 Json json_of(const Field& field) {
   if constexpr (Choice<Field>) {
@@ -36,7 +36,7 @@ void add_changed(const Options& options, Json* settings) {
   });
 }
 
-/// The settings that differ from their defaults: {"search.basis": "pairs"}.
+/// Returns the settings that differ from their defaults: {"search.basis": "pairs"}.
 template <class... Options>
 Json changed_settings(const Options&... options) {
   Json settings = Json::object();

@@ -10,12 +10,12 @@
 
 namespace quadrille::io {
 
-/// "line 7" of a node.
+/// Returns the line of a node as "line 7".
 inline std::string line_of(const toml::node& node) {
   return "line " + std::to_string(node.source().begin.line);
 }
 
-/// Parses TOML that stands in the file `path`.
+/// Parses TOML from the file `path`.
 /// @throws FileError naming the line
 inline toml::table parse_toml(std::string_view text, const std::string& path) {
   try {

@@ -11,7 +11,7 @@
 namespace quadrille::io {
 namespace {
 
-/// The first three numbers of a line; nullopt if it has none there.
+/// Returns the first three numbers of a line; nullopt if it does not begin with three.
 std::optional<Eigen::Vector3d> point_of(std::string_view line) {
   std::string parted(line);
   std::replace(parted.begin(), parted.end(), ',', ' ');

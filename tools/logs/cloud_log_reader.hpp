@@ -15,28 +15,28 @@ namespace quadrille::logs {
 struct LoggedCloud {
   bus::CloudMessage message;
   std::string channel;
-  /// When the event was logged [us].
+  /// Time at which the event was logged [us].
   std::int64_t event_utime = 0;
 };
 
-/// Reads the clouds of an LCM log in order, of all the formats.
+/// Reads the clouds of an LCM log in order, in all formats.
 class CloudLogReader {
  public:
-  /// @param channel  only this channel; empty: all channels, whose events of other types are passed
-  ///   over
+  /// @param channel  the only channel to read; if empty, all channels are read, and events of other
+  ///   types are skipped
   /// @throws std::runtime_error as bus::survey_log() does
   explicit CloudLogReader(const std::string& path, const std::string& channel = "");
 
-  /// The next cloud; nullopt at the end. Events that are no valid clouds are counted.
+  /// Returns the next cloud; nullopt at the end. Events that are not valid clouds are counted.
   std::optional<LoggedCloud> next();
 
-  /// Events refused so far, by reason.
+  /// Number of events refused so far, by reason.
   const bus::RejectCounts& rejected() const { return rejected_; }
-  /// The events read so far of each channel, of those passed over too.
+  /// Number of events read so far by channel, including the skipped ones.
   const std::map<std::string, std::int64_t>& channels() const { return channels_; }
-  /// How much of the log has been read, from 0 to 1.
+  /// Share of the log that has been read, from 0 to 1.
   double share() const;
-  /// Where the log is cut short or damaged; nullopt if it is whole.
+  /// Describes where the log is truncated or damaged; nullopt if it is complete.
   const std::optional<std::string>& defect() const { return log_.survey().defect; }
 
  private:

@@ -8,12 +8,12 @@
 
 namespace quadrille::logs {
 
-/// Rates that a log may have [Hz].
+/// Limits of the rate of a log [Hz].
 inline constexpr double kMinRate = 0.001, kMaxRate = 10000;
 
 /// How clouds are written to a log.
 struct CloudLogOptions {
-  /// Clouds per second of the log's own time [Hz].
+  /// Rate of clouds in the log's own time [Hz].
   double rate = 10.0;
   std::string channel = "POINT_CLOUD";
   bus::CloudFormat format = bus::CloudFormat::kDrake;
@@ -25,7 +25,7 @@ struct CloudLogOptions {
 /// Writes clouds as an LCM log that lcm-logplayer and file:// play.
 class CloudLogWriter {
  public:
-  /// @param name  what errors call the log; empty: the path
+  /// @param name  name of the log in errors; if empty, the path
   /// @throws std::invalid_argument if an option is out of range
   /// @throws std::runtime_error if the file cannot be made
   CloudLogWriter(const std::string& path, const CloudLogOptions& options,
@@ -36,11 +36,11 @@ class CloudLogWriter {
   /// @throws std::runtime_error if it cannot be written
   void write(const PointCloud& cloud);
 
-  /// Hands all to the system.
+  /// Passes everything written so far to the operating system.
   /// @throws std::runtime_error if that fails
   void flush() { log_.flush(); }
 
-  /// Clouds and bytes of messages so far.
+  /// Number of clouds, and bytes of messages, written so far.
   std::int64_t clouds() const { return clouds_; }
   std::int64_t bytes() const { return bytes_; }
 

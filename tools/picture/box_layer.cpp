@@ -8,7 +8,7 @@ namespace {
 constexpr double kWidth = 2.0;
 constexpr float kSeen = 0.95f, kHidden = 0.3f;
 
-/// A corner on the sides that are upper along x, y, z for the bits 1, 2, 4.
+/// Returns a corner of the box. Bits 1, 2 and 4 choose the upper side along x, y and z.
 Eigen::Vector3d corner_of(const Box& box, int bits) {
   Eigen::Vector3d p_B = 0.5 * box.size;
   for (int i = 0; i < 3; ++i) {
@@ -17,7 +17,7 @@ Eigen::Vector3d corner_of(const Box& box, int bits) {
   return box.X_CB * p_B;
 }
 
-/// The corner that all three hidden sides share.
+/// Returns the corner that all three hidden sides share.
 int hidden_corner(const Box& box, const View& view) {
   const Eigen::Vector3d eye_B =
       box.X_CB.inverse() * Eigen::Vector3d(view.X_VC.inverse().translation());

@@ -45,7 +45,7 @@ void choose_font(cairo_t* context, double size) {
   cairo_set_font_size(context, size);
 }
 
-/// A context on a page of one pixel, to measure and try texts on.
+/// A context on a page of one pixel, on which texts are measured and tried.
 class Trial {
  public:
   explicit Trial(double size)
@@ -75,7 +75,7 @@ class Trial {
   cairo_t* context_;
 };
 
-/// A text that Cairo takes.
+/// Makes a text printable by Cairo.
 std::string printable(std::string text) {
   const bool is_text = Trial(10.0).is_text(text);
   for (char& letter : text) {
@@ -85,8 +85,8 @@ std::string printable(std::string text) {
   return text;
 }
 
-/// A PNG file of a surface, packed fast: in Cairo's own writer a third of a picture's time was
-/// zlib's.
+/// Encodes a surface as a PNG file, with fast compression: in Cairo's own writer, zlib took a third
+/// of the time of a picture.
 std::vector<std::byte> pack_png(cairo_surface_t* surface) {
   cairo_surface_flush(surface);
   png_image header{};
@@ -125,7 +125,7 @@ Canvas::Canvas(Format format, int width, int height)
       surface_(make_surface(format, width, height, &bytes_)),
       context_(cairo_create(surface_.get())) {
   if (format == Format::kPdf) {
-    // Else the same picture would be other bytes each time.
+    // A fixed date makes the same picture give the same bytes each time.
     cairo_pdf_surface_set_metadata(surface_.get(), CAIRO_PDF_METADATA_CREATE_DATE,
                                    "2000-01-01T00:00:00Z");
   }
@@ -137,7 +137,7 @@ void Canvas::set_color(const Color& color, float alpha) {
   cairo_set_source_rgba(context_.get(), color.x(), color.y(), color.z(), alpha);
 }
 
-/// Makes a rectangle with round corners the path.
+/// Makes a rectangle with rounded corners the current path.
 void Canvas::trace(const Eigen::AlignedBox2d& box, double corner) {
   const double quarter = std::numbers::pi / 2;
   cairo_t* c = context_.get();
@@ -183,8 +183,9 @@ void Canvas::draw(const Image& image, const Eigen::AlignedBox2d& box) {
   cairo_translate(c, box.min().x(), box.min().y());
   cairo_scale(c, box.sizes().x() / image.width(), box.sizes().y() / image.height());
   cairo_set_source_surface(c, pixels.get(), 0.0, 0.0);
-  // Scaled pixels of a border would mix with nothing; vector formats scale when they are shown, and
-  // Cairo 1.18 makes a padded pattern an image of many times as many pixels.
+  // Without padding, the border pixels of a scaled image would be mixed with nothing. Vector
+  // formats scale only when they are shown, and Cairo 1.18 turns a padded pattern into an image of
+  // many times as many pixels.
   if (format_ == Format::kPng) cairo_pattern_set_extend(cairo_get_source(c), CAIRO_EXTEND_PAD);
   cairo_pattern_set_filter(cairo_get_source(c), CAIRO_FILTER_BILINEAR);
   cairo_rectangle(c, 0.0, 0.0, image.width(), image.height());
@@ -241,7 +242,7 @@ std::vector<std::byte> Canvas::finish() {
   }
   cairo_surface_finish(surface_.get());
   if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(surface_.get());
-  // A surface that was finished in order tells so as an error.
+  // A surface that was finished properly reports this as an error.
   if (status != CAIRO_STATUS_SUCCESS && status != CAIRO_STATUS_SURFACE_FINISHED) {
     throw std::runtime_error(
         fmt::format("the picture cannot be drawn ({})", cairo_status_to_string(status)));

@@ -12,31 +12,31 @@
 
 namespace quadrille {
 
-/// A page that Cairo draws on, which becomes a PNG, SVG or PDF file.
+/// A page on which Cairo draws, and which becomes a PNG, SVG or PDF file.
 class Canvas {
  public:
   enum class Format { kPng, kSvg, kPdf };
 
-  /// @param width, height  in pixels, of an SVG or PDF in points
+  /// @param width,  height  size in pixels, or in points for SVG and PDF
   Canvas(Format format, int width, int height);
 
   void fill(const Eigen::AlignedBox2d& box, const Color& color, float alpha, double corner = 0.0);
   void outline(const Eigen::AlignedBox2d& box, const Color& color, double width, double corner);
-  /// Draws an image, as large as the box.
+  /// Draws an image, scaled to the box.
   void draw(const Image& image, const Eigen::AlignedBox2d& box);
   void draw(const Strokes& strokes);
   void draw(const Disc& disc);
-  /// Writes one line; bytes that are no UTF-8 text, and control characters, appear as '?'.
-  /// @param at  where the base line begins
+  /// Writes one line; bytes that are not valid UTF-8, and control characters, appear as '?'.
+  /// @param at  start of the base line
   void write(const std::string& text, const Eigen::Vector2d& at, double size, const Color& color);
-  /// Nothing beyond the box is drawn until clip_nothing().
+  /// Limits drawing to the box, until clip_nothing().
   void clip(const Eigen::AlignedBox2d& box);
   void clip_nothing();
 
-  /// The width of a text.
+  /// Returns the width of a text.
   static double measure(const std::string& text, double size);
 
-  /// The bytes of the file; nothing may be drawn after it.
+  /// Returns the bytes of the file; nothing may be drawn afterwards.
   /// @throws std::runtime_error if Cairo failed
   std::vector<std::byte> finish();
 

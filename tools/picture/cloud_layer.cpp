@@ -7,12 +7,13 @@
 namespace quadrille {
 namespace {
 
-/// Taps of the smoothing window: half its side and the step between them [pixels].
+/// Smoothing window: half its side, and the step between its samples [pixels].
 constexpr int kHalfWindow = 4, kTapStep = 2;
-/// Neighbours whose depth differs by more than this share belong to something else.
+/// Neighbours whose depth differs by more than this share belong to another surface.
 constexpr float kSameDepth = 0.02f;
 
-/// Normal of the plane that fits a pixel's surroundings: on a plane, 1/z is linear in the pixel.
+/// Returns the normal of the plane that fits a pixel's surroundings; on a plane, 1/z is linear in
+/// the pixel coordinates.
 Eigen::Vector3d normal_at(const std::vector<float>& depth, const View& view, int x, int y) {
   const float z = depth[static_cast<std::size_t>(y) * view.width + x];
   float n = 1e-3f, sx = 0, sy = 0, sxx = 1e-3f, sxy = 0, syy = 1e-3f, sw = 0, sxw = 0, syw = 0;

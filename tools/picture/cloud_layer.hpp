@@ -5,7 +5,7 @@
 
 namespace quadrille {
 
-/// Paints the points of a cloud in their own colours if they have any, else in grey, shaded by
+/// Draws the points of a cloud in their own colours if they have any, otherwise in grey, shaded by
 /// their smoothed normals and darker with distance.
 void draw_cloud(const CloudImage& cloud, const View& view, Image* image);
 

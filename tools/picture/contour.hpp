@@ -19,12 +19,13 @@ struct ContourGrid {
   }
 };
 
-/// Draws where a function of the picture's points jumps: on each edge of the grid whose ends differ
-/// the place is found by halving, and within a cell the places are joined.
-/// @param values   of the grid's points, row by row
-/// @param value    of any point between
-/// @param differ   whether two values lie on two sides of a jump
-/// @param nearer   whether the first value lies on the second one's side, rather than the third's
+/// Traces the lines along which a function of the picture's points jumps. On each edge of the grid
+/// whose ends differ, the jump is located by bisection; within a cell these points are joined.
+/// @param values  values at the grid's points, row by row
+/// @param value  the value at any point
+/// @param differ  whether two values lie on different sides of a jump
+/// @param nearer  whether the first value lies on the side of the second one rather than of the
+/// third
 template <class Value>
 std::vector<Segment> trace_contours(
     const ContourGrid& grid, const std::vector<Value>& values,

@@ -12,12 +12,12 @@ constexpr int kThinPerTarget = 3;
 const Color kInk(0.05f, 0.05f, 0.05f), kBest(0.25f, 1.0f, 0.3f), kOther(0.75f, 0.95f, 0.75f),
     kContact(1.0f, 0.25f, 0.2f);
 
-/// Where the drawn approach begins along z of the hand, which ends at the wrist.
+/// Returns the start of the drawn approach along z of the hand; it ends at the wrist.
 double approach_start(const Grasp& grasp, const Gripper& gripper) {
   return -gripper.reach(grasp.width) - gripper.palm.z() - std::min(grasp.approach, 0.1);
 }
 
-/// The lines of a hand, those that lie before the eye.
+/// Returns the lines of a hand that lie in front of the eye.
 std::vector<Segment> outline_hand(const Grasp& grasp, const Gripper& gripper, const View& view) {
   const double half = std::max(grasp.preshape, grasp.width) / 2, tip = gripper.finger_front;
   const double back = -gripper.reach(grasp.width), start = approach_start(grasp, gripper);
@@ -45,7 +45,7 @@ Sketch sketch_grasps(const GraspPlan& plan, const Gripper& gripper, const View& 
     if (rank == 0 || rank > kThinPerTarget) continue;
     sketch.strokes.push_back({outline_hand(grasp, gripper, view), 1.5, kOther, 0.6f});
   }
-  // The best hands last, so that they lie on top.
+  // The best hands are drawn last, so that they lie on top.
   std::reverse(best.begin(), best.end());
   for (const Grasp* grasp : best) {
     const std::vector<Segment> hand = outline_hand(*grasp, gripper, view);

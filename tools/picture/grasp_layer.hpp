@@ -9,11 +9,11 @@
 
 namespace quadrille {
 
-/// Hands as glyphs of fingers, palm and approach: each target's first grasp bold with its contacts,
-/// the next few thin.
+/// Draws hands as glyphs of fingers, palm and approach: each target's first grasp bold with its
+/// contacts, the next few thin.
 Sketch sketch_grasps(const GraspPlan& plan, const Gripper& gripper, const View& view);
 
-/// Where the approaches of each target's first grasp begin, in frame C.
+/// Returns the starts of the approaches of each target's first grasp, in frame C.
 std::vector<Eigen::Vector3d> hand_points(const GraspPlan& plan, const Gripper& gripper);
 
 }  // namespace quadrille

@@ -8,13 +8,13 @@ namespace quadrille {
 namespace {
 
 constexpr double kCell = 4.0;
-/// Steps between the places that are tried, and the leader line's best length [pixels].
+/// Step between the places that are tried, and the best length of a leader line [pixels].
 constexpr double kTry = 8.0, kBestLength = 18.0;
-/// What a piece of leader line across another's surface or line weighs against as long a way.
+/// Cost of leader line that crosses a surface or another line, relative to that of excess length.
 constexpr double kCrossing = 2.0;
 constexpr std::size_t kRimPoints = 48;
 
-/// A few points of a rim, evenly.
+/// Returns a few points of a rim, evenly spread.
 std::vector<Eigen::Vector2d> thin_out(const std::vector<Eigen::Vector2d>& rim) {
   std::vector<Eigen::Vector2d> few;
   const std::size_t step = rim.size() / kRimPoints + 1;
@@ -34,12 +34,12 @@ LabelPlace lead_to_rim(const Eigen::AlignedBox2d& box, const std::vector<Eigen::
   return best;
 }
 
-/// How bad a place is [pixels].
+/// Returns the cost of a place [pixels].
 double cost_of(const LabelPlace& place, const TakenCells& lines, const TakenCells& bodies) {
   const Eigen::Vector2d way = place.anchor - place.start();
   const double length = way.norm();
   double crossed = 0.0;
-  // The end lies on the object's own rim.
+  // The end is left out, because it lies on the object's own rim.
   for (double s = kCell; s < length - 2.0 * kCell; s += kCell) {
     const Eigen::Vector2d p = place.start() + s / length * way;
     const Eigen::AlignedBox2d at(p, p);

@@ -9,7 +9,7 @@
 
 namespace quadrille {
 
-/// What labels keep off: the picture in cells of a few pixels.
+/// The cells of the picture, a few pixels wide, that labels must keep off.
 class TakenCells {
  public:
   TakenCells(int width, int height);
@@ -17,7 +17,7 @@ class TakenCells {
   void mark(const Strokes& strokes);
   void mark(const Eigen::Vector2d& center, double radius);
   void mark(const Eigen::AlignedBox2d& box);
-  /// True if no cell of a box, which lies within the picture, is taken.
+  /// Returns true if no cell of a box, which must lie within the picture, is taken.
   bool is_free(const Eigen::AlignedBox2d& box) const;
 
  private:
@@ -25,27 +25,27 @@ class TakenCells {
   std::vector<char> taken_;
 };
 
-/// A label that wants a place beside an object.
+/// A label to be placed beside an object.
 struct WantedLabel {
   Eigen::Vector2d size = Eigen::Vector2d::Zero();
-  /// Points of the object's rim, to one of which its leader line runs.
+  /// Points of the object's rim; the leader line runs to one of them.
   std::vector<Eigen::Vector2d> rim;
 };
 
 struct LabelPlace {
   Eigen::AlignedBox2d box;
-  /// Where the leader line ends.
+  /// End of the leader line.
   Eigen::Vector2d anchor = Eigen::Vector2d::Zero();
 
-  /// Where it leaves the label.
+  /// Returns where the leader line starts at the label.
   Eigen::Vector2d start() const { return anchor.cwiseMax(box.min()).cwiseMin(box.max()); }
 };
 
-/// Places labels one after the other, each as near to its object as it can: off all lines, off
-/// other labels and their leader lines, and, if there is room, off what surfaces cover.
+/// Places labels one after the other, each as near to its object as possible. They keep off all
+/// lines, off other labels and their leader lines, and, if there is room, off surfaces.
 /// @param lines   rims and grasps; never covered
-/// @param bodies  what surfaces cover; covered only by labels that would have no place else
-/// @return a place each; nullopt for a label that there is no room for
+/// @param bodies  what surfaces cover; labels cover it only if there is no other place
+/// @return a place for each label; nullopt if there is no room for it
 std::vector<std::optional<LabelPlace>> place_labels(const std::vector<WantedLabel>& wanted,
                                                     const Eigen::Vector2d& picture,
                                                     TakenCells lines, TakenCells bodies);

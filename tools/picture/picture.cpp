@@ -19,7 +19,7 @@
 namespace quadrille {
 namespace {
 
-/// Pixels of the cloud's image for one of the picture: a camera has hardly more.
+/// Resolution of the cloud's image relative to the picture's; a camera hardly has more pixels.
 constexpr double kGroundScale = 0.5;
 constexpr double kText = 15.0, kPad = 5.0, kLine = 22.0, kMargin = 14.0, kLegendTop = 34.0;
 /// Width of the legend's columns.
@@ -36,7 +36,7 @@ const Color& color_of(std::size_t index) {
   return kColors[index % kColors.size()];
 }
 
-/// What a view from above or from aside shows: the curved surfaces and the boxes.
+/// Returns the subject of a view from above or from the side: the curved surfaces and the boxes.
 ViewSubject subject_of(const PictureContent& content) {
   const DetectionResult& result = content.result;
   ViewSubject subject;
@@ -105,7 +105,8 @@ class Composer {
     layout_.sketch.add(sketch);
   }
 
-  /// With the labels, whose places hang on all that was added.
+  /// Returns the layout with the labels, which are placed last because their places depend on
+  /// everything else.
   PictureLayout finish() && {
     const Eigen::Vector2d size(layout_.view.width, layout_.view.height);
     const auto places = place_labels(wanted_, size, lines_, bodies_);
@@ -119,7 +120,7 @@ class Composer {
     for (const Disc& disc : sketch.discs) lines_.mark(disc.center, disc.radius);
   }
 
-  /// Adds what has a name; the last of its strokes are its rim.
+  /// Adds an object with a label; the last of the sketch's strokes are its rim.
   void add(const Sketch& sketch, Label label) {
     mark(sketch);
     layout_.sketch.add(sketch);
@@ -135,7 +136,7 @@ class Composer {
   std::vector<WantedLabel> wanted_;
 };
 
-/// Flat ones first, so that tints of tables do not dull the rest.
+/// Adds flat detections first, so that the tints of tables do not cover the others.
 void add_detections(const DetectionResult& result, Composer* composer) {
   for (const bool flat : {true, false}) {
     std::size_t index = 0;
@@ -145,7 +146,7 @@ void add_detections(const DetectionResult& result, Composer* composer) {
       ++index;
     }
   }
-  // From the other end of the colours than the quadrics.
+  // Boxes take their colours from the other end of the list than the quadrics.
   for (std::size_t n = 0; n < result.boxes.size(); ++n) {
     composer->add(result.boxes[n], color_of(7 - n % 8));
   }
@@ -166,7 +167,7 @@ std::string summary_of(const GraspPlan& plan) {
   return fmt::format("{} grasps in {:.0f} ms", count, plan.total_ms);
 }
 
-/// Lines of the legend that stand side by side in a picture of that width.
+/// Returns the number of columns of the legend in a picture of this width.
 int count_columns(int width) { return std::max(1, static_cast<int>(width / kColumn)); }
 
 int legend_height(std::size_t labels, int width) {

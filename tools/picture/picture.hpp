@@ -14,7 +14,7 @@
 
 namespace quadrille {
 
-/// What a picture shows. Plan and gripper are left out, or given together.
+/// The content of a picture. Plan and gripper are either both given or both left out.
 struct PictureContent {
   const std::string& title;
   const PointCloud& cloud;
@@ -24,40 +24,40 @@ struct PictureContent {
 };
 
 struct PictureOptions {
-  /// Of the picture [pixels]; its height follows from the cloud and the legend.
+  /// Width of the picture [pixels]; the height follows from the cloud and the legend.
   int width = 1280;
   ViewSide side = ViewSide::kCamera;
 };
 
-/// The name of a surface or box, with what the legend says of it.
+/// The name of a surface or box, and its line in the legend.
 struct Label {
   std::string text, line;
   Color color = Color::Ones();
-  /// None if there is no room for it: the legend has it still.
+  /// Place of the label; nullopt if there is no room, and then only the legend has it.
   std::optional<LabelPlace> place;
 };
 
 /// A picture before it is drawn.
 struct PictureLayout {
   View view;
-  /// The cloud, shaded and tinted, in fewer pixels than the picture has.
+  /// The cloud, shaded and tinted, at a lower resolution than the picture.
   Image ground;
   Sketch sketch;
   std::vector<Label> labels;
 };
 
-/// Lays out the cloud in grey, the outlines of quadrics and boxes over it in colour with their
+/// Lays out the cloud in grey, and over it the outlines of quadrics and boxes in colour with their
 /// names beside them, and the best grasps.
 PictureLayout lay_out(const PictureContent& content, const PictureOptions& options = {});
 
-/// Draws that, and below it a legend with the sizes, as PNG, SVG or PDF by the file's ending; in
-/// the latter two all but the cloud is lines and text.
+/// Draws a picture with a legend of sizes below it, as PNG, SVG or PDF depending on the file's
+/// extension. In the latter two, everything except the cloud is lines and text.
 /// @throws io::FileError if the file cannot be written
-/// @throws std::invalid_argument if it has another ending
+/// @throws std::invalid_argument if the extension is another one
 void write_picture(const std::string& path, const PictureContent& content,
                    const PictureOptions& options = {});
 
-/// True for endings of pictures.
+/// Returns true if the path has the extension of a picture.
 bool is_picture_path(const std::string& path);
 
 }  // namespace quadrille

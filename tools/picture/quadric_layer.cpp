@@ -11,16 +11,16 @@
 namespace quadrille {
 namespace {
 
-/// A step in depth of more than this share is an edge.
+/// A relative step in depth larger than this is an edge.
 constexpr float kStep = 0.03f;
 
-/// Where a ray meets the surface first: depth along z (0 if it misses) and the mesh cell.
+/// The first hit of a ray on the surface: depth along z (0 if it misses), and the cell of the mesh.
 struct Hit {
   float z = 0.0f;
   int ring = 0, sector = 0;
 };
 
-/// A detection's surface within its extent, ready for rays from the eye.
+/// A detection's surface within its extent, prepared for rays from the eye.
 class ClippedQuadric {
  public:
   ClippedQuadric(const Detection& detection, const View& view)
@@ -37,7 +37,7 @@ class ClippedQuadric {
   double tolerance() const { return tolerance_; }
   const Eigen::AlignedBox3d& box_Q() const { return box_Q_; }
 
-  /// Depths at which a ray (z = 1) meets the piece, nearest first; 0 for none.
+  /// Returns the depths at which a ray (z = 1) meets the surface, nearest first; 0 for none.
   std::array<double, 2> depths(const Eigen::Vector3d& ray) const {
     const Eigen::Matrix4d& Q = Q_V_.matrix();
     const double a = ray.dot(Q.topLeftCorner<3, 3>() * ray);
@@ -102,14 +102,14 @@ bool can_be_drawn(const Detection& detection) {
 
 ContourGrid grid_over(const Window& window) {
   ContourGrid grid;
-  // Beyond the window by a step, so that outlines close.
+  // The grid extends beyond the window by one step, so that outlines close.
   grid.origin = Eigen::Vector2d(window.left, window.top).array() - grid.step;
   grid.columns = static_cast<int>(window.width / grid.step) + 3;
   grid.rows = static_cast<int>(window.height / grid.step) + 3;
   return grid;
 }
 
-/// True where the surface ends or steps back between two hits.
+/// Returns true if the surface ends or steps in depth between two hits.
 bool is_outline(const Hit& a, const Hit& b) {
   if (a.z == 0.0f || b.z == 0.0f) return a.z != b.z;
   return std::abs(a.z - b.z) > kStep * std::min(a.z, b.z);
@@ -120,7 +120,8 @@ bool is_on_side(const Hit& hit, const Hit& a, const Hit& b) {
   return std::abs(hit.z - a.z) < std::abs(hit.z - b.z);
 }
 
-/// Traces where one of the two numbers of the mesh's cells changes on a piece without outline.
+/// Traces the lines at which one of a mesh cell's two numbers changes, within parts of the surface
+/// without outlines.
 std::vector<Segment> trace_mesh(const ContourGrid& grid, const std::vector<Hit>& hits,
                                 const std::function<Hit(const Eigen::Vector2d&)>& hit,
                                 int Hit::*cell) {

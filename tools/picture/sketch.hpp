@@ -7,12 +7,12 @@
 
 namespace quadrille {
 
-/// A straight piece of a line, in pixels of the picture.
+/// A straight line segment, in pixels of the picture.
 struct Segment {
   Eigen::Vector2d from, to;
 };
 
-/// Lines of one kind.
+/// Lines of the same style.
 struct Strokes {
   std::vector<Segment> segments;
   double width = 1.0;
@@ -26,7 +26,7 @@ struct Disc {
   Color color = Color::Ones();
 };
 
-/// What is drawn over the cloud, in this order: all strokes, then all discs.
+/// A drawing over the cloud: all strokes first, then all discs.
 struct Sketch {
   std::vector<Strokes> strokes;
   std::vector<Disc> discs;

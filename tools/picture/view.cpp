@@ -8,8 +8,8 @@ namespace quadrille {
 namespace {
 
 constexpr double kNear = 1e-3;
-/// An eye above or aside stands so many reaches away, nearly as if the view were parallel; that
-/// aside stands so much higher, so that tables are seen.
+/// Distance of an eye above or beside the subject, in reaches; this is nearly a parallel view. An
+/// eye beside it is raised by the second factor, so that the tops of tables are visible.
 constexpr double kFar = 6.0, kRise = 0.25;
 
 std::vector<Eigen::Vector3d> finite_points(const PointCloud& cloud) {
@@ -37,7 +37,7 @@ Eigen::Vector3d median_point(const std::vector<Eigen::Vector3d>& points) {
   return median;
 }
 
-/// An eye at `eye_C` that looks at `target_C` with `up_C` up.
+/// Returns the pose of an eye at `eye_C` that looks at `target_C` with `up_C` up.
 Eigen::Isometry3d look_at(const Eigen::Vector3d& eye_C, const Eigen::Vector3d& target_C,
                           const Eigen::Vector3d& up_C) {
   const Eigen::Vector3d forward = (target_C - eye_C).normalized();
@@ -50,7 +50,7 @@ Eigen::Isometry3d look_at(const Eigen::Vector3d& eye_C, const Eigen::Vector3d& t
   return X_CV.inverse();
 }
 
-/// Share of the points that lie before an eye, not too far aside.
+/// Returns the share of the points that lie in front of an eye, not too far to the side.
 double share_before(const std::vector<Eigen::Vector3d>& points, const Eigen::Isometry3d& X_VC) {
   std::size_t count = 0;
   for (const Eigen::Vector3d& p : points) {
@@ -62,7 +62,7 @@ double share_before(const std::vector<Eigen::Vector3d>& points, const Eigen::Iso
 
 Eigen::Isometry3d choose_pose(const std::vector<Eigen::Vector3d>& points,
                               const Eigen::Vector3d& viewpoint) {
-  // A camera's own frame is the commonest; its y axis points down.
+  // The most common frame is the camera's own, whose y axis points down.
   Eigen::Isometry3d X_VC = Eigen::Isometry3d::Identity();
   X_VC.translation() = -viewpoint;
   if (share_before(points, X_VC) > 0.98) return X_VC;
@@ -77,7 +77,8 @@ Eigen::Isometry3d choose_pose(const std::vector<Eigen::Vector3d>& points,
   return look_at(target + 2.5 * reach * Eigen::Vector3d(-0.6, -0.6, 0.5).normalized(), target, up);
 }
 
-/// Makes the points, nearly all of them, and more fill the view from its pose.
+/// Chooses the focal length and the size so that nearly all of the points, and `more`, fill the
+/// view from its pose.
 void fill_view(const std::vector<Eigen::Vector3d>& points, const std::vector<Eigen::Vector3d>& more,
                View* view) {
   std::vector<double> u, v;
@@ -107,7 +108,7 @@ void fill_view(const std::vector<Eigen::Vector3d>& points, const std::vector<Eig
   view->cy = view->height / 2.0 - view->focal * (v_range[0] + v_range[1]) / 2;
 }
 
-/// The normal of the largest plane that looks upward, else the direction that is thought to.
+/// Returns the normal of the largest plane that faces upward, otherwise the guess.
 Eigen::Vector3d find_up(const ViewSubject& subject, const Eigen::Vector3d& guess) {
   Eigen::Vector3d up = guess;
   double most = 0.0;
@@ -120,7 +121,8 @@ Eigen::Vector3d find_up(const ViewSubject& subject, const Eigen::Vector3d& guess
   return up;
 }
 
-/// Chooses the middle of a view and how far it reaches: to the box, if there is one, and around it.
+/// Chooses the middle of a view and its reach: those of the box and its surroundings, if there is a
+/// box.
 void choose_subject(const std::vector<Eigen::Vector3d>& points, const Eigen::AlignedBox3d& box_C,
                     View* view) {
   if (!box_C.isEmpty()) {
@@ -134,9 +136,10 @@ void choose_subject(const std::vector<Eigen::Vector3d>& points, const Eigen::Ali
   view->reach = std::max(quantile(distances, 0.98), kNear);
 }
 
-/// Half the side of the square that a point has to cover [pixels].
+/// Returns half the side of the square that a point has to cover [pixels].
 int splat_radius(const std::vector<Eigen::Vector2i>& pixels, const View& view) {
-  // Cells of growing size: once they hold the cloud without gaps, their number falls with the area.
+  // Tries cells of growing size. Once the cells hold the cloud without gaps, their number falls in
+  // proportion to their area.
   double last = 0.0;
   for (int cell = 1; cell <= 12; ++cell) {
     const int columns = view.width / cell + 1, rows = view.height / cell + 1;
@@ -190,7 +193,7 @@ View fit_view(const PointCloud& cloud, int width, ViewSide side, const ViewSubje
   const Eigen::Isometry3d X_CV = view.X_VC.inverse();
   const Eigen::Vector3d up = find_up(subject, -X_CV.linear().col(1));
   Eigen::Vector3d forward = X_CV.linear().col(2) - up * up.dot(X_CV.linear().col(2));
-  // A camera that looks straight down has the far side on top.
+  // A camera that looks straight down has the far side at the top.
   if (forward.norm() < 1e-3) forward = -X_CV.linear().col(1);
   forward = (forward - up * up.dot(forward)).normalized();
   choose_subject(points, subject.box_C, &view);

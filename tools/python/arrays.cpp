@@ -5,7 +5,7 @@
 namespace quadrille::python {
 namespace {
 
-// Poses are used as they are given: what is farther from a rotation than this is a mistake.
+// Poses are used as given, so a matrix that differs from a rotation by more than this is a mistake.
 constexpr double kMaxOff = 1e-6;
 
 std::string shape_of(const py::array& array) {

@@ -16,30 +16,29 @@ namespace quadrille::python {
 
 namespace py = pybind11;
 
-/// Points as they come from numpy; what is not of this type and order, or lies askew in memory, is
-/// converted.
+/// Points from numpy; arrays of another type or order, or not aligned in memory, are converted.
 using Points = py::array_t<float, py::array::c_style | py::array::forcecast |
                                       py::detail::npy_api::NPY_ARRAY_ALIGNED_>;
 
-/// A cloud of points of shape (N, 3), or (H, W, 3) if it is organised [m], which stay where they
-/// are: the array must outlive it.
-/// @throws std::invalid_argument if the shape is another
+/// Returns a view of points of shape (N, 3), or (H, W, 3) for an organised cloud [m]. The points
+/// are not copied, so the array must outlive the view.
+/// @throws std::invalid_argument if the array has another shape
 CloudView view_of(const Points& points, const Eigen::Vector3d& viewpoint);
 
-/// The same with points of its own, for the planner.
+/// Returns a cloud with its own copy of the points, for the planner.
 PointCloud cloud_of(const CloudView& view);
 
-/// A pose as a matrix of shape (4, 4).
+/// Returns a pose as a matrix of shape (4, 4).
 inline Eigen::Matrix4d matrix_of(const Eigen::Isometry3d& X) { return X.matrix(); }
 
-/// A pose from a matrix.
-/// @throws std::invalid_argument naming it if it is no rotation and translation
+/// Returns a pose from a matrix.
+/// @throws std::invalid_argument naming the pose if the matrix is not a rotation and translation
 Eigen::Isometry3d pose_of(const Eigen::Matrix4d& X, const std::string& name);
 
-/// The least and the largest corner, of shape (2, 3).
+/// Returns the least and the greatest corner, of shape (2, 3).
 Eigen::Matrix<double, 2, 3> corners_of(const Eigen::AlignedBox3d& box);
 
-/// Milliseconds by stage.
+/// Returns milliseconds by stage.
 py::dict dict_of(const std::vector<StageTime>& timings);
 
 }  // namespace quadrille::python

@@ -125,7 +125,7 @@ void bind_box(py::module_& module) {
       .def("__repr__", [](const Box& box) { return "<Box " + std::to_string(box.id) + ">"; });
 }
 
-/// Those that were asked for.
+/// Returns the findings that were asked for.
 template <class Found>
 std::vector<Found> reported(const std::vector<Found>& all) {
   std::vector<Found> asked;

@@ -1,10 +1,10 @@
-# The messages as lcm-gen makes them for Python, in the same package `quadrille`: quadrille.quadrics_t,
-# and those of other packages below it, so that they clash with no one's: quadrille.drake and
-# quadrille.bot_core. Called by CMakeLists.txt; with -P it makes them:
-#   LCM_GEN, SCHEMAS (folder), PACKAGE (folder), WORK (folder), LIST (what imports quadrille's
-#   own types)
+# Builds the messages for Python with lcm-gen, in the package `quadrille` (quadrille.quadrics_t).
+# Messages of other packages go below it (quadrille.drake and quadrille.bot_core), so that they
+# clash with no other software's. CMakeLists.txt includes this file; run with -P it makes the
+# messages, given LCM_GEN, SCHEMAS (folder), PACKAGE (folder), WORK (folder), and LIST (the file
+# that imports quadrille's own types).
 if(NOT CMAKE_SCRIPT_MODE_FILE)
-  # quadrille_python_messages(PACKAGE LIST): builds them into the folder PACKAGE.
+  # quadrille_python_messages(PACKAGE LIST) builds the messages into the folder PACKAGE.
   function(quadrille_python_messages package list)
     file(GLOB schemas CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lcmtypes/*.lcm)
     set(script ${PROJECT_SOURCE_DIR}/tools/python/messages.cmake)
@@ -20,8 +20,8 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
   return()
 endif()
 
-# mended(FILE): what lcm-gen 1.3 gets wrong. A byte array begins as "", which cannot be encoded, and an
-# array of booleans is decoded into an iterator, which can be read once.
+# mended(FILE) corrects two errors of lcm-gen 1.3: a byte array begins as "", which cannot be
+# encoded, and an array of booleans is decoded into an iterator, which can be read only once.
 function(mended file)
   file(READ ${file} text)
   string(REGEX MATCHALL "bytearray\\(self\\.[A-Za-z0-9_]+" arrays "${text}")
@@ -30,7 +30,7 @@ function(mended file)
     string(REGEX REPLACE "(${array} = )(\"\"|None)\n" "\\1b\"\"\n" text "${text}")
   endforeach()
   string(REGEX REPLACE "= map\\(bool, ([^\n]*)\\)\n" "= list(map(bool, \\1))\n" text "${text}")
-  # Its code has no types to check.
+  # The generated code has no types to check.
   file(WRITE ${file} "# mypy: ignore-errors\n${text}")
 endfunction()
 
@@ -42,7 +42,7 @@ foreach(arguments IN ITEMS "${own}" "--package-prefix;quadrille;${others}")
   execute_process(COMMAND ${LCM_GEN} --python --ppath ${WORK} ${arguments}
                   COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
 endforeach()
-# A list of our own: that of lcm-gen 1.3 leaves some out where packages have a prefix.
+# The list is written here, because that of lcm-gen 1.3 is incomplete if packages have a prefix.
 foreach(list IN ITEMS ${LIST} drake/__init__.py bot_core/__init__.py)
   cmake_path(GET list PARENT_PATH folder)
   file(REMOVE ${WORK}/quadrille/${folder}/__init__.py)

@@ -4,7 +4,7 @@
 
 namespace quadrille::python {
 
-/// What the module has of the detector, and of the planner.
+/// Bind the parts of the detector, and of the planner, to the module.
 void bind_detector(pybind11::module_& module);
 void bind_planner(pybind11::module_& module);
 

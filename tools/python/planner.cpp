@@ -132,7 +132,7 @@ QuadricType type_of(const std::string& name) {
   throw std::invalid_argument("no type '" + name + "'; there are: " + known);
 }
 
-/// As Python's keywords have it.
+/// Makes a query from the keyword arguments of Python.
 GraspQuery query_of(const std::vector<int>& targets, const std::vector<int>& tracks,
                     const std::vector<std::string>& types,
                     const std::optional<Eigen::Vector3d>& near,
@@ -162,7 +162,8 @@ GraspScene scene_of(const Points& points, const DetectionResult& result, const G
   const CloudView view = view_of(points, viewpoint);
   const py::gil_scoped_release others_run;
   const PointCloud cloud = cloud_of(view);
-  // What quadrille-grasp-planner would get, so that both plan the same grasps.
+  // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
+  // same grasps.
   return {cloud, bus::as_received(result.detections), gripper, options};
 }
 

@@ -11,7 +11,7 @@
 namespace quadrille {
 namespace {
 
-/// Without the folders: a title.
+/// Returns the name of an input without its folders, for titles.
 std::string name_of(const std::string& input) {
   return std::filesystem::path(input).filename().string();
 }

@@ -14,23 +14,23 @@ namespace quadrille {
 /// The page of --report-html, if it is wanted.
 class CommandReport {
  public:
-  /// @param path      where to write it; empty: it is not wanted
-  /// @param inputs    what the command works on
-  /// @param settings  with what, the command line's included
+  /// @param path  path of the page; empty if it is not wanted
+  /// @param inputs  the inputs of the command
+  /// @param settings  the settings, including those of the command line
   /// @throws io::FileError if the file cannot be created
   CommandReport(const std::string& path, const std::vector<std::string>& inputs,
                 const io::Config& settings);
 
   bool wanted() const { return file_.has_value(); }
 
-  /// Shows the scene under its cloud's name.
+  /// Adds the scene under its cloud's name.
   /// @pre wanted()
   void add(const InputCloud& input, view::Scene scene);
   /// @pre wanted()
   void add_table(view::ReportTable table) { file_->report().add_table(std::move(table)); }
 
-  /// Writes the page, if it is wanted, and warns of what it does not show.
-  /// @param failed  inputs that could not be read
+  /// Writes the page, if it is wanted, and warns of anything that it leaves out.
+  /// @param failed  number of inputs that could not be read
   /// @throws io::FileError if it cannot be written
   void finish(std::size_t failed = 0);
 

@@ -6,7 +6,7 @@ class App;
 
 namespace quadrille {
 
-/// Adds `config`: prints the settings of all programs.
+/// Adds `config`, which prints the settings of all programs.
 void add_config_command(CLI::App& app);
 
 }  // namespace quadrille

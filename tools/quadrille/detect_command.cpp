@@ -43,7 +43,7 @@ io::RunInfo run_info(const DetectArguments& arguments, const DetectorSetup& setu
   return run;
 }
 
-/// What concerns one of the clouds too.
+/// Adds the warnings about one cloud to those of the run.
 io::RunInfo with_warnings(io::RunInfo run, const std::vector<std::string>& more) {
   run.warnings.insert(run.warnings.end(), more.begin(), more.end());
   return run;

@@ -6,7 +6,7 @@ class App;
 
 namespace quadrille {
 
-/// Adds `detect INPUT…`: finds the quadrics of clouds.
+/// Adds `detect INPUT…`, which finds the quadrics of clouds.
 void add_detect_command(CLI::App& app);
 
 }  // namespace quadrille

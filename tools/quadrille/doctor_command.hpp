@@ -6,7 +6,8 @@ class App;
 
 namespace quadrille {
 
-/// Adds `doctor`: whether clouds will arrive over LCM on this machine, and what to type if not.
+/// Adds `doctor`, which tells whether clouds will arrive over LCM on this machine, and what to type
+/// if not.
 void add_doctor_command(CLI::App& app);
 
 }  // namespace quadrille

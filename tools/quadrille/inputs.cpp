@@ -34,11 +34,11 @@ using Visitor = std::function<void(InputCloud)>;
 /// A log, or one of its clouds.
 struct LogName {
   std::string path;
-  /// From 1 on; none: all clouds.
+  /// Number of the cloud, from 1 on; all clouds if there is none.
   std::optional<int> number;
 };
 
-/// "a.lcm" or "a.lcm#2"; nullopt if a text names no log.
+/// Parses "a.lcm" or "a.lcm#2"; nullopt if the text names no log.
 std::optional<LogName> log_name_of(const std::string& text) {
   std::error_code ignored;
   if (is_log(text)) return LogName{text, {}};
@@ -54,7 +54,7 @@ std::optional<LogName> log_name_of(const std::string& text) {
                                   printable(text.substr(mark))));
 }
 
-/// Fills in what is known of a cloud that has been read.
+/// Fills in the description of a cloud that has been read.
 void describe(const std::string& name, std::chrono::steady_clock::time_point start,
               InputCloud* input) {
   input->info = {name, input->cloud.frame, input->cloud.read, bus::ms_since(start),
@@ -71,7 +71,7 @@ InputCloud read_cloud_file(const std::string& path, const FrameArguments& frames
   return input;
 }
 
-/// Reads on to the next cloud of a log; number counts its clouds from 1.
+/// Reads on to the next cloud of a log; `number` counts its clouds from 1.
 std::optional<InputCloud> read_logged_cloud(logs::CloudLogReader& reader, const std::string& path,
                                             const FrameArguments& frames, int number) {
   const auto start = std::chrono::steady_clock::now();
@@ -98,7 +98,7 @@ std::string describe_no_cloud(const logs::CloudLogReader& reader, const std::str
                      printable(channel), io::list_channels(reader.channels()));
 }
 
-/// @param clouds  the clouds of each channel
+/// @param clouds  number of clouds of each channel
 std::vector<std::string> warnings_about(const logs::CloudLogReader& reader,
                                         const std::string& channel, const Counts& clouds) {
   std::vector<std::string> warnings;
@@ -118,7 +118,7 @@ std::vector<std::string> warnings_about(const logs::CloudLogReader& reader,
   return warnings;
 }
 
-/// The cloud of a log that is named by its number.
+/// Visits the cloud of a log with the given number.
 std::vector<std::string> visit_numbered(const LogName& log, const InputArguments& arguments,
                                         const Visitor& visit) {
   logs::CloudLogReader reader(log.path, arguments.channel);
@@ -140,8 +140,8 @@ std::vector<std::string> visit_numbered(const LogName& log, const InputArguments
   throw io::FileError(log.path, "", fmt::format("there is no cloud #{}; it {}", *log.number, held));
 }
 
-/// Each cloud waits for the next one, for what is wrong with a log is known at its end and told
-/// with the last.
+/// Visits the clouds of a log. Each cloud waits for the next one, because defects of a log are
+/// known only at its end and are reported with the last cloud.
 std::vector<std::string> visit_log(const std::string& path, const InputArguments& arguments,
                                    const Visitor& visit) {
   logs::CloudLogReader reader(path, arguments.channel);
@@ -211,7 +211,7 @@ ReadingResult for_each_input(
       try {
         visit(path, std::move(input));
       } catch (const io::FileError& error) {
-        // No fault of the input: end here.
+        // The error is not the input's fault, so it ends the command.
         throw std::runtime_error(error.what());
       }
       ++result.clouds;
@@ -221,7 +221,7 @@ ReadingResult for_each_input(
       print_warnings(path, for_each_cloud(path, arguments, visit_and_count));
     } catch (const io::FileError& error) {
       if (paths.size() == 1) throw;
-      // What cannot be read must not lose what can.
+      // An input that cannot be read must not prevent the others from being processed.
       fmt::print(stderr, "quadrille: {}\n", printable(error.what(), kMaxLine));
       ++result.failed;
     }

@@ -12,81 +12,81 @@
 
 namespace quadrille {
 
-/// What --help says of the inputs.
+/// Description of the inputs in --help.
 inline constexpr const char* kInputs =
     "Clouds: .ply, .pcd, .xyz, .npy (also .gz), .npz, - for one on stdin, or LCM logs; "
     "clouds.lcm#2 is the "
     "second "
     "cloud of a log, from 1 on";
 
-/// Which clouds of the inputs are wanted, and where the sensor stood, as the command line has it.
+/// The arguments that select clouds of the inputs and give the sensor's position.
 struct InputArguments {
   FrameArguments frames;
-  /// Of the clouds of logs; empty: all.
+  /// Channel of the clouds in logs; if empty, all channels.
   std::string channel;
 
-  /// Adds --viewpoint, --camera-pose and --channel; this must outlive the app.
+  /// Adds --viewpoint, --camera-pose and --channel; this object must outlive the app.
   void add_to(CLI::App& command);
-  /// @throws CLI::ValidationError if a channel is named and none of the inputs is a log
+  /// @throws CLI::ValidationError if a channel is named but none of the inputs is a log
   void check(const std::vector<std::string>& paths) const;
 };
 
-/// One cloud of an input, with its name and the time it took to read.
+/// One cloud of an input, with its name and the time that it took to read.
 struct InputCloud {
   io::InputInfo info;
-  /// In frame K, the camera's where its pose was given, else the cloud's own.
+  /// The cloud in frame K, which is the camera's if its pose was given, otherwise the cloud's own.
   PointCloud cloud;
-  /// Pose of that frame in the cloud's own frame C, in which results are given.
+  /// Pose of K in the cloud's own frame C, in which results are given.
   Eigen::Isometry3d X_CK = Eigen::Isometry3d::Identity();
   /// For clouds of a log: the channel, and the time of capture [us].
   std::string channel;
   std::int64_t utime = 0;
-  /// How much of its input has been read, from 0 to 1.
+  /// Share of the input that has been read, from 0 to 1.
   double share = 1.0;
-  /// For the last cloud that is taken of a log: what is wrong with the log.
+  /// Warnings about the log, with the last cloud that is taken from it.
   std::vector<std::string> warnings;
 };
 
-/// The only cloud of an input, with what is wrong with the input.
+/// The only cloud of an input, with warnings about the input.
 struct SingleCloud {
   InputCloud input;
   std::vector<std::string> warnings;
 };
 
-/// True if a path names an LCM log, which may hold many clouds.
+/// Returns true if a path names an LCM log, which may hold many clouds.
 bool is_log(const std::string& path);
 
-/// True if inputs may give more than one cloud.
+/// Returns true if the inputs may give more than one cloud.
 bool may_be_several(const std::vector<std::string>& paths);
 
-/// Calls visit for each cloud of a file or of an LCM log, in order; for one cloud of a log if the
-/// path ends in its number, "clouds.lcm#2", counted from 1 among those of the channel.
-/// @return what is wrong with a log that gave what it could: where it is cut short, which messages
+/// Calls `visit` for each cloud of a file or of an LCM log, in order; for only one cloud of a log
+/// if the path ends in its number, "clouds.lcm#2", counted from 1 among those of the channel.
+/// @return warnings about a log that could be read in part: where it is truncated, which messages
 ///   were refused, that it holds no cloud, or clouds of several channels
-/// @throws std::runtime_error naming the file if it cannot be read or has no cloud of that number
+/// @throws std::runtime_error naming the file if it cannot be read or has no cloud with that number
 std::vector<std::string> for_each_cloud(const std::string& path, const InputArguments& arguments,
                                         const std::function<void(InputCloud)>& visit);
 
-/// How the reading of several inputs went.
+/// The outcome of reading several inputs.
 struct ReadingResult {
   std::size_t clouds = 0, inputs = 0, failed = 0;
 
-  /// True if what came of it is worth keeping.
+  /// Returns true if the results are worth keeping.
   bool gave_anything() const { return clouds > 0 || failed == 0; }
   /// @throws std::runtime_error if an input could not be read
   void check() const;
 };
 
-/// Calls visit for each cloud of each input and prints what is wrong with the inputs, and how far
-/// it is where no results on the same terminal show that. What cannot be read of several inputs is
-/// told of and passed over.
+/// Calls `visit` for each cloud of each input, and prints warnings about the inputs. It also shows
+/// the progress, unless results on the same terminal show that. If there are several inputs, those
+/// that cannot be read are reported and skipped.
 /// @throws io::FileError if the only input cannot be read
-/// @throws std::runtime_error in place of any io::FileError of visit's
+/// @throws std::runtime_error in place of any io::FileError that `visit` throws
 ReadingResult for_each_input(const std::vector<std::string>& paths, const InputArguments& arguments,
                              const std::function<void(const std::string& path, InputCloud)>& visit);
 
-/// The only cloud of a file or log.
-/// @throws std::runtime_error if it cannot be read or holds no cloud or several
+/// Reads the only cloud of a file or log.
+/// @throws std::runtime_error if it cannot be read, or holds no cloud or several
 SingleCloud read_single_cloud(const std::string& path, const InputArguments& arguments = {});
 
 }  // namespace quadrille

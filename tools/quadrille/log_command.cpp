@@ -26,7 +26,7 @@ struct LogArguments {
   logs::CloudLogOptions options;
 };
 
-/// Empty if a text is a rate that a log can have, else what is wrong with it.
+/// Returns what is wrong with the text of a rate; empty if a log can have that rate.
 std::string check_rate(const std::string& text) {
   double rate = 0.0;
   const char* end = text.data() + text.size();

@@ -6,7 +6,7 @@ class App;
 
 namespace quadrille {
 
-/// Adds `log OUT.lcm INPUT…`: writes clouds as an LCM log.
+/// Adds `log OUT.lcm INPUT…`, which writes clouds as an LCM log.
 void add_log_command(CLI::App& app);
 
 }  // namespace quadrille

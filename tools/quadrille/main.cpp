@@ -18,7 +18,7 @@
 
 namespace {
 
-/// `help` and `help COMMAND` as the options that they mean.
+/// Replaces `help` and `help COMMAND` by the options that they stand for.
 std::vector<char*> without_help(int argc, char** argv) {
   static char option[] = "--help";
   std::vector<char*> words(argv, argv + argc);

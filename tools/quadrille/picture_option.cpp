@@ -16,12 +16,12 @@ namespace {
 constexpr std::array<std::pair<const char*, ViewSide>, 3> kSides = {
     {{"camera", ViewSide::kCamera}, {"top", ViewSide::kTop}, {"side", ViewSide::kSide}}};
 
-/// Empty if a path names a picture, else what is wrong.
+/// Returns what is wrong with the path of a picture; empty if it is valid.
 std::string check_picture_path(const std::string& path) {
   return is_picture_path(path) ? "" : "'" + path + "' must end in .png, .svg or .pdf";
 }
 
-/// The views of a list of their names; empty with what is wrong in `error`.
+/// Parses a list of view names; if one is wrong, returns none and says so in `error`.
 std::vector<ViewSide> parse_sides(const std::string& list, std::string* error) {
   std::vector<ViewSide> sides;
   for (const std::string& word : CLI::detail::split(list, ',')) {
@@ -71,7 +71,7 @@ void PictureArguments::add_to(CLI::App& command, const std::string& what) {
 void PictureArguments::write(const std::string& file, const PictureContent& content) const {
   const auto draw = [&](const std::string& name, ViewSide side) {
     write_picture(name, content, {.side = side});
-    // Others than asked for: several inputs, or views, have one of their own each.
+    // With several inputs or views, each picture has a name of its own, which is printed.
     if (name != path) fmt::print(stderr, "quadrille: drew {}\n", name);
   };
   if (sides.size() < 2) return draw(file, sides.empty() ? ViewSide::kCamera : sides.front());

@@ -12,20 +12,21 @@ class App;
 
 namespace quadrille {
 
-/// Which pictures are wanted.
+/// The arguments that select pictures.
 struct PictureArguments {
   std::string path;
-  /// Empty: the camera's.
+  /// The views; if empty, the camera's.
   std::vector<ViewSide> sides;
 
-  /// Adds --picture, which refuses what is no picture's name before any work is done, and
-  /// --picture-view; this must outlive the app.
+  /// Adds --picture, which refuses a path that is not that of a picture before any work is done,
+  /// and --picture-view; this object must outlive the app.
   /// @param what  what is drawn, such as "the cloud and the quadrics"
   void add_to(CLI::App& command, const std::string& what);
 
-  /// Writes one picture for each view; of several, "_VIEW" is put before the extension.
-  /// @param path  of a PicturePaths
-  /// @throws io::FileError if one cannot be written
+  /// Writes one picture for each view; if there are several, "_VIEW" is inserted before the
+  /// extension.
+  /// @param path  path from PicturePaths
+  /// @throws io::FileError if a picture cannot be written
   void write(const std::string& path, const PictureContent& content) const;
 };
 

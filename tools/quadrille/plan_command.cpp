@@ -61,7 +61,7 @@ Choices<HandConvention> conventions() {
   return choices;
 }
 
-// Adds to each grasp the pose of the hand as other software names it.
+// Adds to each grasp the pose of the hand in the convention of other software.
 void add_hands(const GraspPlan& plan, const Gripper& gripper, HandConvention convention,
                io::Json* json) {
   for (std::size_t n = 0; n < plan.grasps.size(); ++n) {
@@ -72,13 +72,13 @@ void add_hands(const GraspPlan& plan, const Gripper& gripper, HandConvention con
   }
 }
 
-// A view that is given twice, or is the input itself, shows nothing more: one was meant to be
-// another.
+// A view that is given twice, or is the input itself, adds nothing, and was probably meant to be
+// another file.
 void refuse_same(const std::string& input, const std::vector<std::string>& views) {
   std::vector<std::string> seen = {input};
   for (const std::string& path : views) {
     for (const std::string& other : seen) {
-      std::error_code missing;  // which reading it will tell
+      std::error_code missing;  // ignored, since reading the file will report it
       if (path == other || std::filesystem::equivalent(path, other, missing)) {
         throw io::FileError(path, "", "is given twice; each --view must be another cloud");
       }
@@ -87,9 +87,9 @@ void refuse_same(const std::string& input, const std::vector<std::string>& views
   }
 }
 
-/// The other views, each with the viewpoint that its file names.
-/// @param X_KC      their frame C in the frame K to work in
-/// @param warnings  gets what is wrong with them
+/// Reads the other views, each with the viewpoint that its file names.
+/// @param X_KC  pose of their frame C in the working frame K
+/// @param warnings  receives warnings about the views
 std::vector<PointCloud> read_views(const std::vector<std::string>& paths,
                                    const Eigen::Isometry3d& X_KC,
                                    std::vector<std::string>* warnings) {
@@ -103,7 +103,7 @@ std::vector<PointCloud> read_views(const std::vector<std::string>& paths,
   return views;
 }
 
-/// @param X_CK  the frame K of the map in the frame C to write it in
+/// @param X_CK  pose of the map's frame K in the frame C in which it is written
 void write_map(const std::string& path, const OccupancyGrid& space, const Eigen::Isometry3d& X_CK,
                io::NewFile& file) {
   const bool moves = !X_CK.matrix().isIdentity(0.0);
@@ -114,7 +114,7 @@ void write_map(const std::string& path, const OccupancyGrid& space, const Eigen:
   file.commit();
 }
 
-/// Those of some lines that are not among others.
+/// Returns the lines that are not among the others.
 std::vector<std::string> without(std::vector<std::string> lines,
                                  const std::vector<std::string>& others) {
   std::erase_if(lines, [&](const std::string& line) {
@@ -123,14 +123,14 @@ std::vector<std::string> without(std::vector<std::string> lines,
   return lines;
 }
 
-/// With what a run of the command plans, the same for all clouds.
+/// The settings with which the command plans, the same for all clouds.
 struct PlanSetup {
   DetectorSetup detector;
   Gripper gripper;
   PlanOptions options;
-  /// Without the warnings about a cloud.
+  /// Information about the run, without the warnings about a cloud.
   io::RunInfo info;
-  /// All of the settings, the command line's included.
+  /// All settings, including those of the command line.
   io::Config config;
 };
 
@@ -149,7 +149,7 @@ PlanSetup setup_of(const PlanArguments& arguments) {
   return setup;
 }
 
-/// Where the results go.
+/// The destinations of the results.
 struct PlanOutput {
   JsonLines json;
   PicturePaths pictures;
@@ -157,8 +157,8 @@ struct PlanOutput {
   CommandReport report;
 };
 
-/// Writes and prints what was found and planned, in the cloud's own frame.
-/// @param info  with the warnings so far
+/// Writes and prints the detections and the plan, in the cloud's own frame.
+/// @param info  information about the run, with the warnings so far
 void put_out(const PlanArguments& arguments, const PlanSetup& setup, const InputCloud& input,
              io::RunInfo info, const DetectionResult& result, const GraspPlan& plan,
              PlanOutput* output) {
@@ -166,7 +166,7 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
     info.warnings.insert(info.warnings.end(), warnings.begin(), warnings.end());
     print_warnings(input.info.input, warnings);
   }
-  // Where nothing was found, what is odd about the cloud is why.
+  // If nothing was found, warnings about the cloud are the likely reason.
   GraspPlan nothing;
   nothing.warnings = result.warnings;
   const bool is_found = !result.detections.empty() || !plan.warnings.empty();
@@ -188,7 +188,8 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
   DetectionResult found = detect_quadrics(input.cloud, setup.detector.options);
   tracking->add_to(input, path, &found.detections);
-  // What quadrille-grasp-planner would get, so that both plan the same grasps to the last bit.
+  // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
+  // same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);
   const GraspQuery query = moved(arguments.query.query(), input.X_CK.inverse());
   const std::vector<PointCloud> views =
@@ -196,7 +197,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, views);
   const GraspPlan planned = asked.plan_from_start(query);
   found.boxes = planned.boxes;
-  // All were in the way; shown is what was asked for.
+  // All detections were obstacles, but only those that were asked for are shown.
   std::erase_if(found.detections, [](const Detection& d) { return !is_reported(d); });
   std::erase_if(found.boxes, [](const Box& box) { return !is_reported(box); });
   DetectionResult result = found;
@@ -214,7 +215,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   output->report.add(input, std::move(scene));
 }
 
-/// Views and a map belong to one scene.
+/// Refuses several inputs if views or a map are given, since those belong to one scene.
 void check_single_scene(const PlanArguments& arguments) {
   if (arguments.inputs.size() == 1) return;
   const std::string option = !arguments.map.empty() ? "--map" : "--view";

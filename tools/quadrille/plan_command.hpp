@@ -6,7 +6,7 @@ class App;
 
 namespace quadrille {
 
-/// Adds `plan INPUT --gripper NAME|FILE`: detects quadrics and plans grasps on them.
+/// Adds `plan INPUT --gripper NAME|FILE`, which detects quadrics and plans grasps on them.
 void add_plan_command(CLI::App& app);
 
 }  // namespace quadrille

@@ -9,14 +9,15 @@
 
 namespace quadrille {
 
-/// The quadrics of one message for people: a line about its cloud, then a line each.
+/// Returns a readable table of the quadrics of one message: a line about its cloud, then one per
+/// quadric.
 std::string published_table(const std::string& channel, const bus::QuadricsMessage& message);
 
-/// The boxes of one message for people: a line about its cloud, then a line each.
+/// Returns a readable table of the boxes of one message: a line about its cloud, then one per box.
 std::string published_table(const std::string& channel, const bus::BoxesMessage& message);
 
-/// The best grasps of one message for people: a line about its cloud, then a line each; if there
-/// are none, what was refused and why.
+/// Returns a readable table of the best grasps of one message: a line about its cloud, then one per
+/// grasp; if there are none, what was refused and why.
 std::string published_table(const std::string& channel, const grasps_t& message,
                             std::size_t max_grasps);
 

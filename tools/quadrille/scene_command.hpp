@@ -6,7 +6,7 @@ class App;
 
 namespace quadrille {
 
-/// Adds `scene OUT.ply`: renders a depth-camera scene with its truth.
+/// Adds `scene OUT.ply`, which renders a depth-camera scene with its ground truth.
 void add_scene_command(CLI::App& app);
 
 }  // namespace quadrille

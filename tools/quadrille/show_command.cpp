@@ -28,12 +28,12 @@ struct ShowArguments {
   std::size_t max_grasps = 5;
 };
 
-/// What was found in a log so far.
+/// Counts of what was found in a log so far.
 struct Shown {
   std::size_t quadrics = 0, boxes = 0, grasps = 0, refused = 0;
 };
 
-/// Prints the event if it holds quadrics, boxes or grasps; those that are damaged are counted.
+/// Prints the event if it holds quadrics, boxes or grasps; damaged ones are counted.
 void show(const bus::LogReader::Event& event, std::size_t max_grasps, Shown* shown) {
   const auto quadrics = bus::decode_quadrics(event.bytes);
   if (const auto* message = std::get_if<bus::QuadricsMessage>(&quadrics)) {
@@ -61,7 +61,7 @@ void show(const bus::LogReader::Event& event, std::size_t max_grasps, Shown* sho
   }
 }
 
-/// @param channels  the events of each channel of the log
+/// @param channels  number of events of each channel of the log
 std::string describe_nothing(const std::string& channel,
                              const std::map<std::string, std::int64_t>& channels) {
   if (channel.empty() || channels.empty()) {

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 struct SpyArguments {
   std::string url;
-  /// Classes of more messages.
+  /// Jar files with the classes of further messages.
   std::vector<std::string> jars;
 };
 
@@ -35,7 +35,7 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// The first of the folders that has a file, as a path to it.
+/// Returns the path of a file in the first of the folders that has it.
 std::optional<fs::path> find_in(const std::vector<fs::path>& folders, const char* file) {
   std::error_code ignored;
   for (const fs::path& folder : folders) {
@@ -51,7 +51,7 @@ std::optional<fs::path> find_java() {
   return find_in(folders, "java");
 }
 
-/// True of a Java that is made for machines without a screen.
+/// Returns true if this Java is a version for machines without a screen.
 bool is_headless(const fs::path& java) {
   std::error_code ignored;
   const fs::path libraries = fs::canonical(java, ignored).parent_path().parent_path() / "lib";
@@ -59,7 +59,7 @@ bool is_headless(const fs::path& java) {
          !fs::exists(libraries / "libawt_xawt.so", ignored);
 }
 
-/// Beside this program as it was built, or as it was installed.
+/// Finds the messages' jar beside this program, as it was built or installed.
 fs::path find_messages() {
   std::error_code ignored;
   const fs::path above = fs::read_symlink("/proc/self/exe", ignored).parent_path().parent_path();
@@ -70,8 +70,8 @@ fs::path find_messages() {
       "build anew");
 }
 
-/// What is run, and with which class path. Debian's own lcm-spy passes an option to Java that it no
-/// longer has.
+/// Returns the Java program to run and its class path. Debian's own lcm-spy cannot be used, because
+/// it passes an option to Java that no longer exists.
 std::pair<std::string, std::string> java_and_classes(const SpyArguments& arguments) {
   const std::vector<fs::path> folders = {"/usr/share/java", "/usr/local/share/java"};
   const auto java = find_java(), lcm = find_in(folders, "lcm.jar"),

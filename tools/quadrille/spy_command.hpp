@@ -6,7 +6,7 @@ class App;
 
 namespace quadrille {
 
-/// Adds `spy`: becomes lcm-spy, which then knows our messages.
+/// Adds `spy`, which becomes lcm-spy with knowledge of our messages.
 void add_spy_command(CLI::App& app);
 
 }  // namespace quadrille

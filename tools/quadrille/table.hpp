@@ -9,12 +9,12 @@
 
 namespace quadrille {
 
-/// The detections of one cloud for people, a line each.
+/// Returns a readable table of the detections of one cloud, one per line.
 std::string detection_table(const io::InputInfo& input, const DetectionResult& result,
                             const Paint& paint);
 
-/// The grasps of one cloud for people, a line each, with what was refused and why; if there are
-/// none, also with what to try.
+/// Returns a readable table of the grasps of one cloud, one per line, with what was refused and
+/// why; if there are none, also with advice.
 std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown, const Paint& paint);
 
 }  // namespace quadrille

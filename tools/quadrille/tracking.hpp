@@ -11,7 +11,7 @@
 
 namespace quadrille {
 
-/// Tracks the clouds of each source: of a channel of a log, or of all the files.
+/// Tracks the clouds of each source, which is a channel of a log, or all files together.
 class Tracking {
  public:
   Tracking(const TrackOptions& options, bool files_too)

@@ -42,12 +42,12 @@ struct TryArguments {
   physics::TrialOptions trial;
 };
 
-/// What does not change from input to input.
+/// The settings that are the same for all inputs.
 struct Job {
   Gripper gripper;
   DetectorOptions detector;
   PlanOptions plan;
-  /// All of the settings, the command line's included.
+  /// All settings, including those of the command line.
   io::Config config;
 };
 
@@ -61,10 +61,10 @@ Job job_of(const TryArguments& arguments) {
   return {gripper, config.detector, config.planner, config};
 }
 
-/// What is to be tried, and on what it was planned.
+/// A plan to be tried, and the detections on which it was made.
 struct Planned {
   InputCloud input;
-  /// Those of a plan in a file have only id and quadric.
+  /// The detections; those of a plan from a file have only id and quadric.
   std::vector<Detection> detections;
   GraspPlan plan;
 };
@@ -80,7 +80,7 @@ Planned plan_on(const std::string& path, const physics::TrueScene& truth,
   return {std::move(input), std::move(detections), std::move(plan)};
 }
 
-/// What came of each of the grasps; empty for those that were not tried.
+/// Returns the outcome of each grasp; empty for those that were not tried.
 std::vector<std::string> outcomes_of(const std::vector<Grasp>& grasps,
                                      const std::vector<physics::Attempt>& attempts,
                                      bool only_first) {
@@ -148,7 +148,7 @@ void run(const TryArguments& arguments) {
       attempts = attempts_on(input, arguments, job, &report);
     } catch (const io::FileError& error) {
       if (arguments.inputs.size() == 1) throw;
-      // What cannot be read must not lose what can.
+      // An input that cannot be read must not prevent the others from being processed.
       fmt::print(stderr, "quadrille: {}\n", printable(error.what(), kMaxLine));
       ++failed;
       continue;

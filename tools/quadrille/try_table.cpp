@@ -13,7 +13,7 @@ namespace {
 using physics::Attempt;
 using physics::Outcome;
 
-/// How many ended in which way.
+/// Number of grasps by outcome.
 struct Count {
   int tried = 0;
   std::map<Outcome, int> ends;
@@ -59,7 +59,7 @@ io::Json json_of(const Count& count) {
   return json;
 }
 
-/// All attempts, the first of each target, and these by type.
+/// Counts of all attempts, of the first of each target, and of the latter by type.
 struct Summary {
   Count all, first;
   std::map<std::string, Count> by_type;
@@ -76,7 +76,7 @@ struct Summary {
 
 double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 
-// Nothing for what is lost: it falls far, and nobody needs to know how far.
+// A lost object shows no value: it falls far, and the distance is of no interest.
 std::string shown(const Attempt& attempt, double value) {
   const bool lost = attempt.outcome == Outcome::kDropped || attempt.outcome == Outcome::kMissed;
   return lost ? "-" : fmt::format("{:.1f}", value);

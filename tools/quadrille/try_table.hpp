@@ -10,17 +10,18 @@
 
 namespace quadrille {
 
-/// The attempts of one input for people, a line each.
+/// Returns a readable table of the attempts of one input, one per line.
 std::string attempt_table(const std::string& input, const std::vector<physics::Attempt>& attempts,
                           const Paint& paint);
 
-/// Attempts summed up: all of them, the first of each target, and the first ones by type of object.
+/// Sums up attempts: all of them, the first of each target, and the first ones by type of object.
 std::string attempt_summary(const std::vector<physics::Attempt>& attempts);
 
-/// The same sums as a table.
+/// Returns the same sums as a table.
 view::ReportTable attempt_summary_table(const std::vector<physics::Attempt>& attempts);
 
-/// The attempts of one input, slip in metres, rotation in radians, with their summary.
+/// Returns the attempts of one input, with slip in metres and rotation in radians, and their
+/// summary.
 io::Json attempts_json(const std::string& input, const std::vector<physics::Attempt>& attempts);
 
 }  // namespace quadrille

@@ -60,7 +60,7 @@ view::PlanSetup setup_of(const ViewArguments& arguments) {
           arguments.limits};
 }
 
-/// The hand that messages name: a built-in one, or that of --gripper.
+/// Returns the gripper that messages name: a built-in one, or that of --gripper.
 std::optional<Gripper> find_gripper(const Gripper& given, const std::string& name) {
   if (name == given.name) return given;
   const std::vector<std::string> names = io::gripper_names();
@@ -68,8 +68,8 @@ std::optional<Gripper> find_gripper(const Gripper& given, const std::string& nam
   return io::load_gripper(name);
 }
 
-/// The setup with what the page chose.
-/// @throws std::invalid_argument if there is no such hand or policy
+/// Returns the setup with the choices of the page.
+/// @throws std::invalid_argument if there is no such gripper or policy
 view::PlanSetup chosen(view::PlanSetup setup, const view::PlanChoice& choice) {
   if (!choice.gripper.empty()) {
     const std::optional<Gripper> gripper = find_gripper(setup.gripper, choice.gripper);
@@ -87,7 +87,7 @@ view::PlanSetup chosen(view::PlanSetup setup, const view::PlanChoice& choice) {
   return setup;
 }
 
-/// The built-in hands and that of --gripper.
+/// Returns the names of the built-in grippers and that of --gripper.
 std::vector<std::string> known_grippers(const std::string& given) {
   std::vector<std::string> names = io::gripper_names();
   if (std::find(names.begin(), names.end(), given) == names.end()) names.push_back(given);
@@ -113,14 +113,14 @@ std::unique_ptr<view::Backend> open_log(const ViewArguments& arguments) {
                                             make_scene, arguments.limits);
 }
 
-/// Lets the processes of the robot go first where the processor is short.
+/// Yields to the processes of the robot if the processor is busy.
 void step_back() {
   constexpr int kNiceness = 10;
   setpriority(PRIO_PROCESS, 0, kNiceness);
 }
 
 std::unique_ptr<view::Backend> open_bus(const ViewArguments& arguments) {
-  // Before there are threads: they inherit it.
+  // This must happen before threads are started, since they inherit the priority.
   step_back();
   view::LiveChannels channels = arguments.channels;
   for (std::string* channel :
@@ -137,7 +137,7 @@ std::unique_ptr<view::Backend> open_bus(const ViewArguments& arguments) {
                                              arguments.limits);
 }
 
-/// Shows an address in the user's browser, if there is one.
+/// Opens an address in the user's browser, if there is one.
 void open_browser(std::string address) {
   std::string program = "xdg-open";
   char* const line[] = {program.data(), address.data(), nullptr};
@@ -169,7 +169,7 @@ void run(const ViewArguments& arguments) {
   }
 }
 
-/// A cloud in a file is no log, but can become one.
+/// Refuses a cloud file, which is not a log but can be made into one.
 std::string check_log(const std::string& path) {
   const std::string suffix = CLI::detail::to_lower(std::filesystem::path(path).extension());
   const std::set<std::string> clouds = {".ply", ".pcd", ".xyz", ".txt", ".npy", ".npz", ".gz"};

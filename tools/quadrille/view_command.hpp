@@ -4,7 +4,7 @@
 
 namespace quadrille {
 
-/// Adds `view`: shows clouds, quadrics and grasps in the browser, of a log or live.
+/// Adds `view`, which shows clouds, quadrics and grasps in the browser, from a log or live.
 void add_view_command(CLI::App& app);
 
 }  // namespace quadrille

@@ -6,16 +6,16 @@
 
 namespace quadrille::view {
 
-/// One file of the page, part of the program.
+/// One file of the page, embedded in the program.
 struct Asset {
-  /// Its path; empty for the page itself.
+  /// Path of the file; empty for the page itself.
   std::string name;
-  /// Its media type.
+  /// Media type of the file.
   const char* type;
   std::string_view content;
 };
 
-/// All there is to serve.
+/// Returns all files that are served.
 const std::vector<Asset>& assets();
 
 }  // namespace quadrille::view

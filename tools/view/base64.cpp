@@ -16,12 +16,12 @@ const unsigned char* begin_of(std::string_view bytes) {
 }  // namespace
 
 std::string base64(std::string_view bytes) {
-  // OpenSSL counts in int, and encodes three bytes at a time.
+  // OpenSSL's lengths are of type int, and it encodes three bytes at a time.
   constexpr std::size_t kPart = 3 << 20;
   std::string text;
   for (std::size_t at = 0; at < bytes.size(); at += kPart) {
     const std::string_view part = bytes.substr(at, kPart);
-    // The encoder ends its text with a zero.
+    // The encoder terminates its text with a zero.
     std::string encoded((part.size() + 2) / 3 * 4 + 1, '\0');
     EVP_EncodeBlock(reinterpret_cast<unsigned char*>(encoded.data()), begin_of(part),
                     static_cast<int>(part.size()));

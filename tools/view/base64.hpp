@@ -5,10 +5,10 @@
 
 namespace quadrille::view {
 
-/// Bytes as base64 (RFC 4648), padded.
+/// Encodes bytes as base64 (RFC 4648), padded.
 std::string base64(std::string_view bytes);
 
-/// How a content security policy names a script or a style that stands in the page:
+/// Returns the form in which a content security policy names an inline script or style:
 /// "'sha256-…'".
 std::string policy_hash(std::string_view text);
 

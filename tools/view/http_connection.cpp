@@ -15,8 +15,8 @@ namespace http = boost::beast::http;
 
 namespace {
 
-/// The status that tells a browser what is wrong with its request; nothing for one that has gone or
-/// is too slow.
+/// Returns the status that tells a browser what is wrong with its request; none if the browser has
+/// gone or is too slow.
 std::optional<http::status> refusal_of(const beast::error_code& error) {
   if (error == http::error::end_of_stream || error == http::error::partial_message) return {};
   if (error == http::error::body_limit) return http::status::payload_too_large;
@@ -78,7 +78,7 @@ void HttpConnection::write(HttpAnswer answer) {
   const HttpRequest& request = parser_->get();
   message.version(request.version());
   if (answer_->next_part) {
-    // Its end is told by the end of the connection.
+    // The end of the connection marks the end of the body.
     message.keep_alive(false);
   } else {
     message.keep_alive(request.keep_alive() && message.keep_alive());

@@ -14,27 +14,29 @@
 
 namespace quadrille::view {
 
-/// One browser's connection: reads a request, lets a worker make the answer, writes it, and reads
-/// the next. It lives as long as something of this is under way. All but the making of answers
-/// happens on the one thread that runs the socket's io_context.
+/// One browser's connection. It reads a request, has a worker make the answer, writes the answer,
+/// and reads the next request. It stays alive as long as one of these operations is pending. Except
+/// for making answers, everything happens on the one thread that runs the socket's io_context.
 class HttpConnection : public std::enable_shared_from_this<HttpConnection> {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// The request line and all headers of a request; a browser sends the cookies that other
-  /// programs of this machine have set as well [byte].
+  /// Limit of the request line and all headers [byte]; a browser also sends cookies that other
+  /// programs on this machine have set.
   static constexpr std::uint32_t kMaxHeaderBytes = 16384;
-  /// A question to the planner is the only body that is taken [byte].
+  /// Limit of a body [byte]; questions to the planner are the only requests with one.
   static constexpr std::uint64_t kMaxBodyBytes = 1024;
-  /// A whole request has to come within this time, and a part of the answer has to be taken.
+  /// Time within which a whole request must arrive, and within which each part of the answer must
+  /// be accepted.
   static constexpr std::chrono::seconds kPatience{5};
 
-  /// @param handler, workers  must outlive this
+  /// @param handler,  workers  must outlive the connection
   HttpConnection(boost::asio::ip::tcp::socket socket, const HttpHandler& handler,
                  boost::asio::thread_pool& workers);
 
   void read();
-  /// Since when the browser is waited for; nothing while an answer is made.
+  /// Time since when the connection has been waiting for the browser; nullopt while an answer is
+  /// made.
   std::optional<Clock::time_point> waits_since() const { return waits_since_; }
   void close();
 

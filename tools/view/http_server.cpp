@@ -9,9 +9,11 @@ using boost::asio::ip::tcp;
 
 namespace {
 
-/// How soon the server looks again for a place: at once for a user, and rarely for the processor.
+/// Time after which the server looks again for a free place: short enough for a user not to notice,
+/// and long enough to spare the processor.
 constexpr std::chrono::milliseconds kRetryTime{10};
-/// Nobody loses a connection within this time: where many browsers come at once, each can ask.
+/// No browser loses its connection within this time, so that each of many simultaneous browsers can
+/// send its request.
 constexpr std::chrono::milliseconds kGraceTime{100};
 
 }  // namespace
@@ -35,7 +37,7 @@ void HttpServer::listen(const std::string& address, int port) {
   const tcp::endpoint endpoint =
       *resolver.resolve(address, std::to_string(port), tcp::resolver::passive).begin();
   acceptor_.open(endpoint.protocol());
-  // Not SO_REUSEPORT as well: two programs would share one port unawares.
+  // SO_REUSEPORT is not set, because it would let two programs share one port unnoticed.
   acceptor_.set_option(tcp::acceptor::reuse_address(true));
   acceptor_.bind(endpoint);
   acceptor_.listen();
@@ -44,7 +46,7 @@ void HttpServer::listen(const std::string& address, int port) {
 void HttpServer::accept() {
   acceptor_.async_accept([this](const boost::system::error_code& error, tcp::socket socket) {
     if (!error) return place(std::move(socket));
-    // There are no more descriptors.
+    // The process has run out of file descriptors.
     let_slowest_go();
     retry_.expires_after(kRetryTime);
     retry_.async_wait([this](const auto&) { accept(); });
@@ -54,7 +56,7 @@ void HttpServer::accept() {
 void HttpServer::place(tcp::socket socket) {
   std::erase_if(connections_, [](const auto& connection) { return connection.expired(); });
   if (connections_.size() >= kMaxConnections && !let_slowest_go()) {
-    // Nobody is slow; further browsers wait in the kernel's queue.
+    // No browser is slow, so further ones wait in the kernel's queue.
     retry_.expires_after(kRetryTime);
     return retry_.async_wait(
         [this, socket = std::move(socket)](const auto&) mutable { place(std::move(socket)); });

@@ -13,21 +13,21 @@
 
 namespace quadrille::view {
 
-/// Accepts connections, and bounds how many there are.
+/// Accepts connections and limits their number.
 class HttpServer {
  public:
-  /// Answers that are made at the same time; the other requests wait.
+  /// Number of answers that are made at the same time; other requests wait.
   static constexpr int kWorkers = 32;
-  /// A browser opens up to six connections. When all places are taken, the browser that has kept
-  /// its connection waiting for longest loses it.
+  /// Limit of connections; a browser opens up to six. When all places are taken, the browser that
+  /// has kept its connection waiting for the longest time loses it.
   static constexpr int kMaxConnections = 128;
 
-  /// Serves from now on, in threads of its own.
-  /// @param address  a number or a name of this machine
-  /// @param port     0: any that is free
+  /// Starts serving, in threads of its own.
+  /// @param address  a numeric address or a name of this machine
+  /// @param port  0 for any free port
   /// @throws boost::system::system_error if it cannot listen there
   HttpServer(const std::string& address, int port, HttpHandler handler);
-  /// Waits for the answers that are being made, and closes all connections.
+  /// Waits for answers that are being made, and closes all connections.
   ~HttpServer();
   HttpServer(const HttpServer&) = delete;
   HttpServer& operator=(const HttpServer&) = delete;
@@ -38,6 +38,7 @@ class HttpServer {
   void listen(const std::string& address, int port);
   void accept();
   void place(boost::asio::ip::tcp::socket socket);
+  /// Closes the connection that has been waiting for the longest time.
   /// @return false if no browser is slow
   bool let_slowest_go();
 

@@ -8,14 +8,14 @@
 namespace quadrille::view {
 namespace {
 
-/// For so long clouds are kept after somebody looked.
+/// Time for which clouds are kept after a browser last looked.
 constexpr std::chrono::seconds kWatchTime{3};
-/// For so long after quadrics, or boxes, more of them are expected.
+/// Time after quadrics, or boxes, during which more of them are expected.
 constexpr std::chrono::seconds kQuadricsTime{1};
-/// For so long a plan of all objects stands against answers to requests for some.
+/// Time for which a plan of all objects takes precedence over answers to requests for some.
 constexpr std::chrono::seconds kPlanTime{3};
 
-/// True if grasps answer somebody's request.
+/// Returns true if the grasps answer a request.
 bool is_answer(std::span<const std::byte> bytes) {
   const auto decoded = bus::decode_grasps(bytes);
   const auto* const grasps = std::get_if<grasps_t>(&decoded);
@@ -50,11 +50,12 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
   }
   if (channel == channels_.quadrics) quadrics_came_ = now;
   if (channel == channels_.boxes) boxes_came_ = now;
-  // What the processes tell of themselves is in no scene.
+  // Status messages are not part of a scene.
   const bool is_status =
       channel == channels_.detector_status || channel == channels_.planner_status;
   if (is_status) return;
-  // Quadrics wait for their boxes, clouds for their quadrics, where such come.
+  // Quadrics wait for their boxes, and clouds for their quadrics, if such messages have come
+  // recently.
   const auto last = is_cloud ? quadrics_came_ : boxes_came_;
   const bool waits = is_cloud || channel == channels_.quadrics;
   has_news_ = has_news_ || !waits || now - last > kQuadricsTime;

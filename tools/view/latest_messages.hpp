@@ -12,42 +12,44 @@
 
 namespace quadrille::view {
 
-/// The channels of what is shown, and of what is asked.
+/// The channels of the messages that are shown, and of requests to the planner.
 struct LiveChannels {
   std::string cloud = "POINT_CLOUD", quadrics = "QUADRICS", boxes = "BOXES", grasps = "GRASPS",
               occupancy = "OCCUPANCY", detector_status = "QUADRILLE_DETECTOR_STATUS",
               planner_status = "QUADRILLE_PLANNER_STATUS", requests = "GRASP_REQUEST";
 };
 
-/// The bytes of a message that several may hold; null for none.
+/// The bytes of a message, which several owners may share; null for none.
 using Bytes = std::shared_ptr<const std::vector<std::byte>>;
 
-/// The newest message of each kind, and the last few clouds, as quadrics come later than theirs.
+/// The newest message of each kind, and the last few clouds, because quadrics come later than their
+/// cloud.
 struct LatestMessages {
   std::deque<Bytes> clouds;
-  /// Those before the newest, while its boxes have not come.
+  /// The quadrics before the newest, used until the boxes of the newest have come.
   Bytes quadrics_before;
   Bytes quadrics, boxes, grasps, occupancy, detector_status, planner_status;
 };
 
-/// Keeps what comes from the bus until somebody looks at it. Taking a message never waits for those
-/// who look, and clouds are kept only while somebody does.
+/// Keeps messages from the bus until a browser looks at them. Taking a message never waits for
+/// browsers, and clouds are kept only while one is looking.
 class MessageKeeper {
  public:
-  /// Clouds that are kept at most, and their bytes but for the newest.
+  /// Limits of the number of clouds that are kept, and of their bytes, not counting the newest.
   static constexpr std::size_t kMaxClouds = 8, kMaxCloudBytes = std::size_t{64} << 20;
 
   explicit MessageKeeper(LiveChannels channels) : channels_(std::move(channels)) {}
 
-  /// Takes one message; those of other channels are passed over, and so are answers to requests
-  /// of others while the planner plans for all objects by itself.
+  /// Takes one message. Messages of other channels are ignored, and so are answers to other
+  /// programs' requests while the planner plans for all objects by itself.
   void take(const std::string& channel, std::span<const std::byte> bytes);
 
-  /// Somebody looks, for the next few seconds at least.
+  /// Notes that a browser is looking, for the next few seconds at least.
   void watch();
-  /// Waits for something that a new scene can be made of; false if nothing came, or nobody looks.
+  /// Waits for a message from which a new scene can be made; false if none came, or no browser is
+  /// looking.
   bool wait(std::chrono::milliseconds timeout);
-  /// What there is; the messages themselves are not copied.
+  /// Returns the newest messages; their bytes are shared, not copied.
   LatestMessages latest() const;
 
   const LiveChannels& channels() const { return channels_; }

@@ -7,9 +7,10 @@
 namespace quadrille::view {
 namespace {
 
-/// Eyes do not see more than this many scenes a second, and the robot needs the processor.
+/// Least time between scenes; the eye does not see more scenes per second, and the robot needs the
+/// processor.
 constexpr std::chrono::milliseconds kMinPeriod{50};
-/// Of large scenes there are fewer: after each, so many times as long as it took is left to others.
+/// After each scene, the processor is left to others for this many times as long as the scene took.
 constexpr int kRest = 4;
 
 }  // namespace

@@ -14,11 +14,12 @@
 
 namespace quadrille::view {
 
-/// Shows what comes over the bus. Scenes are made of the newest messages, and only while somebody
-/// looks; a browser that is slow misses scenes. Nothing is published unless somebody asks.
+/// Shows what comes over the bus. Scenes are made from the newest messages, and only while a
+/// browser is looking; a slow browser misses scenes. Nothing is published unless a user asks the
+/// planner.
 class LiveBackend : public Backend {
  public:
-  /// @param allow_requests  whether the page may ask the planner
+  /// @param allow_requests  true if the page may ask the planner
   /// @throws std::runtime_error if the bus cannot be reached
   LiveBackend(const std::string& url, const LiveChannels& channels, FindGripper find_gripper,
               bool allow_requests, const PackLimits& limits = {});
@@ -32,7 +33,7 @@ class LiveBackend : public Backend {
   std::int64_t ask(const Question& question) override;
   io::Json wait_answer(std::int64_t number, std::chrono::milliseconds timeout) override;
 
-  /// Throws what ended the connection, if something did.
+  /// Throws the error that ended the connection, if one did.
   void check() override { receiver_->check(); }
 
  private:

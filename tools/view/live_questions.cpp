@@ -14,7 +14,7 @@
 namespace quadrille::view {
 namespace {
 
-/// Any of 2^52 numbers, so that two viewers on one bus do not take each other's answers.
+/// Returns one of 2^52 numbers, so that two viewers on one bus do not take each other's answers.
 std::int64_t random_number() {
   std::random_device device;
   const std::uint64_t bits = (std::uint64_t{device()} << 32) | device();

@@ -15,30 +15,31 @@
 
 namespace quadrille::view {
 
-/// Puts questions to the planner on the bus and keeps the last answers until they are fetched.
+/// Puts questions to the planner on the bus and keeps the latest answers until they are fetched.
 class LiveQuestions {
  public:
-  /// Questions that are remembered at most, and of their answers the most bytes [byte].
+  /// Limits of the number of remembered questions, and of the bytes of their answers [byte].
   static constexpr std::size_t kMaxRemembered = 16, kMaxAnswerBytes = std::size_t{4} << 20;
-  /// For so long at least each question is remembered: no more than that many can be asked in it.
+  /// Each question is remembered at least for this time, in which no more than kMaxRemembered can
+  /// be asked.
   static constexpr std::chrono::milliseconds kMinMemory{5000};
 
-  /// @param connection  publishes; must outlive this
-  /// @param channel     of the requests
+  /// @param connection  connection on which requests are published; must outlive this object
+  /// @param channel  channel of the requests
   LiveQuestions(bus::Connection& connection, std::string channel,
                 std::chrono::milliseconds min_memory = kMinMemory);
 
   /// Publishes one request.
-  /// @return its request_id: from 1 to 2^53, so that JavaScript can hold it
-  /// @throws TooManyQuestions if as many as are remembered were asked just before
+  /// @return its request_id, from 1 to 2^53, which JavaScript can represent exactly
+  /// @throws TooManyQuestions if kMaxRemembered questions were asked within the last min_memory
   std::int64_t ask(const Question& question);
 
-  /// Keeps a message of type grasps_t if it answers a question of here.
-  /// @return true if it does
+  /// Keeps a message of type grasps_t if it answers a question of this viewer.
+  /// @return true if the message is such an answer
   bool take(std::span<const std::byte> bytes);
 
-  /// Waits for an answer, and at most so long; null if there is none yet.
-  /// @throws std::out_of_range if that was not asked, or so long ago that it is forgotten
+  /// Waits for an answer, or until a timeout; null if there is none yet.
+  /// @throws std::out_of_range if the question is unknown, or was forgotten because it is too old
   Bytes wait(std::int64_t number, std::chrono::milliseconds timeout);
 
  private:
@@ -55,9 +56,9 @@ class LiveQuestions {
   std::chrono::milliseconds min_memory_;
   std::mutex mutex_;
   std::condition_variable came_;
-  /// The oldest first.
+  /// The remembered questions, the oldest first.
   std::deque<Asked> asked_;
-  /// Where the numbers of here begin: others ask over the same bus.
+  /// The last request number. It starts at a random one, because others ask over the same bus.
   std::int64_t last_number_;
 };
 

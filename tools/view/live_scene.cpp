@@ -17,7 +17,7 @@
 namespace quadrille::view {
 namespace {
 
-/// The message in some bytes; nullopt if there are none, or they are damaged.
+/// Decodes a message; nullopt if there are no bytes, or they are damaged.
 template <class Message, class Decode>
 std::optional<Message> read(const Bytes& bytes, const Decode& decode) {
   if (!bytes) return std::nullopt;
@@ -26,7 +26,7 @@ std::optional<Message> read(const Bytes& bytes, const Decode& decode) {
   return std::nullopt;
 }
 
-/// The cloud of that time and number; without quadrics the newest.
+/// Returns the cloud with the time and number of the quadrics; the newest if there are no quadrics.
 std::optional<bus::CloudMessage> find_cloud(const std::deque<Bytes>& clouds,
                                             const std::optional<bus::QuadricsMessage>& quadrics) {
   for (auto bytes = clouds.rbegin(); bytes != clouds.rend(); ++bytes) {
@@ -71,7 +71,7 @@ bool is_finite(const Grasp& g) {
          std::isfinite(g.width + g.preshape + g.approach + g.score + g.clearance);
 }
 
-/// Whose grasp it is among the detections shown; 0 if it cannot be told.
+/// Returns which of the shown detections a grasp belongs to; 0 if that is unknown.
 int target_of(const Grasp& grasp, bool same_cloud, const Scene& scene) {
   if (same_cloud) return grasp.target;
   const auto found =
@@ -98,7 +98,7 @@ void add_grasps(const grasps_t& message, const FindGripper& find_gripper, std::s
   scene->warnings.insert(scene->warnings.end(), message.warnings.begin(), message.warnings.end());
 }
 
-/// The newest quadrics, or those before while their boxes have not come.
+/// Returns the newest quadrics, or the ones before them as long as the newest have no boxes yet.
 std::optional<bus::QuadricsMessage> find_quadrics(const LatestMessages& messages,
                                                   const std::optional<bus::BoxesMessage>& boxes) {
   const auto decode = [](const auto& b) { return bus::decode_quadrics(b); };
@@ -119,7 +119,8 @@ void add_quadrics(bus::QuadricsMessage message, const std::optional<bus::BoxesMe
                [](const Box& box) { return is_reported(box); });
 }
 
-/// Where the quadrics are given in another frame than the cloud, only they are shown.
+/// Adds the cloud, unless it is in another frame than the quadrics; then only the quadrics are
+/// shown.
 void add_cloud(std::optional<bus::CloudMessage> cloud,
                const std::optional<bus::QuadricsMessage>& quadrics, Scene* scene) {
   if (quadrics) scene->cloud.frame = quadrics->frame;

@@ -10,20 +10,22 @@
 
 namespace quadrille::view {
 
-/// The hand of that name; nullopt if it is not known.
+/// Returns the gripper with this name; nullopt if it is not known.
 using FindGripper = std::function<std::optional<Gripper>(const std::string& name)>;
 
-/// Puts together what belongs to one cloud: the newest quadrics with their cloud and boxes. Grasps
-/// and occupancy come later; those of an earlier cloud are shown until then, the grasps on the
-/// surfaces that have the same track.
+/// Combines what belongs to one cloud: the newest quadrics with their cloud and boxes. Grasps and
+/// occupancy come later. Until then those of an earlier cloud are shown, with grasps assigned to
+/// the surfaces of the same track.
 Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper,
                  const PackLimits& limits = {});
 
-/// Grasps alone, as the planner answers a question; nullopt if the bytes are damaged.
+/// Makes a scene of the grasps with which the planner answers a question; nullopt if the bytes are
+/// damaged.
 std::optional<Scene> scene_of_answer(const Bytes& grasps, const FindGripper& find_gripper,
                                      const PackLimits& limits = {});
 
-/// Rate, latency and losses of both processes, for people; what cannot be decoded is left out.
+/// Returns rate, latency and losses of both processes in readable form; messages that cannot be
+/// decoded are left out.
 io::Json live_status(const LatestMessages& messages);
 
 }  // namespace quadrille::view

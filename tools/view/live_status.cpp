@@ -13,8 +13,8 @@ using io::Json;
 
 Json fact(const std::string& name, const std::string& value) { return Json::array({name, value}); }
 
-/// What both kinds of status tell in the same way.
-/// @param stage  the stage that spans all of the work
+/// Adds the figures that both kinds of status have in common.
+/// @param stage  name of the stage that spans all of the work
 template <class Status>
 void add_figures(const Status& status, const std::string& stage, Json* facts) {
   facts->push_back(fact("comes in", fmt::format("{:.1f} Hz", status.received_rate)));

@@ -37,7 +37,7 @@ void LogBackend::keep(const Key& key, const Pack& pack) {
   const std::lock_guard lock(cache_mutex_);
   cache_.emplace_front(key, pack);
   cached_bytes_ += pack->size();
-  // The newest stays, however large.
+  // The newest scene is always kept, however large it is.
   while (cached_bytes_ > kMaxCacheBytes && cache_.size() > 1) {
     cached_bytes_ -= cache_.back().second->size();
     cache_.pop_back();
@@ -49,7 +49,7 @@ Pack LogBackend::frame(std::size_t number, const PlanChoice& choice) {
   const Key key(number, choice);
   if (const Pack pack = cached(key)) return pack;
   const std::lock_guard lock(work_mutex_);
-  // Another request may have waited for the same one.
+  // Another request may have made the scene while this one was waiting.
   if (const Pack pack = cached(key)) return pack;
   auto cloud = frames_.load(number);
   if (!cloud) return nullptr;

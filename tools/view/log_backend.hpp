@@ -14,16 +14,16 @@
 namespace quadrille::view {
 
 /// Detects and plans on one cloud of a log.
-/// @throws std::invalid_argument if what is chosen does not exist
+/// @throws std::invalid_argument if the choice names something that does not exist
 using MakeScene = std::function<Scene(logs::LoggedCloud cloud, const PlanChoice& choice)>;
 
-/// Shows the clouds of a log; each is worked on when it is asked for first, one at a time.
+/// Shows the clouds of a log. Each cloud is processed when it is first requested, one at a time.
 class LogBackend : public Backend {
  public:
-  /// Packed scenes that are kept at most [byte].
+  /// Limit of the packed scenes that are kept [byte].
   static constexpr std::size_t kMaxCacheBytes = std::size_t{128} << 20;
 
-  /// @param grippers  the names that may be chosen
+  /// @param grippers  names of the grippers that may be chosen
   LogBackend(LogFrames frames, std::vector<std::string> grippers, MakeScene make_scene,
              const PackLimits& limits = {});
 
@@ -41,7 +41,7 @@ class LogBackend : public Backend {
   MakeScene make_scene_;
   PackLimits limits_;
   std::mutex work_mutex_, cache_mutex_;
-  /// The ones used last first.
+  /// Cached scenes, the most recently used first.
   std::list<std::pair<Key, Pack>> cache_;
   std::size_t cached_bytes_ = 0;
 };

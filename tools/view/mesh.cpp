@@ -8,13 +8,13 @@
 namespace quadrille::view {
 namespace {
 
-/// The corners of a cell as bits x, y, z; six tetrahedra around its diagonal 0 to 7, which meet
-/// those of the next cells.
+/// Splits a cell into six tetrahedra around its diagonal from corner 0 to 7; those of neighbouring
+/// cells fit together. The bits of a corner's number are its x, y and z.
 constexpr std::array<std::array<int, 4>, 6> kTetrahedra = {
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 
-/// Marching tetrahedra over a box. Along an edge the quadric is a polynomial of degree two, so that
-/// vertices are exact.
+/// Meshes a surface by marching tetrahedra over a box. Along an edge the quadric is a polynomial of
+/// degree two, so that vertices are exact.
 class Mesher {
  public:
   Mesher(const Quadric& Q, const Eigen::AlignedBox3d& box, int cells)
@@ -86,7 +86,8 @@ class Mesher {
     mesh_.triangles.push_back(outward ? std::array{a, b, c} : std::array{a, c, b});
   }
 
-  /// Where the surface crosses an edge, made once for all the tetrahedra that share it.
+  /// Returns the vertex at which the surface crosses an edge; it is made once for all tetrahedra
+  /// that share the edge.
   std::uint32_t vertex(std::uint32_t from, std::uint32_t to) {
     if (from > to) std::swap(from, to);
     const std::uint64_t key = std::uint64_t{from} << 32 | to;
@@ -118,7 +119,7 @@ class Mesher {
   Mesh mesh_;
 };
 
-/// The edges that bound one triangle alone.
+/// Adds the edges that belong to only one triangle.
 void add_rims(Mesh* mesh) {
   std::map<std::array<std::uint32_t, 2>, int> uses;
   for (const auto& t : mesh->triangles) {
@@ -132,7 +133,7 @@ void add_rims(Mesh* mesh) {
   }
 }
 
-/// The extent, grown a little: the surface touches it from within.
+/// Returns the extent, grown a little because the surface touches it from inside.
 Eigen::AlignedBox3d grown_extent(const Detection& detection) {
   Eigen::AlignedBox3d box = detection.extent_Q;
   const double slack = 0.01 * box.sizes().maxCoeff() + std::min(detection.rms, 0.003);
@@ -163,7 +164,7 @@ Mesh mesh_of_outline(std::vector<Eigen::Vector2d> points) {
     const Eigen::Vector2d u = hull.back() - hull[hull.size() - 2], v = p - hull.back();
     return u.x() * v.y() - u.y() * v.x() > 0.0;
   };
-  // Andrew's monotone chain: the lower side, then back along the upper one.
+  // Andrew's monotone chain finds the lower side first, then goes back along the upper one.
   for (int side = 0; side < 2; ++side) {
     const std::size_t start = hull.size();
     for (const Eigen::Vector2d& p : points) {

@@ -17,12 +17,14 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 2>> rims;
 };
 
-/// The surface of a quadric within the extent of its inliers. Each vertex lies on the quadric, up
-/// to rounding. Empty for a detection without extent or with numbers that are not finite.
-/// @param cells  the extent is divided into so many cells along each axis
+/// Meshes the surface of a quadric within the extent of its inliers. Each vertex lies on the
+/// quadric, up to rounding. Empty for a detection without extent or with numbers that are not
+/// finite.
+/// @param cells  number of cells along each axis of the extent
 Mesh mesh_of(const Detection& detection, int cells = 20);
 
-/// The convex outline of points on a plane, as a fan of triangles; empty if they lie on a line.
+/// Returns the convex outline of points on a plane, as a fan of triangles; empty if they lie on a
+/// line.
 /// @param points_Q  positions in the plane [m]
 Mesh mesh_of_outline(std::vector<Eigen::Vector2d> points_Q);
 

@@ -7,9 +7,9 @@
 namespace quadrille::view {
 namespace {
 
-/// Levels of OctoMap's trees, and the number of the voxel in the middle.
+/// Number of levels of OctoMap's trees, and the index of the voxel in the middle.
 constexpr int kDepth = 16, kMiddle = 1 << (kDepth - 1);
-/// More leaves are not looked at: a plan's map has a hundredth of them.
+/// Limit of the number of leaves; the map of a plan has a hundredth of it.
 constexpr std::size_t kMaxLeaves = 4 << 20;
 
 struct Leaf {
@@ -18,7 +18,8 @@ struct Leaf {
   bool occupied = false;
 };
 
-/// Walks over the nodes: two bits for each of eight children, x in the lowest bit of its number.
+/// Walks over the nodes. A node has two bits for each of its eight children; the lowest bit of a
+/// child's number stands for x.
 class Walk {
  public:
   explicit Walk(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
@@ -30,7 +31,7 @@ class Walk {
     for (int i = 0; i < 8; ++i) {
       const unsigned kind = children >> (2 * i) & 3u;
       const Eigen::Vector3i low = corner + edge / 2 * Eigen::Vector3i(i & 1, i >> 1 & 1, i >> 2);
-      // What an inner child holds follows at once, before that of the next one.
+      // The children of an inner child follow at once, before those of its next sibling.
       if (kind == kInner && !run(low, edge / 2)) return false;
       if (kind != kFree && kind != kOccupied) continue;
       if (leaves.size() == kMaxLeaves) return false;
@@ -47,7 +48,7 @@ class Walk {
   std::size_t at_ = 0;
 };
 
-/// What follows the header; empty if there is none.
+/// Returns the bytes after the header; empty if there is no valid header.
 std::span<const std::uint8_t> body_of(std::span<const std::uint8_t> stream) {
   constexpr std::string_view kMark = "\ndata\n";
   const std::string_view text(reinterpret_cast<const char*>(stream.data()), stream.size());

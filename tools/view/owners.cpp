@@ -6,7 +6,8 @@
 namespace quadrille::view {
 namespace {
 
-/// A point that lies farther from a surface is none of its [m]: several deviations of its inliers.
+/// Returns the distance beyond which a point does not belong to a surface [m]: several deviations
+/// of the surface's inliers.
 double tolerance_of(const Detection& detection) {
   constexpr double kMinTolerance = 0.002, kDeviations = 3.0;
   return std::max(kDeviations * detection.rms, kMinTolerance);

@@ -12,9 +12,9 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the page reads little-endian arrays");
 
-/// Arrays begin at multiples of this, as the page maps them.
+/// Arrays begin at multiples of this, because the page maps them as typed arrays.
 constexpr std::size_t kAlignment = 4;
-/// The largest multiple of a step.
+/// Largest multiple of a step that a position can have.
 constexpr float kMaxStep = 65535.0f;
 
 }  // namespace

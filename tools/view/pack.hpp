@@ -9,19 +9,22 @@
 
 namespace quadrille::view {
 
-/// Gathers arrays of numbers behind one another; each is known by its place and its count.
+/// Concatenates arrays of numbers; each is identified by its offset and its count.
 class Arrays {
  public:
+  /// Appends an array.
   /// @return {"at": byte, "count": elements}
   template <class Number>
   io::Json add(const std::vector<Number>& numbers) {
     return add_bytes(numbers.data(), numbers.size(), sizeof(Number));
   }
 
-  /// Positions as multiples of a step per axis: {"at", "count", "min": [3], "step": [3]}.
+  /// Appends positions as multiples of a step per axis.
+  /// @return {"at", "count", "min": [3], "step": [3]}
   io::Json add_positions(const std::vector<Eigen::Vector3f>& positions);
 
-  /// {"vertices": …, "triangles": …, "rims": …}
+  /// Appends a mesh.
+  /// @return {"vertices": …, "triangles": …, "rims": …}
   io::Json add_mesh(const Mesh& mesh);
 
   const std::string& bytes() const { return bytes_; }
@@ -32,10 +35,10 @@ class Arrays {
   std::string bytes_;
 };
 
-/// The text of JSON, whatever bytes its strings have: what is no UTF-8 is replaced.
+/// Returns the text of JSON; bytes of strings that are not valid UTF-8 are replaced.
 std::string text_of(const io::Json& json);
 
-/// Puts the JSON before the arrays.
+/// Joins the JSON and the arrays that follow it.
 std::string join_pack(const io::Json& json, const Arrays& arrays);
 
 }  // namespace quadrille::view

@@ -24,8 +24,7 @@ double metres_of(double clearance) {
   return kMillimetre * clearance;
 }
 
-/// The text that a browser has written with percent signs and pluses; a percent sign that no number
-/// follows stays.
+/// Decodes percent signs and pluses as browsers encode them; a percent sign without a number stays.
 std::string decoded(std::string_view text) {
   std::string plain;
   for (std::size_t at = 0; at < text.size(); ++at) {
@@ -42,7 +41,7 @@ std::string decoded(std::string_view text) {
   return plain;
 }
 
-/// A whole number that is not negative.
+/// Reads a whole number that is not negative; 0 if it is missing.
 template <class Integer>
 Integer whole(const io::Json& json, const char* name) {
   const auto found = json.find(name);

@@ -20,13 +20,15 @@ namespace {
 
 namespace http = boost::beast::http;
 
-/// Only what this program itself serves; styles and labels are set by scripts, none by markup.
+/// Allows only what this program itself serves. Scripts set the styles and labels, so markup needs
+/// none.
 constexpr const char* kContentSecurityPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 constexpr std::string_view kQuestionsPath = "/api/questions", kFramesPath = "/api/frames";
-/// The page asks again, so that nothing waits for long when the program ends.
+/// Longest wait for an answer in one request. The page asks again, so that nothing waits for long
+/// when the program ends.
 constexpr std::chrono::milliseconds kAnswerWait{1000};
 
 HttpAnswer refusal(http::status status, const std::string& why) {
@@ -51,7 +53,7 @@ std::string value_of(const HttpRequest& request, http::field field) {
   return {value.data(), value.size()};
 }
 
-/// The number after "PREFIX/"; nothing if the path is another one, or has more digits.
+/// Returns the number after "PREFIX/"; nullopt if the path is another one, or has more digits.
 template <class Number>
 std::optional<Number> number_after(std::string_view prefix, std::string_view path,
                                    std::ptrdiff_t max_digits) {
@@ -66,7 +68,8 @@ std::optional<Number> number_after(std::string_view prefix, std::string_view pat
   return number;
 }
 
-/// The only thing that is sent here. Its type lets no form of another page send it.
+/// Returns true for a question, the only kind of request that sends data. Its media type prevents
+/// forms of other pages from sending it.
 bool is_question(const HttpRequest& request) {
   return request.method() == http::verb::post && request.target() == kQuestionsPath.data() &&
          value_of(request, http::field::content_type).starts_with("application/json");
@@ -131,7 +134,7 @@ HttpAnswer PageRoutes::answer_or_throw(const HttpRequest& request) {
   return answer_backend(path, target.substr(std::min(path.size() + 1, target.size())));
 }
 
-/// Texts are packed for browsers that can unpack them.
+/// Serves a file of the page, compressed if the browser accepts that.
 HttpAnswer PageRoutes::answer_asset(std::size_t index, const HttpRequest& request) const {
   const Asset& asset = assets()[index];
   HttpAnswer answer;
@@ -162,8 +165,9 @@ HttpAnswer PageRoutes::answer_backend(std::string_view path, std::string_view qu
   return refusal(http::status::not_found, "there is no such page");
 }
 
-/// Server-sent events: the number of the newest scene and the status. A browser that is busy or
-/// slow misses some numbers, and nothing waits for it: it fetches the newest scene when it can.
+/// Sends server-sent events with the number of the newest scene and the status. A browser that is
+/// busy or slow misses some numbers, and nothing waits for it: it fetches the newest scene when it
+/// can.
 HttpAnswer PageRoutes::tell_news() {
   ++listeners_;
   const std::shared_ptr<void> place(nullptr, [this](void*) { --listeners_; });

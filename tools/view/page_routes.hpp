@@ -11,17 +11,18 @@
 
 namespace quadrille::view {
 
-/// Answers the requests of browsers: the page's files and what the backend knows. It may be called
+/// Answers the requests of browsers with the page's files and the backend's data. May be called
 /// from many threads at once.
 class PageRoutes {
  public:
-  /// @param bind_address   where the server listens
-  /// @param max_listeners  browsers that are told of news at the same time
+  /// @param bind_address  address on which the server listens
+  /// @param max_listeners  number of browsers that receive events at the same time
   PageRoutes(Backend& backend, const std::string& bind_address, int max_listeners);
 
-  /// The answer to any request; what the backend throws becomes a status and a line that says why.
+  /// Returns the answer to any request; exceptions of the backend become a status and a line that
+  /// says why.
   HttpAnswer answer(const HttpRequest& request);
-  /// Ends what browsers are told of news.
+  /// Ends the events to browsers.
   void stop() { stopping_ = true; }
 
  private:

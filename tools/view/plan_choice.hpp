@@ -5,11 +5,12 @@
 
 namespace quadrille::view {
 
-/// How to plan on a cloud of a log, where that is not as the command line says.
+/// Settings for planning on a cloud of a log that differ from those of the command line.
 struct PlanChoice {
-  /// A name of the session's list, and a word of UnknownPolicy; empty: as on the command line.
+  /// A gripper from the session's list, and a word of UnknownPolicy; empty means as on the command
+  /// line.
   std::string gripper, unknown;
-  /// Of the hand from all but its target [m].
+  /// Least distance of the hand from everything but its target [m].
   double min_clearance = 0.0;
 
   friend auto operator<=>(const PlanChoice&, const PlanChoice&) = default;

@@ -21,14 +21,14 @@ std::string_view asset(const std::string& name) {
   return found->content;
 }
 
-/// Puts a text in the place of another, which must be there.
+/// Replaces a text, which must occur.
 void replace(std::string* page, std::string_view old, std::string_view with) {
   const std::size_t at = page->find(old);
   if (at == std::string::npos) throw std::logic_error(fmt::format("the page has no {}", old));
   page->replace(at, old.size(), with);
 }
 
-/// Puts the text of each `before NAME after` into the page.
+/// Replaces each `before NAME after` in the page by the text of the asset NAME.
 /// @return the hashes of those texts, for the policy
 std::string put_in(std::string* page, std::string_view before, std::string_view after,
                    std::string_view tag) {
@@ -44,7 +44,7 @@ std::string put_in(std::string* page, std::string_view before, std::string_view 
   return hashes;
 }
 
-/// JSON that can stand in a page: no character of it begins markup.
+/// Returns JSON that is safe inside a page: none of its characters begins markup.
 std::string text_in_page(const io::Json& json) {
   const std::string text = json.dump(-1, ' ', true, io::Json::error_handler_t::replace);
   std::string safe;
@@ -136,7 +136,7 @@ std::string Report::html() const {
   for (std::size_t n = 0; n < packs_.size(); ++n) {
     data += data_element(fmt::format("scene-{}", n), packs_[n]);
   }
-  // Scripts run where they stand: what they read stands before them.
+  // Scripts run where they stand, so the data that they read must come before them.
   replace(&page, "<script>", data + "<script>");
   return page;
 }

@@ -13,28 +13,29 @@ namespace quadrille::view {
 /// needs neither a server nor a network.
 class Report {
  public:
-  /// Scenes that come after so much are left out, and the report says so [byte].
+  /// Limit of the scenes in total [byte]; further ones are left out, and the report says so.
   static constexpr std::size_t kMaxSceneBytes = std::size_t{16} << 20;
-  /// Points of a cloud that are shown where there are several clouds.
+  /// Number of points shown of a cloud if there are several clouds.
   static constexpr std::size_t kPointsOfMany = 25000;
-  /// Rows of a table that are told.
+  /// Limit of the rows in a table.
   static constexpr std::size_t kMaxRows = 2000;
 
-  /// @param title    stands above the tables, and on the browser's tab
-  /// @param command  as it was typed
-  /// @param settings as TOML; empty: not told
+  /// @param title  title above the tables and on the browser's tab
+  /// @param command  the command as it was typed
+  /// @param settings  the settings as TOML; left out if empty
   Report(std::string title, std::string command, std::string settings);
 
-  /// Shows a scene, and tells its objects and grasps in tables.
-  /// @param several  whether more may come: each is then shown with fewer points
+  /// Adds a scene, with its objects and grasps in tables.
+  /// @param several  true if more scenes may follow; each is then shown with fewer points
   void add_scene(const Scene& scene, bool several);
   void add_table(ReportTable table) { tables_.push_back(std::move(table)); }
   void add_note(std::string note) { notes_.push_back(std::move(note)); }
 
-  /// What the page leaves out; empty: nothing.
+  /// Describes what the page leaves out; empty if nothing.
   std::string left_out() const;
 
-  /// The page; pure ASCII but for the program's own text, whatever names the scenes have.
+  /// Returns the page, which is pure ASCII except for the program's own text, whatever names the
+  /// scenes have.
   std::string html() const;
 
  private:
@@ -44,7 +45,7 @@ class Report {
   std::vector<ReportTable> tables_;
   ReportTable objects_, grasps_;
   std::vector<std::string> notes_;
-  /// As base64, with the names of the scenes.
+  /// The scenes as base64, and their names.
   std::vector<std::string> packs_, names_;
   std::vector<std::int64_t> utimes_;
   std::size_t scene_bytes_ = 0, left_out_ = 0;

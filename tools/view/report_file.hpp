@@ -7,7 +7,7 @@
 
 namespace quadrille::view {
 
-/// A report and the file that it will be, which appears once it is whole.
+/// A report and its file, which appears once it is complete.
 class ReportFile {
  public:
   /// @param title, command, settings  as for Report
@@ -17,6 +17,7 @@ class ReportFile {
 
   Report& report() { return report_; }
 
+  /// Writes the file.
   /// @throws io::FileError if it cannot be written
   void finish() {
     file_.write(report_.html());

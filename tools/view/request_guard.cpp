@@ -8,7 +8,7 @@
 namespace quadrille::view {
 namespace {
 
-/// "[::1]:80" and "localhost:80" without their port and brackets; empty if that is malformed.
+/// Returns "[::1]:80" or "localhost:80" without port and brackets; empty if it is malformed.
 std::string name_of_host(const std::string& host) {
   const bool bracketed = host.starts_with('[');
   const std::size_t end = bracketed ? host.find(']') : host.find(':');

@@ -4,25 +4,26 @@
 
 namespace quadrille::view {
 
-/// Tells requests of people at this machine from such as web pages elsewhere make their browsers
-/// send.
+/// Distinguishes requests of people at this machine from those that web pages elsewhere make their
+/// browsers send.
 class RequestGuard {
  public:
-  /// @param bind_address  where the server listens; on all but the loopback address each address
-  ///                      that is a number is right, for whoever reaches it has been let in
+  /// @param bind_address  address on which the server listens; unless it is the loopback address,
+  ///                      every numeric address is accepted, since whoever can reach it was let in
   explicit RequestGuard(const std::string& bind_address);
 
-  /// True if a request names this machine. A name that an attacker's DNS brings here does not.
+  /// Returns true if the request names this machine. This rejects names that an attacker's DNS
+  /// resolves to it.
   bool allows_host(const std::string& host) const;
-  /// True if a request comes from the page itself, or from no page (an empty origin).
-  /// @param host  that of the same request
+  /// Returns true if a request comes from the page itself, or from no page (an empty origin).
+  /// @param host  the host named in the same request
   bool allows_origin(const std::string& origin, const std::string& host) const;
 
  private:
   bool loopback_only_;
 };
 
-/// True for an address by which only this machine is reached.
+/// Returns true for an address that only this machine can reach.
 bool is_loopback(const std::string& address);
 
 }  // namespace quadrille::view

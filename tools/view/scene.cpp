@@ -22,13 +22,13 @@ namespace {
 
 using io::Json;
 
-/// "41.0 ± 0.2 mm"; without a finite deviation the value is a guess.
+/// Formats "41.0 ± 0.2 mm"; without a finite deviation the value is marked as a guess.
 std::string measure_text(double value, double std, const char* unit) {
   if (!std::isfinite(std)) return fmt::format("{:.1f} {} (a guess)", value, unit);
   return fmt::format("{:.1f} ± {:.1f} {}", value, std, unit);
 }
 
-/// "radius 41.0 ± 0.2 mm" for each dimension.
+/// Returns "radius 41.0 ± 0.2 mm" for each dimension.
 Json lines_of(const Detection& detection) {
   constexpr double kDegrees = 180.0 / std::numbers::pi, kMillimetres = 1000.0;
   Json lines = Json::array();
@@ -53,7 +53,7 @@ Json lines_of(const Box& box) {
   return lines;
 }
 
-/// The most frequent reasons first, each with what helps.
+/// Lists the refusals, the most frequent reasons first, each with advice.
 Json refusals_of(const Rejected& rejected, UnknownPolicy unknown) {
   std::vector<std::pair<std::string, std::int64_t>> sorted(rejected.begin(), rejected.end());
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -65,7 +65,7 @@ Json refusals_of(const Rejected& rejected, UnknownPolicy unknown) {
   return list;
 }
 
-/// The outline of the points of a plane where there are enough, else the clipped surface.
+/// Returns the outline of a plane's points if there are enough, otherwise the clipped surface.
 Mesh mesh_of_object(const Detection& d, std::size_t place,
                     const std::vector<Eigen::Vector3f>& points,
                     const std::vector<std::uint8_t>& owners) {
@@ -94,7 +94,8 @@ Json grasps_of(const Scene& scene, std::size_t max_grasps) {
     if (list.size() == max_grasps) break;
     Json json = io::to_json(grasp);
     if (list.size() < scene.outcomes.size()) json["outcome"] = scene.outcomes[list.size()];
-    // From the palm's front to the pads, closed and opened: the tips of linked fingers draw back.
+    // Distances from the palm's front to the pads, closed and opened, since the tips of linked
+    // fingers draw back.
     if (scene.gripper) {
       json["reach"] = scene.gripper->reach(grasp.width);
       json["open_reach"] = scene.gripper->reach(grasp.preshape);
@@ -104,7 +105,7 @@ Json grasps_of(const Scene& scene, std::size_t max_grasps) {
   return list;
 }
 
-/// Triples of numbers one after the other.
+/// Concatenates triples of numbers.
 template <class Number>
 std::vector<Number> flattened(const std::vector<std::array<Number, 3>>& triples) {
   std::vector<Number> numbers;
@@ -119,7 +120,7 @@ Json voxels_of(const VoxelLayers& layers, Arrays* arrays) {
           {"unknown", arrays->add(flattened(layers.unknown))}};
 }
 
-/// What is the same for quadrics and boxes.
+/// Adds the fields that quadrics and boxes have in common.
 void add_common(const Scene& scene, int id, Json* object) {
   const auto found = scene.rejected_of.find(id);
   if (found != scene.rejected_of.end()) {

@@ -16,27 +16,27 @@
 
 namespace quadrille::view {
 
-/// How many candidates were refused, by the name of the reason.
+/// Number of refused candidates by the name of the reason.
 using Rejected = std::map<std::string, std::int64_t>;
 
-/// What is shown of one cloud; all in one frame C.
+/// Everything that is shown of one cloud, in one frame C.
 struct Scene {
-  /// The input's name, or the channel's.
+  /// Name of the input or of the channel.
   std::string name;
   std::int64_t utime = 0;
   std::int32_t seq = 0;
   PointCloud cloud;
   std::vector<Detection> detections;
   std::vector<Box> boxes;
-  /// Best first.
+  /// The grasps, best first.
   std::vector<Grasp> grasps;
-  /// What came of each when it was tried; empty: none was.
+  /// Outcome of the trial of each grasp; empty if none was tried.
   std::vector<std::string> outcomes;
   std::string gripper_name;
-  /// None: the hand cannot be drawn.
+  /// The gripper; without it the hand cannot be drawn.
   std::optional<Gripper> gripper;
   UnknownPolicy unknown = UnknownPolicy::kObstacle;
-  /// Of all targets, and by target where that is known.
+  /// Refusals of all targets, and by target if known.
   Rejected rejected;
   std::map<int, Rejected> rejected_of;
   VoxelLayers voxels;
@@ -44,16 +44,16 @@ struct Scene {
   std::vector<std::string> warnings;
 };
 
-/// How much of a scene is shown at most.
+/// Limits of how much of a scene is shown.
 struct PackLimits {
   std::size_t points = 80000, voxels = 20000, objects = 255, grasps = 1000;
 };
 
-/// The grasps of a scene, why others were refused, and the hand, as the page takes them.
+/// Returns the grasps of a scene, the refusals, and the hand, in the form that the page expects.
 io::Json plan_json(const Scene& scene, const PackLimits& limits = {});
 
-/// A scene as the page takes it: "QVW1", the length of the JSON as 32 bits, the JSON, and the
-/// arrays that it names by their offset from its end. Little-endian.
+/// Packs a scene in the form that the page expects: "QVW1", the length of the JSON as 32 bits, the
+/// JSON, and the arrays, which the JSON names by their offset from its end. Little-endian.
 std::string pack_scene(const Scene& scene, const PackLimits& limits = {});
 
 }  // namespace quadrille::view

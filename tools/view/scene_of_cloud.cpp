@@ -12,7 +12,8 @@ namespace quadrille::view {
 Scene scene_of_cloud(const PointCloud& cloud, const Eigen::Isometry3d& X_CK,
                      const PlanSetup& setup) {
   DetectionResult found = detect_quadrics(cloud, setup.detector);
-  // What quadrille-grasp-planner would get, so that both plan the same grasps.
+  // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
+  // same grasps.
   found.detections = bus::as_received(found.detections);
   const GraspScene asked(cloud, found.detections, setup.gripper, setup.plan);
   GraspPlan plan = asked.plan(setup.query);

@@ -6,7 +6,7 @@
 
 namespace quadrille::view {
 
-/// With what the clouds of a log are worked on.
+/// The settings with which the clouds of a log are processed.
 struct PlanSetup {
   DetectorOptions detector;
   PlanOptions plan;
@@ -15,10 +15,10 @@ struct PlanSetup {
   PackLimits limits;
 };
 
-/// Detects and plans on one cloud, as `quadrille plan` does. Each object is also asked for alone,
-/// for its own grasps and refusals.
-/// @param cloud  in the frame K to work in
-/// @param X_CK   that frame in the frame C of the scene
+/// Detects and plans on one cloud, as `quadrille plan` does. A further query for each object gives
+/// its own grasps and refusals.
+/// @param cloud  cloud in the frame K in which the work is done
+/// @param X_CK  pose of that frame in the frame C of the scene
 Scene scene_of_cloud(const PointCloud& cloud, const Eigen::Isometry3d& X_CK,
                      const PlanSetup& setup);
 

@@ -21,7 +21,8 @@ std::vector<int> ids_of(const Scene& scene) {
   return ids;
 }
 
-/// Adds the refusals of each object, and those of its grasps that others drove off the list.
+/// Adds the refusals of each object, and its grasps if those of other objects had displaced all of
+/// them from the list.
 void ask_for_each(const GraspScene& asked, GraspQuery query, const std::vector<int>& ids,
                   GraspPlan* plan, Scene* scene) {
   constexpr int kMaxGrasps = 20;

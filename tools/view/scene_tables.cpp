@@ -10,7 +10,7 @@
 namespace quadrille::view {
 namespace {
 
-/// Grasps of one cloud in a table, as many as people look at.
+/// Number of grasps of one cloud in a table; people would not look at more.
 constexpr std::size_t kMaxGrasps = 20;
 
 std::string place(const Eigen::Vector3d& p) {

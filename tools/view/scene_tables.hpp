@@ -14,7 +14,7 @@ struct ReportTable {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// Tables of the objects and of the best grasps of several scenes, without rows.
+/// Make empty tables for the objects and the best grasps of several scenes.
 ReportTable objects_table();
 ReportTable grasps_table();
 

@@ -10,28 +10,28 @@ namespace quadrille::view {
 class HttpServer;
 class PageRoutes;
 
-/// Where the page is served.
+/// The address at which the page is served.
 struct ServerOptions {
   std::string bind_address = "127.0.0.1";
-  /// 0: any that is free.
+  /// Port number; 0 for any free port.
   int port = 0;
 };
 
-/// Serves the page and its data to browsers. Nothing can be changed through it; whether the robot's
-/// planner may be asked is up to the backend.
+/// Serves the page and its data to browsers. Nothing can be changed through it; the backend decides
+/// whether the robot's planner may be asked.
 class Server {
  public:
-  /// Browsers that are told of news; the others ask for them now and then.
+  /// Number of browsers that receive events; the others poll.
   static constexpr int kMaxListeners = 16;
 
-  /// Serves from now on, in threads of its own. The backend must outlive this.
+  /// Starts serving, in threads of its own. The backend must outlive the server.
   /// @throws std::runtime_error if the port is taken
   Server(Backend& backend, const ServerOptions& options);
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  /// "http://127.0.0.1:8765/"
+  /// Returns the address, such as "http://127.0.0.1:8765/".
   const std::string& address() const { return address_; }
   int port() const { return port_; }
 

@@ -5,7 +5,7 @@
 namespace quadrille::view {
 namespace {
 
-/// Which of two states a voxel has that holds both: things first, then what is not known.
+/// Returns the state of a voxel that contains two others: occupied takes precedence, then unknown.
 Voxel joined(Voxel a, Voxel b) {
   const auto rank = [](Voxel v) {
     return v == Voxel::kOccupied ? 2 : v == Voxel::kUnknown ? 1 : 0;
@@ -28,7 +28,8 @@ VoxelBlock halved(const VoxelBlock& fine) {
   return coarse;
 }
 
-/// True if space that the hand may use begins beside a voxel: the rest is hidden by others.
+/// Returns true if space that the hand may use begins beside a voxel; other voxels are hidden by
+/// their neighbours.
 bool is_border(const VoxelBlock& block, int i, int j, int k) {
   constexpr std::array<std::array<int, 3>, 6> kSteps = {
       {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};

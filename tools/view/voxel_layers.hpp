@@ -10,7 +10,7 @@
 
 namespace quadrille::view {
 
-/// The voxels of a map that are shown: those at which occupied or unknown space begins.
+/// The voxels of a map that are shown: those at the borders of occupied or unknown space.
 struct VoxelLayers {
   /// Edge of a voxel, and the corner of voxel (0, 0, 0) [m].
   double edge = 0.0;
@@ -18,7 +18,7 @@ struct VoxelLayers {
   std::vector<std::array<std::uint16_t, 3>> occupied, unknown;
 };
 
-/// A block of voxels, x fastest.
+/// A block of voxels; x varies fastest.
 struct VoxelBlock {
   double edge = 0.0;
   Eigen::Vector3d corner = Eigen::Vector3d::Zero();
@@ -34,10 +34,11 @@ struct VoxelBlock {
   }
 };
 
-/// The layers of a block, of voxels twice as large until no layer has more than so many.
+/// Returns the layers of a block. The voxels are doubled in size until no layer has more than
+/// `max_voxels`.
 VoxelLayers layers_of(VoxelBlock block, std::size_t max_voxels);
 
-/// The layers of a plan's map of space.
+/// Returns the layers of a plan's map of space.
 VoxelLayers layers_of(const OccupancyGrid& space, std::size_t max_voxels);
 
 }  // namespace quadrille::view

@@ -5,14 +5,14 @@
 
 namespace quadrille {
 
-/// The time by which work has to end, by the wall clock.
+/// The wall-clock time by which work has to end.
 class Deadline {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Never passes.
+  /// Makes a deadline that never passes.
   Deadline() = default;
-  /// Passes after so many milliseconds from now; 0 means never.
+  /// Makes a deadline that passes after so many milliseconds from now; 0 means never.
   explicit Deadline(double ms) {
     if (ms <= 0.0) return;
     const std::chrono::duration<double, std::milli> wait(ms);

@@ -11,15 +11,16 @@
 
 namespace quadrille {
 
-/// The solid that a detected quadric bounds, both seen and hidden side, in its canonical frame Q.
+/// The solid that a detected quadric bounds, including its hidden side, in its canonical frame Q.
 ///
-/// Each cross-section at height z is an ellipse with semi-axes a·s(z) along x and b·s(z) along y, z
-/// from z_min to z_max; for boxes and parallel planes it is a rectangle of half sizes a and b.
+/// Each cross-section at height z is an ellipse with semi-axes a·s(z) along x and b·s(z) along y,
+/// where z runs from z_min to z_max. For boxes and parallel planes it is a rectangle of half sizes
+/// a and b.
 struct Body {
-  /// What is known no better than this is not known at all: no deviation is larger [m].
+  /// Upper limit of all standard deviations: anything less certain counts as not known at all [m].
   static constexpr double kMaxStd = 0.01;
 
-  /// How s varies along z.
+  /// How the scale s varies along z.
   enum class Profile {
     kConstant,   ///< cylinders: s = 1
     kLinear,     ///< cones: s = |z|
@@ -32,7 +33,8 @@ struct Body {
 
   Profile profile = Profile::kConstant;
   Eigen::Isometry3d X_CQ = Eigen::Isometry3d::Identity();
-  /// Semi-axes at s = 1 [m]; for kLinear tangents of the half angles; for kRoot in √m.
+  /// Semi-axes at s = 1 [m]. For kLinear they are tangents of the half angles; for kRoot their unit
+  /// is √m.
   double a = 0.0, b = 0.0;
   /// Third semi-axis of kHyperbola, kSheet and kEllipse [m].
   double c = 0.0;
@@ -41,14 +43,15 @@ struct Body {
   Eigen::Vector3d std = Eigen::Vector3d::Zero();
   /// Standard deviation of each end, z_min and z_max [m].
   double end_std = 0.0;
-  /// How far it reaches beyond the extent of its detection: up to the apex of a cone [m].
+  /// Distance by which the body extends beyond the extent of its detection, up to the apex of a
+  /// cone [m].
   double beyond = 0.0;
 
-  /// s(z) and its derivative.
+  /// The scale s(z) and its derivative.
   double scale(double z) const;
   double slope(double z) const;
   /// Standard deviation of half the width across unit direction d_Q at height z, at most 10 mm [m].
-  /// Semi-axes count as far as the direction goes along them: h² = Σ aᵢ²dᵢ², so dh = Σ aᵢdᵢ²·daᵢ/h.
+  /// Each semi-axis contributes according to the direction: h² = Σ aᵢ²dᵢ², so dh = Σ aᵢdᵢ²·daᵢ/h.
   double width_std(const Eigen::Vector3d& d_Q, double z) const;
   /// Half sizes of the bounding box along x and y at the widest cross-section [m].
   Eigen::Vector2d widest() const;
@@ -58,17 +61,17 @@ struct Body {
   Eigen::AlignedBox3d bounds_C() const;
   /// Centre of the bounding box, in frame C [m].
   Eigen::Vector3d centre_C() const { return X_CQ * bounds_Q().center(); }
-  /// True if p_C lies within the body grown by `margin` [m] (along its semi-axes and ends).
+  /// Returns true if p_C lies within the body grown by `margin` [m] (along its semi-axes and ends).
   bool contains(const Eigen::Vector3d& p_C, double margin = 0.0) const;
 };
 
-/// The same body with its z axis the other way.
+/// Returns the same body with its z axis reversed.
 Body turned(Body body);
 
-/// The solid of a box, as far as it may reach.
+/// Makes the solid of a box at its largest possible size.
 Body make_body(const Box& box);
 
-/// The solid of a detection; nullopt if its type bounds none (the reason in *why).
+/// Makes the solid of a detection; nullopt if its type bounds none (the reason in *why).
 std::optional<Body> make_body(const Detection& detection, std::string* why = nullptr);
 
 }  // namespace quadrille

@@ -12,7 +12,7 @@ struct DiagonalQuadric {
   double k;
 };
 
-/// That of any body but a box.
+/// Returns the quadric of any body except a box.
 DiagonalQuadric quadric_of(const Body& body);
 
 }  // namespace quadrille

@@ -13,22 +13,25 @@ namespace {
 using Profile = Body::Profile;
 constexpr double kPi = std::numbers::pi;
 
-// Smaller hollows are no vessels: radius of the mouth and height [m].
+// Least radius of the mouth and least height of a vessel [m]; smaller hollows are ignored.
 constexpr double kMinMouth = 0.02, kMinHeight = 0.02;
-// How far below the rim the sensor must have seen past [m], and at which share of the places there:
-// the near wall hides the rest.
+// An end is open if, at this depth below the rim [m], the sensor saw past at least this share of
+// the places. The near wall hides the rest.
 constexpr double kBelowRim = 0.008, kMinSeenShare = 0.3;
-// Half the edge of the cubes looked through [m]: about what a pixel covers at a metre.
+// Half the edge of the cubes that are tested for being seen through [m]: about the size of a pixel
+// at one metre.
 constexpr double kLookHalfEdge = 0.0015;
 // Cosine of the widest angle between an ellipsoid's mouth and straight up: 30°.
 constexpr double kMinUpright = 0.866;
-// So many points show where an ellipsoid ends, but for a share of stray ones beyond.
+// An ellipsoid ends where its points end, but for a share of stray points beyond. Fewer points than
+// this do not show the end.
 constexpr std::size_t kMinPoints = 100;
 constexpr double kStrayShare = 0.02;
-// How far a rim may lie above the detection's end, and in which steps it is looked for [m].
+// Greatest distance by which a rim may lie above the end of the detection, and the step of the
+// search for it [m].
 constexpr double kMaxRaised = 0.008, kRaiseStep = 0.001;
 
-/// An ellipsoid's axis nearest to up_C as its z axis; a sphere's any axis.
+/// Makes the ellipsoid's axis that is nearest to up_C its z axis; for a sphere any axis will do.
 std::optional<Body> upright(Body body, const Eigen::Vector3d& up_C) {
   if (body.a == body.b && body.b == body.c) {
     body.X_CQ.linear() =
@@ -50,7 +53,8 @@ std::optional<Body> upright(Body body, const Eigen::Vector3d& up_C) {
   return body.X_CQ.linear().col(2).dot(up_C) < 0.0 ? turned(body) : body;
 }
 
-/// Calls visit(p_C) for each point as near to a body's middle as its bounds reach, and some more.
+/// Calls visit(p_C) for each point within the bounding sphere of a body, which also includes some
+/// points outside the body.
 template <class Visitor>
 void each_point_near(const PointCloud& cloud, const Body& body, Visitor&& visit) {
   const Eigen::AlignedBox3d box = body.bounds_Q();
@@ -61,8 +65,8 @@ void each_point_near(const PointCloud& cloud, const Body& body, Visitor&& visit)
   }
 }
 
-/// Detections end short of the outermost points. Moves the rim up to where the points on the wall
-/// end: as long as every millimetre has a third as many as below it.
+/// Detections end short of the outermost points. This moves the rim up to where the points on the
+/// wall end: as long as every millimetre holds at least a third of the average count below the rim.
 void raise_to_points(const PointCloud& cloud, Shell& shell) {
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
   const double bottom = shell.body.z_max - kBelowRim;
@@ -82,7 +86,7 @@ void raise_to_points(const PointCloud& cloud, Shell& shell) {
   shell.body.z_max = bottom + kRaiseStep * static_cast<double>(n);
 }
 
-/// Ends the body where the points measured on it end; false if too few are.
+/// Cuts the body where the points measured on it end; returns false if there are too few.
 bool cut_at_points(const PointCloud& cloud, Shell& shell) {
   std::vector<double> heights;
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
@@ -131,7 +135,7 @@ std::optional<Shell> find_shell(const Body& body, bool seen_inside, const PointC
   }
   Shell shell{body, seen_inside, wall};
   if (!open_at_top(shell, view)) {
-    // A vertex is no mouth.
+    // The closed end of a paraboloid or hyperboloid sheet is a vertex, which is not a mouth.
     if (body.profile == Profile::kRoot || body.profile == Profile::kSheet) return std::nullopt;
     shell.body = turned(body);
     if (!open_at_top(shell, view)) return std::nullopt;

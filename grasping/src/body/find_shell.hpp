@@ -9,10 +9,10 @@
 
 namespace quadrille {
 
-/// The open end of a body; nullopt if it shows none. An end is open if the sensor saw past what
-/// lies just below it. Its rim is raised by up to 8 mm to where the points on the wall end. An
+/// Finds the open end of a body; nullopt if it shows none. An end is open if the sensor saw past
+/// what lies just below it. The rim is raised by up to 8 mm to where the points on the wall end. An
 /// ellipsoid is cut where the points measured on it end, above the plane that it stands on.
-/// @param up_C  unit normal of that plane; zero if none is known
+/// @param up_C  unit normal of the supporting plane; zero if none is known
 std::optional<Shell> find_shell(const Body& body, bool seen_inside, const PointCloud& cloud,
                                 const DepthView& view, const Eigen::Vector3d& up_C,
                                 const WallThickness& wall);

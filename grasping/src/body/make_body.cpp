@@ -1,4 +1,4 @@
-// The solid that a detection stands for.
+// Makes the solid that a detection stands for.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -10,24 +10,25 @@ namespace {
 
 using Profile = Body::Profile;
 
-// Near its apex a cone gives few points. One whose narrow end is seen down to this radius [m] ends
-// in its apex, if that lies no farther on than this share of the seen length: a slender one may be
-// cut off.
+// A cone gives few points near its apex. If its narrow end was seen down to this radius [m], it is
+// assumed to end in its apex, provided that the apex lies no farther on than this share of the seen
+// length: a slender cone may be cut off.
 constexpr double kMaxApexRadius = 0.006, kMaxApexShare = 0.5;
 
-/// Value of the n-th dimension, 0 if it is missing.
+/// Value of the n-th dimension; 0 if it is missing.
 double dimension(const Detection& d, std::size_t n) {
   return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
 }
 
-/// Standard deviation of the n-th dimension, 0 if it is missing. At most 1: unknown, and finite.
+/// Standard deviation of the n-th dimension; 0 if it is missing, and at most 1, which stands for
+/// unknown but stays finite.
 double deviation(const Detection& d, std::size_t n) {
   if (n >= d.dimensions.size()) return 0.0;
   const double std = d.dimensions[n].std;
   return std::isfinite(std) ? std::min(std, 1.0) : 1.0;
 }
 
-/// Those of a, b and c, from the dimensions that these were made of.
+/// Propagates the deviations of the dimensions to those of a, b and c.
 Eigen::Vector3d deviations(const Detection& d, const Body& body) {
   const double first = deviation(d, 0), second = deviation(d, 1);
   switch (d.type) {
@@ -63,7 +64,7 @@ void set_extent(Body& body, const Detection& d) {
   body.z_max = d.extent_Q.max().z();
 }
 
-/// The sheet that was seen, as that of z ≥ c; false if both were.
+/// Orients the sheet that was seen towards z ≥ c; returns false if both sheets were seen.
 bool fill_sheet(Body& body, const Detection& d) {
   body.profile = Profile::kSheet;
   body.a = dimension(d, 0);
@@ -85,7 +86,7 @@ void fill_ellipsoid(Body& body, const Detection& d) {
   body.z_max = body.c;
 }
 
-/// Two planes, each as far as it was seen.
+/// Fills the body with the space between two parallel planes, as far as each was seen.
 void fill_box(Body& body, const Detection& d) {
   body.profile = Profile::kBox;
   body.a = 0.5 * d.extent_Q.sizes().x();
@@ -95,7 +96,7 @@ void fill_box(Body& body, const Detection& d) {
   body.z_min = -body.z_max;
 }
 
-/// False if the type bounds no solid, or not where it was seen.
+/// Returns false if the type bounds no solid, or none where it was seen.
 bool fill_profile(Body& body, const Detection& d) {
   set_extent(body, d);
   switch (d.type) {
@@ -136,7 +137,8 @@ bool fill_profile(Body& body, const Detection& d) {
   }
 }
 
-/// Both nappes: the seen part lies mostly on one, and may not reach the apex.
+/// Cuts a cone that covers both nappes to the one on which most of the seen part lies, and extends
+/// it to the apex if that is near.
 void end_cone(Body& body) {
   if (body.profile != Profile::kLinear) return;
   if (body.z_min < 0.0 && body.z_max > 0.0) {

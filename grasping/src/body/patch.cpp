@@ -11,10 +11,11 @@
 namespace quadrille {
 namespace {
 
-// How far curved patches and pairs of planes reach behind what was seen of them [m].
+// Depth by which shapes of curved patches and pairs of planes extend behind the surface that was
+// seen [m].
 constexpr double kDepthBehind = 0.01;
-// What the blocks of a curved patch may leave between themselves and the surface [m], as far as so
-// many along either side do.
+// Largest gap between the blocks of a curved patch and its surface [m]. Blocks are made small
+// enough for this, but there are at most so many along either side.
 constexpr double kMaxSagitta = 0.0005;
 constexpr int kMaxCells = 10;
 
@@ -22,22 +23,22 @@ double dimension(const Detection& d, std::size_t n) {
   return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
 }
 
-/// A surface as the graph h(u, v) over two axes of frame Q, within an interval of each.
+/// A surface written as the graph h(u, v) over two axes of frame Q, within an interval of each.
 struct Graph {
   int u_axis, v_axis, h_axis;
-  // h at u, v; its slopes; and how far it lies at most below and above its tangent plane at the
-  // middle of a cell of these half sizes.
+  // The height h at (u, v), its slopes, and the largest distances of the surface below and above
+  // its tangent plane at the middle of a cell of these half sizes.
   virtual double value(double u, double v) const = 0;
   virtual Eigen::Vector2d slope(double u, double v) const = 0;
   virtual Eigen::Vector2d beside(double u, double half_u, double half_v) const = 0;
-  // Half sizes that keep within the sagitta.
+  // Half sizes of a cell that keep the sagitta within its limit.
   virtual Eigen::Vector2d cell() const = 0;
   Graph(int u, int v, int h) : u_axis(u), v_axis(v), h_axis(h) {}
   virtual ~Graph() = default;
 };
 
-/// h = u²/4fa − v²/4fb, for an infinite fb the parabolic cylinder: beside its tangent plane it is
-/// du²/4fa − dv²/4fb.
+/// The graph h = u²/4fa − v²/4fb, which is a parabolic cylinder if fb is infinite. Its distance
+/// from its tangent plane is du²/4fa − dv²/4fb.
 struct Saddle : Graph {
   double fa, fb;
   Saddle(double focal_a, double focal_b) : Graph(0, 1, 2), fa(focal_a), fb(focal_b) {}
@@ -55,8 +56,8 @@ struct Saddle : Graph {
   }
 };
 
-/// One branch of a hyperbolic cylinder: x = ±a√(1 + y²/b²), which bends by a/b² at most. Convex or
-/// concave, it is farthest from its tangent at an end of a cell.
+/// One branch of a hyperbolic cylinder: x = ±a√(1 + y²/b²), whose second derivative is at most
+/// a/b². The branch is convex or concave, so it is farthest from its tangent at an end of a cell.
 struct Branch : Graph {
   double side, a, b;
   Branch(double sign, double semi_a, double semi_b)
@@ -76,7 +77,7 @@ struct Branch : Graph {
   }
 };
 
-/// The graph over one cell, as a block along its tangent plane there.
+/// Makes a block along the tangent plane that holds the graph over one cell.
 CollisionShape block_of(const Graph& g, const Detection& d, const Eigen::Vector2d& middle,
                         const Eigen::Vector2d& half) {
   const double h = g.value(middle.x(), middle.y());
@@ -96,7 +97,7 @@ CollisionShape block_of(const Graph& g, const Detection& d, const Eigen::Vector2
     corners[n][g.v_axis] = middle.y() + step.y();
     corners[n][g.h_axis] = h + slope.dot(step) + ((n & 1) ? high : low);
   }
-  // FCL wants shapes centred.
+  // FCL requires centred shapes.
   Eigen::Isometry3d X_CS = d.X_CQ;
   X_CS.translation() = d.X_CQ * p_Q;
   for (Eigen::Vector3d& corner : corners) corner -= p_Q;
@@ -123,7 +124,7 @@ void add_blocks(const Graph& g, const Detection& d, std::vector<CollisionShape>&
   }
 }
 
-/// A slab from low to high along z of its frame.
+/// Makes a slab from low to high along z of its frame.
 CollisionShape slab(const Eigen::Isometry3d& X_CP, Eigen::AlignedBox3d box, double low,
                     double high) {
   box.min().z() = low;
@@ -139,8 +140,8 @@ CollisionShape plane_slab(const Detection& d) {
   return slab(d.X_CQ, d.extent_Q, -thickness, 0.0);
 }
 
-/// Half of one of two planes that meet in the axis z of Q: from that axis along unit direction u_Q,
-/// as far as it lies within the extent. None if it does not.
+/// Adds a slab for half of one of two planes that meet in the z axis of Q: from that axis along
+/// unit direction u_Q, within the extent. Adds nothing if the half plane misses the extent.
 void add_half(const Detection& d, const Eigen::Vector3d& u_Q, std::vector<CollisionShape>& shapes) {
   const Eigen::AlignedBox3d& box = d.extent_Q;
   double from = 0.0, to = std::numeric_limits<double>::infinity();
@@ -227,7 +228,8 @@ std::vector<CollisionShape> make_patch(const Detection& detection, std::string* 
       case QuadricType::kPlane:
         shapes.push_back(plane_slab(detection));
         break;
-      case QuadricType::kCoincidentPlanes:  // its gradient is zero: no side is known
+      // the gradient is zero, so that the seen side is unknown
+      case QuadricType::kCoincidentPlanes:
         shapes.push_back(slab(detection.X_CQ, detection.extent_Q, -kDepthBehind, kDepthBehind));
         break;
       case QuadricType::kIntersectingPlanes:

@@ -8,13 +8,13 @@
 
 namespace quadrille {
 
-/// Shapes of a surface that bounds no solid, within the extent of its inliers: planes as slabs,
-/// hyperbolic paraboloids, hyperbolic and parabolic cylinders as blocks along their tangent planes.
-/// Each reaches some way behind the side that the sensor saw. Empty, and the reason in *why, for
-/// any other type or an impossible size.
+/// Makes shapes for a surface that bounds no solid, within the extent of its inliers: slabs for
+/// planes; blocks along the tangent planes for hyperbolic paraboloids, hyperbolic and parabolic
+/// cylinders. Each extends some way behind the side that the sensor saw. For any other type or an
+/// impossible size the result is empty and the reason is in *why.
 std::vector<CollisionShape> make_patch(const Detection& detection, std::string* why);
 
-/// A native box.
+/// Makes a native box.
 CollisionShape make_box(const Eigen::Isometry3d& X_CQ, const Eigen::AlignedBox3d& box_Q);
 
 }  // namespace quadrille

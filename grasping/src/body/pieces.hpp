@@ -7,7 +7,7 @@
 
 namespace quadrille {
 
-/// Convex shapes whose union holds the body: what a hand must stay out of.
+/// Makes convex shapes whose union encloses the body: the space that a hand must stay out of.
 std::vector<CollisionShape> make_pieces(const Body& body);
 
 }  // namespace quadrille

@@ -18,9 +18,9 @@ namespace {
 
 using Profile = Body::Profile;
 
-// Tangents that a bulging profile is held in.
+// Number of tangents that enclose a bulging profile.
 constexpr int kTangents = 8;
-// What a waist's chords may leave [m].
+// Largest gap between a waist and its chords [m].
 constexpr double kMaxSagitta = 0.0002;
 
 CollisionShape placed(std::string kind, const Body& body, double z) {
@@ -63,11 +63,12 @@ CollisionShape cone_shape(const Body& body) {
   return shape;
 }
 
-/// Rings of a bulging profile, from its tangents: each ring is where two neighbours of them meet,
-/// so that all chords lie outside. Adds what they leave between at most to *excess.
+/// Computes the rings of a bulging profile from its tangents. Each ring lies where two neighbouring
+/// tangents meet, so that all chords lie outside. Adds the largest gap between them and the profile
+/// to *excess.
 std::vector<Ring> tangent_rings(const Body& body, double* excess) {
   const bool sheet = body.profile == Profile::kSheet;
-  // Parameter t of the profile: s = t, z = t²; of a sheet s = sinh t, z = c cosh t.
+  // The profile's parameter t: s = t and z = t², or for a sheet s = sinh t and z = c cosh t.
   const auto parameter = [&](double z) {
     return sheet ? std::acosh(std::max(1.0, z / body.c)) : std::sqrt(std::max(0.0, z));
   };
@@ -88,7 +89,7 @@ std::vector<Ring> tangent_rings(const Body& body, double* excess) {
   return rings;
 }
 
-/// A polyhedron around a convex body.
+/// Makes a polyhedron around a convex body.
 CollisionShape polyhedron(const Body& body) {
   const bool bulges = body.profile == Profile::kRoot || body.profile == Profile::kSheet;
   if (!bulges) {
@@ -101,8 +102,8 @@ CollisionShape polyhedron(const Body& body) {
   return shape;
 }
 
-/// A hyperbola's chords lie outside it, by Δz²/8 times its largest second derivative, 1/c², at
-/// most.
+/// Makes a stack of frusta around a waist. A hyperbola's chords lie outside it by at most Δz²/8
+/// times its largest second derivative, 1/c².
 std::vector<CollisionShape> waisted(const Body& body) {
   const double length = body.z_max - body.z_min, waist = std::max(body.a, body.b);
   const double wanted = length / body.c * std::sqrt(waist / (8.0 * kMaxSagitta));

@@ -7,7 +7,8 @@ namespace quadrille {
 
 double Shell::offset(const Eigen::Vector3d& p_C) const {
   const Eigen::Vector3d p = body.X_CQ.inverse() * p_C;
-  // f = s(z)·(ρ − 1) in units of the semi-axes, over the length of its gradient.
+  // First-order distance: f = s(z)·(ρ − 1), in units of the semi-axes, divided by the length of its
+  // gradient.
   const double s = std::max(body.scale(p.z()), 1e-6);
   const double rho = std::hypot(p.x() / body.a, p.y() / body.b);
   if (rho < 1e-9) return -std::min(body.a, body.b) * s;

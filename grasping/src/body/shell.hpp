@@ -14,35 +14,36 @@ struct WallThickness {
   double min = 0.002, max = 0.008;
 };
 
-/// Points of a wall lie no farther than this beside its fitted surface [m]: noise and misfit.
+/// Points of a wall lie within this distance of its fitted surface [m], given noise and misfit.
 inline constexpr double kWallNoise = 0.004;
 
-/// The wall of a hollow body that is open at one end: a cup, a bowl.
+/// The wall of a hollow body that is open at one end, such as a cup or a bowl.
 struct Shell {
-  /// The body whose surface was seen, its z axis out of the mouth, its rim at z_max.
+  /// The body whose surface was seen; its z axis points out of the mouth, and its rim lies at
+  /// z_max.
   Body body;
   /// True if the seen surface is the inner one, so that the wall lies outside of it.
   bool seen_inside = false;
   WallThickness wall;
 
-  /// Where the wall may begin and end along the outward normal of the seen surface [m].
+  /// Bounds of the wall along the outward normal of the seen surface [m].
   double inner() const { return seen_inside ? 0.0 : -wall.max; }
   double outer() const { return seen_inside ? wall.max : 0.0; }
   /// Distance from the seen surface, negative inside, to first order [m].
   double offset(const Eigen::Vector3d& p_C) const;
-  /// True if p_C lies within `margin` [m] of where the wall may be.
+  /// Returns true if p_C lies within `margin` [m] of where the wall may be.
   bool in_wall(const Eigen::Vector3d& p_C, double margin) const;
   /// Point of the seen surface at an angle around the axis and height z, in frame Q of the body.
   Eigen::Vector3d point_Q(double angle, double z) const;
-  /// Outward unit normal there.
+  /// Outward unit normal at that point.
   Eigen::Vector3d normal_Q(double angle, double z) const;
 };
 
-/// True if the gradient of the detection's quadric, which points to the side that the sensor saw,
-/// points into the body.
+/// Returns true if the gradient of the detection's quadric, which points to the side that the
+/// sensor saw, points into the body.
 bool seen_from_inside(const Detection& detection, const Body& body);
 
-/// Convex shapes whose union holds the wall at its thickest.
+/// Makes convex shapes whose union encloses the wall at its thickest.
 std::vector<CollisionShape> make_wall(const Shell& shell);
 
 }  // namespace quadrille

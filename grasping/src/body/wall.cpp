@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kSectors = 24;
 constexpr int kMaxSlices = 8;
-// Height of a slice: the sagitta of a bowl of 70 mm over it is 0.2 mm [m].
+// Height of a slice [m]: over it, a bowl of radius 70 mm has a sagitta of 0.2 mm.
 constexpr double kSliceHeight = 0.01;
 
 /// A cell of the wall between two angles and two heights.
@@ -26,8 +26,8 @@ Eigen::Vector3d wall_point(const Shell& shell, double angle, double z, double of
   return shell.point_Q(angle, z) + off * shell.normal_Q(angle, z);
 }
 
-/// How far the surface at `off` lies beyond the plane through its corners on that side, along the
-/// normal of the cell's middle; side +1 outward, −1 inward.
+/// Returns how far the surface at offset `off` lies beyond the plane through its corners, along the
+/// normal at the cell's middle; side is +1 for outward, −1 for inward.
 double sagitta(const Shell& shell, const Cell& cell, double off, double side) {
   const Eigen::Vector3d n = side * shell.normal_Q(cell.angle(0.5), cell.z(0.5));
   constexpr int kSteps = 4;
@@ -43,8 +43,8 @@ double sagitta(const Shell& shell, const Cell& cell, double off, double side) {
   return std::max(0.0, farthest - nearest_corner);
 }
 
-/// The corners of the cell, moved out by the sagitta of either side, over the least cosine between
-/// the normals of corners and middle that cells of 15° have.
+/// Returns the corners of the cell, moved outward on either side by the sagitta divided by the
+/// least cosine between the normals at the corners and at the middle of a 15° cell.
 std::array<Eigen::Vector3d, 8> corners(const Shell& shell, const Cell& cell) {
   constexpr double kMinCosine = 0.95;
   const double low = shell.inner() - sagitta(shell, cell, shell.inner(), -1.0) / kMinCosine;

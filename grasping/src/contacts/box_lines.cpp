@@ -9,15 +9,15 @@ namespace quadrille {
 namespace {
 
 // A hand does not close on faces whose distance is less certain than this [m]: one finger would
-// push the box before the other one meets it.
+// push the box before the other one touches it.
 constexpr double kMaxDoubt = 0.015;
-// Where contacts lie between the middle of a face and its border, as shares of half its side; and
-// how far from the border the outermost lie, beside half a pad [m].
+// Contacts lie at a share of half the side from the middle of a face, and near its border: half a
+// pad and this distance away from it [m].
 constexpr double kInner = 0.5, kOffBorder = 0.003;
-// Places nearer to each other add nothing [m].
+// Places nearer to each other than this add nothing [m].
 constexpr double kMinStep = 0.004;
 
-/// Places along a side of half length h, the middle first.
+/// Returns the places along a side of half length h, the middle first.
 std::vector<double> places(double h, const Gripper& gripper) {
   const double border = h - 0.5 * gripper.pad.maxCoeff() - kOffBorder;
   std::vector<double> all = {0.0};

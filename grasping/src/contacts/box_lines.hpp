@@ -10,11 +10,11 @@ namespace quadrille {
 
 /// Contact lines across the pairs of parallel faces of a box.
 struct BoxLines {
-  /// Over a grid on each pair of faces, and near their borders, where a hand reaches that cannot
-  /// span the box. A face that was not seen is taken at its bound: the hand opens as far as the box
-  /// may reach.
+  /// The lines lie on a grid on each pair of faces, and near the borders, which a hand can reach
+  /// even if it cannot span the box. A face that was not seen is taken at its outer bound, so that
+  /// the hand opens far enough for any possible size.
   std::vector<ContactLine> lines;
-  /// Pairs of faces whose distance is not known well enough to close on.
+  /// Number of pairs of faces whose distance is not known well enough to close on.
   int unmeasured = 0;
 };
 BoxLines box_lines(const Box& box, const Gripper& gripper);

@@ -10,20 +10,20 @@
 namespace quadrille {
 namespace {
 
-// Cosines of the widest angles: 107° to the line of sight, beyond which the hand is in the shadow;
-// 60° to straight down; 45° into a mouth, as far as a wall leans; and never steeper up than 20°,
-// where the palm would be in what the target stands on.
+// Cosines of the widest angles of approach: 107° to the line of sight, beyond which the hand is in
+// the shadow; 60° to straight down; 45° into a mouth, as far as a wall leans. No approach points
+// upward by more than 20°, where the palm would be in the support.
 constexpr double kMinFromView = -0.3, kMinFromAbove = 0.5, kMinIntoMouth = 0.7, kMaxUpward = 0.35;
 
-// Into a mouth also straight along the wall, and this far beside it [rad]: half a step of the
-// directions around a line.
+// Into a mouth, approaches straight along the wall are tried too, and at this angle to it [rad]:
+// half a step of the directions around a line.
 constexpr double kBesideWall = 0.13;
-// The steepest approach of a line is sampled too if its sine is more than this: flatter ones are
-// not from above.
+// The steepest approach of a line is sampled too if its sine exceeds this: flatter ones do not come
+// from above.
 constexpr double kMinSteepSine = 0.5;
-// A line of sight so nearly along a line has no side of it nearest to it.
+// If the line of sight is so nearly parallel to the contact line, no side is nearest to the sensor.
 constexpr double kMinAcross = 0.1;
-// Every 15°.
+// Approaches are sampled every 15°.
 constexpr int kApproaches = 24;
 
 double prior(const ContactLine& line, const Eigen::Vector3d& approach, const ApproachSpace& space) {
@@ -34,8 +34,8 @@ double prior(const ContactLine& line, const Eigen::Vector3d& approach, const App
   return 0.5 * across + 0.3 * from - 0.2 * std::min(off, 1.0) + into;
 }
 
-/// The direction across a line that is nearest to the line of sight; where that is along the line,
-/// across an axis of the target.
+/// Returns the direction across a line that is nearest to the line of sight. If the line of sight
+/// runs along the line, an axis of the target decides instead.
 Eigen::Vector3d from_view(const Eigen::Vector3d& d, const ApproachSpace& space) {
   Eigen::Vector3d first = -space.view_C + d * d.dot(space.view_C);
   if (first.norm() < kMinAcross) {
@@ -46,7 +46,7 @@ Eigen::Vector3d from_view(const Eigen::Vector3d& d, const ApproachSpace& space) 
   return first.normalized();
 }
 
-/// All that are tried around a line, reachable or not.
+/// Returns all directions that are tried around a line, reachable or not.
 std::vector<Eigen::Vector3d> approaches(const ContactLine& line, const ApproachSpace& space) {
   const Eigen::Vector3d& d = line.closing_C;
   std::vector<Eigen::Vector3d> directions = around_closing(d, from_view(d, space));

@@ -14,57 +14,60 @@ namespace quadrille {
 struct GraspCandidate {
   /// Index of the contact line.
   int line = 0;
-  /// Unit approach direction, across the closing direction.
+  /// Unit approach direction, at a right angle to the closing direction.
   Eigen::Vector3d approach_C = Eigen::Vector3d::UnitZ();
-  /// How promising it is before any collision check, more is better.
+  /// How promising the candidate is before any collision check; higher is better.
   double prior = 0.0;
 };
 
-/// Where a hand can come from.
+/// The directions from which a hand can approach a target.
 struct ApproachSpace {
   /// Unit direction from the target to the sensor.
   Eigen::Vector3d view_C = -Eigen::Vector3d::UnitZ();
   /// Unit normal of the plane that the target stands on; zero if none is known.
   Eigen::Vector3d up_C = Eigen::Vector3d::Zero();
-  /// Unit direction into the mouth of a shell, which the hand comes along within 45°; or zero.
+  /// Unit direction into the mouth of a shell; the hand approaches within 45° of it. Zero if there
+  /// is no mouth.
   Eigen::Vector3d into_C = Eigen::Vector3d::Zero();
-  /// Directions of approach that are wanted.
+  /// Directions of approach that the query asks for.
   std::optional<Cone> wanted;
-  /// Axes of the target's canonical frame, the reference where the view gives none.
+  /// Axes of the target's canonical frame, used as the reference if the view gives none.
   Eigen::Matrix3d axes_C = Eigen::Matrix3d::Identity();
-  /// The target's middle [m].
+  /// The target's centre [m].
   Eigen::Vector3d centre_C = Eigen::Vector3d::Zero();
   /// Half the target's largest size [m].
   double reach = 0.1;
 };
 
-/// True for an approach direction that is wanted.
+/// Returns true if the query allows this approach direction.
 bool wanted(const Eigen::Vector3d& approach, const ApproachSpace& space);
 
-/// True for an approach direction from the sensor's side or from above, and along a mouth.
+/// Returns true if an approach direction comes from the sensor's side or from above, and leads into
+/// the mouth if there is one.
 bool reachable(const Eigen::Vector3d& approach, const ApproachSpace& space);
 
-/// Approach directions around lines, and how many more are not reachable() or not wanted().
+/// Approach directions around lines, and the numbers of those left out as not reachable() or not
+/// wanted().
 struct SampledApproaches {
   std::vector<GraspCandidate> candidates;
   int unreachable = 0, unwanted = 0;
 };
 
-/// Approach directions every 15° around each line that come from the sensor's side or from above,
-/// the most promising first: along the line of sight or downward, closing across the line of sight,
-/// near the target's middle. Into a mouth also, and best, straight along the wall. Also the
-/// direction nearest to the middle of those that are wanted. They come in the passes of
-/// visit_in_passes(). Always the same order for the same input.
+/// Samples approach directions every 15° around each line that come from the sensor's side or from
+/// above. The most promising come first: along the line of sight or downward, closing across the
+/// line of sight, near the target's middle. Into a mouth, directions straight along the wall are
+/// added and preferred. The direction nearest to the middle of the wanted cone is added too. The
+/// order follows visit_in_passes() and is always the same for the same input.
 SampledApproaches sample_approaches(const std::vector<ContactLine>& lines,
                                     const ApproachSpace& space);
 
-/// The 24 unit directions across a closing direction, every 15° from `first` on, a unit vector at
-/// right angles to it.
+/// Returns the 24 unit directions at right angles to a closing direction, every 15° from `first`
+/// on, itself a unit vector at a right angle to it.
 std::vector<Eigen::Vector3d> around_closing(const Eigen::Vector3d& closing,
                                             const Eigen::Vector3d& first);
 
-/// The grasp frame of a line: z along the approach, y along the closing direction, the origin moved
-/// by `depth` [m] along the approach from the line's centre.
+/// Returns the grasp frame of a line: z along the approach, y along the closing direction, and the
+/// origin at the line's centre moved by `depth` [m] along the approach.
 Eigen::Isometry3d grasp_pose(const ContactLine& line, const Eigen::Vector3d& approach_C,
                              double depth);
 

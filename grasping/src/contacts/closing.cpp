@@ -8,11 +8,12 @@
 namespace quadrille {
 namespace {
 
-// Contacts nearer than this to the edge of a pad may lie beside it [m].
+// Contacts nearer than this to the edge of a pad may in truth miss the pad [m].
 constexpr double kEdgeMargin = 0.001;
-// What lies this near to a finger that closes flush does not stop it, whatever the rounding [m].
+// Anything this near to a finger that closes flush does not stop it, so that rounding does not
+// matter [m].
 constexpr double kFlushMargin = 0.0003;
-// How much more one end of a chord may lean than the other: 10°.
+// Largest difference between the lean of the two ends of a chord: 10°.
 constexpr double kMaxLeanDifference = 0.17;
 
 }  // namespace

@@ -12,15 +12,15 @@ namespace {
 
 using Profile = Body::Profile;
 constexpr double kPi = std::numbers::pi;
-// How many directions are tried of each kind: about 10° from one to the next.
+// Numbers of directions that are tried of each kind; neighbours are about 10° apart.
 constexpr int kEven = 8, kRing = 16, kLevel = 24, kSpiral = 100;
-// From one height of the pads' centre to the next [m], at most so many steps.
+// Distance between neighbouring heights of the pads' centre [m], and the largest number of heights.
 constexpr double kHeightStep = 0.008;
 constexpr int kMaxHeightSteps = 16;
-// Contacts farther from the middle than this share of the pad's shorter side lie beside it.
+// Contacts farther from the pad's middle than this share of its shorter side count as beside it.
 constexpr double kMaxOffPad = 0.45;
 
-/// The line through ±p_Q + offset_Q, with outward normal n_Q at the positive end.
+/// The line through ±p_Q + offset_Q, with the outward normals at its two ends.
 struct Pair {
   Eigen::Vector3d offset_Q, p_Q, closing_Q, n_plus_Q, n_minus_Q;
   double opening, std;
@@ -40,7 +40,8 @@ ContactLine placed(const Body& body, const Pair& pair) {
   return line;
 }
 
-/// Angles in [0, π): even ones, more around the direction across the line of sight, and the level.
+/// Returns angles in [0, π): evenly spread ones, more around the direction across the line of
+/// sight, and the level direction.
 std::vector<double> cross_angles(const Eigen::Vector3d& view_Q, const Eigen::Vector3d& up_Q) {
   std::vector<double> angles;
   for (int i = 0; i < kEven; ++i) angles.push_back(kPi * i / kEven);
@@ -54,7 +55,7 @@ std::vector<double> cross_angles(const Eigen::Vector3d& view_Q, const Eigen::Vec
   return angles;
 }
 
-/// Heights of the pads' centre, kept off the ends by a third of a pad.
+/// Returns the heights of the pads' centre, kept away from the ends by a third of a pad.
 std::vector<double> heights(const Body& body, const Gripper& gripper) {
   const double off = std::min(0.35 * gripper.pad.maxCoeff(), 0.25 * (body.z_max - body.z_min));
   const double low = body.z_min + off, high = body.z_max - off;
@@ -71,13 +72,14 @@ void add_across(const Body& body, const Gripper& gripper, const Eigen::Vector3d&
   const std::vector<double> angles = cross_angles(view_Q, up_Q);
   for (const double z : heights(body, gripper)) {
     const double s = body.scale(z);
-    // Convex or concave, the profile is widest at an end of the pad or where it is flat.
+    // The profile is convex or concave, so it is widest at an end of the pad or where its slope is
+    // zero.
     const double widest = std::max({s, body.scale(std::max(z - reach, body.z_min)),
                                     body.scale(std::min(z + reach, body.z_max))});
     for (const double angle : angles) {
       const Eigen::Vector3d d(std::cos(angle), std::sin(angle), 0.0);
       const Eigen::Vector3d squared(body.a * body.a, body.b * body.b, 0.0);
-      const double h = std::sqrt(d.dot(squared.cwiseProduct(d)));  // at s = 1
+      const double h = std::sqrt(d.dot(squared.cwiseProduct(d)));  // half the width at s = 1
       const Eigen::Vector3d p = squared.cwiseProduct(d) * (s / h);
       const Eigen::Vector3d rise(0.0, 0.0, -h * body.slope(z));
       lines.push_back(placed(
@@ -86,7 +88,7 @@ void add_across(const Body& body, const Gripper& gripper, const Eigen::Vector3d&
   }
 }
 
-/// Both flat ends, or both planes: contacts at the middle and around it.
+/// Adds contacts on both flat ends, or on both planes, at the middle and around it.
 void add_end_on(const Body& body, std::vector<ContactLine>& lines) {
   const double middle = 0.5 * (body.z_min + body.z_max);
   const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
@@ -99,7 +101,8 @@ void add_end_on(const Body& body, std::vector<ContactLine>& lines) {
   }
 }
 
-/// Directions over half a sphere: principal axes, a ring across the line of sight, an even spiral.
+/// Returns directions over half a sphere: the principal axes, a ring across the line of sight, and
+/// an even spiral.
 std::vector<Eigen::Vector3d> sphere_directions(const Eigen::Vector3d& view_Q,
                                                const Eigen::Vector3d& up_Q) {
   std::vector<Eigen::Vector3d> directions = {Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
@@ -141,7 +144,7 @@ std::optional<ContactLine> chord(const Body& body, const Eigen::Vector3d& p_C,
   const double B = d.dot(q.M.cwiseProduct(p)) + 0.5 * q.g.dot(d);
   const double C = p.dot(q.M.cwiseProduct(p)) + q.g.dot(p) + q.k;
   const double D = B * B - A * C;
-  // Between its roots the line lies inside exactly if A > 0.
+  // The line lies inside the body between its roots exactly if A > 0.
   if (A < 1e-9 * q.M.maxCoeff() || D <= 0.0) return std::nullopt;
   const double t0 = (-B - std::sqrt(D)) / A, t1 = (-B + std::sqrt(D)) / A;
   const Eigen::Vector3d low = p + t0 * d, high = p + t1 * d;

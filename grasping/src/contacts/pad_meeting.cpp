@@ -8,15 +8,15 @@
 namespace quadrille {
 namespace {
 
-// How far from the outermost point the contact may be in truth [m]: pads give by about as much, and
-// fits are no better.
+// Points this near to the outermost one may be the true contact [m]: pads give by about as much,
+// and fits are no more accurate.
 constexpr double kContactDoubt = 0.0015;
 
-// Where a body ends is known no better [m]: there a pad that leans out beyond the end may meet its
-// edge in truth. That is more than so much askew.
+// The end of a body is known no better than this [m], so a pad that leans out beyond the end may in
+// truth meet its edge. A pad leans out if it is askew by more than this.
 constexpr double kEndDoubt = 0.005, kMaxAskew = 0.1;
 
-/// From the tip to the back of a finger, along the approach.
+/// Returns the rows of the grid along the approach, from the tip to the back of a finger.
 std::array<double, 8> rows(const Gripper& gripper) {
   const double tip = gripper.finger_front, back = tip - gripper.finger.z();
   return {0.0,
@@ -30,9 +30,9 @@ std::array<double, 8> rows(const Gripper& gripper) {
 }
 
 constexpr double kColumnsAcross[] = {0.0, -0.5, 0.5, -1.0, 1.0};
-// A bound on friction that is computed in floats is no better than this.
+// Slack on a bound on friction, since it is computed with floats.
 constexpr double kFrictionSlack = 0.01;
-// Farther within than any chord ends [m].
+// Marks a chord that meets no surface; it lies deeper inside than the end of any chord [m].
 constexpr float kNoSurface = -1e3f;
 
 }  // namespace
@@ -59,7 +59,7 @@ void PadMeetingFinder::turn(const Eigen::Vector3d& closing_C, const Eigen::Vecto
   square_ = (quadric_.M.transpose() * from_origin_Q_.cwiseAbs2()).transpose().cast<float>().array();
 }
 
-/// True if the hand does not open as far as one chord is long.
+/// Returns true if one chord is longer than the hand's opening.
 bool PadMeetingFinder::too_wide(const Eigen::Vector3d& q_Q) const {
   const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(q_Q) + 0.5 * quadric_.g;
   const double B = half_gradient.dot(y_Q_);
@@ -73,7 +73,8 @@ bool PadMeetingFinder::too_wide(const Eigen::Vector3d& q_Q) const {
   return std::min(z0, z1) >= body_.z_min && std::max(z0, z1) <= body_.z_max;
 }
 
-/// The chords' ends, from the roots t of At² + 2Bt + C of q + t·y; false if none has any.
+/// Computes the ends of the chords from the roots t of At² + 2Bt + C along q + t·y; returns false
+/// if no chord has any.
 bool PadMeetingFinder::cross(const Eigen::Vector3d& p_Q) {
   const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(p_Q) + 0.5 * quadric_.g;
   const double C_p = p_Q.dot(half_gradient) + 0.5 * quadric_.g.dot(p_Q) + quadric_.k;
@@ -95,8 +96,8 @@ bool PadMeetingFinder::cross(const Eigen::Vector3d& p_Q) {
   return meets.any();
 }
 
-/// tan θ, where cos θ is the mean cosine between the closing direction and the normals of what may
-/// be the contact.
+/// Returns tan θ, where cos θ is the mean cosine between the closing direction and the normals at
+/// all points that may be the contact.
 double PadMeetingFinder::lean(int side, double outermost, const Eigen::Vector3d& p_Q) const {
   double sum = 0.0;
   int count = 0;
@@ -125,7 +126,7 @@ bool PadMeetingFinder::on_edge(const ContactLine& line) const {
   return false;
 }
 
-/// The tangent of the widest angle between the line between two points of the surface and its
+/// Returns the tangent of the larger angle between the line through two surface points and the
 /// normals there.
 double PadMeetingFinder::friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q) const {
   const Eigen::Vector3d between = (ends_Q[0] - ends_Q[1]).normalized();
@@ -140,7 +141,7 @@ double PadMeetingFinder::friction_between(const std::array<Eigen::Vector3d, 2>& 
 std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, double max_friction) {
   if (curvature_ < 1e-9 * quadric_.M.maxCoeff()) return std::nullopt;
   const Eigen::Vector3d p_Q = body_.X_CQ.inverse() * p_C;
-  // Found first, at little cost: most bodies that are too wide are so at the pads' middle or tips.
+  // This cheap test comes first: most bodies that are too wide are so at the pads' middle or tips.
   for (const int n : {0, kColumns}) {
     if (too_wide(p_Q + from_origin_Q_.col(n))) return std::nullopt;
   }
@@ -148,7 +149,7 @@ std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, doubl
   std::array<int, 2> at;
   const std::array<double, 2> out = {out_[0].maxCoeff(&at[0]), out_[1].maxCoeff(&at[1])};
   if (out[0] + out[1] > gripper_.max_opening) return std::nullopt;
-  // The ends alone rule out most that need too much friction.
+  // The friction at the ends alone rules out most holds that need too much of it.
   const std::array<Eigen::Vector3d, 2> ends_Q = {p_Q + from_origin_Q_.col(at[0]) + out[0] * y_Q_,
                                                  p_Q + from_origin_Q_.col(at[1]) - out[1] * y_Q_};
   if (friction_between(ends_Q) > max_friction + kFrictionSlack) return std::nullopt;
@@ -157,7 +158,7 @@ std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, doubl
   for (int i = 0; i < 2; ++i) {
     const Eigen::Vector3d q_C = body_.X_CQ * Eigen::Vector3d(p_Q + from_origin_Q_.col(at[i]));
     const std::optional<ContactLine> c = chord(body_, q_C, y_C_);
-    if (!c) return std::nullopt;  // but for rounding, at the very end
+    if (!c) return std::nullopt;  // possible only by rounding, at the very end
     line.contacts_C[i] = c->contacts_C[i];
     line.normals_C[i] = c->normals_C[i];
     line.std = std::max(line.std, c->std);

@@ -12,30 +12,32 @@
 
 namespace quadrille {
 
-/// Where two pads meet a body.
+/// The contacts at which two pads meet a body.
 struct PadMeeting {
-  /// Its centre is the origin of the grasp frame.
+  /// The contact line, whose centre is the origin of the grasp frame.
   ContactLine line;
-  /// The friction coefficient that it needs: for the line between the contacts, and for the pads on
-  /// what lies within 1.5 mm of the contacts, which may be them in truth: tan θ, where cos θ is the
-  /// mean cosine between the closing direction and the normals there [-].
+  /// The friction coefficient that the hold needs [-], for the line between the contacts and for
+  /// the pads on all points within 1.5 mm of the contacts, any of which may be the true contact.
+  /// The latter is tan θ, where cos θ is the mean cosine between the closing direction and the
+  /// normals there.
   double friction;
 };
 
 /// Finds where the pads of a hand meet a body, on a grid of chords over the inner faces of its
-/// fingers: not where the body is widest, but where it is so within their reach.
+/// fingers. The pads meet the body where it is widest within their reach, not where it is widest
+/// overall.
 class PadMeetingFinder {
  public:
-  /// @param body     no box; it and the gripper must outlive this
+  /// @param body  any body except a box; it and the gripper must outlive this finder
   PadMeetingFinder(const Body& body, const Gripper& gripper);
   PadMeetingFinder(const Body& body, Gripper&& gripper) = delete;
 
-  /// From now on for a hand that closes along y and comes along z, unit vectors in frame C at right
-  /// angles; before the first at().
+  /// Sets the orientation of the hand, which closes along y and approaches along z, unit vectors in
+  /// frame C at right angles. Must be called before the first at().
   void turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C);
-  /// For a hand whose origin is moved along its closing direction from p_C. Nullopt if the fingers
-  /// do not meet the body, meet more than they open, meet the edge of one of its ends, or need more
-  /// friction than `max_friction`.
+  /// Finds the contacts of a hand whose origin is p_C, moved along its closing direction as needed.
+  /// Nullopt if the fingers do not meet the body, would have to open too far, meet the edge of one
+  /// of its ends, or need more friction than `max_friction`.
   std::optional<PadMeeting> at(const Eigen::Vector3d& p_C,
                                double max_friction = std::numeric_limits<double>::infinity());
 
@@ -53,13 +55,14 @@ class PadMeetingFinder {
   const Gripper& gripper_;
   DiagonalQuadric quadric_;
   Eigen::Vector3d y_C_, y_Q_;
-  /// Where the chords lie from the origin of G, with wᵀMw and wᵀMy of each such w, and yᵀMy: a
-  /// chord lies inside between its ends if this is positive.
+  /// Positions w of the chords relative to the origin of G, with wᵀMw and wᵀMy for each w, and
+  /// yᵀMy. If the last is positive, a chord lies inside the body between its ends.
   Eigen::Matrix<double, 3, kChords> from_origin_Q_;
-  std::array<Chords, 3> offsets_;  // the same, axis by axis
+  std::array<Chords, 3> offsets_;  // the same positions, axis by axis
   Chords square_, product_;
   double curvature_ = 0.0;
-  /// How far out the ends of each chord lie on either side; far within if it meets no surface.
+  /// How far out the ends of each chord lie on either side; far inside if the chord meets no
+  /// surface.
   std::array<Chords, 2> out_;
 };
 

@@ -9,16 +9,18 @@
 namespace quadrille {
 namespace {
 
-// How far to either side a pad holds a wall, as a share of its width: 9 mm on the Franka Hand,
-// whose pads are 17.5 mm wide.
+// How far to either side a pad holds a wall, as a share of the pad's width: 9 mm on the Franka
+// Hand, whose pads are 17.5 mm wide.
 constexpr double kReachToPadWidth = 18.0 / 35.0;
-// How far below the rim the middle of what the pads cover lies [m]: what holds, and what is seen
-// from above; wide pads that went deeper ran into more. On small pads no more than a share of their
-// reach. The pads close along the wall's normal there: else they would turn a bent wall.
+// Depth below the rim of the middle of what the pads cover [m]: enough to hold, and seen from
+// above. Wide pads that went deeper collided more often. Small pads go no deeper than a share of
+// their reach. The pads close along the wall's normal at that depth, since they would turn a bent
+// wall otherwise.
 constexpr std::array<double, 2> kBites = {0.0045, 0.0065};
 constexpr std::array<double, 2> kMaxBitesToReach = {1.0 / 2.0, 13.0 / 18.0};
 constexpr int kAround = 36;
-// So few points at a contact would be noise; and no better than this is known what they tell [m].
+// Fewer points than this at a contact could be noise, and the deviation from them counts as no
+// smaller than this [m].
 constexpr int kMinNear = 8;
 constexpr double kMinStd = 0.0005;
 
@@ -26,8 +28,8 @@ Eigen::Vector3d middle(const ContactLine& line) {
   return 0.5 * (line.contacts_C[0] + line.contacts_C[1]);
 }
 
-/// How far the wall bends to the inside and outside of its tangent plane within a finger's width,
-/// as far `below` as the tips reach.
+/// Returns how far the wall bends to the inside and outside of its tangent plane within a finger's
+/// width, down to `below`, the reach of the tips.
 std::pair<double, double> bend(const Shell& shell, double angle, double z, double half_width,
                                double below) {
   const Body& body = shell.body;
@@ -53,8 +55,8 @@ ContactLine rim_line(const Shell& shell, double angle, double bite, const Grippe
   const double low = shell.inner() - inside, high = shell.outer() + outside;
   ContactLine line;
   line.width = 0.5 * (shell.wall.min + shell.wall.max);
-  // Midway between the pads on a wall of mean thickness, so that neither pushes the vessel far; the
-  // opening holds the thickest wall on either side of it.
+  // The grasp is centred midway between the pads on a wall of mean thickness, so that neither pad
+  // pushes the vessel far. The opening allows for the thickest wall on either side.
   const double unseen = shell.wall.max - line.width;
   const double middle = 0.5 * (low + high + (shell.seen_inside ? -unseen : unseen));
   line.opening = 2.0 * std::max(high - middle, middle - low);
@@ -68,10 +70,10 @@ ContactLine rim_line(const Shell& shell, double angle, double bite, const Grippe
   return line;
 }
 
-/// Where a point of the wall lies, and how far beside where the wall may be [m].
+/// A point of the wall, and how far it lies beside the range where the wall may be [m].
 using WallPoint = std::pair<Eigen::Vector3d, double>;
 
-/// The points of the wall that count for any of the lines.
+/// Returns the points of the wall that count for any of the lines.
 std::vector<WallPoint> points_near(const std::vector<ContactLine>& lines, double reach,
                                    const Shell& shell, const PointCloud& cloud) {
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();

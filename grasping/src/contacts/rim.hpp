@@ -9,16 +9,18 @@
 
 namespace quadrille {
 
-/// How far to either side a pad holds a wall [m]: the points of the wall within it count.
+/// Returns how far to either side a pad holds a wall [m]; the points of the wall within this
+/// distance count.
 double rim_reach(const Gripper& gripper);
 
-/// Contact lines across the wall, all around the rim, some millimetres below it: one pad inside,
-/// one outside, each clear of the thickest wall and of its bend within the finger's width, and
-/// midway between them a wall of mean thickness.
+/// Returns contact lines across the wall, all around the rim, some millimetres below it: one pad
+/// inside and one outside. Each pad is clear of the thickest wall and of its bend within the
+/// finger's width; a wall of mean thickness lies midway between them.
 std::vector<ContactLine> rim_lines(const Shell& shell, const Gripper& gripper);
 
-/// Those of the lines at which enough points of the wall were measured, with the deviation of these
-/// points instead of the fit's: near them the wall is known, however badly its far side.
+/// Returns the lines at which enough points of the wall were measured. Their deviation is that of
+/// these points instead of the fit's: the wall is well known near them, even if its far side is
+/// not.
 std::vector<ContactLine> measured_lines(const Shell& shell, const Gripper& gripper,
                                         const std::vector<ContactLine>& lines,
                                         const PointCloud& cloud);

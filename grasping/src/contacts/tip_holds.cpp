@@ -15,34 +15,37 @@ namespace quadrille {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-// How far the tips reach beyond the nearest point of the body [m]: from the least that holds, by
-// steps that grow, as far as a share of the finger's length. The Franka Hand has the first six.
+// Depths by which the tips reach beyond the nearest point of the body [m]: from the least that
+// holds, in growing steps, up to a share of the finger's length. The Franka Hand uses the first
+// six.
 constexpr std::array kDips = {0.004, 0.008, 0.013, 0.019, 0.027, 0.037, 0.049, 0.063};
 constexpr double kMaxDipToFinger = 0.75;
-// Where the tips are put beside the middle of what they reach: by about the doubt about where that
-// is [m], and by shares of half its breadth, for bodies that are blocked or too wide in the middle.
+// Offsets of the tips from the middle of what they reach: by about the uncertainty of that middle
+// [m], and by shares of half its breadth, for bodies that are blocked or too wide in the middle.
 constexpr double kOffMiddle[] = {0.0, -0.005, 0.005};
 constexpr double kSharesBeside[] = {-0.35, 0.35, -0.7, 0.7};
-// How far beyond the body's far side the tips may end [m]: their own front face needs no hold.
+// Greatest distance between the body's far side and the tips beyond it [m]; the front face of the
+// tips holds nothing.
 constexpr double kMaxBeyond = 0.005;
-// How far below a plane a hand may lie here [m]: its closing may still lift it by about as much,
-// for it moves along y, which need not be level. The exact test comes later.
+// Depth below a plane that is still accepted here [m]: the hand may rise by about as much while it
+// closes, since it moves along y, which need not be level. The exact test comes later.
 constexpr double kMaxSunk = 0.005;
-// The middle of what the tips reach is taken over at least this depth of the body [m]: less holds
-// hardly a point of the surface.
+// The middle of what the tips reach is taken over at least this depth of the body [m]: a thinner
+// slice holds hardly any points of the surface.
 constexpr double kMinReached = 0.01;
-// How many closing directions are tried, and how far askew they lie.
+// Numbers of closing directions that are tried, and the angles by which they are tilted.
 constexpr int kSpiral = 110, kAround = 16, kLevel = 12;
 constexpr double kTilts[] = {0.0, -0.2, 0.2, -0.4, 0.4};
-// Straight sides need friction of about the tilt itself: more would not hold.
+// On straight sides, a hold needs friction of about the tilt itself, so larger tilts would not
+// hold.
 constexpr double kMaxTiltOnStraight = 0.3;
 
-/// Points all over the surface, in frame C.
+/// Returns points all over the surface, in frame C.
 Eigen::Matrix3Xd surface(const Body& body) {
   constexpr int kHeights = 9, kAngles = 16;
   Eigen::Matrix3Xd points(3, kHeights * kAngles);
   for (int i = 0; i < kHeights; ++i) {
-    // Denser towards the ends, where a profile may close fast.
+    // Points lie denser towards the ends, where a profile may close quickly.
     const double u = 0.5 - 0.5 * std::cos(kPi * i / (kHeights - 1));
     const double z = (1.0 - u) * body.z_min + u * body.z_max, s = body.scale(z);
     for (int k = 0; k < kAngles; ++k) {
@@ -54,7 +57,8 @@ Eigen::Matrix3Xd surface(const Body& body) {
   return points;
 }
 
-/// Closing directions over half a sphere: all of it for ellipsoids, else up to 22° askew.
+/// Returns closing directions over half a sphere: all of it for ellipsoids, otherwise up to 22°
+/// askew.
 std::vector<Eigen::Vector3d> closings(const Body& body, const Eigen::Vector3d& up_C) {
   std::vector<Eigen::Vector3d> directions;
   const Eigen::Matrix3d& R = body.X_CQ.linear();
@@ -81,7 +85,8 @@ struct Rated {
   double prior;
 };
 
-// What needs less friction comes first, in steps of this; below the first it makes no difference.
+// Holds are ranked by the friction that they need, in bands of this width; all below the first band
+// count as equal.
 constexpr double kFrictionBand = 0.1;
 constexpr int kFirstBand = 2;
 
@@ -89,7 +94,7 @@ int band(double friction) {
   return std::max(kFirstBand, static_cast<int>(friction / kFrictionBand));
 }
 
-/// The holds on one body.
+/// The search for holds on one body.
 class Search {
  public:
   Search(const Body& body, const Gripper& gripper, const TipLimits& limits)
@@ -99,7 +104,7 @@ class Search {
     }
   }
 
-  /// All depths and places of one orientation of the hand.
+  /// Adds the holds at all depths and places for one orientation of the hand.
   void add(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C, double prior) {
     Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
     X_CG.linear() << closing_C.cross(approach_C), closing_C, approach_C;
@@ -116,7 +121,7 @@ class Search {
     }
   }
 
-  /// All holds, band by band, each band in the passes of visit_in_passes().
+  /// Returns all holds, band by band, each band in the order of visit_in_passes().
   std::vector<TipHold> ordered() {
     std::stable_sort(rated_.begin(), rated_.end(), [](const Rated& a, const Rated& b) {
       return std::tuple(a.band, -a.prior) < std::tuple(b.band, -b.prior);
@@ -131,7 +136,7 @@ class Search {
   }
 
  private:
-  /// Where the origin of G is put, along the axes of an orientation.
+  /// Returns the places at which the origin of G is put, in the axes of an orientation.
   std::vector<Eigen::Vector3d> places(const Eigen::Isometry3d& X_CG) {
     points_G_.noalias() = X_CG.linear().transpose() * points_;
     const double nearest = points_G_.row(2).minCoeff(), farthest = points_G_.row(2).maxCoeff();
@@ -152,7 +157,7 @@ class Search {
     return places;
   }
 
-  /// What each dip reaches of the surface beyond the dips before it.
+  /// Returns the bounds of the surface that each dip reaches beyond the previous one.
   std::vector<Eigen::AlignedBox3d> between_dips(double nearest) const {
     std::vector<Eigen::AlignedBox3d> boxes_G(dips_.size());
     for (const auto& p_G : points_G_.colwise()) {
@@ -165,7 +170,7 @@ class Search {
     return boxes_G;
   }
 
-  /// True if the palm runs into something in all of these places, wherever along y they end up.
+  /// Returns true if the palm collides at all of these places, wherever along y they end up.
   bool blocked(const Eigen::Isometry3d& X_CG, const std::vector<Eigen::Vector3d>& places_G) const {
     Eigen::AlignedBox3d places;
     for (const Eigen::Vector3d& p_G : places_G) places.extend(p_G);
@@ -175,7 +180,8 @@ class Search {
     return palm && limits_.scene.palm_obstruction(*palm);
   }
 
-  /// True if the closed hand's fingers or palm lie below a plane, wherever along y it ends up.
+  /// Returns true if the closed hand's fingers or palm lie below a plane, wherever along y the hand
+  /// ends up.
   bool sinks(const Eigen::Isometry3d& X_CG) const {
     const double front = gripper_.finger_front, back = front - gripper_.finger.z();
     const Eigen::Vector3d palm(0.5 * gripper_.palm.x(), 0.5 * gripper_.palm.y(), 0.0);

@@ -11,19 +11,19 @@
 
 namespace quadrille {
 
-/// Contacts that a hand finds from one place, and the way it comes.
+/// Contacts that a hand finds from one place, and its approach.
 struct TipHold {
-  /// Its centre is the origin of the grasp frame.
+  /// The contact line, whose centre is the origin of the grasp frame.
   ContactLine line;
   Eigen::Vector3d approach_C;
-  /// The friction coefficient that it needs; see PadMeeting [-].
+  /// The friction coefficient that the hold needs; see PadMeeting [-].
   double friction;
 };
 
-/// What bounds a search for holds by the tips.
+/// Limits of a search for holds by the tips.
 struct TipLimits {
-  /// Holds with the hand more than 5 mm below one of its planes are left out, and orientations in
-  /// which the palm runs into something wherever the tips are.
+  /// The search leaves out holds with the hand more than 5 mm below one of the scene's planes, and
+  /// orientations in which the palm collides wherever the tips are.
   const CollisionScene& scene;
   /// Length of the straight approach [m].
   double approach = 0.0;
@@ -31,12 +31,12 @@ struct TipLimits {
   double friction = 0.5;
 };
 
-/// Holds by the tips, wherever these reach: at an end, beside the widest part, askew. Each is what
-/// two pads meet that come down on the body to one of several depths, at its middle or beside it:
-/// where the body is widest within their faces, found on a grid of chords. They are many, and
-/// seldom as good as those across the middle of a body: a search for where these are blocked. The
-/// most promising come first, in passes of unlike ones; always the same order for the same input.
-/// None for boxes.
+/// Returns holds by the finger tips wherever they reach: at an end, beside the widest part, or
+/// askew. The hand comes down on the body to one of several depths, at its middle or beside it; the
+/// contacts lie where the body is widest within the pads' faces, found on a grid of chords. These
+/// holds are many and seldom as good as those across the middle of a body, so they are tried where
+/// those are blocked. The most promising come first, in passes of unlike ones, in the same order
+/// for the same input. Boxes have none.
 std::vector<TipHold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
                                const TipLimits& limits);
 

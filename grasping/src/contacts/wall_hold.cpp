@@ -6,11 +6,11 @@
 namespace quadrille {
 namespace {
 
-// Sine of the least steep wall, 17°: on flatter ones the way up to the rim, over the same rise, is
-// longer than a pad.
+// Sine of the least steep wall, 17°: on a flatter wall, the way up to the rim is longer than a pad
+// for the same rise.
 constexpr double kMinWallSine = 0.3;
-// Over so much of the wall its bends are taken [rad, m]: some millimetres, well within a pad, and
-// far more than rounding.
+// Steps over which the bends of the wall are measured [rad, m]: some millimetres, which is well
+// within a pad and far more than rounding.
 constexpr double kTurnStep = 0.05, kRiseStep = 0.002;
 
 const Eigen::Vector3d& seen_contact(const Shell& shell, const ContactLine& line) {
@@ -34,7 +34,7 @@ double geodesic_torsion(const Shell& shell, const ContactLine& line,
   const Body& body = shell.body;
   const Eigen::Vector3d p = body.X_CQ.inverse() * seen_contact(shell, line);
   const double angle = std::atan2(p.y() / body.b, p.x() / body.a);
-  // How much the normal turns over a way along the wall, around and up it.
+  // How much the normal turns along a path on the wall, around it or up it.
   const auto bent = [&](double angle_0, double z_0, double angle_1, double z_1) {
     const Eigen::Vector3d way = shell.point_Q(angle_1, z_1) - shell.point_Q(angle_0, z_0);
     const Eigen::Vector3d turn = shell.normal_Q(angle_1, z_1) - shell.normal_Q(angle_0, z_0);

@@ -3,7 +3,7 @@
 namespace quadrille {
 namespace {
 
-/// Columns are the axes of H in G.
+/// Returns the rotation whose columns are the axes of H in G.
 Eigen::Matrix3d rotation(HandConvention convention) {
   Eigen::Matrix3d R_GH = Eigen::Matrix3d::Identity();
   switch (convention) {
@@ -20,7 +20,7 @@ Eigen::Matrix3d rotation(HandConvention convention) {
   return R_GH;
 }
 
-/// How far the origin of H lies behind that of G [m].
+/// Returns how far the origin of H lies behind that of G [m].
 double offset(HandConvention convention, const Gripper& gripper, double width) {
   switch (convention) {
     case HandConvention::kDrake:

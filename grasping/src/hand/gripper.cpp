@@ -7,9 +7,9 @@
 namespace quadrille {
 namespace {
 
-// No hand is larger; a number beyond it was meant in millimetres [m].
+// No hand is larger than this; a larger number was probably meant in millimetres [m].
 constexpr double kMaxSize = 1.0;
-// What rounding may take from sizes that are meant to be equal [m].
+// Tolerance for rounding between sizes that are meant to be equal [m].
 constexpr double kRounding = 1e-9;
 
 void demand(bool holds, const std::string& what) {
@@ -28,7 +28,7 @@ void demand_sizes(const char* field, const Sizes& sizes) {
   for (const double size : sizes) demand_size(field, size);
 }
 
-/// Sine of the links' angle at an opening.
+/// Returns the sine of the links' angle at an opening.
 double swing(const Gripper& hand, double opening) {
   return std::sin(hand.link_angle) - (hand.max_opening - opening) / (2.0 * hand.link_length);
 }
@@ -92,7 +92,7 @@ double Gripper::extension(double opening) const {
 
 double Gripper::max_extension(double narrow, double wide) const {
   if (link_length == 0.0) return 0.0;
-  // Farthest where the links lie along the approach.
+  // The tips reach farthest where the links lie along the approach.
   const double straight = max_opening - 2.0 * link_length * std::sin(link_angle);
   return extension(std::clamp(straight, std::min(narrow, wide), std::max(narrow, wide)));
 }

@@ -8,8 +8,8 @@ SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, doub
                      double width, double approach) {
   const double x = 0.5 * gripper.finger.x();
   const double thick = gripper.finger.y();
-  // The frame G is that of the closed hand. Fingers on links reach farther forward once closed; the
-  // tips may also draw back a little at the end.
+  // The frame G is that of the closed hand. Fingers on links reach farther forward once closed, and
+  // the tips may also draw back a little at the end.
   const double back = -gripper.reach(width);
   const double tip =
       gripper.finger_front + gripper.max_extension(width, preshape) - gripper.extension(width);
@@ -40,7 +40,7 @@ std::array<OrientedBox, 2> common_fingers(const Gripper& gripper, const Eigen::I
 std::optional<OrientedBox> common_palm(const Gripper& gripper, const Eigen::Isometry3d& X_CG,
                                        const Eigen::AlignedBox3d& places_G, double approach) {
   const double narrow = gripper.min_opening, wide = gripper.max_opening;
-  // Fingers on links reach farthest somewhere between, least at one of the ends.
+  // Fingers on links reach farthest somewhere in between, and least at one of the two openings.
   const double min_reach = std::min(gripper.reach(narrow), gripper.reach(wide));
   const double max_reach = gripper.reach(wide) + gripper.max_extension(narrow, wide);
   const Eigen::Vector3d palm(0.5 * gripper.palm.x(), 0.5 * gripper.palm.y(), gripper.palm.z());

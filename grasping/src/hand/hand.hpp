@@ -14,7 +14,7 @@ struct SweptHand {
   std::array<OrientedBox, 2> fingers;
   /// The palm, from the start of the approach to the grasp.
   OrientedBox palm;
-  /// What the fingers pass through while they close from the pre-shape to the width.
+  /// The space that the fingers pass through while they close from the pre-shape to the width.
   std::array<OrientedBox, 2> closing;
 };
 
@@ -25,15 +25,16 @@ struct SweptHand {
 SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, double preshape,
                      double width, double approach);
 
-/// What the fingers fill or pass through once the hand is at X_CG, however far it was opened on its
-/// way, if by no less than `opening` [m]: a part of what any such swept hand holds.
+/// Returns the space that the fingers fill or pass through once the hand is at X_CG, for any
+/// pre-shape of at least `opening` [m]. It is part of the space of every such swept hand.
 /// @param width  distance between the pads at the end [m]; no more than the opening
 std::array<OrientedBox, 2> common_fingers(const Gripper& gripper, const Eigen::Isometry3d& X_CG,
                                           double opening, double width);
 
-/// What the palm passes through on its way to each of many grasps, whatever their width: those at
-/// X_CG moved within `places_G`, which holds translations along the axes of G [m]. If this is in
-/// the way of something, so are they all. Nullopt if they have nothing in common.
+/// Returns the space that the palm passes through on its way to every one of many grasps, whatever
+/// their width: the grasps at X_CG moved within `places_G`, which holds translations along the axes
+/// of G [m]. If this space is blocked, so are all of the grasps. Nullopt if they have no space in
+/// common.
 std::optional<OrientedBox> common_palm(const Gripper& gripper, const Eigen::Isometry3d& X_CG,
                                        const Eigen::AlignedBox3d& places_G, double approach);
 

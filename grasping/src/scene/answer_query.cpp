@@ -29,12 +29,12 @@ class QueryPlanner {
     plan_.space = parts_.space;
     plan_.warnings = parts_.warnings;
     const std::vector<const Target*> asked = asked_for(query_, parts_.targets);
-    // What else was refused is of interest to nobody who asks for one thing.
+    // Refusals of other targets are of no interest to a query that selects some.
     if (!query_.selects()) {
       refusals_ = parts_.refusals;
     } else {
       for (const Target* target : asked) refusals_[Refusal::kUnmeasured] += target->unmeasured;
-      // What is asked for may be among what there was no time for.
+      // A selected object may be among those that the deadline left out.
       const auto late = parts_.refusals.find(Refusal::kDeadline);
       if (late != parts_.refusals.end()) refusals_.insert(*late);
       explain(asked);
@@ -52,7 +52,7 @@ class QueryPlanner {
   }
 
  private:
-  /// What of the query is not met by any target.
+  /// Warns of the parts of the query that no target meets.
   void explain(const std::vector<const Target*>& asked) {
     std::vector<std::string>& warnings = plan_.warnings;
     for (std::string& why : missed_ids(query_, parts_.targets, parts_.why_none)) {
@@ -69,8 +69,8 @@ class QueryPlanner {
     if (cut) ++refusals_[Refusal::kDeadline];
   }
 
-  /// By the tips only what is held in no other way.
-  /// @return whether the deadline cut it short
+  /// Tries holds by the tips only if the target is held in no other way.
+  /// @return whether the deadline ended the search early
   bool try_holds(const Target& target) {
     const Surroundings around_it{*parts_.space, *parts_.view,           *parts_.map, parts_.shapes,
                                  parts_.owners, parts_.options.unknown, parts_.reach};
@@ -106,7 +106,8 @@ class QueryPlanner {
                              "planner.deadline_ms (--deadline-ms), or ask for fewer targets");
   }
 
-  /// Best first; the best grasp of each target before any second one is dropped.
+  /// Sorts the grasps, best first, and drops the surplus; each target keeps its best grasp before
+  /// any target keeps a second one.
   void select() {
     const auto better = [](const Grasp& a, const Grasp& b) { return a.score > b.score; };
     std::vector<Grasp>& grasps = plan_.grasps;

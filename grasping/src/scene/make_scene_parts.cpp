@@ -55,7 +55,7 @@ class SceneMaker {
 
   void warn(const std::string& text) { parts_.warnings.push_back(text); }
 
-  /// Keeps the detections with the best score, in the order in which they came.
+  /// Keeps the detections with the best scores, in their original order.
   void drop_surplus() {
     const std::size_t all = detections_.size();
     const auto most = static_cast<std::size_t>(parts_.options.max_detections);
@@ -79,7 +79,7 @@ class SceneMaker {
          " with the best score are planned on (planner.max_detections)");
   }
 
-  /// The cloud without points that no sensor can have measured.
+  /// Returns the cloud without points that no sensor can have measured.
   const PointCloud& kept(const PointCloud& cloud) {
     const RangeCheck& range = ranges_.emplace_back(check_range(cloud));
     if (range.far > 0) warn(range.warning());
@@ -93,7 +93,7 @@ class SceneMaker {
     }
     for (const Detection& d : detections_) {
       if (d.type == QuadricType::kPlane) parts_.why_none[d.id] = "is a plane";
-      // A box stands for its faces.
+      // A box takes the place of its faces.
       if (const Box* box = box_of(d.id)) {
         parts_.why_none[d.id] = "is a face of box " + std::to_string(box->id);
         continue;
@@ -116,8 +116,8 @@ class SceneMaker {
     }
   }
 
-  /// False, and says why, if the cloud or another view cannot have been seen from its viewpoint:
-  /// what counts as free would not be.
+  /// Returns false, and says why, if the cloud or another view cannot have been seen from its
+  /// viewpoint, because its free space would then be wrong.
   bool has_viewpoint() {
     std::vector<std::string> doubts = {contradict_viewpoint(cloud_, detections_)};
     for (const PointCloud* cloud : further_) {
@@ -141,8 +141,8 @@ class SceneMaker {
     drop_far_targets();
   }
 
-  /// Mapping the space around targets takes long, and is of no use once there is no time to try
-  /// them.
+  /// Drops all targets, since mapping the space around them takes long and is of no use if there is
+  /// no time left to try them.
   void drop_all_targets() {
     for (const Target& target : parts_.targets) {
       if (target.wanted) ++parts_.refusals[Refusal::kDeadline];
@@ -151,7 +151,8 @@ class SceneMaker {
     parts_.targets.clear();
   }
 
-  /// What one map cannot hold is refused: a body that lies far off costs the others nothing.
+  /// Refuses targets that do not fit into one map, so that a body far away does not spoil the map
+  /// for the others.
   void drop_far_targets() {
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const Target& target : parts_.targets) boxes.push_back(around(target.body, parts_.reach));
@@ -179,7 +180,7 @@ class SceneMaker {
     parts_.why_none[id] = "cannot be held: " + std::string(to_string(why));
   }
 
-  /// The box that a detection is a face of; nullptr if there is none.
+  /// The box of which a detection is a face; nullptr if there is none.
   const Box* box_of(int id) const {
     const auto found = std::find_if(parts_.boxes.begin(), parts_.boxes.end(), [&](const Box& box) {
       return std::find(box.faces.begin(), box.faces.end(), id) != box.faces.end();
@@ -220,7 +221,7 @@ class SceneMaker {
   std::vector<Detection> detections_;
   const Deadline& deadline_;
   SceneParts& parts_;
-  /// A list, so that the clouds in it stay where they are.
+  /// Range checks of all clouds, in a list so that the clouds in it keep their addresses.
   std::list<RangeCheck> ranges_;
   const PointCloud& cloud_;
   std::vector<const PointCloud*> further_;

@@ -22,7 +22,7 @@
 
 namespace quadrille {
 
-/// One cloud made ready: all that its queries need.
+/// A cloud prepared for grasp queries, with all that the queries need.
 struct SceneParts {
   SceneParts() = default;
   SceneParts(const SceneParts&) = delete;
@@ -31,26 +31,26 @@ struct SceneParts {
   Gripper gripper;
   PlanOptions options;
   Eigen::Vector3d viewpoint_C;
-  /// How far the hand reaches from a target's surface [m].
+  /// Distance that the hand reaches from a target's surface [m].
   double reach = 0.0;
   std::vector<Box> boxes;
   std::vector<CollisionShape> shapes;
-  /// For each shape.
+  /// Owner of each shape.
   std::vector<ShapeOwner> owners;
   std::optional<DepthView> view;
   std::vector<Target> targets;
-  /// Why other detections and boxes are no targets, by id: "is a plane".
+  /// Why other detections and boxes are not targets, by id: "is a plane".
   std::map<int, std::string> why_none;
   RefusalCounts refusals;
   std::shared_ptr<const OccupancyGrid> space;
-  /// Refers to space and view, so that all stay in one place.
+  /// The map refers to space and view, so all three must keep their addresses.
   std::optional<ObstacleMap> map;
   std::vector<std::string> warnings;
   std::vector<StageTime> timings;
 };
 
-/// Makes a cloud ready, stage by stage: boxes, shapes, view, targets, occupancy. Once the deadline
-/// has passed no further targets are chosen.
+/// Prepares a cloud stage by stage: boxes, shapes, view, targets, occupancy. Once the deadline has
+/// passed, no further targets are chosen.
 std::unique_ptr<const SceneParts> make_scene_parts(
     const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
     const PlanOptions& options, const std::vector<PointCloud>& further, const Deadline& deadline);

@@ -8,18 +8,19 @@
 namespace quadrille {
 namespace {
 
-// Edge of the tiles that a block of which the image tells a part is divided into, in voxels.
+// A block of which the image decides only a part is divided into tiles of this edge, in voxels.
 constexpr int kTileEdge = 4;
 
-/// True if nothing was measured before or in a cube: no voxel in it meets a surface. The pixel
-/// nearest to a voxel's centre may lie beside what its edges project to.
+/// Returns true if nothing was measured before or in a cube, so that no voxel in it meets a
+/// surface. A pixel is added on all sides, since the pixel nearest to a voxel's centre may lie
+/// beside the projection of its edges.
 bool clear(const DepthView& view, const Eigen::Vector3d& p_V, double half) {
   const double pixel = view.spacing(p_V.z() + view.reach(half).z());
   const Eigen::Vector3d reach = view.reach(half + pixel);
   return view.nearest_surface(p_V, reach) > p_V.z() + reach.z();
 }
 
-/// True if a voxel may be clear for the one below it.
+/// Returns true if a voxel becomes clear because the voxel below it is free or clear.
 bool clears(Voxel state, Voxel below) {
   return (state == Voxel::kUnknown) & ((below == Voxel::kFree) | (below == Voxel::kClear));
 }
@@ -30,16 +31,17 @@ void clear_row(Voxel* row, const Voxel* below, int count) {
 
 }  // namespace
 
-/// A cube of voxels, and whether each has to be looked at.
+/// A cube of voxels. If `partly` is set, its voxels have to be checked against the image one by
+/// one.
 struct OccupancyGrid::Tile {
   Eigen::Vector3i low;
   int edge;
   bool partly;
 };
 
-/// Layer by layer along the axis nearest to up_C. Each voxel stands on the one below it on a
-/// straight line along up_C, whose steps to the side are rounded as a whole: their errors do not
-/// add up.
+/// Works layer by layer along the axis nearest to up_C. Each voxel stands on the one below it on a
+/// straight line along up_C. The sideways shift is rounded as a whole, so that rounding errors do
+/// not add up.
 void OccupancyGrid::clear_above(const DepthView& view, const Eigen::Vector3d& up_C) {
   int axis = 0;
   if (states_.empty() || !(up_C.cwiseAbs().maxCoeff(&axis) > 0.5)) return;
@@ -61,7 +63,7 @@ void OccupancyGrid::clear_above(const DepthView& view, const Eigen::Vector3d& up
   }
 }
 
-/// All blocks but those that the image tells to be free or hidden as a whole.
+/// Returns all blocks except those that the image shows to be entirely free or hidden.
 std::vector<OccupancyGrid::Tile> OccupancyGrid::tiles_beside(const DepthView& view) const {
   const double half = 0.5 * kBlock * resolution_;
   const Eigen::Vector3d reach = view.reach(half);
@@ -103,7 +105,7 @@ void OccupancyGrid::divide(const DepthView& view, const Eigen::Vector3i& block,
   }
 }
 
-/// One layer of one tile; no view: nothing was measured there.
+/// Clears one layer of one tile; `view` is null if nothing was measured there.
 void OccupancyGrid::clear_layer(const DepthView* view, const Tile& tile, int axis,
                                 const Eigen::Vector3i& up) {
   const Eigen::Vector3i& low = tile.low;

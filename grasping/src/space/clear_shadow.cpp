@@ -1,4 +1,4 @@
-// What a target hides of the space behind it.
+// Finds the space behind a target that the target hides.
 #include <cmath>
 
 #include "space/obstacle_map.hpp"
@@ -7,12 +7,12 @@
 namespace quadrille {
 namespace {
 
-// A measured point this near to the target's body is the target's [m].
+// A measured point this near to the target's body belongs to the target [m].
 constexpr double kTargetNoise = 0.006;
 
 }  // namespace
 
-/// The cone that a body's shadow lies in, as seen by the sensor.
+/// A cone, seen from the sensor, that contains the body's shadow.
 struct ObstacleMap::Cone {
   Eigen::Vector3d p_CV, to_body;
   double far, size, angle;
@@ -25,7 +25,7 @@ struct ObstacleMap::Cone {
     angle = far > size ? std::asin(size / far) : std::acos(-1.0);
   }
 
-  /// True if the ball around p_C may reach into it.
+  /// Returns true if the ball around p_C may reach into the cone.
   bool meets(const Eigen::Vector3d& p_C, double radius) const {
     const Eigen::Vector3d to_ball = p_C - p_CV;
     const double here = to_ball.norm();
@@ -58,7 +58,7 @@ void ObstacleMap::clear_shadow(const OccupancyGrid& grid, const DepthView& view,
   refresh({kEdge * low, (kEdge * (high.array() + 1) - 1).matrix()});
 }
 
-/// One block of the top level, voxel by voxel.
+/// Clears one block of the top level, voxel by voxel.
 void ObstacleMap::clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
                               const Cone& cone, const Eigen::Vector3i& first) {
   constexpr int kEdge = 1 << (kLevels - 1);

@@ -10,9 +10,9 @@
 namespace quadrille {
 namespace {
 
-/// Only collide(), never distance() or continuousCollide(): those fail on half-spaces and empty
-/// octrees or miss thin walls between their samples. libccd's solver, not FCL's own (GST_INDEP),
-/// which lets a small box inside a Convex pass.
+/// Only FCL's collide() is used: distance() and continuousCollide() fail on half-spaces and empty
+/// octrees, or miss thin walls between their samples. The solver is libccd's, because FCL's own
+/// (GST_INDEP) lets a small box inside a Convex pass.
 bool fcl_collide(const fcl::CollisionGeometryd* a, const fcl::Transform3d& X_A,
                  const fcl::CollisionGeometryd* b, const fcl::Transform3d& X_B) {
   fcl::CollisionRequestd request(1, false);
@@ -22,11 +22,11 @@ bool fcl_collide(const fcl::CollisionGeometryd* a, const fcl::Transform3d& X_A,
   return fcl::collide(a, X_A, b, X_B, request, result) > 0;
 }
 
-// libccd iterates to a tolerance, and misses overlaps shallower than it; of a million random and
-// touching queries the deepest miss was between 0.1 and 1 µm [m].
+// libccd iterates to a tolerance and misses overlaps shallower than that. In a million random and
+// touching queries, the deepest overlap that it missed was between 0.1 and 1 µm [m].
 constexpr double kSolverSlack = 2e-6;
 
-/// True if a face of the box, or of the box around the shape, parts them.
+/// Returns true if a face of the box, or of the bounding box of the shape, separates them.
 bool apart(const OrientedBox& box, const CollisionShape& shape) {
   const auto& bounds = shape.geometry->aabb_local;
   const Eigen::Vector3d half_S = (0.5 * (bounds.max_ - bounds.min_)).array() + kSolverSlack;
@@ -70,7 +70,8 @@ Hit voxel_hit(std::span<const OrientedBox> boxes, const ObstacleMap& map, double
   return Hit::kNone;
 }
 
-/// `solid` stays out of everything, and by `off_target` off the target, which `closing` may touch.
+/// Returns what `solid` or `closing` runs into first. `solid` must keep off everything, and keep a
+/// distance of `off_target` from the target, which `closing` may touch.
 std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
                                              std::span<const OrientedBox> solid,
                                              std::span<const OrientedBox> closing,

@@ -12,7 +12,7 @@ bool fits(const Eigen::AlignedBox3d& region, double resolution) {
   return count_voxels(region, kMaxCoarsening * resolution) <= OccupancyGrid::kMaxVoxels;
 }
 
-/// False also for bounds that are not finite.
+/// Returns false also for bounds that are not finite.
 bool in_range(const Eigen::AlignedBox3d& box, double resolution) {
   const double reach = OccupancyGrid::kMaxCoordinate * resolution;
   return (box.min().array().abs() < reach).all() && (box.max().array().abs() < reach).all();
@@ -28,7 +28,8 @@ double count_voxels(const Eigen::AlignedBox3d& region, double resolution) {
 }
 
 double fit_resolution(const Eigen::AlignedBox3d& region, double resolution) {
-  // Of a thin region, whole blocks thick, each step takes away less than it should.
+  // A thin region still takes up whole blocks, so a step by the cube root reduces its count too
+  // little.
   constexpr double kMinStep = 1.01;
   for (;;) {
     const double excess = count_voxels(region, resolution) / OccupancyGrid::kMaxVoxels;

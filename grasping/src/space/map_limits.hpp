@@ -6,19 +6,19 @@
 
 namespace quadrille {
 
-/// How much coarser than asked for space is mapped at most, so that all targets lie on one map: at
-/// 20 mm for 5, whose map then holds 268 m³.
+/// If needed to fit all targets on one map, the map is made coarser than requested by at most this
+/// factor: 20 mm instead of 5 mm, at which the map holds 268 m³.
 inline constexpr double kMaxCoarsening = 4.0;
 
-/// The voxels of the whole blocks that a region meets.
+/// Returns the number of voxels in the whole blocks that a region meets.
 double count_voxels(const Eigen::AlignedBox3d& region, double resolution);
 
-/// The resolution, or the next coarser one at which a region has no more than
+/// Returns the given resolution, or the next coarser one at which the region has no more than
 /// OccupancyGrid::kMaxVoxels.
 double fit_resolution(const Eigen::AlignedBox3d& region, double resolution);
 
-/// Those of some boxes that have no place on one map with the others, for their size or distance:
-/// the map is filled from the viewpoint on. In ascending order.
+/// Returns the indices, in ascending order, of boxes too large or too far away to share one map
+/// with the others. The map is filled starting with the boxes nearest to the viewpoint.
 std::vector<std::size_t> find_far_boxes(const std::vector<Eigen::AlignedBox3d>& boxes,
                                         const Eigen::Vector3d& viewpoint, double resolution);
 

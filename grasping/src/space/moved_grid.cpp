@@ -1,4 +1,4 @@
-// A map of space in another frame.
+// Resamples a map of space in another frame.
 #include <algorithm>
 #include <array>
 
@@ -8,18 +8,20 @@
 namespace quadrille {
 namespace {
 
-// Boxes that share no more than this with a voxel do not meet it: rounding, in voxels.
+// Boxes that overlap a voxel by no more than this, in voxels, do not meet it; this absorbs
+// rounding.
 constexpr double kTouch = 1e-6;
 
-/// The states, the most cautious first.
+/// Ranks the states by caution; the most cautious state comes first.
 int caution(Voxel state) {
-  constexpr std::array<int, 4> kRank = {1, 2, 3, 0};  // unknown, clear, free, occupied
+  constexpr std::array<int, 4> kRank = {1, 2, 3, 0};  // ranks of unknown, clear, free, occupied
   return kRank[static_cast<std::size_t>(state)];
 }
 
 }  // namespace
 
-/// Of all voxels that a box meets; what lies outside the grid is unknown.
+/// Returns the most cautious state of all voxels that a box meets; space outside the grid is
+/// unknown.
 Voxel OccupancyGrid::most_cautious(const Eigen::AlignedBox3d& box_C) const {
   const Eigen::Array3d corner = corner_.cast<double>();
   const Eigen::Array3d low = (box_C.min().array() / resolution_ - corner + kTouch).floor();

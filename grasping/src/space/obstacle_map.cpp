@@ -9,9 +9,9 @@ namespace {
 // Overlaps shallower than this count as touching.
 constexpr double kTouchDepth = 1e-9;
 
-/// A row of cubes, each from eight: what any of them has of the first two flags, and the last if
-/// all have it. `fine` is the first of the four rows that they lie in, `row` and `layer` from each
-/// to the next.
+/// Merges cubes of one level into a row of cubes of the next, each from eight. The first two flags
+/// are set if any of the eight has them, the last if all have it. `fine` is the first of the four
+/// rows of smaller cubes; `row` and `layer` are the distances to the others.
 void merge(const std::uint8_t* __restrict fine, std::size_t row, std::size_t layer, int count,
            std::uint8_t* __restrict coarse) {
   const std::uint8_t *a = fine, *b = fine + row, *c = fine + layer, *d = fine + layer + row;
@@ -23,24 +23,25 @@ void merge(const std::uint8_t* __restrict fine, std::size_t row, std::size_t lay
   }
 }
 
-// How much farther than a part of an occupied voxel the view must have seen: points are known no
-// better [m].
+// The view must have seen this much farther than a part of an occupied voxel, since points are
+// known no more accurately [m].
 constexpr double kPointNoise = 0.001;
 
 }  // namespace
 
-/// A box as the 15 axes that may separate it from a cube, each with the box's own reach on it.
+/// A box, prepared for the separating-axis test against cubes: the 15 axes, each with the box's own
+/// extent along it.
 struct ObstacleMap::Query {
-  Eigen::Vector3d p;            // centre
-  Eigen::Vector3d reach;        // on the cube's axes
+  Eigen::Vector3d p;            // centre of the box
+  Eigen::Vector3d reach;        // half extent of the box along the cube's axes
   Eigen::Matrix3d R, absolute;  // axes of the box, as columns
   Eigen::Vector3d half;
   Eigen::Matrix<double, 3, 9> edge_axes;  // cross products of edges
   Eigen::Matrix<double, 9, 1> edge_reach, edge_spread;
   Eigen::Vector3d face_spread;
-  // For a quick answer: from a cube's middle to those of its eighths on the axes of the faces, per
-  // half an eighth's edge; the box's own reach on each axis, and the spread of a cube of half
-  // size 1.
+  // Data for a quick test on the axes of the faces: the offsets from a cube's centre to the centres
+  // of its eighths, per half an eighth's edge; the box's own extent on each axis, and the extent of
+  // a cube of half size 1.
   std::array<Offset, 8> to_eighth;
   Offset quick_reach, quick_spread;
 
@@ -60,7 +61,7 @@ struct ObstacleMap::Query {
     for (int n = 0; n < 8; ++n) {
       to_eighth[n] = on_faces({(n & 1) ? 1.0 : -1.0, (n & 2) ? 1.0 : -1.0, (n & 4) ? 1.0 : -1.0});
     }
-    // Floats round by less than this on the offsets of what lies within some metres [m].
+    // Rounding error of float offsets within some metres [m].
     constexpr float kRounding = 2e-6f;
     quick_reach << reach.cast<float>().array() + kRounding, half.cast<float>().array() + kRounding,
         1.0f, 1.0f;
@@ -159,7 +160,7 @@ ObstacleMap::Range ObstacleMap::voxels(const Eigen::AlignedBox3d& box) const {
     const Eigen::Array3d x = ((p - corner_) / resolution_).array().floor();
     return Eigen::Vector3i(x.max(0.0).min(last).cast<int>());
   };
-  // A box beside the grid gives an empty range.
+  // A box that lies beside the grid gives an empty range.
   const Eigen::Vector3d top = corner_ + resolution_ * (last + 1.0).matrix();
   if ((last < 0.0).any() || !box.intersects(Eigen::AlignedBox3d(corner_, top))) {
     return {Eigen::Vector3i::Zero(), Eigen::Vector3i::Constant(-1)};
@@ -194,7 +195,7 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
   return Hit::kNone;
 }
 
-/// What the box meets of a cube that holds something.
+/// Returns the flags of the voxels that the box meets in a cube that holds something.
 std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Vector3i& at,
                                   const Offset& offset) const {
   const double h = 0.5 * resolution_ * (1 << level);
@@ -221,9 +222,9 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Ve
   return 0;
 }
 
-/// True if the box overlaps an eighth of the cube that the view, to within a margin, did not see
-/// through; if so these are divided in turn, up to a depth. Of what lies between its rays it tells
-/// nothing: parts are looked at only where they are larger than that.
+/// Returns true if the box overlaps an eighth of the cube that the view, to within a margin, did
+/// not see through. Such eighths are divided in turn, up to a depth. Cubes smaller than the spacing
+/// of the rays are not divided, since the view tells nothing about the space between its rays.
 bool ObstacleMap::enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half,
                                 int depth, double margin) const {
   const double h = 0.5 * half;

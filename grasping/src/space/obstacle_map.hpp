@@ -13,43 +13,45 @@
 
 namespace quadrille {
 
-/// What a box runs into.
+/// The kinds of space that a box runs into.
 enum class Hit : std::uint8_t { kNone, kOccupied, kUnknown };
 
 /// The voxels of a grid that a hand must not enter, with a pyramid over them for fast box tests.
 ///
-/// collides() is the live path: separating axes against blocks, then voxels. FCL's collide() on the
-/// octree of the same grid answers alike (the tests compare them) but takes several times as long,
-/// and cannot see unknown space (facts measured: 17-27 µs against 4 µs for a hand of three boxes).
+/// collides() runs in the live path; it tests separating axes against blocks, then voxels. FCL's
+/// collide() on the octree of the same grid gives the same answers (the tests compare them), but
+/// takes several times as long (measured: 17-27 µs against 4 µs for a hand of three boxes) and
+/// cannot see unknown space.
 class ObstacleMap {
  public:
-  /// @param unknown_blocks  unknown voxels, and all space outside the grid, are obstacles too
+  /// @param unknown_blocks  if true, unknown voxels and all space outside the grid are obstacles
+  /// too
   ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks);
 
-  /// The same map of the blocks that the region meets: a copy to be carved at little cost. All
-  /// beyond them counts as outside.
+  /// Copies the blocks of the map that the region meets, so that they can be carved at little cost.
+  /// All space beyond them counts as outside.
   ObstacleMap within(const Eigen::AlignedBox3d& region) const;
 
-  /// From now on looks at the parts of a voxel that a box overlaps, and lets it pass those that the
-  /// view saw through: eighths of an occupied voxel, eighths of these too of an unknown one. At the
-  /// edge of a shadow a voxel is unknown as a whole, however little of it was hidden. The view must
-  /// outlive this map and its copies.
-  /// @param sole  all points are those of this view; else occupied voxels stay whole
+  /// From now on, divides the voxels that a box overlaps and lets the box pass the parts that the
+  /// view saw through: eighths of an occupied voxel, and eighths of those for an unknown one. This
+  /// matters at the edge of a shadow, where a whole voxel is unknown even if only a little of it
+  /// was hidden. The view must outlive this map and its copies.
+  /// @param sole  true if all points come from this view; otherwise occupied voxels stay whole
   void refine(const DepthView& view, bool sole) {
     view_ = &view;
     sole_view_ = sole;
   }
 
-  /// What the box overlaps; touching without overlap is none. If it overlaps both kinds either may
-  /// be told, always the same one for the same box.
+  /// Returns what the box overlaps; touching without overlap does not count. If the box overlaps
+  /// both kinds, either may be returned, but always the same one for the same box.
   Hit collides(const OrientedBox& box) const;
 
   /// Frees all voxels whose centre lies within the body grown by `margin` [m], so that the target
-  /// does not block its own grasp; but none for which keep(centre) holds.
+  /// does not block its own grasp, except those for which keep(centre) holds.
   template <class Keep>
   void carve(const Body& body, double margin, Keep&& keep);
 
-  /// Frees unknown voxels that the sensor could not see because the body stood before them.
+  /// Frees unknown voxels that the sensor could not see because the body stood in front of them.
   void clear_shadow(const OccupancyGrid& grid, const DepthView& view, const Body& body,
                     const Eigen::AlignedBox3d& region);
 
@@ -71,8 +73,8 @@ class ObstacleMap {
   Eigen::Vector3d centre(int i, int j, int k) const {
     return corner_ + resolution_ * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
   }
-  /// The middle of a cube, seen from a box's, on six axes that may part them: floats, of which the
-  /// last two are zero.
+  /// Offset of a cube's centre from a box's centre along six axes that may separate them, as
+  /// floats; the last two elements are zero.
   using Offset = Eigen::Array<float, 8, 1>;
   std::uint8_t descend(const Query& query, int level, const Eigen::Vector3i& at,
                        const Offset& offset) const;
@@ -88,7 +90,7 @@ class ObstacleMap {
   bool unknown_blocks_ = false;
   const DepthView* view_ = nullptr;
   bool sole_view_ = false;
-  /// The voxel of the grid that this map begins with.
+  /// Index in the grid of this map's first voxel.
   Eigen::Vector3i first_ = Eigen::Vector3i::Zero();
   Eigen::Vector3d corner_;
   std::array<Level, kLevels> levels_;

@@ -39,7 +39,7 @@ void OccupancyGrid::add(const PointCloud& cloud, const DepthView& view) {
   if (view.stray().size() != cloud.points.size()) {
     throw std::invalid_argument("occupancy: the view is not that of the cloud");
   }
-  // Occupied first: whether such a voxel is free need not be found out.
+  // Occupied voxels are marked first, so that they need not be tested for being free.
   mark_occupied(cloud, view.stray());
   if (view.valid()) mark_free(view);
 }
@@ -74,7 +74,7 @@ bool OccupancyGrid::wanted(const Eigen::Vector3i& block) const {
                      [&](const Eigen::AlignedBox3d& wanted) { return wanted.intersects(box); });
 }
 
-/// Top-down: a block of which the image tells at once that it is free or hidden is not divided.
+/// Works top-down: a block that the image shows at once to be free or hidden is not divided.
 void OccupancyGrid::mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge) {
   const double half = 0.5 * edge * resolution_;
   const Eigen::Vector3d centre_C =
@@ -91,10 +91,11 @@ void OccupancyGrid::mark_free(const DepthView& view, const Eigen::Vector3i& low,
   }
 }
 
-/// The eight voxels around the point p_V of the view.
+/// Marks the eight voxels around the point p_V of the view.
 void OccupancyGrid::mark_eight(const DepthView& view, const Eigen::Vector3i& low,
                                const Eigen::Vector3d& p_V) {
-  constexpr double kRounding = 1e-6;  // of floats, in metres at a few metres of depth
+  // rounding error of floats, in metres at a few metres of depth
+  constexpr double kRounding = 1e-6;
   const double half = 0.5 * resolution_;
   const Eigen::Matrix3d axes_V = view.axes() * half;
   DepthView::EightPoints eight;
@@ -127,7 +128,7 @@ void OccupancyGrid::mark_occupied(const PointCloud& cloud, const std::vector<std
   }
 }
 
-/// But for what another view found occupied.
+/// Marks the voxels as free, except those that another view found occupied.
 void OccupancyGrid::fill_free(const Eigen::Vector3i& low, int edge) {
   for (int k = low.z(); k < low.z() + edge; ++k) {
     for (int j = low.y(); j < low.y() + edge; ++j) {

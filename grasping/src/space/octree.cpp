@@ -5,7 +5,8 @@
 namespace quadrille {
 namespace {
 
-/// OctoMap makes a root only together with a first voxel.
+/// OctoMap's own tree gets a root only together with its first voxel; this one has a root from the
+/// start.
 class RootedTree : public octomap::OcTree {
  public:
   explicit RootedTree(double resolution) : octomap::OcTree(resolution) {
@@ -15,7 +16,7 @@ class RootedTree : public octomap::OcTree {
   }
 };
 
-/// Writes one grid into a tree, block by block; OctoMap's own ray insertion takes seconds.
+/// Writes one grid into a tree, block by block, because OctoMap's own ray insertion takes seconds.
 class TreeWriter {
  public:
   explicit TreeWriter(const OccupancyGrid& grid)
@@ -28,16 +29,17 @@ class TreeWriter {
         for (int i = 0; i < grid_.size().x(); i += kEdge) write_block({i, j, k});
       }
     }
-    // Without it FCL finds occupied cells free: inner nodes do not know their children yet.
+    // Without this call FCL takes occupied cells for free, because inner nodes do not know their
+    // children yet.
     if (tree_->getRoot()) tree_->updateInnerOccupancy();
     return tree_;
   }
 
  private:
-  // What was seen of a voxel.
+  // The state for the octree, which has no clear voxels.
   static Voxel seen(Voxel state) { return state == Voxel::kClear ? Voxel::kUnknown : state; }
 
-  /// The state all voxels of the cube have, or −1.
+  /// Returns the state that all voxels of the cube share, or −1.
   int uniform(const Eigen::Vector3i& low, int edge) const {
     const Voxel first = seen(grid_.at(low.x(), low.y(), low.z()));
     for (int k = low.z(); k < low.z() + edge; ++k) {

@@ -6,20 +6,21 @@
 namespace quadrille {
 namespace {
 
-// Shorter planes are but neighbours: boxes, books, lids [m].
+// Shorter planes are merely neighbours, such as boxes, books and lids [m].
 constexpr double kMinSupportSize = 0.15;
-// So many times the body's size: what is not wider than the body is a part of it.
+// Least size of a support relative to the body: a plane that is no wider than the body is a part of
+// it.
 constexpr double kMinSupportToBody = 1.0;
-// The body itself and its shadow cut off what is seen of the plane below it, and the plane goes on
-// beyond the image [m].
+// The plane reaches beyond its seen extent by this much: the body and its shadow cut off a part,
+// and the plane goes on beyond the image [m].
 constexpr double kBeyondSeen = 0.1;
 
-// A body whose fitted foot goes deeper into the plane than this share of its size leaves above it
-// does not stand on it.
+// A body does not stand on a plane if its fitted foot goes deeper into the plane than this share of
+// the body's size above it.
 constexpr double kMinShareAbove = 0.25;
 
-/// A large plane that the target stands on: below most of the body, no farther from the body than
-/// the body is large (what stands before it may hide the body's foot).
+/// Returns the plane if the target stands on it: a large plane below most of the body, and no
+/// farther from the body than the body is large (something in front may hide the body's foot).
 std::optional<SupportPlane> support(const Detection& plane, const Body& body) {
   if (!plane.X_CQ.matrix().allFinite() || !plane.X_CQ.linear().isUnitary(1e-3)) {
     return std::nullopt;

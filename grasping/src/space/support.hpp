@@ -8,7 +8,7 @@
 
 namespace quadrille {
 
-/// The planes among the detections that the body stands on, the nearest to its middle first.
+/// Returns the detected planes that the body stands on, the nearest to its centre first.
 std::vector<SupportPlane> supports_of(const Body& body, const std::vector<Detection>& detections);
 
 }  // namespace quadrille

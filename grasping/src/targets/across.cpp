@@ -1,4 +1,5 @@
-// Grasps across the widest part of a body, or a little before it, where only the tips hold.
+// Finds grasps across the widest part of a body, or slightly in front of it, where only the tips
+// hold.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -13,25 +14,29 @@
 namespace quadrille {
 namespace {
 
-// Effort per target. The candidates come best first, so more of it finds little.
+// Limits on the effort per target. Candidates come best first, so higher limits would find little
+// more.
 constexpr int kMaxChecks = 4000;
 constexpr std::size_t kMaxGrasps = 12;
-// A contact close to slipping in the model slips in truth: normals are known to a few degrees.
+// A contact that is close to slipping in the model may slip in truth, since normals are known only
+// to a few degrees.
 constexpr double kFrictionShare = 0.85;
-// How far before the widest part, towards the hand, chords of the body are tried, as a share of
-// half the width. A ball needs a friction coefficient of 0.36/√(1 − 0.36²) = 0.39 on the farthest
-// one, of the 0.85 · 0.5 that there are by default.
+// Distances in front of the widest part, towards the hand, at which chords of the body are tried,
+// as a share of half the width. On the farthest, a ball needs a friction coefficient of 0.36/√(1 −
+// 0.36²) = 0.39, out of the 0.85 · 0.5 available by default.
 constexpr double kMaxChordOffset = 0.36;
 constexpr double kChordOffsets[] = {0.2, kMaxChordOffset, 0.1, 0.28};
-// The least share of the greatest width that these chords are long: on a ball the farthest has a
-// share of 0.93, on bodies that narrow faster less.
+// Least length of these chords, as a share of the greatest width. On a ball the farthest chord has
+// a share of 0.93, and less on bodies that narrow faster.
 constexpr double kMinChordShare = 0.88;
-// From one depth along the pads that is tried to the next, as a share of their length.
+// Distance between neighbouring depths along the pads that are tried, as a share of the pad's
+// length.
 constexpr double kDepthStepToPad = 0.33;
-// How far the tips reach beyond a contact that only they hold [m]: their rounding, and the doubt
-// about where the contact is.
+// Distance that the tips reach beyond a contact that only they hold [m]: for their rounding, and
+// for the uncertainty of the contact.
 constexpr double kTipBeyond = 0.003;
-// Cosine between a closing direction and an axis that runs along it: of lines across it is 0.
+// Least cosine between a closing direction and the axis for a grasp at the ends; for lines across
+// the axis it is 0.
 constexpr double kMinAlongAxis = 0.7;
 
 std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task) {
@@ -41,7 +46,7 @@ std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task)
   return std::nullopt;
 }
 
-/// All of the target's kind.
+/// Returns all contact lines for the target's kind of shape.
 std::vector<ContactLine> lines_across(const TargetTask& task, const ApproachSpace& space,
                                       HandTrials& trials) {
   if (!task.target.box) {
@@ -52,13 +57,13 @@ std::vector<ContactLine> lines_across(const TargetTask& task, const ApproachSpac
   return std::move(found.lines);
 }
 
-/// The lines across which the hand fits, there or at a chord before them.
+/// Returns the lines across which the hand fits, at the line itself or at a chord in front of it.
 std::vector<ContactLine> usable_lines(const TargetTask& task, const ApproachSpace& space,
                                       HandTrials& trials) {
   std::vector<ContactLine> lines = lines_across(task, space, trials);
   std::erase_if(lines, [&](const ContactLine& line) {
     ContactLine narrowed = line;
-    // A box is as wide before its middle as there.
+    // A box is as wide in front of its middle as at it.
     if (!task.target.box) narrowed.opening *= kMinChordShare;
     const std::optional<Refusal> why = unusable(narrowed, task);
     if (why) trials.refuse(*why);
@@ -67,7 +72,7 @@ std::vector<ContactLine> usable_lines(const TargetTask& task, const ApproachSpac
   return lines;
 }
 
-/// Where a hand is moved from a line by all that is tried here, along the axes of G.
+/// Returns the bounds of all displacements from a line that are tried here, along the axes of G.
 Eigen::AlignedBox3d places(const ContactLine& line, const Gripper& gripper) {
   const double step = kDepthStepToPad * gripper.pad.y();
   const double back = kMaxChordOffset * 0.5 * line.width + gripper.finger_front;
@@ -77,7 +82,7 @@ Eigen::AlignedBox3d places(const ContactLine& line, const Gripper& gripper) {
           Eigen::Vector3d(0.0, 0.0, step) + slack};
 }
 
-/// Only cylinders and slabs are held at their ends.
+/// Tells how a line holds the target; only cylinders and slabs are held at their ends.
 GraspKind kind_of(const ContactLine& line, const Target& target) {
   const Body::Profile profile = target.body.profile;
   const bool has_ends = profile == Body::Profile::kConstant || profile == Body::Profile::kBox;
@@ -95,7 +100,8 @@ bool try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C, doubl
   return false;
 }
 
-/// The widest part that the tips pass if they hold the body `off` before the line [m].
+/// Returns the greatest width that the tips pass if they hold the body at a distance `off` in front
+/// of the line [m].
 double passed_by_tips(const ContactLine& line, double off, const Eigen::Vector3d& approach_C,
                       const Body& body) {
   if (off <= kTipBeyond) return line.opening;
@@ -104,8 +110,8 @@ double passed_by_tips(const ContactLine& line, double off, const Eigen::Vector3d
   return passed ? passed->width : line.opening;
 }
 
-/// Before the widest part, with the tips: what lies low, or in front of unseen space, can still be
-/// held as far as friction allows.
+/// Tries to hold the body with the tips in front of its widest part. This way, objects that lie low
+/// or in front of unseen space can still be held as far as friction allows.
 void try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C, const TargetTask& task,
                 HandTrials& trials) {
   const Body& body = task.target.body;
@@ -125,7 +131,8 @@ void try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C, cons
   }
 }
 
-/// Most candidates end at palm_blocked(), at the cost of one check.
+/// Tries the hand at one line and approach. Most candidates already fail at palm_blocked(), which
+/// costs only one check.
 void try_across(const ContactLine& line, const Eigen::Vector3d& approach_C, const TargetTask& task,
                 HandTrials& trials) {
   if (trials.resembles_accepted(line, approach_C) ||

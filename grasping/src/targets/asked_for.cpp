@@ -17,15 +17,15 @@ bool lies_in(const Region& region, const Eigen::Vector3d& p_C) {
 
 double size_of(const Target& target) { return target.body.bounds_Q().sizes().maxCoeff(); }
 
-/// To the body's bounds; of what contains the point, less than nothing, and the more so the nearer
-/// its middle is.
+/// Returns the distance from the body's bounds. It is negative if the body contains the point, and
+/// the more so the nearer the body's centre is.
 double distance(const Target& target, const Eigen::Vector3d& p_C) {
   const double outside = target.body.bounds_Q().exteriorDistance(target.body.X_CQ.inverse() * p_C);
   const double off = (target.body.centre_C() - p_C).norm();
   return outside > 0.0 ? outside : off - size_of(target);
 }
 
-/// The conditions on a target by itself, with what each is called.
+/// The conditions on a single target, each with its name.
 struct Condition {
   const char* name;
   bool (*holds)(const GraspQuery& query, const Target& target);

@@ -9,15 +9,16 @@
 
 namespace quadrille {
 
-/// The targets that a query asks for, in their order.
+/// Returns the targets that a query asks for, in their original order.
 std::vector<const Target*> asked_for(const GraspQuery& query, const std::vector<Target>& targets);
 
-/// A sentence for each id that a query names and that is no target.
-/// @param why_none  what other detections and boxes are, by id
+/// Returns a sentence for each id that the query names but that is not a target.
+/// @param why_none  what the other detections and boxes are, by id
 std::vector<std::string> missed_ids(const GraspQuery& query, const std::vector<Target>& targets,
                                     const std::map<int, std::string>& why_none);
 
-/// Why a query asks for none of the targets, in a sentence; empty if its ids say all.
+/// Explains in a sentence why a query matches none of the targets; empty if the ids explain it
+/// already.
 std::string why_none(const GraspQuery& query, const std::vector<Target>& targets);
 
 }  // namespace quadrille

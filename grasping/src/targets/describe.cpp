@@ -8,12 +8,12 @@
 namespace quadrille {
 namespace {
 
-// What counts as all the clearance, and as all the room beside each pad, that a grasp can use [m].
+// More clearance, or more room beside each pad, than this is no further advantage to a grasp [m].
 constexpr double kFullClearance = 0.01, kFullRoom = 0.005;
-// A pad of soft material touches on a disc of about this share of its shorter side as radius.
+// A soft pad touches on a disc whose radius is about this share of the pad's shorter side.
 constexpr double kDiscToPad = 0.25;
 
-/// True if the surface was measured next to a contact.
+/// Returns true if the surface was measured next to a contact.
 bool observed(const Eigen::Vector3d& contact_C, const OccupancyGrid& space) {
   const double step = space.resolution();
   for (int n = 0; n < 27; ++n) {
@@ -23,7 +23,8 @@ bool observed(const Eigen::Vector3d& contact_C, const OccupancyGrid& space) {
   return false;
 }
 
-/// Quality ε, torques against half the target's largest size; γ = 2/3 μ r for a disc of radius r.
+/// Computes the quality ε with torques scaled by half the target's largest size; γ = 2/3 μ r for a
+/// disc of radius r.
 double epsilon(const ContactLine& line, const TargetTask& task, double reach) {
   ContactModel model;
   model.friction = task.options.friction;
@@ -60,7 +61,7 @@ Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) 
   terms.observed = 0.5 * seen;
   terms.room = 0.5 * (grasp.preshape - line.opening) / kFullRoom;
   terms.central = 1.0 - (line.centre_C - target.body.centre_C()).norm() / reach;
-  // A detection that is not believed in at all costs its grasps half of their score.
+  // Full distrust of a detection halves the score of its grasps.
   grasp.score = grasp_score(terms) * (0.5 + 0.5 * std::clamp(target.confidence, 0.0, 1.0));
   return grasp;
 }

@@ -5,7 +5,7 @@
 
 namespace quadrille {
 
-/// The grasp that an attempt without obstruction is, with its quality and score.
+/// Turns an attempt that met no obstruction into a grasp, with its quality and score.
 /// @param preshape  opening of the hand on its way in [m]
 Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task);
 

@@ -13,17 +13,19 @@
 namespace quadrille {
 namespace {
 
-// Grasps that are nearer than this [m], and turned by less than 20°, add nothing to another one.
+// A grasp adds nothing to another one that is nearer than this [m] and turned by less than 20°.
 constexpr double kMinDistance = 0.012;
 const double kMaxTurnCosine = std::cos(20.0 * std::numbers::pi / 180.0);
-// Standard deviations of a pad's distance to keep from the target: 95 % of truths.
+// Number of standard deviations in the distance that a pad keeps from the target; it covers 95 % of
+// cases.
 constexpr double kSigmas = 2.0;
-// But no more than this [m]: what one view tells little of is seldom as wrong as it may be.
+// Upper limit of that part of the distance [m]: where one view tells little, the estimate is seldom
+// as wrong as its deviation allows.
 constexpr double kMaxDoubt = 0.004;
-// Room on either side beyond what a hold needs, in 80ths of the largest opening: medium, wide, then
-// narrow. On the Franka Hand 7, 14 and 0 mm.
+// Extra opening on either side beyond what a hold needs, in 80ths of the largest opening: medium,
+// wide, then narrow. On the Franka Hand these are 7, 14 and 0 mm.
 constexpr int kRooms[] = {7, 14, 0};
-// Depths below a contact at which space must be free to contradict it, in voxels, but no deeper
+// A contact is contradicted if space is free at these depths below it, in voxels, but no deeper
 // than a share of the width.
 constexpr double kFreeDepths[] = {-0.5, 0.5, 1.5};
 constexpr double kMaxDepthShare = 0.4;
@@ -45,13 +47,13 @@ Refusal refusal_of(Obstruction what) {
   }
 }
 
-/// Distance that each pad keeps from the target on the way in [m]. Where the hand goes and where
-/// the target is are unsure independently of each other.
+/// Returns the distance that each pad keeps from the target on the way in [m]. The errors of the
+/// hand's path and of the target's position are independent, so they add in squares.
 double pad_margin(const ContactLine& line, const PlanOptions& options) {
   return std::hypot(options.pad_margin, std::min(kSigmas * line.std, kMaxDoubt));
 }
 
-/// The openings of the hand to be tried, in this order [m].
+/// Returns the openings of the hand to be tried, in this order [m].
 std::vector<double> preshapes(const ContactLine& line, const TargetTask& task) {
   const double needed = min_opening(line, task.options);
   const double unit = task.gripper.max_opening / 80.0;
@@ -121,7 +123,8 @@ bool HandTrials::resembles_accepted(const ContactLine& line,
   });
 }
 
-/// Planes are looked at first, at little cost: they do not count as effort.
+/// Counts a refusal. Collisions with planes do not count as effort, because they are tested first
+/// at little cost.
 void HandTrials::obstructed(Refusal why) {
   refuse(why);
   checks_ += why != Refusal::kSupport;
@@ -162,14 +165,14 @@ bool HandTrials::try_hand(const Attempt& attempt) {
     if (!stopped_by(what)) {
       Grasp grasp = describe(attempt, preshape, task_);
       if (grasp.clearance < task_.query.min_clearance) {
-        // A narrower hand may keep clear.
+        // A narrower opening may keep the required clearance.
         obstructed(Refusal::kClearance);
         continue;
       }
       found_.grasps.push_back(std::move(grasp));
       return true;
     }
-    if (*what == Obstruction::kSupport) return false;  // another opening does not help
+    if (*what == Obstruction::kSupport) return false;  // no other opening would help
   }
   return false;
 }

@@ -9,11 +9,12 @@
 namespace quadrille {
 namespace {
 
-// Points farther from the surface belong to something else [m].
+// Points farther than this from the surface belong to something else [m].
 constexpr double kMaxDistance = 0.015;
-// A few hundred of them on a target are enough: so many points of a cloud are looked at.
+// Number of points of a cloud that are examined; of these a few hundred lie on a target, which is
+// enough.
 constexpr std::size_t kMaxPoints = 40000;
-// The standard deviation of a normal distribution, in medians of its absolute values.
+// Standard deviation of a normal distribution divided by the median of its absolute values.
 constexpr double kSigmaPerMedian = 1.4826;
 
 }  // namespace
@@ -27,7 +28,7 @@ double point_noise(const Detection& detection, const PointCloud& cloud) {
   std::vector<double> distances;
   for (std::size_t i = 0; i < cloud.points.size(); i += step) {
     const Eigen::Vector3d p_C = cloud.points[i].cast<double>();
-    if (!near_Q.contains(X_QC * p_C)) continue;  // nor are those without coordinates in it
+    if (!near_Q.contains(X_QC * p_C)) continue;  // this also skips points without coordinates
     const double distance = std::abs(detection.Q_C.distance(p_C));
     if (distance < kMaxDistance) distances.push_back(distance);
   }

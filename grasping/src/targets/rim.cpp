@@ -1,4 +1,4 @@
-// Grasps across the wall of a vessel, at its rim.
+// Finds grasps across the wall of a vessel, at its rim.
 #include "contacts/rim.hpp"
 
 #include <vector>
@@ -11,15 +11,15 @@
 namespace quadrille {
 namespace {
 
-// Effort per target, as across a body.
+// Limits on the effort per target, as for grasps across a body.
 constexpr int kMaxChecks = 4000;
 constexpr std::size_t kMaxGrasps = 12;
-// Walls that are warped more under the pads turn in the hand. As a share of how far a pad reaches:
-// at its corners that is 4° out of line, of the 5° that a held object may turn.
+// Walls with more warp under the pads turn in the hand. The limit is a share of a pad's reach: at
+// the corners this is 4° out of line, out of the 5° that a held object may turn.
 constexpr double kMaxWarpToReach = 1.0 / 15.0;
 
-/// The tips as far beyond the contacts as the rim is before them: the bend of the wall then turns
-/// it neither way.
+/// Places the tips as far beyond the contacts as the rim is in front of them, so that the bend of
+/// the wall turns it neither way.
 void try_rim(const ContactLine& line, const Eigen::Vector3d& approach_C, const TargetTask& task,
              HandTrials& trials) {
   const Shell& shell = *task.target.shell;

@@ -13,10 +13,10 @@
 namespace quadrille {
 namespace {
 
-// Across a slanted box, or a body whose size is poorly known, there may still be less than its
-// smallest size: so many times the largest opening may be worth a try.
+// A slanted box, or a body of uncertain size, may in truth be narrower than its smallest size. A
+// target up to this many times as wide as the largest opening is therefore still tried.
 constexpr double kMaxWidthToOpening = 1.5;
-// Larger hollows are no tableware [m].
+// Larger hollows are not tableware [m].
 constexpr double kMaxShell = 0.4;
 
 bool graspable(const Body& body, const Gripper& gripper) {
@@ -27,8 +27,8 @@ bool is_face(int id, const Box& box) {
   return std::find(box.faces.begin(), box.faces.end(), id) != box.faces.end();
 }
 
-/// Finds the wall of a target, and the lines across it where it was measured.
-/// @return number of lines where it was not
+/// Finds the wall of a target, and the lines across it at which it was measured.
+/// @return number of lines at which it was not measured
 int find_rim(const PointCloud& cloud, const DepthView& view, const Gripper& gripper,
              const PlanOptions& options, bool inside, Target& target) {
   if (target.body.bounds_Q().sizes().maxCoeff() > kMaxShell) return 0;
@@ -75,7 +75,7 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
     const bool inside = seen_from_inside(d, *body);
     target.unmeasured = find_rim(cloud, view, gripper, options, inside, target);
     if (target.wanted) chosen.refusals[Refusal::kUnmeasured] += target.unmeasured;
-    // What was seen from inside is no solid: only its wall can be held.
+    // A body that was seen from inside is not solid: it can be held only by its wall.
     target.solid = !inside && graspable(*body, gripper);
     if (target.solid || target.shell) {
       target.noise = point_noise(d, cloud);

@@ -19,10 +19,11 @@
 
 namespace quadrille {
 
-/// True if a detection is to be grasped, and is not only in the way. A box is if its faces are.
+/// Returns true if a detection is to be grasped rather than being only an obstacle. A box is wanted
+/// if one of its faces is.
 bool is_wanted(const Detection& detection, const PlanOptions& options);
 
-/// One detection or box that could be grasped, and all that its planning needs.
+/// A detection or box that could be grasped, with all that planning its grasps needs.
 struct Target {
   int id = 0;
   /// Type and track of the detection; a box is a plane without track.
@@ -30,32 +31,32 @@ struct Target {
   int track = 0;
   double confidence = 1.0;
   Body body;
-  /// Standard deviation of its points about its surface [m].
+  /// Standard deviation of the points about the surface [m].
   double noise = 0.0;
-  /// The planes that it stands on, the nearest first.
+  /// The planes that the target stands on, the nearest first.
   std::vector<SupportPlane> supports;
-  /// Its wall, if it is open at one end, and the lines across it where it was measured.
+  /// The wall, if the target is open at one end, and the lines across it at which it was measured.
   std::optional<Shell> shell;
   std::vector<ContactLine> rim;
-  /// Lines across it where it was not measured.
+  /// Number of lines across the wall at which it was not measured.
   int unmeasured = 0;
-  /// False if it can be held by its wall alone.
+  /// False if the target can be held only by its wall.
   bool solid = true;
-  /// False if nobody asked for it. It is kept because it says, as all others do, which space
-  /// matters and what things stand on.
+  /// False if the target is not asked for. It is kept because, like all others, it tells which
+  /// space matters and what things stand on.
   bool wanted = true;
-  /// The box that it is.
+  /// The box, if the target is one.
   std::optional<Box> box;
 
-  /// Unit normal of what it stands on; zero if that is not known.
+  /// Unit normal of the support; zero if it is not known.
   Eigen::Vector3d up_C() const;
 };
 
-/// The detections that the hand may hold, across or by their rims, and what was refused of those
+/// The detections that the hand may hold, across or by their rims, and the refusals among those
 /// that are wanted.
 struct ChosenTargets {
   std::vector<Target> targets;
-  /// Why the others are none, by id.
+  /// Why other detections are not targets, by id.
   std::map<int, Refusal> refused;
   RefusalCounts refusals;
 
@@ -68,15 +69,15 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
                              const DepthView& view, const Gripper& gripper,
                              const PlanOptions& options, const Deadline& deadline);
 
-/// The boxes that the hand may hold across two parallel faces, and what was refused.
+/// Chooses the boxes that the hand may hold across two parallel faces, and counts the refusals.
 ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxes,
                            const std::vector<Detection>& detections, const Gripper& gripper,
                            const PlanOptions& options, const Deadline& deadline);
 
-/// How far the hand reaches from a target's surface, its approach included [m].
+/// Returns how far the hand reaches from a target's surface, including its approach [m].
 double hand_reach(const Gripper& gripper, double approach);
 
-/// The body's bounds in frame C, grown by a distance [m].
+/// Returns the body's bounds in frame C, grown by a distance [m].
 Eigen::AlignedBox3d around(const Body& body, double distance);
 
 }  // namespace quadrille

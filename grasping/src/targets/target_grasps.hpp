@@ -15,7 +15,7 @@
 
 namespace quadrille {
 
-/// What the grasps of one target are planned from. All that it refers to must outlive it.
+/// The inputs for planning the grasps of one target. Everything that it refers to must outlive it.
 struct TargetTask {
   const Target& target;
   const Gripper& gripper;
@@ -24,25 +24,26 @@ struct TargetTask {
   const OccupancyGrid& space;
   const CollisionScene& scene;
   const Deadline& deadline;
-  /// Where the sensor stood [m].
+  /// Position of the sensor [m].
   Eigen::Vector3d viewpoint_C;
 };
 
-/// The grasps of one target that survive, diverse, in no order, and what was refused.
+/// The diverse grasps of one target that survive, in no particular order, and the refusals.
 struct TargetGrasps {
   std::vector<Grasp> grasps;
   RefusalCounts refusals;
-  /// True if the deadline ended the search.
+  /// True if the deadline ended the search early.
   bool cut = false;
 };
 
-/// Grasps across the whole body.
+/// Finds grasps across the whole body.
 TargetGrasps grasps_across(const TargetTask& task);
 
-/// Grasps by the tips, wherever these reach: a longer search, for where nothing else is to be had.
+/// Finds grasps by the tips, wherever they reach. The search takes longer, and is for targets that
+/// have no other grasp.
 TargetGrasps grasps_by_tips(const TargetTask& task);
 
-/// Grasps across the wall of its shell, at the rim.
+/// Finds grasps across the wall of the target's shell, at the rim.
 TargetGrasps grasps_at_rim(const TargetTask& task);
 
 }  // namespace quadrille

@@ -8,14 +8,15 @@
 namespace quadrille {
 namespace {
 
-// Points of the target lie this far beside its fitted surface, in standard deviations of them; but
-// the fit is no better than the first distance, and what lies beyond the second is not carved [m].
+// The target's points are carved up to this many of their standard deviations from its fitted
+// surface: at least the first distance, since fits are no more accurate, at most the second [m].
 constexpr double kCarveSigmas = 3.0, kMinCarveNoise = 0.002, kMaxCarveNoise = 0.01;
-// A detection is a part of the target if its middle lies in the target's body, grown by so much
-// [m], and if it is no larger, to within a share of the body's size and an error of its own [m].
+// A detection is part of the target if its centre lies in the target's body grown by the first
+// value [m], and it is no larger than the body, to within a share of the body's size and a fixed
+// error [m].
 constexpr double kPartNoise = 0.006, kMaxPartShare = 1.3, kPartSizeError = 0.01;
 
-/// A cap, a second fit or a fragment of the target.
+/// Returns true for a cap, a second fit or a fragment of the target.
 bool part_of(const ShapeOwner& other, const Body& body) {
   const double size = body.bounds_Q().sizes().maxCoeff();
   return body.contains(other.middle_C, kPartNoise) &&
@@ -35,14 +36,14 @@ CollisionScene uncarved_scene(const Target& target, const Surroundings& around_i
   return scene;
 }
 
-/// A voxel that reaches into the target has its centre within half its diagonal, plus the noise of
-/// its points.
+/// Returns the margin by which the body is grown for carving. The centre of a voxel that reaches
+/// into the target lies within half the voxel's diagonal, plus the noise of the points.
 double carve_margin(const OccupancyGrid& space, const Target& target) {
   const double noise = std::clamp(kCarveSigmas * target.noise, kMinCarveNoise, kMaxCarveNoise);
   return 0.5 * std::sqrt(3.0) * space.resolution() + noise;
 }
 
-/// True for voxels of what the target stands on.
+/// Returns true for voxels of the plane that the target stands on.
 bool holds_up(const Target& target, const OccupancyGrid& space, const Eigen::Vector3d& p_C) {
   const auto near = [&](const SupportPlane& plane) {
     return plane.distance(p_C) < 0.5 * space.resolution();

@@ -15,37 +15,37 @@
 
 namespace quadrille {
 
-/// What a collision shape belongs to.
+/// The detection or box that a collision shape belongs to.
 struct ShapeOwner {
-  /// Of the detection or box.
+  /// Id of the detection or box.
   int id = 0;
-  /// Its middle, and its largest size [m].
+  /// Centre and largest size of the owner [m].
   Eigen::Vector3d middle_C = Eigen::Vector3d::Zero();
   double size = 0.0;
 };
 ShapeOwner owner_of(const Detection& detection);
 ShapeOwner owner_of(const Box& box);
 
-/// What surrounds the targets. All that it refers to must outlive it.
+/// The surroundings of all targets. Everything that it refers to must outlive it.
 struct Surroundings {
   const OccupancyGrid& space;
   const DepthView& view;
-  /// The voxels of all that space, the targets' own included.
+  /// The voxels of that space, including the targets' own.
   const ObstacleMap& map;
-  /// The shapes of all detections and boxes, and for each its owner.
+  /// The shapes of all detections and boxes, and the owner of each.
   const std::vector<CollisionShape>& shapes;
   const std::vector<ShapeOwner>& owners;
   UnknownPolicy unknown = UnknownPolicy::kObstacle;
-  /// How far a hand reaches from a target's surface [m].
+  /// Distance that a hand reaches from a target's surface [m].
   double reach = 0.0;
 };
 
-/// What a hand may run into that takes a target as a solid. The target's own voxels give way; those
-/// of what it stands on stay.
+/// Returns the obstacles for a hand that takes a target as a solid. The target's own voxels are
+/// removed; those of its support stay.
 CollisionScene solid_scene(const Target& target, const Surroundings& around_it);
 
-/// The same for a hand that takes the target by its wall alone: what the vessel holds, and its
-/// hidden bottom, stay in the way.
+/// Returns the obstacles for a hand that takes the target by its wall alone: the vessel's contents
+/// and its hidden bottom stay obstacles.
 CollisionScene shell_scene(const Target& target, const Surroundings& around_it);
 
 }  // namespace quadrille

@@ -1,4 +1,4 @@
-// What only the tips hold, wherever they reach: where nothing better is to be had.
+// Finds holds by the tips alone, wherever they reach, for targets that have no better grasp.
 #include <optional>
 
 #include "contacts/tip_holds.hpp"
@@ -7,11 +7,11 @@
 namespace quadrille {
 namespace {
 
-// Holds by the tips are exact: their normals are those of the very place, so that less is kept in
-// hand than for contacts that the pads smooth out.
+// Holds by the tips use the normals at the exact contacts, so they need less reserve of friction
+// than contacts that the pads average over.
 constexpr double kFrictionShare = 0.9;
-// More collision checks than this found hardly any further hold, and more holds than this are not
-// needed of a target.
+// More collision checks than this found hardly any further hold, and no target needs more holds
+// than this.
 constexpr int kMaxChecks = 4000;
 constexpr std::size_t kMaxGrasps = 8;
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-/// The part of a span that lies in an image; empty spans and those beside it come out empty.
+/// Clips a span to an image; a span that is empty or lies outside gives an empty one.
 PixelSpan clipped(const PixelSpan& s, int width, int height) {
   return {std::max(s.min_u, 0), std::min(s.max_u, width - 1), std::max(s.min_v, 0),
           std::min(s.max_v, height - 1)};
@@ -57,7 +57,7 @@ DepthBounds::Level DepthBounds::coarser(const Level& fine) {
   return level;
 }
 
-/// The level on which a span within the image is at most two pixels wide and high.
+/// Returns the level at which a span within the image is at most two pixels wide and high.
 int DepthBounds::level_of(const PixelSpan& s) const {
   const auto steps = static_cast<unsigned>(std::max(s.max_u - s.min_u, s.max_v - s.min_v));
   return std::min(steps < 2 ? 0 : static_cast<int>(std::bit_width(steps - 1)),

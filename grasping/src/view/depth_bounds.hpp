@@ -7,35 +7,36 @@
 
 namespace quadrille {
 
-/// Bounds of what the pixels of a region measured [m]; min is 0 where a pixel is missing.
+/// Bounds of the depths that the pixels of a region measured [m]; min is 0 if a pixel is missing.
 struct DepthRange {
   double min = 0.0, max = 0.0;
 };
 
-/// Pixels from (min_u, min_v) up to and with (max_u, max_v); none if a maximum is the smaller.
+/// The pixels from (min_u, min_v) to (max_u, max_v), inclusive; empty if a maximum is below its
+/// minimum.
 struct PixelSpan {
   int min_u, max_u, min_v, max_v;
 };
 
-/// Bounds of the depth over any rectangle of pixels, from a few looks at a pyramid of images: each
-/// level holds the bounds over two by two pixels of the one before. They may be those of a
-/// rectangle up to four times as large.
+/// Bounds the depth over any rectangle of pixels with a few look-ups in a pyramid of images, in
+/// which each level holds the bounds over two by two pixels of the previous one. The bounds may be
+/// those of a rectangle up to four times as large.
 class DepthBounds {
  public:
   DepthBounds() = default;
-  /// @param filled  per pixel, whether its depth was not measured
+  /// @param filled  per pixel, nonzero if its depth was filled in rather than measured
   DepthBounds(const DepthImage& image, const std::vector<std::uint8_t>& filled);
 
-  /// Over the pixels of a span; those outside the image are missing.
+  /// Returns the bounds over the pixels of a span; pixels outside the image count as missing.
   DepthRange range(const PixelSpan& span) const;
-  /// Smallest depth that a pixel of the span measured, infinite if none did.
+  /// Returns the smallest depth that a pixel of the span measured; infinite if none did.
   double nearest_surface(const PixelSpan& span) const;
 
  private:
   struct Level {
     int width = 0, height = 0;
     std::vector<float> min, max;
-    /// Smallest depth that was measured, infinite if none was.
+    /// Smallest measured depth; infinite if nothing was measured.
     std::vector<float> surface;
   };
   static Level coarser(const Level& fine);

@@ -8,25 +8,26 @@ namespace quadrille {
 
 namespace {
 
-// Depths of neighbours on one surface differ by less than this share, also where it is seen at 80°
-// in pixels of 1/300 of its depth.
+// Depths of neighbours on one surface differ by less than this share, even if it is seen at 80° in
+// pixels of 1/300 of its depth.
 constexpr float kMaxStep = 0.02f;
-// A pixel with fewer neighbours of its depth is a stray. Along a wire of one pixel there are two.
+// A pixel with fewer neighbours at its depth is a stray. Along a wire that is one pixel wide there
+// are two.
 constexpr int kMinAlike = 2;
-// A missing pixel with so many measured neighbours is filled. Beside a straight edge there are
-// three as well: what stands there grows by a pixel.
+// A missing pixel with at least this many measured neighbours is filled. A pixel beside a straight
+// edge has three as well, so objects grow by one pixel there.
 constexpr int kMinMeasured = 3;
 
 bool alike(float depth, float other) {
   return other > 0.0f && std::abs(other - depth) < kMaxStep * depth;
 }
 
-/// True if enough of the eight neighbours stand on one surface with the pixel.
+/// Returns true if enough of the eight neighbours lie on one surface with the pixel.
 bool has_support(const DepthImage& image, int u, int v) {
   const float depth = image.at(u, v);
-  // Mostly both neighbours in its row are.
+  // Quick test: usually both neighbours in the row do.
   if (alike(depth, image.at(u - 1, v)) && alike(depth, image.at(u + 1, v))) return true;
-  int found = -1;  // the pixel itself
+  int found = -1;  // does not count the pixel itself
   for (int y = v - 1; y <= v + 1; ++y) {
     for (int x = u - 1; x <= u + 1; ++x) found += alike(depth, image.at(x, y));
   }

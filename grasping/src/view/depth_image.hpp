@@ -5,7 +5,8 @@
 
 namespace quadrille {
 
-/// Depths that the pixels of a pinhole measured, along its axis [m], row by row; 0 where missing.
+/// Depths along the optical axis that the pixels of a pinhole camera measured [m], row by row; 0 if
+/// missing.
 struct DepthImage {
   int width = 0, height = 0;
   std::vector<float> depth;
@@ -16,11 +17,11 @@ struct DepthImage {
   float at(int u, int v) const { return holds(u, v) ? depth[index(u, v)] : 0.0f; }
 };
 
-/// Takes out the pixels without support among their neighbours: stray and mixed ones.
+/// Removes the pixels without support among their neighbours: stray and mixed pixels.
 /// @return their indices
 std::vector<std::size_t> remove_strays(DepthImage& image);
 
-/// Gives missing pixels with a few measured neighbours the smallest of their depths.
+/// Fills missing pixels that have a few measured neighbours with the smallest of their depths.
 void fill_holes(DepthImage& image);
 
 }  // namespace quadrille

@@ -1,4 +1,4 @@
-// What a depth view says of boxes and of cubes.
+// Queries of a depth view about boxes and cubes.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,12 +9,12 @@ namespace quadrille {
 
 namespace {
 
-// The widest band beside an edge in which a sensor of two eyes is blind: focal length times
-// baseline over depth, as common sensors have it at half a metre.
+// Greatest width of the band beside an edge in which a sensor with two eyes is blind: focal length
+// times baseline over depth, with the values of common sensors at half a metre.
 constexpr int kMaxBlindPixels = 20;
 
-/// The nearest whole number below or above, of at most 1e8, which is in no image; that is also what
-/// becomes of NaN. std::floor is a call on plain x86-64.
+/// Rounds down to a whole number, limited to ±1e8, which lies outside any image; NaN becomes −1e8.
+/// Avoids std::floor, which is a function call on plain x86-64.
 int whole_below(double x) {
   x = x > -1e8 ? std::min(x, 1e8) : -1e8;
   const int n = static_cast<int>(x);
@@ -31,8 +31,8 @@ Eigen::Vector2i DepthView::pixel(const Eigen::Vector3d& p_V) const {
 }
 
 PixelSpan DepthView::span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const {
-  // Tangents over the box lie between those at its nearest and farthest depth. A pixel more for
-  // rounding does no harm: whoever asks looks at each.
+  // Tangents over the box lie between those at its nearest and farthest depth. One pixel too many
+  // because of rounding does no harm, since callers check each pixel.
   constexpr double kRounding = 1e-9;
   const double near = 1.0 / (p_V.z() - reach.z()), far = 1.0 / (p_V.z() + reach.z());
   const double lo_x = p_V.x() - reach.x(), hi_x = p_V.x() + reach.x();
@@ -61,7 +61,8 @@ std::array<DepthRange, 8> DepthView::ranges(const EightPoints& p_V,
     }
     return result;
   }
-  // Floats are off by less than this many pixels. Shifted above zero, cutting off rounds down.
+  // Error bound of the floats in pixels. The shift makes all values positive, so that truncation
+  // rounds down.
   constexpr float kRounding = 1e-3f, kShift = 8.0f;
   using Eight = Eigen::Array<float, 8, 1>;
   const Eigen::Array3f r = reach.cast<float>().array();
@@ -81,15 +82,15 @@ std::array<DepthRange, 8> DepthView::ranges(const EightPoints& p_V,
   for (int n = 0; n < 8; ++n) {
     const PixelSpan s{u0[n] + 1 - kWhole, u1[n] - kWhole, v0[n] + 1 - kWhole, v1[n] - kWhole};
     const bool none =
-        s.min_u > s.max_u || s.min_v > s.max_v;  // no centre of a pixel: the exact way
+        s.min_u > s.max_u || s.min_v > s.max_v;  // no pixel centre inside: use the exact way
     result[n] = none ? range(Eigen::Vector3d(p_V.row(n).cast<double>().matrix().transpose()), reach)
                      : bounds_.range(s);
   }
   return result;
 }
 
-/// Calls visit(u, v, depth) for each pixel whose ray passes the cube without seeing past it, until
-/// one call returns false. The pixel that the centre projects to counts in any case.
+/// Calls visit(u, v, depth) for each pixel whose ray passes through the cube without seeing past
+/// it, until one call returns false. The pixel that the cube's centre projects to always counts.
 template <class Visitor>
 bool DepthView::visit_blockers(const Eigen::Vector3d& centre_C, double half,
                                Visitor&& visit) const {

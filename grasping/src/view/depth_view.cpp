@@ -8,8 +8,8 @@ namespace quadrille {
 
 namespace {
 
-// A bound on the memory, of some 100 MB. More pixels than any camera's come only from points in
-// disorder.
+// Limits the memory to about 100 MB. Only disordered points lead to more pixels than any camera
+// has.
 constexpr double kMaxPixels = 4e6;
 
 }  // namespace
@@ -22,24 +22,24 @@ DepthView::DepthView(const PointCloud& cloud, double baseline, double thin)
   if (!view) return;
   place(*view, find_pixels(cloud, *view, kMaxPixels));
   keep_nearest(cloud);
-  // Twice, for holes three pixels wide.
+  // Two passes fill holes that are three pixels wide.
   fill_holes(image_);
   fill_holes(image_);
-  // Only in the optical convention are rows those of the sensor, along its baseline.
+  // Only in the optical convention do the rows run along the sensor's baseline.
   const GapRules rules{R_VC_.isIdentity() ? baseline : 0.0, thin};
   filled_ = fill_gaps(image_.depth, image_.width, pitch_.matrix(), rules);
   bounds_ = DepthBounds(image_, filled_);
 }
 
 void DepthView::place(const PinholeView& view, const PinholeImage& image) {
-  // A rotation also to the last bits of a double.
+  // Normalising makes it a rotation to the last bits of a double.
   R_VC_ = Eigen::Quaterniond(Eigen::Matrix3d(view.X_VC.linear().cast<double>()))
               .normalized()
               .toRotationMatrix();
   spread_ = R_VC_.cwiseAbs().rowwise().sum();
   pitch_ = image.pitch.cast<double>();
   pixels_ = pitch_.inverse();
-  // The centre of the first pixel stands half a step from its corner.
+  // The centre of the first pixel lies half a step from its corner.
   const Eigen::Array2d centre = -image.corner.cast<double>() / pitch_ - 0.5;
   cu_ = centre.x();
   cv_ = centre.y();
@@ -47,13 +47,13 @@ void DepthView::place(const PinholeView& view, const PinholeImage& image) {
   image_.height = image.height;
 }
 
-/// Of the points of a pixel the nearest one counts, unless it is a stray.
+/// Keeps the nearest point of each pixel, unless it is a stray.
 void DepthView::keep_nearest(const PointCloud& cloud) {
   image_.depth.assign(static_cast<std::size_t>(image_.width) * image_.height, 0.0f);
   std::vector<std::size_t> nearest(image_.depth.size(), 0);
   for (std::size_t n = 0; n < cloud.points.size(); ++n) {
     const Eigen::Vector3d p_V = to_view(cloud.points[n].cast<double>());
-    // Also false for points that are not finite.
+    // This is also false for points that are not finite.
     if (!(p_V.z() > kMinDepth)) continue;
     const Eigen::Vector2i uv = pixel(p_V);
     if (!image_.holds(uv.x(), uv.y())) continue;

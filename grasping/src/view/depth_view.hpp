@@ -14,33 +14,34 @@
 
 namespace quadrille {
 
-/// A cloud as the depth image of a pinhole at its viewpoint: which space the sensor saw through.
+/// A cloud as the depth image of a pinhole camera at its viewpoint; tells which space the sensor
+/// saw through.
 ///
-/// Frame V: origin at the viewpoint, z forward. A regular grid of pixels, as an organised cloud or
-/// one stored row by row has, is recovered exactly; otherwise the pitch follows from the density of
-/// the points. A pixel without support among its neighbours (a stray or mixed pixel) counts as
-/// missing; a missing pixel inside a surface takes the smallest depth of its neighbours; in the
-/// blind band beside the edge of a thing, and in gaps too narrow for anything that counts, it takes
-/// the depth up to which nothing can stand there; others stay missing.
+/// Frame V: origin at the viewpoint, z forward. If the cloud has a regular grid of pixels
+/// (organised, or stored row by row), it is recovered exactly; otherwise the pitch follows from the
+/// density of the points. A pixel without support among its neighbours (a stray or mixed pixel)
+/// counts as missing. A missing pixel inside a surface takes the smallest depth of its neighbours.
+/// A missing pixel in the blind band beside an object's edge, or in a gap too narrow for any object
+/// that matters, takes the depth up to which nothing can stand there. All others stay missing.
 class DepthView {
  public:
   /// Depth below which a view tells nothing [m]: no depth camera measures nearer.
   static constexpr double kMinDepth = 0.02;
 
   /// @param baseline  largest distance between the sensor's two eyes [m]; 0 for a single eye
-  /// @param thin      things thinner than this may hide in gaps [m]
+  /// @param thin  objects thinner than this may be hidden in gaps [m]
   explicit DepthView(const PointCloud& cloud, double baseline = 0.0, double thin = 0.0);
 
-  /// False if no point lies before the viewpoint, or the viewpoint is not finite.
+  /// Returns false if no point lies in front of the viewpoint, or the viewpoint is not finite.
   bool valid() const { return image_.width > 0; }
   int width() const { return image_.width; }
   int height() const { return image_.height; }
   const Eigen::Vector3d& p_CV() const { return p_CV_; }
-  /// Point of frame C in frame V.
+  /// Transforms a point from frame C into frame V.
   Eigen::Vector3d to_view(const Eigen::Vector3d& p_C) const { return R_VC_ * (p_C - p_CV_); }
   /// The axes of C as columns, in frame V.
   const Eigen::Matrix3d& axes() const { return R_VC_; }
-  /// Direction in C through the centre of pixel (u, v), of unit depth.
+  /// Direction in C through the centre of pixel (u, v), with a depth of 1.
   Eigen::Vector3d ray_C(int u, int v) const {
     return R_VC_.transpose() * Eigen::Vector3d((u - cu_) * pitch_.x(), (v - cv_) * pitch_.y(), 1.0);
   }
@@ -48,38 +49,39 @@ class DepthView {
   double spacing(double depth) const { return pitch_.maxCoeff() * depth; }
   /// Depth at a pixel [m], 0 if missing or outside the image.
   double depth(int u, int v) const { return image_.at(u, v); }
-  /// Pixel that p_V projects to (p_V.z > 0); may lie outside the image.
+  /// Pixel that p_V projects to (p_V.z > 0); it may lie outside the image.
   Eigen::Vector2i pixel(const Eigen::Vector3d& p_V) const;
-  /// Half sizes along the axes of V of a cube with edges along those of C and of that half size.
+  /// Half sizes, along the axes of V, of a cube of this half size whose edges lie along those of C.
   Eigen::Vector3d reach(double half) const { return half * spread_; }
   /// Bounds of the depth over all pixels whose rays may pass the box p_V ± reach.
   DepthRange range(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
-  /// The same for eight boxes at once, to within 1 µm of the depths asked about.
+  /// Like range(), for eight boxes at once; their depths are rounded to within 1 µm.
   using EightPoints = Eigen::Array<float, 8, 3>;
   std::array<DepthRange, 8> ranges(const EightPoints& p_V, const Eigen::Vector3d& reach) const;
-  /// True if each pixel whose ray passes the cube measured something beyond it.
+  /// Returns true if every pixel whose ray passes through the cube measured something beyond it.
   bool sees_past(const Eigen::Vector3d& centre_C, double half) const;
-  /// Smallest depth that any pixel whose ray may pass the box p_V ± reach measured [m]: infinite if
-  /// none measured anything, 0 for a box that reaches the sensor.
+  /// Returns the smallest depth measured by any pixel whose ray may pass through the box p_V ±
+  /// reach [m]: infinite if none measured anything, 0 for a box that reaches the sensor.
   double nearest_surface(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
-  /// True if one of these pixels measured something before the cube or in it. False beside the
-  /// image and where nothing was measured.
+  /// Returns true if a pixel whose ray passes through the cube measured something in front of it or
+  /// in it; false beside the image and where nothing was measured.
   bool meets_surface(const Eigen::Vector3d& centre_C, double half) const;
-  /// True if some of those pixels did not see past it, and holds(p_C) of the point that each of
-  /// these measured. A pixel that measured nothing counts with the nearer of the two points at the
-  /// ends of its gap, if the gap is narrow: beside the edge of a thing, a stereo or
-  /// structured-light sensor is blind where the thing stands between the surface and its second
-  /// eye.
+  /// Returns true if some of the pixels whose rays pass through the cube did not see past it, and
+  /// holds(p_C) is true for the point that each of them measured. For a pixel without a measurement
+  /// in a narrow gap, the nearer of the two points at the ends of the gap is used: beside the edge
+  /// of an object, a stereo or structured-light sensor is blind where the object stands between the
+  /// surface and its second eye.
   bool hidden_only_by(const Eigen::Vector3d& centre_C, double half,
                       const std::function<bool(const Eigen::Vector3d&)>& holds) const;
-  /// For each point of the cloud, whether it was refused as a stray.
+  /// For each point of the cloud, nonzero if it was rejected as a stray.
   const std::vector<std::uint8_t>& stray() const { return stray_; }
 
  private:
   template <class Visitor>
   bool visit_blockers(const Eigen::Vector3d& centre_C, double half, Visitor&& visit) const;
   PixelSpan span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
-  /// Column of the nearer measured pixel at the ends of the gap at (u, v); -1 if there is none.
+  /// Returns the column of the nearer measured pixel at the ends of the gap at (u, v); -1 if there
+  /// is none.
   int nearer_end_of_gap(int u, int v) const;
   bool measured(int u, int v) const { return depth(u, v) > 0.0 && !filled_[image_.index(u, v)]; }
   void place(const PinholeView& view, const PinholeImage& image);
@@ -88,12 +90,13 @@ class DepthView {
   Eigen::Matrix3d R_VC_ = Eigen::Matrix3d::Identity();
   Eigen::Vector3d spread_ = Eigen::Vector3d::Ones();
   Eigen::Vector3d p_CV_ = Eigen::Vector3d::Zero();
-  /// Tangent from pixel to pixel along u and v, and pixels per unit of it.
+  /// Tangent of the angle between neighbouring pixels along u and v, and its inverse, pixels per
+  /// unit of tangent.
   Eigen::Array2d pitch_ = Eigen::Array2d::Ones(), pixels_ = Eigen::Array2d::Ones();
-  /// Where the axis of V passes the image, in pixels.
+  /// Pixel coordinates at which the axis of V passes through the image.
   double cu_ = 0.0, cv_ = 0.0;
   DepthImage image_;
-  /// For each pixel, whether its depth bounds what a gap may hide, not measured.
+  /// For each pixel, nonzero if its depth was not measured but bounds what a gap may hide.
   std::vector<std::uint8_t> filled_;
   DepthBounds bounds_;
   std::vector<std::uint8_t> stray_;

@@ -7,22 +7,22 @@ namespace quadrille {
 
 namespace {
 
-// Pixels that the matching window of a sensor loses on either side of an edge.
+// Number of pixels that a sensor's matching window loses on either side of an edge.
 constexpr double kLostAtEdges = 3.0;
 
-/// A run of missing pixels between two measured ones, `stride` apart in memory.
+/// A run of missing pixels between two measured ones; its pixels are `stride` apart in memory.
 struct Gap {
   std::size_t first;
   int length;
   std::size_t stride;
-  double before, after;  // depth at its ends
+  double before, after;  // depths at its ends
 };
 
-/// Calls visit(gap) for each gap of a line of pixels.
+/// Calls visit(gap) for each gap in a line of pixels.
 template <class Visitor>
 void each_gap(const std::vector<float>& depth, std::size_t start, int count, std::size_t stride,
               Visitor&& visit) {
-  int seen = -1;  // the last measured pixel
+  int seen = -1;  // index of the last measured pixel
   for (int n = 0; n < count; ++n) {
     const float z = depth[start + n * stride];
     if (z == 0.0f) continue;

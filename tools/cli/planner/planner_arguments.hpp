@@ -18,12 +18,12 @@ struct PlannerArguments {
   std::optional<UnknownPolicy> unknown;
   std::optional<double> deadline_ms;
 
-  /// Adds --gripper, --unknown and --deadline-ms; this must outlive the app.
-  /// @param default_gripper  empty: --gripper is required
+  /// Adds --gripper, --unknown and --deadline-ms; this object must outlive the app.
+  /// @param default_gripper  if empty, --gripper is required
   void add_to(CLI::App& app, const std::string& default_gripper);
-  /// The settings of the file, overruled by those of the command line.
+  /// Returns the settings of the file, overridden by those of the command line.
   PlanOptions overrule(PlanOptions file) const;
-  /// The hand that is named.
+  /// Returns the gripper that is named.
   /// @throws CLI::ValidationError if there is none of that name
   /// @throws io::FileError if its file is wrong
   Gripper gripper() const;

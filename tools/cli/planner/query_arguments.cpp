@@ -47,7 +47,7 @@ Cone cone_of(const std::string& list) {
 
 void add_length(CLI::App& app, const std::string& name, double& length, double max,
                 const std::string& what) {
-  // CLI::Range lets NaN pass.
+  // This check is needed because CLI::Range lets NaN pass.
   const auto check = [max](const std::string& text) {
     double value = 0.0;
     const bool is_good = CLI::detail::lexical_cast(text, value) && value >= 0.0 && value <= max;

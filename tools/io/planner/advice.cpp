@@ -82,7 +82,8 @@ std::string advise(std::string_view reason, UnknownPolicy unknown) {
 }
 
 std::string explain_no_grasps(const GraspPlan& plan, UnknownPolicy unknown) {
-  // What would have been a grasp, had less been asked for.
+  // Candidates refused for their clearance come first: they would have been grasps if less
+  // clearance had been required.
   const auto near = plan.rejected.find(std::string(to_string(Refusal::kClearance)));
   const auto main =
       near != plan.rejected.end()

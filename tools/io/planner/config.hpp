@@ -8,7 +8,7 @@
 
 namespace quadrille::io {
 
-/// What a file of settings says to all programs.
+/// The settings of all programs from a file.
 struct Config : DetectorConfig {
   PlanOptions planner;
 };
@@ -16,15 +16,15 @@ struct Config : DetectorConfig {
 /// Reads a file of settings as load_detector_config() does, with the table [planner], whose keys
 /// and ranges are those of PlanOptions::visit().
 /// @param path  empty for the defaults
-/// @throws FileError likewise
+/// @throws FileError as load_detector_config() does
 Config load_config(const std::string& path);
 
-/// The same from the text of such a file.
-/// @param path  what it is called in errors
+/// Like load_config(), from the text of such a file.
+/// @param path  name of the text in errors
 Config parse_config(std::string_view text, const std::string& path);
 
-/// A file that load_config() reads back to the same settings, with unit, range, default and meaning
-/// of each as a comment.
+/// Returns a file that load_config() reads back to the same settings, with unit, range, default and
+/// meaning of each as a comment.
 std::string to_toml(const Config& config);
 
 }  // namespace quadrille::io

@@ -11,7 +11,7 @@
 namespace quadrille::io {
 namespace {
 
-/// A text as lines of comment of at most 100 bytes.
+/// Formats a text as comment lines of at most 100 bytes.
 std::string comment(const std::string& text) {
   constexpr std::size_t kWidth = 100;
   std::string lines, line = "#";
@@ -26,7 +26,7 @@ std::string comment(const std::string& text) {
   return lines + line + "\n";
 }
 
-/// "0.1 to 100 m", "one of …"; empty if the type of the field says all.
+/// Returns "0.1 to 100 m", "one of …"; empty if the field's type implies its range.
 template <class Field>
 std::string range_of(const Setting& setting) {
   if constexpr (Choice<Field>) {
@@ -44,7 +44,7 @@ std::string range_of(const Setting& setting) {
   }
 }
 
-/// Prints options, with a header for each table that begins.
+/// Prints options, with a header where each table begins.
 class Printer {
  public:
   template <class Options>

@@ -16,7 +16,7 @@
 namespace quadrille::io {
 namespace {
 
-/// Reads one key after the other and remembers which ones it knows.
+/// Reads one key after the other and remembers which keys are known.
 class GripperReader {
  public:
   GripperReader(const std::string& path, toml::table table)
@@ -24,7 +24,7 @@ class GripperReader {
 
   void read(const char* key, double* value) { *value = number(key, required(key)); }
 
-  /// A key that may be missing.
+  /// Returns whether an optional key is given.
   bool has(const char* key) const { return table_.contains(key); }
 
   template <int Size>
@@ -79,7 +79,7 @@ class GripperReader {
   std::set<std::string> known_;
 };
 
-/// Visits each field of a gripper but its name, with its key and whether a file has to have it.
+/// Visits each field of a gripper except its name, with its key and whether the file must have it.
 template <class SomeGripper, class Visit>
 void visit_fields(SomeGripper& gripper, const Visit& visit) {
   visit("max_opening", gripper.max_opening, true);

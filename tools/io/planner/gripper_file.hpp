@@ -8,24 +8,25 @@
 namespace quadrille::io {
 
 /// Reads a gripper from a TOML file whose keys are the fields of Gripper; all sizes in metres,
-/// vectors as arrays. `name`, `link_length`, `link_angle` and `tcp` are optional, every other key
+/// vectors as arrays. `name`, `link_length`, `link_angle` and `tcp` are optional; every other key
 /// is required.
-/// @throws FileError naming line and key, or what contradicts what
+/// @throws FileError naming line and key, or the contradiction
 Gripper read_gripper(const std::string& path);
 
-/// A gripper by built-in name, or from a file if the text ends in ".toml".
-/// @throws FileError as above
-/// @throws std::invalid_argument if there is no gripper of that name; lists the names
+/// Returns a built-in gripper by name, or reads it from a file if the text ends in ".toml".
+/// @throws FileError as read_gripper() does
+/// @throws std::invalid_argument listing the names, if there is no gripper of that name
 Gripper load_gripper(const std::string& name_or_path);
 
-/// All that a file says of a gripper, as read_gripper() reads it: equal texts are equal grippers.
+/// Returns the full description of a gripper in the form that read_gripper() reads; equal texts are
+/// equal grippers.
 std::string to_toml(const Gripper& gripper);
 
-/// The built-in grippers: those of tools/grippers, in the order of their names.
+/// Returns the names of the built-in grippers, those of tools/grippers, in order.
 std::vector<std::string> gripper_names();
 
-/// The file of a built-in gripper as it stands in tools/grippers, which read_gripper() reads.
-/// @throws std::invalid_argument if there is none of that name; lists the names
+/// Returns the file of a built-in gripper as it is in tools/grippers; read_gripper() can read it.
+/// @throws std::invalid_argument listing the names, if there is none of that name
 std::string gripper_toml(const std::string& name);
 
 }  // namespace quadrille::io

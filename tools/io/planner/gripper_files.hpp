@@ -10,7 +10,7 @@ struct GripperText {
   std::string name, toml;
 };
 
-/// The files of tools/grippers, in the order of their names.
+/// Returns the files of tools/grippers, in the order of their names.
 std::vector<GripperText> gripper_texts();
 
 }  // namespace quadrille::io

@@ -9,7 +9,7 @@ std::string octree_bytes(const octomap::OcTree& tree) {
   std::ostringstream stream;
   stream << "# Octomap OcTree binary file\nid " << tree.getTreeType() << "\nsize " << tree.size()
          << "\nres " << tree.getResolution() << "\ndata\n";
-  // What OctoMap's writeBinaryData() does, but without its line on the standard error.
+  // This does the same as OctoMap's writeBinaryData(), without its line on the standard error.
   if (tree.getRoot() != nullptr) tree.writeBinaryNode(stream, tree.getRoot());
   if (!stream) throw std::runtime_error("the octree cannot be written");
   return stream.str();

@@ -6,7 +6,8 @@
 
 namespace quadrille::io {
 
-/// A tree in OctoMap's binary format, as a .bt file holds it. OctoMap's own writer talks to stderr.
+/// Returns a tree in OctoMap's binary format, the content of a .bt file. OctoMap's own writer
+/// prints to stderr.
 /// @throws std::runtime_error if OctoMap cannot write the tree
 std::string octree_bytes(const octomap::OcTree& tree);
 

@@ -5,16 +5,17 @@
 
 namespace quadrille::io {
 
-/// One grasp.
+/// Returns one grasp.
 Json to_json(const Grasp& grasp);
 
-/// One collision shape.
+/// Returns one collision shape.
 Json to_json(const CollisionShape& shape);
 
-/// What was asked for: the conditions alone that were given, in the frame of the results.
+/// Returns the query: only the conditions that were given, in the frame of the results.
 Json to_json(const GraspQuery& query);
 
-/// What `quadrille plan --json` writes for one cloud; total_ms spans detection and planning.
+/// Returns what `quadrille plan --json` writes for one cloud; total_ms includes detection and
+/// planning.
 Json plan_json(const InputInfo& input, const RunInfo& run, const DetectionResult& result,
                const GraspPlan& plan);
 

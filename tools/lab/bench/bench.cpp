@@ -9,7 +9,7 @@
 namespace quadrille::bench {
 namespace {
 
-/// The rows in the order of the families, of what is counted, and of the contenders.
+/// Collects the rows, ordered by family, then by the type that is counted, then by contender.
 class Rows {
  public:
   void add(const Frame& frame, int family, const std::string& counted, int contender,
@@ -21,7 +21,7 @@ class Rows {
     row.finds_others = !counted.empty() && who.only.empty();
     ++row.frames;
     FrameScore one = scoring::score(frame, outcome.findings, counted);
-    // Planes are no concern of who looks for one type.
+    // Contenders that look for one type are not judged on planes.
     if (!counted.empty()) {
       one.planes_wanted = one.planes_found = one.planes_right = one.planes_wrong = 0;
     }

@@ -13,26 +13,26 @@ using scoring::Found;
 using scoring::Frame;
 using scoring::FrameScore;
 
-/// What a contender made of a frame, with its time from the decoded cloud to the findings.
+/// The result of a contender on one frame, with the time from the decoded cloud to the findings.
 struct Outcome {
   std::vector<Found> findings;
   double wall_ms = 0.0, cpu_ms = 0.0;
 };
 
-/// One detector with its settings. All use one thread.
+/// One detector with its settings. All contenders use one thread.
 struct Contender {
-  /// For tables, and to be chosen by.
+  /// Name for tables and for selection.
   std::string name;
-  /// One line on what it is.
+  /// Description in one line.
   std::string about;
-  /// The only type that it looks for; empty if it looks for all that it knows.
+  /// The only type that the contender looks for; empty if it looks for all that it knows.
   std::string only;
-  /// Why it cannot run here; empty if it can.
+  /// Why the contender cannot run here; empty if it can.
   std::string absent;
   std::function<Outcome(const Frame&)> run;
 };
 
-/// Quadrille and its variants, plain baselines, and the peers, also those that are absent.
+/// Returns Quadrille and its variants, plain baselines, and the peers, including absent ones.
 /// @param programs  folder of the peers' programs
 std::vector<Contender> all_contenders(const std::string& programs);
 

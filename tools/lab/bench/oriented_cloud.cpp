@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kMinInVoxel = 2, kMinNeighbours = 6;
 
-// Release 1.5.0 of nanoflann renamed its search parameters and gave its results a type of their
-// own; Debian 12 still has 1.4.
+// nanoflann 1.5.0 renamed its search parameters and gave its results a type of their own; Debian 12
+// still has 1.4.
 #if NANOFLANN_VERSION >= 0x150
 using SearchParameters = nanoflann::SearchParameters;
 using Neighbour = nanoflann::ResultItem<std::uint32_t, float>;
@@ -33,7 +33,7 @@ struct Points {
   }
 };
 
-/// In the order of the voxels.
+/// Returns the centroids in the order of the voxels.
 std::vector<Eigen::Vector3f> centroids(const std::vector<Eigen::Vector3f>& points, double voxel) {
   using Key = std::array<int, 3>;
   std::vector<std::pair<Key, std::size_t>> keys;
@@ -92,7 +92,7 @@ std::vector<int> NeighbourSearch::within(const Eigen::Vector3f& p, double radius
   std::vector<Neighbour> found;
   SearchParameters params;
   params.sorted = false;
-  // The count that it returns must not be ignored as of some later release.
+  // Later releases forbid ignoring the returned count.
   std::ignore =
       tree_->index.radiusSearch(p.data(), static_cast<float>(radius * radius), found, params);
   std::vector<int> list;

@@ -6,33 +6,33 @@
 
 namespace quadrille::bench {
 
-/// Points with normals: what all contenders but quadrille itself start from.
+/// Points with normals: the input of all contenders except quadrille itself.
 struct OrientedCloud {
   std::vector<Eigen::Vector3f> points;
-  /// Unit length, towards the camera.
+  /// Unit normals that point towards the camera.
   std::vector<Eigen::Vector3f> normals;
 };
 
 /// How a cloud is thinned and given normals.
 struct OrientationOptions {
-  /// Edge of the voxels, whose centroids take the place of the points [m].
+  /// Edge of the voxels; each voxel's points are replaced by their centroid [m].
   double voxel = 0.006;
-  /// Radius of the balls whose planes give the normals [m].
+  /// Radius of the balls in which planes are fitted for the normals [m].
   double normal_radius = 0.015;
 };
 
-/// Centroids of voxels with two points or more, with normals by principal components; without those
-/// that have too few neighbours. The camera is at the origin.
+/// Returns the centroids of voxels with at least two points, with normals from principal
+/// components. Centroids with too few neighbours are left out. The camera is at the origin.
 OrientedCloud orient(const std::vector<Eigen::Vector3f>& points, const OrientationOptions& options);
 
-/// Finds the points of a list within balls.
+/// Finds the points of a list that lie within a ball.
 class NeighbourSearch {
  public:
-  /// @param points  must outlive this
+  /// @param points  must outlive this object
   explicit NeighbourSearch(const std::vector<Eigen::Vector3f>& points);
   ~NeighbourSearch();
 
-  /// Indices in ascending order.
+  /// Returns the indices in ascending order.
   std::vector<int> within(const Eigen::Vector3f& p, double radius) const;
 
  private:

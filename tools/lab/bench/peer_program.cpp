@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// A folder that is gone afterwards.
+/// A temporary folder that is deleted on destruction.
 class ScratchFolder {
  public:
   ScratchFolder() {

@@ -6,8 +6,8 @@
 
 namespace quadrille::bench {
 
-/// Has a peer's program work on a frame. Peers are programs of their own, so that neither their
-/// libraries nor their licences become ours.
+/// Runs a peer's program on a frame. Peers are separate programs, so that neither their libraries
+/// nor their licences become ours.
 /// @throws std::runtime_error naming the program if it fails
 Outcome run_program_on(const std::string& program, const Frame& frame);
 

@@ -149,7 +149,8 @@ class PlainRansac {
     return true;
   }
 
-  /// Least squares on the inliers and inliers again, a few times.
+  /// Alternates between a least-squares fit to the inliers and a new choice of inliers, a few
+  /// times.
   std::vector<int> refine(const std::vector<int>& around, Quadric* Q) const {
     std::vector<int> points = inliers(*Q, around, options_.epsilon);
     for (int round = 0; round < 4; ++round) {

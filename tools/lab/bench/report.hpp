@@ -11,20 +11,21 @@
 
 namespace quadrille::bench {
 
-/// The rows as text: shares in per cent, widths in per cent of the true one, times in milliseconds.
+/// Returns the rows as text: shares in per cent, width errors in per cent of the true width, times
+/// in milliseconds.
 experiments::Table to_table(const std::vector<Row>& rows);
 
-/// Counts of surfaces as text.
+/// Returns the counts of surfaces as text.
 experiments::Table to_table(const std::vector<StageCounts>& families);
 
-/// The rows with all their digits; null for what has no value.
+/// Returns the rows with all their digits; missing values are null.
 nlohmann::ordered_json to_json(const std::vector<Row>& rows);
 
-/// Recall against median time, one plot for each family and what is counted.
+/// Returns plots of recall against median time, one for each family and counted type.
 std::vector<experiments::Plot> plots_of(const std::vector<Row>& rows);
 
-/// The page that says what was measured, by whom, and how to do it again.
-/// @param command  as it was typed
+/// Returns the page that says what was measured, by which contenders, and how to repeat it.
+/// @param command  the command as it was typed
 std::string to_markdown(const std::vector<Row>& rows, const std::vector<Contender>& contenders,
                         const std::string& command, const std::string& version);
 

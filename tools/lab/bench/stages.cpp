@@ -14,11 +14,11 @@ using scoring::Judgement;
 using scoring::Verdict;
 using trials::JudgedTrial;
 
-/// The furthest step of each surface's trials, by the surface's id.
+/// The furthest stage that each surface's trials reach, by the surface's id.
 class Furthest {
  public:
   void add(const JudgedTrial& t) {
-    // Beyond the fit it is the better fit that goes on, and it may be another surface.
+    // Beyond the stage of the fit, the better fit goes on, which may be another surface.
     note(t.of_candidate, std::min(t.trial.end, TrialEnd::kFit));
     if (t.of_surface) note(*t.of_surface, t.trial.end);
   }

@@ -6,7 +6,7 @@
 
 namespace quadrille::bench {
 
-/// Wall and processor time of this process since it was made.
+/// Measures the wall and processor time of this process since the stopwatch was made.
 class Stopwatch {
  public:
   double wall_ms() const {

@@ -40,7 +40,7 @@ const std::map<std::string, scene::Family>& families() {
   return all;
 }
 
-/// The peers' programs stand beside this one.
+/// Returns all contenders; the peers' programs lie beside this one.
 std::vector<bench::Contender> all_contenders() {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);

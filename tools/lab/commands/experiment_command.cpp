@@ -30,13 +30,13 @@ void list_experiments() {
   }
 }
 
-/// Those that a name asks for.
+/// Returns the experiments that a name selects.
 std::vector<const experiments::Experiment*> chosen(const std::string& name) {
   std::vector<const experiments::Experiment*> chosen;
   for (const auto& experiment : experiments::all_experiments()) {
     if (name == kAll || name == experiment.name) chosen.push_back(&experiment);
   }
-  // What a process has held at most can be measured only before it has held more.
+  // "growth" runs first, because peak memory can be measured only before the process has used more.
   std::stable_partition(chosen.begin(), chosen.end(),
                         [](const auto* experiment) { return experiment->name == "growth"; });
   return chosen;
@@ -53,7 +53,7 @@ OutputFolder folder_for(const std::string& out,
   return {out, names};
 }
 
-/// Runs one, the `index`th of `count`, and writes its files.
+/// Runs experiment `index` of `count`, and writes its files.
 void run_one(const experiments::Experiment& experiment, experiments::Settings settings,
              std::size_t index, std::size_t count, OutputFolder* files) {
   const std::string name(experiment.name);

@@ -6,7 +6,8 @@
 #include "lab/commands/study_command.hpp"
 
 int main(int argc, char** argv) {
-  // A part of the command `quadrille`, which becomes this program for these commands.
+  // This program implements some commands of `quadrille`, which replaces itself with this program
+  // to run them.
   CLI::App app("Repeats the paper's experiments, compares detectors and studies grasps",
                "quadrille");
   app.require_subcommand(1);

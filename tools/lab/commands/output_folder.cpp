@@ -18,7 +18,7 @@ OutputFolder::OutputFolder(const std::string& folder, const std::vector<std::str
   if (!fs::is_directory(folder, error)) {
     throw io::FileError(folder, "", "cannot be made a folder" + why + "; give --out another one");
   }
-  // What a file is written to goes away with this object.
+  // The probe deletes its file when it goes out of scope.
   for (const std::string& name : names) io::NewFile probe(path_of(name));
 }
 

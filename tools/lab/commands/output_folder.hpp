@@ -6,20 +6,20 @@
 
 namespace quadrille {
 
-/// The files that a command writes into a folder once its work is done.
+/// The files that a command writes into a folder when its work is done.
 class OutputFolder {
  public:
-  /// Makes the folder and sees to it that the files can be made there, before any work.
-  /// @param folder  of option --out
-  /// @param names   of the files
+  /// Makes the folder and checks that the files can be made in it, before any work is done.
+  /// @param folder  value of option --out
+  /// @param names  names of the files
   /// @throws io::FileError if that fails
   OutputFolder(const std::string& folder, const std::vector<std::string>& names);
 
-  /// Writes a file, which appears, or replaces the one before, once it is whole.
+  /// Writes a file. It appears, or replaces the previous one, only once it is complete.
   /// @throws io::FileError if that fails
   void write(const std::string& name, const std::string& text);
 
-  /// The paths of the files that were written, for the user to read.
+  /// Returns the paths of the written files, for the user to read.
   std::string list() const;
 
  private:

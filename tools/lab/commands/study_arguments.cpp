@@ -15,7 +15,7 @@
 namespace quadrille {
 namespace {
 
-/// I and N of "I/N"; 0 and 0 if it is no shard.
+/// Parses I and N of "I/N"; returns 0 and 0 if the text is not a shard.
 std::pair<int, int> shard_of_text(const std::string& text) {
   int shard = 0, shards = 0;
   const char* end = text.data() + text.size();
@@ -36,7 +36,7 @@ std::string check_csv(const std::string& path) {
   return "'" + path + "' must end in .csv, and not in .scenes.csv";
 }
 
-/// The hand's sizes, which its name does not tell if it comes from a file.
+/// Returns the hand's sizes, which its name does not determine if it comes from a file.
 std::string sizes_of(const Gripper& g) {
   return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", g.max_opening, g.min_opening,
                      g.finger.x(), g.finger.y(), g.finger.z(), g.finger_front, g.pad.x(), g.pad.y(),
@@ -44,7 +44,7 @@ std::string sizes_of(const Gripper& g) {
                      g.tcp);
 }
 
-/// The frames that clouds are taken to be in.
+/// Describes the frames in which clouds are interpreted.
 std::string text_of(const FrameArguments& frames) {
   std::string text;
   const Eigen::Matrix4d X = frames.working_frame().matrix();
@@ -114,10 +114,10 @@ study::StudyOptions StudyArguments::options() const {
   study::StudyOptions options{planner.gripper(), file.detector, planner.overrule(file.planner),
                               trial, tries};
   if (options.gripper.name.empty()) options.gripper.name = planner.gripper_name;
-  // Types that were not asked for are found all the same where grasps are planned.
+  // The planner needs detections of all types, so --only limits the report instead of the search.
   if (options.detector.report.empty()) options.detector.report = options.detector.only;
   options.detector.only.clear();
-  // The threads share the scenes.
+  // Threads are used across scenes, so each detector gets one.
   options.detector.threads = 1;
   return options;
 }

@@ -23,23 +23,23 @@ struct StudyArguments {
   std::uint64_t seed = 0;
   scene::Family family = scene::Family::kTabletop;
   std::string csv, config, report;
-  /// I/N.
+  /// Shard in the form I/N.
   std::string shard = "1/1";
   study::Tries tries = study::Tries::kFirst;
   physics::TrialOptions trial;
   PlannerArguments planner;
   FrameArguments frames;
 
-  /// Adds the options; this must outlive the command.
+  /// Adds the options to the command; this object must outlive the command.
   void add_to(CLI::App& command);
 
-  /// With what each scene is worked on.
+  /// Returns the options with which each scene is processed.
   study::StudyOptions options() const;
-  /// The same as TOML.
+  /// Returns the same options as TOML.
   static std::string settings(const study::StudyOptions& options);
-  /// What every row says of them.
+  /// Returns the label of the options that every row carries.
   study::Label label(const study::StudyOptions& options) const;
-  /// Which scenes of all are this run's.
+  /// Returns the scenes that belong to this run's shard.
   std::vector<study::SceneName> chosen(const std::vector<study::SceneName>& all) const;
 };
 

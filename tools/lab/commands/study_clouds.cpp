@@ -45,7 +45,7 @@ std::optional<physics::TrueScene> truth_beside(const std::string& path) {
   try {
     return physics::read_true_scene(path);
   } catch (const io::FileError&) {
-    // NAME.json may be anything, such as a plan; NAME.truth.json has to be a truth.
+    // NAME.json may be anything, such as a plan, but NAME.truth.json must be a ground truth.
     if (fs::exists(scene::truth_path(path))) throw;
     return std::nullopt;
   }

@@ -15,32 +15,32 @@
 
 namespace quadrille {
 
-/// One cloud of the inputs of a study.
+/// One cloud among the inputs of a study.
 struct StudyCloud {
-  /// The path; of a log's clouds PATH#1, PATH#2, …
+  /// The path; for the clouds of a log PATH#1, PATH#2, …
   std::string name;
   std::string path;
-  /// Its place in a log from 1 on; 0 for a file of one cloud.
+  /// Position in the log, from 1 on; 0 for a file with one cloud.
   int place = 0;
 };
 
-/// The clouds of files, logs and folders of them, in the order given and within a folder by name,
-/// its folders included.
-/// @throws io::FileError if one is given twice, is missing, or is no cloud and no log
+/// Lists the clouds of files, logs and folders of these, in the given order. Folders are searched
+/// recursively, by name.
+/// @throws io::FileError if an input is given twice, is missing, or is neither a cloud nor a log
 std::vector<StudyCloud> list_clouds(const std::vector<std::string>& inputs);
 
-/// Reads clouds on any thread. A log is read once, in its order.
+/// Reads clouds on any thread. A log is read once, in its own order.
 class StudyCloudReader {
  public:
-  /// @param clouds  those that will be asked for
+  /// @param clouds  the clouds that will be requested
   StudyCloudReader(const std::vector<StudyCloud>& clouds, const FrameArguments& frames);
 
-  /// With the truth beside it, if there is any.
+  /// Reads a cloud, with the ground truth beside it if there is any.
   /// @throws std::runtime_error naming what cannot be read
   study::StudyInput read(const StudyCloud& cloud);
 
  private:
-  /// A log that is being read, with the clouds that came before their turn.
+  /// A log that is being read, with the clouds that were read before they were requested.
   struct OpenLog {
     std::unique_ptr<logs::CloudLogReader> reader;
     int last = 0;

@@ -55,7 +55,7 @@ study::StudyInput generated(scene::Family family, const study::SceneName& name) 
   return input;
 }
 
-/// A study of the scenes that are chosen, each made or read when its turn comes.
+/// Makes a study of the chosen scenes; each scene is made or read when its turn comes.
 study::Study study_of(const StudyArguments& arguments) {
   study::Study study;
   study.options = arguments.options();
@@ -127,7 +127,7 @@ void run(const StudyArguments& arguments) {
   const std::string plot = std::filesystem::path(arguments.csv).replace_extension(".svg").string();
   write_plot(plot, groups);
   if (!arguments.report.empty()) {
-    // Made anew: the clouds of a log are read once.
+    // The study is made anew because the clouds of a log can be read only once.
     write_study_report(arguments.report, study_of(arguments), groups,
                        StudyArguments::settings(study.options));
   }

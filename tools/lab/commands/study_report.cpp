@@ -13,7 +13,7 @@
 namespace quadrille {
 namespace {
 
-/// So many clouds people look at.
+/// Number of clouds in a report; people would not look at more.
 constexpr std::size_t kMaxClouds = 12;
 
 view::ReportTable table_of(const study::GroupSummary& group) {
@@ -28,7 +28,7 @@ view::ReportTable table_of(const study::GroupSummary& group) {
   return table;
 }
 
-/// What became of a grasp: how it ended where it was tried, else what the judge says of it.
+/// Returns how a grasp ended if it was tried, and otherwise the judge's verdict.
 std::string outcome_of(const study::GraspRecord& record) {
   if (record.attempt) return to_string(record.attempt->outcome);
   if (record.verdict) return fmt::format("judged {}", study::to_string(*record.verdict));

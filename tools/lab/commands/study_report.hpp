@@ -8,9 +8,9 @@
 
 namespace quadrille {
 
-/// Writes a page with the shares of a study, and its first clouds worked on once more.
-/// @param settings  all of the study, as TOML
-/// @throws io::FileError if it cannot be written
+/// Writes a page with the results of a study; its first clouds are processed once more for it.
+/// @param settings  all settings of the study, as TOML
+/// @throws io::FileError if the page cannot be written
 void write_study_report(const std::string& path, const study::Study& study,
                         const std::vector<study::GroupSummary>& groups,
                         const std::string& settings);

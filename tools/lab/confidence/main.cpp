@@ -11,7 +11,7 @@ using namespace quadrille;
 
 namespace {
 
-// More than any surface has.
+// A confidence that no surface reaches.
 constexpr double kCertain = 0.9999;
 
 void print_header() {
@@ -30,9 +30,9 @@ void print_rows(const scoring::Frame& frame, const DetectorOptions& options) {
 
 }  // namespace
 
-// Prints the evidence for each surface that the detector weighs, and whether it is right, as CSV,
-// of scenes with their truth as `quadrille scene --labels` writes them. With --accept-none no
-// candidate claims its samples, so that each is weighed as if nothing else had been found.
+// Reads scenes with ground truth as `quadrille scene --labels` writes them. Prints as CSV the
+// evidence for each surface that the detector weighs, and whether it is right. With --accept-none
+// no candidate claims its samples, so that each is weighed as if nothing else had been found.
 int main(int argc, char** argv) {
   std::vector<std::string_view> arguments(argv + 1, argv + argc);
   DetectorOptions options;

@@ -14,7 +14,7 @@
 namespace quadrille::confidence_training {
 namespace {
 
-/// Whether a surface is right; nullopt if it is neither right nor wrong.
+/// Returns whether a surface is right; nullopt if it is neither right nor wrong.
 std::optional<bool> is_right(scoring::Verdict verdict, bool flat) {
   switch (verdict) {
     case scoring::Verdict::kRight:
@@ -30,7 +30,7 @@ std::optional<bool> is_right(scoring::Verdict verdict, bool flat) {
   return std::nullopt;
 }
 
-/// All that the detector weighs.
+/// Returns all surfaces that the detector weighs.
 std::vector<Surface> weighed_surfaces(const trials::SearchSamples& found,
                                       const DetectorOptions& options) {
   std::vector<Surface> weighed = weighed_planes(found.coarse, found.planes, found.context);
@@ -51,7 +51,7 @@ std::vector<Surface> weighed_surfaces(const trials::SearchSamples& found,
 }  // namespace
 
 std::vector<Observation> observe(const scoring::Frame& frame, DetectorOptions options) {
-  // What is refused before it is weighed teaches nothing.
+  // Surfaces that are refused before they are weighed would teach nothing, so none is refused.
   options.aggregate.min_first_look = 0.0;
   options.aggregate.min_plane_confidence = 0.0;
   const std::optional<trials::SearchSamples> samples = trials::search_samples(frame.cloud, options);

@@ -9,16 +9,17 @@
 
 namespace quadrille::confidence_training {
 
-/// A surface that the detector considered, and whether it is there.
+/// A surface that the detector weighed, and whether it exists.
 struct Observation {
-  /// See confidence_terms().
+  /// The evidence; see confidence_terms().
   std::array<double, kConfidenceTerms.size()> terms{};
   bool flat = false, right = false;
 };
 
-/// What the detector weighs in a frame, judged by the rule of scoring::score(): its better fits to
-/// candidates, and its planes. What finds a surface that is hardly visible is left out, as is a
-/// curved one that is a true plane: it is neither right nor wrong.
+/// Returns the surfaces that the detector weighs in a frame, judged by the rule of
+/// scoring::score(): its better fits to candidates, and its planes. A finding of a hardly visible
+/// surface is left out, as is a curved finding on a true plane, since both are neither right nor
+/// wrong.
 std::vector<Observation> observe(const scoring::Frame& frame, DetectorOptions options);
 
 }  // namespace quadrille::confidence_training

@@ -6,12 +6,13 @@
   build/bin/quadrille_confidence SCENE.ply... > used.csv
   tools/lab/confidence/train_confidence.py all.csv used.csv > confidence_weights.hpp
 
-Reads the evidence for surfaces that the detector considered, with whether they are right, and fits
-two logistic models whose log odds are quadratic in the terms, of curved and of flat surfaces. The
-first run weighs each candidate as if nothing else had been found, the second as the detector meets
-them with the weights in use: train on both, build, and repeat the second until nothing gains.
-On stderr it says how well new models tell right from wrong in scenes that they were not trained on.
-Needs numpy alone, and some gigabytes of memory for a hundred thousand surfaces.
+Reads the evidence for surfaces that the detector considered, and whether each surface is right.
+Fits two logistic models, for curved and for flat surfaces, whose log odds are quadratic in the
+terms. The first run weighs each candidate as if nothing else had been found, the second as the
+detector meets it with the current weights. Train on both, build, and repeat the second run until
+the models no longer improve. On stderr, the script tells how well the new models distinguish right
+from wrong in scenes on which they were not trained. It needs only numpy, and some gigabytes of
+memory for a hundred thousand surfaces.
 """
 
 import argparse
@@ -21,13 +22,13 @@ import sys
 import numpy
 
 FOLDS = 4
-# Terms are clamped to where all but this share of the surfaces lie.
+# Terms are clamped to the range that holds all but this share of the surfaces.
 TAIL = 0.003
 KINDS = ("curved", "flat")
 
 
 def read_evidence(paths):
-    """By kind: scenes, labels and terms, one row a surface; and the names of the terms."""
+    """Returns scenes, labels and terms by kind, one row per surface; and the terms' names."""
     rows = {kind: ([], [], []) for kind in KINDS}
     names = None
     for path in paths:
@@ -49,7 +50,7 @@ def read_evidence(paths):
 
 
 def products(z):
-    """All products of two of 1, z_1, z_2, ..., in the order of the upper triangle."""
+    """Returns all products of two of 1, z_1, z_2, ..., in the order of the upper triangle."""
     z = numpy.hstack([numpy.ones((len(z), 1)), z])
     i, j = numpy.triu_indices(z.shape[1])
     return z[:, i] * z[:, j]
@@ -60,7 +61,7 @@ def probability(log_odds):
 
 
 class Model:
-    """Log odds that are a quadratic form of scaled terms."""
+    """A model whose log odds are a quadratic form of scaled terms."""
 
     def __init__(self, x, y, ridge):
         self.low, self.high = numpy.quantile(x, [TAIL, 1 - TAIL], axis=0)
@@ -78,9 +79,9 @@ class Model:
 
 
 def fit(x, y, ridge):
-    """Newton's method on the log likelihood; the ridge, in standard units, keeps it finite."""
+    """Maximises the log likelihood by Newton's method; the ridge keeps the weights finite."""
     scale = numpy.maximum(x.std(axis=0), 1e-6)
-    scale[0] = 1.0  # the constant
+    scale[0] = 1.0  # the constant term is not scaled
     x = x / scale
     penalty = ridge * numpy.eye(x.shape[1])
     penalty[0, 0] = 1e-9
@@ -96,7 +97,7 @@ def fit(x, y, ridge):
 
 
 def report(name, log_odds, y):
-    """Log loss, and the share of pairs of a right and a wrong surface that are told apart."""
+    """Prints the log loss, and the share of right-wrong pairs of surfaces in the correct order."""
     p = numpy.clip(probability(log_odds), 1e-9, 1 - 1e-9)
     loss = -(y * numpy.log(p) + (1 - y) * numpy.log(1 - p)).mean()
     rank = numpy.empty(len(y))

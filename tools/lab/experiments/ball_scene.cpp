@@ -10,12 +10,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Half the way along the table, and the height of a lift [m].
+/// Half the length of the path along the table, and the height of a lift [m].
 constexpr double kReach = 0.25, kLiftHeight = 0.25;
-/// Half the angle of the camera's circle [rad], and the sine of its elevation.
+/// Half the angle of the camera's arc [rad], and the sine of its elevation.
 constexpr double kCircle = 0.6, kElevation = 0.5;
 
-/// Where the ball stands or hangs, its lowest point, and by how much it is turned about y.
+/// The lowest point of the ball, standing or hanging, and its rotation about y.
 struct BallPlace {
   Vector3d foot = Vector3d::Zero();
   double turn = 0.0;
@@ -35,7 +35,8 @@ BallPlace place_at(const GeneratedSequence& sequence, double time) {
   }
 }
 
-/// Turned about y through its centre, which stays over the foot; lifted so that it stands again.
+/// Returns the pose of the ball, turned about y through its centre, which stays above the foot, and
+/// lifted so that the ball touches the table again.
 Eigen::Isometry3d pose_of(const BallPlace& place, const Vector3d& axes) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.linear() = Eigen::AngleAxisd(place.turn, Vector3d::UnitY()).toRotationMatrix();
@@ -57,10 +58,10 @@ Eigen::Isometry3d camera_at(const GeneratedSequence& sequence, double time) {
   return X_WC.inverse();
 }
 
-/// Leaves out what stands where the ball will be.
+/// Removes bodies that stand where the ball will pass.
 void clear_the_way(const GeneratedSequence& sequence, std::vector<scene::Body>* bodies) {
   std::erase_if(*bodies, [&](const scene::Body& body) {
-    // Table and wall have no footprint.
+    // Table and wall have no footprint, and stay.
     if (body.reach == 0.0) return false;
     for (int k = 0; k <= 20; ++k) {
       const Vector3d foot = place_at(sequence, k / 20.0).foot;
@@ -71,7 +72,7 @@ void clear_the_way(const GeneratedSequence& sequence, std::vector<scene::Body>* 
   });
 }
 
-/// A box before the middle of the way, to one side.
+/// Puts a box in front of the middle of the path, to one side.
 void hide(const GeneratedSequence& sequence, scene::Random* random, scene::Layout* layout) {
   const double size = sequence.axes.maxCoeff();
   scene::Body box = scene::random_box(size / 0.08, random);
@@ -110,7 +111,7 @@ BallFrameScene ball_scene(const GeneratedSequence& sequence, double time, std::u
   ball.X_WB = pose_of(place_at(sequence, time), sequence.axes);
   made.layout.X_CW = camera_at(sequence, time);
   frame.centre_C = made.layout.X_CW * ball.X_WB * Vector3d(0, 0, sequence.axes.z());
-  // The last body has the last surface.
+  // The ball is the last body, so its surface comes last.
   made.layout.bodies.push_back(ball);
   made.ideal = scene::render(made.camera, made.layout.bodies, made.layout.X_CW);
   scene::Random pixels(seed, 1 + static_cast<std::uint64_t>(1e6 * time));

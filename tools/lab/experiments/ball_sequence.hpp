@@ -8,9 +8,9 @@
 
 namespace quadrille::experiments {
 
-/// A scan of a ball, and where the ball is in it [m].
+/// A scan of a ball, and the ball's position in it [m].
 struct BallFrame {
-  /// The cloud's path.
+  /// Path of the cloud.
   std::string file;
   KnownSphere ball;
 };
@@ -21,11 +21,11 @@ struct BallSequence {
   std::vector<BallFrame> frames;
 };
 
-/// Where the real scans are: data/real in $QUADRILLE_DATA, or in ../shared.
+/// Returns the folder of the real scans: data/real in $QUADRILLE_DATA, or in ../shared.
 std::filesystem::path real_scans();
 
-/// The sequences that manifest.json in a folder of real scans lists, each with a frame or more.
-/// The ball has one radius in all frames of a sequence, the median of the annotated ones.
+/// Reads the sequences that manifest.json in a folder of real scans lists, each with at least one
+/// frame. The ball has one radius in all frames of a sequence, the median of the annotated ones.
 /// @throws io::FileError if there is no manifest, if it is broken or lists no sequence
 std::vector<BallSequence> read_sequences(const std::filesystem::path& folder);
 

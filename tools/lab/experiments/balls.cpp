@@ -11,10 +11,10 @@
 namespace quadrille::experiments {
 namespace {
 
-/// Of the diameter, as printed of the rugby ball.
+/// Allowed error as a share of the diameter, as printed for the rugby ball.
 constexpr double kAllowed = 0.05;
 
-/// What is found over one sequence.
+/// The results over one sequence.
 struct BallOutcome {
   const GeneratedSequence* sequence;
   int frames = 0, found = 0;

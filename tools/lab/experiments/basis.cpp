@@ -13,14 +13,16 @@
 namespace quadrille::experiments {
 namespace {
 
-// In radii of the neighbourhood: of a hypothesis's inliers, and of a quadric that counts as found.
+// Largest distances in radii of the neighbourhood: of a hypothesis's inliers, and of a quadric that
+// counts as found.
 constexpr double kInlier = 0.03, kFound = 0.06;
 constexpr Eigen::Index kVoters = 100;
 constexpr double kWanted = 0.95;
 
-/// RANSAC in one neighbourhood.
+/// The course of RANSAC in one neighbourhood.
 struct Trace {
-  /// Bases after which the best supported hypothesis changed, and whether it is right from there.
+  /// Numbers of bases after which the best supported hypothesis changed, and whether it is right
+  /// from then on.
   std::vector<std::pair<int, bool>> changes;
   double time = 0.0;
   int hypotheses = 0;
@@ -59,15 +61,15 @@ Trace search_in(const Neighbourhood& from, const Sampler& sampler, int bases,
   return trace;
 }
 
-/// One sampler at one share of outliers.
+/// The results of one sampler at one share of outliers.
 struct Outcome {
   std::string name;
   double outliers = 0.0;
   double us_per_basis = 0.0, hypotheses_per_basis = 0.0;
-  /// Share of neighbourhoods found, over the number of bases.
+  /// Share of neighbourhoods in which the quadric is found, over the number of bases.
   std::vector<std::pair<int, double>> rates;
 
-  /// Bases from which on the rate stays at `wanted`; infinite if it never does.
+  /// Number of bases from which on the rate stays at `wanted`; infinite if it never does.
   double bases_to(double wanted) const {
     double bases = std::numeric_limits<double>::infinity();
     for (auto it = rates.rbegin(); it != rates.rend() && it->second >= wanted; ++it) {
@@ -125,7 +127,7 @@ const Outcome* find_outcome(const std::vector<Outcome>& all, std::string_view na
   return nullptr;
 }
 
-/// What .8 and .95 of recall cost each, or what both reach in the end.
+/// Compares what recalls of .8 and .95, or the highest that both reach, cost each of two samplers.
 Table comparison(const std::vector<Outcome>& all, const std::vector<double>& shares,
                  const std::string& other, std::vector<std::string>* findings) {
   Table table{"3 points with vote against " + other + ", at equal recall",

@@ -14,16 +14,16 @@ struct KnownCylinder {
   double radius;
 };
 
-/// How near a found cylinder has to be.
+/// Tolerances within which a found cylinder matches a known one.
 struct CylinderTolerance {
-  /// Between the axes [rad].
+  /// Angle between the axes [rad].
   double angle = 0.0873;
   /// Distance of the true middle from the found axis, and error of the radius, in true radii.
   double offset = 0.2, radius = 0.1;
 };
 
-/// For each known cylinder whether a detected one agrees in axis and radius; each detection counts
-/// for one of them.
+/// Tells for each known cylinder whether a detection agrees in axis and radius; each detection
+/// counts for one cylinder only.
 std::vector<char> found_cylinders(const DetectionResult& result,
                                   const std::vector<KnownCylinder>& known,
                                   const CylinderTolerance& tolerance = {});

@@ -17,10 +17,11 @@ namespace {
 
 constexpr int kCounts[] = {8, 20, 40};
 constexpr double kNoises[] = {0.25, 0.5, 1.0};
-/// Of the side's pixels that would be seen without the others, below which it is not asked for.
+/// Least visible share of the side's pixels, relative to those visible without other bodies, at
+/// which a cylinder has to be found.
 constexpr double kMinSeen = 0.4;
 
-/// A cylinder of a bin, if enough of its side is seen.
+/// A cylinder in a bin with enough of its side visible.
 struct Target {
   int id;
   KnownCylinder cylinder;
@@ -45,20 +46,21 @@ std::vector<Target> targets_of(const scene::Scene& made) {
   return targets;
 }
 
-/// What is found at one clutter and noise.
+/// The results at one level of clutter and noise.
 struct CylinderOutcome {
   int cylinders;
   double noise;
-  /// Found with axis and radius of a cylinder; the score has those found with any quadric.
+  /// Number of cylinders found with the right axis and radius; the score counts those found as any
+  /// quadric.
   int exact = 0;
   scoring::FrameScore score;
   std::vector<double> times;
-  /// The same of the matcher of point pairs, and how many cylinders it claims.
+  /// The same count for the matcher of point pairs, and the number of cylinders that it claims.
   int matched = 0, claimed = 0;
   std::vector<double> match_times;
 };
 
-/// What the matcher of point pairs, told radius and length, makes of a cloud: it starts from the
+/// Runs the matcher of point pairs, which knows radius and length, on a cloud. It starts from the
 /// detector's finest samples off the planes.
 DetectionResult match_cloud(const PointCloud& cloud) {
   const auto samples = trials::search_samples(cloud, {});
@@ -85,7 +87,7 @@ DetectionResult match_cloud(const PointCloud& cloud) {
   return result;
 }
 
-/// The bin with its own noise, where the targets alone have to be found.
+/// Makes a frame of the bin with its own noise, in which only the targets have to be found.
 scoring::Frame frame_of(const scene::Scene& made, const std::vector<Target>& targets,
                         double noise) {
   scoring::Frame frame = scoring::frame_of(made);

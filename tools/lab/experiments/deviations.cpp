@@ -19,7 +19,7 @@ namespace {
 const std::vector<scene::Family> kDeviationFamilies = {scene::Family::kEasy, scene::Family::kMedium,
                                                        scene::Family::kHard};
 
-/// A published dimension beside the true one.
+/// A published dimension and the true one.
 struct Observation {
   std::string family, type, dimension;
   double published, truth, std;
@@ -27,7 +27,7 @@ struct Observation {
   double error() const { return std::abs(published - truth); }
 };
 
-/// The true dimensions: those of the quadric, and the length of what there is of a cylinder.
+/// Returns the true dimensions: those of the quadric, and for a cylinder the length of the body.
 std::map<std::string, double> dimensions_of(const scoring::TrueSurface& surface) {
   const CanonicalForm form =
       canonical_form(surface.Q_C.transformed(surface.X_CS.inverse()).normalized(), 1e-6);
@@ -36,10 +36,10 @@ std::map<std::string, double> dimensions_of(const scoring::TrueSurface& surface)
   return truth;
 }
 
-/// The dimensions of all surfaces that are found and named right.
+/// The dimensions of all surfaces that were found and named correctly.
 struct Observations {
   std::vector<Observation> known;
-  /// Published as guesses.
+  /// Number of dimensions that were published as guesses.
   int guesses = 0;
 };
 
@@ -103,7 +103,8 @@ std::vector<std::string> columns_of(std::vector<std::string> name) {
   return name;
 }
 
-/// Shares within so many standard deviations, beside those of the normal distribution.
+/// Plots the shares within a number of standard deviations, beside those of the normal
+/// distribution.
 Plot plot_of(const std::map<std::string, Group>& families) {
   Plot plot{"How far the truth lies",
             "published standard deviations",

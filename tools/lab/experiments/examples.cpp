@@ -16,9 +16,9 @@ namespace {
 constexpr std::array kShown = {QuadricType::kEllipsoid, QuadricType::kCylinder, QuadricType::kCone,
                                QuadricType::kHyperboloidOneSheet, QuadricType::kEllipticParaboloid};
 constexpr std::array kFits = {"likelihood", "full", "compact", "taubin"};
-/// Noise of a coordinate in longest sides of the bounding box.
+/// Noise of a coordinate, relative to the longest side of the bounding box.
 constexpr double kNoise = 0.03;
-/// Points this near to the section are drawn in it.
+/// Points within this distance of the section plane are drawn in it.
 constexpr double kSlab = 0.15;
 
 Series near_points(const OrientedPointsd& data, const SectionPlane& plane) {
@@ -31,7 +31,7 @@ Series near_points(const OrientedPointsd& data, const SectionPlane& plane) {
   return dots;
 }
 
-/// Which part of a section lies where points are: within the unit ball and a little more.
+/// Returns the part of a section that lies near points: within the unit ball and slightly beyond.
 Series drawn_section(const std::string& name, const Quadric& Q, const SectionPlane& plane,
                      bool dashed) {
   Series series{.name = name, .points = {}, .dashed = dashed, .drawn = Drawn::kPieces};
@@ -43,7 +43,7 @@ Series drawn_section(const std::string& name, const Quadric& Q, const SectionPla
   return series;
 }
 
-/// One quadric with its noisy points and what the fits make of them.
+/// Draws one quadric with its noisy points and the results of the fits.
 Plot draw_example(QuadricType type, std::uint64_t seed, int points, Report* report) {
   RandomStream random(seed, static_cast<std::uint64_t>(type));
   const Quadric Q = random_quadric(type, random);

@@ -11,30 +11,31 @@
 
 namespace quadrille::experiments {
 
-/// What an experiment is run with.
+/// The settings of an experiment.
 struct Settings {
   std::uint64_t seed = 1;
-  /// A few per cent of the work: shows that it runs, not what it finds.
+  /// Does only a few per cent of the work, which shows that the experiment runs, but not what it
+  /// finds.
   bool quick = false;
-  /// Told the share that is done, 0 to 1.
+  /// Called with the share of the work that is done, 0 to 1.
   std::function<void(double)> progress = [](double) {};
 };
 
-/// What an experiment found.
+/// The results of an experiment.
 struct Report {
-  /// One sentence each, with the numbers in it.
+  /// One sentence for each finding, including its numbers.
   std::vector<std::string> findings;
-  /// For people.
+  /// Tables for people to read.
   std::vector<Table> tables;
-  /// All numbers, one observation a row.
+  /// All numbers, one observation per row.
   Table data;
   std::vector<Plot> plots;
 };
 
-/// An experiment of the paper, or one about what the paper claims.
+/// An experiment of the paper, or one that tests a claim of the paper.
 struct Experiment {
   std::string_view name;
-  /// One line: what is measured, and where the paper has it.
+  /// One line: what is measured, and where the paper describes it.
   std::string_view about;
   std::function<Report(const Settings&)> run;
 };
@@ -42,10 +43,10 @@ struct Experiment {
 /// All experiments.
 const std::vector<Experiment>& all_experiments();
 
-/// The experiment of a name; nullptr if there is none.
+/// Returns the experiment with this name; nullptr if there is none.
 const Experiment* find_experiment(std::string_view name);
 
-/// The report as a Markdown page, headed by the command that makes it again.
+/// Returns the report as a Markdown page, headed by the command that repeats it.
 std::string to_markdown(const Report& report, const Experiment& experiment,
                         const Settings& settings, std::string_view version);
 

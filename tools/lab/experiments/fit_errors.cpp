@@ -8,7 +8,7 @@
 namespace quadrille::experiments {
 namespace {
 
-/// Lengths of the gradient at the points, of mean 1; zeros if there is none.
+/// Returns the lengths of the gradient at the points, scaled to a mean of 1; zeros if all vanish.
 Eigen::ArrayXd gradient_lengths(const Quadric& Q, const OrientedPointsd& points) {
   Eigen::ArrayXd lengths(points.size());
   for (Eigen::Index i = 0; i < points.size(); ++i) {

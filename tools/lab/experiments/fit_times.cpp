@@ -22,7 +22,7 @@ std::vector<Series> fit_times(const Settings& settings) {
         OrientedPointsd data =
             sample(random_quadric(QuadricType::kEllipsoid, random), size, random);
         add_point_noise(&data, 0.02 * size_of(data.points), random);
-        // Quick fits several times, so that the clock's own time does not count.
+        // Quick fits are repeated, so that the time of reading the clock does not matter.
         const int calls = std::max(1, 300 / size);
         std::optional<Quadric> fit;
         const double time = microseconds([&] {

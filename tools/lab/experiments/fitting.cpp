@@ -18,10 +18,10 @@ namespace {
 
 constexpr std::array kLevels = {0.0, 0.01, 0.02, 0.03, 0.04, 0.05};
 constexpr int kNeighbours = 16;
-// Errors below this are rounding: exact fits of exact data are equally good.
+// Smaller errors than this are rounding: exact fits of exact data count as equally good.
 constexpr double kExact = 1e-9;
 
-/// Where the normals come from.
+/// The source of the normals.
 enum class Normals { kExact, kNoisy, kEstimated };
 constexpr std::array kModes = {Normals::kExact, Normals::kNoisy, Normals::kEstimated};
 
@@ -47,7 +47,7 @@ std::string describe(Normals mode) {
   }
 }
 
-/// Mean errors of every contender in one mode at one level, in the contenders' order.
+/// Mean errors of every contender in one mode at one noise level, in the contenders' order.
 using Means = std::vector<FitErrors>;
 
 struct Size {
@@ -58,7 +58,7 @@ std::vector<Contender> contenders_for(QuadricType type, Normals mode) {
   std::vector<Contender> all = contenders(type);
   for (Contender& contender : all) {
     if (mode != Normals::kEstimated || contender.name != "likelihood") continue;
-    // It is told how many points a normal comes from.
+    // This fit needs to know how many points each normal was estimated from.
     contender.fit = [](const OrientedPointsd& points) {
       return fit_likelihood(points, {.points_per_normal = kNeighbours});
     };
@@ -83,7 +83,7 @@ Means mean_errors(Normals mode, double level, const Size& size, std::uint64_t se
     RandomStream shape(seed, static_cast<std::uint64_t>(k));
     const Quadric Q = random_quadric(type, shape);
     for (int fit = 0; fit < size.fits; ++fit) {
-      // The same points and the same noise, but for its size, at each level and in each mode.
+      // Every level and mode uses the same points and the same noise, apart from the noise's size.
       RandomStream random(seed, static_cast<std::uint64_t>(100 + k * size.fits + fit));
       const OrientedPointsd truth = sample(Q, size.points, random);
       const double extent = size_of(truth.points);
@@ -105,7 +105,7 @@ struct Row {
   Means means;
 };
 
-/// Best of the others in one measure: the index of the contender.
+/// Returns the index of the contender that is best in one measure, leaving out our own.
 std::size_t best_baseline(const std::vector<Contender>& all, const Means& means,
                           double FitErrors::*measure) {
   std::size_t best = all.size();
@@ -122,7 +122,7 @@ bool is_rounding(const FitErrors& ours, double point, double angle) {
 
 bool no_worse(double ours, double theirs) { return ours <= theirs || ours < kExact; }
 
-/// What the comparison says of one mode, from the levels that ours is not best at and those at
+/// Sums up the comparison for one mode, from the levels at which our fit is not best and those at
 /// which all are equal.
 std::string verdict(Normals mode, const std::string& lost, const std::string& equal) {
   std::string text = describe(mode) + ": the likelihood fit ";
@@ -132,7 +132,7 @@ std::string verdict(Normals mode, const std::string& lost, const std::string& eq
   return text + ".";
 }
 
-/// One line a mode and level: our fit beside the best of all others.
+/// Compares our fit with the best of all others, one row per mode and level.
 Table comparison(const std::vector<Contender>& all, const std::vector<Row>& rows,
                  std::vector<std::string>* findings) {
   Table table{"The likelihood fit beside the best baseline",
@@ -182,7 +182,7 @@ Plot error_plot(const std::vector<Contender>& all, const std::vector<Row>& rows,
                 const std::string& what, double FitErrors::*measure) {
   Plot plot{what + ", " + name_of(mode) + " normals", "σ [% of the size]", what, {}, false, true};
   for (std::size_t m = 0; m < all.size(); ++m) {
-    // Tasdizen's errors are those of the compact fit, whose line would lie below.
+    // Tasdizen's errors equal those of the compact fit, whose line would be covered.
     const bool covered = all[m].name == "compact";
     plot.lines.push_back({std::string(all[m].name), {}, all[m].minimal, covered});
     for (const Row& row : rows) {

@@ -8,11 +8,11 @@
 
 namespace quadrille::experiments {
 
-/// A surface of which fewer pixels are seen is all but hidden.
+/// A surface with fewer visible pixels than this counts as hidden.
 inline constexpr int kMinPixels = 300;
 
-/// Makes scenes of each family, which follow from the seed, and has each worked on, family by
-/// family; tells the progress.
+/// Makes the scenes of each family from the seed and calls `work` for each, family by family;
+/// reports the progress.
 void for_each_scene(const std::vector<scene::Family>& families, int scenes,
                     const Settings& settings, const std::function<void(const scene::Scene&)>& work);
 

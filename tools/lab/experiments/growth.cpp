@@ -17,7 +17,7 @@
 namespace quadrille::experiments {
 namespace {
 
-/// Largest distance of a thing's exact points from a quadric that is it, in the mean [m].
+/// Largest mean distance between a body's exact points and a quadric that counts as the body [m].
 constexpr double kMaxMeanDistance = 0.002;
 
 bool is_found(const scene::FusedThing& thing, const std::vector<Detection>& detections) {
@@ -29,14 +29,14 @@ bool is_found(const scene::FusedThing& thing, const std::vector<Detection>& dete
   });
 }
 
-/// The most memory that the process has held so far [bytes].
+/// Returns the most memory that the process has used so far [bytes].
 double peak_memory() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-/// What it holds now [bytes].
+/// Returns the memory that the process uses now [bytes].
 double present_memory() {
   std::ifstream pages("/proc/self/statm");
   double all = 0.0, resident = 0.0;

@@ -13,7 +13,7 @@
 namespace quadrille::experiments {
 namespace {
 
-// As the vote has it: nearer points know nothing of λ.
+// The limit is that of the vote: points nearer to the data plane tell nothing about λ.
 constexpr double kMinHeight = 0.05;
 constexpr int kPerQuadric = 50;
 constexpr int kBins = 48;
@@ -22,7 +22,7 @@ constexpr const char* kOwnVoter = "voter on the quadric";
 /// The paper's solution space of one basis: p is the least solution, μ a unit vector.
 struct Space {
   Vector10d p, mu;
-  /// From the closed form's λ to the paper's: stretch λ + shift.
+  /// Conversion from the closed form's λ to the paper's: stretch · λ + shift.
   double stretch, shift;
 };
 
@@ -38,7 +38,7 @@ Space space_of(const Pencil& pencil) {
   return space;
 }
 
-/// λ of a fourth point on f₀ + λ z²; nullopt if it is too near to the data plane.
+/// Returns λ of a fourth point on f₀ + λ z²; nullopt if the point is too near to the data plane.
 std::optional<double> lambda_of(const Pencil& pencil, const Eigen::Vector3d& x) {
   const Eigen::Vector4d X = x.homogeneous();
   const double z = pencil.plane.dot(X);
@@ -46,20 +46,21 @@ std::optional<double> lambda_of(const Pencil& pencil, const Eigen::Vector3d& x) 
   return -X.dot(pencil.Q0 * X) / (z * z);
 }
 
-/// The angle as printed, from the first two coordinates of p and of p + λμ.
+/// Returns the angle as printed in the paper, from the first two coordinates of p and of p + λμ.
 double printed_angle(const Space& space, double lambda) {
   const Vector10d q = space.p + lambda * space.mu;
   return std::atan2(q[1] - space.p[1], q[0] - space.p[0]);
 }
 
 struct Collected {
-  /// λ of the paper.
+  /// The values of the paper's λ.
   std::vector<double> lambda;
-  /// Most different printed angles over the voters of one basis, to a millionth.
+  /// Largest number of different printed angles, to a millionth, over the voters of one basis.
   std::size_t max_angles = 0;
 };
 
-/// Random points of one quadric on a random side, so that bulges and hollows are equally likely.
+/// Returns random points of one quadric on a random side, so that convex and concave pieces are
+/// equally likely.
 OrientedPointsd random_points(RandomStream& random, int count) {
   const Quadric Q = random_quadric(curved_type(random.below(kCurvedTypes)), random);
   OrientedPointsd points = sample(Q, count, random);
@@ -96,7 +97,7 @@ std::size_t count_angles(const OrientedPointsd& points) {
   return angles.size();
 }
 
-/// @param same  true: the voter is of the basis's quadric; false: of another one
+/// @param same  true if the voter lies on the basis's quadric; false if on another one
 Collected collect_all(int triplets, bool same, const Settings& settings, double progress_from) {
   Collected collected;
   collected.lambda.reserve(static_cast<std::size_t>(triplets) + kPerQuadric);
@@ -114,7 +115,7 @@ Collected collect_all(int triplets, bool same, const Settings& settings, double 
   return collected;
 }
 
-/// Share of the sorted values that are at most x.
+/// Returns the share of the sorted values that are at most x.
 double share_below(const std::vector<double>& sorted, double x) {
   return static_cast<double>(std::upper_bound(sorted.begin(), sorted.end(), x) - sorted.begin()) /
          static_cast<double>(sorted.size());
@@ -126,7 +127,7 @@ double quantile_of_sorted(const std::vector<double>& sorted, double share) {
 
 double atan_share(double lambda, double scale) { return 0.5 + std::atan(lambda / scale) / M_PI; }
 
-/// Largest difference between the measured distribution and atan's.
+/// Returns the largest difference between the measured distribution and that of atan.
 double max_gap(const std::vector<double>& sorted, double scale) {
   double largest = 0.0;
   for (int k = 1; k < 1000; ++k) {
@@ -137,7 +138,8 @@ double max_gap(const std::vector<double>& sorted, double scale) {
   return largest;
 }
 
-/// Entropy of the votes over equal bins of atan, as a share of that of equal masses.
+/// Returns the entropy of the votes over equal bins of atan, relative to that of a uniform
+/// distribution.
 double entropy_share(const std::vector<double>& sorted, double scale) {
   double entropy = 0.0, before = 0.0;
   for (int k = 1; k <= kBins; ++k) {
@@ -217,7 +219,7 @@ Report run_lambda(const Settings& settings) {
                 {}};
   for (const auto& [name, lambda] :
        {std::pair{"on the quadric", &same.lambda}, {"on another", &other.lambda}}) {
-    // Named, for clang captures no structured binding.
+    // The value is named, because clang cannot capture structured bindings.
     const auto beyond = [&values = *lambda](double x) {
       return number(1.0 - share_below(values, x) + share_below(values, -x));
     };

@@ -5,10 +5,12 @@
 
 namespace quadrille::experiments {
 
-/// Processor time of a call on this thread [µs]: what else the machine does hardly matters.
+/// Returns the processor time of a call on this thread [µs], which other work on the machine hardly
+/// affects.
 double microseconds(const std::function<void()>& call);
 
-/// The value below which the share of the values lies, linear between two; sorts a copy.
+/// Returns the value below which this share of the values lies, interpolated linearly; sorts a
+/// copy.
 /// @throws std::invalid_argument if there are no values
 double quantile(std::vector<double> values, double share);
 

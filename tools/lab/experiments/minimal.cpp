@@ -19,7 +19,7 @@ namespace {
 using Matrix12x10 = Eigen::Matrix<double, 12, 10>;
 using Vector12 = Eigen::Matrix<double, 12, 1>;
 
-/// The paper's compact system of three oriented points , without heap.
+/// The paper's compact system of three oriented points, without heap memory.
 struct System {
   Matrix12x10 A;
   Vector12 n;
@@ -36,14 +36,15 @@ System system_of(const OrientedPointsd& points) {
   return system;
 }
 
-/// A way from three oriented points and a further position to the quadric, zero if it finds none.
+/// A method that computes a quadric from three oriented points and a further position; zero if it
+/// finds none.
 struct Way {
   std::string name, label;
   bool from_svd;
   std::function<Vector10d(const OrientedPointsd&)> solve;
 };
 
-/// λ from the position alone: theorem 3 with the first row of the further point's system.
+/// Computes λ from the position alone: theorem 3 with the first row of the further point's system.
 Vector10d with_lambda(const Vector10d& p, const Vector10d& mu, const OrientedPointsd& points) {
   const Vector10d v = monomials(points.points.col(3));
   return p - v.dot(p) / v.dot(mu) * mu;
@@ -60,7 +61,7 @@ Vector10d by_svd(const OrientedPointsd& points) {
 Vector10d by_qr(const OrientedPointsd& points) {
   const System system = system_of(points);
   const Eigen::ColPivHouseholderQR<Matrix12x10> qr(system.A);
-  // The null vector by back substitution from the last column, whose pivot vanishes.
+  // The null vector follows by back substitution from the last column, whose pivot vanishes.
   Vector10d mu = Vector10d::Zero(), p = Vector10d::Zero();
   const auto R = qr.matrixR().topLeftCorner<9, 9>().triangularView<Eigen::Upper>();
   mu[9] = 1.0;
@@ -111,7 +112,7 @@ std::vector<Way> all_ways() {
   };
 }
 
-/// @param types  how many of the curved types are drawn from
+/// @param types  number of curved types to draw from
 std::vector<OrientedPointsd> random_bases(int count, int types, std::uint64_t seed) {
   std::vector<OrientedPointsd> bases;
   for (int k = 0; k < count; ++k) {
@@ -121,7 +122,8 @@ std::vector<OrientedPointsd> random_bases(int count, int types, std::uint64_t se
   return bases;
 }
 
-/// Median difference of two ways' quadrics on spheres, where all gradients have one length.
+/// Returns the median difference between two methods' quadrics on spheres, where all gradients have
+/// the same length.
 double difference(const Way& a, const Way& b, std::uint64_t seed) {
   std::vector<double> differences;
   for (const OrientedPointsd& basis : random_bases(101, 1, seed)) {
@@ -137,10 +139,10 @@ Report run_minimal(const Settings& settings) {
   const std::vector<OrientedPointsd> bases = random_bases(240, kCurvedTypes, settings.seed);
   const std::vector<Way> ways = all_ways();
   std::vector<std::vector<double>> times(ways.size());
-  // Volatile, so that no compiler leaves the work out.
+  // The variable is volatile so that no compiler optimises the work away.
   volatile double sink = 0.0;
   for (int round = 0; round < rounds; ++round) {
-    // In turn, so that all see the same machine.
+    // The methods take turns, so that all are timed under the same conditions.
     for (std::size_t k = 0; k < ways.size(); ++k) {
       const double time = microseconds([&] {
         for (const OrientedPointsd& basis : bases) sink = ways[k].solve(basis)[0];

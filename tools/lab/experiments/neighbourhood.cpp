@@ -8,10 +8,10 @@
 namespace quadrille::experiments {
 namespace {
 
-// Radius of the neighbourhood against that of the quadric's ball.
+// Radius of the neighbourhood relative to that of the quadric's ball.
 constexpr double kRadius = 0.6;
 
-/// Points of a random quadric within a ball about one of them, which becomes the unit ball.
+/// Returns points of a random quadric within a ball around one of them, scaled to the unit ball.
 OrientedPointsd random_piece(Eigen::Index count, RandomStream& random) {
   const Quadric Q = random_quadric(curved_type(random.below(kCurvedTypes)), random);
   const Eigen::Vector3d centre = sample(Q, 1, random).points.col(0);
@@ -29,7 +29,7 @@ OrientedPointsd random_piece(Eigen::Index count, RandomStream& random) {
   return piece;
 }
 
-/// A point of a plane within the unit ball.
+/// Returns a random point of a plane within the unit ball.
 OrientedPoint on_plane(const Eigen::Vector3d& n, double height, RandomStream& random) {
   const Eigen::Vector3d side = n.unitOrthogonal(), other = n.cross(side);
   const double radius = std::sqrt((1.0 - height * height) * random.uniform());

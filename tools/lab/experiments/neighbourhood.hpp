@@ -8,11 +8,11 @@
 
 namespace quadrille::experiments {
 
-/// A piece of a random quadric in the unit ball, seen with noise among pieces of planes.
+/// A piece of a random quadric in the unit ball, observed with noise among pieces of planes.
 struct Neighbourhood {
-  /// Noisy points with noisy unit normals, of the quadric and of the planes in random order.
+  /// Noisy points with noisy unit normals of the quadric and of the planes, in random order.
   OrientedPointsd points;
-  /// The same for the vote.
+  /// The same points as floats, for the vote.
   OrientedPointsf voters;
   /// Exact points and normals of the quadric.
   OrientedPointsd truth;
@@ -29,8 +29,8 @@ struct NeighbourhoodOptions {
 
 Neighbourhood random_neighbourhood(const NeighbourhoodOptions& options, RandomStream& random);
 
-/// True if the quadric runs along the true surface of a neighbourhood: nine tenths of it within
-/// `distance`, with its normals to 0.9.
+/// Returns true if the quadric follows the true surface of a neighbourhood: nine tenths of it lie
+/// within `distance`, with a cosine of at least 0.9 between the normals.
 bool is_found(const Quadric& Q, const Neighbourhood& neighbourhood, double distance);
 
 }  // namespace quadrille::experiments

@@ -18,15 +18,15 @@ using Eigen::Vector3d;
 
 constexpr int kArrangements = 7;
 
-/// An object that scenes are built around.
+/// An object around which scenes are built.
 struct SceneObject {
   const char* name;
   scene::Body body;
-  /// Whether it lies on its side in every other scene.
+  /// Whether the object lies on its side in every other scene.
   bool lies;
 };
 
-/// One curved surface in its body's frame.
+/// Makes a body of one curved surface in its own frame.
 scene::Body shell(const std::string& type, const Vector10d& q, const Eigen::AlignedBox3d& box) {
   scene::Body body{type, {}, {}, Eigen::Isometry3d::Identity(), box.max().head<2>().norm()};
   body.surfaces.push_back({type, true, Quadric(q), box, {}, {}});
@@ -34,7 +34,7 @@ scene::Body shell(const std::string& type, const Vector10d& q, const Eigen::Alig
   return body;
 }
 
-/// A sheet of paper that arches: z = h − x²/4f.
+/// Makes an arched sheet of paper: z = h − x²/4f.
 scene::Body bent_paper() {
   constexpr double kHeight = 0.06, kHalfWidth = 0.09, kHalfLength = 0.13;
   Vector10d q = Vector10d::Zero();
@@ -44,7 +44,7 @@ scene::Body bent_paper() {
       {Vector3d(-kHalfWidth, -kHalfLength, 0), Vector3d(kHalfWidth, kHalfLength, kHeight)});
 }
 
-/// The upper half of an ellipsoid.
+/// Makes the upper half of an ellipsoid.
 scene::Body helmet() {
   const Vector3d axes(0.13, 0.1, 0.12);
   Vector10d q = Vector10d::Zero();
@@ -53,7 +53,7 @@ scene::Body helmet() {
   return shell("ellipsoid", q, {Vector3d(-axes.x(), -axes.y(), 0), axes});
 }
 
-/// The four that the paper names, and a fifth that it does not.
+/// Returns the four objects that the paper names, and a fifth that it does not.
 std::vector<SceneObject> scene_objects() {
   return {{"bent paper", bent_paper(), false},
           {"helmet", helmet(), false},
@@ -62,7 +62,8 @@ std::vector<SceneObject> scene_objects() {
           {"ball", scene::make_ball({0.08, 0.08, 0.08}), false}};
 }
 
-/// On the table, turned; on its side about x.
+/// Returns the pose of the object on the table, turned about z. Objects that may lie are laid on
+/// their side in every other arrangement.
 Eigen::Isometry3d object_pose(const SceneObject& object, int arrangement) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.linear() = Eigen::AngleAxisd(0.9 * arrangement, Vector3d::UnitZ()).toRotationMatrix();
@@ -74,13 +75,13 @@ Eigen::Isometry3d object_pose(const SceneObject& object, int arrangement) {
   return X;
 }
 
-/// A scene in which the object alone is asked for, and what share of its pixels is seen.
+/// A scene in which only the object has to be found, and the visible share of its pixels.
 struct ObjectScene {
   scoring::Frame frame;
   double seen;
 };
 
-/// The object in the middle of other things.
+/// Makes a scene with the object in the middle of other things.
 ObjectScene object_scene(const SceneObject& object, int arrangement, std::uint64_t seed) {
   scene::Scene made;
   made.options = {scene::Family::kHard, seed};

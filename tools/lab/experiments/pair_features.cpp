@@ -12,14 +12,14 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kHeights = 15, kAngles = 30, kModelTurns = 77, kRefinements = 5;
-/// Poses belong together that differ by less, in radii and [rad].
+/// Poses that differ by less than this form one group, in radii and [rad].
 constexpr double kSameCentre = 0.7, kSameAxis = 0.26;
-/// What is near to a surface, in radii, with the cosine of its normal.
+/// Largest distance of a point that lies on a surface, in radii, and least cosine of its normal.
 constexpr double kNear = 0.12, kNearCosine = 0.93;
 
 using Feature = std::array<int, 4>;
 
-/// Distance and the three angles of a pair (paper, eq. 1), in steps.
+/// Returns the distance and the three angles of a pair (paper, eq. 1), in steps.
 Feature feature_of(const Vector3d& x1, const Vector3d& n1, const Vector3d& x2, const Vector3d& n2,
                    const PairMatcherOptions& options) {
   const Vector3d d = x2 - x1;
@@ -31,14 +31,15 @@ Feature feature_of(const Vector3d& x1, const Vector3d& n1, const Vector3d& x2, c
   return {static_cast<int>(d.norm() / step), angle(n1, way), angle(n2, way), angle(n1, n2)};
 }
 
-/// Angle of the way to x2 about the normal at x1, from a tangent direction.
+/// Returns the angle of the direction to x2 about the normal at x1, measured from a tangent
+/// direction.
 double angle_about(const Vector3d& x1, const Vector3d& n1, const Vector3d& tangent,
                    const Vector3d& x2) {
   const Vector3d d = x2 - x1;
   return std::atan2(n1.cross(tangent).dot(d), tangent.dot(d));
 }
 
-/// Where the reference of a pair is on the model, and the angle of its way from the axis.
+/// Position of a pair's reference point on the model, and the angle between the pair and the axis.
 struct ModelPair {
   int height;
   double angle;
@@ -49,7 +50,7 @@ double height_of(int step, const PairMatcherOptions& options) {
   return options.length * ((step + 0.5) / kHeights - 0.5);
 }
 
-/// All pairs whose first point is on one line of the side: all lines are alike.
+/// Builds all pairs whose first point is on one line of the side, since all its lines are alike.
 Model model_of(const PairMatcherOptions& options) {
   Model model;
   const Vector3d n1 = Vector3d::UnitX(), axis = Vector3d::UnitZ();
@@ -68,13 +69,13 @@ Model model_of(const PairMatcherOptions& options) {
   return model;
 }
 
-/// A pose and its votes.
+/// A pose and its number of votes.
 struct VotedPose {
   KnownCylinder cylinder;
   double votes;
 };
 
-/// The pose that most pairs of one reference agree on.
+/// Returns the pose that most pairs of one reference point agree on.
 VotedPose pose_at(const OrientedPointsd& points, Eigen::Index reference, const Model& model,
                   const PairMatcherOptions& options) {
   const Vector3d x1 = points.points.col(reference), n1 = points.normals.col(reference);
@@ -114,7 +115,7 @@ bool is_same(const KnownCylinder& a, const KnownCylinder& b) {
          a.axis_C.cross(b.axis_C).norm() < std::sin(kSameAxis);
 }
 
-/// Poses in groups about the one with most votes, whose votes are summed up.
+/// Groups poses around the ones with the most votes, and adds up the votes of each group.
 std::vector<VotedPose> grouped(std::vector<VotedPose> poses) {
   const auto more = [](const VotedPose& a, const VotedPose& b) { return a.votes > b.votes; };
   std::stable_sort(poses.begin(), poses.end(), more);
@@ -133,7 +134,7 @@ std::vector<VotedPose> grouped(std::vector<VotedPose> poses) {
   return groups;
 }
 
-/// The points on a cylinder's side.
+/// Returns the points on a cylinder's side.
 std::vector<Eigen::Index> points_on(const KnownCylinder& cylinder, const OrientedPointsd& points,
                                     double length) {
   std::vector<Eigen::Index> on;
@@ -150,7 +151,7 @@ std::vector<Eigen::Index> points_on(const KnownCylinder& cylinder, const Oriente
   return on;
 }
 
-/// The axis across the normals, through the points that lie a radius within.
+/// Fits the axis at right angles to the normals, through the points one radius inside the surface.
 void refine(const OrientedPointsd& points, double length, KnownCylinder* cylinder) {
   for (int k = 0; k < kRefinements; ++k) {
     const std::vector<Eigen::Index> on = points_on(*cylinder, points, length);

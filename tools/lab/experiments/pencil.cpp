@@ -13,13 +13,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// As far as the paper's figure goes.
+/// The values of λ span the range of the paper's figure.
 constexpr std::array kLambdas = {-75.0, -5.0, -1.0, 0.0, 5.0, 75.0};
 constexpr int kSlices = 13;
-/// Centres of the drawn balls are so far apart.
+/// Distance between the centres of the drawn balls.
 constexpr double kApart = 2.2;
 
-/// Exact oriented points of an ellipsoid whose triangle is large and not nearly a great one.
+/// Three exact oriented points of an ellipsoid. Their triangle is large, and its plane does not
+/// pass through the centre.
 struct ExactBasis {
   Quadric Q;
   std::array<OrientedPoint, 3> points;
@@ -39,7 +40,7 @@ ExactBasis exact_basis(std::uint64_t seed) {
   }
 }
 
-/// λ at which a quadric lies in the pencil: that of any of its points.
+/// Returns the λ at which a quadric lies in the pencil, which is that of any of its points.
 double lambda_of(const Pencil& pencil, const Quadric& Q, RandomStream& random) {
   const OrientedPointsd points = sample(Q, 20, random);
   double lambda = 0.0, most = 0.0;
@@ -53,7 +54,7 @@ double lambda_of(const Pencil& pencil, const Quadric& Q, RandomStream& random) {
   return lambda;
 }
 
-/// Seen from a direction, without perspective.
+/// An orthographic view from a direction.
 struct Eye {
   Vector3d towards, right, up;
 
@@ -64,9 +65,9 @@ struct Eye {
   std::pair<double, double> at(const Vector3d& x, double shift_x, double shift_y) const {
     return {right.dot(x) + shift_x, up.dot(x) + shift_y};
   }
-  /// Whether the surface itself, within the unit ball, stands before a point of it.
+  /// Returns whether the surface itself, within the unit ball, hides one of its points.
   bool is_hidden(const Quadric& Q, const Vector3d& x) const {
-    // Along the line of sight Q is t (b + t a).
+    // Along the line of sight, Q is t (b + t a).
     const double b = towards.dot(Q.gradient(x));
     const double a = towards.dot(Q.matrix().topLeftCorner<3, 3>() * towards);
     const double t = -b / a;
@@ -74,7 +75,7 @@ struct Eye {
   }
 };
 
-/// The visible pieces of slices across three axes, within the unit ball.
+/// Draws the visible pieces of slices across three axes, within the unit ball.
 void draw_mesh(const Quadric& Q, const Eigen::Matrix3d& axes, const Eye& eye, double shift_x,
                double shift_y, Series* series) {
   for (const int axis : {0, 1, 2}) {
@@ -96,7 +97,7 @@ void draw_mesh(const Quadric& Q, const Eigen::Matrix3d& axes, const Eye& eye, do
 
 std::string name_of_lambda(double lambda) { return fmt::format("λ = {:.3g}", lambda); }
 
-/// The surfaces beside each other, with the basis on each.
+/// Draws the surfaces side by side, with the basis on each.
 Plot meshes(const Pencil& pencil, const ExactBasis& basis) {
   Plot plot{"Surfaces of one pencil, within the unit ball", "", "", {}};
   plot.equal_axes = true;
@@ -117,8 +118,8 @@ Plot meshes(const Pencil& pencil, const ExactBasis& basis) {
   return plot;
 }
 
-/// All surfaces in the plane through two points of the basis and across that of all three, where
-/// they touch each other.
+/// Draws all surfaces in the plane through two points of the basis, perpendicular to the plane of
+/// all three, where the surfaces touch each other.
 Plot fan(const Pencil& pencil, const ExactBasis& basis, double truth) {
   Plot plot{"Section across the plane of the basis",
             "along two points of the basis",

@@ -18,12 +18,13 @@ namespace quadrille::experiments {
 namespace {
 
 constexpr int kPoints = 400;
-/// Of the points and of a normal's components, in radii of the neighbourhood and [rad].
+/// Noise of the points in radii of the neighbourhood, and of a normal's components [rad].
 constexpr double kPointNoise = 0.01, kTurn = 0.05;
-/// A point lies on a hypothesis this near, in radii.
+/// Largest distance of a point that lies on a hypothesis, in radii.
 constexpr double kOnSurface = 0.03;
 
-/// Two planes that meet at the angle, on the edge y, open downward, in the unit ball.
+/// Returns points of two planes in the unit ball that meet at this angle in the edge y and open
+/// downward.
 OrientedPointsd wedge(double degrees, RandomStream& random) {
   OrientedPointsd points(kPoints);
   const double slope = 0.5 * degrees * M_PI / 180.0;
@@ -47,13 +48,14 @@ int count_on(const Quadric& Q, const OrientedPointsd& points) {
   return count;
 }
 
-/// A hypothesis and how many points lie on it.
+/// A hypothesis and the number of points that lie on it.
 struct Winner {
   Quadric Q;
   int support = 0;
 };
 
-/// The vote's quadric that most points lie on, as the paper's method has it without planes.
+/// Returns the quadric of the vote with the most points, as in the paper's method without removal
+/// of planes.
 Winner best_vote(const OrientedPointsd& points, int bases, RandomStream& random) {
   OrientedPointsf voters(points.size());
   voters.points = points.points.cast<float>();
@@ -94,10 +96,10 @@ Plot draw_wedge(double degrees, const OrientedPointsd& points, const Winner& win
   return plot;
 }
 
-/// What the whole detector finds, with the planes taken out first and without.
+/// Compares the whole detector with and without the removal of planes before the search.
 Table whole_detector(const Settings& settings) {
   DetectorOptions first, without;
-  // No plane has so many samples.
+  // No plane has this many samples.
   without.planes.min_samples = 1000000;
   scoring::FrameScore scores[2];
   for_each_scene(

@@ -13,12 +13,12 @@ namespace quadrille::experiments {
 namespace {
 
 constexpr double kLeft = 70, kTop = 30, kWidth = 480, kHeight = 300, kPanel = 390, kLegend = 240;
-/// Free space between the frame and what is drawn, in lengths of the axis.
+/// Free space between the frame and the drawing, relative to the length of the axis.
 constexpr double kMargin = 0.04;
 constexpr std::array kColours = {"#1f77b4", "#d62728", "#2ca02c", "#ff7f0e", "#9467bd", "#8c564b",
                                  "#e377c2", "#7f7f7f", "#bcbd22", "#17becf", "#000000"};
 
-/// One axis: which values it shows, and where.
+/// One axis: the values that it shows, and their place on the page.
 struct Axis {
   bool logarithmic;
   double from, length;
@@ -42,7 +42,7 @@ struct Axis {
     low = unscaled(first - margin), high = unscaled(last + margin);
   }
   double units_per_pixel() const { return (scaled(high) - scaled(low)) / std::abs(length); }
-  /// Widens a linear axis about its middle.
+  /// Widens a linear axis around its middle.
   void stretch_to(double units_per_pixel) {
     const double middle = 0.5 * (low + high), half = 0.5 * units_per_pixel * std::abs(length);
     low = middle - half, high = middle + half;
@@ -70,7 +70,7 @@ std::string line(double x1, double y1, double x2, double y2, const std::string& 
   return fmt::format("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" {}/>\n", x1, y1, x2, y2, style);
 }
 
-/// The number of each way's colour.
+/// Index of the colour of each kind of line.
 using Colours = std::map<std::string, std::size_t>;
 
 const std::string& way_of(const Series& series) {
@@ -88,12 +88,12 @@ Colours colours_of(const std::vector<Plot>& plots) {
 std::string colour_of(std::size_t index) { return kColours[index % kColours.size()]; }
 
 std::string style_of(const Series& series, std::size_t index) {
-  // Pieces are too short for dashes.
+  // Pieces are too short to be dashed.
   if (series.drawn == Drawn::kPieces && series.dashed) {
     return fmt::format("stroke=\"{}\" stroke-width=\"5\" stroke-opacity=\"0.35\" fill=\"none\"",
                        colour_of(index));
   }
-  // After all colours, the same again with dots.
+  // When the colours run out, they are used again with dotted lines.
   const char* dash = series.dashed ? " stroke-dasharray=\"6 3\"" : "";
   if (index >= kColours.size()) dash = " stroke-dasharray=\"2 2\"";
   return fmt::format("stroke=\"{}\" stroke-width=\"1.6\" fill=\"none\"{}", colour_of(index), dash);
@@ -122,7 +122,7 @@ std::string frame(const Plot& plot, const Axis& x, const Axis& y, double top) {
                      fmt::format(" transform=\"rotate(-90 14 {})\"", half));
 }
 
-/// The points on paper, those that the axes show.
+/// Returns the positions on the page of the points that the axes show.
 std::vector<std::pair<double, double>> placed(const Series& series, const Axis& x, const Axis& y) {
   std::vector<std::pair<double, double>> points;
   for (const auto& p : series.points) {
@@ -142,7 +142,7 @@ std::string circles(const std::vector<std::pair<double, double>>& points, double
   return svg;
 }
 
-/// One path for all pieces.
+/// Draws all pieces as one path.
 std::string pieces(const Series& series, const Axis& x, const Axis& y, std::size_t colour) {
   std::string path;
   for (std::size_t i = 0; i + 1 < series.points.size(); i += 2) {
@@ -163,7 +163,7 @@ std::string curve(const Series& series, const Axis& x, const Axis& y, std::size_
   for (const auto& [at_x, at_y] : points) {
     path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", at_x, at_y);
   }
-  // A path of one point would not be seen.
+  // A path of one point would be invisible.
   if (points.size() < 2) return svg;
   return svg + fmt::format("<path d=\"{}\" {}/>\n", path, style_of(series, colour));
 }
@@ -212,7 +212,7 @@ std::vector<double> ticks(double low, double high, bool logarithmic) {
   const double share = rough / power;
   const double step = power * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
   for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
-    result.push_back(k * step + 0.0);  // No negative zero.
+    result.push_back(k * step + 0.0);  // adding 0 avoids a negative zero
   }
   return result;
 }

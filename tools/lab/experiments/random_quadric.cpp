@@ -36,7 +36,7 @@ Names dimensions_of(QuadricType type) {
   }
 }
 
-/// Sizes with which the surface fills the unit ball well.
+/// Returns a size with which the surface fills the unit ball well.
 double random_dimension(QuadricType type, const std::string& name, RandomStream& random) {
   const double u = random.uniform();
   const bool apart =
@@ -53,7 +53,7 @@ Eigen::Matrix3d random_rotation(RandomStream& random) {
   return Eigen::Quaterniond(q).normalized().toRotationMatrix();
 }
 
-/// Parameters t at which the line x + t d meets the quadric.
+/// Returns the parameters t at which the line x + t d meets the quadric.
 std::vector<double> meet(const Quadric& Q, const Eigen::Vector3d& x, const Eigen::Vector3d& d) {
   const double a = d.dot(Q.matrix().topLeftCorner<3, 3>() * d);
   const double b = 0.5 * d.dot(Q.gradient(x)), c = Q.value(x);
@@ -61,7 +61,7 @@ std::vector<double> meet(const Quadric& Q, const Eigen::Vector3d& x, const Eigen
     return b == 0.0 ? std::vector<double>() : std::vector<double>{-c / b / 2};
   const double root = b * b - a * c;
   if (root < 0.0) return {};
-  // The larger first: no cancellation.
+  // The root of larger magnitude is computed first, which avoids cancellation.
   const double far = -(b + std::copysign(std::sqrt(root), b));
   if (far == 0.0) return {0.0};
   return {far / a, c / far};
@@ -117,7 +117,7 @@ OrientedPointsd sample(const Quadric& Q, Eigen::Index count, RandomStream& rando
     const Eigen::Vector3d x = radius * (std::cos(angle) * side + std::sin(angle) * other);
     for (const double t : meet(Q, x, d)) {
       const Eigen::Vector3d y = x + t * d, g = Q.gradient(y);
-      // At an apex there is no normal.
+      // An apex has no normal.
       if (found == count || y.norm() > 1.0 || g.norm() < 1e-3) continue;
       result.points.col(found) = y;
       result.normals.col(found++) = g.normalized();

@@ -12,9 +12,9 @@
 namespace quadrille::experiments {
 namespace {
 
-// As in hypotheses.cpp.
+// The values are those of hypotheses.cpp.
 constexpr double kMaxInconsistent = 0.6, kNormalNoise = 0.05;
-// Least distance of voters, and of a fourth point, from the plane of three.
+// Least distance of voters, and of a fourth point, from the plane of the three basis points.
 constexpr double kMinHeight = 0.1;
 
 OrientedPointsd random_tuple(const Neighbourhood& from, int count, RandomStream& random) {
@@ -67,7 +67,7 @@ void vote_with_two(const Neighbourhood& from, const OrientedPointsf& voters, Ran
   }
 }
 
-/// The soft pencil of the first three through the fourth.
+/// Returns the soft pencil's quadric of the first three points that passes through the fourth.
 std::optional<Quadric> through_four(const OrientedPointsd& points) {
   const auto pencil =
       make_scaled_pencil({points.at(0), points.at(1), points.at(2)}, kScaleSoftness);

@@ -10,7 +10,8 @@ namespace quadrille::experiments {
 
 /// Least cosine between a voter's or an inlier's normal and a hypothesis's gradient.
 inline constexpr double kSamplerCosine = 0.85;
-/// With solved lengths of the gradients; the detector's default has the common scale.
+/// The sampler that solves for the gradients' lengths; the detector uses a common length by
+/// default.
 inline constexpr const char* kThreeName = "3 points, vote, consistency test";
 
 /// Turns random points of a neighbourhood into hypotheses.
@@ -21,7 +22,8 @@ struct Sampler {
       draw;
 };
 
-/// The paper's ways of drawing a hypothesis, with bases of two, three, four and nine points.
+/// Returns the paper's ways of drawing a hypothesis, with bases of two, three, four and nine
+/// points.
 std::vector<Sampler> all_samplers();
 
 }  // namespace quadrille::experiments

@@ -24,13 +24,13 @@ constexpr SamplingWay kWays[] = {{"2 points, vote", BasisKind::kTwoPoints},
 
 const std::vector<scene::Family> kFamilies = {scene::Family::kMedium, scene::Family::kHard};
 
-/// One setting of the detector, and what it makes of all scenes of a family.
+/// One setting of the detector, and its results on all scenes of a family.
 struct SamplingSetting {
   const char* name;
   scene::Family family;
   DetectorOptions options;
   scoring::FrameScore score;
-  /// For each scene, processor time of the detection and wall time of its search [ms].
+  /// Processor time of the detection and wall time of its search for each scene [ms].
   std::vector<double> total, search;
 
   bool is(const char* way, scene::Family scenes) const {
@@ -55,10 +55,10 @@ void run(const scoring::Frame& frame, SamplingSetting* setting) {
   setting->search.push_back(stage_time(result, "search"));
 }
 
-/// Every way at each cell with the default number of bases, and at the default cell with each
-/// number of bases.
+/// Returns every sampler at each cell size with the default number of bases, and at the default
+/// cell size with each number of bases.
 std::vector<SamplingSetting> all_settings(scene::Family family, bool quick) {
-  // In default cells.
+  // Cell sizes relative to the default.
   const std::vector<double> cells =
       quick ? std::vector<double>{1, 4} : std::vector<double>{0.5, 0.7, 1, 1.4, 2, 2.8, 4, 5.6};
   const std::vector<int> bases = quick ? std::vector<int>{1} : std::vector<int>{1, 2, 10, 20};
@@ -85,7 +85,7 @@ bool has_default_cell(const SamplingSetting& s) {
   return s.options.sampling.cell == DetectorOptions().sampling.cell;
 }
 
-/// The ways below each other, setting by setting.
+/// Lists the samplers one below the other, setting by setting.
 Table table_of(const std::string& title, std::vector<SamplingSetting> settings,
                bool (*belongs)(const SamplingSetting&)) {
   std::stable_sort(settings.begin(), settings.end(),
@@ -155,7 +155,7 @@ std::vector<Plot> plots_of(const std::vector<SamplingSetting>& settings) {
   };
 }
 
-/// The least time at which each way has a share of the best recall of a family.
+/// Tells the least time at which each sampler reaches a share of a family's best recall.
 std::string fastest(const std::vector<SamplingSetting>& settings, scene::Family family,
                     double share) {
   double best = 0.0;

@@ -10,11 +10,11 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// The root between two points of opposite signs; along a line a quadric is a parabola, fixed by
-/// the middle.
+/// Returns the root between two points of opposite signs. Along a line a quadric is a parabola,
+/// which the value in the middle determines.
 double root_between(double first, double middle, double last) {
   const double a = 2.0 * (first + last - 2.0 * middle), b = last - first - a;
-  // Without cancellation: of the two roots one lies between.
+  // This form avoids cancellation; exactly one of the two roots lies in between.
   const double q = -0.5 * (b + std::copysign(std::sqrt(std::max(0.0, b * b - 4 * a * first)), b));
   const double other = q != 0.0 ? first / q : 0.0;
   if (a == 0.0 || (other >= 0.0 && other <= 1.0)) return other;
@@ -46,7 +46,7 @@ std::vector<std::pair<double, double>> section(const Quadric& Q, const SectionPl
           hits.push_back(*hit);
         }
       }
-      // Two, or four about a saddle.
+      // There are two hits, or four near a saddle.
       for (std::size_t k = 0; k + 1 < hits.size(); k += 2) {
         for (const Vector2d& p : {hits[k], hits[k + 1]}) ends.emplace_back(p.x(), p.y());
       }

@@ -16,20 +16,20 @@ struct KnownSphere {
   double radius;
 };
 
-/// What was found of it, in shares of the radius; nothing if it was not found.
+/// The errors of a found sphere, relative to the true radius; zero if it was not found.
 struct SphereError {
   bool found = false;
-  /// Found radius over the true one, minus 1.
+  /// Found radius divided by the true one, minus 1.
   double radius = 0.0;
-  /// Distance of the centres over the radius.
+  /// Distance between the centres divided by the true radius.
   double centre = 0.0;
 };
 
-/// The sphere (or ellipsoid, with its mean semi-axis) whose centre is within a radius of the true
-/// one, the nearest of them.
+/// Returns the errors of the sphere (or ellipsoid, by its mean semi-axis) whose centre is nearest
+/// to the true one, if it lies within one radius.
 SphereError match(const DetectionResult& result, const KnownSphere& truth);
 
-/// Quantiles and distributions of the errors, by group.
+/// Reports quantiles and distributions of the errors, by group.
 Report report_errors(const std::map<std::string, std::vector<SphereError>>& groups);
 
 }  // namespace quadrille::experiments

@@ -26,7 +26,7 @@ std::vector<KnownSphere> spheres_of(const scene::Scene& made) {
   return spheres;
 }
 
-/// One of the two searches over the scenes of a family.
+/// One of the two searches, over the scenes of a family.
 struct Search {
   DetectorOptions options;
   std::vector<SphereError> errors;
@@ -45,7 +45,7 @@ struct Search {
   }
 };
 
-/// The search for all types, and that for spheres alone.
+/// The search for all types, and the search for spheres alone.
 struct Searches {
   Search all, alone;
 };

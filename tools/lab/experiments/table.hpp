@@ -11,17 +11,17 @@ struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
 
-  /// @throws std::invalid_argument if the row has not one cell a column
+  /// @throws std::invalid_argument if the row does not have one cell per column
   void add(std::vector<std::string> row);
 };
 
-/// A number with four significant digits, as tables have it.
+/// Formats a number with four significant digits, as used in tables.
 std::string number(double value);
 
-/// As Markdown, with the title as a heading where there is one.
+/// Formats the table as Markdown, with the title as a heading if there is one.
 std::string to_markdown(const Table& table);
 
-/// As comma-separated values (RFC 4180, with line feeds), without the title.
+/// Formats the table as comma-separated values (RFC 4180, with line feeds), without the title.
 std::string to_csv(const Table& table);
 
 }  // namespace quadrille::experiments

@@ -11,12 +11,12 @@
 namespace quadrille::experiments {
 namespace {
 
-/// The search with a number of bases, with or without the hash, over all scenes of a family.
+/// The search with a given number of bases, with or without the hash, over all scenes of a family.
 struct Setting {
   scene::Family family;
   DetectorOptions options;
   TripletCounts counts;
-  /// Processor time of the search over all levels, each scene [ms].
+  /// Processor time of the search over all levels, for each scene [ms].
   std::vector<double> times;
   scoring::FrameScore score;
 
@@ -42,8 +42,8 @@ void run(const scoring::Frame& frame, const SampleTree& tree, Setting* setting) 
   setting->score += scoring::score(frame, scoring::findings_of(detect(frame.cloud, options)));
 }
 
-/// The same number of bases without the hash, with it, and with it in the largest neighbourhood of
-/// each seed alone.
+/// The same number of bases without the hash, with it, and with it only in the largest
+/// neighbourhood of each seed.
 struct Group {
   Setting plain, hashed, single;
 };

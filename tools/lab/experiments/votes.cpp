@@ -17,14 +17,14 @@ namespace {
 
 constexpr double kForeign = 0.3;
 
-/// What one point says of λ.
+/// The vote of one point for λ.
 struct Ballot {
   double lambda;
-  /// Its normal agrees with the gradient there.
+  /// True if the point's normal agrees with the gradient there, so that the vote counts.
   bool counts;
 };
 
-/// A basis, its highest peaks and how many votes they have.
+/// A basis, its highest peaks and their numbers of votes.
 struct Election {
   Pencil pencil;
   std::vector<VotePeak> peaks;
@@ -43,7 +43,7 @@ std::optional<Election> hold_election(const Neighbourhood& from, const VoteOptio
   return election;
 }
 
-/// The election whose winner has the most votes.
+/// Returns the election whose winner has the most votes.
 std::optional<Election> clearest(const Neighbourhood& from, const VoteOptions& options, int bases,
                                  RandomStream& random) {
   std::optional<Election> best;
@@ -74,7 +74,7 @@ double place(double lambda, const VoteOptions& options) {
                   static_cast<float>(options.lambda_scale));
 }
 
-/// Share of the ballots in each bin, those that count or all.
+/// Returns the share of the ballots in each bin, over all ballots or over those that count.
 std::vector<double> bins_of(const std::vector<Ballot>& ballots, bool all,
                             const VoteOptions& options) {
   std::vector<double> bins(static_cast<std::size_t>(options.bins), 0.0);
@@ -86,7 +86,7 @@ std::vector<double> bins_of(const std::vector<Ballot>& ballots, bool all,
   return bins;
 }
 
-/// The outline of a histogram over 0 to 1.
+/// Returns the outline of a histogram over 0 to 1.
 Series steps(const std::string& name, const std::vector<double>& bins, bool dashed) {
   Series line{name, {}, dashed};
   const double width = 1.0 / static_cast<double>(bins.size());
@@ -97,7 +97,7 @@ Series steps(const std::string& name, const std::vector<double>& bins, bool dash
   return line;
 }
 
-/// λ of the exact points: one value if the basis were exact, too.
+/// Returns the median λ of the exact points, which would all agree if the basis were exact as well.
 double true_lambda(const Pencil& pencil, const OrientedPointsd& truth, const VoteOptions& options) {
   std::vector<double> values;
   for (const Ballot& ballot : ballots_of(pencil, truth, options)) values.push_back(ballot.lambda);

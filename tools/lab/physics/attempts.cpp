@@ -14,7 +14,7 @@ Outcome outcome_of(const TrialResult& trial) {
   return trial.slip >= kMaxSlip ? Outcome::kSlipped : Outcome::kTurned;
 }
 
-// The body with its wall behind the side that was seen, at the place of the grasp.
+// Returns the body with its wall behind the side that was seen, at the place of the grasp.
 TrueBody with_wall(TrueBody body, const Grasp& grasp, const SeenQuadrics& seen) {
   const auto target = seen.find(grasp.target);
   if (body.wall == 0.0 || target == seen.end()) return body;

@@ -17,36 +17,35 @@ enum class Outcome {
   kHeld,     ///< lifted, with little slip and rotation
   kTurned,   ///< lifted, but turned in the hand by 5° or more
   kSlipped,  ///< lifted, but slipped by 5 mm or more
-  kDropped,  ///< taken hold of and lost
+  kDropped,  ///< taken hold of, then lost
   kMissed,   ///< nothing between the pads, or only one of them touched it
-  kUntried,  ///< on clutter, of whose shape the truth says nothing
+  kUntried,  ///< on clutter, whose shape the truth does not describe
 };
 
-/// "held", "turned", "slipped", "dropped", "missed", "untried".
+/// Returns "held", "turned", "slipped", "dropped", "missed" or "untried".
 std::string to_string(Outcome outcome);
 
 /// One planned grasp, tried on the true object between its pads.
 struct Attempt {
   int target = 0;
-  /// The best ranked grasp of its target.
+  /// True for the best-ranked grasp of its target.
   bool first = false;
   double score = 0.0, width = 0.0;
-  /// Id and type of the object in the truth; -1 and "nothing" if there is none.
+  /// Id and type of the object in the ground truth; -1 and "nothing" if there is none.
   int object = -1;
   std::string type = "nothing";
   Outcome outcome = Outcome::kMissed;
   TrialResult trial;
 };
 
-/// The detections of a plan by id: of each its quadric, whose gradient points to the side that the
-/// sensor saw.
+/// The quadrics of a plan's detections by id; the gradient points to the side that the sensor saw.
 using SeenQuadrics = std::map<int, Quadric>;
 
 SeenQuadrics seen_quadrics(const std::vector<Detection>& detections);
 
 /// Tries the grasps of a plan, best first. Generated vessels have no thickness; here the wall lies
-/// behind the side of the surface that the sensor saw of the target, as that of a real vessel does.
-/// @param only_first  only the best grasp of each target
+/// behind the side of the target's surface that the sensor saw, as in a real vessel.
+/// @param only_first  tries only the best grasp of each target
 /// @param progress    called with the share that is done; may be empty
 /// @throws as try_grasp() does
 std::vector<Attempt> try_grasps(const std::vector<Grasp>& grasps, const SeenQuadrics& seen,

@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Rounding of a quadric that is written relative to a camera a metre away.
+// Rounding error of a quadric that is written relative to a camera a metre away.
 constexpr double kRounding = 1e-6;
 
 Eigen::AlignedBox3d moved(const Eigen::AlignedBox3d& box, const Eigen::Isometry3d& X) {
@@ -31,7 +31,7 @@ Detection whole(int id) {
 Detection exact_quadric(int id, const Quadric& Q_C, const Eigen::Isometry3d& X_CS,
                         const Eigen::AlignedBox3d& box_S) {
   Detection d = whole(id);
-  // In a frame and a unit of its own, where rounding is far below all that matters.
+  // The quadric is expressed in its own frame and unit, in which rounding errors are negligible.
   const double unit = 0.5 * box_S.sizes().maxCoeff();
   Vector10d q = Q_C.transformed(X_CS.inverse()).coefficients();
   if (q[0] < 0.0) q = -q;

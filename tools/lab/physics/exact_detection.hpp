@@ -7,14 +7,15 @@
 
 namespace quadrille::physics {
 
-/// A true quadric as a detection without error, all of it seen from outside.
-/// @param Q_C    in the camera's frame, of either sign
-/// @param X_CS   pose of its own frame S, z the axis
-/// @param box_S  what there is of it [m]
+/// Turns a true quadric into a detection without error, as if all of it were seen from outside.
+/// @param Q_C  quadric in the camera's frame, of either sign
+/// @param X_CS  pose of the quadric's own frame S, with z along its axis
+/// @param box_S  extent of the surface [m]
 Detection exact_quadric(int id, const Quadric& Q_C, const Eigen::Isometry3d& X_CS,
                         const Eigen::AlignedBox3d& box_S);
 
-/// A true plane, z = 0 of its own frame, as a detection without error, seen from the origin of C.
+/// Turns a true plane, z = 0 of its own frame, into a detection without error, seen from the origin
+/// of C.
 Detection exact_plane(int id, const Eigen::Isometry3d& X_CS, const Eigen::AlignedBox3d& box_S);
 
 }  // namespace quadrille::physics

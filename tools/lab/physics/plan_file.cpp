@@ -40,7 +40,7 @@ Detection detection_of(const json& object) {
   return detection;
 }
 
-/// Refuses what `quadrille plan` writes of several inputs, an object a line.
+/// Refuses the output of `quadrille plan` for several inputs, which has one object per line.
 void check_single(const std::string& path, std::string_view text) {
   const std::size_t end = text.find('\n');
   if (end == std::string_view::npos) return;

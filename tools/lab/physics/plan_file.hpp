@@ -7,16 +7,16 @@
 
 namespace quadrille::physics {
 
-/// What `quadrille plan --json` wrote of one cloud, as far as a trial needs it.
+/// The parts of the output of `quadrille plan --json` for one cloud that a trial needs.
 struct PlanFile {
   /// Path of the cloud, as it was given to `quadrille plan`.
   std::string cloud;
   std::vector<Grasp> grasps;
-  /// Of the detections only id and quadric.
+  /// The detections, with only their id and quadric.
   std::vector<Detection> detections;
 };
 
-/// @throws io::FileError naming the file if it is no such plan
+/// @throws io::FileError naming the file if it is not such a plan
 PlanFile read_plan(const std::string& path);
 
 }  // namespace quadrille::physics

@@ -10,49 +10,52 @@
 
 namespace quadrille::physics {
 
-/// What is assumed of objects and pads.
+/// Assumptions about objects and pads.
 struct TrialOptions {
   /// Friction coefficient between pads and objects.
   double friction = 0.5;
-  /// Of all objects, about that of wood or of a half full cup [kg/m³].
+  /// Density of all objects, about that of wood or of a half full cup [kg/m³].
   double density = 300.0;
-  /// Closing force [N]; 0: the gripper's own.
+  /// Closing force [N]; 0 means the gripper's own.
   double force = 0.0;
 
   /// @throws std::invalid_argument naming the field that is out of range
   void check() const;
 };
 
-/// From so much on an object has slipped [m] or turned [rad] in the hand.
+/// An object that moves [m] or turns [rad] by at least this much has slipped or turned in the hand.
 constexpr double kMaxSlip = 0.005, kMaxRotation = 5.0 * std::numbers::pi / 180.0;
 
-/// What became of one grasp.
+/// The result of one trial.
 struct TrialResult {
-  /// Both pads touched the object.
+  /// True if both pads touched the object.
   bool touched = false;
-  /// At the end it hung between both pads, within 30 mm of where they took hold of it.
+  /// True if at the end the object hung between both pads, within 30 mm of where they took hold of
+  /// it.
   bool lifted = false;
   /// How far the object's point between the pads has moved along them [m], and how far it has
-  /// turned in the hand [rad], since the first touch: the most of each while both pads have hold of
-  /// it. The way that one pad pushes it to the other is no slip, but what it turns meanwhile
-  /// counts.
+  /// turned in the hand [rad] since the first touch; the maximum of each while both pads hold the
+  /// object. The motion by which one pad pushes it towards the other is not slip, but rotation
+  /// during that motion counts.
   double slip = 0.0, rotation = 0.0;
-  /// Lifted, with less than 5 mm of slip and 5° of rotation.
+  /// True if the object was lifted with less than 5 mm of slip and 5° of rotation.
   bool held = false;
 };
 
-/// Why nothing can be tried: which package this program was built without; empty if all is there.
+/// Explains which package this program was built without, so that nothing can be tried; empty if
+/// nothing is missing.
 std::string missing_physics();
 
 /// Closes the hand on an object, lifts it and shakes it, in Bullet at 4 kHz.
 ///
-/// In the hand's frame, where its motion is an acceleration of everything else: the pads close from
-/// the pre-shape with their force limited, coupled as in real hands. The object stands on the
-/// table; one that would fall over by itself, as some in generated scenes, is propped up until the
-/// pads hold it. Then come the lift by 80 mm at 2 m/s² and a shake of half of gravity along x, y
-/// and z. Pads resist twisting as discs of a quarter of their width in radius do. Nothing but
-/// object, hand and table is there. The same input gives the same bits.
-/// @param grasp  its X_CG, width and preshape count
+/// The simulation runs in the hand's frame, where the hand's motion is an acceleration of
+/// everything else. The pads close from the pre-shape with limited force, coupled as in real hands.
+/// The object stands on the table; an object that would fall over by itself, as some do in
+/// generated scenes, is propped up until the pads hold it. Then follow a lift by 80 mm at 2 m/s²
+/// and a shake by half of gravity along x, y and z. Pads resist twisting like discs with a radius
+/// of a quarter of their width. Only object, hand and table are simulated. The same input gives the
+/// same bits.
+/// @param grasp  only its X_CG, width and preshape are used
 /// @param X_CT   the table's frame: z up, origin in its plane
 /// @throws std::invalid_argument if gripper or options are out of range
 /// @throws std::runtime_error with missing_physics() if that is not empty

@@ -16,7 +16,7 @@ MassProperties box_properties(const TrueBody& body, double density) {
   return {mass, body.box_S.center(), mass / 12.0 * inertia};
 }
 
-// Where the derivative of s(z)·h + z·dz vanishes: h²(p₁ + 2p₂z)² = 4dz²(p₀ + p₁z + p₂z²).
+// Returns where the derivative of s(z)·h + z·dz vanishes: h²(p₁ + 2p₂z)² = 4dz²(p₀ + p₁z + p₂z²).
 std::array<double, 2> stationary(const TrueBody& body, double h, double dz) {
   const auto [c, b, a] = std::array{body.p[0], body.p[1], body.p[2]};
   const double k = a * h * h - dz * dz;
@@ -58,7 +58,7 @@ Vector3d TrueBody::point_S(double angle, double z) const {
 }
 
 Vector3d TrueBody::normal_S(double angle, double z) const {
-  // Half the gradient of x²/a² + y²/b² − s².
+  // The normal is half the gradient of x²/a² + y²/b² − s².
   const double s = scale(z);
   return Vector3d(s * std::cos(angle) / a, s * std::sin(angle) / b, -0.5 * p[1] - p[2] * z)
       .normalized();
@@ -69,7 +69,7 @@ MassProperties mass_properties(const TrueBody& body, double density) {
   constexpr int kSlices = 400;
   const double step = (body.z_max() - body.z_min()) / kSlices;
   double mass = 0.0, first = 0.0, second = 0.0;
-  Vector3d section = Vector3d::Zero();  // moments of the slices about their own middle
+  Vector3d section = Vector3d::Zero();  // moments of the slices about their own centre
   for (int i = 0; i < kSlices; ++i) {
     const double z = body.z_min() + (i + 0.5) * step, s = body.scale(z);
     const double u = body.a * s, v = body.b * s;

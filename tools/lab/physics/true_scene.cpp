@@ -17,11 +17,12 @@ namespace {
 using Eigen::Vector3d;
 using nlohmann::ordered_json;
 
-// Of cups, bowls and vases [m].
+// Thickness of the walls of cups, bowls and vases [m].
 constexpr double kWall = 0.003;
-// A mouth that faces farther down than this is out of reach: cosine to the upward direction.
+// Cosine to the upward direction; a mouth that faces farther down than this is out of reach.
 constexpr double kFacesDown = -0.5;
-// A cap lies at an end [m]; a narrower end is a point and needs none.
+// Largest distance between a cap and the end that it closes [m]; a narrower end is a point and
+// needs no cap.
 constexpr double kAtEnd = 1e-6;
 
 Vector3d vector_of(const ordered_json& json) {
@@ -45,7 +46,7 @@ Quadric quadric_of(const ordered_json& json) {
   return Quadric(q);
 }
 
-// True if one of the caps of the same body lies at height z of frame S.
+// Returns true if one of the caps of the same body lies at height z of frame S.
 bool has_cap(const std::vector<const ordered_json*>& caps, const Eigen::Isometry3d& X_CS,
              double z) {
   for (const ordered_json* cap : caps) {
@@ -88,7 +89,7 @@ TrueBody body_of(const ordered_json& object, const std::vector<const ordered_jso
   return body;
 }
 
-// The box that all seen faces span; none if they are too few.
+// Adds the box that all visible faces span, unless they are too few.
 void add_box(const std::vector<const ordered_json*>& faces, std::vector<TrueBody>* bodies) {
   TrueBody body;
   body.type = "box";

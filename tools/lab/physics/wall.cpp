@@ -8,7 +8,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The part of a slab z_0 ≤ z ≤ z_1 that `within` leaves, if that is the distance outside of it.
+// Cuts a body, given by the distance `within`, to the slab z_0 ≤ z ≤ z_1, and returns the distance
+// to the rest.
 WallDistance slab(double z, double z_0, double z_1, const WallDistance& within) {
   WallDistance result = within;
   if (z - z_1 > result.distance) result = {z - z_1, Vector3d::UnitZ()};
@@ -22,7 +23,7 @@ WallDistance wall_distance(const TrueBody& body, const Vector3d& p_S) {
   const double z = std::clamp(p_S.z(), body.z_min(), body.z_max());
   const double s = std::max(body.scale(z), 1e-6), half = 0.5 * body.wall;
   const double u = p_S.x() / body.a, v = p_S.y() / body.b, rho = std::max(std::hypot(u, v), 1e-9);
-  // Of ρ − s(z).
+  // This is the gradient of ρ − s(z).
   const Vector3d gradient(u / (body.a * rho), v / (body.b * rho),
                           -(0.5 * body.p[1] + body.p[2] * z) / s);
   const double offset = (rho - s) / gradient.norm() - body.wall_at;

@@ -6,15 +6,16 @@
 
 namespace quadrille::physics {
 
-/// How far a point lies outside of a hollow body's wall and floors, negative within, and the unit
-/// direction out of them.
+/// Distance by which a point lies outside the wall and floors of a hollow body, negative inside,
+/// and the unit direction out of them.
 struct WallDistance {
   double distance = 0.0;
   Eigen::Vector3d normal_S = Eigen::Vector3d::UnitZ();
 };
 
-/// To first order across the wall (f/|∇f| from the surface), exact past its rims and floors: a
-/// smooth surface with smooth normals, as no set of flat pieces has.
+/// Computes the distance to first order across the wall (f/|∇f| from the surface), and exactly
+/// beyond its rims and floors. The surface and its normals are smooth, which those of flat pieces
+/// are not.
 WallDistance wall_distance(const TrueBody& body, const Eigen::Vector3d& p_S);
 
 }  // namespace quadrille::physics

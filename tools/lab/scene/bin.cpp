@@ -15,12 +15,12 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr int kPoses = 80;
-/// Steepest axis, as a sine.
+/// Sine of the steepest inclination of an axis.
 constexpr double kSteepest = 0.6;
-/// Two cylinders this near touch [m].
+/// Two cylinders touch if they are nearer than this [m].
 constexpr double kTouch = 5e-4;
 
-/// A random axis about the origin.
+/// Returns a random axis about the origin.
 Vector3d random_axis(Random* random) {
   const Eigen::Vector2d heading = random->direction();
   const double sine = random->uniform(-kSteepest, kSteepest);
@@ -29,10 +29,10 @@ Vector3d random_axis(Random* random) {
   return axis;
 }
 
-/// Lets an axis fall from above until it touches the floor or another.
+/// Lets an axis fall from above until it touches the floor or another one.
 Segment fallen(Segment axis, const std::vector<Segment>& others, const BinOptions& options) {
   const Vector3d along = (axis.b - axis.a).normalized();
-  // The rim of the lower end touches the floor first.
+  // The rim of the lower end is the first part to touch the floor.
   const double rim = options.radius * along.head<2>().norm();
   double top = 0.0;
   for (const Segment& other : others) top = std::max({top, other.a.z(), other.b.z()});
@@ -45,12 +45,12 @@ Segment fallen(Segment axis, const std::vector<Segment>& others, const BinOption
       gap = std::min(gap, distance(axis, other) - 2.0 * options.radius);
     }
     if (gap < kTouch) return axis;
-    // No distance shrinks by more than the fall.
+    // No distance shrinks by more than the length of the fall.
     lower(gap - 0.5 * kTouch);
   }
 }
 
-/// The lowest of some random poses that lie within the walls.
+/// Returns the lowest of several random poses that lie within the walls.
 std::optional<Segment> lowest(const std::vector<Segment>& others, const BinOptions& options,
                               Random* random) {
   std::optional<Segment> best;
@@ -67,7 +67,7 @@ std::optional<Segment> lowest(const std::vector<Segment>& others, const BinOptio
   return best;
 }
 
-/// Pose of a standing cylinder's frame B that puts its axis there.
+/// Returns the pose of a standing cylinder's frame B that places its axis along the segment.
 Eigen::Isometry3d pose_on(const Segment& axis) {
   const Vector3d z = (axis.b - axis.a).normalized();
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();

@@ -10,7 +10,7 @@ using Box = Eigen::AlignedBox3d;
 using Eigen::Isometry3d;
 using Eigen::Vector3d;
 
-/// m.(x²) + 2 g_z z + j in the surface's own frame.
+/// Returns the quadric m.(x²) + 2 g_z z + j in the surface's own frame.
 Quadric axis_quadric(const Vector3d& m, double g_z, double j) {
   Vector10d q = Vector10d::Zero();
   q.head<3>() = m;
@@ -29,7 +29,7 @@ Isometry3d shifted(const Vector3d& p) {
   return X;
 }
 
-/// Exact quarter turn that lays z along y and x up.
+/// Returns an exact quarter turn that lays z along y and x up.
 Isometry3d lying(double lift) {
   Isometry3d X = Isometry3d::Identity();
   X.linear() << 0, 1, 0, 0, 0, 1, 1, 0, 0;
@@ -42,7 +42,7 @@ void add(Body* body, Surface surface, const Isometry3d& X_BS) {
   body->X_BS.push_back(X_BS);
 }
 
-/// A flat lid at local height z of a quadric's interior.
+/// Adds a flat lid at local height z of a quadric's interior.
 void add_cap(Body* body, double z, const Isometry3d& X_BS) {
   const Surface& side = body->surfaces.front();
   Surface cap{"cap", false, axis_quadric(Vector3d::Zero(), 0.5, -z), side.box_S, side.Q_S, {}};
@@ -88,8 +88,8 @@ Body tin(double a, double b, double length, bool upright) {
   return body;
 }
 
-/// A cone whose radius grows by slope per metre from the apex, cut to [low, high] from it; standing
-/// on its wide end, or as an open cup on its narrow end.
+/// Makes a cone whose radius grows by `slope` per metre from the apex, cut to [low, high] from it.
+/// It stands on its wide end, or as an open cup on its narrow end.
 Body cone(double slope, double low, double high, bool cup) {
   const double radius = slope * high;
   Surface side{
@@ -111,7 +111,7 @@ Body cone(double slope, double low, double high, bool cup) {
   return body;
 }
 
-/// z = x²/4fa + y²/4fb up to a height, as an open bowl or, upside down, as a dome.
+/// Makes z = x²/4fa + y²/4fb up to a height, as an open bowl or, upside down, as a dome.
 Body paraboloid(double focal_a, double focal_b, double height, bool bowl) {
   const double half_x = 2 * std::sqrt(focal_a * height), half_y = 2 * std::sqrt(focal_b * height);
   Surface side{"elliptic_paraboloid",
@@ -131,7 +131,7 @@ Body paraboloid(double focal_a, double focal_b, double height, bool bowl) {
   return body;
 }
 
-/// x²/a² + y²/a² - z²/c² = 1 between two heights about its waist, open at the top.
+/// Makes x²/a² + y²/a² - z²/c² = 1 between two heights about its waist, open at the top.
 Body vase(double a, double c, double below, double above) {
   const double most = std::max(below, above);
   const double radius = a * std::sqrt(1 + most * most / (c * c));
@@ -152,7 +152,7 @@ Body vase(double a, double c, double below, double above) {
 Body random_cone(double s, Random* random) {
   const double radius = s * random->uniform(0.045, 0.08), height = s * random->uniform(0.09, 0.2);
   if (random->chance(0.35)) return cone(radius / height, 0, height, false);
-  // What share of the full cone is cut off at its tip.
+  // The random share of the full cone is cut off at its tip.
   const double high = height / (1 - random->uniform(0.3, 0.6));
   return cone(radius / high, high - height, high, random->chance(0.5));
 }

@@ -4,17 +4,17 @@
 
 namespace quadrille::scene {
 
-/// A pinhole: x right, y down, z forward.
+/// A pinhole camera: x right, y down, z forward.
 struct Camera {
   int width = 640, height = 480;
   /// Focal length and principal point [pixels].
   double focal = 525.0, cx = 319.5, cy = 239.5;
 
-  /// A camera with the field of view of the default one.
+  /// Makes a camera with the default field of view.
   static Camera of_size(int width, int height) {
     return {width, height, 525.0 * width / 640.0, (width - 1) / 2.0, (height - 1) / 2.0};
   }
-  /// Direction of a pixel, with z = 1.
+  /// Returns the direction of a pixel, with z = 1.
   Eigen::Vector3d ray(int column, int row) const {
     return {(column - cx) / focal, (row - cy) / focal, 1.0};
   }

@@ -22,11 +22,11 @@ struct SurfacePoint {
 /// A surface of revolution that stands upright on the table.
 struct Standing {
   QuadricType type = QuadricType::kSphere;
-  /// Where it stands, its radius at the foot or, of a sphere, its radius, and its height [m].
+  /// Position of the foot, radius at the foot (or of the sphere), and height [m].
   Vector3d foot = Vector3d::Zero();
   double radius = 0.0, height = 0.0;
 
-  /// Evenly spread over the surface.
+  /// Draws a point that is uniformly distributed over the surface.
   SurfacePoint draw(Random* random) const;
 };
 
@@ -34,7 +34,7 @@ SurfacePoint Standing::draw(Random* random) const {
   Vector3d around = Vector3d::Zero();
   around.head<2>() = random->direction();
   if (type == QuadricType::kSphere) {
-    // Archimedes: heights are uniform on a sphere.
+    // By Archimedes' theorem, heights are uniform on a sphere.
     const double sine = random->uniform(-1.0, 1.0);
     const Vector3d n = std::sqrt(1.0 - sine * sine) * around + sine * Vector3d::UnitZ();
     return {foot + radius * (Vector3d::UnitZ() + n), n};
@@ -42,7 +42,7 @@ SurfacePoint Standing::draw(Random* random) const {
   if (type == QuadricType::kCylinder) {
     return {foot + radius * around + random->uniform(0.0, height) * Vector3d::UnitZ(), around};
   }
-  // A cone: area grows with the distance from the apex as its square does.
+  // On a cone, the area grows with the square of the distance from the apex.
   const double share = std::sqrt(random->uniform());
   const Vector3d n = (height * around + radius * Vector3d::UnitZ()).normalized();
   return {foot + share * radius * around + (1.0 - share) * height * Vector3d::UnitZ(), n};

@@ -16,7 +16,7 @@ Eigen::Matrix3d turn_about_z(const Eigen::Vector2d& direction) {
   return R;
 }
 
-/// Finds a free place for a body; false if there is none.
+/// Finds a free place for a body; returns false if there is none.
 bool place(const FamilyTraits& traits, const std::vector<Body>& bodies, std::size_t first,
            Random* random, Body* body) {
   for (int attempt = 0; attempt < 60; ++attempt) {
@@ -34,7 +34,7 @@ bool place(const FamilyTraits& traits, const std::vector<Body>& bodies, std::siz
   return false;
 }
 
-/// A camera that looks at the middle of the table from y < 0.
+/// Returns the pose of a camera that looks at the middle of the table from y < 0.
 Eigen::Isometry3d camera_pose(const FamilyTraits& traits, Random* random) {
   const double t = random->uniform(traits.min_elevation, traits.max_elevation);
   const double cosine = (1 - t * t) / (1 + t * t), sine = 2 * t / (1 + t * t);
@@ -64,7 +64,7 @@ Layout draw_layout(const FamilyTraits& traits, Random* random) {
   return layout;
 }
 
-/// How far the occlusions lie outside the family's bounds; 0 suits.
+/// Returns how far the occlusions lie outside the family's bounds; 0 means that they fit.
 double misfit(const FamilyTraits& traits, const Layout& layout) {
   const Rendering view = render(Camera::of_size(160, 120), layout.bodies, layout.X_CW);
   double sum = 0.0, worst = 0.0;

@@ -7,29 +7,30 @@
 
 namespace quadrille::scene {
 
-/// The detector's stream of random numbers, mapped to what scenes are drawn from.
+/// The detector's random number stream, mapped to the distributions from which scenes are drawn.
 ///
-/// All mappings use +, -, *, / and square roots only, which IEEE 754 rounds alike everywhere, so
+/// All mappings use only +, -, *, / and square roots, which IEEE 754 rounds alike everywhere, so
 /// that a seed means the same scene on every machine.
 class Random : public RandomStream {
  public:
   using RandomStream::RandomStream;
   using RandomStream::uniform;
 
-  /// Uniform in [low, high).
+  /// Returns a number uniform in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// Uniform in low … high, both included.
+  /// Returns an integer uniform in low … high, both included.
   int integer(int low, int high) { return low + below(high - low + 1); }
   bool chance(double probability) { return uniform() < probability; }
 
-  /// Mean 0, variance 1, nearly normal: the sum of twelve uniforms (never beyond 6).
+  /// Returns a nearly normal number with mean 0 and variance 1: the sum of twelve uniform ones
+  /// (never beyond 6).
   double normal() {
     double sum = -6.0;
     for (int i = 0; i < 12; ++i) sum += uniform();
     return sum;
   }
 
-  /// A uniformly distributed unit vector of the plane: cosine and sine of a random angle.
+  /// Returns a uniformly distributed unit vector of the plane: cosine and sine of a random angle.
   Eigen::Vector2d direction() {
     for (;;) {
       const Eigen::Vector2d v(uniform(-1.0, 1.0), uniform(-1.0, 1.0));

@@ -17,7 +17,7 @@ Window window_of(const Camera& camera, const Eigen::AlignedBox3d& box_S,
   for (int corner = 0; corner < 8; ++corner) {
     const Eigen::Vector3d p =
         X_CS * box_S.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
-    // What reaches behind the camera may be anywhere in the image.
+    // A surface that reaches behind the camera may cover any part of the image.
     if (p.z() < 0.05) return {0, camera.width - 1, 0, camera.height - 1};
     pixels.extend(Eigen::Vector2d(camera.focal * p.x() / p.z() + camera.cx,
                                   camera.focal * p.y() / p.z() + camera.cy));
@@ -31,7 +31,7 @@ Window window_of(const Camera& camera, const Eigen::AlignedBox3d& box_S,
           std::min(camera.height - 1, clip(std::ceil(pixels.max().y()), camera.height))};
 }
 
-/// Depth and surface of one body alone.
+/// Depth and surface indices of one body alone.
 struct Layer {
   std::vector<double> depth;
   std::vector<int> surface;

@@ -7,7 +7,8 @@ namespace quadrille::scene {
 Scene make_scene(const SceneOptions& options) {
   const FamilyTraits& traits = traits_of(options.family);
   const auto family = static_cast<std::uint64_t>(options.family);
-  // Streams of their own: the same seed in another size shows the same bodies.
+  // Bodies and pixels have separate streams, so that the same seed shows the same bodies in any
+  // image size.
   Random bodies(options.seed, 2 * family), pixels(options.seed, 2 * family + 1);
   Scene scene;
   scene.options = options;

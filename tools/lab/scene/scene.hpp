@@ -10,14 +10,14 @@
 
 namespace quadrille::scene {
 
-/// What fixes a scene.
+/// The options that determine a scene.
 struct SceneOptions {
   Family family = Family::kEasy;
   std::uint64_t seed = 0;
   int width = 640, height = 480;
 };
 
-/// A depth camera's view of a table with quadrics on it, and all that is true of it.
+/// A depth camera's view of a table with quadrics on it, with its full ground truth.
 struct Scene {
   SceneOptions options;
   Camera camera;
@@ -26,10 +26,10 @@ struct Scene {
   View view;
 };
 
-/// The same options give the same scene.
+/// Makes a scene; the same options give the same scene.
 Scene make_scene(const SceneOptions& options);
 
-/// Curved surfaces of a scene.
+/// Returns the number of curved surfaces in a scene.
 int count_quadrics(const Scene& scene);
 
 }  // namespace quadrille::scene

@@ -28,12 +28,12 @@ Json pose_json(const Eigen::Isometry3d& X) {
   return {{"R", rows}, {"t", array_of(Eigen::Vector3d(X.translation()))}};
 }
 
-/// What the camera measured of one surface.
+/// The measurements of one surface by the camera.
 struct Seen {
   int points = 0;
   /// Median depth [m].
   double depth = 0.0;
-  /// Angle about the mean normal that holds nine tenths of the normals [degrees].
+  /// Angle around the mean normal that contains nine tenths of the normals [degrees].
   double normal_spread = 0.0;
 };
 
@@ -57,7 +57,7 @@ Seen seen_of(const View& view, int index) {
           std::acos(cosine) * 180.0 / std::numbers::pi};
 }
 
-/// Enough is seen of it that a detector should find it.
+/// Returns true if enough of the surface is visible for a detector to find it.
 bool is_fair(const Surface& surface, const Seen& seen, double occlusion, const Camera& camera) {
   const double resolution = static_cast<double>(camera.width) * camera.height / (640.0 * 480.0);
   const double least = (surface.curved ? 350.0 : 500.0) * resolution;
@@ -147,7 +147,7 @@ void write_scene(const std::string& ply_path, const Scene& scene, bool labels) {
     io::write_file(base + ".labels", std::as_bytes(std::span(scene.view.labels)));
     io::write_file(base + ".normals", std::as_bytes(std::span(scene.view.normals)));
   }
-  // The cloud last: where it is, its truth is too.
+  // The cloud appears last, so that its ground truth is there before it.
   truth.commit();
   ply.commit();
 }

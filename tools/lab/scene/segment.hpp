@@ -4,12 +4,12 @@
 
 namespace quadrille::scene {
 
-/// A straight piece from a to b.
+/// A straight line segment from a to b.
 struct Segment {
   Eigen::Vector3d a, b;
 };
 
-/// Least distance of two segments.
+/// Returns the least distance between two segments.
 double distance(const Segment& s, const Segment& t);
 
 }  // namespace quadrille::scene

@@ -7,13 +7,13 @@
 namespace quadrille::scene {
 namespace {
 
-/// A step between neighbours that counts as the edge of something [m].
+/// Depth step between neighbours that counts as an edge [m].
 constexpr double kEdgeStep = 0.02;
 constexpr double kMixedShare = 0.08, kEdgeLoss = 0.25, kLoss = 0.02, kStrays = 0.002;
-/// Cosine of incidence below which returns get lost.
+/// Cosine of incidence below which returns are lost.
 constexpr double kGrazing = 0.18;
 
-/// Smooth noise of unit variance: normal numbers on a lattice, interpolated bilinearly.
+/// Smooth noise with unit variance: normal numbers on a lattice, interpolated bilinearly.
 class SmoothNoise {
  public:
   SmoothNoise(int width, int height, int cell, Random* random)
@@ -36,14 +36,14 @@ class SmoothNoise {
   std::vector<double> lattice_;
 };
 
-/// One pixel on its way from the ideal to the measured.
+/// One pixel on its way from the ideal to the measured image.
 struct Pixel {
   double z = 0.0;
   int label = -1;
   bool lost = false;
 };
 
-/// Depth of the neighbour behind or before an edge; 0 if there is no edge here.
+/// Returns the depth of a neighbour across an edge; 0 if there is no edge here.
 double depth_across_edge(const Camera& camera, const Rendering& ideal, int column, int row) {
   const std::size_t i = static_cast<std::size_t>(row) * camera.width + column;
   for (const auto& [dx, dy] : {std::pair(1, 0), {-1, 0}, {0, 1}, {0, -1}}) {
@@ -57,13 +57,13 @@ double depth_across_edge(const Camera& camera, const Rendering& ideal, int colum
 
 double quantised(double z, bool disparity) {
   if (!disparity) return std::round(z * 1000.0) / 1000.0;
-  // 1/16 pixel of disparity, 525 pixels of focal length, 75 mm of baseline.
+  // Disparity step of 1/16 pixel with a focal length of 525 pixels and a baseline of 75 mm.
   constexpr double kScale = 525.0 * 0.075 * 16.0;
   return kScale / std::max(1.0, std::round(kScale / std::max(z, 0.1)));
 }
 
-/// Damage to one pixel. Draws the same count of numbers whatever happens, so that one pixel's fate
-/// does not shift the others'.
+/// Applies noise and damage to one pixel. Always draws the same number of random numbers, so that
+/// one pixel's fate does not affect the others.
 Pixel damaged(double z, double noise, double across, double cosine, int label,
               const FamilyTraits& traits, Random* random) {
   const double mix = random->uniform(), weight = random->uniform(), edge_loss = random->uniform();

@@ -23,7 +23,7 @@ struct View {
 /// Share of the noise variance that neighbouring pixels have in common.
 inline constexpr double kSmoothShare = 0.5;
 
-/// Standard deviation of the depth at depth z for a factor of the family [m].
+/// Returns the standard deviation of the depth at depth z, for the family's noise factor [m].
 double depth_noise(double factor, double z);
 
 /// Adds noise, quantisation, missing pixels, mixed edges and strays to an ideal image.

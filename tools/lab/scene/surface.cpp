@@ -21,7 +21,8 @@ bool SurfaceCaster::holds(const Eigen::Vector3d& p_C) const {
 }
 
 std::optional<double> SurfaceCaster::first_hit(const Eigen::Vector3d& ray) const {
-  // f(t ray) = a t² + 2 b t + j; the roots in the form that does not cancel.
+  // Along the ray f(t ray) = a t² + 2 b t + j; the roots are computed in the form that avoids
+  // cancellation.
   const double a = surface_.curved ? ray.dot(A_ * ray) : 0.0;
   const double b = g_.dot(ray);
   const double discriminant = b * b - a * j_;

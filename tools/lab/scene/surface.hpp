@@ -18,31 +18,31 @@ struct Surface {
   Quadric Q_S;
   /// The piece lies within this box [m].
   Eigen::AlignedBox3d box_S;
-  /// For caps: only where this quadric is not positive.
+  /// For caps: the cap lies only where this quadric is not positive.
   std::optional<Quadric> within_S;
-  /// Named measures [m].
+  /// Named dimensions [m].
   std::vector<std::pair<std::string, double>> dims;
 };
 
-/// Surfaces that move together, in frame B of the body: z up where it stands.
+/// Surfaces that move together, in frame B of the body, whose z axis points up if it stands.
 struct Body {
   std::string type;
   std::vector<Surface> surfaces;
   /// Pose of each surface in frame B.
   std::vector<Eigen::Isometry3d> X_BS;
   Eigen::Isometry3d X_WB = Eigen::Isometry3d::Identity();
-  /// Radius of its footprint about the origin of B [m].
+  /// Radius of the footprint about the origin of B [m].
   double reach = 0.0;
 };
 
-/// A surface seen from the origin of frame C, ready for many rays.
+/// Casts rays from the origin of frame C at a surface.
 class SurfaceCaster {
  public:
   SurfaceCaster(const Surface& surface, const Eigen::Isometry3d& X_CS);
 
-  /// Smallest t > 0 for which t * ray lies on the piece; nullopt if there is none.
+  /// Returns the smallest t > 0 for which t * ray lies on the piece; nullopt if there is none.
   std::optional<double> first_hit(const Eigen::Vector3d& ray) const;
-  /// Unit normal at a point of the surface, towards the origin of C.
+  /// Returns the unit normal at a point of the surface, towards the origin of C.
   Eigen::Vector3d normal(const Eigen::Vector3d& p_C) const;
 
  private:

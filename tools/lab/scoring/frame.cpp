@@ -33,7 +33,7 @@ TrueSurface surface_of(const ordered_json& json) {
   surface.X_CS.translation() = vector_of(json.at("pose").at("t"));
   surface.box_S = {vector_of(json.at("box").at(0)), vector_of(json.at("box").at(1))};
   surface.size = json.at("size");
-  // Of surfaces that too few points show it is unknown.
+  // The deviation is unknown for surfaces with too few points.
   if (!json.at("sigma").is_null()) surface.sigma = json.at("sigma");
   surface.evaluate = json.at("evaluate");
   return surface;
@@ -41,18 +41,18 @@ TrueSurface surface_of(const ordered_json& json) {
 
 void take_truth(const ordered_json& truth, Frame* frame) {
   frame->family = truth.at("family");
-  // Scenes of sensors name theirs.
+  // Scenes with a simulated sensor name it.
   if (truth.contains("sensor")) {
     frame->family = truth.at("sensor").get<std::string>() + " " + frame->family;
   }
   frame->noise = truth.at("noise_scale");
   for (const ordered_json& object : truth.at("objects")) {
-    // Clutter that is no surface of a formula has none.
+    // Clutter that is not a quadric has no coefficients.
     if (!object.at("q").is_null()) frame->surfaces.push_back(surface_of(object));
   }
 }
 
-/// Leaves out points that are not finite, and gives those of no surface the normal zero.
+/// Removes points that are not finite, and sets the normals of points without a surface to zero.
 void clean(Frame* frame) {
   std::size_t kept = 0;
   const bool coloured = frame->cloud.coloured();
@@ -72,7 +72,7 @@ void clean(Frame* frame) {
   frame->normals.resize(kept);
 }
 
-/// A file beside a cloud.
+/// Reads a file beside a cloud.
 std::vector<std::byte> read_companion(const std::string& path) {
   if (!std::filesystem::exists(path)) {
     throw io::FileError(path, "",

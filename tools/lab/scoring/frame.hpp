@@ -19,21 +19,22 @@ struct TrueSurface {
   std::string type;
   Quadric Q_C;
   Eigen::Isometry3d X_CS = Eigen::Isometry3d::Identity();
-  /// What there is of it, in its own frame S [m].
+  /// Extent of the surface, in its own frame S [m].
   Eigen::AlignedBox3d box_S;
-  /// Largest extent, and standard deviation of the depth where it stands [m].
+  /// Largest side of the surface, and the standard deviation of the depth at its position [m].
   double size = 0.0, sigma = 0.0;
-  /// Seen well enough to be asked for.
+  /// True if enough is visible for the surface to be required.
   bool evaluate = false;
 };
 
-/// A cloud of which all is known.
+/// A cloud with full ground truth.
 struct Frame {
   std::string name;
-  /// Such as "hard", or "stereo kitchen" where the truth names a sensor.
+  /// Name of the family, such as "hard", or "stereo kitchen" if the truth names a sensor.
   std::string family;
   PointCloud cloud;
-  /// Per point the id of its surface, negative for none, and its true unit normal, zero for none.
+  /// For each point the id of its surface (negative for none) and its true unit normal (zero for
+  /// none).
   std::vector<int> labels;
   std::vector<Eigen::Vector3f> normals;
   std::vector<TrueSurface> surfaces;
@@ -41,12 +42,12 @@ struct Frame {
   double noise = 1.0;
 };
 
-/// A generated scene as a frame.
+/// Turns a generated scene into a frame.
 Frame frame_of(const scene::Scene& scene);
 
-/// A frame from files: OUT.ply with OUT.truth.json, OUT.labels and OUT.normals beside it, as
-/// `quadrille scene --labels` writes them. Without OUT.truth.json OUT.json is taken, as scenes of
-/// sensors have it. Points that are not finite are left out.
+/// Reads a frame from OUT.ply with OUT.truth.json, OUT.labels and OUT.normals beside it, as
+/// `quadrille scene --labels` writes them. If OUT.truth.json is missing, OUT.json is read, as
+/// scenes with simulated sensors have it. Points that are not finite are left out.
 /// @throws std::runtime_error naming the file that is missing or wrong
 Frame read_frame(const std::string& ply_path);
 

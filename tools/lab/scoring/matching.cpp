@@ -16,7 +16,7 @@ Ranked best_first(const std::map<int, double>& qualities) {
   return ranked;
 }
 
-/// Finds the finding a surface, moving others to another one if need be.
+/// Finds a surface for the finding, moving other findings to other surfaces if needed.
 bool augment(int finding, const Candidates& candidates, std::set<int>* tried,
              std::map<int, int>* finding_of) {
   for (const auto& [surface, quality] : best_first(candidates.at(finding))) {

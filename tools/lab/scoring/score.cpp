@@ -16,7 +16,7 @@ constexpr double kCover = 0.6, kPurity = 0.5;
 constexpr std::size_t kMaxFindings = 100, kMinPoints = 40, kSamples = 30000;
 const double kMinCosine = std::cos(20.0 * std::numbers::pi / 180.0);
 
-/// True if a point lies on the quadric with its normal along the gradient, up to sign.
+/// Returns true if a point lies on the quadric with its normal along the gradient, up to sign.
 bool agrees(const Quadric& Q, const Eigen::Vector3f& p, const Eigen::Vector3f& n,
             double tolerance) {
   const Eigen::Vector3d x = p.cast<double>(), g = Q.gradient(x);
@@ -25,7 +25,7 @@ bool agrees(const Quadric& Q, const Eigen::Vector3f& p, const Eigen::Vector3f& n
          std::abs(g.dot(n.cast<double>())) >= kMinCosine * length;
 }
 
-/// A surface with its points, and all those near it.
+/// A surface with its own points, and all points near it.
 struct Target {
   const TrueSurface* surface = nullptr;
   std::vector<std::size_t> own, near;
@@ -65,7 +65,7 @@ class Judge {
     }
   }
 
-  /// The finding of each surface that had to be found and was, by the surface's id.
+  /// Returns the finding of each required surface that was found, by the surface's id.
   std::map<int, int> pair_up(const std::vector<Quadric>& findings) const {
     std::map<int, int> pairs;
     for (const auto& [k, finding] : match_most(candidates_among(numbered(findings), wanted_))) {
@@ -92,7 +92,8 @@ class Judge {
       add_width(wanted_[surface], findings[finding], &result);
       rest.erase(finding);
     }
-    // What also fits a surface that is found already is a double, and not excused by another.
+    // A finding that also fits a surface that was already found is a duplicate; another surface
+    // does not excuse it.
     std::map<int, Quadric> excusable = rest;
     for (const auto& [finding, surfaces] : candidates) excusable.erase(finding);
     for (const auto& [surface, finding] : match_most(candidates_among(excusable, passed_))) {
@@ -142,7 +143,7 @@ class Judge {
     return candidates;
   }
 
-  /// The id of the surface that a quadric covers best; nullopt if it is none of them.
+  /// Returns the id of the surface that a quadric covers best; nullopt if it covers none.
   std::optional<int> best_among(const Quadric& Q, const std::vector<Target>& targets) const {
     const Candidates candidates = candidates_among({{0, Q}}, targets);
     if (candidates.empty()) return std::nullopt;
@@ -153,7 +154,7 @@ class Judge {
     return targets[static_cast<std::size_t>(best->first)].surface->id;
   }
 
-  /// True if the quadric is flat wherever the scene supports it.
+  /// Returns true if the quadric is flat over all points that support it.
   bool is_flat(const Quadric& Q) const {
     const Eigen::Matrix3d curved = Q.matrix().topLeftCorner<3, 3>();
     const Eigen::Vector3d linear = Q.matrix().topRightCorner<3, 1>();
@@ -193,7 +194,7 @@ class Judge {
     result->planes_wrong = static_cast<int>(flat.size()) - result->planes_right;
   }
 
-  /// Length of the chord of a quadric along a line; nullopt if it has none.
+  /// Returns the length of the chord of a quadric along a line; nullopt if there is none.
   static std::optional<double> chord(const Quadric& Q, const Eigen::Vector3d& c,
                                      const Eigen::Vector3d& u) {
     const Eigen::Vector4d C = c.homogeneous(), U(u.x(), u.y(), u.z(), 0.0);
@@ -203,8 +204,8 @@ class Judge {
     return 2.0 * std::sqrt(square) / std::abs(a);
   }
 
-  /// Where a surface's width is measured: the centre of what is closed, else on the axis (z of
-  /// frame S), halfway up what is seen.
+  /// Returns where a surface's width is measured: at the centre of a closed surface, otherwise on
+  /// the axis (z of frame S), halfway up the visible part.
   Eigen::Vector3d middle_of(const Target& target) const {
     const Eigen::Isometry3d& X_CS = target.surface->X_CS;
     const std::string& type = target.surface->type;
@@ -222,7 +223,7 @@ class Judge {
   void add_width(const Target& target, const Quadric& Q, FrameScore* result) const {
     const Eigen::Vector3d c = middle_of(target), axis = target.surface->X_CS.linear().col(2);
     Eigen::Vector3d u = c.cross(axis);
-    // Seen along its axis, it is as wide in all directions, or as good as.
+    // If it is seen along its axis, the width is the same, or nearly so, in all directions.
     u = u.norm() > 1e-3 * c.norm() ? u.normalized() : c.unitOrthogonal();
     const auto truth = chord(target.surface->Q_C, c, u);
     if (!truth) return;

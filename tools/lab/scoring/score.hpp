@@ -9,31 +9,33 @@
 
 namespace quadrille::scoring {
 
-/// What a contender claims to have found.
+/// A finding of a contender.
 struct Found {
   Quadric Q_C;
   double score = 0.0;
 };
 
-/// What the truth says of the findings in one frame.
+/// The result of comparing the findings in one frame with the truth.
 struct FrameScore {
-  /// Curved surfaces that had to be found, and of these the found ones.
+  /// Number of curved surfaces that had to be found, and of those that were.
   int wanted = 0, found = 0;
-  /// Curved findings that are no such surface: doubles, fragments, fits to what is something else.
+  /// Number of curved findings that are no such surface: duplicates, fragments, fits to something
+  /// else.
   int wrong = 0;
-  /// Flat surfaces that had to be found, and of these the found ones; flat findings that are true
-  /// and that are not.
+  /// Number of flat surfaces that had to be found, and of those that were; number of right and of
+  /// wrong flat findings.
   int planes_wanted = 0, planes_found = 0, planes_right = 0, planes_wrong = 0;
-  /// For each found curved surface, the relative error of its width across the line of sight, as a
-  /// gripper would close on it; infinite where the finding has none.
+  /// Relative error of each found curved surface's width across the line of sight, as a gripper
+  /// would close on it; infinite if the finding has no width there.
   std::vector<double> width_errors;
-  /// How many of these are right within 10 %, or 4 mm.
+  /// Number of widths that are right within 10 %, or 4 mm.
   int widths_right = 0;
 
   FrameScore& operator+=(const FrameScore& other);
 
-  /// Shares of the wanted surfaces that were found, of the curved findings that are right, and of
-  /// the widths that are; then the same of planes. NaN where there is nothing to share.
+  /// Shares of the required surfaces that were found, of the curved findings that are right, and of
+  /// the widths that are right; then recall and precision of planes. NaN if there is nothing to
+  /// count.
   double recall() const;
   double precision() const;
   double right_width() const;
@@ -41,31 +43,31 @@ struct FrameScore {
   double plane_precision() const;
 };
 
-/// What quadrille claims.
+/// Converts the detections of quadrille to findings.
 std::vector<Found> findings_of(const DetectionResult& result);
 
 /// Judges findings.
 ///
 /// A finding is a surface if at least 60 % of the surface's points lie within max(2σ, min(2 % of
 /// its size, 10 mm)) of it, by the first-order distance, with the true normal within 20° of its
-/// gradient; and if of all points near the surface that do so at least 50 % are the surface's.
-/// Findings and surfaces are paired one to one so that most surfaces are found. What finds a
-/// surface that is hardly visible is neither right nor wrong. A finding whose gradient stays within
-/// 12° of one direction over the points that support it is flat, and judged against the planes. The
-/// 100 best are judged; all others are wrong.
-/// @param only  count surfaces of this type alone, and let those of others pass; empty for all
+/// gradient, and if at least 50 % of all nearby points that do so belong to the surface. Findings
+/// and surfaces are paired one to one so that most surfaces are found. A finding of a hardly
+/// visible surface is neither right nor wrong. A finding whose gradient stays within 12° of one
+/// direction over the points that support it is flat, and judged against the planes. Only the 100
+/// best findings are judged; all others are wrong.
+/// @param only  counts surfaces of this type alone, and ignores those of others; empty for all
 FrameScore score(const Frame& frame, std::vector<Found> findings, const std::string& only = "");
 
-/// What the truth says of one quadric, whatever else is found.
+/// The judgement of one quadric, whatever else is found.
 enum class Verdict {
   kRight,          ///< a surface that had to be found
   kHardlyVisible,  ///< a surface that need not be found
-  kPlane,          ///< flat, and a plane of the scene
-  kNoPlane,        ///< flat, and none of them
+  kPlane,          ///< flat, and one of the scene's planes
+  kNoPlane,        ///< flat, but none of the scene's planes
   kWrong,
 };
 
-/// A verdict, and the id of the surface that is meant; -1 if none is.
+/// A verdict, and the id of the surface that the quadric stands for; -1 if none.
 struct Judgement {
   Verdict verdict = Verdict::kWrong;
   int surface = -1;

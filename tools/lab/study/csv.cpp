@@ -27,7 +27,7 @@ std::vector<CsvRow> parse_csv(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); ++i) {
     const char c = text[i];
     if (c == '"') {
-      // Two quotes within quotes are one quote of the cell.
+      // Two quotes within a quoted cell stand for one quote.
       const bool doubled = quoted && i + 1 < text.size() && text[i + 1] == '"';
       if (doubled) cells.back() += text[++i];
       if (!doubled) quoted = !quoted;

@@ -8,19 +8,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Distance of the points that stand for a surface, and what the hand may enter it by [m].
+// Spacing of the points that represent a surface, and the depth to which the hand may enter it [m].
 constexpr double kSpacing = 0.002, kMaxDepth = 0.002;
-// Points so near the outermost one are where the pad touches [m].
+// The pad touches all points within this distance of the outermost one [m].
 constexpr double kContactDepth = 0.0015;
-// Less of what is between the pads on one object, and they hold two.
+// If one object has a smaller share of the points between the pads, the pads hold two objects.
 constexpr double kMinShareOfOne = 0.98;
 
-/// A box in frame G.
+/// Makes a box in frame G.
 Eigen::AlignedBox3d box_of(double half_x, double y_0, double y_1, double z_0, double z_1) {
   return {Vector3d(-half_x, y_0, z_0), Vector3d(half_x, y_1, z_1)};
 }
 
-/// Fingers and palm at the pre-shape, drawn back along the approach.
+/// Returns fingers and palm at the pre-shape, extended backward along the approach.
 std::vector<Eigen::AlignedBox3d> swept_hand(const Gripper& gripper, const Grasp& grasp) {
   const double half = 0.5 * grasp.preshape, thick = half + gripper.finger.y();
   // Fingers on links reach less far while they are open.

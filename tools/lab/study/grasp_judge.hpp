@@ -11,25 +11,25 @@
 
 namespace quadrille::study {
 
-/// What the true geometry says of a grasp; the first that applies.
+/// The verdict of the true geometry on a grasp; the first that applies counts.
 enum class Verdict {
   kTouches,  ///< the hand, on its way in, enters an object or the table by more than 2 mm
-  kMisses,   ///< between the pads is nothing, or two objects
-  kSlips,    ///< the surface there is inclined by more than the friction holds
+  kMisses,   ///< between the pads is nothing, or more than one object
+  kSlips,    ///< the surface there is inclined too steeply for the friction
   kGood,     ///< none of these
 };
 
-/// "touches", "misses", "slips", "good".
+/// Returns "touches", "misses", "slips" or "good".
 std::string to_string(Verdict verdict);
 
 /// A verdict and the object between the pads.
 struct Judgement {
   Verdict verdict = Verdict::kMisses;
-  /// nullptr if there is none.
+  /// The object, or nullptr if there is none.
   const physics::TrueBody* object = nullptr;
 };
 
-/// Judges grasps on the full true geometry of a scene, seen and hidden alike, without physics.
+/// Judges grasps by the full true geometry of a scene, visible and hidden alike, without physics.
 class GraspJudge {
  public:
   /// @param scene     must outlive the judge
@@ -39,11 +39,11 @@ class GraspJudge {
   Judgement judge(const Grasp& grasp) const;
 
  private:
-  /// What of the scene is between the pads, in frame G.
+  /// The points of the scene that lie between the pads, in frame G.
   struct Between {
     std::vector<Eigen::Vector3d> p_G, n_G;
     const physics::TrueBody* object = nullptr;
-    /// Of the points those on the object.
+    /// Share of the points that lie on the object.
     double share = 0.0;
   };
 

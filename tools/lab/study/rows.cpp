@@ -64,7 +64,7 @@ Cells judged_cells(const GraspRecord& record) {
               {to_string(attempt.outcome), cell(attempt.trial.slip), cell(attempt.trial.rotation)});
 }
 
-/// Grasps that are counted of a scene.
+/// Counts of the grasps of a scene.
 struct GraspCounts {
   int all = 0, judged = 0, good = 0, touching = 0, tried = 0, held = 0;
 
@@ -79,7 +79,7 @@ struct GraspCounts {
   }
 };
 
-/// Empty cells for what was not judged or tried.
+/// Returns the cells of the counts; they are empty for what was not judged or tried.
 Cells count_cells(const GraspCounts& counts, bool truth, bool tried) {
   const auto if_there = [](bool there, int count) { return there ? cell(count) : std::string(); };
   return {cell(counts.all), if_there(truth, counts.good), if_there(truth, counts.touching),

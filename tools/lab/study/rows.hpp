@@ -11,34 +11,35 @@ namespace quadrille::study {
 /// The settings that every row of a study names, by column.
 using Label = std::vector<std::pair<std::string, std::string>>;
 
-/// @param family    of the scenes; empty for given clouds
+/// @param family  family of the scenes; empty for given clouds
 /// @param settings  all settings as text, of which the label holds a short check sum
 Label label_of(const StudyOptions& options, const std::string& version, const std::string& family,
                const std::string& settings);
 
-/// Which scene of a study a row is of.
+/// The scene of a study that a row describes.
 struct SceneName {
-  /// From 1 on, over all inputs and shards.
+  /// Number from 1 on, over all inputs and shards.
   int number = 1;
   /// The cloud, or family and seed.
   std::string input;
-  /// Of the generated scene; empty for a given cloud.
+  /// Seed of the generated scene; empty for a given cloud.
   std::string seed;
 };
 
-/// The columns of the tables of grasps and of scenes, a label's first.
+/// The columns of the tables of grasps and of scenes; the label's columns come first.
 const std::vector<std::string>& grasp_columns();
 const std::vector<std::string>& scene_columns();
 
-/// One row a grasp, best first. What needs a truth, or a trial, is empty without it.
+/// Returns one row per grasp, best first. Cells that need a ground truth or a trial are empty
+/// without it.
 std::vector<std::vector<std::string>> grasp_rows(const Label& label, const SceneName& name,
                                                  const SceneRecord& record);
 
-/// The row of a scene.
+/// Returns the row of a scene.
 std::vector<std::string> scene_row(const Label& label, const SceneName& name,
                                    const SceneRecord& record);
 
-/// The row of an input that could not be used.
+/// Returns the row of an input that could not be used.
 std::vector<std::string> failed_row(const Label& label, const SceneName& name,
                                     const std::string& error);
 

@@ -22,14 +22,14 @@ SceneRows rows_of(const Study& study, std::size_t index) {
   try {
     input = study.input(index);
   } catch (const std::runtime_error& error) {
-    // One cloud that cannot be read must not end a study of thousands.
+    // A single cloud that cannot be read must not end a study of thousands.
     return {{}, failed_row(study.label, name, error.what())};
   }
   const SceneRecord record = study_scene(input, study.options);
   return {grasp_rows(study.label, name, record), scene_row(study.label, name, record)};
 }
 
-/// Takes rows in any order and appends them in that of the scenes.
+/// Receives rows in any order and appends them in the order of the scenes.
 class InOrder {
  public:
   InOrder(const Study& study, StudyFiles* files)
@@ -63,7 +63,7 @@ void run_study(const Study& study, StudyFiles* files) {
   InOrder in_order(study, files);
   std::atomic<bool> failed = false;
   parallel_for(static_cast<int>(study.names.size() - start), study.threads, [&](int k) {
-    // Without room for its rows no further scene is worth its time.
+    // If rows cannot be written, there is no use in processing further scenes.
     if (failed) return;
     try {
       const std::size_t index = start + static_cast<std::size_t>(k);

@@ -37,7 +37,7 @@ void cut(const std::string& path, std::size_t size) {
   if (error) throw io::FileError(path, "", "cannot be cut back (" + error.message() + ")");
 }
 
-/// What differs between a row and the settings of this run, for people; empty if nothing does.
+/// Describes how a row's settings differ from those of this run; empty if they are the same.
 std::string difference(const CsvTable& table, std::size_t row, const Label& label) {
   for (const auto& [column, value] : label) {
     const std::string& there = table.cell(row, column);
@@ -105,7 +105,7 @@ void StudyFiles::begin() {
 void StudyFiles::take_up(const Label& label, const std::vector<SceneName>& names) {
   const std::string scenes_text = text_of(scenes_path_), grasps_text = text_of(grasps_path_);
   if (scenes_text.empty() && grasps_text.empty()) return begin();
-  // A stop between the two headers leaves one of them.
+  // An interruption between writing the two headers leaves only one of them.
   if (scenes_text.empty() && grasps_text == csv_line(grasp_columns())) {
     return append_to(scenes_path_, csv_line(scene_columns()));
   }

@@ -8,24 +8,25 @@
 
 namespace quadrille::study {
 
-/// The table of scenes beside that of grasps: NAME.scenes.csv of NAME.csv.
+/// Returns the path of the table of scenes beside that of grasps: NAME.scenes.csv for NAME.csv.
 std::string scenes_path(const std::string& csv_path);
 
-/// The two tables of a study, which grow scene by scene and are taken up again after a stop.
+/// The two tables of a study, which grow scene by scene and are resumed after an interruption.
 ///
-/// A scene's row is written after its grasps, so that what has a row is whole. What a stop left
-/// behind of a scene that was not finished is cut off.
+/// A scene's row is written after its grasps, so that a scene with a row is complete. Rows of a
+/// scene that was interrupted are cut off.
 class StudyFiles {
  public:
-  /// @param csv_path  the table of grasps
+  /// @param csv_path  path of the table of grasps
   /// @param names     the scenes of the study in the order in which they are appended
-  /// @throws io::FileError if the files are another study's, damaged, in use, or cannot be written
+  /// @throws io::FileError if the files belong to another study, are damaged, in use, or cannot be
+  /// written
   StudyFiles(const std::string& csv_path, const Label& label, const std::vector<SceneName>& names);
   StudyFiles(const StudyFiles&) = delete;
   StudyFiles& operator=(const StudyFiles&) = delete;
   ~StudyFiles();
 
-  /// How many of the scenes were there already.
+  /// Number of scenes that the files already contained.
   std::size_t finished() const { return finished_; }
 
   /// Appends the next scene.

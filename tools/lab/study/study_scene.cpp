@@ -58,7 +58,8 @@ bool is_held(const GraspRecord& record) {
   return record.attempt && record.attempt->outcome == physics::Outcome::kHeld;
 }
 
-/// True if a hand of that opening may hold the body at all: across it, or by the wall of a vessel.
+/// Returns true if the hand may be able to hold the body at all: across it, or by the wall of a
+/// vessel.
 bool may_be_held(const physics::TrueBody& body, const Gripper& gripper) {
   return body.wall > 0.0 || body.box_S.sizes().minCoeff() < gripper.max_opening;
 }

@@ -19,13 +19,13 @@ namespace quadrille::study {
 /// Which grasps are tried in the physics engine.
 enum class Tries { kNone, kFirst, kAll };
 
-/// With what every scene of a study is worked on.
+/// The options with which every scene of a study is processed.
 struct StudyOptions {
   Gripper gripper;
   DetectorOptions detector;
   PlanOptions plan;
   physics::TrialOptions trial;
-  /// Of each target the best grasp, or all.
+  /// Whether no grasp, the best grasp of each target, or every grasp is tried.
   Tries tries = Tries::kFirst;
 };
 
@@ -39,38 +39,38 @@ struct StudyInput {
 /// One grasp in frame C, and what became of it.
 struct GraspRecord {
   Grasp grasp;
-  /// The best ranked one of its target, and what that was found to be.
+  /// True for the best ranked grasp of its target; and the detected type of the target.
   bool first = false;
   std::string target_type;
-  /// Only with a truth.
+  /// The verdict, if there is a ground truth.
   std::optional<Verdict> verdict;
   /// Id and type of the true object between the pads; -1 if there is none.
   int object = -1;
   std::string object_type;
-  /// Only if it was tried.
+  /// The trial, if the grasp was tried.
   std::optional<physics::Attempt> attempt;
 };
 
-/// Of the true objects those that are seen enough, and are somewhere narrower than the hand opens
-/// or open to above with a rim to hold; and how many of them got a grasp at all, a first one that
-/// is good, a first one that held.
+/// Counts of the true objects that are visible enough and can be held: those that are somewhere
+/// narrower than the hand's opening, or are open at the top with a rim. The others count how many
+/// of these have a grasp, a good first grasp, and a first grasp that held.
 struct ObjectCounts {
   int all = 0, with_grasp = 0, with_good = 0, with_held = 0;
 };
 
-/// What a study keeps of one scene.
+/// The results of one scene that a study keeps.
 struct SceneRecord {
   std::size_t points = 0;
   int detections = 0, boxes = 0, rejected = 0;
-  /// Best first.
+  /// The grasps, best first.
   std::vector<GraspRecord> grasps;
-  /// Only with a truth.
+  /// The counts, if there is a ground truth.
   std::optional<ObjectCounts> objects;
 };
 
 /// Finds quadrics, plans grasps as `quadrille plan` does, judges them and tries them.
 /// @throws std::invalid_argument if an option is out of range
-/// @throws std::runtime_error if grasps are to be tried and there is no physics
+/// @throws std::runtime_error if grasps are to be tried but the physics engine is missing
 SceneRecord study_scene(const StudyInput& input, const StudyOptions& options);
 
 }  // namespace quadrille::study

@@ -21,14 +21,14 @@ CsvTable read_table(const std::string& path, const std::vector<std::string>& col
   return {path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()}, columns};
 }
 
-/// The table of grasps that a path means.
+/// Returns the path of the table of grasps that a path refers to.
 std::string table_of(const std::string& path) {
   constexpr std::string_view kScenes = ".scenes.csv";
   if (!path.ends_with(kScenes)) return path;
   return fmt::format("{}.csv", path.substr(0, path.size() - kScenes.size()));
 }
 
-/// Rows with the same label are of one group.
+/// Returns the key of a row's group: rows with the same label belong to one group.
 std::string key_of(const CsvTable& table, std::size_t row) {
   std::string key;
   for (const auto& [column, value] : label_of({}, "", "", "")) {
@@ -52,7 +52,7 @@ GroupSummary& group_of(const CsvTable& table, std::size_t row, Groups* groups) {
 
 void count(const CsvTable& table, std::size_t row, const char* counted, const char* of,
            Ratio* ratio) {
-  // What was not judged, or not tried, has no count.
+  // A cell is empty if nothing was judged or tried.
   if (table.cell(row, counted).empty()) return;
   ratio->counted += table.count(row, counted);
   ratio->of += table.count(row, of);
@@ -95,7 +95,8 @@ void add_table(const std::string& path, std::map<std::string, std::string>* seen
   const CsvTable scenes = read_table(scenes_file, scene_columns());
   std::set<std::string> finished;
   for (std::size_t row = 0; row < scenes.rows(); ++row) {
-    // Not by number: studies with other first seeds share scenes under other numbers.
+    // Scenes are identified by their input, since studies with different first seeds number the
+    // same scenes differently.
     const std::string scene = key_of(scenes, row) + scenes.cell(row, "input");
     finished.insert(scene);
     const auto [entry, is_new] = seen->emplace(scene, scenes_file);
@@ -117,7 +118,7 @@ std::vector<GroupSummary> summarise(const std::vector<std::string>& csv_paths) {
   std::map<std::string, std::string> seen;
   std::set<std::string> tables;
   for (const std::string& path : csv_paths) {
-    std::error_code missing;  // which reading it will tell
+    std::error_code missing;  // ignored, since reading the table will report it
     const std::string table = table_of(path);
     const std::string real = std::filesystem::weakly_canonical(table, missing).string();
     if (tables.insert(real).second) add_table(table, &seen, &groups);

@@ -9,12 +9,12 @@
 
 namespace quadrille::study {
 
-/// So many of so many.
+/// A count out of a total.
 struct Ratio {
   int counted = 0, of = 0;
 };
 
-/// A judged, and perhaps tried, first grasp of a target.
+/// The first grasp of a target, judged and perhaps tried.
 struct FirstGrasp {
   double score = 0.0;
   std::string object_type;
@@ -34,30 +34,31 @@ struct GroupSummary {
   std::vector<FirstGrasp> first;
 };
 
-/// Sums up the studies of some tables, by gripper and all other settings. A table may be named by
-/// either of its files, and more than once.
-/// @throws io::FileError if a file is missing or damaged, or a scene is in two of them
+/// Sums up the studies of several tables, by gripper and all other settings. A table may be named
+/// by either of its files, and more than once.
+/// @throws io::FileError if a file is missing or damaged, or a scene occurs in two of the tables
 std::vector<GroupSummary> summarise(const std::vector<std::string>& csv_paths);
 
-/// One share of a summary, by its name.
+/// One share of a summary, with its name.
 struct Figure {
   std::string name;
   Ratio ratio;
 };
 
-/// All shares of a group in the order in which they are told, the first grasps also by type of
-/// object; empty if no scene has a truth.
+/// Returns all shares of a group in the order of the report, those of the first grasps also by type
+/// of object; empty if no scene has a ground truth.
 std::vector<Figure> figures_of(const GroupSummary& group);
 
-/// "312 of 400", "78.0 %" and "73.7 to 81.8 %", Wilson's 95 % interval; "none", "" and "" of
-/// nothing.
+/// Formats a ratio as "312 of 400", "78.0 %" and "73.7 to 81.8 %", Wilson's 95 % interval; as
+/// "none", "" and "" if the total is zero.
 std::array<std::string, 3> words_of(const Ratio& ratio);
 
-/// For people: shares with Wilson's 95 % intervals, and the first grasps by type of object.
+/// Returns a readable summary: shares with Wilson's 95 % intervals, and the first grasps by type of
+/// object.
 std::string summary_text(const std::vector<GroupSummary>& groups);
 
-/// The share of the first grasps from a score on that are good, and, if any were tried, that were
-/// held.
+/// Plots, for the first grasps with at least a given score, the share that is good and, if any were
+/// tried, the share that held.
 std::vector<experiments::Plot> score_plots(const std::vector<GroupSummary>& groups);
 
 }  // namespace quadrille::study

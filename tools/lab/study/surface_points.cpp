@@ -42,7 +42,8 @@ void add_cap(const TrueBody& body, double z, double side, double spacing, Surfac
   }
 }
 
-/// Rings at equal lengths along the meridian, which near poles runs across the axis.
+/// Adds rings at equal distances along the meridian, which runs at a right angle to the axis near
+/// the poles.
 void add_mantle(const TrueBody& body, double spacing, SurfacePoints* points) {
   constexpr int kFine = 40;
   const double height = body.z_max() - body.z_min();
@@ -55,7 +56,7 @@ void add_mantle(const TrueBody& body, double spacing, SurfacePoints* points) {
     last = z;
     if (since < spacing && k < steps) continue;
     since = 0.0;
-    // Where the body ends in a point a normal may not exist.
+    // The normal may not exist where the body ends in a point.
     if (body.scale(z) > 0.0) add_ring(body, z, spacing, points);
   }
 }

@@ -6,7 +6,7 @@
 namespace quadrille::study {
 
 Share wilson_share(int counted, int of) {
-  // Quantile of the normal distribution at 97.5 %.
+  // The 97.5 % quantile of the normal distribution.
   constexpr double kQuantile = 1.959963984540054;
   if (of <= 0) return {};
   const double n = of, p = counted / n, square = kQuantile * kQuantile;

@@ -20,7 +20,7 @@ std::vector<JudgedTrial> all_trials(const SearchSamples& samples, const Detector
   return trials;
 }
 
-/// All quadrics at once, for what is known of the frame is prepared only once then.
+/// Judges all quadrics at once, because the frame's truth then has to be prepared only once.
 void judge(const scoring::Frame& frame, std::vector<JudgedTrial>* trials) {
   std::vector<Quadric> quadrics;
   for (const JudgedTrial& t : *trials) {

@@ -12,7 +12,7 @@
 
 namespace quadrille::trials {
 
-/// What the detector's search sees of a cloud near the origin.
+/// The samples on which the detector's search works, for a cloud near the origin.
 struct SearchSamples {
   /// The coarsest samples, and the planes among them.
   SurfaceSamples coarse;
@@ -22,7 +22,7 @@ struct SearchSamples {
   std::unique_ptr<SampleTree> tree;
 };
 
-/// Makes them as the detector does; nullopt if no samples can be made of the cloud.
+/// Makes the samples as the detector does; nullopt if the cloud gives none.
 std::optional<SearchSamples> search_samples(const PointCloud& cloud,
                                             const DetectorOptions& options);
 

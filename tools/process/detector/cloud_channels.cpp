@@ -11,7 +11,7 @@
 namespace quadrille {
 namespace {
 
-// A channel without clouds for so long makes room for another one.
+// A channel without clouds for this long may be replaced by another one.
 constexpr std::chrono::seconds kSilence{10};
 
 }  // namespace
@@ -60,7 +60,7 @@ std::optional<bus::Rejection> CloudChannels::refuse(const std::string& channel, 
   return std::nullopt;
 }
 
-/// Makes room for another channel; false if clouds have come on all of them lately.
+/// Makes room for another channel; returns false if clouds have come on all of them lately.
 bool CloudChannels::forget_silent(TimePoint now) {
   const auto oldest =
       std::min_element(known_.begin(), known_.end(),
@@ -73,7 +73,7 @@ bool CloudChannels::forget_silent(TimePoint now) {
 std::string CloudChannels::results_channel(const std::string& name,
                                            const std::string& cloud_channel) const {
   if (!in_.is_pattern()) return name;
-  // The prefix of all channels begins the result's name already.
+  // The result's name already begins with the prefix of all channels.
   const std::string& prefix = settings_.process.channel_prefix;
   const bool has_prefix = cloud_channel.starts_with(prefix);
   return name + "_" + (has_prefix ? cloud_channel.substr(prefix.size()) : cloud_channel);

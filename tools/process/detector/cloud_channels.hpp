@@ -13,29 +13,29 @@
 
 namespace quadrille {
 
-/// The channels that clouds come on, one or those that a pattern matches, and those that their
-/// results go to.
+/// The channels on which clouds come, one or all that a pattern matches, and the channels for their
+/// results.
 class CloudChannels {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
 
-  /// @param settings  must outlive this
+  /// @param settings  must outlive this object
   explicit CloudChannels(const DetectorSettings& settings);
 
-  /// The channels that the process publishes on.
+  /// Returns the channels on which the process publishes.
   std::vector<OutChannel> out_channels() const;
 
-  /// True for a channel of clouds. A pattern may match the channels of the results too: these are
-  /// none.
+  /// Returns true for a channel of clouds. A pattern may also match channels of results, which are
+  /// excluded.
   bool matches(const std::string& channel) const;
 
-  /// Takes note of a cloud. There is room for some channels, and one that has been silent makes
-  /// room for another.
-  /// @return why clouds of that channel are not taken; nullopt if they are
+  /// Notes that a cloud has come. The number of channels is limited, and a silent one makes room
+  /// for another.
+  /// @return why clouds of that channel are refused; nullopt if they are accepted
   std::optional<bus::Rejection> refuse(const std::string& channel, TimePoint now);
 
-  /// Where the results of a channel's clouds go.
-  /// @param name  of the results' channel, or what it begins with
+  /// Returns the channel for the results of a channel's clouds.
+  /// @param name  name of the results' channel, or its beginning
   std::string results_channel(const std::string& name, const std::string& cloud_channel) const;
 
  private:
@@ -43,7 +43,7 @@ class CloudChannels {
 
   const DetectorSettings& settings_;
   const bus::ChannelPattern in_;
-  /// On which clouds have come, with the time of the last one.
+  /// Channels on which clouds have come, with the time of the last one.
   std::map<std::string, TimePoint> known_;
 };
 

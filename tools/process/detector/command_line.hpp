@@ -10,13 +10,13 @@ class App;
 
 namespace quadrille {
 
-/// The options of the process.
+/// The command line options of the process.
 class DetectorCommandLine {
  public:
-  /// Adds them to an app, which must not outlive this.
+  /// Adds the options to an app, which must not outlive this object.
   explicit DetectorCommandLine(CLI::App& app);
 
-  /// What they ask for, once the app has read them.
+  /// Returns the settings, once the app has parsed the options.
   /// @throws io::FileError if the configuration file is wrong
   DetectorSettings settings() const;
 

@@ -27,7 +27,8 @@ std::string hash_of(const DetectorSettings& settings) {
   return text.hash();
 }
 
-/// Where nobody tells poses, or nothing depends on them, the fixed frame is the camera's.
+/// Returns the source of the camera's poses. If no poses come, or nothing depends on them, the
+/// fixed frame is the camera's.
 PoseSource pose_source(const DetectorSettings& settings) {
   PoseSource source{settings.pose_channel, settings.X_WK, settings.track.pose_age,
                     settings.track.pose_wait};
@@ -107,9 +108,9 @@ std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
   });
 }
 
-/// What is found in a cloud, with tracks, in the frame of the results. Nothing where the pose that
-/// they need is not known.
-/// @param ready  gets the same before boxes are looked for
+/// Detects and tracks in a cloud and returns the result in the frame of the results. The result is
+/// empty if that needs a pose which is not known.
+/// @param ready  receives the result before boxes are searched for
 DetectionResult DetectorNode::detect_placed(const std::string& channel,
                                             const bus::CloudMessage& cloud, const CameraPose& pose,
                                             const Placement& placement,
@@ -134,7 +135,7 @@ DetectionResult DetectorNode::detect_placed(const std::string& channel,
   return result;
 }
 
-/// Gives what was found in a cloud its tracks.
+/// Assigns tracks to the detections of a cloud.
 void DetectorNode::track(const std::string& channel, const bus::CloudMessage& cloud,
                          const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections) {
   const std::int64_t before = trackers_.given_up();
@@ -174,7 +175,7 @@ void DetectorNode::detect_and_publish(const std::string& channel, const bus::Clo
   stages_.add("boxes", boxes_ms);
 }
 
-/// The planner waits for these.
+/// Publishes the quadrics before the boxes, because the planner waits for them.
 void DetectorNode::publish_quadrics(const std::string& channel, const bus::CloudMessage& cloud,
                                     const std::string& frame, const DetectionResult& result) {
   quadrics_t message = bus::to_message(cloud, result);

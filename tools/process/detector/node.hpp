@@ -25,8 +25,8 @@
 
 namespace quadrille {
 
-/// Finds the quadrics of the clouds of one channel, or of those that a pattern matches, and tracks
-/// them.
+/// Finds and tracks the quadrics in the clouds of one channel, or of all channels that a pattern
+/// matches.
 class DetectorNode : public Node {
  public:
   DetectorNode(const DetectorSettings& settings, bus::Publish publish);
@@ -62,10 +62,10 @@ class DetectorNode : public Node {
   const bus::Publish publish_;
   const std::string settings_hash_;
 
-  /// For the working thread.
+  /// Trackers, used by the working thread only.
   Trackers trackers_;
   LimitedLog trackers_log_, warnings_log_;
-  /// None without --viz.
+  /// The viewer, if --viz is given.
   std::optional<Viewer> viewer_;
 
   mutable std::mutex mutex_;

@@ -2,7 +2,7 @@
 
 namespace quadrille {
 
-/// Publishes what Meldis shows, when the results are out.
+/// Publishes the messages for Meldis after the results.
 void DetectorNode::show(const bus::CloudMessage& cloud, const Placement& placement,
                         const DetectionResult& result) {
   const auto points = encode_viewer_cloud(cloud, placement.X_RK * placement.X_CK.inverse());

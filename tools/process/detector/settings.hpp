@@ -13,27 +13,27 @@
 
 namespace quadrille {
 
-/// What the command line asks of the process.
+/// The settings of the process, from its command line.
 struct DetectorSettings {
   ProcessArguments process;
-  /// Or a pattern of channels, as bus::ChannelPattern takes it; the results of each then go to
-  /// channels of its own, whose names end in its name.
+  /// Channel of the clouds, or a pattern as bus::ChannelPattern accepts it. With a pattern, the
+  /// results of each channel go to separate channels, whose names end in its name.
   std::string in_channel = "POINT_CLOUD";
   std::string out_channel = "QUADRICS";
   std::string boxes_channel = "BOXES";
   std::string status_channel = "QUADRILLE_DETECTOR_STATUS";
-  /// Carries the camera's poses; empty for a camera at rest.
+  /// Channel of the camera's poses; empty for a camera at rest.
   std::string pose_channel;
-  /// The pose of a camera at rest in W; none: not known.
+  /// Pose of a camera at rest in W; nullopt if it is not known.
   std::optional<Eigen::Isometry3d> X_WK;
   CloudFrames frames;
-  /// Whether the viewer's messages are published, and on which channels: those that Meldis knows.
+  /// Whether messages for the viewer are published, and the channels, which Meldis knows.
   bool viz = false;
   ViewerChannels viewer = {"DRAKE_VIEWER_LOAD_ROBOT", "DRAKE_VIEWER_DRAW"};
   std::string viewer_cloud_channel = "DRAKE_POINT_CLOUD";
   DetectorOptions detector;
   TrackOptions track;
-  /// What of the configuration is not heeded, to be logged.
+  /// Warnings to be logged about settings that are ignored.
   std::vector<std::string> warnings;
 
   /// Lists each channel: which way its messages go, the option that names it, its name, and what

@@ -9,19 +9,19 @@
 
 namespace quadrille {
 
-/// A tracker for each camera, which is a channel and the name of a frame: what two cameras see is
-/// never taken for one.
+/// Keeps a tracker for each camera, given by a channel and the name of a frame, so that objects
+/// seen by different cameras are never matched.
 class Trackers {
  public:
-  /// Trackers that are kept; beyond them the one that was not used for longest is given up, and the
-  /// tracks of its camera begin anew.
+  /// Limit of the trackers that are kept. Beyond it, the one that was unused for the longest time
+  /// is given up, and the tracks of its camera begin anew.
   static constexpr std::size_t kMaxTrackers = 16;
 
   explicit Trackers(const TrackOptions& options) : options_(options) {}
 
   Tracker& of(const std::string& channel, const std::string& frame);
 
-  /// Trackers given up so far.
+  /// Number of trackers given up so far.
   std::int64_t given_up() const { return given_up_; }
 
  private:
@@ -31,7 +31,7 @@ class Trackers {
   };
 
   TrackOptions options_;
-  /// The last one used first.
+  /// The cameras, the most recently used first.
   std::list<Camera> cameras_;
   std::int64_t given_up_ = 0;
 };

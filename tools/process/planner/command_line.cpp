@@ -8,16 +8,16 @@
 namespace quadrille {
 namespace {
 
-// A robot that waits for grasps is better served by some now than by all later [ms]. A log's plans
-// have no deadline, so that they are the same in every replay.
+// A waiting robot is better served by some grasps now than by all of them later [ms]. Plans on a
+// log have no deadline, so that every replay gives the same ones.
 constexpr double kLiveDeadline = 500.0;
 
 }  // namespace
 
 PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
-  // Where cores are few, the detector answers half as late again without this.
+  // Without this, the detector takes half as long again if there are few cores.
   settings_.process.niceness = 5;
-  // Few look at it, and it takes a tenth of the time of a plan.
+  // Few programs use the map, and it takes a tenth of the time of a plan.
   settings_.occupancy_period = 1.0;
   settings_.process.add_to(app, "plan");
   PlannerSettings::visit_channels(

@@ -13,13 +13,13 @@ class App;
 
 namespace quadrille {
 
-/// The options of the process.
+/// The command line options of the process.
 class PlannerCommandLine {
  public:
-  /// Adds them to an app, which must not outlive this.
+  /// Adds the options to an app, which must not outlive this object.
   explicit PlannerCommandLine(CLI::App& app);
 
-  /// What they ask for, once the app has read them.
+  /// Returns the settings, once the app has parsed the options.
   /// @throws CLI::ValidationError if there is no such gripper
   /// @throws io::FileError if the configuration or the gripper's file is wrong
   PlannerSettings settings() const;

@@ -16,13 +16,13 @@ namespace {
 
 using Space = std::shared_ptr<const OccupancyGrid>;
 
-/// The map of frame K in frame R.
+/// Transforms the map from frame K into frame R.
 Space in_frame(const Space& space, const Eigen::Isometry3d& X_RK) {
   if (!space || X_RK.matrix().isIdentity(0.0)) return space;
   return std::make_shared<const OccupancyGrid>(space->moved(X_RK));
 }
 
-/// None where a log is replayed, whose results do not hang on how fast that goes.
+/// Returns the least time between maps; 0 in a replay, whose results must not depend on its speed.
 std::chrono::milliseconds interval_of(const PlannerSettings& settings) {
   if (!settings.process.in_log.empty()) return std::chrono::milliseconds(0);
   return std::chrono::milliseconds(static_cast<int>(1000.0 * settings.occupancy_period));
@@ -57,7 +57,7 @@ std::int64_t MapPublisher::publish(const Map& map) {
     publish_(channel_, bytes);
     return static_cast<std::int64_t>(bytes.size());
   } catch (const std::invalid_argument& error) {
-    // The grasps are out. A map has its place, too far from the origin of W for some.
+    // The grasps are already published. In frame W, a map may lie too far from the origin.
     if (const auto held_back = log_.admit()) {
       log_warning(with_held_back(
           fmt::format("{}: no map of cloud {}: {}", channel_, map.stamp.utime, error.what()),

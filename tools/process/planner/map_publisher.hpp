@@ -11,8 +11,8 @@
 
 namespace quadrille {
 
-/// Publishes the occupancy of clouds, no more often than asked: the newest of those that come too
-/// soon after another waits. For the working thread.
+/// Publishes the occupancy of clouds at a limited rate. Of the maps that come too soon after
+/// another, the newest waits. For the working thread only.
 class MapPublisher {
  public:
   /// The space of a cloud, in the camera's frame K.
@@ -25,12 +25,12 @@ class MapPublisher {
   MapPublisher(const PlannerSettings& settings, bus::Publish publish);
 
   /// Publishes the map now, in the frame of the results, or keeps it until it is due.
-  /// @return how many bytes went out
+  /// @return number of bytes published
   std::int64_t add(Map map);
-  /// The map that waited, if it is due now.
+  /// Returns the waiting map, if it is due now.
   std::optional<Map> take_due();
-  /// Publishes a map at once; one that has no place in an OctoMap is logged.
-  /// @return how many bytes went out
+  /// Publishes a map at once; a map that does not fit into an OctoMap is logged instead.
+  /// @return number of bytes published
   std::int64_t publish(const Map& map);
 
  private:

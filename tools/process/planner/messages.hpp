@@ -10,30 +10,31 @@
 
 namespace quadrille {
 
-/// One grasp as a message; all in frame C.
+/// Converts a grasp to a message; everything is in frame C.
 grasp_t to_message(const Grasp& grasp);
 
-/// One collision shape as a message.
+/// Converts a collision shape to a message.
 collision_shape_t to_message(const CollisionShape& shape);
 
-/// What the messages on a cloud are stamped with.
+/// The stamp of the messages about a cloud.
 struct Stamp {
   std::int64_t utime = 0;
   std::int32_t seq = 0;
-  /// Of the results.
+  /// Frame of the results.
   std::string frame;
-  /// Of the request that is answered; 0 if nobody asked.
+  /// Id of the answered request; 0 if there was none.
   std::int64_t request_id = 0;
 };
 
-/// The grasps of a plan, stamped with the cloud's utime and seq.
+/// Makes a message of the grasps of a plan, stamped with the cloud's utime and seq.
 grasps_t make_grasps_message(const Stamp& stamp, const GraspPlan& plan,
                              const PlannerSettings& settings);
 
-/// The collision shapes of a plan, stamped likewise.
+/// Makes a message of the collision shapes of a plan, with the same stamp.
 collision_shapes_t make_shapes_message(const Stamp& stamp, const GraspPlan& plan);
 
-/// The space of a plan as an OctoMap, stamped likewise; without data if the plan has none (null).
+/// Makes a message of the space of a plan as an OctoMap, with the same stamp; without data if the
+/// plan has none (null).
 /// @throws std::runtime_error if OctoMap cannot write the tree
 occupancy_t make_occupancy_message(const Stamp& stamp, const OccupancyGrid* space);
 

@@ -110,7 +110,7 @@ std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
   return waits ? std::nullopt : pair_quadrics(quadrics);
 }
 
-/// With the mutex held.
+/// Pairs quadrics with their cloud. The mutex must be held.
 std::optional<Job> PlannerNode::pair_quadrics(const bus::QuadricsMessage& quadrics) {
   auto job = make_job(pairing_.add(quadrics));
   if (const auto given_up = pairing_.take_given_up()) log_unpaired(*given_up);
@@ -186,8 +186,8 @@ void PlannerNode::plan_and_publish(const SharedPair& shared) {
   stages_.add("maps", maps_ms);
 }
 
-/// Publishes what is wanted beside the grasps.
-/// @return how many bytes
+/// Publishes the shapes and the map, as far as they are wanted.
+/// @return number of bytes published
 std::int64_t PlannerNode::publish_maps(const Stamp& stamp, const GraspPlan& plan,
                                        const Eigen::Isometry3d& X_RK) {
   std::int64_t bytes = 0;
@@ -198,7 +198,7 @@ std::int64_t PlannerNode::publish_maps(const Stamp& stamp, const GraspPlan& plan
   return bytes + occupancies_.add({stamp, plan.space, X_RK});
 }
 
-/// The map of the last cloud, once it is due.
+/// Returns the job of publishing the last cloud's map, once it is due.
 std::optional<Job> PlannerNode::find_spare_job() {
   std::optional<MapPublisher::Map> due = occupancies_.take_due();
   if (!due) return std::nullopt;
@@ -235,7 +235,7 @@ void PlannerNode::answer(const grasp_request_t& request, std::chrono::steady_clo
                         bus::ms_since(at)));
 }
 
-/// Answers that there is nothing, and why.
+/// Answers a request with an empty plan and the reason.
 void PlannerNode::refuse(const grasp_request_t& request, const SharedPair& pair,
                          const std::string& why) {
   GraspPlan nothing;

@@ -28,7 +28,7 @@
 
 namespace quadrille {
 
-/// Plans grasps on clouds and the quadrics that were found in them: on each, or as it is asked.
+/// Plans grasps on clouds and the quadrics found in them: on every cloud, or only on request.
 class PlannerNode : public Node {
  public:
   PlannerNode(const PlannerSettings& settings, bus::Publish publish);
@@ -78,10 +78,10 @@ class PlannerNode : public Node {
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
   Rate received_rate_, published_rate_;
-  // For the working thread.
+  // These are used by the working thread only.
   PairPlanner planner_;
   MapPublisher occupancies_;
-  /// None without --viz.
+  /// The viewer, if --viz is given.
   std::optional<Viewer> viewer_;
 };
 

@@ -1,4 +1,4 @@
-// What the planner's node tells of itself: status messages, statistics, the last line of a run.
+// Reports on the planner's node: status messages, statistics, the last line of a run.
 #include <fmt/format.h>
 
 #include <utility>

@@ -20,7 +20,7 @@ bool was_cut(const GraspPlan& plan) {
 
 }  // namespace
 
-/// The plan on a pair in the camera's frame. Its scene is made if it is not that of the last call.
+/// Plans on a pair in the camera's frame. The scene is made unless it is that of the last call.
 GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const GraspQuery& query) {
   if (pair == ready_) return scene_->plan(query);
   const Placement& placement = pair->placement;
@@ -36,7 +36,7 @@ GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const GraspQuery& 
   scene_.emplace(cloud_K, moved(pair->quadrics.detections, X_FK.inverse()), settings_.gripper,
                  options);
   GraspPlan plan = scene_->plan_from_start(query);
-  // A scene that was cut may lack targets: whoever asks next for this cloud gets a new one.
+  // A scene that was cut short may lack targets, so the next query for this cloud makes a new one.
   ready_ = was_cut(plan) ? nullptr : pair;
   return plan;
 }
@@ -53,7 +53,7 @@ GraspPlan PairPlanner::plan(const SharedPair& pair, const GraspQuery& query) {
   if (!placement.lack.empty()) {
     plan.warnings.push_back("the camera's pose is not known: " + placement.lack);
   }
-  // Where nothing was found, what was odd about the cloud is why.
+  // If nothing was found, warnings about the cloud are the likely reason.
   if (pair->quadrics.detections.empty()) {
     for (const std::string& warning : pair->quadrics.warnings) {
       const bool known =

@@ -13,20 +13,21 @@
 
 namespace quadrille {
 
-/// Plans grasps on clouds with their quadrics, and keeps the last one ready for further queries.
-/// For one thread, but for cut().
+/// Plans grasps on clouds with their quadrics, and keeps the last scene ready for further queries.
+/// For one thread only, except for cut().
 class PairPlanner {
  public:
   using SharedPair = std::shared_ptr<const CloudAndQuadrics>;
 
-  /// The settings must outlive this.
+  /// The settings must outlive this object.
   explicit PairPlanner(const PlannerSettings& settings) : settings_(settings) {}
 
-  /// The plan in the frame of the results; without grasps where the camera's pose is not known.
-  /// @param query  in the camera's frame
+  /// Returns the plan in the frame of the results; it has no grasps if the camera's pose is not
+  /// known.
+  /// @param query  query in the camera's frame
   GraspPlan plan(const SharedPair& pair, const GraspQuery& query);
 
-  /// Plans so far that their deadline cut short. For any thread.
+  /// Number of plans that the deadline cut short so far. For any thread.
   std::int64_t cut() const { return cut_; }
 
  private:

@@ -11,7 +11,7 @@ std::size_t memory_of(const bus::CloudMessage& cloud) {
   return cloud.cloud.points.capacity() * sizeof(Eigen::Vector3f);
 }
 
-/// True if the stamps are those of the cloud, whatever its points.
+/// Returns true if the quadrics have the stamps of the cloud, whatever its points.
 bool have_stamps_of(const bus::QuadricsMessage& quadrics, const bus::CloudMessage& cloud,
                     const Placement& placement) {
   const std::string& frame = cloud.cloud.frame;
@@ -52,8 +52,9 @@ Pairing::Pairing(std::size_t max_clouds, std::size_t max_bytes)
   if (max_clouds == 0) throw std::invalid_argument("max_clouds = 0: must be at least 1");
 }
 
-/// The index of the cloud that the quadrics were found in: of several with the same points, any of
-/// which is right, the oldest, so that the others wait for theirs.
+/// Returns the index of the cloud in which the quadrics were found. If several clouds have the same
+/// points, any of them is right; the oldest is taken, so that the others wait for their own
+/// quadrics.
 std::variant<std::size_t, Unpaired> Pairing::find_cloud(
     const bus::QuadricsMessage& quadrics) const {
   std::optional<std::size_t> found;
@@ -89,7 +90,7 @@ std::optional<CloudAndQuadrics> Pairing::add(bus::QuadricsMessage quadrics) {
     return take_pair(*index, std::move(quadrics));
   }
   const Unpaired why = std::get<Unpaired>(found);
-  // No cloud that is still to come makes this clear.
+  // No later cloud can resolve this.
   if (why == Unpaired::kAmbiguous) {
     give_up(quadrics.utime, why);
     return std::nullopt;

@@ -22,46 +22,47 @@ namespace quadrille {
 /// A cloud and the quadrics that were found in it.
 struct CloudAndQuadrics {
   std::shared_ptr<const bus::CloudMessage> cloud;
-  /// How the cloud lies.
+  /// Poses of the cloud and of the results.
   Placement placement;
   bus::QuadricsMessage quadrics;
-  /// When the later of the two came.
+  /// Arrival time of the later of the two.
   std::chrono::steady_clock::time_point at;
 };
 
-/// Why quadrics have no cloud.
+/// Why no cloud was found for quadrics.
 enum class Unpaired {
-  kNoCloud,     ///< none of their utime, seq and frame is kept
-  kOtherCloud,  ///< only ones of other points
-  kAmbiguous,   ///< several, and they do not name the digest of theirs
+  kNoCloud,     ///< no cloud with their utime, seq and frame is kept
+  kOtherCloud,  ///< only clouds with other points are kept
+  kAmbiguous,   ///< several clouds match, and the quadrics carry no digest of theirs
 };
 
-/// Its name in status messages, such as "no_cloud".
+/// Returns the name in status messages, such as "no_cloud".
 const char* to_string(Unpaired why);
-/// What it means, with its name, for the log.
+/// Returns the name with an explanation, for the log.
 std::string explain(Unpaired why);
 
-/// Brings clouds and quadrics of the same utime, seq, frame and points together, whichever comes
-/// first. The quadrics may be in the frame of the results, too. The digest of the points decides
-/// where senders do not tell the time, or two have one channel.
-/// The detector takes a while, so the last clouds are kept until their quadrics come.
+/// Pairs clouds with quadrics of the same utime, seq, frame and points, whichever comes first. The
+/// quadrics may also be in the frame of the results. The digest of the points decides if senders do
+/// not tell the time, or two senders share a channel. The detector takes a while, so the last
+/// clouds are kept until their quadrics come.
 class Pairing {
  public:
-  /// @param max_clouds  clouds to keep, at least 1
-  /// @param max_bytes   memory of the clouds to keep; the newest one is kept in any case
+  /// @param max_clouds  number of clouds to keep, at least 1
+  /// @param max_bytes  memory of the clouds to keep; the newest one is always kept
   explicit Pairing(std::size_t max_clouds = 32, std::size_t max_bytes = std::size_t{256} << 20);
 
   /// @return the pair if the cloud's quadrics came before it
   std::optional<CloudAndQuadrics> add(bus::CloudMessage cloud, Placement placement = {});
 
-  /// @return the pair if the cloud of the quadrics is there; it and older ones are then forgotten
+  /// @return the pair if the cloud of the quadrics is there; this cloud and older ones are then
+  /// forgotten
   std::optional<CloudAndQuadrics> add(bus::QuadricsMessage quadrics);
 
   std::int64_t paired() const { return paired_; }
-  /// Quadrics whose cloud never came, or not yet.
+  /// Number of quadrics whose cloud has not come.
   std::int64_t unpaired() const;
   std::int64_t unpaired(Unpaired why) const;
-  /// One entry for each reason that occurred.
+  /// Returns the counts of unpaired quadrics, with one entry for each reason that occurred.
   std::vector<count_t> count_unpaired() const;
 
   /// Quadrics that were given up.
@@ -69,7 +70,7 @@ class Pairing {
     std::int64_t utime = 0;
     Unpaired why = Unpaired::kNoCloud;
   };
-  /// The last quadrics that were given up since the last call.
+  /// Returns the last quadrics that were given up since the previous call.
   std::optional<GivenUp> take_given_up() { return std::exchange(given_up_, std::nullopt); }
 
  private:

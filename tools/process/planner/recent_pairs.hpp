@@ -9,19 +9,19 @@
 
 namespace quadrille {
 
-/// The last clouds with their quadrics, for those who ask later.
+/// The last clouds with their quadrics, for later requests.
 class RecentPairs {
  public:
-  /// @param max_pairs  to keep, at least 1
-  /// @param max_bytes  memory of their clouds; the newest one is kept in any case
+  /// @param max_pairs  number of pairs to keep, at least 1
+  /// @param max_bytes  memory of their clouds; the newest one is always kept
   explicit RecentPairs(std::size_t max_pairs = 32, std::size_t max_bytes = std::size_t{256} << 20)
       : max_pairs_(max_pairs), max_bytes_(max_bytes) {}
 
   void add(std::shared_ptr<const CloudAndQuadrics> pair);
 
-  /// The newest; nullptr before the first.
+  /// Returns the newest pair; nullptr before the first one.
   std::shared_ptr<const CloudAndQuadrics> newest() const;
-  /// The newest of a cloud of that utime [us]; nullptr if none is kept.
+  /// Returns the newest pair whose cloud has this utime [us]; nullptr if none is kept.
   std::shared_ptr<const CloudAndQuadrics> find(std::int64_t cloud_utime) const;
   std::size_t size() const { return pairs_.size(); }
 

@@ -16,7 +16,7 @@ namespace {
 // A quaternion may miss unit norm by the rounding of single precision.
 constexpr double kUnitNorm = 1e-3;
 
-/// Frame K in the frame that a request names.
+/// Returns the pose of frame K in the frame that a request names.
 Eigen::Isometry3d X_FK(const std::string& frame, const Placement& placement,
                        const std::string& cloud_frame) {
   if (!placement.lack.empty()) {

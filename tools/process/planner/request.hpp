@@ -8,10 +8,10 @@
 
 namespace quadrille {
 
-/// The query of a request, in frame K of the camera.
-/// @param placement    of the cloud that it is about
+/// Returns the query of a request, in frame K of the camera.
+/// @param placement  placement of the cloud that the request is about
 /// @param cloud_frame  name of the cloud's frame C
-/// @throws std::invalid_argument that names the field which is wrong, and the remedy
+/// @throws std::invalid_argument naming the field that is wrong, and the remedy
 GraspQuery query_of(const grasp_request_t& request, const Placement& placement,
                     const std::string& cloud_frame);
 

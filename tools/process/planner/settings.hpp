@@ -13,7 +13,7 @@
 
 namespace quadrille {
 
-/// What the command line asks of the process.
+/// The settings of the process, from its command line.
 struct PlannerSettings {
   ProcessArguments process;
   std::string cloud_channel = "POINT_CLOUD";
@@ -23,30 +23,30 @@ struct PlannerSettings {
   std::string shapes_channel = "COLLISION_SHAPES";
   std::string occupancy_channel = "OCCUPANCY";
   std::string status_channel = "QUADRILLE_PLANNER_STATUS";
-  /// Carries the camera's poses; empty for none.
+  /// Channel of the camera's poses; empty if there are none.
   std::string pose_channel;
-  /// The pose of a camera at rest in W; none: not known.
+  /// Pose of a camera at rest in W; nullopt if it is not known.
   std::optional<Eigen::Isometry3d> X_WK;
-  /// Longest time between a cloud and each of the poses about it, and how long a cloud waits for
-  /// the later one [s].
+  /// Longest time between a cloud and each of the two poses around it, and longest time that a
+  /// cloud waits for the later pose [s].
   double pose_age = TrackOptions{}.pose_age, pose_wait = TrackOptions{}.pose_wait;
   CloudFrames frames;
   /// Whether collision shapes and occupancy are published.
   bool shapes = true, occupancy = true;
-  /// On the bus, occupancy is published at most this often; 0: with each plan [s].
+  /// Least time between published occupancy maps on the bus; 0 to publish one with each plan [s].
   double occupancy_period = 0.0;
-  /// Whether the viewer's messages are published, and on which channels: another scene of Meldis
-  /// than the detector's, for a load message resets all of its scene.
+  /// Whether messages for the viewer are published, and the channels. They belong to a different
+  /// scene of Meldis than the detector's, because a load message resets its whole scene.
   bool viz = false;
   ViewerChannels viewer = {"DRAKE_VIEWER_LOAD_ROBOT_ILLUSTRATION",
                            "DRAKE_VIEWER_DRAW_ILLUSTRATION"};
-  /// Plan only what is asked for.
+  /// Plans only on request.
   bool on_request = false;
   Gripper gripper;
   PlanOptions plan;
 
-  /// Lists each channel: which way its messages go, the option that names it, its name, and what
-  /// it carries.
+  /// Lists each channel: the direction of its messages, the option that names it, its name, and its
+  /// content.
   template <class Settings, class Visit>
   static void visit_channels(Settings& settings, const Visit& visit) {
     visit(Way::kIn, "--cloud-channel", settings.cloud_channel, "clouds");

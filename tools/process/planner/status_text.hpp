@@ -7,10 +7,10 @@
 
 namespace quadrille {
 
-/// The same for equal settings, whichever way they were given.
+/// Returns a hash that is the same for equal settings, however they were given.
 std::string hash_of(const PlannerSettings& settings);
 
-/// A status in the text format that Prometheus reads.
+/// Formats a status in the text format that Prometheus reads.
 std::string to_exposition(const planner_status_t& status, const PlannerSettings& settings);
 
 }  // namespace quadrille

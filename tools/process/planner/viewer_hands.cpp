@@ -11,7 +11,7 @@ std::vector<ViewerLink> hand_links(const GraspPlan& plan, const Gripper& gripper
   const Grasp& best = plan.grasps.front();
   const double opening = std::max(best.preshape, best.width);
   const double back = -gripper.reach(opening);
-  // The size of the fingers that is given is that at the largest opening.
+  // The given size of the fingers applies at the largest opening.
   Eigen::Vector3d finger = gripper.finger;
   finger.z() = gripper.finger_front - back;
   ViewerLink hand{"quadrille::hand", best.X_CG, {}};

@@ -7,8 +7,8 @@
 
 namespace quadrille {
 
-/// The hand at the best grasp, opened as it comes, as boxes: two fingers and the palm. Nothing if
-/// there is no grasp.
+/// Returns the hand at the best grasp, opened as on its approach, as boxes: two fingers and the
+/// palm. Empty if there is no grasp.
 std::vector<ViewerLink> hand_links(const GraspPlan& plan, const Gripper& gripper);
 
 }  // namespace quadrille

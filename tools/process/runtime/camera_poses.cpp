@@ -10,13 +10,13 @@
 namespace quadrille {
 namespace {
 
-// A cloud may come so long after it was taken, and still finds its poses [s].
+// A cloud may arrive this long after it was taken and still finds its poses [s].
 constexpr double kCloudDelay = 1.0;
-// At a usual speed of half a metre a second an arm moves a centimetre meanwhile [s].
+// In this time, an arm at a usual speed of half a metre per second moves one centimetre [s].
 constexpr double kFarInTime = 0.02;
-// Noise of depth where hands work; less misplacement than this does not show [m].
+// Depth noise at the distance at which hands work; smaller misplacements do not show [m].
 constexpr double kFarInSpace = 1e-3;
-// Where things are that a turn of the camera misplaces [m].
+// Distance of objects for which the effect of the camera's rotation is estimated [m].
 constexpr double kReach = 1.0;
 
 constexpr double kMsPerSecond = 1e3, kMmPerMetre = 1e3;
@@ -24,7 +24,7 @@ constexpr double kMsPerSecond = 1e3, kMmPerMetre = 1e3;
 constexpr const char* kRemedy =
     "publish poses faster; for a camera at rest give --camera-pose instead";
 
-/// "at 0.50 m/s that is up to 100 mm"; empty if it is less than noise.
+/// Returns "at 0.50 m/s that is up to 100 mm"; empty if it is less than the noise.
 std::string describe_misplacement(double age, const Motion& motion) {
   const double by_turn = age * motion.turn * kReach;
   const double misplacement = age * motion.speed + by_turn;
@@ -48,7 +48,7 @@ CameraPose CameraPoses::at(std::int64_t utime) const {
   const double far = std::numeric_limits<double>::infinity();
   const double since = bracket.before ? seconds_between(bracket.before->utime, utime) : far;
   const double until = bracket.after ? seconds_between(utime, bracket.after->utime) : far;
-  // Hostile times that no double tells apart have no place between them.
+  // If no double distinguishes two (hostile) times, there is nothing to interpolate.
   if (since == 0.0) {
     pose.X_WK = bracket.before->X_WC;
     pose.age = 0.0;
@@ -66,7 +66,8 @@ CameraPose CameraPoses::at(std::int64_t utime) const {
   return pose;
 }
 
-/// By the newest pose and the last one before it that is not so near that noise looks like motion.
+/// Estimates the motion from the newest pose and the last one before it that is far enough in time
+/// that noise does not look like motion.
 Motion CameraPoses::newest_motion() const {
   const bus::PoseMessage& newest = *history_.newest();
   const auto earlier = static_cast<std::int64_t>(kFarInTime * 1e6);

@@ -22,7 +22,7 @@ std::vector<std::string> ChannelCensus::find_missing(const std::vector<InChannel
     if (!channel.expected || held_any) continue;
     const std::string held = events_.empty() ? "no events at all" : io::list_channels(events_);
     std::string line = fmt::format("no event on {}; the log holds {}", channel.name, held);
-    // Where there is nothing, another name helps no more.
+    // If the log has no events at all, another channel name does not help.
     if (!events_.empty()) line += advise(channel.option, prefix);
     lines.push_back(std::move(line));
   }

@@ -9,17 +9,18 @@
 
 namespace quadrille {
 
-/// Counts the events of a log by channel, to tell a channel that is named wrong from an empty one.
+/// Counts the events of a log by channel, to distinguish a wrong channel name from an empty log.
 class ChannelCensus {
  public:
   void add(const std::string& channel) { ++events_[channel]; }
 
-  /// A line for each of the channels that had no event, with those that had some.
-  /// @param prefix  of --channel-prefix, with which the wanted ones begin
+  /// Returns a line for each wanted channel without events, with the channels that have some.
+  /// @param prefix  value of --channel-prefix, with which the wanted names begin
   std::vector<std::string> find_missing(const std::vector<InChannel>& wanted,
                                         const std::string& prefix = "") const;
 
-  /// Those of the channels that had events, with the options that rename them; empty if none had.
+  /// Returns the wanted channels that have events, with the options that rename them; empty if
+  /// there are none.
   std::string find_taken(const std::vector<OutChannel>& wanted) const;
 
  private:

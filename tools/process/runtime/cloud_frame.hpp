@@ -13,10 +13,10 @@ class App;
 
 namespace quadrille {
 
-/// A frame that clouds or results are in.
+/// A frame in which clouds or results are given.
 enum class CloudFrame {
-  kCamera,  ///< K, the camera's: it looks along z from the origin
-  kWorld,   ///< W, fixed, in which the camera's poses are
+  kCamera,  ///< K, the camera's frame: it looks along z from the origin
+  kWorld,   ///< W, the fixed frame in which the camera's poses are given
 };
 
 constexpr auto words_of(CloudFrame) {
@@ -24,26 +24,26 @@ constexpr auto words_of(CloudFrame) {
       {{"camera", CloudFrame::kCamera}, {"world", CloudFrame::kWorld}});
 }
 
-/// In which frames clouds come and results go.
+/// The frames of clouds and results.
 struct CloudFrames {
   CloudFrame clouds = CloudFrame::kCamera;
-  /// None: as the clouds.
+  /// Frame of the results; if none is given, that of the clouds.
   std::optional<CloudFrame> results;
 
   CloudFrame of_results() const { return results.value_or(clouds); }
-  /// True if the camera's pose decides what the results are.
+  /// Returns true if the results depend on the camera's pose.
   bool need_pose() const {
     return clouds == CloudFrame::kWorld || of_results() == CloudFrame::kWorld;
   }
 
-  /// Adds --cloud-frame and --result-frame; this must outlive the app.
+  /// Adds --cloud-frame and --result-frame; this object must outlive the app.
   void add_to(CLI::App& app);
 };
 
-/// Sees to it that poses come where they are needed, on a channel of their own.
-/// @param fixed     whether the pose of a camera at rest is given
-/// @param channels  those of other messages
-/// @throws CLI::ValidationError if they do not
+/// Checks that poses come if they are needed, on a channel of their own.
+/// @param fixed  true if the pose of a camera at rest is given
+/// @param channels  channels of other messages
+/// @throws CLI::ValidationError if poses are missing or share a channel
 void check_poses(const CloudFrames& frames, bool fixed, const std::string& pose_channel,
                  const std::vector<std::string>& channels);
 

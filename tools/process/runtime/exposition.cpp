@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSecondsPerMs = 1e-3;
 
-/// A value of a label: quoted, as the format wants it.
+/// Quotes the value of a label as the format requires.
 std::string quoted(const std::string& text) {
   std::string out = "\"";
   for (const char c : text) {

@@ -11,29 +11,29 @@
 
 namespace quadrille {
 
-/// A status in the text format that Prometheus and its node exporter read, in base units: seconds
-/// and bytes.
+/// Formats a status in the text format that Prometheus and its node exporter read, in base units:
+/// seconds and bytes.
 class Exposition {
  public:
   using Labels = std::vector<std::pair<std::string, std::string>>;
 
-  /// @param prefix  of all names, such as "quadrille_detector"
-  /// @param labels  of all samples: they tell processes of one kind apart
+  /// @param prefix  prefix of all names, such as "quadrille_detector"
+  /// @param labels  labels of all samples, which distinguish processes of one kind
   explicit Exposition(std::string prefix, const Labels& labels = {});
 
-  /// What only grows; "_total" is added to the name.
+  /// Adds a value that only grows; "_total" is appended to the name.
   void add_counter(const std::string& name, const std::string& help, std::int64_t value);
   void add_gauge(const std::string& name, const std::string& help, double value);
-  /// One counter for each reason.
+  /// Adds one counter for each reason.
   void add_counters(const std::string& name, const std::string& help,
                     const std::vector<count_t>& counts);
   void add_stages(const std::vector<stage_t>& stages);
-  /// @param ms  as the status messages tell it; below 0 it is left out
+  /// @param ms  value of the status message [ms]; left out if it is negative
   void add_pose_age(double ms);
   void add_process(const process_t& process);
   void add_transport(const transport_t& transport);
 
-  /// What the status messages of all processes have in common.
+  /// Adds the values that the status messages of all processes have in common.
   template <class Status>
   void add_common(const Status& status) {
     add_counter("received_bytes", "Bytes of messages received.", status.received_bytes);

@@ -19,7 +19,7 @@ bool is_regular(const std::string& path) {
   return stat(path.c_str(), &status) != 0 || S_ISREG(status.st_mode);
 }
 
-/// Whether the name still stands for the open file.
+/// Returns whether the name still refers to the open file.
 bool has_name(int fd, const std::string& path) {
   struct stat open = {}, named = {};
   return fstat(fd, &open) == 0 && stat(path.c_str(), &named) == 0 && open.st_dev == named.st_dev &&
@@ -46,7 +46,7 @@ FileClaim FileClaim::of_target(const std::string& path) {
     if (flock(fd, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
       throw io::FileError(path, "", "is written by another process; give each a file of its own");
     }
-    // Its holder may have replaced it meanwhile.
+    // The file may have been replaced by its holder in the meantime.
     if (has_name(fd, path)) return claim;
   }
 }
@@ -54,7 +54,7 @@ FileClaim FileClaim::of_target(const std::string& path) {
 FileClaim FileClaim::of_file(const std::string& path) {
   if (!is_regular(path)) return {};
   const int fd = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  // A file system without locks does without claims.
+  // On a file system without locks, the file is used without a claim.
   if (fd >= 0) flock(fd, LOCK_EX | LOCK_NB);
   return FileClaim(fd);
 }

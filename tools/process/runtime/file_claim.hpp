@@ -5,7 +5,8 @@
 
 namespace quadrille {
 
-/// The right of one process to a file: a lock that ends with the process, however that ends.
+/// The exclusive right of one process to a file: a lock that ends with the process, however that
+/// ends.
 class FileClaim {
  public:
   FileClaim() = default;
@@ -16,12 +17,12 @@ class FileClaim {
   }
   ~FileClaim();
 
-  /// Claims the file that has a name, which is made if it is missing. Its holder may replace it by
-  /// another that it has claimed. What is no regular file needs no claim.
-  /// @throws io::FileError if it cannot be written, or another process holds it
+  /// Claims the file with this name, which is created if it is missing. The holder may replace it
+  /// by another file that it has claimed. A path that is not a regular file needs no claim.
+  /// @throws io::FileError if the file cannot be written, or another process holds it
   static FileClaim of_target(const std::string& path);
 
-  /// Claims a file of this process's own.
+  /// Claims a file that belongs to this process.
   static FileClaim of_file(const std::string& path);
 
  private:

@@ -9,10 +9,10 @@
 
 namespace quadrille {
 
-/// A record, and how many like it were left out before it.
+/// Returns a record with the number of similar ones that were left out before it.
 std::string with_held_back(const std::string& record, std::int64_t held_back);
 
-/// Logs a record a second at most, and with it how many it left out before. For any thread.
+/// Logs at most one record per second, with the number of those left out before it. For any thread.
 class LimitedLog {
  public:
   void warning(const std::string& record);

@@ -4,8 +4,8 @@
 
 namespace quadrille {
 
-/// Sends the records of a process to stderr, one a line, with time, program and level.
-/// @param program  the name that the records carry
+/// Sends the records of a process to stderr, one per line, with time, program and level.
+/// @param program  name of the program in the records
 /// @param verbose  whether records of log_debug() are sent too
 void start_logging(const std::string& program, bool verbose);
 

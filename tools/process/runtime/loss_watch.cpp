@@ -9,7 +9,8 @@
 namespace quadrille {
 namespace {
 
-/// A buffer for the messages that come; one that has overflowed is too small for their bursts.
+/// Returns a receive buffer for the messages that come. A buffer that has overflowed is too small
+/// for their bursts, so it is at least doubled.
 int buffer_after_loss(const bus::Traffic& traffic) {
   constexpr std::int64_t kMost = 1 << 30;
   const std::int64_t doubled = std::min(2 * traffic.receive_buffer, kMost);
@@ -44,7 +45,7 @@ std::string describe_filtered(const bus::Traffic& traffic) {
       traffic.filtered_datagrams);
 }
 
-/// The texts that are not empty.
+/// Returns the texts that are not empty.
 std::vector<std::string> only_full(std::vector<std::string> texts) {
   std::erase_if(texts, [](const std::string& text) { return text.empty(); });
   return texts;
@@ -69,7 +70,7 @@ std::optional<std::string> LossWatch::check(const bus::Traffic& traffic, Clock::
     told_ = traffic;
     return describe(traffic);
   }
-  // On a network that is shared they come all the time.
+  // On a shared network such datagrams come all the time, so they are logged rarely.
   if (traffic.filtered_datagrams > told_.filtered_datagrams && filter_log_.admit(now)) {
     told_.filtered_datagrams = traffic.filtered_datagrams;
     return describe_filtered(traffic);

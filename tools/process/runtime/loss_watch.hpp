@@ -10,22 +10,22 @@
 
 namespace quadrille {
 
-/// Tells of messages that are lost on their way into the process: at once, then at a bounded rate,
-/// and at the end; and, more rarely, of datagrams that its filter refuses.
+/// Reports messages that are lost on their way into the process: at once, then at a limited rate,
+/// and at the end. Reports more rarely on datagrams that the process's filter refuses.
 class LossWatch {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// @return a record for the log, if there is something new to tell
+  /// @return a record for the log, if there is anything new
   std::optional<std::string> check(const bus::Traffic& traffic,
                                    Clock::time_point now = Clock::now());
 
-  /// What is wrong with the transport, one line each with the commands that mend it: judged by the
-  /// messages that came, and as it looked at the start before any came.
+  /// Returns what is wrong with the transport, one line each with the remedy, judged by the
+  /// messages that came; before any came, returns the warnings from the start.
   static std::vector<std::string> find_warnings(const bus::Traffic& traffic,
                                                 const std::vector<std::string>& at_start);
 
-  /// All that was lost or refused, with the commands that mend it; empty if nothing was.
+  /// Describes everything that was lost or refused, with the remedies; empty if nothing was.
   static std::string describe(const bus::Traffic& traffic);
 
  private:

@@ -12,29 +12,29 @@
 
 namespace quadrille {
 
-/// What the status messages of this process name as their sender: its host, its number there, and a
+/// The name of the sender in the status messages of this process: its host, its process id, and a
 /// random number.
 const std::string& own_sender();
 
-/// Listens for other processes that publish their status on this one's channel: their results are
-/// likely to get mixed as well. For any thread.
+/// Detects other processes that publish their status on this process's channel, because their
+/// results are likely to get mixed up as well. For any thread.
 class OtherSenders {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// For how long after its last message one counts as there.
+  /// Time after its last message during which a sender counts as present.
   static constexpr std::chrono::seconds kPresence{5};
-  /// That are kept in mind.
+  /// Limit of the senders that are remembered.
   static constexpr std::size_t kMaxSenders = 8;
 
-  /// @param own  the sender that is this process
+  /// @param own  name of this process as a sender
   explicit OtherSenders(std::string own = own_sender()) : own_(std::move(own)) {}
 
-  /// Takes a message of the status channel; a sender that was not there is logged.
+  /// Receives a message of the status channel; a new sender is logged.
   void hear(const std::string& channel, std::span<const std::byte> bytes,
             Clock::time_point now = Clock::now());
 
-  /// What is wrong now, for the status: one line, or none.
+  /// Returns the current warnings for the status: one line, or none.
   std::vector<std::string> find_warnings(Clock::time_point now = Clock::now()) const;
 
  private:

@@ -70,13 +70,13 @@ bool PosedClouds::is_due(const Waiting& cloud, const CameraPose& pose) const {
          now_ - cloud.since > max_wait_;
 }
 
-/// Says why the first cloud gets no pose.
+/// Explains why the first cloud gets no pose.
 void PosedClouds::explain(const Waiting& cloud, CameraPose* none) const {
   none->detail = poses_.explain(cloud.utime, *none);
   if (is_crowded()) none->detail += fmt::format("; more than {} clouds wait", kMaxWaiting);
 }
 
-/// Counts what a cloud got, and logs what is wrong with it.
+/// Counts the outcome for a cloud, and logs problems with its pose.
 void PosedClouds::note(std::int64_t utime, const CameraPose& pose) {
   last_age_ = pose.age;
   if (pose.X_WK) {

@@ -19,63 +19,65 @@
 
 namespace quadrille {
 
-/// Where the poses of a camera come from.
+/// The source of a camera's poses.
 struct PoseSource {
-  /// On which they come; empty if none do.
+  /// Channel on which poses come; empty if there are none.
   std::string channel;
-  /// The pose of all clouds; none: that of each cloud comes, or is not known.
+  /// Pose of all clouds; without it, each cloud has its own, or an unknown one.
   std::optional<Eigen::Isometry3d> fixed;
-  /// Longest time between a cloud and each of the two poses about it [s].
+  /// Longest time between a cloud and each of the two poses around it [s].
   double max_age = 0.0;
-  /// How long a cloud waits for the pose after it [s].
+  /// Longest time that a cloud waits for the pose after it [s].
   double max_wait = 0.0;
 };
 
-/// Gives clouds the poses of their camera. A cloud whose pose is not known yet waits; the next ones
-/// wait behind it, so that clouds are done in the order in which they came. The caller tells the
-/// time, which in a replay is that of the log. Not for two threads at once.
+/// Gives clouds the poses of their camera. A cloud whose pose is not known yet waits, and the next
+/// ones wait behind it, so that clouds are processed in the order in which they came. The caller
+/// gives the time, which in a replay is that of the log. Not for two threads at once.
 class PosedClouds {
  public:
-  /// What is done with a cloud, once it is known which pose it has, or that it has none.
+  /// Called for a cloud once its pose is known, or once it is clear that it has none.
   using Then = std::function<std::optional<Job>(const CameraPose&)>;
 
-  /// Clouds that wait at most; if one more comes the first gets no pose.
+  /// Limit of the waiting clouds; if one more comes, the first gets no pose.
   static constexpr std::size_t kMaxWaiting = 32;
 
-  /// @param fate  of clouds with a pose, such as "tracked", for the log
+  /// @param fate  what happens to clouds with a pose, such as "tracked", for the log
   PosedClouds(PoseSource source, std::string fate);
 
-  /// Takes a message of the channel of poses; one that is none is added to the refusals.
+  /// Receives a message of the channel of poses; an invalid one is added to the refusals.
   void receive_pose(std::span<const std::byte> bytes, Refusals* refusals);
 
-  /// Takes a cloud of that time [us].
-  /// @return what came of it, if it need not wait
+  /// Adds a cloud taken at this time [us].
+  /// @return its job, if it need not wait
   std::optional<Job> add(std::int64_t utime, Then then);
 
-  /// Has something done right after the last cloud of that time that waits.
-  /// @return false if none does: then nothing is done
+  /// Has a function called right after the last waiting cloud of this time.
+  /// @return false if no such cloud waits; the function is then not called
   bool follow(std::int64_t utime, Then then);
 
-  /// What came of the clouds whose poses are known, or whose time is over.
-  /// @param now  by a clock that never goes back; what comes until the next call comes at this time
+  /// Returns the jobs of the clouds whose poses are known, or whose waiting time is over.
+  /// @param now  time of a clock that never goes back; messages until the next call count as coming
+  /// at this time
   std::vector<Job> take_due(Node::Time now);
 
-  /// Messages on the channel of poses.
+  /// Number of messages on the channel of poses.
   std::int64_t poses() const { return poses_received_; }
-  /// Clouds that got no pose.
+  /// Number of clouds that got no pose.
   std::int64_t poseless() const;
-  /// The same by reason, one entry for each that occurred: "no_pose", "old_pose", "late_pose".
+  /// Returns these clouds by reason, one entry for each that occurred: "no_pose", "old_pose",
+  /// "late_pose".
   std::vector<count_t> count_poseless() const;
-  /// What is odd about the poses of all that a log held, of so many clouds; empty if nothing is.
-  /// That none came is told with the other channels.
+  /// Returns oddities in the poses of a whole log with this many clouds; empty if there are none. A
+  /// log without poses is not reported here, but with the other channels.
   std::string find_oddity(std::int64_t clouds) const;
-  /// CameraPose::age of the last cloud [ms]; -1 if there was none.
+  /// Returns CameraPose::age of the last cloud [ms]; -1 if there was none.
   double last_age_ms() const;
 
  private:
   struct Waiting {
     std::int64_t utime = 0;
-    /// When it came.
+    /// Arrival time of the cloud.
     Node::Time since{};
     std::vector<Then> thens;
   };

@@ -16,7 +16,7 @@ namespace {
 
 const auto kProcessStart = std::chrono::steady_clock::now();
 
-/// A value of /proc/self/status, in the unit in which it stands there; 0 if there is none.
+/// Returns a value of /proc/self/status, in the unit used there; 0 if it is missing.
 std::int64_t read_own_status(const std::string& key) {
   std::ifstream status("/proc/self/status");
   std::string line;
@@ -38,7 +38,7 @@ double cpu_seconds() {
 std::int32_t count_open_files() {
   std::error_code error;
   const std::filesystem::directory_iterator files("/proc/self/fd", error);
-  // One of them is the folder's own.
+  // One of the descriptors is the one with which this folder is read.
   return error ? 0 : static_cast<std::int32_t>(std::distance(begin(files), end(files))) - 1;
 }
 

@@ -12,14 +12,14 @@
 
 namespace quadrille {
 
-/// Settings as text, to tell equal ones.
+/// Settings as text, for comparison.
 class SettingsText {
  public:
   void add(const std::string& name, const std::string& value) {
     text_ += name + "=" + value + "\n";
   }
 
-  /// Adds what an options' visit() lists.
+  /// Adds all fields that the options' visit() lists.
   template <class Options>
   void add_all(const Options& options) {
     Options::visit(options, [&](const auto& field, const Setting& setting) {
@@ -29,18 +29,18 @@ class SettingsText {
 
   void add_channels(const std::vector<NamedChannel>& channels);
 
-  /// @param X_WK  the pose of a camera at rest, if there is one
+  /// @param X_WK  pose of a camera at rest, if there is one
   void add_frames(const CloudFrames& frames, const std::optional<Eigen::Isometry3d>& X_WK);
 
-  /// 16 hexadecimal digits, the same for equal settings.
+  /// Returns 16 hexadecimal digits, which are the same for equal settings.
   std::string hash() const;
 
  private:
   std::string text_;
 };
 
-/// What this process is, and what it takes of its machine now.
-/// @param settings  SettingsText::hash()
+/// Describes this process and the resources that it uses now.
+/// @param settings  value of SettingsText::hash()
 process_t describe_process(const std::string& settings);
 
 }  // namespace quadrille

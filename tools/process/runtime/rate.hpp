@@ -7,12 +7,13 @@
 
 namespace quadrille {
 
-/// How fast a count grows.
+/// Measures how fast a count grows.
 class Rate {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// The mean over the last ten seconds, or since the first call [1/s]; 0 at the first.
+  /// Returns the mean rate over the last ten seconds, or since the first call [1/s]; 0 at the first
+  /// call.
   double update(std::int64_t count, Clock::time_point now = Clock::now()) {
     constexpr std::chrono::seconds kWindow(10);
     counts_.emplace_back(now, count);

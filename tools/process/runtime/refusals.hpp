@@ -8,7 +8,7 @@
 
 namespace quadrille {
 
-/// The messages of a channel that were refused: counted by reason, and logged at a bounded rate.
+/// Counts the refused messages of a channel by reason, and logs them at a limited rate.
 class Refusals {
  public:
   void add(const std::string& channel, const bus::Rejection& rejection);
@@ -19,7 +19,7 @@ class Refusals {
   bus::RateLimiter log_{std::chrono::seconds(1)};
 };
 
-/// "none refused", or "3 refused (cut_short 1, bad_length 2)".
+/// Returns "none refused", or "3 refused (cut_short 1, bad_length 2)".
 std::string describe(const bus::RejectCounts& counts);
 
 }  // namespace quadrille

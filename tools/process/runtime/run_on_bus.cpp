@@ -31,10 +31,10 @@ void hand_over(Job& job, bus::Mailbox<Job>& mailbox) {
   }
 }
 
-/// Gives a node what comes, and its jobs to the mailbox, in one order for all threads.
+/// Passes messages to a node and its jobs to the mailbox, in one order for all threads.
 class Inbox {
  public:
-  /// Both must outlive this.
+  /// Both parameters must outlive this object.
   Inbox(Node& node, bus::Mailbox<Job>& mailbox) : node_(node), mailbox_(mailbox) {}
 
   void take(const std::string& channel, std::span<const std::byte> bytes) {
@@ -42,7 +42,7 @@ class Inbox {
     for (Job& job : node_.take(now(), channel, bytes)) hand_over(job, mailbox_);
   }
 
-  /// Hands over what has waited long enough.
+  /// Passes on the jobs that have waited long enough.
   void take_due() {
     const std::lock_guard lock(mutex_);
     for (Job& job : node_.find_due_jobs(now())) hand_over(job, mailbox_);
@@ -90,7 +90,7 @@ void publish_status(const bus::Connection& connection, const bus::Mailbox<Job>& 
   stats.write(node.publish_status(run));
 }
 
-/// Tells for the last time how it went.
+/// Publishes the last status and logs a summary.
 void tell_end(const bus::Connection& connection, const bus::Mailbox<Job>& mailbox,
               const OtherSenders& others, StatsFile& stats, Node& node) {
   publish_status(connection, mailbox, others, stats, node);
@@ -119,7 +119,7 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
   if (worker.finish(kStopPatience)) return;
   log_warning("the work at hand does not end; it is given up");
   tell_end(connection, mailbox, others, stats, node);
-  // No destructor may run: the working thread still uses all that is there.
+  // No destructor may run, because the working thread still uses all objects.
   std::_Exit(0);
 }
 

@@ -20,7 +20,8 @@
 namespace quadrille {
 namespace {
 
-/// Refuses to copy results of earlier runs among new ones, which no reader could tell apart.
+/// Refuses to copy results of earlier runs among new ones, because readers could not tell them
+/// apart.
 void check_unmixed(const std::string& path, const std::vector<OutChannel>& channels) {
   ChannelCensus census;
   bus::LogReader log(path);
@@ -33,7 +34,7 @@ void check_unmixed(const std::string& path, const std::vector<OutChannel>& chann
                   path, taken));
 }
 
-/// A node that works through a log. What it writes appears under its name once it is whole.
+/// Runs a node through a log. The output log appears under its name once it is complete.
 class LogRun {
  public:
   LogRun(const ProcessArguments& arguments, const NodeMaker& make_node)
@@ -49,7 +50,7 @@ class LogRun {
     if (arguments_.copy_input) check_unmixed(arguments_.in_log, node_->out_channels());
     survey_ = bus::replay_log(arguments_.in_log,
                               [this](const bus::LogReader::Event& event) { handle(event); });
-    // What waits until now waits in vain.
+    // Nothing more will come, so all jobs that still wait are due.
     work(node_->find_due_jobs(Node::Time::max()));
     const std::string incomplete = save();
     if (!incomplete.empty()) throw std::runtime_error(incomplete);
@@ -60,8 +61,8 @@ class LogRun {
   }
 
  private:
-  /// Writes the status, and gives the log its name.
-  /// @return what to tell if it holds less than it should
+  /// Writes the status, and gives the output log its name.
+  /// @return a message if the log holds less than it should
   std::string save() {
     const std::string incomplete = describe_incomplete();
     stats_.write(node_->publish_status({.warnings = find_warnings(incomplete)}));
@@ -73,7 +74,7 @@ class LogRun {
     return incomplete;
   }
 
-  /// What a job cannot write ends the run, and not the job alone.
+  /// Publishes a message. A failure to write ends the whole run, not just the job.
   void publish(const std::string& channel, std::span<const std::byte> bytes) {
     const std::lock_guard lock(writing_);
     if (closed_) return;
@@ -101,7 +102,7 @@ class LogRun {
     check_written();
   }
 
-  /// Does a job in a thread of its own, so that a stop need not wait for its end.
+  /// Does a job in a separate thread, so that a stop need not wait for its end.
   void work(const Job& job) {
     const auto done = std::async(std::launch::async, [&] { node_->work(job); });
     const auto ends_within = [&](std::chrono::milliseconds time) {
@@ -112,14 +113,14 @@ class LogRun {
     }
   }
 
-  /// Ends the process while a job is running, which writes no more.
+  /// Ends the process while a job is running, which then writes no more.
   [[noreturn]] void give_up() {
     --done_;
     log_error(save());
     std::_Exit(1);
   }
 
-  /// What to tell of a replay that did not reach the end of the log; empty if it did.
+  /// Describes a replay that did not reach the end of the log; empty if it did.
   std::string describe_incomplete() const {
     if (done_ >= survey_.events) return "";
     const std::string why =
@@ -131,7 +132,8 @@ class LogRun {
                        arguments_.out_log);
   }
 
-  /// Those about the log are logged too. What is missing from half a log tells nothing of it.
+  /// Returns warnings, and logs those about the log. For a log that was not read to its end, only
+  /// that is reported, since missing events mean nothing then.
   std::vector<std::string> find_warnings(const std::string& incomplete) const {
     if (!incomplete.empty()) return {printable(incomplete, kMaxLine)};
     std::vector<std::string> warnings =
@@ -152,8 +154,8 @@ class LogRun {
   std::mutex writing_;
   bool closed_ = false;
   std::exception_ptr write_error_;
-  // Results carry the time of the event that they answer: it is the same in every run, and later
-  // than that of no event which is copied after them.
+  // Results carry the time of the event that they answer. It is the same in every run, and not
+  // later than that of any event copied after them.
   std::int64_t utime_ = 0;
   std::unique_ptr<Node> node_;
   ChannelCensus census_;

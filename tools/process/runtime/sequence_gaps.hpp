@@ -7,14 +7,14 @@
 
 namespace quadrille {
 
-/// Counts the clouds that never came by the gaps in the numbers that their sources give them. Where
-/// the numbers stand still or run backwards, the source does not count or has begun anew, and
-/// nothing is known of what is missing.
+/// Counts the clouds that never came, by the gaps in the numbers that their sources give them. If
+/// the numbers stand still or go back, the source does not count or was restarted, and nothing is
+/// known about missing clouds.
 class SequenceGaps {
  public:
-  /// A larger step tells of a new beginning and not of a loss.
+  /// A larger step means that the source was restarted, not that clouds were lost.
   static constexpr std::int64_t kMaxStep = 100000;
-  /// Sources that are told apart; the numbers of others are not kept.
+  /// Limit of the sources that are distinguished; further sources are ignored.
   static constexpr std::size_t kMaxSources = 64;
 
   void add(const std::string& source, std::int32_t seq);

@@ -11,19 +11,19 @@
 
 namespace quadrille {
 
-/// The channels on which something should come, and nothing has come yet.
+/// The channels on which messages are expected but none has come yet.
 class SilentChannels {
  public:
   using TimePoint = std::chrono::steady_clock::time_point;
-  /// For so long nobody wonders.
+  /// Time of silence before a channel is reported.
   static constexpr std::chrono::seconds kGrace{10};
 
   SilentChannels(const std::vector<InChannel>& channels, TimePoint start);
 
-  /// Something has come on the channel of that place. For any thread.
+  /// Notes that a message has come on the channel with this index. For any thread.
   void hear(std::size_t channel) { watched_[channel].heard = true; }
 
-  /// A line for each channel that has been silent for too long; each is told once.
+  /// Returns a line for each channel that has been silent for too long; each is reported once.
   std::vector<std::string> find_warnings(TimePoint now);
 
  private:

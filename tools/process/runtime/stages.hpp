@@ -9,13 +9,13 @@
 
 namespace quadrille {
 
-/// How long the stages of a process's work take.
+/// Durations of the stages of a process's work.
 class Stages {
  public:
-  /// @param names  in the order in which they are told
+  /// @param names  names in the order in which they are reported
   explicit Stages(const std::vector<std::string>& names);
 
-  /// @param ms  one more time that a stage took [ms]
+  /// @param ms  a further duration of the stage [ms]
   /// @throws std::out_of_range if there is no such stage
   void add(const std::string& name, double ms);
 

@@ -17,7 +17,8 @@ StatsFile::StatsFile(std::string path) : path_(std::move(path)) {
 void StatsFile::replace(const std::string& text) {
   io::NewFile file(path_);
   file.write(text);
-  // Claimed before it takes the other's place, the name never stands for a file that nobody holds.
+  // The new file is claimed before it replaces the old one, so that the name never refers to an
+  // unclaimed file.
   FileClaim claim = FileClaim::of_file(file.path());
   file.commit();
   claim_ = std::move(claim);

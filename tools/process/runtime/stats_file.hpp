@@ -8,15 +8,16 @@
 
 namespace quadrille {
 
-/// A file that always holds the last status whole, of one process alone.
+/// A file that always holds one complete status, the last one, of one process alone.
 class StatsFile {
  public:
-  /// Empties it, or makes it.
-  /// @param path  empty for none
-  /// @throws io::FileError if it cannot be written, or is that of another process
+  /// Creates the file, or empties it.
+  /// @param path  path of the file; empty for none
+  /// @throws io::FileError if it cannot be written, or belongs to another process
   explicit StatsFile(std::string path);
 
-  /// Replaces it. What fails is logged at a bounded rate: the work goes on without it.
+  /// Replaces the status. Failures are logged at a limited rate, and the work goes on without the
+  /// file.
   void write(const std::string& text) noexcept;
 
  private:

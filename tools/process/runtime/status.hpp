@@ -14,14 +14,15 @@
 
 namespace quadrille {
 
-/// What the status messages say of the way of the messages into the process.
+/// Returns the part of the status messages that describes the transport of messages into the
+/// process.
 transport_t to_message(const bus::Traffic& traffic);
 
-/// "no_cloud 2, other_cloud 1"
+/// Returns "no_cloud 2, other_cloud 1".
 std::string list_counts(const std::vector<count_t>& counts);
 
-/// Writes what the status messages of all nodes have in common.
-/// @param settings  SettingsText::hash()
+/// Fills in the fields that the status messages of all nodes have in common.
+/// @param settings  value of SettingsText::hash()
 template <class Status>
 void write_common(const RunState& run, const std::string& settings, Status* status) {
   status->utime = bus::wall_clock_utime();

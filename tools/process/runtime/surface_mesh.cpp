@@ -8,7 +8,7 @@
 namespace quadrille {
 namespace {
 
-/// The grid of a box, with the quadric's values at its points.
+/// Marches through the grid of a box, with the quadric's values at its points.
 class Marcher {
  public:
   Marcher(const Quadric& Q, const Eigen::AlignedBox3d& box, int cells) : Q_(Q), box_(box) {
@@ -21,7 +21,8 @@ class Marcher {
   }
 
   TriangleMesh march() {
-    // The six tetrahedra around the diagonal from corner 0 to corner 7; a corner's bits are x y z.
+    // The six tetrahedra lie around the diagonal from corner 0 to corner 7; the bits of a corner's
+    // number are x y z.
     constexpr int kTetrahedra[6][4] = {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7},
                                        {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}};
     for (int z = 0; z < cells_[2]; ++z) {
@@ -68,18 +69,19 @@ class Marcher {
     }
   }
 
-  /// The vertex on an edge that the surface crosses.
+  /// Returns the vertex at which the surface crosses an edge.
   int vertex(int a, int b) {
     const auto [entry, is_new] =
         vertices_.try_emplace(std::minmax(a, b), static_cast<int>(mesh_.vertices.size()));
     if (!is_new) return entry->second;
-    // Along a line f is a parabola: c + bt + at², known from its ends and its middle.
+    // Along a line, f is a parabola c + bt + at², which its values at the ends and in the middle
+    // determine.
     const Eigen::Vector3d from = point(a), to = point(b);
     const double f0 = values_[a], f1 = values_[b], middle = Q_.value(0.5 * (from + to));
     const double square = 2.0 * (f0 + f1 - 2.0 * middle), slope = f1 - f0 - square;
     const double root = std::sqrt(std::max(0.0, slope * slope - 4.0 * square * f0));
     const double s = -0.5 * (slope + std::copysign(root, slope));
-    // Of the two roots the one between the ends.
+    // Exactly one of the two roots lies between the ends.
     double t = f0 / s;
     if (!(t >= 0.0 && t <= 1.0)) t = s / square;
     mesh_.vertices.push_back(from + std::clamp(t, 0.0, 1.0) * (to - from));

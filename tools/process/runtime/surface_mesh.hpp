@@ -10,13 +10,13 @@ namespace quadrille {
 
 struct TriangleMesh {
   std::vector<Eigen::Vector3d> vertices;
-  /// Numbers of vertices, counterclockwise as seen from the side to which the gradient points.
+  /// Indices of the vertices, counterclockwise as seen from the side to which the gradient points.
   std::vector<std::array<int, 3>> triangles;
 };
 
-/// The part of any quadric that lies in a box, by marching through tetrahedra: each edge that the
+/// Meshes the part of any quadric that lies in a box by marching tetrahedra. Each edge that the
 /// surface crosses once gives one vertex, which lies on the surface.
-/// @param cells  along the longest side of the box
+/// @param cells  number of cells along the longest side of the box
 TriangleMesh mesh_in_box(const Quadric& Q, const Eigen::AlignedBox3d& box, int cells);
 
 }  // namespace quadrille

@@ -17,11 +17,11 @@ namespace {
 
 using Geometry = drake::lcmt_viewer_geometry_data;
 
-/// A scene is sent again after so long [us].
+/// Time after which a scene is sent again [us].
 constexpr std::int64_t kRepeat = 5'000'000;
-/// Changes of size below this are not shown [m], or, relatively, below that: they are noise.
+/// Smaller changes of size are noise and not shown: absolute [m], and relative.
 constexpr float kSameLength = 0.002f, kSameShare = 0.05f;
-/// Points of a cloud that are shown at most.
+/// Limit of the points of a cloud that are shown.
 constexpr std::size_t kMaxPoints = 30'000;
 constexpr int kMeshCells = 12;
 constexpr double kPlaneThickness = 0.001;
@@ -56,7 +56,7 @@ ViewerShape mesh_shape(const Detection& detection) {
   return shape;
 }
 
-/// The shape of a detection in its own frame Q.
+/// Returns the shape of a detection in its own frame Q.
 ViewerShape shape_of(const Detection& d, const std::array<float, 4>& color) {
   const auto middle = [&](const Eigen::Vector3d& p_Q) {
     return Eigen::Isometry3d(Eigen::Translation3d(p_Q));
@@ -89,7 +89,8 @@ bool is_same_size(float a, float b) {
   return std::abs(a - b) <= std::max(kSameLength, kSameShare * std::max(std::abs(a), std::abs(b)));
 }
 
-/// Meshes are the same if the boxes around them are.
+/// Returns the sizes by which shapes are compared. Meshes count as equal if their bounding boxes
+/// are.
 std::vector<float> sizes_of(const ViewerShape& shape) {
   if (shape.type != Geometry::MESH) return shape.numbers;
   Eigen::AlignedBox3f box;
@@ -145,7 +146,7 @@ drake::lcmt_viewer_load_robot make_load(const std::vector<ViewerLink>& links) {
 
 drake::lcmt_viewer_draw make_draw(std::int64_t utime, const std::vector<ViewerLink>& links) {
   drake::lcmt_viewer_draw m;
-  // Drake's is in milliseconds.
+  // The timestamps of Drake are in milliseconds.
   m.timestamp = utime / 1000;
   m.num_links = static_cast<std::int32_t>(links.size());
   m.robot_num.assign(links.size(), 0);
@@ -163,7 +164,7 @@ drake::lcmt_viewer_draw make_draw(std::int64_t utime, const std::vector<ViewerLi
 ViewerShape box_shape(const Eigen::Vector3d& size, const Eigen::Isometry3d& X_LS,
                       const std::array<float, 4>& color) {
   ViewerShape shape{Geometry::BOX, X_LS, color, {}};
-  // Drake takes no box without a thickness.
+  // Drake does not accept boxes without thickness.
   for (int i = 0; i < 3; ++i) {
     shape.numbers.push_back(static_cast<float>(std::max(size[i], 1e-4)));
   }
@@ -195,7 +196,7 @@ std::vector<ViewerLink> links_of(const DetectionResult& found) {
 Viewer::Viewer(ViewerChannels channels, bus::Publish publish)
     : channels_(std::move(channels)), publish_(std::move(publish)) {}
 
-/// True if the viewers have these links as they look.
+/// Returns true if the viewers already show these links with these shapes.
 bool Viewer::shows(const std::vector<ViewerLink>& links) const {
   return std::equal(links.begin(), links.end(), loaded_.begin(), loaded_.end(),
                     [](const ViewerLink& a, const ViewerLink& b) {

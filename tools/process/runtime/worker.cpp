@@ -19,12 +19,12 @@ bool Worker::finish(std::chrono::milliseconds patience) {
 }
 
 void Worker::run() {
-  // Signals are for the main thread.
+  // Signals are left to the main thread.
   sigset_t all;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);
-  // Linux has a niceness for each thread: the receiving one keeps its own. A failure costs speed
-  // alone.
+  // On Linux each thread has its own niceness, so the receiving thread keeps its own. A failure
+  // costs only speed.
   if (niceness_ > 0) setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + niceness_);
   while (!stop_) {
     auto job = mailbox_.take(std::chrono::milliseconds(100));

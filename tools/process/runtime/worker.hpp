@@ -10,19 +10,20 @@
 
 namespace quadrille {
 
-/// Does the jobs of a mailbox in a thread of its own, so that no job, however long, holds up the
-/// rest of the process.
+/// Does the jobs of a mailbox in a separate thread, so that no job, however long, delays the rest
+/// of the process.
 class Worker {
  public:
-  /// Both must outlive this.
-  /// @param niceness  by how much the thread, and those that it starts, give way to others
+  /// Both parameters must outlive this object.
+  /// @param niceness  niceness of the thread, and of those that it starts, by which they yield to
+  /// others
   Worker(bus::Mailbox<Job>& mailbox, Node& node, int niceness = 0);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
-  /// Waits for the job at hand, however long it takes.
+  /// Waits for the current job, however long it takes.
   ~Worker();
 
-  /// Takes no further job from the mailbox and waits for the one at hand, at most for so long.
+  /// Takes no further job from the mailbox, and waits for the current one until the patience ends.
   /// @return whether it has ended
   bool finish(std::chrono::milliseconds patience);
 

@@ -5,7 +5,7 @@
     plan = quadrille.plan(points, found, "franka")
     best = plan.grasps[0].X_CG                          # (4, 4)
 
-The messages of LCM are classes beside these, as lcm-gen makes them: quadrille.quadrics_t, …,
+The package also has the classes that lcm-gen makes of the LCM messages: quadrille.quadrics_t, …,
 quadrille.drake.lcmt_point_cloud, quadrille.bot_core.pose_t, …. quadrille.lcm reads logs,
 publishes and subscribes.
 
@@ -40,7 +40,7 @@ _ORIGIN = (0.0, 0.0, 0.0)
 
 
 def _settings(config: _Config) -> _Tuple[str, str]:
-    """TOML, and what it is called in errors."""
+    """Returns settings as TOML, and the name of their source in errors."""
     if config is None:
         return "", "config"
     if not isinstance(config, _Mapping):
@@ -67,14 +67,14 @@ def detect(points: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN, config: _Conf
     """Finds the quadrics of one cloud.
 
     points     array of shape (N, 3), or (H, W, 3) row by row of an organised cloud, in frame C [m];
-               NaN where nothing was measured. float32 in C order is read where it lies, without
-               a copy: do not write to it meanwhile. All else, such as float64, is converted first.
-    viewpoint  where the sensor stood, in frame C [m]
+               NaN where nothing was measured. float32 in C order is read in place, without a
+               copy, so do not write to it meanwhile. Other types, such as float64, are converted.
+    viewpoint  position of the sensor, in frame C [m]
     config     path of a TOML file, or a dict such as {"seed": 2, "only": ["sphere"],
-               "planes.sigmas": 3.0}; `quadrille config` prints all of them
+               "planes.sigmas": 3.0}; `quadrille config` prints all settings
 
     Returns a Result, which is also a sequence of its Detections, best first. The same points and
-    config give the same bits. Other Python threads run meanwhile.
+    config give the same bits. Other Python threads can run meanwhile.
     Raises ValueError if points have another shape or a setting is wrong.
     """
     if isinstance(points, (str, _os.PathLike)):
@@ -84,11 +84,11 @@ def detect(points: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN, config: _Conf
 
 
 class GraspScene:
-    """One cloud made ready to be asked for grasps more than once.
+    """A cloud prepared for several queries for grasps.
 
-    points, viewpoint, config  as of detect()
+    points, viewpoint, config  as for detect()
     result   what detect() found in these points
-    gripper  name of a built-in hand (see grippers()), path of a TOML file, or a Gripper
+    gripper  name of a built-in gripper (see grippers()), path of a TOML file, or a Gripper
     """
 
     def __init__(self, points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
@@ -98,22 +98,23 @@ class GraspScene:
 
     @property
     def timings(self) -> _Dict[str, float]:
-        """Milliseconds by stage."""
+        """Time of each stage [ms]."""
         return self._scene.timings
 
     def plan(self, **query: _Any) -> Plan:
-        """The grasps that are wanted, as a Plan, best first.
+        """Returns the grasps that match a query, as a Plan, best first.
 
         targets        ids of detections and boxes
         tracks         tracks of detections
-        types          their types, such as ["cylinder"]
+        types          types of the targets, such as ["cylinder"]
         near           only the target nearest to this point [m]
-        roi            only targets with their middle between these two corners, least first [m]
-        min_size, max_size          of a target's longest side [m]
-        approach, approach_angle    direction to come along, to within this angle [rad]
-        min_clearance  distance of the hand from all but its target [m]
-        best           grasps at most
-        deadline_ms    after which the plan ends with the grasps that it has, and a warning; 0: never
+        roi            only targets whose centre lies between these two corners, least first [m]
+        min_size, max_size          bounds on the longest side of a target [m]
+        approach, approach_angle    direction of approach, and the largest angle to it [rad]
+        min_clearance  least distance of the hand from everything but its target [m]
+        best           largest number of grasps
+        deadline_ms    time after which the plan ends with the grasps found so far and a warning;
+                       0: never
         """
         return self._scene.plan(GraspQuery(**query))
 
@@ -126,9 +127,9 @@ def plan(points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
 
 
 class Tracker:
-    """Gives the detections of successive clouds ids that last.
+    """Gives the detections of successive clouds lasting ids.
 
-    config  as of detect(), of which the table `track` counts
+    config  as for detect(); only the table `track` is used
     """
 
     def __init__(self, config: _Config = None) -> None:
@@ -138,7 +139,8 @@ class Tracker:
         """Sets Detection.track of all detections of a Result.
 
         utime  time of the cloud [us]
-        X_WC   pose of its frame in a fixed frame W, of shape (4, 4); a camera at rest by default
+        X_WC   pose of the cloud's frame in a fixed frame W, of shape (4, 4); by default, the
+               camera is at rest
         """
         if X_WC is None:
             self._tracker.update(result, utime)

@@ -1,4 +1,4 @@
-"""What quadrille has in C++; import quadrille instead. help() tells meanings and units."""
+"""The C++ part of quadrille; import quadrille instead. help() explains meanings and units."""
 
 from os import PathLike
 from typing import Dict, Iterator, List, Optional, Sequence, Tuple, Union, overload

@@ -1,12 +1,13 @@
-"""Logs of LCM, and messages to and from its network, where LCM's own Python module is not installed.
+"""Reads LCM logs, and sends and receives messages, if LCM's own Python module is not installed.
 
     try:
         import lcm
-    except ImportError:  # as on Debian, which has none
+    except ImportError:  # as on Debian, which does not have it
         from quadrille import lcm
 
-The classes here do, under the same names, what most programs need of that module: LCM with publish,
-subscribe, unsubscribe, handle and handle_timeout, and EventLog to read. They use liblcm.
+The classes here have the same names as in that module, and cover what most programs need: LCM with
+publish, subscribe, unsubscribe, handle and handle_timeout, and EventLog for reading. They use
+liblcm.
 """
 
 import ctypes
@@ -28,7 +29,7 @@ class Event(NamedTuple):
 
 
 class EventLog:
-    """Reads a log: an iterator over its Events, in order. Raises ValueError where it is broken."""
+    """Iterates over the Events of a log, in order. Raises ValueError where the log is damaged."""
 
     _HEADER = struct.Struct(">IqqII")
     _SYNC = 0xEDA1DA01
@@ -69,7 +70,7 @@ class EventLog:
 
 
 class _Received(ctypes.Structure):
-    """lcm_recv_buf_t"""
+    """The struct lcm_recv_buf_t of liblcm."""
 
     _fields_ = [("data", ctypes.c_void_p), ("data_size", ctypes.c_uint32),
                 ("recv_utime", ctypes.c_int64), ("lcm", ctypes.c_void_p)]
@@ -93,13 +94,13 @@ def _load() -> ctypes.CDLL:
 
 
 class LCMSubscription(NamedTuple):
-    """What LCM.subscribe() returned."""
+    """The handle that LCM.subscribe() returns."""
 
     pointer: int
 
 
 class LCM:
-    """A connection; without a url the one that $LCM_DEFAULT_URL names."""
+    """A connection to a url; without one, to the url in $LCM_DEFAULT_URL."""
 
     def __init__(self, url: str = "") -> None:
         self._library = _load()
@@ -120,13 +121,13 @@ class LCM:
             raise OSError(f"LCM cannot publish {len(data)} bytes on {channel}")
 
     def subscribe(self, channel: str, handler: Callable[[str, bytes], Any]) -> LCMSubscription:
-        """Has handler(channel, data) called for each message on a channel, or a pattern of them."""
+        """Calls handler(channel, data) for each message on a channel, or a pattern of channels."""
 
         def call(received: Any, name: bytes, _user: Any) -> None:
             try:
                 data = ctypes.string_at(received.contents.data, received.contents.data_size)
                 handler(name.decode(errors="replace"), data)
-            except BaseException as error:  # nothing may leave through LCM
+            except BaseException as error:  # no exception may pass through LCM
                 self._error = error
 
         kept = _Handler(call)
@@ -143,7 +144,7 @@ class LCM:
         del self._handlers[subscription]
 
     def handle_timeout(self, milliseconds: int) -> int:
-        """Waits for a message and has it handled: more than 0, or 0 when the time is over.
+        """Waits for a message and handles it. Returns more than 0, or 0 after the timeout.
 
         Raises what a handler raised, and OSError at the end of a log.
         """
@@ -156,6 +157,6 @@ class LCM:
         return handled
 
     def handle(self) -> None:
-        """The same without an end of time; Ctrl-C is noticed within a tenth of a second."""
+        """Like handle_timeout(), without a timeout; Ctrl-C works within a tenth of a second."""
         while self.handle_timeout(100) == 0:
             pass

@@ -1,4 +1,4 @@
-// Brings together what the server tells and what the user asks for.
+// Connects the data from the server with the controls of the user.
 import { isPlane } from "./colours.js";
 import { byId } from "./dom.js";
 import { Labels } from "./labels.js";
@@ -34,19 +34,20 @@ function keepLink() {
   }, 300);
 }
 
-/// A button that is replaced between press and release would not be clicked, a field would lose its text.
+/// True while a pointer is pressed in the panel. The panel must not be rebuilt then: a button that
+/// is replaced between press and release would not be clicked, and a field would lose its text.
 let pressed = false;
 const panelIsUsed = () => pressed || document.activeElement?.id === "ask-clearance";
 
 function watchPanel() {
   byId("panel").addEventListener("pointerdown", () => { pressed = true; });
   for (const end of ["pointerup", "pointercancel"]) {
-    // After the click that a release makes.
+    // The timeout runs after the click that a release causes.
     window.addEventListener(end, () => setTimeout(() => { pressed = false; }));
   }
 }
 
-/// Keeps the keyboard where it is, although what had it is made anew.
+/// Keeps the keyboard focus, even though the focused element is rebuilt.
 function keepFocus(fill) {
   const { id, dataset } = document.activeElement || document.body;
   fill();
@@ -62,7 +63,8 @@ function fillPanel() {
   fillDetail(scene, view, chooseGrasp, (object) => askParts(object, session, view, answers.of(object, scene), ask));
 }
 
-/// Shows the scene anew: after a click, or with other data, which can wait for a user's hand.
+/// Redraws the scene after a click, or with new data. Redrawing the panel for new data can wait
+/// until the user has let go of it.
 function refresh(canWait = false) {
   document.documentElement.dataset.theme = isDark() ? "dark" : "light";
   if (!scene) return;
@@ -83,7 +85,7 @@ function chooseGrasp(number) {
   refresh();
 }
 
-/// Plans anew on the log, with what was chosen.
+/// Plans again on the log, with the user's choice.
 function replan() {
   scenes.clear();
   go(view.frame);
@@ -102,7 +104,7 @@ function take(data) {
   refresh(true);
 }
 
-/// The scene of one cloud of the log, the last few from memory.
+/// Returns the scene of one cloud of the log; the last few are kept in memory.
 async function sceneOf(frame) {
   if (!scenes.has(frame)) {
     scenes.set(frame, source.frame(frame, view.plan));
@@ -116,8 +118,8 @@ async function sceneOf(frame) {
   }
 }
 
-/// Shows a cloud of the log. One is fetched at a time, and then the one that was wanted last.
-/// Resolves to whether it is shown.
+/// Shows a cloud of the log. Only one is fetched at a time, followed by the one that was requested
+/// last. Resolves to whether the cloud is shown.
 async function go(frame) {
   wanted = { frame };
   const mine = wanted;
@@ -133,7 +135,7 @@ async function show({ frame }) {
   const slow = setTimeout(() => notice(`working on cloud ${frame + 1} …`), 250);
   try {
     const data = await sceneOf(frame);
-    // The clouds of a report have nothing in common.
+    // The clouds of a report have nothing in common, so each gets its own viewpoint.
     if (session.names && scene && view.frame !== frame) world.forgetPlace();
     view.frame = frame;
     take(data);
@@ -149,7 +151,8 @@ async function show({ frame }) {
   }
 }
 
-/// Fetches the newest scene when the server tells of one; while one is fetched others are passed over.
+/// Fetches the newest scene when the server announces one; announcements during a fetch are
+/// skipped.
 function listen() {
   let shown = 0, busy = false;
   const follow = async (version) => {
@@ -212,7 +215,7 @@ function watchKeys() {
   });
   byId("theme").addEventListener("click", switchTheme);
   prefersDark.addEventListener("change", () => refresh());
-  // Another link that was pasted; the page's own changes of its address make no such event.
+  // The user pasted another link; changes of the address by the page itself cause no such event.
   window.addEventListener("hashchange", () => location.reload());
 }
 

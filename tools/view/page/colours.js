@@ -16,7 +16,7 @@ function between(map, t) {
 export const depthColour = (t) => between(kViridis, 1 - t);
 export const scoreColour = (score) => between(kScores, score);
 
-/// Gives each object a colour: the same for one surface in all clouds, where it has a track.
+/// Gives each object a colour. A surface with a track has the same colour in all clouds.
 export function colourObjects(objects) {
   let untracked = 0;
   for (const object of objects) {

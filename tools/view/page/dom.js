@@ -1,4 +1,5 @@
-// Builds elements. Texts are set as text, never as markup: names come from files and the network.
+// Builds elements. Texts are set as text, never as markup, since names come from files and the
+// network.
 
 export function element(tag, properties = {}, children = []) {
   const made = document.createElement(tag);

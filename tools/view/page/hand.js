@@ -1,4 +1,5 @@
-// The gripper as boxes, in the grasp frame G: z along the approach, y along the closing direction.
+// Draws the gripper as boxes, in the grasp frame G: z along the approach, y along the closing
+// direction.
 /* global THREE */
 
 const kContactRadius = 0.004, kStem = 0.03;
@@ -23,8 +24,8 @@ function outlined(mesh, colour, opacity) {
   return mesh;
 }
 
-/// Palm and two fingers, opened so far; back: how far the palm is from the origin of G; start: how far before
-/// the end of the approach they begin.
+/// Makes palm and two fingers at an opening. `back` is the distance of the palm behind the origin
+/// of G; `start` is the distance before the end of the approach at which the boxes begin.
 function handParts(gripper, opening, back, tip, start, make) {
   const x = gripper.finger[0] / 2, thick = gripper.finger[1], palm = gripper.palm;
   return [
@@ -34,7 +35,8 @@ function handParts(gripper, opening, back, tip, start, make) {
   ];
 }
 
-/// The hand at a grasp, closed; the way it comes, swept; and the hand where that begins, opened.
+/// Draws the closed hand at a grasp, the path swept by its approach, and the opened hand at the
+/// start of the approach.
 export function handAt(grasp, gripper, dark) {
   const group = new THREE.Group();
   group.applyMatrix(poseMatrix(grasp.X_CG));
@@ -66,7 +68,7 @@ export function contactsOf(grasp) {
   return group;
 }
 
-/// The lines of all grasps as forks: the closing line, two short fingers and a stem.
+/// Draws all grasps as forks of lines: the closing line, two short fingers and a stem.
 export function marksOf(grasps, colourOf) {
   const positions = [], colours = [];
   for (const grasp of grasps) {

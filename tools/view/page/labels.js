@@ -1,4 +1,4 @@
-// Labels beside the objects, never over one another, each with a line to what it is about.
+// Places labels beside the objects, without overlap, each with a line to its object.
 import { isPlane, objectColour } from "./colours.js";
 import { element, words } from "./dom.js";
 import { cornersOf } from "./shapes.js";
@@ -29,7 +29,7 @@ export class Labels {
     }
   }
 
-  /// Finds a place for each label from where the camera is now.
+  /// Finds a place for each label, given the current camera.
   arrange(world) {
     const stage = { width: this.layer.clientWidth, height: this.layer.clientHeight };
     const shown = [];
@@ -68,7 +68,7 @@ function common(a, b) {
   return width > 0 && height > 0 ? width * height : 0;
 }
 
-/// Of places around an object, nearer ones first, the one that covers least.
+/// Returns the place around an object that covers least; nearer places are tried first.
 function bestSpot(label, things, placed, stage) {
   const { outline, size } = label;
   let best = null;
@@ -95,7 +95,7 @@ function clamp(spot, size, stage) {
   return { left, top, right: left + size.width, bottom: top + size.height };
 }
 
-/// From the edge of the label to the object's middle, as far as its outline.
+/// Draws the line from the edge of the label towards the object's middle, up to its outline.
 function leaderOf(label, spot) {
   const { outline, object } = label;
   const middle = [(outline.left + outline.right) / 2, (outline.top + outline.bottom) / 2];

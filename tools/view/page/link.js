@@ -1,4 +1,4 @@
-// What is looked at, as the fragment of the address: a copied link restores it.
+// Keeps the current view in the fragment of the address, so that a copied link restores it.
 
 export const kLayers = ["cloud", "quadrics", "boxes", "planes", "labels", "gripper", "candidates", "occupied", "unknown"];
 export const kColours = ["object", "depth", "normal", "own"];

@@ -1,8 +1,10 @@
-// Normals of a cloud, from the spread of the points around each: small cells, each with its neighbours.
+// Computes the normals of a cloud from the spread of the points around each, in small cells with
+// their neighbours.
 
 const kCellsAlongScene = 160;
 
-/// @return a Float32Array of unit normals that point to the viewpoint; zero where too few points are near
+/// @return a Float32Array of unit normals that point to the viewpoint; zero if too few points are
+/// near
 export function normalsOf(positions, viewpoint) {
   const cell = cellSize(positions);
   const key = (p) => Math.floor(positions[p] / cell) * 73856093 ^ Math.floor(positions[p + 1] / cell) * 19349663 ^
@@ -28,7 +30,7 @@ function cellSize(positions) {
   return Math.max(Math.hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]) / kCellsAlongScene, 1e-6);
 }
 
-/// Sums of 1, x, y, z and their products.
+/// Adds 1, x, y, z and their products to the sums of a cell.
 function add(cells, key, positions, p) {
   let sums = cells.get(key);
   if (!sums) cells.set(key, sums = new Float64Array(10));
@@ -46,7 +48,8 @@ function around(cells, positions, p, cell) {
   return total;
 }
 
-/// The direction of least spread, by squaring (trace - covariance) until that is all that is left.
+/// Returns the direction of least spread, by repeatedly squaring (trace - covariance) until that
+/// direction dominates.
 function normalOf(s) {
   const n = s[0];
   if (n < 5) return [0, 0, 0];

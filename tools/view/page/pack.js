@@ -1,4 +1,4 @@
-// Reads a scene as the server packs it: "QVW1", the length of the JSON, the JSON, arrays.
+// Reads a scene as the server packs it: "QVW1", the length of the JSON, the JSON, and arrays.
 
 import { colourObjects } from "./colours.js";
 
@@ -30,7 +30,7 @@ export function unpack(buffer) {
   return scene;
 }
 
-/// Multiples of a step per axis as coordinates.
+/// Converts multiples of a step per axis to coordinates.
 function positionsOf(steps, place) {
   const positions = new Float32Array(steps.length);
   for (let i = 0; i < steps.length; ++i) positions[i] = place.min[i % 3] + place.step[i % 3] * steps[i];

@@ -1,4 +1,5 @@
-// The colours of a cloud's points: by the object that they lie on, by depth, by normal, or their own.
+// Colours the points of a cloud by the object that they lie on, by depth, by normal, or with their
+// own colours.
 import { depthColour, isPlane, objectColour, rgbOf } from "./colours.js";
 import { normalsOf } from "./normals.js";
 
@@ -24,7 +25,8 @@ function byObject({ objects, points }, dark) {
   return (i) => (points.owners[i] ? colours[points.owners[i] - 1] : none);
 }
 
-/// Few points lie very near or very far; the colours are for the others.
+/// Colours points by depth. The range of colours leaves out the few points that lie very near or
+/// very far.
 function byDepth({ points, viewpoint }) {
   const { positions } = points, [x, y, z] = viewpoint;
   const depths = new Float32Array(positions.length / 3);

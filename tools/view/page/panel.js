@@ -1,4 +1,4 @@
-// The panel: what is shown, the list of objects, and for a chosen one its grasps and refusals.
+// The panel: the switches, the list of objects, and the grasps and refusals of a chosen object.
 import { isPlane, objectColour, scoreColour } from "./colours.js";
 import { byId, element, words } from "./dom.js";
 import { kColours, kLayers } from "./link.js";
@@ -6,7 +6,8 @@ import { kColours, kLayers } from "./link.js";
 const kMaxRows = 20;
 const mm = (metres) => (1000 * metres).toFixed(0);
 
-/// Buttons for colours and layers, those for the points' own only if they have some; change is called after each click.
+/// Makes the buttons for colours and layers, with one for the points' own colours only if they have
+/// some. change is called after each click.
 export function fillSwitches(view, change, hasColours = false) {
   const colours = kColours.filter((colour) => colour !== "own" || hasColours);
   const shown = colours.includes(view.colour) ? view.colour : "object";
@@ -60,7 +61,8 @@ export function fillList(scene, view, choose) {
   byId("planes-list").replaceChildren(...rows[1]);
 }
 
-/// askParts(object) makes what asks for more grasps of an object.
+/// Shows the details of the chosen object. askParts(object) makes the controls that ask for more
+/// grasps of it.
 export function fillDetail(scene, view, chooseGrasp, askParts) {
   const object = scene.objects.find((candidate) => candidate.id === view.chosen);
   const grasps = object ? scene.grasps.filter((grasp) => grasp.target === object.id) : scene.grasps;
@@ -123,7 +125,7 @@ function refusals(rejected, object) {
   })];
 }
 
-/// Rate, latency and losses of the processes.
+/// Shows rate, latency and losses of the processes.
 export function fillHealth(status) {
   const parts = [];
   for (const [process, figures] of Object.entries(status)) {

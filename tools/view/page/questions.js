@@ -1,11 +1,11 @@
-// What the user asks: how to plan on a log, and grasps of one object from the robot's planner.
+// The user's questions: how to plan on a log, and which grasps to request from the robot's planner.
 import { isPlane } from "./colours.js";
 import { byId, element } from "./dom.js";
 
 const kMaxClearance = 30;
 
-/// Gripper, unknown space and clearance of a log's plans; change is called after each choice.
-/// What a link asks for and this log cannot have is forgotten.
+/// Makes the controls for gripper, unknown space and clearance of a log's plans; change is called
+/// after each choice. Values from a link that this log does not offer are dropped.
 export function makeChoices(session, view, change) {
   if (!session.grippers) return;
   if (!session.grippers.includes(view.plan.gripper)) view.plan.gripper = "";
@@ -21,23 +21,25 @@ export function makeChoices(session, view, change) {
     labelled("clearance, mm", clearanceField("choice-clearance", view.plan.clearance, choose("clearance"))));
 }
 
-/// Shows with what the scene was planned.
+/// Shows the settings with which the scene was planned.
 export function showChoices(scene, session) {
   if (!session.grippers) return;
   byId("choice-gripper").value = scene.gripper_name;
   byId("choice-unknown").value = scene.unknown;
 }
 
-/// The questions and answers of a page: of each object the last.
+/// The questions and answers of a page, the latest one for each object.
 export class Answers {
   constructor() { this.known = new Map(); }
 
-  /// A surface with a track is the same one in later clouds; what has none is known in its own cloud alone.
+  /// Returns the key of an object. A surface with a track is the same one in later clouds; others
+  /// are known only in their own cloud.
   key(object, scene) { return object.track > 0 ? `track ${object.track}` : `${object.id} of ${scene.utime}`; }
 
   of(object, scene) { return this.known.get(this.key(object, scene)); }
 
-  /// Asks the source for grasps of an object; change is called when the state of the question has changed.
+  /// Asks the source for grasps of an object; change is called when the state of the question
+  /// changes.
   async ask(object, scene, view, source, change) {
     const asked = { state: "planning …", utime: scene.utime };
     this.known.set(this.key(object, scene), asked);
@@ -51,8 +53,8 @@ export class Answers {
     change();
   }
 
-  /// Puts the answers in the place of what a new scene says of their objects. Grasps that the planner made by
-  /// itself of a later cloud are newer.
+  /// Replaces the grasps and refusals of a new scene by the answers for their objects, unless the
+  /// planner has by itself planned on a later cloud.
   addTo(scene) {
     for (const object of scene.objects) {
       const asked = this.of(object, scene);
@@ -72,7 +74,7 @@ function addAnswer(scene, object, answer) {
   scene.gripper = answer.gripper || scene.gripper;
 }
 
-/// The part of an object's detail that asks the planner for grasps on it.
+/// Makes the part of an object's details that asks the planner for grasps on it.
 export function askParts(object, session, view, asked, ask) {
   if (session.mode !== "live" || isPlane(object)) return [];
   if (!session.requests) {
@@ -85,7 +87,8 @@ export function askParts(object, session, view, asked, ask) {
     element("p", { id: "asked", text: asked ? asked.state : "" })];
 }
 
-/// What is no number from 0 to 30 is refused by the browser, and taken back.
+/// Makes the field for the clearance. The browser refuses anything but a number from 0 to 30, and
+/// the last valid value is restored.
 function clearanceField(id, value, onchange) {
   const field = element("input", { type: "number", min: 0, max: kMaxClearance, step: 1, id, value: value || 0, required: "" });
   let last = field.value;

@@ -1,9 +1,9 @@
-// What a report holds beside its scenes: tables, pictures and settings.
+// Shows what a report holds beside its scenes: tables, pictures and settings.
 import { byId, element } from "./dom.js";
 
 const isNumber = (text) => /^[-+]?[\d.]+ ?(%|mm|ms|°)?$/.test(text);
 
-/// Columns in which nothing stands are left out.
+/// Makes a table, leaving out columns without any text.
 function tableOf({ columns, rows }) {
   const used = columns.map((_, i) => i).filter((i) => rows.some((row) => row[i]));
   const cell = (text) => element("td", { text, class: isNumber(text) ? "number" : "" });

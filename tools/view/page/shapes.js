@@ -1,8 +1,8 @@
-// Geometry of objects and voxels, as three.js takes it.
+// Converts objects and voxels to the geometry of three.js.
 /* global THREE */
 import { poseMatrix } from "./hand.js";
 
-/// The corners of an object's extent.
+/// Returns the corners of an object's extent.
 export function cornersOf(object) {
   const X = poseMatrix(object.pose);
   const half = object.kind === "box" ? object.size.map((side) => side / 2) : null;
@@ -16,7 +16,7 @@ export function cornersOf(object) {
   return corners;
 }
 
-/// The clipped surface of a quadric; null if it is empty.
+/// Returns the clipped surface of a quadric; null if it is empty.
 export function meshGeometry(mesh) {
   if (!mesh || mesh.triangles.length === 0) return null;
   const geometry = new THREE.BufferGeometry();
@@ -26,7 +26,7 @@ export function meshGeometry(mesh) {
   return geometry;
 }
 
-/// A layer of voxels as little cubes; null if it is empty.
+/// Returns a layer of voxels as small cubes; null if it is empty.
 export function voxelMesh(voxels, layer, color, opacity) {
   const cells = voxels[layer], count = cells.length / 3, { edge, corner } = voxels;
   if (count === 0) return null;

@@ -1,4 +1,4 @@
-// Where scenes come from: the server of this page, or the page itself if it is a report.
+// The sources of scenes: the server of this page, or the page itself if it is a report.
 import { unpack } from "./pack.js";
 
 const kAnswerTries = 10;
@@ -13,7 +13,7 @@ class ServerSource {
     return (await checked(await fetch("/api/session"))).json();
   }
 
-  /// The scene of a cloud of the log, planned as was chosen.
+  /// Fetches the scene of a cloud of the log, planned as chosen.
   frame(number, choice) {
     const given = Object.entries(choice).filter(([, value]) => value);
     return this.scene(`/api/frames/${number}?${new URLSearchParams(given)}`);
@@ -25,7 +25,8 @@ class ServerSource {
     return unpack(await (await checked(await fetch(path))).arrayBuffer());
   }
 
-  /// Calls onNews with {version, status} now and then, onLost when the server cannot be reached.
+  /// Calls onNews with {version, status} from time to time, and onLost when the server cannot be
+  /// reached.
   listen(onNews, onLost) {
     const events = new EventSource("/api/events");
     events.onmessage = (event) => onNews(JSON.parse(event.data));
@@ -45,7 +46,7 @@ class ServerSource {
   }
 }
 
-/// The data are in elements of the page: the session as JSON, each scene as base64.
+/// Reads the data from elements of the page: the session as JSON, each scene as base64.
 class ReportSource {
   constructor(data) { this.data = data; }
 

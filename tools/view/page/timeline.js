@@ -1,11 +1,12 @@
-// The clouds of a log: step, play, scrub; a mark for what was found in each.
+// The timeline of a log's clouds: step, play and scrub, with a mark for the number of objects in
+// each cloud.
 import { byId } from "./dom.js";
 
 const kMinDelay = 60, kMaxDelay = 1000;
 
 export class Timeline {
-  /// go is called with the number of a cloud and resolves to whether it is shown; names are those of clouds that
-  /// no log has put in time.
+  /// go is called with the number of a cloud and resolves to whether it is shown. names are the
+  /// names of clouds that do not come from a log, and so have no order in time.
   constructor(utimes, go, names) {
     this.utimes = utimes;
     this.names = names;
@@ -34,7 +35,8 @@ export class Timeline {
     this.drawMarks();
   }
 
-  /// A bar for each cloud, as high as what was found in it; grey where nobody has looked yet.
+  /// Draws a bar for each cloud, as high as its number of objects; grey if the cloud was not shown
+  /// yet.
   drawMarks() {
     const marks = byId("marks"), count = this.utimes.length, most = Math.max(1, ...this.found.values());
     const width = Math.min(0.8, count / 80);
@@ -67,7 +69,7 @@ export class Timeline {
     byId("play").textContent = "▶";
   }
 
-  /// At the log's own pace, or as fast as scenes come.
+  /// Plays at the log's own pace, or as fast as scenes come.
   async play() {
     while (this.playing) {
       const next = (this.frame + 1) % this.utimes.length;

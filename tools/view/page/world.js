@@ -1,4 +1,5 @@
-// The scene in three dimensions: what is drawn, from where, and what lies under the pointer.
+// The scene in three dimensions: what is drawn, from which viewpoint, and what lies under the
+// pointer.
 /* global THREE */
 import { isPlane, objectColour, scoreColour } from "./colours.js";
 import { contactsOf, handAt, marksOf, poseMatrix } from "./hand.js";
@@ -8,7 +9,7 @@ import { cornersOf, meshGeometry, voxelMesh } from "./shapes.js";
 
 const kClickSlack = 5;
 
-/// What draws on the canvas; where the browser has no WebGL, what draws nothing and says so.
+/// Makes the renderer; if the browser has no WebGL, makes one that draws nothing and says so.
 function makeRenderer(canvas) {
   try {
     return new THREE.WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
@@ -21,7 +22,7 @@ function makeRenderer(canvas) {
 }
 
 export class World {
-  /// onPick gets the id of what was clicked, or null; onMove is called after each picture.
+  /// onPick receives the id of the clicked object, or null; onDraw is called after each picture.
   constructor(canvas, onPick, onDraw) {
     this.canvas = canvas;
     this.onDraw = onDraw;
@@ -72,7 +73,7 @@ export class World {
     this.onDraw(this);
   }
 
-  /// Puts something in the place of what was there under that name.
+  /// Replaces the part with this name by another object.
   put(name, object) {
     const old = this.parts[name];
     if (old) {
@@ -110,7 +111,8 @@ export class World {
     this.put("cloud", cloud);
   }
 
-  /// The colours of the cloud's points, computed anew only if something has changed.
+  /// Returns the colours of the cloud's points, which are computed again only if something has
+  /// changed.
   paint(by) {
     const key = [by, this.dark];
     const last = this.painted;
@@ -179,7 +181,7 @@ export class World {
     this.put("hand", hand);
   }
 
-  /// The corners of the hand that is drawn, and of what it holds.
+  /// Returns the corners of the box around the drawn hand and its contacts.
   handCorners() {
     const box = new THREE.Box3().setFromObject(this.parts.hand || new THREE.Group());
     if (box.isEmpty()) return [];
@@ -204,7 +206,8 @@ export class World {
     return material;
   }
 
-  /// The object under the pointer: things before the planes that they stand on.
+  /// Returns the object under the pointer; objects take precedence over the planes on which they
+  /// stand.
   pick(x, y) {
     const box = this.canvas.getBoundingClientRect();
     const at = new THREE.Vector2(2 * (x - box.left) / box.width - 1, 1 - 2 * (y - box.top) / box.height);
@@ -218,7 +221,7 @@ export class World {
 
   things() { return this.data.objects.filter((object) => !isPlane(object)); }
 
-  /// Where things are: their middle, and how far they reach from there.
+  /// Returns the centre of the objects, and their extent around it.
   focus() {
     const box = new THREE.Box3();
     for (const object of this.things()) {
@@ -229,7 +232,7 @@ export class World {
     return { centre: sphere.center, radius: Math.max(sphere.radius, 0.05) };
   }
 
-  /// The direction against which things stand: out of the largest plane that does not face the sensor.
+  /// Returns the upward direction: the normal of the largest plane that does not face the sensor.
   up(ahead) {
     const planes = this.data.objects.filter(isPlane).sort((a, b) => b.inliers - a.inliers);
     for (const plane of planes.slice(0, 3)) {
@@ -240,7 +243,7 @@ export class World {
     return Math.abs(ahead.z) > 0.6 ? new THREE.Vector3(0, -1, 0) : new THREE.Vector3(0, 0, 1);
   }
 
-  /// From where the sensor stood, a little to the side so that depth shows.
+  /// Looks from the sensor's position, slightly to the side so that depth is visible.
   lookFromSensor() {
     this.awaitsThings = this.things().length === 0;
     const { centre, radius } = this.focus();
@@ -264,7 +267,7 @@ export class World {
     this.place(centre.clone().addScaledVector(ahead, -distance).toArray(), centre.toArray(), up.toArray());
   }
 
-  /// Sets the camera: where it is, what it looks at, and what is up.
+  /// Sets the camera's position, its target and the upward direction.
   place(position, target, up) {
     this.camera.up.set(...up);
     this.camera.position.set(...position);
@@ -284,19 +287,19 @@ export class World {
     this.dirty = true;
   }
 
-  /// Looks anew at what is shown next.
+  /// Forgets the camera's place, so that the next scene gets a new one.
   forgetPlace() {
     if (this.controls) this.controls.dispose();
     this.controls = null;
   }
 
-  /// What place() takes, rounded to a tenth of a millimetre.
+  /// Returns the parameters for place(), rounded to a tenth of a millimetre.
   placement() {
     const round = (v) => v.toArray().map((value) => Number(value.toFixed(4)));
     return [round(this.camera.position), round(this.controls.target), round(this.camera.up)];
   }
 
-  /// Where on the stage a point is [pixels]; null behind the camera.
+  /// Returns the position of a point on the stage [pixels]; null behind the camera.
   project(point) {
     const p = point.clone().project(this.camera);
     if (p.z > 1 || p.z < -1) return null;

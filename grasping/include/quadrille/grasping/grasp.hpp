@@ -11,9 +11,9 @@ namespace quadrille {
 /// How a grasp holds its target.
 enum class GraspKind {
   kAcross,  ///< across the body, with the pads
-  kEnd,     ///< on both ends of its axis
+  kEnd,     ///< on both ends of the body's axis
   kRim,     ///< across the wall of a vessel, at its rim
-  kTip,     ///< with the tips alone, before the widest part
+  kTip,     ///< with the finger tips alone, in front of the body's widest part
 };
 
 constexpr auto words_of(GraspKind) {
@@ -27,10 +27,10 @@ constexpr auto words_of(GraspKind) {
 struct Grasp {
   /// Id of the detection or box to be grasped.
   int target = 0;
-  /// Its track; 0 if it has none.
+  /// Id of the target's track; 0 if it has none.
   int track = 0;
   GraspKind kind = GraspKind::kAcross;
-  /// 0 to 1, best first.
+  /// Rank from 0 to 1; the best grasp has the highest score.
   double score = 0.0;
   Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
   /// Distance between the contacts [m], and opening of the hand on its way in [m].
@@ -39,19 +39,20 @@ struct Grasp {
   std::array<Eigen::Vector3d, 2> contacts_C;
   /// Length of the straight approach that was checked [m].
   double approach = 0.0;
-  /// Least friction coefficient μ* that closes the grasp; of a hold by the tips, with the contacts
-  /// where they are least good within what is known of them.
+  /// Least friction coefficient μ* that closes the grasp. For a hold by the finger tips this is the
+  /// worst case over all places where the contacts may lie, given how well they are known.
   double friction_needed = 0.0;
   /// Grasp quality ε: the largest wrench, of any direction, that a unit contact force resists.
   double epsilon = 0.0;
-  /// Distance by which the hand may be inflated before it touches anything but the target [m].
+  /// Distance by which the hand may be inflated before it touches anything other than the target
+  /// [m].
   double clearance = 0.0;
   /// True if a contact lies on a part of the target that was not observed.
   bool unknown_contact = false;
 
-  /// Pose X_CG from which the hand, opened to its preshape, comes straight to the grasp; closed, it
-  /// can go back there. All of this way was checked but for what it holds, which may stand on
-  /// something: lift it first.
+  /// Returns the pose X_CG from which the hand, opened to its preshape, moves straight to the
+  /// grasp. The closed hand can retreat there as well. The whole path was checked, but not the held
+  /// object, which may rest on something: lift it before retreating.
   Eigen::Isometry3d pregrasp() const {
     return X_CG * Eigen::Translation3d(-approach * Eigen::Vector3d::UnitZ());
   }

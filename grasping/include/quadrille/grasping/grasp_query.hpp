@@ -13,18 +13,18 @@
 
 namespace quadrille {
 
-/// A box in which things are looked for.
+/// A box that limits the search for targets.
 struct Region {
-  /// Pose of its frame R.
+  /// Pose of the box's frame R in C.
   Eigen::Isometry3d X_CR = Eigen::Isometry3d::Identity();
   Eigen::AlignedBox3d box_R;
 };
 
-/// Directions within an angle of one.
+/// All directions within an angle of an axis.
 struct Cone {
-  /// Unit direction.
+  /// Unit direction of the axis.
   Eigen::Vector3d axis_C = Eigen::Vector3d::UnitZ();
-  /// Largest angle to it [rad].
+  /// Largest angle between a direction and the axis [rad].
   double half_angle = std::numbers::pi;
 
   bool contains(const Eigen::Vector3d& direction_C) const {
@@ -33,41 +33,42 @@ struct Cone {
   }
 };
 
-/// Which grasps are wanted, of all that the planner could find. What is not wanted stays in the
-/// way. All conditions hold at once; as made, it asks for everything. Conditions on approach and
-/// clearance guide the search, which may then find others than without them.
+/// Selects which of all possible grasps are wanted. Objects that are not selected remain obstacles.
+/// All conditions must hold at once; the default asks for everything. The conditions on approach
+/// and clearance also guide the search, which may therefore find grasps that a plain search does
+/// not.
 struct GraspQuery {
   static constexpr double kMaxMinClearance = 0.03;
 
-  /// Ids of detections and boxes, and tracks; empty means all.
+  /// Ids of detections and boxes, and ids of tracks; if both are empty, all targets are wanted.
   std::vector<int> ids, tracks;
-  /// Types; empty means all. Boxes are planes.
+  /// Quadric types of the targets; empty means all. Boxes count as planes.
   std::vector<QuadricType> types;
-  /// Where the middle of a target lies.
+  /// The centre of a target must lie in this region.
   std::optional<Region> region;
-  /// Longest side of a target, in its own frame [m].
+  /// Bounds on the longest side of a target, in its own frame [m].
   double min_size = 0.0, max_size = std::numeric_limits<double>::infinity();
-  /// Only that of all these targets that is nearest to this point [m].
+  /// Keeps only the target that is nearest to this point [m].
   std::optional<Eigen::Vector3d> near_C;
-  /// Where the hand may come along: directions of its approach.
+  /// Directions from which the hand may approach.
   std::optional<Cone> approach;
-  /// Distance of the hand from all but its target, on its way and at its end [m]; at most
-  /// kMaxMinClearance, as far as clearances are measured.
+  /// Least distance between the hand and everything but its target, on the way in and at the grasp
+  /// [m]. At most kMaxMinClearance, because larger clearances are not measured.
   double min_clearance = 0.0;
-  /// Grasps to return at most, over PlanOptions::max_grasps.
+  /// Largest number of grasps to return; overrides PlanOptions::max_grasps.
   std::optional<int> max_grasps;
-  /// Time after which the plan ends with the grasps that it has [ms], in place of
-  /// PlanOptions::deadline_ms; 0: none.
+  /// Time after which the plan ends with the grasps found so far [ms]; overrides
+  /// PlanOptions::deadline_ms. 0 means no deadline.
   std::optional<double> deadline_ms;
 
-  /// True if it asks for some targets alone.
+  /// Returns true if the query asks for some targets only.
   QUADRILLE_EXPORT bool selects() const;
 
-  /// @throws std::invalid_argument that names the field which is out of range, and the remedy
+  /// @throws std::invalid_argument naming the field that is out of range, and the remedy
   QUADRILLE_EXPORT void check() const;
 };
 
-/// A query of frame C in frame F.
+/// Transforms a query from frame C into frame F.
 QUADRILLE_EXPORT GraspQuery moved(GraspQuery query, const Eigen::Isometry3d& X_FC);
 
 }  // namespace quadrille

@@ -12,13 +12,14 @@ namespace quadrille {
 
 struct SceneParts;
 
-/// One cloud made ready to be asked for grasps: its shapes, its targets and its map of free,
-/// occupied and unknown space. Making it takes most of the time of a plan; each query then takes a
-/// share of the rest. Queries may run in several threads at once.
+/// A cloud prepared for grasp queries: its shapes, its targets and its map of free, occupied and
+/// unknown space. Preparing the scene takes most of the time of a plan, and each query only a
+/// fraction. Several threads may query at once.
 class GraspScene {
  public:
-  /// As for plan_grasps(); nothing that is given has to outlive this. If the deadline of the
-  /// options passes meanwhile, the scene lacks targets, as each plan on it then says.
+  /// The parameters are those of plan_grasps(); none of them has to outlive the scene. If the
+  /// deadline in the options passes during construction, some targets are missing, and each plan on
+  /// the scene says so.
   QUADRILLE_EXPORT GraspScene(const PointCloud& cloud, const std::vector<Detection>& detections,
                               const Gripper& gripper, const PlanOptions& options = {},
                               const std::vector<PointCloud>& further = {});
@@ -26,16 +27,16 @@ class GraspScene {
   QUADRILLE_EXPORT GraspScene& operator=(GraspScene&&) noexcept;
   QUADRILLE_EXPORT ~GraspScene();
 
-  /// What it took to make this, by stage.
+  /// Returns how long each stage of the construction took.
   QUADRILLE_EXPORT const std::vector<StageTime>& timings() const;
 
-  /// The grasps that are wanted, in the same frame C; its timings and its deadline are those of
-  /// this query alone. If nothing can be what is wanted, a warning says why.
+  /// Returns the grasps that the query asks for, in the same frame C. Timings and deadline cover
+  /// this query alone. If no target can match the query, a warning says why.
   /// @throws std::invalid_argument if the query is out of range
   QUADRILLE_EXPORT GraspPlan plan(const GraspQuery& query = {}) const;
 
-  /// The same as the first query of the scene: what it took to make the scene is among the timings,
-  /// and counts for the deadline.
+  /// Like plan(), for the first query on the scene: the construction of the scene is included in
+  /// the timings and counts towards the deadline.
   QUADRILLE_EXPORT GraspPlan plan_from_start(const GraspQuery& query = {}) const;
 
  private:

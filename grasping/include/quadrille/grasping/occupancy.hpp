@@ -18,58 +18,59 @@ namespace quadrille {
 
 class DepthView;
 
-/// State of one voxel, the stronger evidence last. Clear ones were not seen, but lie over free
-/// space (see OccupancyGrid::clear_above); octrees leave them out, like unknown ones.
+/// State of one voxel, in order of increasing evidence. Clear voxels were not seen, but lie above
+/// free space (see OccupancyGrid::clear_above); octrees leave them out, like unknown ones.
 enum class Voxel : std::uint8_t { kUnknown, kClear, kFree, kOccupied };
 
-/// Free, occupied and unknown space of a region, as one dense grid of voxels.
+/// A dense voxel grid of free, occupied and unknown space in a region.
 ///
-/// A voxel that holds a point is occupied; one that every ray through it was seen to pass is free;
-/// the rest (behind a surface, outside the image, at missing pixels) is unknown. Voxel (i, j, k)
+/// A voxel is occupied if it holds a point, free if every ray through it was seen to pass, and
+/// unknown otherwise (behind a surface, outside the image, at missing pixels). Voxel (i, j, k)
 /// covers [i, i + 1) × … times the resolution, counted from a corner on OctoMap's own lattice.
 class OccupancyGrid {
  public:
-  /// Voxels per edge of the blocks that the grid is made of.
+  /// Edge length of the blocks that make up the grid, in voxels.
   static constexpr int kBlock = 16;
-  /// Voxels that a grid has at most: 32 MB.
+  /// Largest number of voxels in a grid: 32 MB.
   static constexpr double kMaxVoxels = 32 << 20;
-  /// Voxels from the origin of C that it reaches at most. OctoMap numbers them from −32768 to
-  /// 32767; the blocks at the ends need some room.
+  /// Largest distance between a voxel and the origin of C, in voxels. OctoMap numbers voxels from
+  /// −32768 to 32767, and the blocks at the ends need some room.
   static constexpr double kMaxCoordinate = 32000.0;
 
-  /// Unknown space.
+  /// Makes a grid of unknown space.
   /// @param region      space to map, in frame C [m]; grown to whole blocks
   /// @param resolution  voxel edge [m]
   /// @throws std::invalid_argument if the resolution is not positive, the region leaves OctoMap's
   ///         range of ±32768 voxels, or it has more than kMaxVoxels
   QUADRILLE_EXPORT OccupancyGrid(const Eigen::AlignedBox3d& region, double resolution);
-  /// What one view shows of it.
+  /// Makes a grid of what one view shows of the region.
   QUADRILLE_EXPORT OccupancyGrid(const PointCloud& cloud, const DepthView& view,
                                  const Eigen::AlignedBox3d& region, double resolution);
 
-  /// Looks for free space only in blocks that meet one of these boxes from now on, to save time;
-  /// the others stay unknown but for the points in them.
+  /// Restricts the search for free space to blocks that meet one of these boxes, to save time. All
+  /// other blocks stay unknown, except for voxels that contain points.
   void restrict_to(std::vector<Eigen::AlignedBox3d> boxes_C) { boxes_C_ = std::move(boxes_C); }
-  /// Adds what another view of the same scene shows. What any view found occupied stays so; what
-  /// any saw through is free.
+  /// Adds what another view of the same scene shows. A voxel that any view found occupied stays
+  /// occupied; one that any view saw through is free.
   /// @param view  the view of that cloud
-  /// @throws std::invalid_argument if it is that of another one
+  /// @throws std::invalid_argument if the view is that of another cloud
   QUADRILLE_EXPORT void add(const PointCloud& cloud, const DepthView& view);
 
-  /// Marks unknown voxels over free ones as clear: things stand, and what would reach up there
-  /// would be seen below. Only voxels beside the image and at missing pixels, not what a surface
-  /// hides: a thing may overhang what stands before it.
-  /// @param up_C  unit normal of the plane that things stand on
+  /// Marks unknown voxels above free ones as clear: objects stand on a support, so one that reached
+  /// up there would also be seen below. This applies only to voxels beside the image and at missing
+  /// pixels, not to those hidden by a surface, since an object may overhang what stands in front of
+  /// it.
+  /// @param up_C  unit normal of the supporting plane
   QUADRILLE_EXPORT void clear_above(const DepthView& view, const Eigen::Vector3d& up_C);
 
   double resolution() const { return resolution_; }
-  /// Voxels along x, y and z; zero for an empty region.
+  /// Number of voxels along x, y and z; zero for an empty region.
   const Eigen::Vector3i& size() const { return size_; }
-  /// Corner of voxel (0, 0, 0), in voxels from the origin of C.
+  /// Corner of voxel (0, 0, 0), counted in voxels from the origin of C.
   const Eigen::Vector3i& corner() const { return corner_; }
-  /// The space that it covers, in frame C [m].
+  /// The space that the grid covers, in frame C [m].
   QUADRILLE_EXPORT Eigen::AlignedBox3d bounds() const;
-  /// State at a point of C; unknown outside.
+  /// State at a point in frame C; unknown outside the grid.
   QUADRILLE_EXPORT Voxel at(const Eigen::Vector3d& p_C) const;
   Voxel at(int i, int j, int k) const { return states_[index(i, j, k)]; }
   std::size_t index(int i, int j, int k) const {
@@ -81,13 +82,14 @@ class OccupancyGrid {
   }
   const std::vector<Voxel>& states() const { return states_; }
 
-  /// The same space in frame F, of the same resolution, or of a coarser one where it would have
-  /// more than kMaxVoxels. Where its lattice is turned a voxel meets several of this one, and is
-  /// what the most cautious of them is: occupied if any is, free only if all are.
+  /// Resamples the grid in frame F. The resolution stays the same, but is coarser if the grid would
+  /// otherwise exceed kMaxVoxels. If the lattice is rotated, a voxel overlaps several old ones and
+  /// takes the most cautious state: occupied if any is, free only if all are.
   /// @throws std::invalid_argument if the region then leaves OctoMap's range
   QUADRILLE_EXPORT OccupancyGrid moved(const Eigen::Isometry3d& X_FC) const;
 
-  /// The same map as an OctoMap, uniform blocks as single nodes; unknown where it has no node.
+  /// Converts the grid to an OctoMap in which uniform blocks are single nodes; space without a node
+  /// is unknown.
   QUADRILLE_EXPORT std::shared_ptr<octomap::OcTree> to_octree() const;
 
  private:
@@ -106,7 +108,7 @@ class OccupancyGrid {
   double resolution_ = 0.0;
   Eigen::Vector3i corner_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
   std::vector<Voxel> states_;
-  /// None: everywhere.
+  /// The boxes of restrict_to(); if there are none, all blocks are searched.
   std::vector<Eigen::AlignedBox3d> boxes_C_;
 };
 

@@ -18,16 +18,17 @@
 
 namespace quadrille {
 
-/// What the planner made of one cloud and its quadrics.
+/// The result of planning grasps on one cloud and its quadrics.
 struct GraspPlan {
-  /// Best first.
+  /// The grasps, best first.
   std::vector<Grasp> grasps;
-  /// How much was refused, by the name of its Refusal; reasons that did not occur are left out.
+  /// Number of refused candidates by the name of the Refusal; reasons that did not occur are left
+  /// out.
   std::map<std::string, int> rejected;
-  /// The boxes that planes among the detections are faces of; each may be a target.
+  /// The boxes of which detected planes are faces; each box may be a target.
   std::vector<Box> boxes;
-  /// Of all boxes, and of all detections that have any and are no faces of boxes; those of one
-  /// detection in a row.
+  /// The collision shapes of all boxes, and of all other detections that have a shape. Shapes of
+  /// the same detection are adjacent.
   std::vector<CollisionShape> shapes;
   /// Free, occupied and unknown space around the targets; to_octree() makes an OctoMap of it.
   std::shared_ptr<const OccupancyGrid> space;
@@ -38,14 +39,14 @@ struct GraspPlan {
 
 /// Plans two-finger grasps on the detections of one cloud.
 ///
-/// Contacts follow in closed form from each quadric, and for boxes (see find_boxes()) lie across
-/// their parallel faces; the hand, swept along its approach and while
-/// it closes, is checked against the voxels, the planes and the shapes of all other detections, and
-/// its opened fingers and palm against the target's own body. Deterministic, unless a deadline cuts
-/// it short: then it has the grasps that were found in time, and a warning.
-/// @param further  more views of the same scene at rest, in the same frame C, each with its own
-///                 viewpoint: what they show free or occupied is so
-/// @param query    which grasps are wanted; to ask more than once, see GraspScene
+/// Contacts follow in closed form from each quadric; for boxes (see find_boxes()) they lie across
+/// parallel faces. The hand is swept along its approach and while it closes, and checked against
+/// the voxels, the planes and the shapes of all other detections; its opened fingers and palm are
+/// also checked against the target's own body. The result is deterministic unless a deadline ends
+/// the search early: then it holds the grasps found in time, and a warning.
+/// @param further  more views of the same static scene, in the same frame C, each with its own
+///                 viewpoint; free and occupied space of all views is merged
+/// @param query  which grasps are wanted; to ask more than once, use GraspScene
 /// @throws std::invalid_argument if gripper, options or query are out of range
 QUADRILLE_EXPORT GraspPlan plan_grasps(const PointCloud& cloud,
                                        const std::vector<Detection>& detections,

@@ -10,7 +10,7 @@
 
 namespace quadrille {
 
-/// What unobserved space counts as while the hand moves through it.
+/// How unobserved space is treated while the hand moves through it.
 enum class UnknownPolicy {
   kObstacle,      ///< all unknown space collides
   kTargetShadow,  ///< unknown space behind the target itself is free, the rest collides
@@ -23,9 +23,9 @@ constexpr auto words_of(UnknownPolicy) {
                                              {"free", UnknownPolicy::kFree}});
 }
 
-/// How grasps are planned.
+/// Options of the grasp planner.
 struct PlanOptions {
-  /// An hour, which is as good as none [ms].
+  /// An hour, which is as good as no deadline [ms].
   static constexpr double kMaxDeadline = 3.6e6;
 
   UnknownPolicy unknown = UnknownPolicy::kObstacle;
@@ -42,8 +42,8 @@ struct PlanOptions {
   int max_detections = 256;
   double deadline_ms = 0.0;
 
-  /// Calls v(field, Setting) for each option, in the order of the configuration file: the row says
-  /// what the field is.
+  /// Calls v(field, Setting) for each option, in the order of the configuration file. The Setting
+  /// describes the field.
   template <class Options, class Visitor>
   static void visit(Options& o, Visitor&& v) {
     v(o.unknown, {"planner.unknown",

@@ -8,14 +8,14 @@
 
 namespace quadrille {
 
-/// A grasp of frame C in frame F.
+/// Transforms a grasp from frame C into frame F.
 QUADRILLE_EXPORT Grasp moved(Grasp grasp, const Eigen::Isometry3d& X_FC);
 
-/// A collision shape of frame C in frame F.
+/// Transforms a collision shape from frame C into frame F.
 QUADRILLE_EXPORT CollisionShape moved(CollisionShape shape, const Eigen::Isometry3d& X_FC);
 
-/// All of a plan of frame C in frame F but its map of space, which stays in frame C: see
-/// OccupancyGrid::moved().
+/// Transforms a plan from frame C into frame F, except its map of space, which stays in frame C:
+/// see OccupancyGrid::moved().
 QUADRILLE_EXPORT GraspPlan moved(GraspPlan plan, const Eigen::Isometry3d& X_FC);
 
 }  // namespace quadrille

@@ -1,5 +1,5 @@
-// The detector's kernels one by one, on the surfaces of a generated scene: what a depth camera of
-// 640 x 480 pixels sees.
+// Benchmarks of the detector's kernels, each on its own, on the surfaces of a generated scene as a
+// depth camera of 640 x 480 pixels sees it.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -52,7 +52,7 @@ const SurfaceSamples& samples() {
   return made;
 }
 
-/// The curved surface of most samples, with these.
+/// The curved surface with the most samples, and its samples.
 struct Patch {
   Quadric Q_C;
   std::vector<int> region;
@@ -79,12 +79,12 @@ const Patch& patch() {
   return found;
 }
 
-/// So many points of the patch, normalised for fits.
+/// Returns at most this many points of the patch, normalised for fits.
 OrientedPointsf patch_points(int most) {
   return fit_points(samples(), patch().region, normalisation_of(samples(), patch().region), most);
 }
 
-/// Bases of three points each, drawn evenly from the patch.
+/// Returns bases of three points each, drawn evenly from the patch.
 std::vector<std::array<OrientedPoint, 3>> patch_bases() {
   const OrientedPointsf points = patch_points(300);
   std::vector<std::array<OrientedPoint, 3>> bases;

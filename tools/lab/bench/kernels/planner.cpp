@@ -1,4 +1,5 @@
-// The grasp planner's kernels one by one, on a generated table with what the detector finds there.
+// Benchmarks of the grasp planner's kernels, each on its own, on a generated table scene with the
+// detector's results.
 #include <benchmark/benchmark.h>
 #include <octomap/OcTree.h>
 
@@ -37,7 +38,7 @@ const DepthView& view() {
   return made;
 }
 
-// 256 voxels along each edge, most of them in the image.
+// The region has 256 voxels along each edge, most of them in the image.
 Eigen::AlignedBox3d region() {
   const Eigen::Vector3d low = kResolution * Eigen::Vector3d(-128, -128, 64);
   return {low + Eigen::Vector3d::Constant(0.001),
@@ -71,7 +72,8 @@ Target make_target(bool unknown_blocks, double away) {
   if (!aim) return target;
   ApproachSpace space;
   for (const Detection& d : detections()) {
-    if (d.type == QuadricType::kPlane && target.scene.planes.empty()) {  // the table is the largest
+    // the table is the largest plane
+    if (d.type == QuadricType::kPlane && target.scene.planes.empty()) {
       const Eigen::AlignedBox3d& box = d.extent_Q;
       target.scene.planes.push_back({d.X_CQ, {box.min().head<2>(), box.max().head<2>()}});
       space.up_C = target.scene.planes[0].n_C();
@@ -139,7 +141,8 @@ void hands_checked(benchmark::State& state) {
   state.counters["hands"] = static_cast<double>(count);
   state.counters["free"] = static_cast<double>(free);
 }
-// At the target, where most hands are blocked, and in the open, where every test has to be made.
+// The hands are checked at the target, where most are blocked, and in the open, where every test
+// has to be made.
 BENCHMARK(hands_checked)
     ->ArgNames({"unknown_blocks", "mm_away"})
     ->ArgsProduct({{0, 1}, {0, 150, 300}})

@@ -1,5 +1,5 @@
 // CGAL's Efficient RANSAC (Schnabel, Wahl, Klein 2007): planes, spheres, cylinders and cones.
-// CGAL's shape detection is under the GPL, so this is a program of its own and never installed.
+// CGAL's shape detection is under the GPL, so this is a separate program that is never installed.
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
@@ -26,7 +26,7 @@ using Sphere = CGAL::Shape_detection::Sphere<Traits>;
 using Cylinder = CGAL::Shape_detection::Cylinder<Traits>;
 using Cone = CGAL::Shape_detection::Cone<Traits>;
 
-/// Tuned per family, which a user could not do: generous.
+/// The settings are tuned for each family, which is generous, since a user could not do that.
 struct Settings {
   OrientationOptions orientation;
   double epsilon, cluster_epsilon, normal_threshold, probability, max_radius;

@@ -1,5 +1,6 @@
-// PCL's SACSegmentationFromNormals, one shape at a time: large planes out, what is left in
-// Euclidean clusters, and in each the best of sphere, cylinder and cone, again and again.
+// PCL's SACSegmentationFromNormals, one shape at a time: large planes are removed, the rest is
+// split into Euclidean clusters, and in each cluster the best sphere, cylinder or cone is taken
+// repeatedly.
 #include <pcl/console/print.h>
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
@@ -17,7 +18,7 @@ namespace {
 using Points = pcl::PointCloud<pcl::PointXYZ>;
 using Normals = pcl::PointCloud<pcl::Normal>;
 
-/// Tuned per family, which a user could not do: generous.
+/// The settings are tuned for each family, which is generous, since a user could not do that.
 struct Settings {
   OrientationOptions orientation;
   double epsilon, plane_epsilon, cluster, normal_weight, max_radius, min_share;
@@ -85,7 +86,7 @@ class Detector {
     segmentation.setNormalDistanceWeight(settings_.normal_weight);
     segmentation.setMaxIterations(iterations);
     segmentation.setDistanceThreshold(epsilon);
-    // Limits on the radius mean nothing to planes and cones, and PCL complains of them.
+    // PCL complains about radius limits for planes and cones, to which they do not apply.
     if (model == pcl::SACMODEL_CYLINDER || model == pcl::SACMODEL_NORMAL_SPHERE) {
       segmentation.setRadiusLimits(0.015, settings_.max_radius);
     }
@@ -99,7 +100,7 @@ class Detector {
     return {model, coefficients.values, inliers.indices};
   }
 
-  /// Takes the fit's points out of a sorted list.
+  /// Removes the fit's points from a sorted list.
   void take(const Fit& fit, pcl::Indices* list) {
     found_.push_back(to_found(fit));
     pcl::Indices gone = fit.inliers, left;

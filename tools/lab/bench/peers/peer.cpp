@@ -12,7 +12,7 @@
 namespace quadrille::bench {
 namespace {
 
-/// (x − c)ᵀ M (x − c) + k.
+/// Returns the quadric (x − c)ᵀ M (x − c) + k.
 Quadric central(const Eigen::Matrix3d& M, const Eigen::Vector3d& c, double k) {
   Eigen::Matrix4d Q;
   Q.topLeftCorner<3, 3>() = M;

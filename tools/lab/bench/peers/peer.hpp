@@ -11,24 +11,25 @@ namespace quadrille::bench {
 
 using scoring::Found;
 
-/// A plane n·x + d = 0.
+/// Makes a finding of the plane n·x + d = 0.
 Found found_plane(const Eigen::Vector3d& n, double d, double score);
-/// A sphere.
+/// Makes a finding of a sphere.
 Found found_sphere(const Eigen::Vector3d& centre, double radius, double score);
-/// A circular cylinder around the line through p along the axis.
+/// Makes a finding of a circular cylinder around the line through p along the axis.
 Found found_cylinder(const Eigen::Vector3d& p, const Eigen::Vector3d& axis, double radius,
                      double score);
-/// A circular cone.
+/// Makes a finding of a circular cone.
 Found found_cone(const Eigen::Vector3d& apex, const Eigen::Vector3d& axis, double half_angle,
                  double score);
 
-/// What a peer is told of a cloud; each has its settings for each family.
+/// The functions of a peer; each chooses its settings by the family.
 using Orientation = std::function<OrientationOptions(const std::string& family)>;
 using Detect =
     std::function<std::vector<Found>(const OrientedCloud& cloud, const std::string& family)>;
 
-/// The main of a peer's program: PROGRAM CLOUD.ply FAMILY OUT.json reads a cloud and writes what
-/// was found in it, with the wall and processor time from the decoded cloud to the findings.
+/// The main function of a peer's program. PROGRAM CLOUD.ply FAMILY OUT.json reads a cloud and
+/// writes what was found in it, with the wall and processor time from the decoded cloud to the
+/// findings.
 int run_peer(int argc, char** argv, const Orientation& orientation, const Detect& detect);
 
 }  // namespace quadrille::bench

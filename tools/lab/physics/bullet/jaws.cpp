@@ -5,9 +5,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Of one finger [kg], and how fast it closes [m/s].
+// Mass of one finger [kg], and its closing speed [m/s].
 constexpr double kFingerMass = 0.2, kSpeed = 0.05;
-// A pad of soft material touches on a disc of this share of its width in radius; a disc under even
+// A soft pad touches on a disc whose radius is this share of the pad's width. A disc under even
 // pressure resists twisting with 2/3 of its radius times the friction.
 constexpr double kDisc = 0.25;
 
@@ -53,14 +53,15 @@ void Jaws::add_finger(int i, const Gripper& gripper, double preshape, double wid
   finger.setLinearFactor({0, 1, 0});
   finger.setAngularFactor({0, 0, 0});
   finger.setActivationState(DISABLE_DEACTIVATION);
-  // Bullet multiplies the frictions of two bodies: the object has the coefficient.
+  // Bullet multiplies the frictions of two bodies, so the object alone carries the coefficient.
   finger.setFriction(1.0);
   finger.setSpinningFriction(kScale * twist_radius(gripper));
-  // Bullet heeds that only beside some resistance to rolling, of which there is next to none.
+  // Bullet applies spinning friction only if there is some rolling friction, so that is set to
+  // almost nothing.
   finger.setRollingFriction(1e-9);
   world_->addRigidBody(&finger, kHandGroup, kObjectGroup);
   finger.setGravity({0, 0, 0});
-  // The drive's axis is x of its frame, which points to the middle.
+  // The drive moves along the x axis of its frame, which points to the middle.
   const btTransform inward(btQuaternion(btVector3(0, 0, 1), -side * SIMD_HALF_PI),
                            btVector3(0, 0, 0));
   drives_[i] = std::make_unique<btSliderConstraint>(finger, inward, true);

@@ -8,14 +8,14 @@
 
 namespace quadrille::physics {
 
-/// Who meets whom.
+/// Groups that decide which bodies can collide.
 enum CollisionGroup { kHandGroup = 1, kTableGroup = 2, kObjectGroup = 4 };
 
 /// Two fingers that slide along y of the world, which is the grasp frame G, and a palm at rest.
 class Jaws {
  public:
   /// @param preshape  distance between the pads [m]
-  /// @param width     distance between the pads for which the palm stands where it is [m]
+  /// @param width  distance between the pads for which the palm is placed [m]
   Jaws(btDiscreteDynamicsWorld* world, const Gripper& gripper, double preshape, double width);
   ~Jaws();
   Jaws(const Jaws&) = delete;
@@ -23,7 +23,8 @@ class Jaws {
 
   /// Both fingers close with at most this force [N].
   void set_force(double force);
-  /// Gives both fingers the same way from the middle, as the hand's drive does. After each step.
+  /// Moves both fingers equally far from the middle, as the hand's drive does. Call this after each
+  /// step.
   void couple();
   /// Distance between the pads [m].
   double opening() const;

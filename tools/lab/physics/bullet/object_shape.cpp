@@ -10,11 +10,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Frusta of a solid with a waist.
+// Number of frusta that make up a solid with a waist.
 constexpr int kFrusta = 16;
 
 bool is_straight(const TrueBody& body) {
-  // s is linear if s² is a square.
+  // The scale s is linear if s² is the square of a linear function.
   const double D = body.p[1] * body.p[1] - 4.0 * body.p[0] * body.p[2];
   return std::abs(D) < 1e-9 * std::max(body.p.cwiseAbs2().maxCoeff(), 1e-30);
 }
@@ -41,7 +41,7 @@ std::unique_ptr<btCollisionShape> convex(const TrueBody& body, const Vector3d& c
   return std::make_unique<SectionShape>(body, body.z_min(), body.z_max(), centre_S);
 }
 
-// The frustum between two heights: s is linear between its ends.
+// Returns the frustum between two heights, in which s is linear.
 TrueBody frustum(const TrueBody& body, double z_0, double z_1) {
   TrueBody part = body;
   const double k = (body.scale(z_1) - body.scale(z_0)) / (z_1 - z_0);

@@ -8,7 +8,7 @@
 
 namespace quadrille::physics {
 
-/// A collision shape with the parts that it is made of.
+/// A collision shape and the parts that it is made of.
 struct ObjectShape {
   std::vector<std::unique_ptr<btCollisionShape>> parts;
   std::unique_ptr<btCompoundShape> compound;
@@ -16,9 +16,9 @@ struct ObjectShape {
   btCollisionShape* shape() const { return compound ? compound.get() : parts.front().get(); }
 };
 
-/// The shape of a true body about a point of its axis, in scaled units: Bullet's own box, sphere or
-/// cylinder; the exact support function of any other convex body; frusta on top of each other for a
-/// solid with a waist; and for a hollow one its smooth wall.
+/// Makes the shape of a true body about a point of its axis, in scaled units: Bullet's own box,
+/// sphere or cylinder; the exact support function of any other convex body; stacked frusta for a
+/// solid with a waist; and the smooth wall of a hollow body.
 ObjectShape make_object_shape(const TrueBody& body, const Eigen::Vector3d& centre_S);
 
 }  // namespace quadrille::physics

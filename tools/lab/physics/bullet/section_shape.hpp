@@ -5,8 +5,8 @@
 
 namespace quadrille::physics {
 
-/// A convex body between two heights by its exact support function. It has no margin of its own:
-/// the boxes of the hand that it meets have one inside of theirs.
+/// A convex body between two heights, given by its exact support function. It has no collision
+/// margin, since the hand's boxes have one inside theirs.
 class SectionShape : public btConvexInternalShape {
  public:
   /// @param centre_S  point of the axis that becomes the origin of the shape [m]
@@ -30,7 +30,7 @@ class SectionShape : public btConvexInternalShape {
       points[i] = localGetSupportingVertexWithoutMargin(directions[i]);
     }
   }
-  /// Not asked for: the masses are computed beside Bullet.
+  /// Never used, because the masses are computed outside of Bullet.
   void calculateLocalInertia(btScalar, btVector3& inertia) const override {
     inertia.setValue(0.0, 0.0, 0.0);
   }

@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-// How long an object is watched [s], and what it may move meanwhile [m, rad].
+// Time for which an object is watched [s], and how far it may move and turn meanwhile [m, rad].
 constexpr double kWatched = 0.2, kMaxWay = 0.002, kMaxTurn = 0.035;
 
 }  // namespace
@@ -20,7 +20,7 @@ Thing::Thing(const TrueBody& body, const Eigen::Isometry3d& X_GS, const TrialOpt
   Eigen::Isometry3d X_GB = X_GS;
   X_GB.translation() = X_GS * mass_.centre_S;
   rigid_->setWorldTransform(scaled(X_GB));
-  // Bullet multiplies the frictions of two bodies: this one has the coefficient.
+  // Bullet multiplies the frictions of two bodies, so this one alone carries the coefficient.
   rigid_->setFriction(options.friction);
   rigid_->setActivationState(DISABLE_DEACTIVATION);
 }

@@ -13,11 +13,11 @@ class Thing {
   Thing(const TrueBody& body, const Eigen::Isometry3d& X_GS, const TrialOptions& options);
 
   btRigidBody* rigid() { return rigid_.get(); }
-  /// Pose of its centre of mass, axes as those of S at first.
+  /// Pose of the centre of mass, with axes that start out parallel to those of S.
   Eigen::Isometry3d X_GB() const { return unscaled(rigid_->getWorldTransform()); }
-  /// Everything but the hand feels an acceleration [m/s²].
+  /// Applies an acceleration to the object, as to everything but the hand [m/s²].
   void accelerate(const Eigen::Vector3d& a_G) { rigid_->setGravity(scaled(a_G)); }
-  /// Propped up: it neither falls nor keeps moving by itself.
+  /// Props the object up, so that it neither falls nor keeps moving by itself.
   void prop(bool propped);
 
  private:
@@ -26,7 +26,7 @@ class Thing {
   std::unique_ptr<btRigidBody> rigid_;
 };
 
-/// The plane that it stands on.
+/// The plane on which the object stands.
 class Table {
  public:
   explicit Table(const Eigen::Isometry3d& X_GT);
@@ -38,7 +38,7 @@ class Table {
   std::unique_ptr<btRigidBody> rigid_;
 };
 
-/// True if the object rests where it is, without any hand: 0.2 s of gravity move it by less than
+/// Returns true if the object rests in place without a hand: 0.2 s of gravity move it by less than
 /// 2 mm and 2°.
 bool stands(const TrueBody& body, const Eigen::Isometry3d& X_CT, const TrialOptions& options);
 

@@ -12,18 +12,19 @@ namespace {
 
 using Eigen::Vector3d;
 
-// The pads close gently until both touch, then press [N].
+// The pads close with this gentle force until both touch, and then press with full force [N].
 constexpr double kGentle = 5.0;
-// Longest time to close, and how long each later phase takes [s].
+// Longest time to close, and durations of the later phases [s].
 constexpr double kClosing = 2.0, kSqueeze = 0.15, kSettle = 0.1, kLift = 0.4, kShake = 0.3;
-// So many steps in touch with both pads, 10 ms, and they have hold of it.
+// The pads have hold of the object after this many steps of contact with both, or 10 ms.
 constexpr int kTouching = 40;
-// Acceleration of the lift [m/s²]; amplitude of the shake over gravity, and its frequency [Hz].
+// Acceleration of the lift [m/s²]; amplitude of the shake relative to gravity, and its frequency
+// [Hz].
 constexpr double kLiftAcceleration = 2.0, kShakeShare = 0.5, kShakeRate = 10.0 / 3.0;
-// An object that moved farther is not in the hand any more [m].
+// An object that has moved farther than this is no longer in the hand [m].
 constexpr double kLost = 0.03;
 
-/// One grasp from the pre-shape to the end of the shake.
+/// The trial of one grasp, from the pre-shape to the end of the shake.
 class Trial {
  public:
   Trial(const TrueBody& body, const Gripper& gripper, const Grasp& grasp,
@@ -71,16 +72,17 @@ class Trial {
     if (result_.touched) measure();
   }
 
-  // What has become of the pose at the first touch, since both pads hold it.
+  // Measures how the object has moved since the first touch, while both pads hold it.
   void measure() {
     const Eigen::Isometry3d moved = thing_.X_GB() * X_GB_.inverse();
-    const Vector3d way = moved.translation();  // of the point that was midway between the pads
+    // motion of the point that was midway between the pads
+    const Vector3d way = moved.translation();
     slip_ = Eigen::Vector2d(way.x(), way.z()).norm();
     result_.slip = std::max(result_.slip, slip_);
     result_.rotation = std::max(result_.rotation, Eigen::AngleAxisd(moved.linear()).angle());
   }
 
-  // False if the pads meet or stop before both touch.
+  // Returns false if the pads meet or stop before both touch.
   bool close() {
     jaws_.set_force(std::min(kGentle, force_));
     int both = 0;

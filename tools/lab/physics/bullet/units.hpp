@@ -6,10 +6,10 @@
 
 namespace quadrille::physics {
 
-/// Bullet is at its best with objects of about a unit: it gets decimetres. Forces grow as lengths
-/// do, torques and moments of inertia with their square.
+/// Bullet works best with objects of about one unit, so lengths are in decimetres. Forces scale
+/// like lengths, torques and moments of inertia like their squares.
 constexpr double kScale = 10.0;
-/// Bullet's boxes and cylinders keep their size and round what lies this far inside of it.
+/// Bullet's boxes and cylinders keep their size, but their edges are rounded within this distance.
 constexpr double kMargin = kScale * 0.0005;
 
 inline btVector3 to_bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }

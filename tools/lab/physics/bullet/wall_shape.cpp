@@ -13,20 +13,23 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Between the points of a box [m], unless it is so large that it gets at most so many a side.
+// Spacing of the points on a box [m], unless the box is so large that this would exceed the limit
+// per side.
 constexpr double kGrid = 0.00125;
 constexpr int kMaxPoints = 45;
-// Nearer points than this may touch, and points this much farther than the nearest are others [m].
+// Points nearer than this may touch, and points within this distance of the nearest one count as
+// equally near [m].
 constexpr double kNear = 0.0008, kAlike = 0.001;
 constexpr int kRimPoints = 48;
 
-/// A point of contact: on the other body, and outward from the wall; in frame S, unscaled.
+/// A contact point on the other body, with the normal out of the wall; in frame S, unscaled.
 struct Contact {
   Vector3d p_S, normal_S;
   double distance;
 };
 
-// At most four: the deepest, the farthest from it, and the farthest on either side of their line.
+// Chooses at most four contacts: the deepest, the farthest from it, and the farthest on either side
+// of the line between them.
 std::vector<Contact> chosen(const std::vector<Contact>& all) {
   if (all.size() <= 4) return all;
   const auto better = [&](auto&& value) {
@@ -41,7 +44,7 @@ std::vector<Contact> chosen(const std::vector<Contact>& all) {
   return {deepest, far, better(beside), better([&](const Contact& c) { return -beside(c); })};
 }
 
-// Those that touch, or are as near as the nearest.
+// Returns the contacts that touch, or are as near as the nearest.
 std::vector<Contact> touching(std::vector<Contact> near) {
   double least = kNear;
   for (const Contact& c : near) least = std::min(least, c.distance);
@@ -49,7 +52,7 @@ std::vector<Contact> touching(std::vector<Contact> near) {
   return chosen(near);
 }
 
-// The points of one face of a box; `axis` is its normal, `side` its sign.
+// Adds the points on one face of a box; `axis` is the axis of its normal, `side` the normal's sign.
 void add_face(const TrueBody& body, const Eigen::Isometry3d& X_SB, const Vector3d& half, int axis,
               double side, std::vector<Contact>* near) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -62,7 +65,8 @@ void add_face(const TrueBody& body, const Eigen::Isometry3d& X_SB, const Vector3
   for (int row = 0; row <= rows; ++row) {
     p[v] = half[v] * (2.0 * row / rows - 1.0);
     p[u] = 0.0;
-    // The distance changes by hardly more than the way.
+    // The distance to the wall changes by hardly more than the distance moved, so far rows are
+    // skipped.
     if (wall_distance(body, X_SB * p).distance > 1.5 * half[u] + kNear) continue;
     for (int column = 0; column <= columns; ++column) {
       p[u] = half[u] * (2.0 * column / columns - 1.0);
@@ -71,7 +75,7 @@ void add_face(const TrueBody& body, const Eigen::Isometry3d& X_SB, const Vector3
       if (wall.distance > kNear) continue;
       const bool edge = row == 0 || row == rows || column == 0 || column == columns;
       const Vector3d inward = -side * X_SB.linear().col(axis);
-      // A face meets a wall, or its rim, along the face's normal; an edge along the wall's.
+      // Inside a face, the contact normal is that of the face; at an edge, it is that of the wall.
       if (edge) near->push_back({p_S, wall.normal_S, wall.distance});
       if (!edge && wall.normal_S.dot(inward) > 0.5) near->push_back({p_S, inward, wall.distance});
     }
@@ -113,7 +117,7 @@ std::vector<Contact> contacts_of(const WallShape& wall, const Eigen::Isometry3d&
   return touching(std::move(near));
 }
 
-/// Bullet's part: finds which is the wall, and hands over the points.
+/// The interface to Bullet: finds which body is the wall, and passes on the contacts.
 class WallAlgorithm : public btActivatingCollisionAlgorithm {
  public:
   WallAlgorithm(const btCollisionAlgorithmConstructionInfo& info,
@@ -136,7 +140,8 @@ class WallAlgorithm : public btActivatingCollisionAlgorithm {
     for (const Contact& contact : contacts(shape, X_WS, *other)) {
       const Vector3d n = X_WS.linear() * contact.normal_S, p = X_WS * contact.p_S;
       const Vector3d on_wall = p - contact.distance * n;
-      // The normal points from the second body to the first, the point is on the second.
+      // For Bullet, the normal points from the second body to the first, and the point lies on the
+      // second.
       result->addContactPoint(to_bullet(swapped ? Vector3d(-n) : n), scaled(swapped ? p : on_wall),
                               kScale * contact.distance);
     }

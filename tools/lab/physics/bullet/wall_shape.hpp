@@ -5,7 +5,7 @@
 
 namespace quadrille::physics {
 
-/// A hollow body for Bullet. Boxes and planes meet it through wall contacts alone, see
+/// A hollow body for Bullet. Boxes and planes touch it only through wall contacts; see
 /// register_wall_contacts().
 class WallShape : public btConcaveShape {
  public:
@@ -16,7 +16,7 @@ class WallShape : public btConcaveShape {
   const Eigen::Vector3d& centre_S() const { return centre_S_; }
 
   void getAabb(const btTransform& X, btVector3& low, btVector3& high) const override;
-  /// It has no triangles.
+  /// Does nothing, because the wall has no triangles.
   void processAllTriangles(btTriangleCallback*, const btVector3&, const btVector3&) const override {
   }
   void setLocalScaling(const btVector3&) override {}
@@ -32,8 +32,9 @@ class WallShape : public btConcaveShape {
   btVector3 one_{1, 1, 1};
 };
 
-/// Has boxes and planes meet walls by points: those of a fine grid over the box's faces in the
-/// wall, those of the wall's two rims below the plane.
+/// Registers the contacts of boxes and planes with walls. They consist of points: those of a fine
+/// grid on the box's faces that lie in the wall, or those of the wall's two rims that lie below the
+/// plane.
 void register_wall_contacts(btCollisionDispatcher* dispatcher);
 
 }  // namespace quadrille::physics

@@ -5,16 +5,17 @@
 namespace quadrille::physics {
 namespace {
 
-// A point of contact counts as touching from this distance on [scaled m].
+// A contact counts as touching from this distance on [scaled m].
 constexpr double kTouch = kScale * 0.00005;
-// The share of a penetration that one step takes away: Bullet's own 0.2 in a millisecond.
+// Share of a penetration that one step corrects. Bullet's own 0.2 is meant for a step of a
+// millisecond.
 constexpr double kCorrected = 0.05;
 
 }  // namespace
 
 World::World() {
   configuration_ = std::make_unique<btDefaultCollisionConfiguration>();
-  // Flat and straight contacts get all of their points at once.
+  // This gives flat and straight contacts all of their points at once.
   configuration_->setConvexConvexMultipointIterations(4, 4);
   dispatcher_ = std::make_unique<btCollisionDispatcher>(configuration_.get());
   register_wall_contacts(dispatcher_.get());

@@ -6,16 +6,16 @@
 
 namespace quadrille::physics {
 
-/// Bullet's world with all that it needs, set for few, slow, firmly held bodies.
+/// Bullet's world with all its parts, configured for few, slow, firmly held bodies.
 class World {
  public:
   World();
 
   btDiscreteDynamicsWorld* operator->() { return world_.get(); }
   btDiscreteDynamicsWorld* get() { return world_.get(); }
-  /// True if two bodies touch.
+  /// Returns true if two bodies touch.
   bool touch(const btCollisionObject* a, const btCollisionObject* b) const;
-  /// One step of a quarter of a millisecond.
+  /// Simulates one step of a quarter of a millisecond.
   void step();
 
  private:
@@ -26,9 +26,9 @@ class World {
   std::unique_ptr<btDiscreteDynamicsWorld> world_;
 };
 
-/// Length of a step [s]. Light things under much force need short ones: at 1 ms the solver's 60
-/// rounds leave so much of 235 N that objects creep in the hand; ten times as many rounds, or
-/// steps of 0.1 ms, give what these give.
+/// Length of a step [s]. Light objects under large forces need short steps: at 1 ms the solver's 60
+/// iterations leave such an error under 235 N that objects creep in the hand. Ten times as many
+/// iterations, or steps of 0.1 ms, give the same results as this.
 constexpr double kStep = 0.00025;
 
 }  // namespace quadrille::physics
