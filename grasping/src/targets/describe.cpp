@@ -60,8 +60,10 @@ Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) 
   terms.observed = 0.5 * seen;
   terms.room = 0.5 * (grasp.preshape - line.opening) / kFullRoom;
   terms.central = 1.0 - (line.centre_C - target.body.centre_C()).norm() / reach;
-  // A detection that is not believed in at all costs its grasps half of their score.
-  grasp.score = grasp_score(terms) * (0.5 + 0.5 * std::clamp(target.confidence, 0.0, 1.0));
+  // A detection that is not believed in at all, or whose score is NaN, costs its grasps half of
+  // their score.
+  const double confidence = target.confidence > 0.0 ? std::min(target.confidence, 1.0) : 0.0;
+  grasp.score = grasp_score(terms) * (0.5 + 0.5 * confidence);
   return grasp;
 }
 
