@@ -61,8 +61,9 @@ Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) 
   terms.observed = 0.5 * seen;
   terms.room = 0.5 * (grasp.preshape - line.opening) / kFullRoom;
   terms.central = 1.0 - (line.centre_C - target.body.centre_C()).norm() / reach;
-  // Full distrust of a detection halves the score of its grasps.
-  grasp.score = grasp_score(terms) * (0.5 + 0.5 * std::clamp(target.confidence, 0.0, 1.0));
+  // Full distrust of a detection, or a score that is NaN, halves the score of its grasps.
+  const double confidence = target.confidence > 0.0 ? std::min(target.confidence, 1.0) : 0.0;
+  grasp.score = grasp_score(terms) * (0.5 + 0.5 * confidence);
   return grasp;
 }
 
