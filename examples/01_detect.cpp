@@ -1,11 +1,11 @@
-// Detects the quadrics of a cloud: a ball of 5 cm radius that floats before a wall.
+// Detects the quadrics of a cloud: a ball of 5 cm radius that floats in front of a wall.
 #include <cmath>
 #include <iomanip>
 #include <iostream>
 
 #include "quadrille/detector/detector.hpp"
 
-// What a depth camera of 320x240 pixels at the origin would see.
+// The cloud that a depth camera of 320x240 pixels at the origin would see.
 quadrille::PointCloud ball_before_wall() {
   const Eigen::Vector3d center(0.0, 0.0, 0.6);
   const double radius = 0.05;

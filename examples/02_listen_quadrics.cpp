@@ -29,7 +29,7 @@ struct Printer {
 };
 
 int main(int argc, char** argv) {
-  const std::string url = argc > 1 ? argv[1] : "";  // "" is $LCM_DEFAULT_URL
+  const std::string url = argc > 1 ? argv[1] : "";  // "" means $LCM_DEFAULT_URL
   lcm::LCM lcm(url);
   if (!lcm.good()) {
     std::cerr << "LCM cannot open " << (url.empty() ? "its default address" : url) << '\n';

@@ -1,4 +1,4 @@
-// Plans grasps on a known quadric, without a detector: an upright can of 3 cm radius before the
+// Plans grasps on a known quadric without a detector: an upright can of 3 cm radius in front of the
 // camera, in otherwise empty space.
 #include <cmath>
 #include <iomanip>
@@ -6,7 +6,7 @@
 
 #include "quadrille/grasping/plan.hpp"
 
-// The can as a detection. Its axis runs along y, the camera's "down".
+// The can as a detection. Its axis runs along y, which points down in the camera's frame.
 quadrille::Detection can() {
   const double radius = 0.03, length = 0.10;
 
@@ -26,7 +26,7 @@ quadrille::Detection can() {
   return can;
 }
 
-// What a camera at the origin sees of it: the near half of its mantle.
+// The part of the can that a camera at the origin sees: the near half of its lateral surface.
 quadrille::PointCloud view_of(const quadrille::Detection& can) {
   quadrille::PointCloud cloud;
   for (double height = -0.05; height <= 0.05; height += 0.001) {

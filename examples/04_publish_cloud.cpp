@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// The near half of a ball of 5 cm radius, 60 cm before the camera: x, y, z of each point [m].
+// The near half of a ball of 5 cm radius, 60 cm in front of the camera: x, y, z of each point [m].
 std::vector<float> half_ball() {
   std::vector<float> xyz;
   for (double polar = 0.02; polar < M_PI / 2.0; polar += 0.02) {
@@ -45,7 +45,7 @@ drake::lcmt_point_cloud to_message(const std::vector<float>& xyz) {
 }
 
 int main(int argc, char** argv) {
-  const std::string url = argc > 1 ? argv[1] : "";  // "" is $LCM_DEFAULT_URL
+  const std::string url = argc > 1 ? argv[1] : "";  // "" means $LCM_DEFAULT_URL
   lcm::LCM lcm(url);
   if (!lcm.good()) {
     std::cerr << "LCM cannot open " << (url.empty() ? "its default address" : url) << '\n';

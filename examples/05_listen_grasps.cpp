@@ -12,7 +12,7 @@ struct Printer {
 
   void on_grasps(const lcm::ReceiveBuffer*, const std::string&,
                  const quadrille::grasps_t* message) {
-    // Answers to requests may be about some targets alone: see 06_ask_for_grasps.cpp.
+    // Answers to requests may cover only some targets: see 06_ask_for_grasps.cpp.
     if (message->request_id != 0) return;
     std::cout << "cloud " << message->utime << " us, hand " << message->gripper
               << ", grasps: " << message->num_grasps << '\n';
@@ -37,7 +37,7 @@ struct Printer {
 };
 
 int main(int argc, char** argv) {
-  const std::string url = argc > 1 ? argv[1] : "";  // "" is $LCM_DEFAULT_URL
+  const std::string url = argc > 1 ? argv[1] : "";  // "" means $LCM_DEFAULT_URL
   lcm::LCM lcm(url);
   if (!lcm.good()) {
     std::cerr << "LCM cannot open " << (url.empty() ? "its default address" : url) << '\n';

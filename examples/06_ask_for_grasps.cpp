@@ -1,8 +1,8 @@
-// Asks quadrille-grasp-planner for grasps of what is nearest to a point in the frame of its
-// results:
+// Asks quadrille-grasp-planner for grasps on the object nearest to a point, given in the frame of
+// the planner's results:
 //   06_ask_for_grasps X Y Z [TIMES [LCM_URL]]
-// It needs a planner that has a cloud, best started with --on-request. Exit status 1 if a request
-// is not answered within 5 s.
+// It needs a planner that has a cloud, best started with --on-request. The exit status is 1 if a
+// request is not answered within 5 s.
 #include <chrono>
 #include <cstdint>
 #include <cstdlib>
@@ -16,14 +16,14 @@
 
 using Clock = std::chrono::steady_clock;
 
-/// One who asks, and waits for the answer.
+/// Sends a request and waits for its answer.
 class Asker {
  public:
   explicit Asker(lcm::LCM& lcm) : lcm_(lcm) { lcm_.subscribe("GRASPS", &Asker::on_grasps, this); }
 
-  /// Nothing if no answer came in time.
+  /// Returns nullopt if no answer came in time.
   std::optional<quadrille::grasps_t> ask(quadrille::grasp_request_t request) {
-    // Others may ask at the same time: ids must not be theirs.
+    // Other clients may ask at the same time, so the ids must differ from theirs.
     request.utime = std::chrono::duration_cast<std::chrono::microseconds>(
                         std::chrono::system_clock::now().time_since_epoch())
                         .count();

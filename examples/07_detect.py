@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A cloud made in numpy; its quadrics with their dimensions, and the best grasp.
+"""Detects the quadrics of a cloud made in numpy, and prints their dimensions and the best grasp.
 
     PYTHONPATH=build/python python3 examples/07_detect.py [CLOUD.ply|CLOUD.pcd]
 """
@@ -12,7 +12,7 @@ import quadrille
 if len(sys.argv) > 1:
     points, viewpoint = quadrille.read_cloud(sys.argv[1])
 else:
-    # A ball of 30 mm on a table 60 cm below the camera, as a depth image of 320 by 240 pixels.
+    # A ball of 30 mm radius on a table 60 cm below the camera, as a depth image of 320 by 240 pixels.
     u, v = np.meshgrid(np.arange(320), np.arange(240))
     rays = np.stack([(u - 160) / 300, (v - 120) / 300, np.ones(u.shape)], axis=-1)
     table, centre, radius = 0.6, np.array([0.05, 0.02, 0.57]), 0.03

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The quadrics that a log holds, such as quadrille-detector --out-log or lcm-logger wrote.
+"""Prints the quadrics in a log, as written by quadrille-detector --out-log or lcm-logger.
 
     PYTHONPATH=build/python python3 examples/08_read_log.py LOG.lcm
 """

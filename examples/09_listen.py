@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The quadrics and grasps that are published right now, until Ctrl-C.
+"""Prints the quadrics and grasps that are being published, until Ctrl-C.
 
     PYTHONPATH=build/python python3 examples/09_listen.py
 """

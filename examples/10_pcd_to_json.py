@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The quadrics of a cloud in a file, as JSON: what to start from where `quadrille detect --json` says too much.
+"""Writes the quadrics of a cloud file as JSON, to adapt where `quadrille detect --json` is too long.
 
     PYTHONPATH=build/python python3 examples/10_pcd_to_json.py CLOUD.pcd > quadrics.json
 """

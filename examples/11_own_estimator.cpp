@@ -1,5 +1,5 @@
-// An estimator of your own on what was detected: spheres are fitted anew to their points by least
-// squares of the distances, and put in the place of the detector's.
+// Applies an estimator of your own to detections: spheres are fitted anew to their points by least
+// squares of distances, and replace the detector's spheres.
 #include <cmath>
 #include <iomanip>
 #include <iostream>
@@ -32,7 +32,8 @@ quadrille::PointCloud ball_on_table() {
   return cloud;
 }
 
-// The points that lie on a quadric: within three deviations, on the side that the sensor saw.
+// The points that lie on a quadric: within three standard deviations of it and within its seen
+// extent.
 std::vector<Eigen::Vector3d> points_on(const quadrille::Detection& found,
                                        const quadrille::PointCloud& cloud) {
   const Eigen::Isometry3d X_QC = found.X_CQ.inverse();
@@ -45,7 +46,7 @@ std::vector<Eigen::Vector3d> points_on(const quadrille::Detection& found,
   return points;
 }
 
-// The centre and the radius that minimise the sum of squared distances, by Gauss and Newton.
+// The centre and radius that minimise the sum of squared distances, by the Gauss-Newton method.
 Eigen::Vector4d fit_sphere(const std::vector<Eigen::Vector3d>& points, Eigen::Vector4d sphere) {
   for (int step = 0; step < 10; ++step) {
     Eigen::Matrix4d H = Eigen::Matrix4d::Zero();
@@ -77,12 +78,12 @@ int main() {
     std::cout << "sphere of radius " << 1000.0 * start[3] << " mm, fitted to " << points.size()
               << " points " << 1000.0 * sphere[3] << " mm\n";
 
-    // All that depends on the surface has to tell of the new one.
+    // All fields that depend on the surface must be updated.
     found.X_CQ.translation() = sphere.head<3>();
     found.dimensions[0].value = sphere[3];
     const quadrille::Quadric Q_C = quadrille::from_canonical(
         {found.type, found.X_CQ, {{found.dimensions[0].name, found.dimensions[0].value}}});
-    // Its gradient still points to the side that the sensor saw.
+    // The gradient must still point to the side that the sensor saw.
     const bool same_side = Q_C.matrix().cwiseProduct(found.Q_C.matrix()).sum() > 0.0;
     found.Q_C = (same_side ? Q_C : Q_C.flipped()).normalized();
   }

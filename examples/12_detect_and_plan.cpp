@@ -1,4 +1,4 @@
-// From a cloud to grasps and a map, with both libraries and without LCM: a can on a table.
+// Goes from a cloud to grasps and a map with both libraries and without LCM: a can on a table.
 #include <octomap/OcTree.h>
 
 #include <cmath>
@@ -9,8 +9,8 @@
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/grasping/plan.hpp"
 
-// How far a ray from a point goes until it meets an upright can of 3 cm radius and 12 cm height, or
-// the table that it stands on, z = 0.
+// Distance along a ray to an upright can of 3 cm radius and 12 cm height, or to the table at z = 0
+// on which it stands.
 double range_of(const Eigen::Vector3d& eye, const Eigen::Vector3d& ray) {
   const double radius = 0.03, height = 0.12;
   double range = ray.z() < 0.0 ? -eye.z() / ray.z() : std::numeric_limits<double>::infinity();
@@ -25,7 +25,7 @@ double range_of(const Eigen::Vector3d& eye, const Eigen::Vector3d& ray) {
   return range;
 }
 
-// What a depth camera sees of it from half a metre away, looking down by 40 degrees.
+// The cloud that a depth camera sees from 64 cm away, looking down by 40 degrees.
 quadrille::PointCloud can_on_table() {
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
   X_WC.translation() = Eigen::Vector3d(-0.45, 0.0, 0.45);
@@ -40,7 +40,7 @@ quadrille::PointCloud can_on_table() {
     for (int column = 0; column < cloud.width; ++column) {
       const Eigen::Vector3d ray_C((column - 159.5) / 280.0, (row - 119.5) / 280.0, 1.0);
       const double range = range_of(X_WC.translation(), X_WC.linear() * ray_C);
-      // What is too far away is missing.
+      // Points that are too far away are missing.
       const double seen = range < 2.0 ? range : std::numeric_limits<double>::quiet_NaN();
       cloud.points.push_back((seen * ray_C).cast<float>());
     }
@@ -69,7 +69,8 @@ int main() {
   }
   for (const auto& [reason, count] : plan.rejected) std::cout << reason << ": " << count << '\n';
 
-  // Free and occupied space around the targets, as octovis and your planner read it.
+  // The map holds free and occupied space around the targets, in the format of octovis and your
+  // planner.
   plan.space->to_octree()->writeBinary("scene.bt");
   std::cout << "scene.bt holds the map\n";
 }

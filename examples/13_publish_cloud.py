@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Publishes the cloud of a file, or one of numpy, as a camera driver would: five times a second, until Ctrl-C.
+"""Publishes the cloud of a file as a camera driver would, five times a second until Ctrl-C.
 
     PYTHONPATH=build/python python3 examples/13_publish_cloud.py CLOUD.pcd [COUNT]
 """
@@ -18,7 +18,7 @@ except ImportError:  # LCM's own module, which Debian does not have
 
 
 def to_message(points: np.ndarray, utime: int) -> lcmt_point_cloud:
-    """(N, 3) or (H, W, 3) [m], seen from the origin; NaN where a point is missing."""
+    """Converts points (N, 3) or (H, W, 3) [m], seen from the origin; NaN marks a missing one."""
     records = np.ascontiguousarray(points, dtype="<f4")
     message = lcmt_point_cloud()
     message.utime, message.frame_name = utime, "camera"

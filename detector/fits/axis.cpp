@@ -12,10 +12,10 @@
 namespace quadrille {
 namespace {
 
-/// The normals with those of a cone's second nappe turned round. With r the ray from the apex and n
-/// the outward normal, r − n is within 45° of the axis on one nappe and of its opposite on the
-/// other, whatever the cone's angle.
-/// @param side  1 for outward normals, -1 for inward ones, 0 to turn none
+/// Returns the normals, with those on a cone's second nappe reversed. If r is the unit ray from the
+/// apex and n the outward normal, r − n is within 45° of the axis on one nappe and of its opposite
+/// on the other, whatever the cone's angle.
+/// @param side  1 for outward normals, -1 for inward ones, 0 to reverse none
 Eigen::Matrix3Xd on_one_nappe(const OrientedPointsd& points, const Eigen::Vector3d& apex,
                               double side) {
   Eigen::Matrix3Xd w = (points.points.colwise() - apex).colwise().normalized();

@@ -14,22 +14,22 @@ namespace quadrille {
 /// A fit with its name, so that all can be compared in one loop.
 struct Contender {
   std::string_view name;
-  /// Where it is from: the paper's equation or the reference in short.
+  /// Source of the fit: an equation of the paper, or a short reference.
   std::string_view source;
-  /// Least number of points; a minimal fit uses just as many, the first.
+  /// Least number of points; a minimal fit uses exactly that many, the first ones.
   Eigen::Index min_points;
   bool minimal;
-  /// True for our own fits, false for those of others that they are measured against.
+  /// True for our own fits, false for fits by others to which they are compared.
   bool ours;
   std::function<std::optional<Quadric>(const OrientedPointsd&)> fit;
 };
 
-/// All fits of general quadrics with their default options; README.md says which of them the
-/// detector uses, and why. The type is told to the
-/// type-constrained one alone, as in the paper's comparison.
+/// Returns all fits of general quadrics with their default options; README.md says which of them
+/// the detector uses, and why. Only the type-constrained fit uses the type, as in the paper's
+/// comparison.
 std::vector<Contender> contenders(QuadricType known_type);
 
-/// The contender of a name; nullptr if there is none.
+/// Returns the contender with the given name; nullptr if there is none.
 const Contender* find_contender(const std::vector<Contender>& contenders, std::string_view name);
 
 }  // namespace quadrille

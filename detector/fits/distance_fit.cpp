@@ -11,7 +11,7 @@
 namespace quadrille {
 namespace {
 
-// Gains below this share of the residual are rounding.
+// Gains below this share of the residual are rounding errors.
 constexpr double kMinGain = 1e-10;
 
 std::optional<NormalEquations> orthogonal_distances(const OrientedPointsd& points,
@@ -24,7 +24,7 @@ std::optional<NormalEquations> orthogonal_distances(const OrientedPointsd& point
     if (!foot) return std::nullopt;
     const Eigen::Vector3d g = Q.gradient(*foot);
     const double slope = g.norm(), distance = (x - *foot).norm();
-    // At an apex the surface stays where it is in the first order.
+    // At an apex the gradient vanishes, and the surface does not move to first order.
     if (!(slope > 1e-9)) {
       sums.cost += distance * distance;
       continue;
@@ -34,7 +34,8 @@ std::optional<NormalEquations> orthogonal_distances(const OrientedPointsd& point
   return sums;
 }
 
-/// Normalises, starts from the best closed-form fit and refines it; what cannot be refined stays.
+/// Normalises the points and refines the best closed-form fit; if that fails, returns the
+/// closed-form fit.
 template <typename Refine>
 std::optional<Quadric> refine_from_start(const OrientedPointsd& points, const Refine& refine_from) {
   const auto normalised = normalise(points, 9, Spread::kSpace);

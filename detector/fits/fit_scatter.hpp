@@ -7,7 +7,7 @@
 
 namespace quadrille {
 
-/// fit_design() on sums that are already taken.
+/// Computes fit_design() from sums that are already known.
 std::optional<Quadric> fit_design(const Scatter& scatter, const Design& B, double weight);
 
 }  // namespace quadrille

@@ -9,7 +9,8 @@
 namespace quadrille {
 namespace {
 
-/// The least eigenvalue θ(μ) of the reduced system, its vector, and whether it is the only one.
+/// The least eigenvalue θ(μ) of the reduced system and its vector, and the next and largest
+/// eigenvalues, which show whether it is unique.
 struct Reduced {
   double theta, next, largest;
   Vector10d q;

@@ -12,13 +12,13 @@
 namespace quadrille {
 namespace {
 
-// Least noise of a coordinate and of a normal, in the unit ball: exact data stay solvable.
+// Least noise of a coordinate and of a normal in the unit ball, which keeps exact data solvable.
 constexpr double kMinNoise = 1e-6;
 
-/// The surface beneath one point.
+/// The nearest point of the surface to a data point.
 struct Foot {
   Eigen::Vector3d y, normal;
-  /// Shape operator ∂normal/∂y in 3-D, zero along the normal.
+  /// Shape operator ∂normal/∂y as a 3x3 matrix, which is zero along the normal.
   Eigen::Matrix3d shape;
   double slope, distance;
 };
@@ -41,21 +41,22 @@ struct Noise {
   double points_per_normal;
 };
 
-/// What a point and its normal say, with the weights that a noise gives them.
+/// The expected bias of a point's distance, and the weight matrix of its normal, for a given noise.
 struct Weights {
   double bias;
   Eigen::Matrix3d normal;
 };
 
 Weights weigh(const Foot& foot, const Noise& noise) {
-  // The foot is off the true point by σ; what that does to S itself is of second order.
+  // The foot deviates from the true point by about σ; its effect on S itself is of second order.
   const double bend2 = noise.point2 * foot.shape.squaredNorm();
   const Eigen::Matrix3d covariance = (noise.normal2 + bend2 * bend2) * Eigen::Matrix3d::Identity() +
                                      noise.point2 * foot.shape * foot.shape;
-  // The bias is a term of a series that ends where the noise reaches the radius of curvature.
+  // The bias is a term of a series that diverges when the noise reaches the radius of curvature, so
+  // it is limited.
   const double limit = std::sqrt(noise.point2);
   const double bias = std::clamp(0.5 * noise.point2 * foot.shape.trace(), -limit, limit);
-  // Along the normal a deviation is of second order and says nothing.
+  // A deviation along the normal is of second order and carries no information.
   const Eigen::Matrix3d P = Eigen::Matrix3d::Identity() - foot.normal * foot.normal.transpose();
   return {bias, P * covariance.inverse() * P / noise.points_per_normal};
 }
@@ -90,7 +91,7 @@ std::optional<NormalEquations> residuals(const OrientedPointsd& points,
   return sums;
 }
 
-/// Noise from the residuals: σ² of the distances; of the normals' deviation what σ leaves.
+/// The feet of all points; nullopt if one of them has none.
 std::optional<std::vector<Foot>> feet_of(const OrientedPointsd& points, const Quadric& Q) {
   std::vector<Foot> feet;
   for (Eigen::Index i = 0; i < points.size(); ++i) {
@@ -105,13 +106,13 @@ Noise estimate(const OrientedPointsd& points, const std::vector<Foot>& feet, con
   const double count = static_cast<double>(points.size());
   double distance = 0.0, angle = 0.0, weight = 0.0;
   for (const Foot& foot : feet) distance += foot.distance * foot.distance;
-  // Nine degrees of freedom are fitted to three residuals a point.
+  // Nine degrees of freedom are fitted to three residuals per point, which takes three points.
   const double freedom = std::max(1.0, count - 3.0);
   const double point2 = std::max(kMinNoise * kMinNoise, distance / freedom);
   for (Eigen::Index i = 0; i < points.size(); ++i) {
     const double spread = point2 * feet[i].shape.squaredNorm();
     const double excess = (feet[i].normal - points.normals.col(i)).squaredNorm() - spread;
-    // Inverse variance of the excess under the noise of the round before.
+    // The weight is the inverse variance of the excess under the noise of the previous round.
     const double w = 1.0 / std::pow(2.0 * before.normal2 + spread, 2);
     angle += w * excess;
     weight += 2.0 * w;

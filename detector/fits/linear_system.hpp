@@ -13,14 +13,14 @@ struct LinearSystem {
   Eigen::VectorXd n;
 };
 
-/// The full system A′ of 4Nx(N + 10) with a scale αᵢ per normal, A′ (q, α) = 0 (paper, eq. 4):
+/// The full system A′ of size 4Nx(N + 10) with a scale αᵢ per normal, A′ (q, α) = 0 (paper, eq. 4):
 /// first N rows vᵢᵀ, then three rows ∇vᵢᵀ q − αᵢ nᵢ for each point.
-/// @param weight  w of the normals' rows
+/// @param weight  w, the weight of the normals' rows
 Eigen::MatrixXd full_system(const OrientedPointsd& points, double weight = 1.0);
 
-/// The compact system of 4Nx10 with one common scale (paper, eq. 5): first N rows vᵢᵀq = 0, then
-/// three rows ∇vᵢᵀ q = nᵢ for each point.
-/// @param weight  w of the normals' rows
+/// The compact system of size 4Nx10 with one common scale (paper, eq. 5): first N rows vᵢᵀq = 0,
+/// then three rows ∇vᵢᵀ q = nᵢ for each point.
+/// @param weight  w, the weight of the normals' rows
 LinearSystem compact_system(const OrientedPointsd& points, double weight = 1.0);
 
 }  // namespace quadrille

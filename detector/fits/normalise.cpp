@@ -7,12 +7,12 @@
 namespace quadrille {
 namespace {
 
-// Below this share of the largest extent, an extent counts as rounding.
+// An extent below this share of the largest extent counts as rounding error.
 constexpr double kFlat = 1e-7;
 
 bool has_spread(const OrientedPointsd::Matrix& centred, Spread spread) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(Eigen::Matrix3d(centred * centred.transpose()));
-  // Singular values of the scatter are squared extents.
+  // The singular values of the scatter are squared extents.
   const double min_square = kFlat * kFlat * svd.singularValues()[0];
   return svd.singularValues()[static_cast<int>(spread) - 1] > min_square;
 }
@@ -33,7 +33,7 @@ std::optional<NormalisedPoints> normalise(const OrientedPointsd& points, Eigen::
       static_cast<std::size_t>(points.size()), Radius::kLargest,
       [&](std::size_t i) { return points.points.col(static_cast<Eigen::Index>(i)); });
   const auto& [centre, scale] = result.local;
-  // Coincident points differ by rounding alone.
+  // The coordinates of coincident points differ only by rounding.
   if (!(scale > 1e-12 * centre.norm()) || !std::isfinite(scale)) return std::nullopt;
   result.data.points = (points.points.colwise() - centre) / scale;
   if (!has_spread(result.data.points, spread)) return std::nullopt;

@@ -30,7 +30,8 @@ std::vector<double> real_roots(std::vector<double> c) {
   std::vector<double> roots;
   for (Eigen::Index i = 0; i < degree; ++i) {
     const std::complex<double> root = solver.eigenvalues()[i];
-    // A double root comes as a pair apart by the square root of rounding.
+    // Rounding splits a double root into a pair that differs by the square root of the rounding
+    // error.
     if (std::abs(root.imag()) <= 1e-6 * (1.0 + std::abs(root))) roots.push_back(root.real());
   }
   std::sort(roots.begin(), roots.end());

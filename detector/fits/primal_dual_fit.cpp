@@ -17,14 +17,14 @@ constexpr double kMinSingularShare = 1e-9;
 
 using SystemSvd = Eigen::JacobiSVD<Eigen::MatrixXd>;
 
-/// Π in the coordinates of the unit ball, of unit normal.
+/// The plane Π in the coordinates of the unit ball, with a unit normal.
 Eigen::Vector4d normalised_plane(const Normalisation& local, const Eigen::Vector4d& plane) {
   Eigen::Vector4d result;
   result << local.scale * plane.head<3>(), plane.dot(local.centre.homogeneous());
   return result / result.head<3>().norm();
 }
 
-/// Πᵀ adj(Q₁ + s Q₂) Π as a cubic in s, from its values at four places.
+/// The coefficients of the cubic Πᵀ adj(Q₁ + s Q₂) Π in s, interpolated from four values.
 std::array<double, 4> tangency(const Quadric& Q1, const Quadric& Q2, const Eigen::Vector4d& plane) {
   Eigen::Matrix4d vandermonde;
   Eigen::Vector4d values;

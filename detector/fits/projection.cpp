@@ -27,7 +27,8 @@ void add(Polynomial& sum, const Polynomial& term) {
   for (std::size_t i = 0; i < term.size(); ++i) sum[i] += term[i];
 }
 
-/// f = λ·y² + 2 b·y + j in the eigenframe of the quadratic part, and the point to project.
+/// The quadric f = λ·y² + 2 b·y + j in the eigenframe of its quadratic part, and the point to
+/// project.
 struct Local {
   Eigen::Vector3d lambda, b, x;
   double j;
@@ -37,7 +38,7 @@ struct Local {
   }
 };
 
-/// f(y(t)) Π (1 + tλₖ)², the factor of equal eigenvalues taken once.
+/// The polynomial f(y(t)) Π (1 + tλₖ)², in which equal eigenvalues contribute one factor.
 Polynomial foot_polynomial(const Local& q) {
   std::array<Polynomial, 3> squares;
   for (int k = 0; k < 3; ++k) {
@@ -60,7 +61,7 @@ Polynomial foot_polynomial(const Local& q) {
   Polynomial f = others(-1);
   for (double& c : f) c *= q.j;
   for (int k = 0; k < 3; ++k) {
-    // λ y² + 2 b y with y = (x − t b) / (1 + tλ).
+    // This is λ y² + 2 b y with y = (x − t b) / (1 + tλ).
     const Polynomial y = {q.x[k], -q.b[k]};
     Polynomial term = product(y, y);
     for (double& c : term) c *= q.lambda[k];
@@ -77,7 +78,7 @@ struct Nearest {
   double distance = std::numeric_limits<double>::infinity();
   Eigen::Vector3d foot = Eigen::Vector3d::Zero();
 
-  /// Takes a candidate if it lies on the surface.
+  /// Accepts a candidate if it lies on the surface and is nearer than the present one.
   void offer(const Eigen::Vector3d& y) {
     if (!y.allFinite()) return;
     const double size = q.lambda.cwiseAbs().dot(y.cwiseAbs2()) +
@@ -88,8 +89,8 @@ struct Nearest {
   }
 };
 
-/// Feet with denominator 1 + tλₖ = 0: coordinate k is free, those of the same eigenvalue stay at
-/// their centre.
+/// Offers the feet for which the denominator 1 + tλₖ vanishes: coordinate k is free, and those of
+/// equal eigenvalues stay at their centre.
 void offer_pole(const Local& q, int k, Nearest& nearest) {
   if (q.lambda[k] == 0.0) return;
   const double t = -1.0 / q.lambda[k];
@@ -99,10 +100,10 @@ void offer_pole(const Local& q, int k, Nearest& nearest) {
     y[m] =
         std::abs(denominator) < 1e-12 ? -q.b[m] / q.lambda[m] : (q.x[m] - t * q.b[m]) / denominator;
   }
-  // λ (yₖ − centre)² + value at the centre = 0.
+  // The equation for yₖ is λ (yₖ − centre)² + value at the centre = 0.
   const double square = -q.value(y) / q.lambda[k];
   const double centre = y[k];
-  // A point off the symmetry plane by rounding alone is projected as if on it.
+  // A point that is off the plane of symmetry only by rounding is projected as if it were on it.
   if (!(square >= 0.0) || std::abs(q.x[k] - centre) > 1e-9 * (1.0 + std::abs(centre))) return;
   for (const double sign : {-1.0, 1.0}) {
     y[k] = centre + sign * std::sqrt(square);
@@ -125,7 +126,7 @@ Local localise(const Quadric& Q, const Eigen::Vector3d& x, Eigen::Matrix3d& R) {
   return q;
 }
 
-/// Newton's method for a stationary point of |y − x|² / 2 + t f(y) from (y, t), |Q| = 1.
+/// Newton's method from (y, t) for a stationary point of |y − x|² / 2 + t f(y), with |Q| = 1.
 std::optional<Eigen::Vector3d> find_foot(const Quadric& Q, const Eigen::Vector3d& x,
                                          Eigen::Vector3d y, double t) {
   const Eigen::Matrix3d H = 2.0 * Q.matrix().topLeftCorner<3, 3>();
@@ -162,7 +163,7 @@ std::optional<Eigen::Vector3d> project(const Quadric& Q, const Eigen::Vector3d& 
   }
   for (int k = 0; k < 3; ++k) offer_pole(q, k, nearest);
   if (!std::isfinite(nearest.distance)) return std::nullopt;
-  // Roots of the polynomial lose digits that Newton's method finds again.
+  // The roots of the polynomial have lost digits, which Newton's method restores.
   const Eigen::Vector3d foot = R * nearest.foot;
   const Quadric unit = of_unit_norm(Q);
   const Eigen::Vector3d g = unit.gradient(foot);
@@ -174,7 +175,8 @@ std::optional<Eigen::Vector3d> project(const Quadric& Q, const Eigen::Vector3d& 
 std::optional<Eigen::Vector3d> project_nearby(const Quadric& Q, const Eigen::Vector3d& x) {
   const Quadric unit = of_unit_norm(Q);
   const auto foot = find_foot(unit, x, x, 0.0);
-  // A farthest point is stationary too; no foot is much farther than the first-order distance.
+  // The farthest point is stationary too, but the nearest one is not much farther than the
+  // first-order distance.
   const double most = 2.0 * std::abs(unit.distance(x)) + 1e-12 * (1.0 + x.norm());
   return foot && (*foot - x).norm() <= most ? foot : std::nullopt;
 }

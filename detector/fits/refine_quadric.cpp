@@ -6,7 +6,7 @@
 namespace quadrille {
 namespace {
 
-/// A damped step across q, or NaN.
+/// A damped step orthogonal to q; not finite if there is none.
 Vector10d damped_step(const NormalEquations& at, const Vector10d& q, double damping) {
   Matrix10d A = at.JTJ;
   const double size = A.trace() / 10.0;

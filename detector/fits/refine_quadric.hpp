@@ -21,13 +21,13 @@ struct NormalEquations {
   }
 };
 
-/// Residuals at a quadric of |q| = 1; nullopt where they are not defined.
+/// Computes the sums at a quadric with |q| = 1; nullopt if the residuals are not defined there.
 using Linearise = std::function<std::optional<NormalEquations>(const Quadric&)>;
 
-/// Least squares of any residuals over all quadrics, where the detector's refine() has those of the
-/// first-order distance over the quadrics of a family: by damped Gauss-Newton steps
-/// (Levenberg-Marquardt) on the unit sphere of q.
-/// @return nullopt if the residuals are not defined at the start or nothing is determined
+/// Least squares of any residuals over all quadrics, by damped Gauss-Newton steps
+/// (Levenberg-Marquardt) on the unit sphere of q. In contrast, the detector's refine() minimises
+/// the first-order distance over the quadrics of a family.
+/// @return nullopt if the residuals are not defined at the start
 std::optional<Quadric> refine_quadric(const Quadric& start, const Linearise& linearise,
                                       int iterations);
 

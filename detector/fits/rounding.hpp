@@ -13,20 +13,20 @@ namespace quadrille {
 /// A quadric through a minimal set of points.
 struct MinimalFit {
   Quadric Q;
-  /// The shift of the surface that rounded coordinates and normals lead one to expect, in radii of
-  /// the points. It is estimated; where the gradient is short, as beside an apex, more is possible.
+  /// Estimated shift of the surface due to rounding of coordinates and normals, in radii of the
+  /// points. It may be larger where the gradient is short, as near an apex.
   double error = 0.0;
 };
 
-/// Fits of which more is to be expected are refused.
+/// A fit with a larger estimated error is refused.
 inline constexpr double kMaxRoundingError = 8e-10;
 
-/// The error that rounding leaves in a closed form: the form is evaluated thrice with data
-/// displaced along fixed random directions (Kenney and Laub's small-sample estimate of the
-/// condition).
-/// @param solve  from normalised points to std::optional<Eigen::Matrix4d>, its gradients about one
-///               long
-/// @return nullopt if there is no solution, there or a little beside
+/// Solves a closed form and estimates the error that rounding leaves in it: the form is evaluated
+/// three times with data displaced in fixed random directions (Kenney and Laub's small-sample
+/// estimate of the condition).
+/// @param solve  maps normalised points to std::optional<Eigen::Matrix4d>, whose gradients have a
+///   length of about one
+/// @return nullopt if there is no solution for the data or for slightly displaced data
 template <class Solve>
 std::optional<MinimalFit> fit_with_error(const NormalisedPoints& points, Eigen::Index oriented,
                                          const Solve& solve) {

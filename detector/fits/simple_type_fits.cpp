@@ -7,7 +7,7 @@
 namespace quadrille {
 namespace {
 
-// The designs hold in the frame of the data: types are exact but for rounding.
+// The designs hold in the frame of the data, so types are exact up to rounding.
 constexpr double kSimpleTypeTolerance = 1e-8;
 
 bool is_spheroid(const Quadric& Q) {

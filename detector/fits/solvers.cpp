@@ -7,7 +7,8 @@
 namespace quadrille {
 namespace {
 
-// Eigenvalues of normal equations are squares: 1e-13 stands for 3e-7 of the largest extent.
+// Threshold for eigenvalues, which are squares in normal equations: 1e-13 corresponds to 3e-7 of
+// the largest extent.
 constexpr double kZero = 1e-13;
 
 using Solver = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>;
@@ -34,7 +35,7 @@ std::optional<Eigen::VectorXd> smallest_eigenvector(const Eigen::MatrixXd& S,
   const double largest = g[g.size() - 1];
   const Eigen::Index nulls = (g.array() <= kZero * largest).count();
   if (!(largest > 0) || nulls == g.size()) return std::nullopt;
-  // Coordinates: the null space of G first, then directions of unit length in G.
+  // The new coordinates are the null space of G first, then directions of unit length in G.
   Eigen::MatrixXd T = metric.eigenvectors();
   for (Eigen::Index k = nulls; k < g.size(); ++k) T.col(k) /= std::sqrt(g[k]);
   const Eigen::MatrixXd M = T.transpose() * S * T;

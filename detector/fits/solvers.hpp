@@ -5,14 +5,15 @@
 
 namespace quadrille {
 
-/// True if the first of ascending eigenvalues is the only one of its size.
+/// True if the first of ascending eigenvalues is not a multiple one: the second is clearly above
+/// zero.
 bool is_unique(const Eigen::VectorXd& ascending);
 
-/// The unit vector of least qᵀSq for a symmetric S ≥ 0; nullopt if another one is as good.
+/// The unit vector that minimises qᵀSq for a symmetric S ≥ 0; nullopt if it is not unique.
 std::optional<Eigen::VectorXd> smallest_eigenvector(const Eigen::MatrixXd& S);
 
-/// The vector of least qᵀSq with qᵀGq = 1, for symmetric S, G ≥ 0; nullopt if another one is as
-/// good, or if one with qᵀGq = 0 fits exactly.
+/// The vector that minimises qᵀSq subject to qᵀGq = 1, for symmetric S, G ≥ 0; nullopt if it is not
+/// unique, or if a vector with qᵀGq = 0 fits exactly.
 std::optional<Eigen::VectorXd> smallest_eigenvector(const Eigen::MatrixXd& S,
                                                     const Eigen::MatrixXd& G);
 

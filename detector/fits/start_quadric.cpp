@@ -11,7 +11,8 @@
 namespace quadrille {
 namespace {
 
-/// −log likelihood per point but for constants: one Gaussian distance and two Gaussian angles.
+/// The negative log likelihood per point up to constants, for one Gaussian distance and two
+/// Gaussian angles.
 double cost(const Quadric& Q, const OrientedPointsd& points) {
   double distance = 1e-20, angle = 1e-20;
   for (Eigen::Index i = 0; i < points.size(); ++i) {

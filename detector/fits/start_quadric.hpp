@@ -6,9 +6,9 @@
 
 namespace quadrille {
 
-/// The best start for an iterative fit in normalised coordinates: among the closed-form fits to the
-/// points (Taubin, tangent, compact) the likeliest, with the noise of points and of normals
-/// unknown.
+/// The best start for an iterative fit in normalised coordinates: the most likely of the
+/// closed-form fits to the points (Taubin, tangent, compact), with unknown noise of points and
+/// normals.
 /// @return nullopt if none of them has a solution
 std::optional<Quadric> start_quadric(const OrientedPointsd& normalised);
 

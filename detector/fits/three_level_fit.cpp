@@ -18,7 +18,7 @@ std::optional<Quadric> fit_three_level(const OrientedPointsd& points,
     moved.points += level * data.normals;
     const Matrix10d values = scatter_of_values(moved);
     S += values;
-    // The last monomial is 1.
+    // The last monomial is 1, so this column sums up all monomials.
     b += level * values.col(9);
   }
   const auto q = solve_normal_equations(S, b);

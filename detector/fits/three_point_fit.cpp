@@ -7,7 +7,7 @@
 namespace quadrille {
 namespace {
 
-// Only to keep from dividing by zero: how flat a triangle may be is for the error to say.
+// These only prevent division by zero; the estimated error decides how flat a triangle may be.
 constexpr double kMinArea = 1e-9, kMinHeight = 1e-9;
 
 std::optional<Eigen::Matrix4d> solve(const OrientedPointsd& points) {

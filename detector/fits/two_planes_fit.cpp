@@ -15,7 +15,8 @@ using Planes = std::array<Eigen::Vector4d, 2>;
 constexpr Eigen::Index kStarts = 24;
 constexpr int kRounds = 20;
 
-/// Distance to a plane, or what the normal's deviation amounts to over the unit ball if it is more.
+/// Distance from a plane, or the deviation of the normal as a length within the unit ball,
+/// whichever is larger.
 double misfit(const OrientedPointsd& p, Eigen::Index i, const Eigen::Vector4d& plane) {
   const double distance = std::abs(plane.dot(p.points.col(i).homogeneous()));
   const double sine = plane.head<3>().cross(p.normals.col(i)).norm();
@@ -52,7 +53,7 @@ Planes best_start(const OrientedPointsd& p) {
   return best;
 }
 
-/// The plane of some of the points by their scatter.
+/// Fits the plane of the points on one side by their scatter.
 std::optional<Eigen::Vector4d> refit(const OrientedPointsd& p, const std::vector<int>& side,
                                      int which) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();

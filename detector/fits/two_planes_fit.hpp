@@ -6,13 +6,13 @@
 
 namespace quadrille {
 
-/// Two planes as one quadric, (π₁·x)(π₂·x) (paper, figure 2b: a basis of two oriented points and
-/// nothing to vote for). Each of the two is the plane of an oriented point to start with; of all
-/// pairs of up to 24 points the one with the least summed distance is refitted alternately. Not the
-/// detector's two_planes_rss(), which parts samples by their normals first, for speed, and so
-/// cannot part parallel planes.
-/// @param points  6 or more
-/// @return nullopt if the points are too few or coplanar, or if one plane is left with fewer than 3
+/// Fits two planes as one quadric, (π₁·x)(π₂·x) (paper, figure 2b: a basis of two oriented points
+/// and nothing to vote for). Each plane starts as that of one oriented point; of all pairs among up
+/// to 24 points, the pair with the least summed distance is refitted alternately. The detector's
+/// two_planes_rss() is faster: it divides samples by their normals first, and so cannot separate
+/// parallel planes.
+/// @param points  at least 6
+/// @return nullopt if the points are too few or coplanar, or if one plane keeps fewer than 3 points
 std::optional<Quadric> fit_two_planes(const OrientedPointsd& points);
 
 }  // namespace quadrille

@@ -12,8 +12,8 @@ namespace {
 std::optional<Eigen::Matrix4d> solve(const OrientedPointsd& points) {
   const auto web = make_web({points.at(0), points.at(1)}, 0.0);
   if (!web) return std::nullopt;
-  // wₖ(x) = e × dₖ · (x − x₁), not normalised: w₃(x₄) = −w₄(x₃) is to hold to the last bit, as
-  // where they are small the summands nearly cancel.
+  // The planes wₖ(x) = e × dₖ · (x − x₁) are not normalised, so that w₃(x₄) = −w₄(x₃) holds to the
+  // last bit: if both are small, the summands nearly cancel.
   const Eigen::Vector3d x1 = points.points.col(0), e = points.points.col(1) - points.points.col(0);
   std::array<Eigen::Vector4d, 3> w;
   std::array<double, 3> f, triple;

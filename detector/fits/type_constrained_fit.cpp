@@ -21,7 +21,8 @@ namespace {
 
 constexpr double kTypeTolerance = 1e-9;
 constexpr int kBisections = 40;
-// Only points count, as in Taubin's fit; normals give axes and apices.
+// Weight of the tangent constraints: only points count, as in Taubin's fit, while normals give axes
+// and apices.
 constexpr double kNoTangents = 0.0;
 
 bool is_of(const Quadric& Q, QuadricType type) {
@@ -33,7 +34,8 @@ bool is_of(const Quadric& Q, QuadricType type) {
   return found == type;
 }
 
-/// The first quadric of the type on the way from one to an anchor of the type.
+/// Bisects the line from a quadric to an anchor of the type, and returns the first quadric of the
+/// type on it.
 Quadric steer(const Quadric& from, const Quadric& anchor, QuadricType type) {
   const Vector10d a = from.normalized().coefficients();
   Vector10d b = anchor.normalized().coefficients();
@@ -46,13 +48,14 @@ Quadric steer(const Quadric& from, const Quadric& anchor, QuadricType type) {
   return Quadric(Vector10d((1.0 - right) * a + right * b));
 }
 
-/// Squared distance as Taubin measures it.
+/// Mean squared distance in Taubin's approximation.
 double misfit(const Scatter& scatter, const Quadric& Q) {
   const Vector10d q = Q.coefficients();
   return q.dot(scatter.values * q) / q.dot(scatter.gradients * q);
 }
 
-/// Signs of the quadratic part of a type's canonical form; all their permutations are tried.
+/// Signs of the quadratic part of a type's canonical form; for hyperboloids the single sign is
+/// tried on each axis.
 std::vector<Eigen::Vector3d> signatures(QuadricType type) {
   switch (type) {
     case QuadricType::kEllipsoid:
@@ -66,7 +69,7 @@ std::vector<Eigen::Vector3d> signatures(QuadricType type) {
   }
 }
 
-/// The best fit of the type with a quadratic part of the given frame and equal semi-axes.
+/// The best fit of the type whose quadratic part has the given frame and equal semi-axes.
 std::optional<Quadric> anchor(const OrientedPointsd& points, const Eigen::Matrix3d& frame,
                               QuadricType type) {
   const Scatter scatter(points);
@@ -94,7 +97,8 @@ Eigen::Matrix3d eigenframe(const Quadric& Q) {
   return eigen.eigenvectors();
 }
 
-/// An open set of quadrics: the unconstrained fit if it is of the type, or steered to it.
+/// Fits a type that is an open set of quadrics: the unconstrained fit if it is of the type,
+/// otherwise that fit steered towards an anchor.
 std::optional<Quadric> fit_open_type(const OrientedPointsd& points,
                                      const std::optional<Quadric>& free,
                                      const Eigen::Matrix3d& frame, QuadricType type) {
@@ -115,7 +119,7 @@ std::optional<Quadric> fit_extruded(const OrientedPointsd& points, QuadricType t
   if (!axis) return std::nullopt;
   const auto free = fit_design(points, extrusion_design(*axis), kNoTangents);
   if (!free) return std::nullopt;
-  // The axis last: its eigenvalue is zero.
+  // Moves the axis to the last column, since its eigenvalue is zero.
   Eigen::Matrix3d frame = eigenframe(*free);
   Eigen::Index last = 0;
   (frame.transpose() * *axis).cwiseAbs().maxCoeff(&last);
@@ -128,7 +132,8 @@ std::optional<Quadric> fit_parabolic_cylinder(const OrientedPointsd& points) {
   if (!axis) return std::nullopt;
   const Eigen::Vector3d e = axis->unitOrthogonal(), f = axis->cross(e);
   const Scatter scatter(points);
-  // x² + linear terms: the direction of x by a search over half a turn, refined.
+  // The surface is x² plus linear terms; the direction of x is found by a search over half a turn,
+  // which is then refined.
   const auto at = [&](double angle) {
     const Eigen::Vector3d x = std::cos(angle) * e + std::sin(angle) * f;
     Eigen::Matrix4d M = Eigen::Matrix4d::Zero();
@@ -157,7 +162,7 @@ std::optional<Quadric> fit_parabolic_cylinder(const OrientedPointsd& points) {
   return best;
 }
 
-/// Best fits of a design that depends on a direction, so far.
+/// Keeps the best fit of a design that depends on a direction.
 struct DirectionSearch {
   const Scatter& scatter;
   QuadricType type;
@@ -173,7 +178,7 @@ struct DirectionSearch {
   }
 };
 
-/// The axis by a pattern search, from wherever on a coarse hemisphere the type fits best.
+/// Finds the axis by a pattern search that starts from the best direction on a coarse hemisphere.
 std::optional<Quadric> fit_paraboloid(const OrientedPointsd& points, QuadricType type) {
   const Scatter scatter(points);
   DirectionSearch search{scatter, type};

@@ -8,23 +8,23 @@
 namespace quadrille {
 namespace {
 
-/// The 10-vector of a product of two affine functions.
+/// The coefficients of the product of two affine functions.
 Vector10d product(const Eigen::Vector4d& a, const Eigen::Vector4d& b) {
   return Quadric(symmetric_product(a, b)).coefficients();
 }
 
-/// u·x as an affine function, and 1.
+/// The affine functions u·x and 1.
 Eigen::Vector4d linear(const Eigen::Vector3d& u) { return {u.x(), u.y(), u.z(), 0.0}; }
 const Eigen::Vector4d kOne = Eigen::Vector4d::UnitW();
 
-/// |x − p|².
+/// The coefficients of |x − p|².
 Vector10d square_distance(const Eigen::Vector3d& p) {
   Vector10d q;
   q << 1, 1, 1, 0, 0, 0, -p, p.squaredNorm();
   return q;
 }
 
-/// (u·(x − p))².
+/// The coefficients of (u·(x − p))².
 Vector10d square_along(const Eigen::Vector3d& u, const Eigen::Vector3d& p) {
   const Eigen::Vector4d along(u.x(), u.y(), u.z(), -u.dot(p));
   return product(along, along);

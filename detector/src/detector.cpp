@@ -23,21 +23,21 @@
 namespace quadrille {
 namespace {
 
-/// True if a list of types names this one, or names none.
+/// True if the list of types is empty or contains this type.
 bool lets_pass(const std::vector<QuadricType>& types, QuadricType type) {
   return types.empty() || std::find(types.begin(), types.end(), type) != types.end();
 }
 
-/// The planes, the samples that they were found on, and per finest cell the plane that it lies on,
-/// −1 for none.
+/// The planes, the samples on which they were found, and for each finest cell its plane, −1 for
+/// none.
 struct FlatParts {
   SurfaceSamples coarse;
   std::vector<PlaneRegion> planes;
   std::vector<int> plane_of_cell;
 };
 
-/// True if a plane may be a piece that waves have cut off a larger one: one of those before it, the
-/// largest first, is parallel to it within 20°.
+/// True if a plane may be a piece that sensor waves have cut off a larger plane: one of the planes
+/// before it, which are larger, is parallel to it within 20°.
 bool has_larger_parallel(const std::vector<PlaneRegion>& planes, std::size_t k) {
   constexpr double kMinCosine = 0.94;
   return std::any_of(planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(k),
@@ -47,13 +47,13 @@ bool has_larger_parallel(const std::vector<PlaneRegion>& planes, std::size_t k) 
                      });
 }
 
-/// Detections, and per finest cell the index of the one that it lies on, −1 for none.
+/// The detections, and for each finest cell the index of the detection on which it lies, −1 for
+/// none.
 struct Measured {
   std::vector<Detection> detections;
   std::vector<int> owner;
 };
 
-/// Measures the surfaces.
 void measure_surfaces(const Aggregation& aggregation, const FlatParts& flat,
                       const SurfaceSamples& finest, const SceneContext& context,
                       const Eigen::Vector3d& viewpoint, Measured* measured) {
@@ -65,7 +65,7 @@ void measure_surfaces(const Aggregation& aggregation, const FlatParts& flat,
   }
 }
 
-/// Measures the planes, which get the cells on them that no surface has.
+/// Measures the planes, and gives them those of their cells that no surface has.
 void measure_planes(const FlatParts& flat, const SceneContext& context, double min_confidence,
                     const Eigen::Vector3d& viewpoint, Measured* measured) {
   const std::vector<Surface> weighed = weighed_planes(flat.coarse, flat.planes, context);
@@ -82,7 +82,7 @@ void measure_planes(const FlatParts& flat, const SceneContext& context, double m
   }
 }
 
-/// Replaces the rms of the samples by that of the points.
+/// Replaces the rms of the samples by the rms of the points.
 void set_rms_of_points(const CloudView& cloud, const CellPyramid& pyramid, Measured* measured) {
   std::vector<Quadric> quadrics;
   for (const Detection& d : measured->detections) quadrics.push_back(d.Q_C);
@@ -92,7 +92,7 @@ void set_rms_of_points(const CloudView& cloud, const CellPyramid& pyramid, Measu
   }
 }
 
-/// Those to report first; best score first, of equal ones the larger.
+/// Sorts detections by score and then by size, those to report first, and numbers them.
 std::vector<Detection> ranked(std::vector<Detection> detections,
                               const std::vector<QuadricType>& report) {
   std::stable_sort(detections.begin(), detections.end(),
@@ -109,7 +109,7 @@ std::vector<Detection> ranked(std::vector<Detection> detections,
   return detections;
 }
 
-/// What all stages make of a cloud.
+/// Result of all stages on a cloud.
 struct Findings {
   std::vector<Detection> detections;
   std::size_t points_used = 0;
@@ -121,7 +121,7 @@ std::size_t count_points(const CellPyramid& pyramid) {
   return count;
 }
 
-/// All stages on a cloud near the origin.
+/// Runs all stages on a cloud near the origin.
 Findings find_all(const CloudView& cloud, const DetectorOptions& options, StageClock& clock) {
   const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
   clock.end("cells");
@@ -154,7 +154,8 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options, StageC
   return findings;
 }
 
-/// The same wherever the cloud lies: far from the origin its coordinates have few digits to spare.
+/// Runs all stages on a cloud anywhere. One far from the origin is shifted first, since its
+/// coordinates leave few digits for the shape.
 Findings find_anywhere(const CloudView& cloud, const Eigen::Vector3d& centre,
                        const DetectorOptions& options, StageClock& clock) {
   if (!is_far(centre)) return find_all(cloud, options, clock);
@@ -164,7 +165,7 @@ Findings find_anywhere(const CloudView& cloud, const Eigen::Vector3d& centre,
   return findings;
 }
 
-/// The same of boxes.
+/// Finds boxes in a cloud anywhere, with the same shift.
 std::vector<Box> find_boxes_anywhere(const CloudView& cloud, const Eigen::Vector3d& centre,
                                      std::vector<Detection> detections) {
   if (!is_far(centre)) return find_boxes(cloud, detections);
@@ -184,7 +185,7 @@ double diameter_of(const CloudView& cloud) {
   return box.isEmpty() ? 0.0 : static_cast<double>(box.diagonal().norm());
 }
 
-/// The options with what they leave to the cloud and to what is sought.
+/// Resolves the options that depend on the cloud or on the types sought.
 DetectorOptions settled(DetectorOptions options, const CloudView& cloud) {
   if (options.sampling.relative_cell > 0.0) {
     options.sampling.cell = options.sampling.relative_cell * diameter_of(cloud);
@@ -216,7 +217,7 @@ bool seeks_spheres_alone(const DetectorOptions& options) {
 }
 
 DetectorOptions sphere_options(DetectorOptions options) {
-  // Four parameters need no fine cells, few points, and few votes.
+  // A sphere has only four parameters, so coarse cells, few points and few votes suffice.
   options.sampling.cell *= 2.0;
   options.sampling.stride *= 6;
   options.sampling.noise.patches = std::min(options.sampling.noise.patches, 100);
@@ -227,10 +228,11 @@ DetectorOptions sphere_options(DetectorOptions options) {
   options.search.grow.rounds = std::min(options.search.grow.rounds, 3);
   options.search.grow.families = {Family::kSphere};
   options.aggregate.families = {Family::kSphere};
-  // With a single family to choose from, all that is round gets a sphere: its residual refuses what
-  // is none. Elsewhere richer families take that over, and the default refuses nothing.
+  // With spheres as the only family, every round surface gets a sphere, and the residual must
+  // refuse wrong ones. With all families, richer ones explain such surfaces, and the default
+  // refuses none.
   options.aggregate.max_residual = 1.6;
-  // Of wider cells more lie at an edge.
+  // More of the wider cells lie at an edge, which lowers the confidence.
   options.aggregate.min_confidence = std::min(options.aggregate.min_confidence, 0.3);
   return options;
 }

@@ -7,7 +7,8 @@
 namespace quadrille {
 namespace {
 
-/// Bytes of the UTF-8 character with which a text begins; 0 if it is a control character, or none.
+/// Bytes of the UTF-8 character at the start of a text; 0 if the bytes are no valid character or a
+/// control character.
 std::size_t size_of_character(std::string_view text) {
   const auto byte = [&](std::size_t i) -> std::uint32_t {
     return i < text.size() ? static_cast<unsigned char>(text[i]) : 0;
@@ -21,7 +22,8 @@ std::size_t size_of_character(std::string_view text) {
     if ((byte(i) & 0xc0) != 0x80) return 0;
     code = code << 6 | (byte(i) & 0x3f);
   }
-  // Fewer bytes would do for smaller codes; those from 0x80 to 0x9f are control characters.
+  // Codes below these limits would fit into fewer bytes; codes from 0x80 to 0x9f are control
+  // characters.
   constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0xa0, 0x800, 0x10000};
   const bool is_surrogate = code >= 0xd800 && code <= 0xdfff;
   return code < kLeast[size] || is_surrogate || code > 0x10ffff ? 0 : size;
@@ -38,7 +40,7 @@ std::string escape(char byte) {
 std::string printable(std::string_view bytes, std::size_t max) {
   constexpr std::string_view kEllipsis = "...";
   std::string text;
-  std::size_t fits = 0;  // Bytes of the text that leave room for the ellipsis.
+  std::size_t fits = 0;  // Longest prefix that leaves room for the ellipsis [bytes].
   while (!bytes.empty()) {
     const std::size_t size = size_of_character(bytes);
     text += size > 0 ? std::string(bytes.substr(0, size)) : escape(bytes.front());

@@ -6,7 +6,7 @@
 namespace quadrille {
 namespace {
 
-/// How the coefficients of quadrics change, f(x) to f(X⁻¹ x).
+/// The linear map of quadric coefficients that takes f(x) to f(X⁻¹ x).
 Eigen::Matrix<double, 10, 10> coefficients_map(const Eigen::Isometry3d& X_FC) {
   Eigen::Matrix<double, 10, 10> map;
   for (int k = 0; k < 10; ++k) {
@@ -15,7 +15,7 @@ Eigen::Matrix<double, 10, 10> coefficients_map(const Eigen::Isometry3d& X_FC) {
   return map;
 }
 
-/// The covariance of a unit q after a linear map, as that of the unit vector there.
+/// The covariance of a unit q after a linear map and renormalisation to a unit vector.
 QuadricCovariance mapped(const QuadricCovariance& covariance,
                          const Eigen::Matrix<double, 10, 10>& map, const Vector10d& q) {
   const Vector10d there = (map * q).normalized();

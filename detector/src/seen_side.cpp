@@ -3,7 +3,7 @@
 namespace quadrille {
 namespace {
 
-/// True if the z axis of the canonical frame lies on the inner side of a surface.
+/// True if the z axis of the canonical frame lies inside the surface.
 bool surrounds_axis(QuadricType type) {
   switch (type) {
     case QuadricType::kSphere:
@@ -25,7 +25,7 @@ bool surrounds_axis(QuadricType type) {
 
 bool shows_inside(const Detection& detection) {
   if (!surrounds_axis(detection.type) || detection.extent_Q.isEmpty()) return false;
-  // f grows towards the side that the sensor saw.
+  // The function f increases towards the side that the sensor saw.
   const double middle = detection.extent_Q.center().z();
   return detection.Q_C.value(detection.X_CQ * Eigen::Vector3d(0.0, 0.0, middle)) > 0.0;
 }

@@ -1,4 +1,5 @@
-// Detects the quadrics of a cloud and plans grasps on them: both libraries compile and link.
+// Detects the quadrics of a cloud and prints the hand's opening, which shows that both libraries
+// compile and link.
 #include <iostream>
 
 #include "quadrille/detector/detector.hpp"

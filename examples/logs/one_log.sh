@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Detects and plans on one LCM log: one_log.sh FOLDER LOG. A result appears once it is whole.
+# Detects and plans on one LCM log: one_log.sh FOLDER LOG. A result appears once it is complete.
 set -euo pipefail
 
 folder=$1 log=$2

@@ -3,9 +3,10 @@
 #
 # usage: parallel.sh FOLDER LOG…
 #
-# The results of NAME.lcm are FOLDER/NAME.lcm, with its clouds. Run it again after a stop: what is
-# finished is not done again. PLANNER_OPTIONS holds options of the planner, such as "--gripper wsg50".
-# For more machines add -S HOST1,HOST2 to parallel's options, with the folders on all of them.
+# The results of NAME.lcm, with its clouds, are written to FOLDER/NAME.lcm. If the script was stopped,
+# run it again: finished logs are skipped. PLANNER_OPTIONS holds options of the planner, such as
+# "--gripper wsg50". For more machines, which must have the folders, add -S HOST1,HOST2 to parallel's
+# options.
 set -euo pipefail
 
 folder=${1:?usage: parallel.sh FOLDER LOG…}

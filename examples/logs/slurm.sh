@@ -6,13 +6,13 @@
 #SBATCH --time=01:00:00
 #SBATCH --output=logs_%a.log
 #SBATCH --requeue
-# Detects and plans on many LCM logs as a Slurm array: each task takes every N-th log, and goes on
-# if it is stopped and comes again.
+# Detects and plans on many LCM logs as a Slurm array: each task takes every N-th log, and resumes
+# if it is stopped and requeued.
 #
 #   sbatch slurm.sh FOLDER LOG…                    8 tasks
 #   sbatch --array=1-100 slurm.sh FOLDER LOG…
 #
-# Slurm runs a copy of this script: EXAMPLES names the folder that one_log.sh is in.
+# Slurm runs a copy of this script, so EXAMPLES must name the folder that contains one_log.sh.
 set -euo pipefail
 
 folder=${1:?usage: sbatch slurm.sh FOLDER LOG…}

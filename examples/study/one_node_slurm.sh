@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Slurm on this one machine, to try array jobs without a cluster. Debian and Ubuntu, as root.
+# Runs Slurm on this machine alone, to try array jobs without a cluster. Debian and Ubuntu, as root.
 #
-#   one_node_slurm.sh start [FOLDER]   installs what is missing and starts it
+#   one_node_slurm.sh start [FOLDER]   installs missing packages and starts Slurm
 #   export SLURM_CONF=FOLDER/slurm.conf
 #   sbatch --wait --array=1-2 slurm.sh out/study --scenes 4 --seed 1 --gripper franka
 #   one_node_slurm.sh stop [FOLDER]
 #
-# All that it writes is in FOLDER, by default /var/tmp/one_node_slurm. munge, with which the parts
-# of Slurm know each other, is left running.
+# All its files are in FOLDER, by default /var/tmp/one_node_slurm. munge, by which the parts of Slurm
+# authenticate each other, is left running.
 set -euo pipefail
 
 command=${1:-}
@@ -19,7 +19,7 @@ fail() {
   exit 1
 }
 
-# wait_for SECONDS COMMAND…: until the command succeeds.
+# wait_for SECONDS COMMAND… repeats the command until it succeeds, for at most so many seconds.
 wait_for() {
   local tries=$(($1 * 5))
   shift
@@ -32,7 +32,7 @@ wait_for() {
 install_packages() {
   local needed=(slurmctld slurmd slurm-client munge) missing=() package status
   for package in "${needed[@]}"; do
-    # It fails for a package that it has never heard of.
+    # dpkg-query fails for a package that it does not know.
     status=$(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null || true)
     [[ $status == installed ]] || missing+=("$package")
   done
@@ -51,7 +51,7 @@ start_munge() {
   wait_for 10 munge -n || fail "munge does not start; see /var/log/munge/munged.log"
 }
 
-# The node as slurmd sees it, and no accounting, control groups or power saving.
+# Writes settings with the node as slurmd sees it, without accounting, control groups or power saving.
 write_settings() {
   local name node
   name=$(hostname -s)

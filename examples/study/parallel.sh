@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# A study on all cores of this machine, or of several, as jobs of GNU parallel.
+# Runs a study on all cores of one or several machines, as jobs of GNU parallel.
 #
 # usage: parallel.sh [FOLDER [JOBS [OPTION…]]]
 #
-# Each job takes every JOBS-th scene. Run it again after a stop: what is finished is not done again.
-# For more machines add -S HOST1,HOST2 to parallel's options, with the folder on all of them.
+# Each job takes every JOBS-th scene. If it was stopped, run it again: finished scenes are skipped.
+# For more machines, which must have the folder, add -S HOST1,HOST2 to parallel's options.
 set -euo pipefail
 
 folder=${1:-out/study}
@@ -22,7 +22,7 @@ command -v quadrille >/dev/null || {
 }
 
 mkdir -p "$folder"
-# One scene at a time in each job: the jobs are what runs side by side.
+# Each job computes one scene at a time, since the jobs themselves run in parallel.
 seq "$jobs" | parallel --will-cite --jobs "$jobs" --halt soon,fail=1 --quote \
   quadrille study grasps "${options[@]}" --threads 1 \
   --shard "{}/$jobs" --csv "$folder/shard_{}.csv" >/dev/null

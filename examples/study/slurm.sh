@@ -6,8 +6,8 @@
 #SBATCH --time=01:00:00
 #SBATCH --output=study_%a.log
 #SBATCH --requeue
-# A study as a Slurm array: each task takes its share of the scenes, and goes on with it if it is
-# stopped and comes again.
+# Runs a study as a Slurm array: each task takes its share of the scenes, and resumes if it is stopped
+# and requeued.
 #
 #   sbatch slurm.sh FOLDER [OPTION…]              8 tasks
 #   sbatch --array=1-100 slurm.sh FOLDER [OPTION…]
@@ -19,7 +19,7 @@ folder=${1:?usage: sbatch slurm.sh FOLDER [OPTION…]}
 options=("${@:2}")
 ((${#options[@]} > 0)) || options=(--scenes 1000 --seed 1 --gripper franka)
 
-# The array has to count from 1 on, and is the whole of it unless SHARDS says more.
+# The array must count from 1, and covers the whole study unless SHARDS says that there are more.
 shard=${SLURM_ARRAY_TASK_ID:?this is a job for sbatch} shards=${SHARDS:-$SLURM_ARRAY_TASK_COUNT}
 
 mkdir -p "$folder"

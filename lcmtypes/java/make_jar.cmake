@@ -6,7 +6,7 @@ execute_process(COMMAND ${LCM_GEN} --java --jpath ${WORK}/sources ${schemas}
                 COMMAND_ERROR_IS_FATAL ANY OUTPUT_QUIET)
 file(GLOB_RECURSE sources ${WORK}/sources/*.java)
 foreach(source IN LISTS sources)
-  # What lcm-gen 1.3 gets wrong: sizes of 64 bits, as drake.lcmt_point_cloud has, where Java takes int.
+  # lcm-gen 1.3 passes 64-bit sizes, as in drake.lcmt_point_cloud, where Java expects int; add casts.
   file(READ ${source} text)
   string(REGEX REPLACE ", 0, ((this\\.)?[A-Za-z0-9_]+)\\)" ", 0, (int) \\1)" text "${text}")
   file(WRITE ${source} "${text}")

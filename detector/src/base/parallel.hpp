@@ -4,9 +4,9 @@
 
 namespace quadrille {
 
-/// Calls task(0) … task(count - 1), each once, on up to `threads` threads. Tasks must not touch
-/// each other's results; then the outcome does not depend on the threads. The exception of the
-/// task with the lowest number, if any throws, is rethrown.
+/// Calls task(0) … task(count - 1) once each on up to `threads` threads. The outcome does not
+/// depend on the threads if tasks do not touch each other's results. If tasks throw, the exception
+/// of the one with the lowest number is rethrown.
 void parallel_for(int count, int threads, const std::function<void(int)>& task);
 
 }  // namespace quadrille

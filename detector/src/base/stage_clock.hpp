@@ -9,10 +9,10 @@
 
 namespace quadrille {
 
-/// Measures the wall time of stages that follow each other.
+/// Measures the wall time of consecutive stages.
 class StageClock {
  public:
-  /// Ends the stage that began with the end of the last one; time of the same name adds up.
+  /// Ends the current stage, which began at the end of the last one; times of equal names add up.
   void end(std::string_view stage) {
     const Clock::time_point now = Clock::now();
     const double ms = milliseconds(now - last_);
@@ -26,7 +26,7 @@ class StageClock {
     }
   }
 
-  /// In the order in which they first ended.
+  /// Times of the stages in the order in which they first ended.
   const std::vector<StageTime>& timings() const { return timings_; }
   /// Time since the clock was made [ms].
   double total_ms() const { return milliseconds(Clock::now() - start_); }

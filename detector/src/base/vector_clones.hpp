@@ -1,10 +1,10 @@
 #pragma once
 
-// Marks a function with loops worth compiling twice, for AVX2 and for any x86-64; the loader picks
-// the one that the machine can run. The arithmetic is the same operation by operation (no fused
-// multiply-add), so that the results are the same bits.
-// Sanitizers are not yet set up when the loader picks. Clang 14 names what the loader picks so that
-// no other source finds it; what clang compiles goes without.
+// Marks a function whose loops are worth compiling twice, for AVX2 and for any x86-64; the loader
+// picks the version that the machine can run. Both perform the same operations (no fused
+// multiply-add), so the results are the same bits.
+// Sanitizers are not set up yet when the loader picks, so they get one version. Clang 14 names the
+// resolver such that other sources do not find it, so clang gets one version too.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define QUADRILLE_SANITIZED 1
 #elif defined(__has_feature)

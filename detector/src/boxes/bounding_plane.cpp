@@ -9,13 +9,14 @@
 namespace quadrille {
 namespace {
 
-// Cosines between an end's direction and the reversed normal of a plane that faces it, 78°, and of
-// one that is parallel, 10°.
+// Least cosines between an end's direction and the reversed normal of a plane: for a plane that
+// faces the end (78°), and for one that is parallel to it (10°).
 constexpr double kMinFacing = 0.2, kMinParallel = 0.985;
-// A plane goes on under the box and in its shadow, so far beyond what was seen of it [m].
+// A plane continues under the box and in its shadow, up to this far beyond its seen part [m].
 constexpr double kBeyondSeen = 0.1;
 
-/// From a corner along the direction to the plane; nullopt if it does not meet it.
+/// Distance from a corner along a direction to the plane; nullopt if the ray misses the plane's
+/// extent [m].
 std::optional<double> distance_to(const Detection& plane, const Eigen::Vector3d& n_C,
                                   const Eigen::Vector3d& corner_C, const Eigen::Vector3d& out_C) {
   const double distance = n_C.dot(plane.X_CQ.translation() - corner_C) / n_C.dot(out_C);
@@ -37,7 +38,8 @@ PlaneStop stop_at_plane(const std::vector<Eigen::Vector3d>& corners_C, const Eig
     const double facing = -n_C.dot(out_C);
     if (facing < kMinFacing) continue;
     const bool parallel = facing > kMinParallel;
-    // The nearest corner stops the end; the mean is known better where all come at once.
+    // The nearest corner stops the end. On a parallel plane all corners meet at once, and their
+    // mean is more accurate.
     double nearest = std::numeric_limits<double>::infinity(), sum = 0.0;
     int met = 0;
     for (const Eigen::Vector3d& corner_C : corners_C) {

@@ -7,19 +7,19 @@
 
 namespace quadrille {
 
-/// Where planes stop the end of a box.
+/// The plane that stops the end of a box from moving outward.
 struct PlaneStop {
-  /// Distance of the nearest plane from the end, along the direction in which the end looks;
-  /// infinite if there is none [m].
+  /// Distance from the end to the nearest plane along the end's outward direction [m]; infinite if
+  /// there is none.
   double distance = 0.0;
-  /// True if that plane is parallel to the end: the box may rest on it.
+  /// True if that plane is parallel to the end, so that the box may rest on it.
   bool parallel = false;
 };
 
-/// The nearest plane before an end of a box that faces it.
+/// Finds the nearest plane that faces an end of a box.
 /// @param corners_C  the end's four corners [m]
-/// @param out_C      unit direction in which it looks
-/// @param slack      a plane may lie so far within the box [m]
+/// @param out_C      unit outward direction of the end
+/// @param slack      how far within the box a plane may lie [m]
 PlaneStop stop_at_plane(const std::vector<Eigen::Vector3d>& corners_C, const Eigen::Vector3d& out_C,
                         const std::vector<const Detection*>& planes, double slack);
 

@@ -12,8 +12,8 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
 }
 
-/// Corners of the convex hull (monotone chain), of which there are three at least unless all points
-/// lie on a line.
+/// Corners of the convex hull (monotone chain). There are at least three unless all points lie on a
+/// line.
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
   std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
@@ -33,7 +33,7 @@ std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
   return hull;
 }
 
-/// Along a side of the smallest rectangle around a hull.
+/// Direction of a side of the smallest rectangle around a hull.
 Eigen::Vector2d smallest_rectangle(const std::vector<Eigen::Vector2d>& hull) {
   Eigen::Vector2d best = Eigen::Vector2d::UnitX();
   double least = std::numeric_limits<double>::infinity();
@@ -51,7 +51,7 @@ Eigen::Vector2d smallest_rectangle(const std::vector<Eigen::Vector2d>& hull) {
   return best;
 }
 
-/// Of one face.
+/// Axes of a single face: its normal, and the sides of the smallest rectangle around its points.
 Eigen::Matrix3d axes_of_rectangle(const Face& face) {
   const Eigen::Vector3d e1 = face.n_C.unitOrthogonal(), e2 = face.n_C.cross(e1);
   std::vector<Eigen::Vector2d> places;
@@ -77,7 +77,7 @@ Eigen::Matrix3d box_axes(const std::vector<const Face*>& faces) {
     S.col(static_cast<Eigen::Index>(i)) = weight * faces[i]->n_C;
   }
   if (faces.size() == 2) {
-    // Without a weight of its own, the third axis follows from the two.
+    // The third axis is determined by the two normals, so it gets a negligible weight.
     S.col(2) = 1e-6 * faces[0]->n_C.cross(faces[1]->n_C) * S.norm();
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(S, Eigen::ComputeFullU | Eigen::ComputeFullV);

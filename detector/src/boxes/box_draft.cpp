@@ -7,7 +7,7 @@
 namespace quadrille {
 namespace {
 
-// How far around faces their surroundings are looked at [m].
+// Distance around the faces within which their surroundings are looked at [m].
 constexpr double kAround = 0.04;
 
 }  // namespace

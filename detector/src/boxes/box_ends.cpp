@@ -11,21 +11,25 @@
 namespace quadrille {
 namespace {
 
-// Two outlines agree within so many of their deviations.
+// Two outlines agree if they differ by no more than this many times their summed standard
+// deviations.
 constexpr double kAgreeing = 3.0;
-// An end that is so near to a plane rests on it [m].
+// An end that is this near to a parallel plane rests on it [m].
 constexpr double kResting = 0.008;
-// Deviation of an end that is a face or rests on a plane, beside that of the plane's points [m].
+// Standard deviation of an end that is a face or rests on a plane, in addition to that of the
+// plane's points [m].
 constexpr double kPlaneStd = 0.0005;
-// Points that make one independent measurement.
+// Neighbouring points share their noise, so that this many count as one independent measurement.
 constexpr double kPointsPerMeasurement = 16.0;
-// Within so much of its outside a box may be rounded and noisy [m], a share of its side at most.
+// The outermost layer of a box may be rounded and noisy: its thickness [m], and at most this share
+// of the side.
 constexpr double kSkin = 0.008, kMaxSkinShare = 0.3;
-// Lines of sight that do not bound an end, as a share of the points on a face: strays.
+// Lines of sight that may cross a box as strays without bounding its end: this share of the points
+// on a face, and at least kMinStrays.
 constexpr double kStrayShare = 0.01;
 constexpr std::size_t kMinStrays = 5;
 
-/// The middle of a face's points along its axis.
+/// An end that is a face: the median position of the face's points along the axis.
 BoxEnd plane_end(const BoxDraft& draft, const Face& face, int axis, int upper) {
   const Eigen::Vector3d out = draft.out_C(axis, upper);
   std::vector<double> heights;
@@ -34,8 +38,8 @@ BoxEnd plane_end(const BoxDraft& draft, const Face& face, int axis, int upper) {
   return {median(heights), std::hypot(kPlaneStd, face.sigma / std::sqrt(std::max(1.0, n))), true};
 }
 
-/// By the outlines of the faces that lie along the axis: of two that agree the mean, else the
-/// farther one, for planes are found in parts.
+/// An end from the outlines of the faces that lie along the axis. Two outlines that agree are
+/// averaged; otherwise the farther one counts, since planes are often found only in part.
 BoxEnd outline_end(const BoxDraft& draft, int axis, int upper) {
   std::vector<FaceEdge> edges;
   for (int i = 0; i < static_cast<int>(draft.faces.size()); ++i) {
@@ -43,7 +47,7 @@ BoxEnd outline_end(const BoxDraft& draft, int axis, int upper) {
       edges.push_back(
           edge_of(*draft.faces[i], draft.out_C(axis, upper), draft.seen_through[i], *draft.sight));
   }
-  // Behind one face alone nothing is seen.
+  // Nothing is seen behind a face that stands alone, so this end starts at the face itself.
   if (edges.empty()) return {-plane_end(draft, *draft.faces[0], axis, !upper).at, 0.0, false};
   const bool seen = std::any_of(edges.begin(), edges.end(), [](const auto& e) { return e.seen; });
   if (seen) std::erase_if(edges, [](const FaceEdge& e) { return !e.seen; });
@@ -59,7 +63,8 @@ BoxEnd outline_end(const BoxDraft& draft, int axis, int upper) {
   return {far.at, std::hypot(far.std, seen ? 0.5 * apart : 0.0), seen};
 }
 
-/// Where planes stop an end.
+/// Finds the plane that stops an end from moving outward, given the end's position and the seen
+/// outline.
 PlaneStop stop_from(const BoxDraft& draft, const std::vector<const Detection*>& planes, double at,
                     int axis, int upper, double slack) {
   Eigen::AlignedBox3d box_A = draft.reach_A();
@@ -74,7 +79,8 @@ PlaneStop stop_from(const BoxDraft& draft, const std::vector<const Detection*>& 
   return stop_at_plane(corners, draft.out_C(axis, upper), planes, slack);
 }
 
-/// What rests on a plane ends there: the outline of a face does not tell it from what it touches.
+/// Moves an end onto a parallel plane next to it. The outline of a face alone cannot tell the face
+/// from the plane that it touches.
 BoxEnd rested(const BoxDraft& draft, const std::vector<const Detection*>& planes, BoxEnd end,
               int axis, int upper) {
   const PlaneStop stop =
@@ -93,7 +99,7 @@ BoxEnd find_end(const BoxDraft& draft, const std::vector<const Detection*>& plan
   return end.seen ? rested(draft, planes, end, axis, upper) : end;
 }
 
-/// How far an end may move before it hides what was seen [m].
+/// How far an end may move outward before the box would hide points that were seen [m].
 double free_of(const BoxDraft& draft, Eigen::AlignedBox3d box_A, int axis, int upper) {
   const double skin = kSkin + draft.max_tolerance();
   for (int k = 0; k < 3; ++k) {
@@ -101,7 +107,8 @@ double free_of(const BoxDraft& draft, Eigen::AlignedBox3d box_A, int axis, int u
     box_A.min()[k] += off;
     box_A.max()[k] -= off;
   }
-  // What lies within the noise of a face is the face.
+  // Points within the noise of the end may belong to the end itself, so the added part begins
+  // beyond.
   (upper ? box_A.max() : box_A.min())[axis] += (upper ? 1.0 : -1.0) * skin;
   Eigen::AlignedBox3d reach_A = box_A;
   (upper ? reach_A.max() : reach_A.min())[axis] += (upper ? 1.0 : -1.0) * kMaxSide;
@@ -120,9 +127,9 @@ void bound(const BoxDraft& draft, const std::vector<const Detection*>& planes,
   const PlaneStop stop = stop_from(draft, planes, end->at, axis, upper, kResting);
   const double free = free_of(draft, box_A, axis, upper), side = box_A.sizes()[axis];
   end->may_reach = std::max(0.0, std::min({stop.distance, free, kMaxSide - side}));
-  // Things rest on what is below them.
+  // The unseen end rests on the plane beyond it unless lines of sight pass between the two.
   end->rests = stop.parallel && stop.distance <= free + kSkin + draft.max_tolerance();
-  // Of a side that was seen in part most was.
+  // If any part of a side was seen, assume that the hidden rest is shorter than the seen part.
   end->likely = end->rests ? end->may_reach : side > 0.0 ? 0.0 : 0.5 * end->may_reach;
 }
 

@@ -9,33 +9,34 @@
 
 namespace quadrille {
 
-/// No side of a box is longer [m]: tables, walls and floors are.
+/// No side of a box is longer [m], whereas tables, walls and floors are.
 inline constexpr double kMaxSide = 0.7;
 
 /// One end of one side of a box.
 struct BoxEnd {
-  /// Along the outward direction from the origin of C, and its standard deviation [m].
+  /// Position along the outward direction, from the origin of C, and its standard deviation [m].
   double at = 0.0, std = 0.0;
-  /// True if it was seen to end there.
+  /// True if the side was seen to end there.
   bool seen = false;
-  /// How far beyond `at` it may reach at most, and most likely reaches [m].
+  /// How far beyond `at` the side reaches at most, and most likely [m].
   double may_reach = 0.0, likely = 0.0;
-  /// True if it lies on a plane that is parallel to it.
+  /// True if the end lies on a plane that is parallel to it.
   bool rests = false;
 };
 
 /// The lower and the upper end of each side.
 using BoxEnds = std::array<std::array<BoxEnd, 2>, 3>;
 
-/// The ends as far as they were seen: faces, outlines of faces, and planes that these rest on.
-/// @param planes  all planes that were detected but the faces
+/// Finds the ends as far as they were seen, from the faces, their outlines, and the planes on which
+/// the outlines rest.
+/// @param planes  all detected planes except the faces
 BoxEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes);
 
-/// Bounds the ends that were not seen by what they would hide, and by the planes they would cross.
+/// Bounds the unseen ends: they may neither hide points that were seen nor cross a plane.
 void bound_open_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes,
                      BoxEnds* ends);
 
-/// What lies between the ends as far as they were seen, in frame A [m].
+/// The box between the seen positions of the ends, in frame A [m].
 Eigen::AlignedBox3d seen_part(const BoxEnds& ends);
 
 }  // namespace quadrille

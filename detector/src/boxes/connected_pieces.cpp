@@ -7,7 +7,8 @@
 namespace quadrille {
 namespace {
 
-// Cells for each point at most, where a few points lie far from all others; cells become larger.
+// Upper limit of grid cells per point. If a few points lie far from all others, the cells are made
+// larger to keep it.
 constexpr double kMaxCellsPerPoint = 64.0;
 
 constexpr int kEmpty = -2, kOpen = -1;
@@ -21,7 +22,7 @@ std::vector<int> connected_pieces(const std::vector<Eigen::Vector2d>& places, do
   const double max_cells = kMaxCellsPerPoint * static_cast<double>(places.size());
   cell = std::max(
       {cell, std::sqrt(bounds.sizes().prod() / max_cells), bounds.sizes().maxCoeff() / max_cells});
-  // A border of empty cells, so that each cell has all neighbours.
+  // A border of empty cells gives each cell all eight neighbours.
   const int width = 3 + static_cast<int>(bounds.sizes().x() / cell);
   const int height = 3 + static_cast<int>(bounds.sizes().y() / cell);
   const auto cell_of = [&](const Eigen::Vector2d& place) {

@@ -5,8 +5,8 @@
 
 namespace quadrille {
 
-/// For each place in a plane the number of its connected piece, from 0: places in one cell of a
-/// grid, or in cells that touch, are connected.
+/// Returns for each place in a plane the number of its connected piece, counted from 0. Places are
+/// connected if they share a grid cell or lie in touching cells.
 /// @param cell  edge of the cells, in the unit of the places
 std::vector<int> connected_pieces(const std::vector<Eigen::Vector2d>& places, double cell);
 

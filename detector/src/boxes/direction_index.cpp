@@ -8,17 +8,17 @@
 namespace quadrille {
 namespace {
 
-// Tiles along either side of the image.
+// Number of tiles along each side of the image.
 constexpr int kTiles = 64;
-// Each level of points has a quarter of those of the one before.
+// Number of levels; each has about a quarter of the points of the level before.
 constexpr int kLevels = 4;
-// So many points tell a face; towards larger ones fewer are taken of each area.
+// This many points suffice to judge a face; for larger areas a thinner level is used.
 constexpr int kMaxPoints = 12'000;
 
-/// A grid over an image that lets the first point of each cell pass.
+/// A grid over an image that admits the first point in each cell.
 class Thinning {
  public:
-  /// @param cells  in the image, about
+  /// @param cells  approximate number of cells in the image
   Thinning(const Eigen::AlignedBox2f& image, double cells) : corner_(image.min()) {
     const Eigen::Array2f size = image.sizes().array().max(kMinTangent);
     per_unit_ = static_cast<float>(std::sqrt(cells / static_cast<double>(size.prod())));
@@ -33,7 +33,7 @@ class Thinning {
   }
 
  private:
-  // Of an image that is a line.
+  // Least side of the image, so that an image that is only a line has an area.
   static constexpr float kMinTangent = 1e-3f;
 
   Eigen::Vector2f corner_;

@@ -10,37 +10,37 @@
 
 namespace quadrille {
 
-/// The points of a cloud by the direction in which they were seen.
+/// Indexes the points of a cloud by the direction in which they were seen.
 class DirectionIndex {
  public:
-  /// @param cloud  its points must outlive this
+  /// @param cloud  its points must outlive this object
   explicit DirectionIndex(const CloudView& cloud);
 
-  /// True if the cloud is a single view: nothing stands between the eye and a point.
+  /// True if the cloud is a single view, so that nothing stands between the eye and a point.
   bool single() const { return view_.has_value(); }
-  /// Where the sensor stood [m].
+  /// Position of the sensor in frame C [m].
   const Eigen::Vector3d& eye() const { return cloud_.viewpoint; }
-  /// The points that were seen towards the convex hull of some places, and some around them; where
-  /// they are more than a box needs, some of them, evenly spread over the image. Of no single view
-  /// the points within the bounds of the places.
-  /// @param margin  how far beside the places, at least [m]
+  /// Returns the points seen in the direction of the convex hull of some places, and some around
+  /// it. If they are more than a box needs, they are thinned evenly over the image. If the cloud is
+  /// not a single view, returns the points within the bounding box of the places.
+  /// @param margin  least distance beside the places that is included [m]
   std::vector<Eigen::Vector3d> points_towards(std::span<const Eigen::Vector3d> places_C,
                                               double margin) const;
 
  private:
-  /// Points of the cloud tile by tile, and where each tile begins among them.
+  /// The points' indices tile by tile, and the position at which each tile begins among them.
   struct Level {
     std::vector<int> begin, points;
   };
 
-  /// With the tangents of each point.
+  /// A level together with the tangents of each of its points.
   struct SeenByTile {
     Level level;
     std::vector<Eigen::Vector2f> tangents;
   };
 
   SeenByTile by_tile(std::span<const Eigen::Vector3f> points) const;
-  /// Keeps one point in each of so many cells of the image.
+  /// Keeps one point in each cell of a grid with about so many cells over the image.
   static void thin(const Eigen::AlignedBox2f& image, double cells, SeenByTile* seen);
   Eigen::Vector2i tile_of(const Eigen::Vector2f& tangents) const;
   std::vector<Eigen::Vector3d> points_in(const Eigen::Vector2i& low,

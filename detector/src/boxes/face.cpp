@@ -14,26 +14,27 @@
 namespace quadrille {
 namespace {
 
-// Points so far beside the extent of a detection, which ends short of its edges, may be its own,
-// and such points lie so near to its plane, or tell of its noise [m].
+// A detection's extent ends short of the plane's edges: points up to this far beside it may belong
+// to it. Points this near to the plane are used to measure its noise [m].
 constexpr double kBeside = 0.015;
-// Points within so many standard deviations are on a plane, but these limits hold [m].
+// Points within this many standard deviations lie on a plane; the tolerance is clamped to these
+// limits [m].
 constexpr double kSigmas = 3.0, kMinTolerance = 0.002, kMaxTolerance = 0.015;
-// Points this far apart are in one piece, in pitches.
+// Points no farther apart than this many pitches belong to one piece.
 constexpr double kGapPitches = 2.5;
-// A piece has so many points, and this share of those of the plane.
+// A piece has at least this many points, and this share of the plane's points.
 constexpr std::size_t kMinPoints = 40;
 constexpr double kMinShare = 0.05;
-// Points that make one independent measurement: neighbours share their noise.
+// Neighbouring points share their noise, so that this many count as one independent measurement.
 constexpr double kPointsPerMeasurement = 16.0;
-// Least cosine between a line of sight and a normal that tells where they meet, and with which
-// pitches are stretched.
+// Least cosine between a line of sight and a normal for which their intersection is used; it also
+// limits how far pitches are stretched.
 constexpr double kMinCosine = 0.1;
-// From the median of absolute values to a standard deviation of normal noise.
+// Converts the median of absolute deviations to the standard deviation of normal noise.
 constexpr double kMedianToSigma = 1.4826;
-// The share of the points beyond either end of reach().
+// Share of the points that reach() cuts off at either end.
 constexpr double kTrimmed = 0.01;
-// So many points tell it.
+// This many points suffice for reach().
 constexpr std::size_t kMaxReachPoints = 2000;
 
 std::array<Eigen::Vector3d, 4> corners_C(const FacePatch& patch) {
@@ -57,8 +58,8 @@ FacePatch patch_of(const Detection& plane) {
   return patch;
 }
 
-/// The least-squares plane of some points, on the same side as another one and with nearly its
-/// axes.
+/// The least-squares plane of some points, whose normal and axes are turned nearly as those of
+/// another patch.
 FacePatch patch_of(const std::vector<Eigen::Vector3d>& points, const FacePatch& like) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : points) mean += p;
@@ -81,7 +82,8 @@ FacePatch patch_of(const std::vector<Eigen::Vector3d>& points, const FacePatch& 
   return patch;
 }
 
-/// Of the points in the middle of the patch, beside which nothing else lies on the plane.
+/// Noise along the normal, measured in the middle of the patch, where nothing else lies beside the
+/// plane [m].
 double noise_of(const FacePatch& patch, const std::vector<Eigen::Vector3d>& points) {
   const Eigen::Isometry3d X_PC = patch.X_CP.inverse();
   std::vector<double> off;
@@ -95,8 +97,9 @@ double noise_of(const FacePatch& patch, const std::vector<Eigen::Vector3d>& poin
   return off.empty() ? 0.0 : kMedianToSigma * median(off);
 }
 
-/// Distance between points across the line of sight, from how many there are in the middle half of
-/// them along either axis: area · cos θ / n, the area that a pixel has across the line of sight.
+/// Distance between neighbouring points across the line of sight, from the number n of points in
+/// the middle half along either axis: √(area · cos θ / n), where area · cos θ / n is the area of a
+/// pixel across the line of sight.
 double pitch_of(const std::vector<Eigen::Vector2d>& places, double cosine) {
   Eigen::Vector2d low, high;
   for (int i = 0; i < 2; ++i) {
@@ -112,7 +115,7 @@ double pitch_of(const std::vector<Eigen::Vector2d>& places, double cosine) {
   return std::sqrt(cosine * area / std::max(1.0, double(inside)));
 }
 
-/// Sets what follows from the points.
+/// Sets the middle and the radius of the points.
 void set_middle(Face& face) {
   face.middle_C.setZero();
   for (const Eigen::Vector3d& p : face.points_C) face.middle_C += p;
@@ -123,14 +126,15 @@ void set_middle(Face& face) {
   }
 }
 
-/// Standard deviation of a normal that n points with noise σ give, spread by λ² at least: σ/√(n
-/// λ²).
+/// Standard deviation of the normal: n points with noise σ, whose least variance within the plane
+/// is λ², determine it to σ/√(n λ²) [rad].
 double deviation_of_normal(const Face& face) {
   Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& p : face.points_C)
     S += (p - face.middle_C) * (p - face.middle_C).transpose();
   const double n = static_cast<double>(face.points_C.size());
-  // The plane has no spread along its normal: its two eigenvalues are given by trace and minors.
+  // The points have no spread along the normal, so trace and minors determine the other two
+  // eigenvalues.
   const double trace = S.trace() / n;
   const double minors = 0.5 * (trace * trace - (S / n).squaredNorm());
   const double least =
@@ -175,7 +179,7 @@ std::pair<double, double> Face::reach(const Eigen::Vector3d& u_C) const {
 
 namespace {
 
-/// A connected piece of a patch: as a face, and with its points where they were measured.
+/// A connected piece of a patch as a face, together with its points as they were measured.
 struct Piece {
   Face face;
   std::vector<Eigen::Vector3d> measured_C;
@@ -183,7 +187,8 @@ struct Piece {
 
 bool larger(const Piece& a, const Piece& b) { return a.measured_C.size() > b.measured_C.size(); }
 
-/// Of a quadratic fitted to the heights of a piece's points over its plane.
+/// Largest departure from the plane of a quadratic that is fitted to the heights of a piece's
+/// points [m].
 double bend_of(const Piece& piece, const FacePatch& patch) {
   const Eigen::Matrix3d R_PC = patch.X_CP.linear().transpose();
   HeightFit fit;
@@ -199,7 +204,7 @@ double bend_of(const Piece& piece, const FacePatch& patch) {
 }
 
 /// The pieces of a patch, the largest first.
-/// @param sigma  noise of the points; measured if it is not given [m]
+/// @param sigma  noise of the points [m]; measured if not given
 std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma,
                              const DirectionIndex& sight) {
   Face whole;
@@ -254,7 +259,7 @@ std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma
   return pieces;
 }
 
-/// The largest piece of a patch that is fitted to points of one.
+/// The largest piece of the patch that is fitted to a piece's own points.
 std::optional<Face> refitted(const Piece& piece, const FacePatch& patch,
                              const DirectionIndex& sight) {
   std::vector<Piece> pieces = pieces_of(patch_of(piece.measured_C, patch), {}, sight);
@@ -275,7 +280,8 @@ std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) 
   std::vector<Piece> pieces = pieces_of(patch, {}, sight);
   std::vector<Face> faces;
   for (Piece& piece : pieces) {
-    // Of several pieces each has a plane of its own, which the common one is but the mean of.
+    // If a plane has several pieces, each has a plane of its own, and the common plane is only
+    // their mean.
     const auto own = pieces.size() > 1 ? refitted(piece, patch, sight) : std::nullopt;
     faces.push_back(own ? *own : std::move(piece.face));
     faces.back().id = plane.id;

@@ -13,7 +13,7 @@ namespace quadrille {
 /// Unit normal of a plane on the side that the sensor saw.
 Eigen::Vector3d outward_normal(const Detection& plane);
 
-/// A connected piece of a plane, as a face that a box may have.
+/// A connected piece of a plane, which may be a face of a box.
 struct Face {
   /// Id and confidence of the plane's detection.
   int id = 0;
@@ -23,46 +23,46 @@ struct Face {
   double offset = 0.0;
   /// Noise of the points along the normal [m], and standard deviation of the normal [rad].
   double sigma = 0.0, normal_std = 0.0;
-  /// How far a quadratic over the plane departs from it at the border of the points [m].
+  /// How far a quadratic fitted over the plane departs from it at the border of the points [m].
   double bend = 0.0;
-  /// Cosine between the normal and the line of sight: what noise along that line is along the
-  /// normal.
+  /// Cosine between the normal and the line of sight: the factor from noise along that line to
+  /// noise along the normal.
   double cosine = 1.0;
   /// Distance between neighbouring points across the line of sight [m].
   double pitch = 0.0;
-  /// The points, moved along their lines of sight onto the plane: noise along these lines does not
-  /// blur the face's outline.
+  /// The points, moved along their lines of sight onto the plane, so that noise along these lines
+  /// does not blur the face's outline.
   std::vector<Eigen::Vector3d> points_C;
-  /// Middle of the points, and how far one of them lies from it at most [m].
+  /// Middle of the points, and the largest distance of a point from it [m].
   Eigen::Vector3d middle_C = Eigen::Vector3d::Zero();
   double radius = 0.0;
 
   double height(const Eigen::Vector3d& p_C) const { return n_C.dot(p_C) - offset; }
-  /// Points lie no farther than this from the plane [m].
+  /// Points count as part of the face if they lie no farther than this from the plane [m].
   double tolerance() const;
-  /// Where the line from the eye to a point meets the plane; the point's foot on the plane where
-  /// that is too far askew, or without an eye.
+  /// Intersection of the plane with the line of sight to a point. It is the foot of the
+  /// perpendicular if the line is too oblique or the cloud is not a single view.
   Eigen::Vector3d on_plane(const Eigen::Vector3d& p_C, const DirectionIndex& sight) const;
-  /// Distance between neighbouring points along unit direction u in the plane [m].
+  /// Distance between neighbouring points along a unit direction u in the plane [m].
   double pitch_along(const Eigen::Vector3d& u_C, const DirectionIndex& sight) const;
-  /// How far the points reach along a unit direction, but for the outermost hundredths [m].
+  /// Range of the points along a unit direction, without the outermost hundredth at either end [m].
   std::pair<double, double> reach(const Eigen::Vector3d& u_C) const;
 };
 
-/// Where a face is looked for: a rectangle of half sizes [m] around the origin of frame P, z along
-/// the outward normal.
+/// A rectangle in which a face is sought, with half sizes [m] around the origin of frame P and z
+/// along the outward normal.
 struct FacePatch {
   Eigen::Isometry3d X_CP = Eigen::Isometry3d::Identity();
   Eigen::Vector2d half = Eigen::Vector2d::Zero();
 };
 
-/// The largest connected piece of flat surface near a patch and nearly parallel to it, with a plane
-/// of its own; nullopt if there are too few points.
-/// @param sigma  noise of the points along its normal [m]
+/// The largest connected piece of flat surface near a patch and nearly parallel to it, with its
+/// plane refitted; nullopt if there are too few points.
+/// @param sigma  noise of the points along the patch's normal [m]
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight);
 
-/// The connected pieces of a plane with their points, the largest first. One plane may hold the
-/// faces of several boxes of the same height.
+/// The connected pieces of a plane with their points, the largest first. One plane may hold faces
+/// of several boxes of the same height.
 std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight);
 
 }  // namespace quadrille

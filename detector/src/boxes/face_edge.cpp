@@ -12,36 +12,38 @@
 namespace quadrille {
 namespace {
 
-// Rows are so many pitches wide, and hold so many points.
+// A row is this many pitches wide, and counts only with this many points.
 constexpr double kRowPitches = 2.5;
 constexpr std::size_t kMinRowPoints = 3;
-// An edge is seen from so many rows on, and from this share of them.
+// An edge counts as seen if at least this many rows, and this share of all rows, see it.
 constexpr std::size_t kMinSeenRows = 3;
 constexpr double kMinSeenShare = 0.3;
-// What lies beside a row is told by so many points, the nearest within a distance: sensors lose
-// some beside the edges of things [m].
+// This many points, the nearest within a distance [m], decide what lies beside a row; sensors lose
+// some points beside the edges of things.
 constexpr std::size_t kVoters = 3;
 constexpr double kMaxBeside = 0.04;
-// A point beside a row touches its end if it is no farther from it than so many times their
-// distance in the plane, as on a table that is seen at 14° at least, and an error [m].
+// A point beside a row touches the row's end if it is no farther from it than this many times their
+// distance within the plane (true of a table that is seen at 14° or more), plus an error [m].
 constexpr double kMaxSlant = 4.0, kTouchError = 0.004;
-// So few points tell nothing of a rectangle.
+// Fewer points than this say nothing about a rectangle.
 constexpr int kMinLooks = 8;
-// A surface that leaves a face is fitted in so many bands of heights as wide as the tolerance, each
-// of which holds so many points of it; share of the correction that stays in doubt, and how far
-// from the last points it may leave the tolerance [m].
+// A surface that leaves a face is fitted to points in this many bands of height, each as wide as
+// the tolerance and with at least this many points. kMeetingDoubt is the share of the correction
+// that remains uncertain; kMaxMiss is how far from the last points the surface may leave the
+// tolerance [m].
 constexpr std::size_t kLeavingBands = 3;
 constexpr int kMinBandPoints = 8;
 constexpr double kMeetingDoubt = 0.25, kMaxMiss = 0.001;
-// Where there are no rows that tell, a face reaches as far as this share of them.
+// If too few rows see the edge, the face reaches as far as this quantile of the rows' ends.
 constexpr double kFarRows = 0.9;
 
-/// A line of points towards an edge.
+/// A line of points that runs towards an edge.
 struct Row {
   std::size_t count = 0;
   double end = -std::numeric_limits<double>::infinity();
   Eigen::Vector3d last_C = Eigen::Vector3d::Zero();
-  /// Distance beyond the end, and whether what is seen there lets the face end here.
+  /// For each point beyond the end: its distance from it, and whether it shows that the face ends
+  /// here.
   std::vector<std::pair<double, bool>> beside;
 
   bool seen() {
@@ -54,7 +56,7 @@ struct Row {
   }
 };
 
-/// Rows side by side across the direction of an edge.
+/// Rows of points side by side, which run towards an edge.
 class Rows {
  public:
   Rows(const Face& face, const Eigen::Vector3d& out_C, double width)
@@ -74,7 +76,7 @@ class Rows {
     }
   }
 
-  /// The row that a place in the plane lies in; nullptr beside all.
+  /// The row that contains a place in the plane; nullptr outside all rows.
   Row* at(const Eigen::Vector3d& on_C) {
     const double place = (across_C_.dot(on_C) - low_) / width_;
     if (!(place >= 0.0 && place < static_cast<double>(rows_.size()))) return nullptr;
@@ -88,7 +90,7 @@ class Rows {
   std::vector<Row> rows_;
 };
 
-/// Notes for each row what lies beside its end.
+/// Records for each row what was seen beside its end.
 void look_beside(const Face& face, const Eigen::Vector3d& out_C,
                  const std::vector<SeenThrough>& around, Rows& rows) {
   for (const SeenThrough& seen : around) {
@@ -97,7 +99,7 @@ void look_beside(const Face& face, const Eigen::Vector3d& out_C,
     const double beyond = out_C.dot(seen.on_C) - row->end;
     if (!(beyond > 0.0 && beyond < kMaxBeside)) continue;
     const bool behind = seen.height < -face.tolerance();
-    // What goes on in the plane is no end.
+    // A point in the plane beyond the end is no sign of an end.
     const bool touches =
         seen.height > face.tolerance() &&
         (seen.p_C - row->last_C).norm() < kMaxSlant * beyond + face.tolerance() + kTouchError;
@@ -105,9 +107,9 @@ void look_beside(const Face& face, const Eigen::Vector3d& out_C,
   }
 }
 
-/// Where the surface that leaves a face at its edge would meet the face's plane. Along the lines of
-/// sight the points next to the edge, which lie within the face's tolerance still, seem to go on
-/// in its plane: place = edge + slope · height, by least squares over those that lie farther off.
+/// Position at which the surface that leaves a face at its edge would meet the face's plane. Its
+/// points next to the edge still lie within the face's tolerance and seem to continue the face, so
+/// the line place = edge + slope · height is fitted by least squares to its points farther off.
 /// Nullopt if there is no such surface, as at an outline.
 std::optional<double> meeting_of(const Face& face, const Eigen::Vector3d& out_C, double end,
                                  const std::vector<SeenThrough>& around, Rows& rows) {
@@ -125,10 +127,10 @@ std::optional<double> meeting_of(const Face& face, const Eigen::Vector3d& out_C,
     b += beyond * terms;
     ++bands[static_cast<std::size_t>(height) - 1];
   }
-  // A surface has points in all bands, and so many as not to be chance.
+  // A surface has points in all bands, and more than chance would put there.
   if (*std::min_element(bands.begin(), bands.end()) < kMinBandPoints) return std::nullopt;
   const Eigen::Vector2d line = S.ldlt().solve(b);
-  // At the tolerance it passes the end of the rows.
+  // At the height of the tolerance the surface must pass near the end of the rows.
   if (!(line.y() > 0.0) || std::abs(line.sum()) > kMaxMiss + 2.0 * face.pitch) return std::nullopt;
   return end + line.x();
 }
@@ -162,7 +164,7 @@ FaceEdge edge_of(const Face& face, const Eigen::Vector3d& out_C,
   for (Row& row : rows.all()) {
     if (row.count < kMinRowPoints) continue;
     all.push_back(row.end);
-    // A cloud of many views shows all that there is.
+    // A cloud fused from several views hides nothing, so each row's end is seen.
     if (!sight.single() || row.seen()) seen.push_back(row.end);
   }
   FaceEdge edge;

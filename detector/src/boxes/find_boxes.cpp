@@ -16,14 +16,15 @@
 namespace quadrille {
 namespace {
 
-/// Detections may come out of messages.
+/// Detections may come from messages, so their fields are checked.
 bool is_sound(const Detection& plane) {
   const Eigen::Vector3d size = plane.extent_Q.sizes();
   return plane.X_CQ.matrix().allFinite() && plane.X_CQ.linear().isUnitary(1e-3) &&
          size.allFinite() && plane.extent_Q.center().allFinite() && size.head<2>().minCoeff() > 0.0;
 }
 
-/// Makes boxes, those of more faces first, so that one piece of a plane is a face of one of them.
+/// Makes boxes, beginning with those of most faces, and uses each piece of a plane for one box
+/// only.
 class BoxMaker {
  public:
   BoxMaker(const CloudView& cloud, const std::vector<Detection>& detections) : sight_(cloud) {
@@ -70,11 +71,12 @@ class BoxMaker {
     boxes_.push_back(std::move(*box));
   }
 
-  /// With faces that were not detected; nullopt if there are none, or they make no box.
+  /// A box completed with faces that were not detected; nullopt if there are none or they make no
+  /// box.
   std::optional<Box> completed_box(std::vector<const Face*> faces,
                                    const std::vector<const Detection*>& others) const {
     const std::size_t detected = faces.size();
-    std::list<Face> missing;  // whose places last
+    std::list<Face> missing;  // The list keeps pointers to its elements valid.
     while (faces.size() < 3) {
       std::optional<Face> face = find_missing_face(faces, box_axes(faces), sight_);
       if (!face) break;
@@ -84,7 +86,7 @@ class BoxMaker {
     return measure_box(faces, others, sight_);
   }
 
-  // A face whose middle lies so near to a box is a second fit of one of its own [m].
+  // A face whose middle lies this near to a box [m] is a second fit of one of the box's own faces.
   static constexpr double kPartOf = 0.005;
 
   DirectionIndex sight_;

@@ -6,17 +6,17 @@
 namespace quadrille {
 namespace {
 
-// Faces are at right angles within so many standard deviations of the angle between their normals,
-// which is never known better than the least, for the waves of a sensor [rad], nor is a right angle
-// told from others if it is known worse than the largest [rad].
+// Faces are at right angles within this many standard deviations of the angle between their
+// normals. The tolerance is at least kMinTolerance because of sensor waves; beyond kMaxTolerance a
+// right angle cannot be told from others [rad].
 constexpr double kSigmas = 3.0, kMinTolerance = 0.09, kMaxTolerance = 0.22;
-// A face ends so near to the plane of another that it meets [m]: edges are rounded, and of a face
-// seen askew the outermost points are missing, so many pitches wide.
+// A face meets another if it ends this near to the other's plane [m]. Edges are rounded, and an
+// obliquely seen face lacks its outermost points over this many pitches.
 constexpr double kMaxGap = 0.012, kGapPitches = 2.0;
-// How much of the shorter of two faces lies beside the other one along their edge.
+// Least share of the shorter face that lies beside the other one along their common edge.
 constexpr double kMinOverlap = 0.6;
 
-/// True if a face ends at the plane of another, behind it.
+/// True if a face ends at the plane of another and lies behind it.
 bool ends_at(const Face& face, const Face& other) {
   const auto [low, high] = face.reach(other.n_C);
   const double gap = kMaxGap + other.tolerance() + kGapPitches * face.pitch;

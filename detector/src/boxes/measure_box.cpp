@@ -12,27 +12,31 @@
 namespace quadrille {
 namespace {
 
-// A side is no shorter: thinner things are sheets, or steps that noise feigns [m].
+// Shortest side of a box [m]: thinner things are sheets, or steps that noise feigns.
 constexpr double kMinSide = 0.008;
-// Ends whose outlines lie farther apart than this share of the side belong to two things.
+// If the ends of a side are uncertain by more than this share of it, they belong to two things.
 constexpr double kMaxDoubt = 0.15;
-// A face alone is one of a box if that is no deeper than so many of the face's longer sides.
+// A single face is accepted as a box only if the box is no deeper than this many times the face's
+// longer side.
 constexpr double kMaxDepthShare = 3.0;
-// The share of each face that was seen to be there; what is hidden does not count.
+// Least share of each face that was seen to be there; hidden parts do not count.
 constexpr double kMinFilled = 0.85;
-// Corners of a face as shares of its sides, of which this much is filled: those of a disc are not.
+// Size of a face's corners as a share of its sides, and the share of the corners that must be
+// filled, which a disc does not reach.
 constexpr double kCorner = 0.12, kMinFilledCorners = 0.65;
-// At its border a face may be rounded or cut [m], as a share of its side at most.
+// The border of a face may be rounded or cut: its width [m], and at most this share of the side.
 constexpr double kFillSkin = 0.004, kMaxFillSkin = 0.1;
-// Within so much of its outside a box may be rounded and noisy [m], a share of its side at most.
+// The outermost layer of a box may be rounded and noisy: its thickness [m], and at most this share
+// of the side.
 constexpr double kSkin = 0.008, kMaxSkinShare = 0.3;
-// Points seen through a box or in it, as a share of the points on its faces: strays.
+// Largest number of stray points seen through a box or in it, as a share of the points on its
+// faces.
 constexpr double kMaxSeenWithin = 0.04;
 
-// The same from the number of its points, without a look at what lies between them: to save time.
+// Least coverage() of a face. This cheap test spares the look at what was seen between its points.
 constexpr double kMinCoverage = 0.5;
 
-/// Share of the rectangle around a face that its points fill with the area of a pixel each.
+/// Share of the rectangle around a face that its points cover if each has the area of a pixel.
 double coverage(const Face& face) {
   const Eigen::Matrix3d R_CA = box_axes({&face});
   const auto [u0, u1] = face.reach(R_CA.col(1));
@@ -52,7 +56,8 @@ bool filled(const BoxDraft& draft, int i, const Eigen::AlignedBox3d& box_A) {
   Eigen::Vector2d high(box_A.max()[u], box_A.max()[v]);
   Eigen::Vector2d skin = (kMaxFillSkin * (high - low)).cwiseMin(kFillSkin);
   if (draft.faces.size() == 1) {
-    // Of a disc the rows end at the middle of an arc: the rectangle around it is wider.
+    // On a disc the measured edges lie along the middle of its arcs, so the wider rectangle around
+    // its points is used, which the disc does not fill.
     skin.setZero();
     std::tie(low.x(), high.x()) = draft.faces[i]->reach(draft.R_CA.col(u));
     std::tie(low.y(), high.y()) = draft.faces[i]->reach(draft.R_CA.col(v));
@@ -79,7 +84,7 @@ bool all_filled(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A) {
   return true;
 }
 
-/// True if nothing was seen through the box or in it.
+/// True if nothing but strays was seen through the box or in it.
 bool nothing_within(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A) {
   Eigen::AlignedBox3d core_A = box_A;
   const Eigen::Vector3d skin =
@@ -97,7 +102,7 @@ bool is_solid(const BoxDraft& draft, const BoxEnds& ends) {
   const Eigen::Vector3d size = box_A.sizes();
   if (size.maxCoeff() > kMaxSide) return false;
   const bool alone = draft.faces.size() == 1;
-  // Of one face alone the depth is not seen.
+  // The depth behind a single face is not seen, so its axis is skipped.
   for (int axis = alone ? 1 : 0; axis < 3; ++axis) {
     const double doubt = std::hypot(ends[axis][0].std, ends[axis][1].std);
     if (size[axis] < kMinSide || doubt > kMaxDoubt * size[axis]) return false;
@@ -105,8 +110,8 @@ bool is_solid(const BoxDraft& draft, const BoxEnds& ends) {
   return all_filled(draft, box_A) && (alone || nothing_within(draft, box_A));
 }
 
-/// True if the outline of a face alone was seen all around, and it lies over a plane that is
-/// parallel to it: the top of a box that stands there.
+/// True if the outline of a single face was seen all around and a plane parallel to it lies below:
+/// the face is the top of a box that stands on the plane.
 bool is_top(const BoxEnds& ends) {
   for (int axis = 1; axis < 3; ++axis) {
     if (!ends[axis][0].seen || !ends[axis][1].seen) return false;
@@ -116,7 +121,7 @@ bool is_top(const BoxEnds& ends) {
          foot.may_reach < kMaxDepthShare * seen_part(ends).sizes().maxCoeff();
 }
 
-/// Those that were detected, the larger first.
+/// Lists the ids of the detected faces, the larger ones first, and averages their scores.
 void add_faces(const BoxDraft& draft, Box& box) {
   std::vector<const Face*> faces = draft.faces;
   std::stable_sort(faces.begin(), faces.end(), [](const Face* a, const Face* b) {
@@ -129,7 +134,7 @@ void add_faces(const BoxDraft& draft, Box& box) {
   }
 }
 
-/// The box that a draft is.
+/// Makes the box from a draft and its ends.
 Box box_of(const BoxDraft& draft, const BoxEnds& ends) {
   Eigen::AlignedBox3d likely_A = seen_part(ends), outer_A = seen_part(ends);
   for (int axis = 0; axis < 3; ++axis) {

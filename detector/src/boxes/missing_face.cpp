@@ -9,20 +9,21 @@
 namespace quadrille {
 namespace {
 
-// How much of the known faces' edge a missing face spans, and how much noisier it may be, with an
-// error [m].
+// A missing face spans at least this share of the known faces' edge, and is at most this much
+// noisier, plus an error [m].
 constexpr double kMinSpan = 0.7, kMaxNoise = 1.5, kNoiseError = 0.001;
-// A cylinder bends by twice the tolerance within what lies near one of its tangent planes, a plane
-// by much less than this.
+// Largest bend of a face, in multiples of the tolerance. Near a tangent plane a cylinder bends by
+// twice the tolerance, and a plane by much less than this.
 constexpr double kMaxBend = 0.7;
-// The fewest points, as detection may have missed it for a reason.
+// Fewest points of a missing face. Detection may have missed it for a reason, so this exceeds the
+// minimum of detected faces.
 constexpr std::size_t kMinPoints = 60;
-// How far around an edge its surroundings are looked at [m].
+// Distance around an edge within which its surroundings are looked at [m].
 constexpr double kAround = 0.04;
-// Cosine between the normal and the direction to the eye.
+// Least cosine between the normal and the direction to the eye for which a face is sought.
 constexpr double kMinCosine = 0.08;
 
-/// How far the known faces reach along a direction.
+/// Range of the known faces along a direction [m].
 std::pair<double, double> reach_of(const std::vector<const Face*>& faces,
                                    const Eigen::Vector3d& u_C) {
   std::pair<double, double> reach = faces.front()->reach(u_C);
@@ -33,7 +34,7 @@ std::pair<double, double> reach_of(const std::vector<const Face*>& faces,
   return reach;
 }
 
-/// Where the best known face that lies along a direction ends in it.
+/// Position at which the known face with the most points ends in a direction.
 double end_of(const std::vector<const Face*>& faces, const Eigen::Vector3d& out_C,
               const FacePatch& patch, const DirectionIndex& sight) {
   const Face* known = faces.front();
@@ -49,7 +50,7 @@ double end_of(const std::vector<const Face*>& faces, const Eigen::Vector3d& out_
 
 double span(const std::pair<double, double>& reach) { return reach.second - reach.first; }
 
-/// Noise along the line of sight.
+/// Noise along the line of sight [m].
 double sensor_noise(const Face& face) { return face.sigma / face.cosine; }
 
 bool belongs(const Face& missing, const std::vector<const Face*>& faces) {
@@ -62,7 +63,7 @@ bool belongs(const Face& missing, const std::vector<const Face*>& faces) {
   });
 }
 
-/// The face on one side, if it is there.
+/// The missing face on one side, if it is there.
 std::optional<Face> face_on(const Eigen::Vector3d& out_C, const std::vector<const Face*>& faces,
                             const Eigen::Matrix3d& R_CA, int axis, const DirectionIndex& sight) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -70,7 +71,7 @@ std::optional<Face> face_on(const Eigen::Vector3d& out_C, const std::vector<cons
   Eigen::Vector2d half;
   const auto set = [&](int k, double* half_size) {
     auto [low, high] = reach_of(faces, R_CA.col(k));
-    // Of one face the depth is not known: as far as the face is long at most.
+    // The depth behind a single face is not known; it is taken to be at most the face's length.
     if (faces.size() == 1 && k == 0) low -= 2.0 * faces.front()->radius;
     middle_A[k] = 0.5 * (low + high);
     *half_size = 0.5 * (high - low);

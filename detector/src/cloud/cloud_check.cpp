@@ -10,19 +10,21 @@
 namespace quadrille {
 namespace {
 
-// Nothing to grasp is this far away, but in millimetres most things are.
+// Nothing to grasp is this far away [m], but in coordinates given in millimetres most things are.
 constexpr double kFarthest = 50.0;
-// A scene of which the standard deviation is larger [m].
+// If the standard deviation of the points is larger [m], the coordinates are probably not in
+// metres.
 constexpr double kWidest = 5.0;
-// Larger coordinates are no measurement; their squares would overflow single precision.
+// Larger coordinates are no measurement, and their squares would overflow single precision.
 constexpr double kMax = 1e9;
 const char* const kTooLarge = "coordinates are too large to be a measurement in metres";
-// From here on [m] single precision steps by half a millimetre.
+// From this coordinate on [m], single precision has steps of half a millimetre.
 constexpr double kCoarse = 4096.0;
-// Points so many times as far from the centre as half of them are outliers.
+// Points are outliers if they lie this many times as far from the centre as nine tenths of the
+// points do.
 constexpr double kOutlier = 100.0;
 
-/// Value of a measure that a share of the points do not exceed.
+/// Value of a measure that a given share of the points does not exceed.
 template <class Measure>
 double quantile(const std::vector<Eigen::Vector3d>& points, double share, Measure&& measure) {
   std::vector<double> values;
@@ -31,7 +33,8 @@ double quantile(const std::vector<Eigen::Vector3d>& points, double share, Measur
   return quadrille::quantile(values, share);
 }
 
-/// Variances along their principal axes, ascending, of the points within a distance of the centre.
+/// Variances, in ascending order, along the principal axes of the points within a distance of the
+/// centre.
 Eigen::Vector3d spread_within(double distance, const std::vector<Eigen::Vector3d>& points,
                               const Eigen::Vector3d& centre) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -51,8 +54,9 @@ Eigen::Vector3d spread_within(double distance, const std::vector<Eigen::Vector3d
 bool coincide(const Eigen::Vector3d& spread) { return !(spread[2] > 1e-18); }
 bool on_a_line(const Eigen::Vector3d& spread) { return spread[1] < 1e-8 * spread[2]; }
 
-/// Variances of the points along their principal axes, ascending. A few far outliers would make a
-/// line of any cloud, and do not count unless nearly all others coincide or lie on a line.
+/// Variances of the points along their principal axes in ascending order. Far outliers would
+/// stretch any cloud into a line, so they are ignored unless nearly all other points coincide or
+/// lie on a line.
 Eigen::Vector3d spread_of(const std::vector<Eigen::Vector3d>& points,
                           const Eigen::Vector3d& centre) {
   const double usual = quantile(points, 0.9, [&](const auto& p) { return (p - centre).norm(); });

@@ -8,20 +8,20 @@
 
 namespace quadrille {
 
-/// What a look at the points alone tells.
+/// Result of the checks on the points alone.
 struct CloudCheck {
-  /// What it keeps is what all stages are to see, and what the rest of this tells of.
+  /// Selects the points in range; all stages and the other fields here use only those.
   RangeCheck range;
-  /// Coordinate-wise median of the points, about; frame C [m].
+  /// Approximate coordinate-wise median of the points in frame C [m].
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   /// False if no surface can be found in the points.
   bool usable = false;
-  /// Why not, or what looks wrong.
+  /// Reasons why the cloud is not usable or looks wrong.
   std::vector<std::string> warnings;
 };
 
-/// Checks that a cloud has enough points in range (see check_range()) that do not all coincide or
-/// lie on a line, and that its coordinates look like metres.
+/// Checks that a cloud has enough points in range (see check_range()), that they do not all
+/// coincide or lie on a line, and that the coordinates look like metres.
 CloudCheck check_cloud(const CloudView& cloud);
 
 }  // namespace quadrille

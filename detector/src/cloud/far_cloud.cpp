@@ -8,7 +8,8 @@
 namespace quadrille {
 namespace {
 
-// At 8 m the square of a coordinate is stored to 4e-6 m²: 0.04 mm on a can of 5 cm radius.
+// Distance of a cloud's centre from the origin [m] beyond which it is shifted. At 8 m the square of
+// a coordinate is stored to 4e-6 m², which is 0.04 mm on a can of 5 cm radius.
 constexpr double kFar = 8.0;
 
 }  // namespace

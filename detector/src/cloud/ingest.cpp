@@ -12,7 +12,7 @@
 namespace quadrille {
 namespace {
 
-/// Where the last value that is read ends within a record, or SIZE_MAX if that overflows [bytes].
+/// Offset at which the last value that is read ends within a record [bytes]; SIZE_MAX on overflow.
 std::size_t end_of_values(const PointLayout& layout, std::size_t scalar_size) {
   const auto end = [](std::size_t offset, std::size_t size) {
     std::size_t sum;
@@ -23,7 +23,7 @@ std::size_t end_of_values(const PointLayout& layout, std::size_t scalar_size) {
   return layout.rgb ? std::max(coordinates, end(std::ranges::max(*layout.rgb), 1)) : coordinates;
 }
 
-/// Bytes that the layout reaches, or SIZE_MAX if that number overflows.
+/// Bytes that the layout needs; SIZE_MAX on overflow.
 std::size_t bytes_needed(const PointLayout& layout, std::size_t row_step, std::size_t record_end) {
   if (layout.width == 0 || layout.height == 0) return 0;
   std::size_t rows, columns, end;

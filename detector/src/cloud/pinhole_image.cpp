@@ -1,4 +1,4 @@
-// Which pixels a camera has, from the points alone.
+// Finds the pixels of a camera from the points alone.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,30 +10,32 @@
 namespace quadrille {
 namespace {
 
-// No camera has more pixels, and an image that is emptier than this is none.
+// No camera has more pixels, and an image with a smaller share of filled pixels is not an image.
 constexpr double kMaxPixels = 64e6, kMinFilled = 0.01;
 // Bounds of a camera's pitch, as a tangent: 100,000 or 50 pixels across 53°. Smaller steps are
-// rounding, larger ones gaps.
+// rounding errors, larger ones gaps.
 constexpr float kMinPitch = 1e-5f, kMaxPitch = 0.02f;
-// Slope of a step within a row: an upright camera's rows rise less.
+// Largest slope of a step within a row; the rows of an upright camera rise less.
 constexpr float kMaxRowSlope = 0.05f;
-// Points to look at for the steps in a row, and for the phase: enough to average their rounding.
+// Numbers of points looked at for the steps within a row and for the phase, enough to average out
+// their rounding.
 constexpr std::size_t kSteps = 10000, kPhases = 2500;
-// Steps within this share of the usual one are of one pixel.
+// Steps within this share of the typical one are steps of one pixel.
 constexpr float kStepSpread = 0.2f;
 // A step back by this share of the image's width leads to the next row.
 constexpr float kMinReturn = 0.05f;
-// Fewer rows do not tell their pitch.
+// Fewer rows do not determine the pitch across them.
 constexpr std::size_t kMinRows = 10;
-// Regularity of points that lie a tenth of a pixel off the centres (one standard deviation). Of
-// more irregular ones some would share a pixel, and leave others empty.
+// Least regularity, which is that of points a tenth of a pixel off the centres (one standard
+// deviation). If they were more irregular, some would share a pixel and leave others empty.
 constexpr float kMinRegularity = 0.8f;
-// Points in the usual pixel of a depth image whose points come in no order: if they lie at random,
-// one pixel in seven is empty then, few enough to be filled from its neighbours.
+// Points in a typical pixel of a depth image whose points come in no order. If they lie at random,
+// one pixel in seven is empty, few enough to be filled from its neighbours.
 constexpr float kPointsPerPixel = 2.0f;
-// Points in a block that tell their density well enough for that.
+// Points in a typical block, enough to estimate their density for that purpose.
 constexpr float kPointsPerBlock = 8.0f;
-// Where a row of pixels is down to one, coarser ones save nothing there: a step that helps anyway.
+// Least factor by which a step coarsens the pixels. If one side is a single pixel already, only the
+// other side shrinks, and the square root of the excess would converge slowly.
 constexpr float kMinCoarser = 1.01f;
 
 float median(std::vector<float>& values) {
@@ -42,8 +44,8 @@ float median(std::vector<float>& values) {
   return *middle;
 }
 
-/// Calls visit(t, next) for about so many of the points seen, evenly over the cloud: the point's
-/// (u, v, w) and that of the next one seen.
+/// Calls visit(t, next) for roughly `about` of the seen points, spread evenly over the cloud, where
+/// t is the point's (u, v, w) and `next` that of the next seen point.
 template <class Visitor>
 void sample_pairs(const CloudView& cloud, const PinholeView& view, std::size_t about,
                   Visitor&& visit) {
@@ -61,7 +63,7 @@ void sample_pairs(const CloudView& cloud, const PinholeView& view, std::size_t a
   }
 }
 
-/// The usual step: those of one pixel, averaged, which undoes the rounding of single ones.
+/// The typical step: the mean of all steps of one pixel, which averages out their rounding.
 float usual_step(std::vector<float>& steps) {
   const float usual = median(steps);
   double sum = 0;
@@ -72,7 +74,7 @@ float usual_step(std::vector<float>& steps) {
   return static_cast<float>(sum / n);
 }
 
-/// Pixel pitch of a cloud in row order: the usual step between consecutive points of one row.
+/// Pixel pitch of a cloud in row order: the typical step between consecutive points of one row.
 std::optional<float> pitch_from_order(const CloudView& cloud, const PinholeView& view) {
   std::vector<float> steps;
   std::size_t looked = 0;
@@ -87,8 +89,8 @@ std::optional<float> pitch_from_order(const CloudView& cloud, const PinholeView&
   return usual_step(steps);
 }
 
-/// Pitch across the rows: the median step from the end of one to the beginning of the next. Nullopt
-/// if there are too few to tell.
+/// Pitch across the rows: the median step from the end of one row to the beginning of the next.
+/// Nullopt if there are too few rows.
 std::optional<float> pitch_across_rows(const CloudView& cloud, const PinholeView& view) {
   const float min_return = kMinReturn * view.bounds.sizes().x();
   std::vector<float> steps;
@@ -117,7 +119,7 @@ std::vector<int> halved(const std::vector<int>& histogram, int blocks) {
   return halves;
 }
 
-/// Points in the usual one of the blocks that hold any.
+/// Median number of points in those blocks that hold any.
 float usual_count(const std::vector<int>& histogram) {
   std::vector<float> counts;
   for (const int n : histogram) {
@@ -126,9 +128,10 @@ float usual_count(const std::vector<int>& histogram) {
   return median(counts);
 }
 
-/// Pitch of pixels of which the usual one holds so many points, from the density of points over the
-/// part of the image that they cover.
-/// @param points_per_block  the density is counted in blocks of which the usual one holds as many
+/// Pitch at which a typical pixel holds points_per_pixel points, from the density of points over
+/// the part of the image that they cover.
+/// @param points_per_block  the density is counted in blocks of which the typical one holds at
+///   least this many points
 float pitch_from_density(const CloudView& cloud, const PinholeView& view, float points_per_pixel,
                          float points_per_block) {
   constexpr float kReach = PinholeView::kMaxTangent;
@@ -151,11 +154,11 @@ float pitch_from_density(const CloudView& cloud, const PinholeView& view, float 
   return edge / std::sqrt(usual / points_per_pixel);
 }
 
-/// Where the points fall within pixels of a pitch.
+/// Position of the points within pixels of a given pitch.
 struct Phase {
-  /// Offsets of the pixels' centres within [0, 1) of a pixel, as circular means.
+  /// Offsets of the pixels' centres, in [0, 1) of a pixel, as circular means.
   Eigen::Array2f centre;
-  /// 1 if all points fall on the centres, about 0 if anywhere.
+  /// 1 if all points fall on the centres, about 0 if they fall anywhere.
   Eigen::Array2f regularity;
 };
 
@@ -179,17 +182,17 @@ Phase phase_of(const CloudView& cloud, const PinholeView& view, const Eigen::Arr
   return phase;
 }
 
-/// Columns and rows of pixels that the points fill from a corner on.
+/// Number of columns and rows of pixels that the points fill, counted from a corner.
 Eigen::Array2d count_pixels(const PinholeView& view, const Eigen::Array2f& corner,
                             const Eigen::Array2f& pitch) {
   return ((view.bounds.max().array() - corner) / pitch + 1.0f).cast<double>();
 }
 
-/// The image that the points fill, of pixels with these centres within [0, 1) of a pixel; its size
-/// is left open.
+/// The image that the points fill, whose pixels have centres at these offsets in [0, 1) of a pixel;
+/// its size stays unset.
 PinholeImage place_image(const PinholeView& view, const Eigen::Array2f& pitch,
                          const Eigen::Array2f& centre) {
-  // Pixel centres stand at half steps from the corner.
+  // The centres of the pixels are half a pixel from the corner.
   const Eigen::Array2f phase = centre - 0.5f;
   PinholeImage image;
   image.pitch = pitch;
@@ -197,8 +200,8 @@ PinholeImage place_image(const PinholeView& view, const Eigen::Array2f& pitch,
   return image;
 }
 
-/// Pitches along and across the rows of points in row order; nullopt if not each point falls on
-/// the centre of a pixel.
+/// Pitches along and across the rows of points in row order; nullopt unless each point falls on the
+/// centre of a pixel.
 std::optional<Eigen::Array2f> regular_pitch(const CloudView& cloud, const PinholeView& view) {
   const std::optional<float> along = pitch_from_order(cloud, view);
   if (!along) return std::nullopt;
@@ -207,9 +210,9 @@ std::optional<Eigen::Array2f> regular_pitch(const CloudView& cloud, const Pinhol
   return pitch;
 }
 
-/// The pitch, or a coarser one, of which the image has max_pixels at most.
+/// The pitch, or a coarser one with which the image has at most max_pixels.
 Eigen::Array2f coarse_enough(const PinholeView& view, Eigen::Array2f pitch, double max_pixels) {
-  // Wherever within a pixel the first point lies.
+  // This holds wherever within a pixel the first point lies.
   const auto excess = [&] {
     return count_pixels(view, view.bounds.min().array() - pitch, pitch).prod() / max_pixels;
   };

@@ -1,4 +1,4 @@
-// Where a pinhole looks, and which points it sees.
+// Finds the direction in which a pinhole camera looks, and the points that it sees.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,19 +10,19 @@
 namespace quadrille {
 namespace {
 
-// Fewer points tell nothing of a camera's pixels.
+// Fewer points do not show a camera's pixels.
 constexpr std::size_t kMinPoints = 200;
-// Of so many finite points a single view may leave one unseen: strays lie anywhere.
+// A single view may leave one of this many finite points unseen, since stray points lie anywhere.
 constexpr std::size_t kPointsPerUnseen = 50;
-// Rays of so many points tell the direction of the view.
+// This many rays suffice to find the direction of the view.
 constexpr std::size_t kRays = 10000;
-// Lengths of rays that have a direction in floats [m].
+// Range of lengths for which a ray has a reliable direction in single precision [m].
 constexpr float kMinRay = 1e-6f, kMaxRay = 1e6f;
-// A view along z of the cloud's frame is taken for a camera's own frame if the mean ray is so near
-// to it, 37°.
+// The cloud's frame is taken for a camera's own frame if the cosine between its z axis and the mean
+// ray is at least this (37°).
 constexpr float kMinCosine = 0.8f;
 
-/// Rotation that turns the mean viewing direction to z; the identity where z serves already, so
+/// Rotation that turns the mean viewing direction to z. It is the identity if z already serves, so
 /// that the pixels of a depth camera stay aligned. Nullopt if there is no mean direction.
 std::optional<Eigen::Isometry3f> view_frame(const CloudView& cloud) {
   const Eigen::Vector3f eye = cloud.viewpoint.cast<float>();
@@ -48,7 +48,7 @@ std::optional<Eigen::Isometry3f> view_frame(const CloudView& cloud) {
   return X_VC;
 }
 
-/// Bounds of the tangents, lane by lane.
+/// Bounds of the tangents in separate vector lanes.
 struct Bounds {
   std::array<float, SeenPoints::kSize> min_u, max_u, min_v, max_v;
 
@@ -64,7 +64,7 @@ struct Bounds {
   }
 };
 
-/// Takes the points that are seen into the bounds, and counts them.
+/// Extends the bounds by the seen points, and returns their number.
 QUADRILLE_VECTOR_CLONES
 int widen(const SeenPoints& t, Bounds* bounds) {
   int n = 0;
@@ -79,7 +79,7 @@ int widen(const SeenPoints& t, Bounds* bounds) {
   return n;
 }
 
-/// Those of the kSize points from the k-th one on that are finite.
+/// Number of finite points among the kSize points from the k-th on.
 int count_finite(const CloudView& cloud, const PinholeView& view, std::size_t k) {
   int n = 0;
   for (std::size_t i = k; i < k + SeenPoints::kSize; ++i) {

@@ -15,12 +15,13 @@ namespace {
 
 constexpr float kSquaredRange = static_cast<float>(kMaxRange * kMaxRange);
 
-/// Also false for points that are not finite.
+/// This is false also for points that are not finite.
 bool in_range(const Eigen::Vector3f& p, const Eigen::Vector3f& from) {
   return (p - from).squaredNorm() <= kSquaredRange;
 }
 
-/// True if all of 16 points are in range for sure: if the sum of their squared distances is.
+/// Quick test of 16 points: true only if the sum of their squared distances is in range, so that
+/// each of them is.
 QUADRILLE_VECTOR_CLONES
 bool all_in_range(const float* points, const float* from) {
   std::array<float, 16> sums{};

@@ -15,34 +15,36 @@ namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-// Points to look at, about.
+// Approximate number of points that are looked at.
 constexpr std::size_t kSome = 5000;
-// Fewer tell nothing.
+// Fewer points do not suffice for a verdict.
 constexpr std::size_t kMinPoints = 50;
-// Length of the mean of unit rays: (1 + cos a) / 2 if they fill a cone of half angle a. Shorter
-// ones than this fill more than a half space.
+// Least length of the mean of unit rays. It is (1 + cos a) / 2 for rays that fill a cone of half
+// angle a; with less, they fill more than a half space.
 constexpr double kMinMeanRay = 0.3;
-// No depth camera measures nearer [m]; a share of the points that may, of strays.
+// No depth camera measures nearer than this [m], except for a share of strays.
 constexpr double kMinRange = 0.02, kMaxNearShare = 0.01;
-// Smaller planes are faces of things, which hide their other sides in any fused cloud [m].
+// Smaller planes are faces of things, whose other sides they hide in any fused cloud [m].
 constexpr double kMinPlane = 0.15;
-// No depth camera sees larger ones; the cells of what claims to be would fill the memory [m].
+// No depth camera sees larger planes, and the cells of a claimed one could exhaust the memory [m].
 constexpr double kMaxPlane = 100.0;
-// Points nearer to a plane than this are its own, and those farther away are not about it [m].
+// Points nearer to a plane than kOwn belong to it; points farther from it than kAbout do not lie
+// around it [m].
 constexpr double kOwn = 0.015, kAbout = 0.3;
-// Cells of a plane in which points were seen [m].
+// Edge of the cells that record where on a plane points were seen [m].
 constexpr double kPlaneCell = 0.04;
-// Share of the points about a plane that it may hide, and how many of those looked at prove it.
+// Largest share of the points around a plane that it may hide, and number of hidden points needed
+// as proof.
 constexpr double kMaxHidden = 0.6;
 constexpr std::size_t kMinHidden = 30;
 
-// Of an image the angle between two pixels that is so many times the usual one is a tear; lenses
-// change it less. A share of them, for sensors that are a few centimetres off.
+// The angle between neighbouring pixels is a tear if it is this many times the typical one; lenses
+// change it less. The share of tears is allowed because viewpoints may be a few centimetres off.
 constexpr double kTorn = 1.6, kMaxTorn = 0.02;
-// Cosine to the middle of the image from which on pixels are taken for as small as there.
+// Least cosine between a pixel's ray and the middle of the image that is used to correct its size.
 constexpr double kMinAhead = 0.3;
 
-/// Rays from the viewpoint to finite points, evenly over the cloud.
+/// Rays from the viewpoint to finite points spread evenly over the cloud.
 Points rays_of(const CloudView& cloud) {
   Points rays;
   const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kSome);
@@ -58,8 +60,8 @@ std::string percent(double share) {
   return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
 }
 
-/// Angles between pixels that are neighbours in a row, all as in the middle of the image: a pixel
-/// at the tangents (u, v) is smaller by √(1 + v²) / (1 + u² + v²).
+/// Angles between neighbouring pixels in a row, each corrected to the middle of the image: a pixel
+/// at tangents (u, v) is smaller by √(1 + v²) / (1 + u² + v²).
 std::vector<double> pixel_angles(const CloudView& cloud) {
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> pairs;
   Eigen::Vector3d ahead = Eigen::Vector3d::Zero(), along = Eigen::Vector3d::Zero();
@@ -84,8 +86,8 @@ std::vector<double> pixel_angles(const CloudView& cloud) {
   return angles;
 }
 
-/// What is wrong where neighbouring pixels of an organised cloud lie in far from neighbouring
-/// directions; empty if they do not. Seen from where the sensor stood the angle between two pixels
+/// Describes the defect if neighbouring pixels of an organised cloud lie in very different
+/// directions; empty if they do not. Seen from the sensor's position, the angle between two pixels
 /// is the same whatever their depths.
 std::string torn_image(const CloudView& cloud) {
   if (!cloud.organised()) return "";
@@ -98,7 +100,7 @@ std::string torn_image(const CloudView& cloud) {
   return share > kMaxTorn ? percent(share) + " of neighbouring pixels lie far apart" : "";
 }
 
-/// The part of a plane in which points were seen, as cells.
+/// The part of a plane in which points were seen, as a grid of cells.
 class SeenPlane {
  public:
   /// @param eye_C  the viewpoint [m]
@@ -118,14 +120,15 @@ class SeenPlane {
     }
   }
 
-  /// Points that are not the plane's own, and those of them that it hides from the viewpoint.
+  /// Number of points that do not belong to the plane, and of those that it hides from the
+  /// viewpoint.
   struct Counts {
     std::size_t all = 0, hidden = 0;
 
     double share() const { return static_cast<double>(hidden) / static_cast<double>(all); }
     bool too_many() const { return hidden >= kMinHidden && share() > kMaxHidden; }
   };
-  /// Of the points about the plane, or of all.
+  /// Counts only the points around the plane, or all points.
   Counts count(bool about) const {
     Counts counts;
     for (const Eigen::Vector3d& p : points_) {
@@ -137,7 +140,7 @@ class SeenPlane {
     return counts;
   }
 
-  /// Distance of the viewpoint [m].
+  /// Distance of the viewpoint from the plane [m].
   double distance() const { return std::abs(eye_.z()); }
 
  private:
@@ -150,7 +153,7 @@ class SeenPlane {
     const Eigen::Vector2d size(width_ * kPlaneCell, height_ * kPlaneCell), at = p - low_;
     return (at.array() > -kAbout).all() && (at.array() < size.array() + kAbout).all();
   }
-  /// True if the sight line passes the plane where points of it were seen, before the point.
+  /// True if the line of sight to the point crosses a cell of the plane in which points were seen.
   bool hides(const Eigen::Vector3d& p) const {
     if (p.z() * eye_.z() >= 0.0) return false;
     const double along = eye_.z() / (eye_.z() - p.z());
@@ -166,7 +169,7 @@ class SeenPlane {
   Points points_;
 };
 
-/// What is wrong where the viewpoint lies among the points; empty if it does not.
+/// Describes the defect if the viewpoint lies among the points; empty if it does not.
 std::string among_points(const Points& rays) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   std::size_t near = 0;
@@ -181,7 +184,7 @@ std::string among_points(const Points& rays) {
   return sum.norm() < kMinMeanRay * n ? "points lie on all sides of it" : "";
 }
 
-/// What is wrong where a plane hides what lies about it; empty if none does.
+/// Describes the defect if a plane hides most points around it; empty if none does.
 std::string behind_plane(const CloudView& cloud, const Points& rays,
                          const std::vector<Detection>& detections) {
   for (const Detection& d : detections) {
@@ -190,7 +193,7 @@ std::string behind_plane(const CloudView& cloud, const Points& rays,
     const Eigen::Array2d size = d.extent_Q.sizes().head<2>();
     if (!((size > kMinPlane).all() && (size < kMaxPlane).all())) continue;
     const SeenPlane plane(d, cloud.viewpoint, rays);
-    // Of the things on a table seen from below, or of all behind a wall.
+    // A table seen from below hides the things on it; a wall hides everything behind it.
     const SeenPlane::Counts about = plane.count(true), all = plane.count(false);
     if (!about.too_many() && !all.too_many()) continue;
     const bool table = about.too_many();

@@ -15,7 +15,7 @@ struct FamilyFit {
   double rss = 0.0;
   /// Number of points.
   int points = 0;
-  /// JᵀJ of the residuals with respect to the family's parameters (shapes, then motions).
+  /// JᵀJ of the residuals with respect to the family's parameters: shapes, then motions.
   Eigen::MatrixXd information;
 };
 

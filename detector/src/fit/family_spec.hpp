@@ -8,11 +8,11 @@
 
 namespace quadrille {
 
-/// What may change in a family: the canonical matrix D of Q = X⁻ᵀ D X⁻¹ by a sum of the shapes,
-/// and the pose X by the motions.
+/// The parameters of a family of quadrics Q = X⁻ᵀ D X⁻¹: the canonical matrix D varies by the
+/// shapes, and the pose X by the motions.
 struct FamilySpec {
   std::string_view name;
-  /// Symmetric 4x4 directions of D.
+  /// Symmetric 4x4 matrices, the directions in which D may vary.
   std::vector<Eigen::Matrix4d> shapes;
   /// Generators in the canonical frame: translations x y z are 0 1 2, rotations 3 4 5.
   std::vector<int> motions;

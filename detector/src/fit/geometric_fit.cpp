@@ -11,9 +11,9 @@
 namespace quadrille {
 namespace {
 
-// A fit that promises more than this multiple of the wanted residual will not get there.
+// A fit stops if its predicted residual exceeds the wanted one by this factor.
 constexpr double kMaxPromised = 4.0;
-// A step that gained less than this many times the least worthwhile gain was the last.
+// A step is the last if it gained less than this many times the least worthwhile gain.
 constexpr double kLastGain = 10.0;
 
 using Normal = Eigen::Matrix<double, 11, 11>;
@@ -31,12 +31,12 @@ Eigen::Matrix4d generator(int motion) {
   return G;
 }
 
-// At most ten parameters: no heap.
+// There are at most ten parameters, so no memory is allocated on the heap.
 using Tangent = Eigen::Matrix<double, 10, Eigen::Dynamic, 0, 10, 10>;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 10, 10>;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 10, 1>;
 
-/// dq/dθ of a family at a posed quadric: 10 x (shapes + motions).
+/// The derivative dq/dθ of a family at a posed quadric: 10 x (shapes + motions).
 Tangent tangent_space(const FamilySpec& spec, const PosedQuadric& q) {
   const Eigen::Matrix4d Y = q.X.inverse().matrix();
   Tangent T(10, static_cast<Eigen::Index>(spec.shapes.size() + spec.motions.size()));
@@ -52,7 +52,7 @@ Tangent tangent_space(const FamilySpec& spec, const PosedQuadric& q) {
   return T;
 }
 
-/// Gauss-Newton's equations A step = -b in a family's parameters.
+/// The Gauss-Newton equations A step = -b in a family's parameters.
 struct Step {
   Tangent T;
   Square A;
@@ -82,7 +82,7 @@ PosedQuadric moved(Family family, PosedQuadric q, const Eigen::Ref<const Eigen::
   if (r.norm() > 0) dX.linear() = Eigen::AngleAxisd(r.norm(), r.normalized()).toRotationMatrix();
   dX.translation() = t;
   q.X = q.X * dX;
-  // Only the general family is free in scale; the others hold a coefficient fixed.
+  // Only the general family has a free scale; the others keep a coefficient fixed.
   if (spec.motions.empty()) q.D /= q.D.norm();
   return q;
 }
@@ -101,7 +101,7 @@ std::optional<FamilyFit> refine(const OrientedPoints<Scalar>& points, Family fam
   if (!N.allFinite()) return std::nullopt;
   fit.rss = N(10, 10);
   Step step(spec, fit.posed, N);
-  double damping = 1e-3;  // Levenberg and Marquardt's, relative to the diagonal
+  double damping = 1e-3;  // Levenberg-Marquardt damping, relative to the diagonal
   for (int i = 0; i < iterations; ++i) {
     const Vector change = step.solve(damping);
     if (!change.allFinite()) break;

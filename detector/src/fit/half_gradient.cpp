@@ -5,8 +5,9 @@
 namespace quadrille {
 namespace {
 
-/// @param from  the rows of 3xN points
-/// @param to    the rows of the 4xN results
+/// Evaluates the half gradients and values of many points.
+/// @param from  rows of the 3xN points
+/// @param to    rows of the 4xN results
 QUADRILLE_VECTOR_CLONES
 void evaluate(Coefficients<float> q, Eigen::Index size, const float* from, float* __restrict to) {
   const float *x = from, *y = x + size, *z = y + size;

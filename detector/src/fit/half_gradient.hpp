@@ -6,7 +6,7 @@
 
 namespace quadrille {
 
-/// A quadric f = xᵀQx, with x = (x y z 1), as ten numbers of one precision.
+/// The coefficients of a quadric f = xᵀQx, where x = (x y z 1), in one precision.
 template <typename Scalar>
 struct Coefficients {
   Scalar xx, yy, zz, xy, xz, yz, x, y, z, one;
@@ -39,7 +39,7 @@ inline HalfGradient<Scalar> half_gradient(const Coefficients<Scalar>& q, Scalar 
   return {gx, gy, gz, gx * x + gy * y + gz * z + q.x * x + q.y * y + q.z * z + q.one};
 }
 
-/// The same for many points.
+/// Half gradients and values at many points.
 class HalfGradients {
  public:
   HalfGradients(const OrientedPointsf& points, const Eigen::Matrix4d& Q);

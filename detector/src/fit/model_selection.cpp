@@ -19,18 +19,18 @@
 namespace quadrille {
 namespace {
 
-/// The same surface with another scale of its matrix.
+/// Returns the same surface with its matrix divided by a number.
 std::optional<PosedQuadric> divided(PosedQuadric q, double by) {
   q.D /= by;
   return q;
 }
 
-/// Closed-form starts for fits to the same points.
+/// Closed-form starts for fits to one set of points.
 class Starts {
  public:
   explicit Starts(const OrientedPointsf& points) : points_(points) {}
 
-  /// Starts for one family; `known` are the fits so far, on which some build.
+  /// Starts for one family; `known` are the fits so far, on which some starts build.
   std::vector<PosedQuadric> of(Family family, const std::vector<FamilyFit>& known) {
     std::vector<PosedQuadric> list;
     const auto add = [&](const std::optional<PosedQuadric>& start) {
@@ -80,7 +80,7 @@ class Starts {
   }
 
  private:
-  /// Three families start from it: it is computed once.
+  /// Three families use this start, so it is computed once.
   const std::optional<PosedQuadric>& revolution() {
     if (!revolution_) revolution_ = initial_revolution(points_);
     return *revolution_;
@@ -109,7 +109,7 @@ double effective_size(int size, const SelectionOptions& options) {
   return std::max(2.0, options.effective_share * size);
 }
 
-/// The inverse of bic(): the sum of squares with which a fit reaches it.
+/// The inverse of bic(): the sum of squares at which a fit reaches it.
 double rss_for(double bic, int size, int dof, const SelectionOptions& options) {
   const double n = effective_size(size, options);
   const double variance = std::exp((bic - dof * std::log(n)) / n);
@@ -143,8 +143,8 @@ Selection select_family(const OrientedPointsf& points, std::span<const Family> f
   selection.bic = bic(general, options);
   selection.fits.push_back(general);
   for (const Family family : families) {
-    // Even with a little less than the residual of the general fit, which is converged but nearly,
-    // this family could not become the best.
+    // The family cannot become the best even with a slightly smaller residual than the general fit,
+    // which is not fully converged, so its fit is skipped.
     const int dof = family_spec(family).dof;
     if (bic(0.95 * general.rss, size, dof, options) >= selection.bic) continue;
     const double wanted = rss_for(selection.bic, size, dof, options);

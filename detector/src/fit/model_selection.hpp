@@ -9,22 +9,22 @@
 namespace quadrille {
 
 struct SelectionOptions {
-  /// Independent measurements per point: neighbours share their noise.
+  /// Independent measurements per point; neighbouring points share their noise.
   double effective_share = 0.25;
-  /// Standard deviation of the noise that all points have in common, in their unit: a residual
-  /// below it earns no credit.
+  /// Standard deviation of the noise that all points have in common, in their unit. A residual
+  /// below it is no further evidence for a fit.
   double common_noise = 0.0;
-  /// Steps of the geometric fit.
+  /// Number of steps of the geometric fit.
   int iterations = 6;
 };
 
-/// The fit that the Bayesian information criterion prefers, n ln(rss / N + c²) + k ln n with N
-/// points, n the effective sample size, k the degrees of freedom and c the common noise, less twice
-/// the type's log_prior(): the simplest type that explains the points.
+/// The fit preferred by the Bayesian information criterion, n ln(rss / N + c²) + k ln n minus twice
+/// the type's log_prior(), where N is the number of points, n the effective sample size, k the
+/// degrees of freedom and c the common noise. It is the simplest type that explains the points.
 struct Selection {
   FamilyFit best;
   double bic = 0.0;
-  /// Fits of all families tried.
+  /// Fits of all families that were tried.
   std::vector<FamilyFit> fits;
 };
 
@@ -34,12 +34,13 @@ double bic(double rss, int size, int dof, const SelectionOptions& options);
 /// BIC of a fit, with the prior of its type.
 double bic(const FamilyFit& fit, const SelectionOptions& options);
 
-/// The best fit of one family from its own closed-form starts; nullopt if there is none, as for
-/// the paraboloids and the elliptic cylinder, which start from other families' fits.
+/// The best fit of one family from its own closed-form starts. Nullopt if it has none: paraboloids
+/// and the elliptic cylinder start from fits of other families.
 std::optional<FamilyFit> fit_family(const OrientedPointsf& points, Family family, int iterations);
 
 /// Fits the families and selects one.
-/// @param general  the fit of the general family: no other fits better, which spares most fits
+/// @param general  fit of the general family; no other family fits better, which makes most fits
+///   unnecessary
 Selection select_family(const OrientedPointsf& points, std::span<const Family> families,
                         const FamilyFit& general, const SelectionOptions& options);
 

@@ -8,10 +8,10 @@ namespace quadrille {
 
 using Matrix10d = Eigen::Matrix<double, 10, 10>;
 
-/// The monomials v of a point, f = vᵀq (paper, definition 1).
+/// The monomials v of a point, so that f = vᵀq (paper, definition 1).
 Vector10d monomials(const Eigen::Vector3d& x);
 
-/// The transposed derivative ∇vᵀ of the monomials, 3x10: ∇f = ∇vᵀq (paper, eq. 3).
+/// The transposed derivative ∇vᵀ of the monomials, 3x10, so that ∇f = ∇vᵀq (paper, eq. 3).
 Eigen::Matrix<double, 3, 10> monomial_gradients(const Eigen::Vector3d& x);
 
 /// The product of two affine functions a·[x 1] and b·[x 1] as a symmetric 4x4 matrix.

@@ -11,15 +11,16 @@
 namespace quadrille {
 namespace {
 
-// Where the gradient is weaker than this share of its mean, the first-order distance is cut: near
-// an apex or a centre it would explode.
+// Near an apex or a centre the gradient vanishes and the first-order distance explodes, so the
+// gradient's length counts as at least this share of its mean.
 constexpr float kWeakGradient = 0.05f;
-// Points are taken in chunks of this many, which compilers turn into vector instructions and which
-// stay in the nearest cache. Sums run in kLanes strands, whatever the width of the vectors.
+// Points are processed in chunks of this many, which compilers vectorise and which fit the L1
+// cache. Sums run in kLanes strands whatever the width of the vectors, so that results do not
+// depend on it.
 constexpr int kChunk = 128, kLanes = 8;
 constexpr int kColumns = 11;
 
-/// A chunk of points; what is beyond the last one is zero.
+/// A chunk of points; the entries beyond the last point are zero.
 template <typename Scalar>
 struct alignas(kLanes * sizeof(Scalar)) Chunk {
   Scalar x[kChunk], y[kChunk], z[kChunk];
@@ -42,7 +43,7 @@ struct alignas(kLanes * sizeof(Scalar)) Jacobian {
   Scalar column[kColumns][kChunk];
 };
 
-/// Eight sums side by side: for floats one AVX register, or two SSE ones.
+/// Eight partial sums side by side: for floats one AVX register, or two SSE registers.
 template <typename Scalar>
 struct StrandsOf;
 template <>
@@ -54,7 +55,8 @@ struct StrandsOf<double> {
   using Type __attribute__((vector_size(kLanes * sizeof(double)), may_alias)) = double;
 };
 
-// Compilers clone no templates: these are inlined into functions that are no templates.
+// Compilers clone no templates for other instruction sets, so these are inlined into plain
+// functions.
 #define QUADRILLE_INTO_CLONES inline __attribute__((always_inline))
 
 template <typename Scalar>
@@ -67,7 +69,8 @@ QUADRILLE_INTO_CLONES void evaluate_points(const Coefficients<Scalar>& q, Chunk<
   }
 }
 
-/// dr/dq = (v − r ∇vᵀ g / |g|) / |g| with g the gradient, whose halves are in the chunk.
+/// The derivative dr/dq = (v − r ∇vᵀ g / |g|) / |g|, where g is the gradient; the chunk holds its
+/// half.
 template <typename Scalar>
 QUADRILLE_INTO_CLONES void differentiate_points(const Chunk<Scalar>& c, Scalar min_slope,
                                                 Jacobian<Scalar>* J) {
@@ -94,7 +97,8 @@ QUADRILLE_INTO_CLONES void differentiate_points(const Chunk<Scalar>& c, Scalar m
   }
 }
 
-/// Row a of JᵀJ, from the diagonal on. With `a` known the sums stay in registers.
+/// Adds row a of JᵀJ from the diagonal on. Since `a` is known at compile time, the sums stay in
+/// registers.
 template <int a, typename Scalar>
 QUADRILLE_INTO_CLONES void add_row(const Jacobian<Scalar>& J, int size, double* N) {
   using Strands = typename StrandsOf<Scalar>::Type;
@@ -110,7 +114,7 @@ QUADRILLE_INTO_CLONES void add_row(const Jacobian<Scalar>& J, int size, double* 
   }
 }
 
-/// Adds JᵀJ, upper triangle.
+/// Adds the upper triangle of JᵀJ.
 template <typename Scalar>
 QUADRILLE_INTO_CLONES void add_all_rows(const Jacobian<Scalar>& J, int size, double* N) {
   add_row<0>(J, size, N), add_row<1>(J, size, N), add_row<2>(J, size, N);
@@ -142,7 +146,7 @@ void clear_beyond(int size, Jacobian<Scalar>* J) {
   for (auto& column : J->column) std::fill(column + size, column + kChunk, Scalar(0));
 }
 
-/// The points in chunks, with f and its gradient.
+/// All points in chunks, with f and its gradient evaluated.
 template <typename Scalar>
 class Evaluation {
  public:

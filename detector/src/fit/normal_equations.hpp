@@ -6,14 +6,15 @@
 
 namespace quadrille {
 
-/// In the coordinates and the unit of the points:
-/// [JᵀJ Jᵀr; rᵀJ rᵀr] of the first-order distances r = f / |∇f| of the points, J = dr/dq: 11x11,
-/// in the order of q and with the residual last.
+/// Returns the 11x11 matrix [JᵀJ Jᵀr; rᵀJ rᵀr], where r = f / |∇f| are the points' first-order
+/// distances and J = dr/dq. Rows are in the order of q, the residual last; coordinates and unit are
+/// those of the points.
 template <typename Scalar>
 Eigen::Matrix<double, 11, 11> normal_equations(const OrientedPoints<Scalar>& points,
                                                const Eigen::Matrix4d& Q);
 
-/// Sum of squared first-order distances of the points, the last element of the above.
+/// Sum of the points' squared first-order distances, which is the last element of
+/// normal_equations().
 template <typename Scalar>
 double sum_of_squares(const OrientedPoints<Scalar>& points, const Eigen::Matrix4d& Q);
 

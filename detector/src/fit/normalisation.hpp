@@ -9,24 +9,24 @@
 
 namespace quadrille {
 
-/// Similarity that carries points to about the unit ball, as the paper asks (Hartley's
+/// A similarity that carries points to about the unit ball, as the paper asks (Hartley's
 /// normalisation): x_local = (x − centre) / scale.
 struct Normalisation {
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double scale = 1.0;
 
-  /// The quadric of local coordinates in the frame of the samples.
+  /// Transforms a quadric from local coordinates to the frame of the samples.
   Quadric to_frame(const Eigen::Matrix4d& Q_local) const;
-  /// The inverse.
+  /// Transforms a quadric from the frame of the samples to local coordinates.
   Eigen::Matrix4d to_local(const Quadric& Q) const;
 };
 
-/// What becomes 1: the root mean square distance from the centroid, which one stray point hardly
-/// changes, or the largest, which has all points in the unit ball.
+/// The distance from the centroid that becomes 1. One stray point hardly changes the root mean
+/// square; the largest distance puts all points into the unit ball.
 enum class Radius { kRootMeanSquare, kLargest };
 
 /// The normalisation about the centroid of some points.
-/// @param point  gives the i-th of `size` points, at least one, in double precision
+/// @param point  returns the i-th of `size` points in double precision; `size` is at least 1
 template <typename PointAt>
 Normalisation normalisation_about_centroid(std::size_t size, Radius radius, const PointAt& point) {
   Normalisation result;

@@ -7,9 +7,9 @@
 
 namespace quadrille {
 
-/// The data of a fit: points of a surface and its normals there, one column each. A coordinate of
-/// all points lies together, so that loops over points become vector instructions. The detector
-/// takes single precision for its speed, the fits of detector/fits double for exactness.
+/// The data of a fit: points of a surface and its normals there, one column each. Each coordinate
+/// is contiguous over all points, so that loops over points vectorise. The detector uses single
+/// precision for speed, the fits of detector/fits double precision for exactness.
 template <typename Scalar>
 struct OrientedPoints {
   using Matrix = Eigen::Matrix<Scalar, 3, Eigen::Dynamic, Eigen::RowMajor>;
@@ -18,7 +18,7 @@ struct OrientedPoints {
 
   /// 3xN positions.
   Matrix points;
-  /// 3xN normals. Unit length, unless a fit says that it takes the gradient's length from them.
+  /// 3xN normals, of unit length unless a fit states that it reads the gradient's length from them.
   Matrix normals;
 
   explicit OrientedPoints(Eigen::Index size = 0) : points(3, size), normals(3, size) {}
@@ -26,7 +26,7 @@ struct OrientedPoints {
   OrientedPoint at(Eigen::Index i) const {
     return {points.col(i).template cast<double>(), normals.col(i).template cast<double>()};
   }
-  /// The first of the columns.
+  /// The first `count` columns.
   /// @throws std::invalid_argument if the numbers of points and normals differ
   OrientedPoints first(Eigen::Index count) const {
     if (points.cols() != normals.cols()) {

@@ -7,17 +7,17 @@
 
 namespace quadrille {
 
-/// A quadric as a canonical matrix D in a pose X: Q = X⁻ᵀ D X⁻¹.
+/// A quadric given by its canonical matrix D and its pose X: Q = X⁻ᵀ D X⁻¹.
 struct PosedQuadric {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   Eigen::Matrix4d D = Eigen::Matrix4d::Zero();
   Eigen::Matrix4d matrix() const;
 };
 
-/// The pose at a position with its z axis along a direction.
+/// A pose at the given position whose z axis has the given direction.
 Eigen::Isometry3d pose_along(const Eigen::Vector3d& position, const Eigen::Vector3d& z);
 
-/// The canonical form of a fit, whose zeros are exact but for rounding.
+/// The canonical form of a fitted quadric, whose zero entries are exact up to rounding.
 CanonicalForm canonical_form(const PosedQuadric& fit);
 
 }  // namespace quadrille

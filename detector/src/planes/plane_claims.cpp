@@ -7,7 +7,7 @@
 namespace quadrille {
 namespace {
 
-/// Planes at and around each coarsest cell.
+/// For each cell of the coarsest level, the planes that have samples in it or in a neighbour.
 std::vector<std::vector<int>> planes_near(const CellPyramid& pyramid, const SurfaceSamples& coarse,
                                           const std::vector<PlaneRegion>& planes) {
   std::vector<std::vector<int>> near(static_cast<std::size_t>(pyramid.size(kLevels - 1)));

@@ -7,15 +7,15 @@
 
 namespace quadrille {
 
-/// Per finest cell, the plane that it lies on, next to where the plane was found: the nearest, of
-/// several; −1 for none.
-/// @param coarse  the samples that the planes were found on
-/// @param sigmas  largest distance in multiples of the cells' noise
+/// Returns for each finest cell the index of the nearest plane on which it lies, or −1 for none. A
+/// cell can lie on a plane only where, or next to where, that plane was found.
+/// @param coarse  samples on which the planes were found
+/// @param sigmas  largest distance in multiples of the cell's noise
 std::vector<int> planes_of_cells(const CellPyramid& pyramid, const SurfaceSamples& coarse,
                                  const std::vector<PlaneRegion>& planes, double sigmas);
 
-/// Per finest cell, zero if it lies on a plane, as nothing else is looked for there.
-/// @param plane_of_cell  as planes_of_cells() gives it
+/// Returns for each finest cell zero if it lies on a plane, since no other surface is sought there.
+/// @param plane_of_cell  result of planes_of_cells()
 std::vector<char> cells_off_planes(const std::vector<int>& plane_of_cell);
 
 }  // namespace quadrille

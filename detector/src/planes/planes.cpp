@@ -13,29 +13,30 @@
 namespace quadrille {
 namespace {
 
-// Least cosine between the normals of planes that are one, 14°.
+// Planes are joined only if the cosine between their normals is at least this (14°).
 constexpr double kMinCoplanarCosine = 0.97;
-// Neighbours that tell whether a sample lies in something flat, and samples that determine a plane
-// with one to spare.
+// A seed needs this many neighbours to tell whether it lies in something flat. A plane needs this
+// many samples: three determine it, and one is to spare.
 constexpr std::size_t kMinSeedNeighbours = 5;
 constexpr int kMinPlaneSamples = 4;
-// The first refit of a growing plane; each later one at twice the samples of the last.
+// A growing plane is refitted first at this many samples, then each time their number has doubled.
 constexpr std::size_t kFirstRefit = 12;
-// Distance from a plane that is allowed beside the noise, in cells: what edges of cells round off.
+// Distance from a plane that is allowed in addition to the noise, as a share of the cell size:
+// cells at an edge average it off.
 constexpr float kCellShare = 0.05f;
-// A bend is significant from this many standard deviations on, and what may hide in the noise is as
-// large as so many.
+// A bend is significant from this many standard deviations on; a bend of up to kHiddenSigmas may
+// hide in the noise.
 constexpr double kSignificantSigmas = 3.0, kHiddenSigmas = 2.0;
-// Samples that make one independent measurement: neighbours share their noise.
+// Neighbouring samples share their noise, so that this many count as one independent measurement.
 constexpr double kSamplesPerMeasurement = 4.0;
 
-/// The plane of the sums, n on the side of a direction.
+/// Fits the plane of the sums and turns its normal towards the given side.
 Eigen::Vector4d plane_towards(const Eigen::Vector3f& side, const PlaneSums& sums) {
   const Eigen::Vector4d plane = sums.plane();
   return plane.head<3>().dot(side.cast<double>()) < 0 ? Eigen::Vector4d(-plane) : plane;
 }
 
-/// Samples to start from, the flattest first: those with whose normals their neighbours' agree
+/// Seeds for planes, the flattest first: samples whose normal agrees with their neighbours' normals
 /// within the angle [rad].
 std::vector<int> flat_seeds(const SurfaceSamples& samples, double angle,
                             const std::vector<char>& claimed) {
@@ -55,8 +56,8 @@ std::vector<int> flat_seeds(const SurfaceSamples& samples, double angle,
   return seeds;
 }
 
-/// Curvature of a quadratic fit over the plane where it bends most, and its standard deviation
-/// [1/m].
+/// Fits a quadratic height over the plane; returns the curvature in the direction of the largest
+/// bend and its standard deviation [1/m].
 std::pair<double, double> curvature_of(const SurfaceSamples& samples, const PlaneRegion& region) {
   const Eigen::Vector3d m = region.plane.head<3>();
   const Eigen::Vector3d e1 = m.unitOrthogonal(), e2 = m.cross(e1);
@@ -84,8 +85,8 @@ std::pair<double, double> curvature_of(const SurfaceSamples& samples, const Plan
   return {std::abs(eigen.eigenvalues()[k]), std::sqrt(g.dot(covariance * g))};
 }
 
-/// True unless the region is shown to be flat: it must not bend significantly, and what it may bend
-/// within the noise must be little. Narrow strips of cylinders are not shown to be flat.
+/// Returns false only if the region is shown to be flat: it does not bend significantly, and any
+/// bend hidden in the noise is small. Narrow strips of cylinders are not shown to be flat.
 bool may_bend(const SurfaceSamples& samples, const PlaneRegion& region,
               const PlaneOptions& options) {
   const auto [curvature, std] = curvature_of(samples, region);
@@ -93,8 +94,9 @@ bool may_bend(const SurfaceSamples& samples, const PlaneRegion& region,
          curvature + kHiddenSigmas * std > 1.0 / options.min_proven_radius;
 }
 
-/// Joins planes that noise or an object between had parted: nearly parallel, and the smaller one
-/// within the noise of the larger, or within the waves that it may have over their distance.
+/// Joins planes that noise or an object in between has split: they must be nearly parallel, and the
+/// smaller must lie on the larger within the noise or within the waviness allowed for their
+/// distance.
 std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
                                        std::vector<PlaneRegion> planes,
                                        const PlaneOptions& options) {
@@ -102,7 +104,8 @@ std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
     return a.samples.size() > b.samples.size();
   });
   const auto coplanar = [&](const PlaneRegion& large, const PlaneRegion& small) {
-    // Seen from within the plane, the sides that its parts turn are chance.
+    // If the viewpoint lies nearly in the plane, its parts' normals point to either side by chance,
+    // so signs are ignored.
     const double cosine = large.plane.head<3>().dot(small.plane.head<3>());
     if (std::abs(cosine) < kMinCoplanarCosine) return false;
     const double n = static_cast<double>(small.samples.size());
@@ -131,7 +134,7 @@ std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
   return joined;
 }
 
-/// The plane through a seed and its free neighbours; nullopt if they are too few.
+/// The plane through a seed and its free neighbours; nullopt if there are too few.
 std::optional<Eigen::Vector4d> plane_at(const SurfaceSamples& samples, int seed,
                                         const std::vector<int>& taken) {
   PlaneSums sums;
@@ -143,7 +146,7 @@ std::optional<Eigen::Vector4d> plane_at(const SurfaceSamples& samples, int seed,
   return plane_towards(samples.n[seed], sums);
 }
 
-/// Grows a plane over neighbours that are free, near it and parallel to it, and marks them with the
+/// Grows a plane over free neighbours that are near it and parallel to it, and marks them with the
 /// number of the attempt.
 PlaneRegion grow_plane(const SurfaceSamples& samples, const PlaneOptions& options, int seed,
                        const Eigen::Vector4d& start, int attempt, std::vector<int>* taken) {
@@ -184,7 +187,7 @@ Eigen::Vector3d middle_of(const SurfaceSamples& samples, const PlaneRegion& plan
 std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options,
                                      const std::vector<char>& claimed) {
   std::vector<PlaneRegion> planes;
-  // 0 free, 1 claimed, otherwise the number of the attempt that took it.
+  // Per sample: 0 if free, 1 if claimed, otherwise the number of the attempt that took it.
   std::vector<int> taken(claimed.begin(), claimed.end());
   taken.resize(static_cast<std::size_t>(samples.size()), 0);
   std::vector<char> bent(taken.size(), 0);
@@ -198,7 +201,8 @@ std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneO
     if (static_cast<int>(region.samples.size()) < options.min_samples) {
       for (const int i : region.samples) taken[i] = i == seed ? attempt : 0;
     } else if (may_bend(samples, region, options)) {
-      // Smaller pieces of a bent surface would pass for planes: no seed among them.
+      // Smaller pieces of a bent surface would pass for planes, so none of its samples becomes a
+      // seed.
       for (const int i : region.samples) {
         taken[i] = 0;
         bent[i] = 1;

@@ -9,22 +9,23 @@
 
 namespace quadrille {
 
-/// One plane n·x + d = 0, n towards the viewpoint.
+/// One plane n·x + d = 0 with n towards the viewpoint, and the samples on it.
 struct PlaneRegion {
   Eigen::Vector4d plane;
   std::vector<int> samples;
 };
 
-/// Distance from a plane over the distance along it that the waves of a sensor may feign: tables
-/// and walls come in pieces that are bent this much, and more than noise within a patch explains.
+/// Largest ratio between the distance from a plane and the distance along it that a sensor's waves
+/// explain. Real tables and walls are found in pieces bent by this much, which is more than the
+/// noise within a patch explains.
 inline constexpr double kMaxWaviness = 0.015;
 
-/// Mean of the samples' raw positions.
+/// Mean of the raw positions of the plane's samples [m].
 Eigen::Vector3d middle_of(const SurfaceSamples& samples, const PlaneRegion& plane);
 
-/// Grows planes over neighbours from the flattest seeds (type-specific fit: one oriented point
-/// determines a plane, paper, table of minimal cases).
-/// @param claimed  per sample, nonzero to leave it out; empty for none
+/// Grows planes over neighbours from the flattest seeds. This is a type-specific fit: one oriented
+/// point determines a plane (paper, table of minimal cases).
+/// @param claimed  per sample, nonzero to leave it out; empty to use all
 std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options,
                                      const std::vector<char>& claimed = {});
 

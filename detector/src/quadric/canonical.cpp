@@ -9,7 +9,8 @@
 namespace quadrille {
 namespace {
 
-/// λ₁x² + λ₂y² + λ₃z² + 2 b·x + j in the eigenvectors' frame, zero eigenvalues exact.
+/// The form λ₁x² + λ₂y² + λ₃z² + 2 b·x + j in the frame of the eigenvectors; zero eigenvalues are
+/// exact.
 struct Diagonal {
   Eigen::Matrix3d R;
   Eigen::Vector3d lambda, b;
@@ -21,7 +22,7 @@ Diagonal diagonalise(const Quadric& Q, double tolerance) {
   const Eigen::Matrix4d M = Q.matrix() / Q.matrix().cwiseAbs().maxCoeff();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
       Eigen::Matrix3d(M.topLeftCorner<3, 3>()));
-  // Nonzero eigenvalues first.
+  // Sorts the eigenvalues by magnitude, the largest first.
   std::array<int, 3> order = {0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int a, int c) {
     return std::abs(eigen.eigenvalues()[a]) > std::abs(eigen.eigenvalues()[c]);
@@ -45,7 +46,7 @@ Diagonal diagonalise(const Quadric& Q, double tolerance) {
   return d;
 }
 
-/// Pose with the given columns, made right-handed by turning the second.
+/// Pose with the given x and z axes; y completes a right-handed frame.
 Eigen::Isometry3d frame(const Eigen::Vector3d& origin, const Eigen::Vector3d& x,
                         const Eigen::Vector3d& z) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
@@ -57,11 +58,12 @@ Eigen::Isometry3d frame(const Eigen::Vector3d& origin, const Eigen::Vector3d& x,
 }
 
 bool equal(double a, double b, double tolerance) {
-  // Semi-axes differ by half as much as eigenvalues; a little slack for rounding.
+  // A relative difference of eigenvalues gives half that difference of semi-axes; the factor leaves
+  // slack for rounding.
   return std::abs(a - b) <= 10.0 * tolerance * std::max(std::abs(a), std::abs(b));
 }
 
-/// Rank 3, all of one sign: λ·x² + k = 0 with sign(k) against it.
+/// Rank 3 with three eigenvalues of one sign: λ·x² + k = 0, where k has the opposite sign.
 CanonicalForm ellipsoid(const Diagonal& d, const Eigen::Vector3d& centre, double k, double tol) {
   std::array<std::pair<double, int>, 3> axes;
   for (int i = 0; i < 3; ++i) axes[i] = {std::sqrt(-k / d.lambda[i]), i};
@@ -73,7 +75,7 @@ CanonicalForm ellipsoid(const Diagonal& d, const Eigen::Vector3d& centre, double
     form.dimensions = {{"radius", axes[1].first}};
     return form;
   }
-  // A spheroid's odd axis is z.
+  // A spheroid's axis of revolution becomes z.
   if (equal(axes[1].first, axes[2].first, tol))
     std::rotate(axes.begin(), axes.begin() + 1, axes.end());
   form.type = QuadricType::kEllipsoid;
@@ -82,7 +84,8 @@ CanonicalForm ellipsoid(const Diagonal& d, const Eigen::Vector3d& centre, double
   return form;
 }
 
-/// Rank 3 with two signs: cones and hyperboloids, z along the eigenvector whose sign is single.
+/// Rank 3 with two signs: cones and hyperboloids. The z axis is the eigenvector whose sign occurs
+/// once.
 CanonicalForm hyperboloid(const Diagonal& d, const Eigen::Vector3d& centre, double k, double tol) {
   int odd = 0;
   for (int i = 0; i < 3; ++i) {
@@ -106,7 +109,8 @@ CanonicalForm hyperboloid(const Diagonal& d, const Eigen::Vector3d& centre, doub
     }
     return form;
   }
-  // On one sheet the constant is against the pair, on two against the single one.
+  // With one sheet, the constant's sign is opposite to the two equal signs; with two sheets, to the
+  // single one.
   form.type = k * d.lambda[first] < 0 ? QuadricType::kHyperboloidOneSheet
                                       : QuadricType::kHyperboloidTwoSheets;
   const double size = std::abs(k);
@@ -116,7 +120,7 @@ CanonicalForm hyperboloid(const Diagonal& d, const Eigen::Vector3d& centre, doub
 }
 
 CanonicalForm paraboloid(const Diagonal& d, Eigen::Vector3d local) {
-  // λ₁x² + λ₂y² + 2 b z = 0 about the vertex: z = −(λ₁x² + λ₂y²) / 2b.
+  // About the vertex λ₁x² + λ₂y² + 2 b z = 0, thus z = −(λ₁x² + λ₂y²) / 2b.
   double fa = -0.5 * d.b[2] / d.lambda[0], fb = -0.5 * d.b[2] / d.lambda[1];
   Eigen::Vector3d z = d.R.col(2), x = d.R.col(0);
   if (fa + fb < 0 || (fa + fb == 0 && fa < 0)) fa = -fa, fb = -fb, z = -z;
@@ -197,7 +201,7 @@ CanonicalForm from_rank_1(const Diagonal& d, double tol) {
   Eigen::Vector3d local(-d.b[0] / d.lambda[0], 0, 0);
   const double k = d.j + d.b[0] * local[0];
   if (across.norm() > tol) {
-    // λx² + 2 β s + k = 0 along the direction s of the linear part.
+    // The form is λx² + 2 β s + k = 0, where s runs in the direction of the linear part.
     const Eigen::Vector3d s = (across[0] * d.R.col(1) + across[1] * d.R.col(2)).normalized();
     const double beta = across.norm(), focal = -0.5 * beta / d.lambda[0];
     form.type = QuadricType::kParabolicCylinder;

@@ -10,14 +10,15 @@ Eigen::Matrix4d diagonal(double a, double b, double c, double d) {
   return Eigen::Vector4d(a, b, c, d).asDiagonal();
 }
 
-/// ax² + by² + 2iz.
+/// The matrix of ax² + by² + 2iz.
 Eigen::Matrix4d with_linear_z(double a, double b, double i) {
   Eigen::Matrix4d D = diagonal(a, b, 0, 0);
   D(2, 3) = D(3, 2) = i;
   return D;
 }
 
-/// The dimensions of a form in the order of its type, with the powers that matrices are made of.
+/// Gives the dimensions of a form in the order of its type, and the powers of them that its matrix
+/// contains.
 struct Dimensions {
   const CanonicalForm& form;
   double at(std::size_t i) const { return form.dimensions.at(i).second; }

@@ -52,8 +52,8 @@ bool is_flat(QuadricType type) {
 bool is_imaginary(QuadricType type) { return type >= QuadricType::kImaginaryEllipsoid; }
 
 double log_prior(QuadricType type) {
-  // Guesses that were tried: without kUncommon one object in twenty more gets a wrong type, and
-  // twice kRare does no better.
+  // These values are guesses. Without kUncommon one more object in twenty gets a wrong type;
+  // doubling kRare does not help.
   constexpr double kUncommon = -1.5, kRare = -2.0;
   switch (type) {
     case QuadricType::kEllipsoid:

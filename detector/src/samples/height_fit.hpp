@@ -5,8 +5,8 @@
 
 namespace quadrille {
 
-/// Sums for the least squares fit of a quadratic height over a plane,
-/// h(s, t) = a₀ + a₁ s + a₂ t + a₃ s² + a₄ s t + a₅ t². Lengths are in the caller's unit.
+/// Sums for the least-squares fit of a quadratic height over a plane, h(s, t) = a₀ + a₁ s + a₂ t +
+/// a₃ s² + a₄ s t + a₅ t². Lengths are in the caller's unit.
 struct HeightFit {
   using Vector6 = Eigen::Matrix<double, 6, 1>;
   using Matrix6 = Eigen::Matrix<double, 6, 6>;
@@ -22,9 +22,9 @@ struct HeightFit {
     b += h * row;
     hh += h * h;
   }
-  /// Factor of the normal equations: its solve(b) gives the coefficients a.
+  /// Factorises the normal equations; solve(b) of the result gives the coefficients a.
   Eigen::LDLT<Matrix6> factor() const { return Eigen::LDLT<Matrix6>(A); }
-  /// Sum of the squared residuals that the coefficients leave.
+  /// Sum of squared residuals for the coefficients a.
   double rss(const Vector6& a) const { return std::max(0.0, hh - a.dot(b)); }
 };
 

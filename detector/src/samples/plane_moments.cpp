@@ -6,26 +6,26 @@
 namespace quadrille {
 namespace {
 
-// Three points lie on a plane whatever they are of.
+// Any three points lie on a plane, so at least four are needed.
 constexpr float kMinPoints = 4;
-// The covariance is scaled to the trace one. Its eigenvalues a <= b <= c, variances along the axes
-// of the points, then sum to one.
+// The covariance is scaled to trace one, so its eigenvalues a <= b <= c, the variances along the
+// principal axes, sum to one.
 //
-// The points lie on a line if b < kMinWidth c. As b c / (b + c)² grows with b / c, that is
-// b c < kMinWidthProduct (b + c)², for which b and c need not be known one by one.
+// The points lie on a line if b < kMinWidth c. Since b c / (b + c)² increases with b / c, this is
+// equivalent to b c < kMinWidthProduct (b + c)², which needs only the sum and product of b and c.
 constexpr double kMinWidth = 0.05;
 constexpr double kMinWidthProduct = kMinWidth / ((1 + kMinWidth) * (1 + kMinWidth));
-// They certainly do if ab + bc + ca, the trace of the cofactors, is less than this.
-constexpr double kMinPairProducts = 1e-3;
-// There is no direction of least spread if a, b and c are equal: if (b - a)(c - a) is less than
+// The points certainly lie on a line if ab + bc + ca, the trace of the cofactors, is less than
 // this.
+constexpr double kMinPairProducts = 1e-3;
+// If (b - a)(c - a) is less than this, a equals b or c, and no single direction has least spread.
 constexpr double kMinSeparation = 1e-6;
-// Newton's steps at most, and the step and slope at which they end.
+// Largest number of Newton steps, and the step size and slope at which they end.
 constexpr int kMaxSteps = 20;
 constexpr double kMinStep = 1e-9;
 
-/// The smallest root of λ³ − λ² + bλ − c, whose roots are real and not negative: from zero Newton's
-/// steps climb to it and never past it.
+/// The smallest root of λ³ − λ² + bλ − c, whose roots are real and not negative. Newton's steps
+/// from zero approach it from below and never pass it.
 double min_root(double b, double c) {
   double root = 0;
   for (int k = 0; k < kMaxSteps; ++k) {
@@ -66,7 +66,7 @@ bool PlaneMoments::solve(Eigen::Vector3f* mean, Eigen::Vector3f* normal) const {
   const double a = min_root(C.trace(), S.col(0).dot(C.col(0)));
   const double sum_bc = 1 - a, product_bc = C.trace() - a * sum_bc;
   if (!(product_bc > kMinWidthProduct * sum_bc * sum_bc)) return false;
-  // S - a has the eigenvalue zero for the normal n: its cofactors are (b - a)(c - a) nnᵀ.
+  // S - a has the eigenvalue zero for the normal n, so its cofactors are (b - a)(c - a) nnᵀ.
   S.diagonal().array() -= a;
   const Eigen::Matrix3d N = cofactors(S);
   if (!(N.trace() > kMinSeparation)) return false;

@@ -4,13 +4,13 @@
 
 namespace quadrille {
 
-/// Sums over offsets from a point near them, for a plane by principal components. In single
-/// precision and solved in a closed form, for there is one for each sample; PlaneSums is for whole
-/// regions.
+/// Sums over offsets from a nearby point, for a plane by principal components. It works in single
+/// precision and is solved in closed form, since one is needed for each sample; PlaneSums serves
+/// whole regions.
 struct PlaneMoments {
   float n = 0;
   Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-  /// Sums of xx, yy, zz and of xy, yz, zx.
+  /// Sums of xx, yy, zz, and of xy, yz, zx.
   Eigen::Array3f squares = Eigen::Array3f::Zero(), products = Eigen::Array3f::Zero();
 
   void add(const Eigen::Vector3f& d) {
@@ -19,9 +19,9 @@ struct PlaneMoments {
     squares += d.array().square();
     products += d.array() * Eigen::Array3f(d.y(), d.z(), d.x());
   }
-  /// Mean of the offsets, from the point that they are taken from, and the unit direction in which
-  /// they are spread least.
-  /// @return false if they are few, lie on a line, or spread alike in all directions
+  /// Computes the mean of the offsets, relative to their reference point, and the unit direction of
+  /// least spread.
+  /// @return false if the points are too few, lie on a line, or spread equally in all directions
   bool solve(Eigen::Vector3f* mean, Eigen::Vector3f* normal) const;
 };
 

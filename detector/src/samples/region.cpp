@@ -6,11 +6,11 @@
 namespace quadrille {
 namespace {
 
-// Least scale [m]: regions of one sample have one, too.
+// Least scale [m], so that regions of one sample have a scale too.
 constexpr double kMinScale = 1e-6;
 
-/// The k-th of a golden-ratio sequence over 0 … n-1. It is as even as steps of equal length, which
-/// on a grid would fall into the same few columns.
+/// Element k of a golden-ratio sequence over 0 … n-1. It is as even as steps of equal length, but
+/// those would always hit the same few columns of a grid.
 std::size_t golden_index(std::size_t k, std::size_t n) {
   const std::uint64_t fraction = (k + 1) * 0x9e3779b97f4a7c15u;
   return static_cast<std::size_t>((fraction >> 32) * n >> 32);

@@ -9,14 +9,15 @@
 
 namespace quadrille {
 
-/// Centre and mean square radius of the raw positions of a region.
+/// Centre and root mean square radius of the raw positions of a region.
 Normalisation normalisation_of(const SurfaceSamples& samples, std::span<const int> region);
 
-/// The region if it has no more samples than max_count, else that many, spread evenly; some of them
-/// twice where it has hardly more.
+/// Returns the region if it has at most max_count samples, otherwise max_count of its samples
+/// spread evenly; samples may repeat if the region is hardly larger.
 std::vector<int> spread_evenly(std::span<const int> region, std::size_t max_count);
 
-/// Up to max_count points of a region, spread evenly, raw positions in local coordinates.
+/// Returns up to max_count points of a region, spread evenly, with raw positions in local
+/// coordinates.
 OrientedPointsf fit_points(const SurfaceSamples& samples, std::span<const int> region,
                            const Normalisation& normalisation, int max_count);
 

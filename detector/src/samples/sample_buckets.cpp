@@ -5,11 +5,11 @@
 namespace quadrille {
 namespace {
 
-// Edge of a bucket in cells of a sample: a surface then fills some dozens.
+// Edge of a bucket in cells of a sample; a surface then fills some dozens of buckets.
 constexpr float kEdgeCells = 12.0f;
-// Edge where there are no samples [m]: any will do.
+// Arbitrary edge if there are no samples [m].
 constexpr float kDefaultEdge = 0.05f;
-// Diagonal of a bucket over its edge, rounded up.
+// Ratio of a bucket's diagonal to its edge, rounded up.
 constexpr float kDiagonal = 1.7321f;
 
 float edge_for(const SurfaceSamples& samples) {

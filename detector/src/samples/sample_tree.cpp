@@ -4,8 +4,8 @@ namespace quadrille {
 
 SampleTree::SampleTree(const CellPyramid& pyramid, std::vector<SurfaceSamples> levels)
     : levels_(std::move(levels)), finest_(levels_[0]), first_(kLevels), list_(kLevels) {
-  // A copy of the finest level, as the search goes on with that level's own normals.
-  // The cell at each level above each finest sample.
+  // The finest level is copied, since the search continues with that level's own normals. For each
+  // finest sample, `cell` is the cell above it at the current level.
   std::vector<int> cell = levels_[0].source;
   for (int l = 0; l < kLevels; ++l) {
     std::vector<int> sample_of(static_cast<std::size_t>(pyramid.size(l)), -1);

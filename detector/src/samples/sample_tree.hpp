@@ -7,7 +7,7 @@
 
 namespace quadrille {
 
-/// The samples of all levels and which finest ones lie under a coarser one.
+/// The samples of all levels, and the finest samples that lie under each coarser one.
 class SampleTree {
  public:
   SampleTree(const CellPyramid& pyramid, std::vector<SurfaceSamples> levels);
@@ -21,7 +21,8 @@ class SampleTree {
  private:
   std::vector<SurfaceSamples> levels_;
   SurfaceSamples finest_;
-  /// Per level: first[i] … first[i + 1] - 1 index into the list of samples under sample i.
+  /// Per level, first[i] … first[i + 1] - 1 are the positions in the list of the samples under
+  /// sample i.
   std::vector<std::vector<int>> first_, list_;
 };
 

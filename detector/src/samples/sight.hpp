@@ -5,16 +5,17 @@
 
 namespace quadrille {
 
-/// How far a pinhole saw, ray by ray: the rays go through the middles of an image's cells. Without
-/// cells for a cloud of many views.
+/// Depths that a pinhole camera saw along the rays through the middles of an image's cells. It has
+/// no cells if the cloud is fused from several views.
 struct Sight {
-  /// Frame V: origin at the viewpoint, z into the scene.
+  /// Pose of frame C in frame V, whose origin is the viewpoint and whose z points into the scene.
   Eigen::Isometry3f X_VC = Eigen::Isometry3f::Identity();
-  /// Tangents (u, v) of the first cell's near corner, and the edge of a cell.
+  /// Tangents (u, v) of the first cell's corner with the smallest u and v, and edge of a cell as a
+  /// tangent.
   Eigen::Array2f corner = Eigen::Array2f::Zero();
   float step = 1.0f;
   int width = 0, height = 0;
-  /// Per cell, row by row, inverse depth [1/m]; 0 where nothing was seen.
+  /// Inverse depth per cell, row by row [1/m]; 0 if nothing was seen.
   std::vector<float> w;
 };
 

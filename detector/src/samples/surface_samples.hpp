@@ -6,24 +6,24 @@
 
 namespace quadrille {
 
-/// Points of the measured surfaces with normals and neighbours: the one form on which all stages
-/// after the front ends work. Structure of arrays; element i of each array belongs to sample i.
+/// Points of the measured surfaces with normals and neighbours; all stages after the front ends
+/// work on this form. Element i of each array belongs to sample i.
 struct SurfaceSamples {
-  /// Smoothed position (local regression), frame C [m].
+  /// Position smoothed by local regression, in frame C [m].
   std::vector<Eigen::Vector3f> p;
-  /// Unit normal, turned towards the viewpoint.
+  /// Unit normal towards the viewpoint.
   std::vector<Eigen::Vector3f> n;
-  /// Mean of the measured points of the sample's cell, not smoothed, frame C [m].
+  /// Mean of the measured points in the sample's cell, not smoothed, in frame C [m].
   std::vector<Eigen::Vector3f> raw;
-  /// Standard deviation of raw about the surface, correlated noise included [m].
+  /// Standard deviation of raw around the surface, including correlated noise [m].
   std::vector<float> sigma;
-  /// Size of the cell: distance to the next sample [m].
+  /// Size of the cell, which is the distance to the next sample [m].
   std::vector<float> cell;
-  /// Measured points in the cell.
+  /// Number of measured points in the cell.
   std::vector<int> count;
-  /// Index of the cell that the sample was made of, in its front end's own order.
+  /// Index of the cell from which the sample was made, in the order of its front end.
   std::vector<int> source;
-  /// Neighbours of sample i: neighbours[first[i]] … neighbours[first[i + 1] - 1].
+  /// The neighbours of sample i are neighbours[first[i]] … neighbours[first[i + 1] - 1].
   std::vector<int> first, neighbours;
   /// Share of the finest samples' sigma that neighbours have in common; see common_share().
   double common_noise = 0.0;

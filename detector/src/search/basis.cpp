@@ -9,7 +9,7 @@
 namespace quadrille {
 namespace {
 
-/// b_ij = nᵢ·(x_j − xᵢ).
+/// The product b_ij = nᵢ·(x_j − xᵢ).
 double b(const std::array<OrientedPoint, 3>& basis, int i, int j) {
   return basis[i].n.dot(basis[j].x - basis[i].x);
 }
@@ -32,7 +32,7 @@ std::optional<Pencil> make_pencil(const std::array<OrientedPoint, 3>& basis,
       std::max({(x2 - x1).squaredNorm(), (x3 - x2).squaredNorm(), (x1 - x3).squaredNorm()});
   if (!(area > min_area_share * max_square)) return std::nullopt;
   const Eigen::Vector3d m = cross / area;
-  // Barycentric coordinates: uᵢ is 1 at xᵢ and 0 on the opposite edge.
+  // The barycentric coordinate uᵢ is 1 at xᵢ and 0 on the opposite edge.
   const Eigen::Vector3d g1 = m.cross(x3 - x2) / area;
   const Eigen::Vector3d g2 = m.cross(x1 - x3) / area;
   const Eigen::Vector3d g3 = m.cross(x2 - x1) / area;
@@ -47,7 +47,7 @@ std::optional<Pencil> make_pencil(const std::array<OrientedPoint, 3>& basis,
   Eigen::Vector4d l = Eigen::Vector4d::Zero();
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
-    // With exact data c_ij = b_ij = b_ji; noise is shared between the two.
+    // With exact data c_ij = b_ij = b_ji; with noise, the two are averaged.
     pencil.Q0 += 0.5 * (b(basis, i, j) + b(basis, j, i)) * symmetric_product(u[i], u[j]);
     l += basis[i].n.dot(m) * u[i];
   }

@@ -11,9 +11,9 @@ namespace quadrille {
 struct Candidate {
   Quadric Q;
   Family family = Family::kGeneral;
-  /// Indices into the samples that it was found on.
+  /// Indices of the samples on which it was found.
   std::vector<int> region;
-  /// Root mean square distance of the region [m].
+  /// Root mean square distance of the region's samples [m].
   double rms = 0.0;
 };
 

@@ -9,11 +9,11 @@
 namespace quadrille {
 namespace {
 
-// Singular values below this share of the largest are zero: those of exact cones, cylinders and
-// planes are so but for rounding.
+// Singular values below this share of the largest count as zero; for exact cones, cylinders and
+// planes they differ from zero only by rounding.
 constexpr double kMinSingularShare = 1e-6;
 
-/// ‖A B⁺ − B B⁺‖.
+/// Returns ‖A B⁺ − B B⁺‖.
 double one_way(const Eigen::Matrix4d& A, const Eigen::Matrix4d& B) {
   Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix4d> decomposition(4, 4);
   decomposition.setThreshold(kMinSingularShare);

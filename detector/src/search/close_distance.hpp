@@ -4,15 +4,16 @@
 
 namespace quadrille {
 
-/// d_close(Q₁, Q₂) = max(‖Q₁ Q₂⁺ − Q₂ Q₂⁺‖, ‖Q₂ Q₁⁺ − Q₁ Q₁⁺‖) (Frobenius), and infinity where
-/// ‖q₁ − q₂‖₁ ≥ τ.
+/// Computes d_close(Q₁, Q₂) = max(‖Q₁ Q₂⁺ − Q₂ Q₂⁺‖, ‖Q₂ Q₁⁺ − Q₁ Q₁⁺‖) (Frobenius norms), or
+/// infinity if ‖q₁ − q₂‖₁ ≥ τ.
 ///
-/// Printed are the unit matrix for Q₂ Q₂⁺, which for the singular matrices of cones, cylinders and
-/// planes would leave a distance of one or more between equal ones; a product with the indicator of
-/// ‖q₁ − q₂‖₁ < τ, which would make the most different quadrics coincide; and one direction alone,
-/// which is blind in the null space of Q₂: an ellipsoid along a cylinder would be close to it.
+/// This differs from the printed formula in three ways. The paper has the unit matrix for Q₂ Q₂⁺;
+/// for the singular matrices of cones, cylinders and planes, equal ones would then be at distance
+/// one or more. It multiplies by the indicator of ‖q₁ − q₂‖₁ < τ, which would make the most
+/// different quadrics coincide. And it has one direction only, which ignores the null space of Q₂:
+/// an ellipsoid along a cylinder would be close to it.
 /// @param a, b  symmetric 4x4 matrices in one frame, best normalised to the unit ball; their
-///              scales, signs and order do not count
+///   scales, signs and order do not matter
 double close_distance(const Eigen::Matrix4d& a, const Eigen::Matrix4d& b, double tau);
 
 }  // namespace quadrille

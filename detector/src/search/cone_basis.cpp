@@ -7,7 +7,7 @@
 namespace quadrille {
 namespace {
 
-// Of normals with a smaller triple product the noise makes apex and axis.
+// If the normals have a smaller triple product, apex and axis are determined by noise.
 constexpr double kMinTripleProduct = 0.005;
 
 }  // namespace
@@ -23,7 +23,7 @@ std::optional<Eigen::Matrix4d> cone_through(const std::array<OrientedPoint, 3>& 
   if (!(std::abs(N.determinant()) > kMinTripleProduct)) return std::nullopt;
   const Eigen::Matrix3d inverse = N.inverse();
   const Eigen::Vector3d p = inverse * heights;
-  // n·a / sin α = 1 for normals that point inwards.
+  // With normals that point inwards, n·a / sin α = 1.
   Eigen::Vector3d a = inverse * Eigen::Vector3d::Ones();
   const double sine = 1.0 / a.norm();
   if (!(sine < 1.0)) return std::nullopt;
@@ -34,7 +34,7 @@ std::optional<Eigen::Matrix4d> cone_through(const std::array<OrientedPoint, 3>& 
     least = std::min(least, along);
     most = std::max(most, along);
   }
-  // As many signs as nappes.
+  // A cone has two nappes; the apex must be on the same side of all three points.
   if (least < 0.0 && most > 0.0) return std::nullopt;
   const bool outwards = least < 0.0;
   Eigen::Matrix4d Q;

@@ -5,7 +5,7 @@
 namespace quadrille {
 namespace {
 
-// Of normals that are closer to parallel the noise makes the axis.
+// If the normals are closer to parallel, the axis is determined by noise.
 constexpr double kMinSine = 0.17;
 
 }  // namespace

@@ -7,10 +7,11 @@
 namespace quadrille {
 namespace {
 
-// A doubted basis of which one gradient is so much shorter than another is worth no vote.
+// A noisy basis is not voted on if one gradient is shorter than another by this factor.
 constexpr double kMinRatio = 0.1;
 
-/// One pair of a basis: its normals' products with the unit vector between the points.
+/// A pair of points of a basis, with the products of their normals and the unit vector between
+/// them.
 struct Pair {
   int i, j;
   double b_ij, b_ji;
@@ -30,7 +31,7 @@ std::optional<std::array<Pair, 3>> pairs_of(const std::array<OrientedPoint, 3>& 
   return pairs;
 }
 
-/// α from the two strongest pairs, which have one point in common.
+/// Computes α from the two strongest pairs, which have one point in common.
 Eigen::Vector3d exact_scales(std::array<Pair, 3> pairs) {
   std::sort(pairs.begin(), pairs.end(),
             [](const Pair& a, const Pair& b) { return a.strength() > b.strength(); });

@@ -8,17 +8,18 @@
 namespace quadrille {
 namespace {
 
-// Steps of a refit: more are taken when the surface is fitted for good.
+// Steps of a refit; the final fit of the surface takes more.
 constexpr int kIterations = 4;
-// While a region grows, its samples' correlation is not worth measuring.
+// Assumed share of independent samples; while a region grows, measuring their correlation is not
+// worth the time.
 constexpr double kEffectiveShare = 0.1;
-// A round that changes the region by less than this share is the last.
+// Growing ends with a round that changes the region by less than this share.
 constexpr double kMinChange = 0.03;
-// A family is chosen anew when the region has grown or shrunk by this factor.
+// The family is selected anew when the region has grown or shrunk by this factor.
 constexpr double kReselectionGrowth = 1.25;
 
-/// Fits a region in place, by the family it has or the one that explains it best; false if it has
-/// no fit.
+/// Refits a candidate to its region, with its present family or with the one that explains the
+/// region best; returns false if there is no fit.
 bool refit(const SurfaceSamples& samples, const GrowOptions& options, bool select,
            Candidate* candidate) {
   const Normalisation local = normalisation_of(samples, candidate->region);
@@ -50,7 +51,7 @@ std::optional<Candidate> grow(const SurfaceSamples& samples, const Quadric& hypo
   };
   const bool choice = options.families.size() > 1;
   if (!choice) candidate.family = options.families[0];
-  double chosen_at = 0.0;  // size of the region that the family was chosen for
+  double chosen_at = 0.0;  // size of the region when the family was last selected
   for (int round = 0; round < options.rounds; ++round) {
     if (!enough()) return std::nullopt;
     const double now = static_cast<double>(candidate.region.size());

@@ -13,12 +13,13 @@
 
 namespace quadrille {
 
-/// Grows a hypothesis over connected inliers and refits it, in turn, until it settles. A
-/// refit selects the simplest family that explains the region, as ten free coefficients from a
-/// small patch would lead the growth astray, and keeps it until the region has outgrown the choice.
+/// Grows a hypothesis over connected inliers and refits it, in turn, until it settles. A refit
+/// selects the simplest family that explains the region, since ten free coefficients from a small
+/// patch would mislead the growth, and keeps the family until the region's size has changed
+/// considerably.
 /// @param start  samples to begin with
-/// @param free   per sample, zero to stay out of it
-/// @return nullopt if the region gets too small or has no fit
+/// @param free   per sample, zero to leave it out
+/// @return nullopt if the region becomes too small or has no fit
 std::optional<Candidate> grow(const SurfaceSamples& samples, const Quadric& hypothesis,
                               std::span<const int> start, const std::vector<char>& free,
                               const InlierTest& inlier, const GrowOptions& options);

@@ -18,11 +18,11 @@
 namespace quadrille {
 namespace {
 
-// A basis further than this from lying on one quadric is not worth a vote; see inconsistency().
+// A basis farther than this from lying on one quadric is not voted on; see inconsistency().
 constexpr double kMaxInconsistency = 0.6;
-// Normals of samples are known to about this [rad].
+// Assumed error of the samples' normals [rad].
 constexpr double kNormalNoise = 0.05;
-// With less curvature a neighbourhood, of size one, passes for a plane.
+// A sphere of less curvature, in a neighbourhood of unit size, passes for a plane.
 constexpr double kMinCurvature = 0.2;
 
 int draw_index(const OrientedPointsf& voters, RandomStream& random) {
@@ -74,7 +74,8 @@ std::vector<Eigen::Matrix4d> through_four(const OrientedPointsf& voters, const V
   return {pencil->at(-x.dot(pencil->Q0 * x) / (height * height))};
 }
 
-/// The null vector of nine rows vᵀ, its gradient on the side of most of the nine normals.
+/// The null vector of nine rows vᵀ, with the sign for which its gradient agrees with most of the
+/// nine normals.
 std::vector<Eigen::Matrix4d> through_nine(const OrientedPointsf& voters, RandomStream& random) {
   std::array<OrientedPoint, 9> basis;
   Eigen::Matrix<double, 10, 9> rows;

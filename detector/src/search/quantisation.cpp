@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kPi = std::numbers::pi_v<float>;
 
-// Quantiles k/32 of the votes that 117,000 voters cast in 48 generated scenes (medium, hard, and
+// Quantiles k/32 of the votes cast by 117,000 voters in 48 generated scenes (medium, hard, and
 // medium with waves of noise), in the coordinates of their neighbourhoods.
 constexpr std::array kQuantiles = {-6.216f, -2.666f, -1.594f, -1.103f, -0.809f, -0.611f, -0.482f,
                                    -0.374f, -0.289f, -0.217f, -0.148f, -0.092f, -0.037f, 0.013f,
@@ -19,7 +19,7 @@ constexpr std::array kQuantiles = {-6.216f, -2.666f, -1.594f, -1.103f, -0.809f, 
                                    1.449f,  2.145f,  4.078f};
 constexpr float kStep = 1.0f / static_cast<float>(kQuantiles.size() + 1);
 
-/// Linear between the quantiles; beyond them the distribution falls as 1/λ.
+/// Interpolates linearly between the quantiles; beyond them the tails fall as 1/λ.
 float measured_place(float lambda) {
   if (lambda <= kQuantiles.front()) return kStep * kQuantiles.front() / lambda;
   if (lambda >= kQuantiles.back()) return 1.0f - kStep * kQuantiles.back() / lambda;

@@ -4,11 +4,11 @@
 
 namespace quadrille {
 
-/// Place of λ from 0 to 1.
+/// Maps λ to a position between 0 and 1.
 /// @param scale  λ₀ of the arctangent
 float place_of(Quantisation quantisation, float lambda, float scale);
 
-/// The inverse: λ of a place between 0 and 1, both left out.
+/// Maps a position strictly between 0 and 1 back to λ, the inverse of place_of().
 float lambda_at(Quantisation quantisation, float place, float scale);
 
 }  // namespace quadrille

@@ -12,13 +12,14 @@
 namespace quadrille {
 namespace {
 
-// Voters that support a hypothesis at least, however few there are: three agree with any basis.
+// Least number of voters that must support a hypothesis, even in small neighbourhoods: three agree
+// with any basis.
 constexpr int kMinSupport = 8;
-// A fourth point decides if it lies this far from the plane of the others, in multiples of the
-// distance within which it would agree anyway, and in the size of the neighbourhood.
+// A fourth point is decisive if its distance from the plane of the others exceeds this multiple of
+// the distance within which it would agree anyway, and this share of the neighbourhood's size.
 constexpr double kMinHeightLimits = 2.0, kMinHeight = 0.1;
 
-/// Samples connected to the seed within a ball.
+/// Samples within a ball that are connected to the seed.
 std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float radius,
                                const std::vector<char>& free, std::vector<int>* stamp, int mark) {
   std::vector<int> list = {seed};
@@ -34,12 +35,12 @@ std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float ra
 }
 
 struct Hypothesis {
-  /// In the coordinates of the voters.
+  /// Symmetric matrix in the coordinates of the voters.
   Eigen::Matrix4d Q = Eigen::Matrix4d::Zero();
   int support = 0;
 };
 
-/// The first of those with the most support; none has no support.
+/// The first hypothesis with the most support; if there is none, one with zero support.
 Hypothesis best_of(const std::vector<Hypothesis>& all) {
   Hypothesis best;
   for (const Hypothesis& hypothesis : all) {
@@ -48,8 +49,8 @@ Hypothesis best_of(const std::vector<Hypothesis>& all) {
   return best;
 }
 
-/// The best of the cluster whose members have the most support together (paper, "Hypotheses
-/// aggregation").
+/// The best hypothesis of the cluster whose members have the most support in total (paper,
+/// "Hypotheses aggregation").
 Hypothesis best_of_clusters(const std::vector<Hypothesis>& all, const ClusterOptions& options) {
   std::vector<Eigen::Matrix4d> quadrics;
   for (const Hypothesis& hypothesis : all) quadrics.push_back(hypothesis.Q);
@@ -110,8 +111,9 @@ class Searcher {
     for (const int j : samples_.neighbours_of(seed)) open_[j] = 0;
   }
 
-  /// A candidate of each neighbourhood that gives one, the largest first. What half of a large one
-  /// agrees on may be one quadric through two small things: the small ones have their say, too.
+  /// Grows one candidate from each neighbourhood of a seed that gives one, the largest first. Half
+  /// of a large neighbourhood may agree on a quadric that spans two small objects, so smaller ones
+  /// are always tried too.
   std::vector<Candidate> try_seed(int seed) {
     std::vector<Candidate> candidates;
     std::size_t last = 0;
@@ -120,7 +122,7 @@ class Searcher {
           neighbourhood(samples_, seed, static_cast<float>(*radius) * samples_.cell[seed], open_,
                         &stamp_, ++mark_);
       if (static_cast<int>(around.size()) < options_.grow.min_samples / 2) break;
-      // The same samples would be tried with the same bases.
+      // A smaller radius that contains the same samples would draw the same bases again.
       if (around.size() == last) continue;
       last = around.size();
       const std::optional<Quadric> hypothesis = best_hypothesis(seed, around);
@@ -132,7 +134,7 @@ class Searcher {
     return candidates;
   }
 
-  /// Bases that are enough where the best explains `most` of n voters.
+  /// Number of bases that suffice if the best hypothesis explains `most` of n voters.
   double bases_for(int most, int n) const {
     if (options_.confidence == 0.0) return options_.bases;
     return bases_needed(static_cast<double>(most) / n, basis_size(options_.basis),
@@ -178,7 +180,7 @@ class Searcher {
   const std::uint64_t seed_;
   /// Samples that may support a candidate.
   std::vector<char> free_;
-  /// Samples that nothing explains yet and no attempt has failed on.
+  /// Samples that no candidate explains yet and on which no attempt has failed.
   std::vector<char> open_;
   std::vector<int> stamp_;
   int mark_ = 0;

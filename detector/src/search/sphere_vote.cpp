@@ -22,7 +22,7 @@ std::vector<VotePeak> vote_curvature(const OrientedPoint& basis, const OrientedP
   const Eigen::ArrayXf dx = voters.x() - p.x(), dy = voters.y() - p.y(), dz = voters.z() - p.z();
   const Eigen::ArrayXf square = dx.square() + dy.square() + dz.square();
   const Eigen::ArrayXf curvature = -2.0f * (n.x() * dx + n.y() * dy + n.z() * dz) / square;
-  // ∇f = n + κ d, of length one on the sphere.
+  // The gradient ∇f = n + κ d has length one on the sphere.
   const Eigen::ArrayXf cosine = (n.x() + curvature * dx) * voters.nx() +
                                 (n.y() + curvature * dy) * voters.ny() +
                                 (n.z() + curvature * dz) * voters.nz();

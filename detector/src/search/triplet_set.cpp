@@ -15,7 +15,7 @@ bool TripletSet::insert(std::array<int, 3> triplet) {
 
 std::size_t TripletSet::Hash::operator()(const std::array<int, 3>& triplet) const {
   const auto part = [&](std::size_t k) { return static_cast<std::uint64_t>(triplet[k]); };
-  // The stream's mixing of seed and trial is a hash of two numbers.
+  // The random stream's mixing of seed and trial serves as a hash of two numbers.
   return RandomStream(part(0) << 32 | part(1), part(2)).next();
 }
 

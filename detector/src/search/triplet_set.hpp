@@ -7,16 +7,16 @@
 
 namespace quadrille {
 
-/// Triplets of samples that were bases before, in any order (paper, section 5: "we also hash the
-/// triplets such that any basis is seen only once").
+/// The triplets of samples, in any order, that were bases before (paper, section 5: "we also hash
+/// the triplets such that any basis is seen only once").
 class TripletSet {
  public:
-  /// Adds three indices.
-  /// @return false if the set had them
+  /// Adds a triplet of indices.
+  /// @return false if the set already contained it
   bool insert(std::array<int, 3> triplet);
 
   std::size_t size() const { return triplets_.size(); }
-  /// How many insertions the set refused.
+  /// Number of insertions that the set refused.
   std::size_t repeats() const { return repeats_; }
 
  private:

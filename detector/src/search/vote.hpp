@@ -10,9 +10,10 @@
 
 namespace quadrille {
 
-/// Local voting along the null space (paper, theorem 3 and "Quantizing λ"): each point x votes for
-/// λ = −f₀(x) / z(x)², if there the gradient agrees with its normal; the histogram is
-/// smoothed (KDE) and its highest peaks are returned, highest first.
+/// Votes along the one-dimensional null space of a basis (paper, theorem 3 and "Quantizing λ").
+/// Each point x votes for λ = −f₀(x) / z(x)² if the gradient there agrees with its normal. The
+/// histogram is smoothed (kernel density estimation), and its highest peaks are returned, highest
+/// first.
 std::vector<VotePeak> vote(const Pencil& pencil, const OrientedPointsf& voters,
                            const VoteOptions& options);
 

@@ -9,7 +9,7 @@ namespace {
 
 // Sum of the triangular kernel 1 2 3 2 1.
 constexpr double kKernelSum = 9.0;
-// Places at the very ends stand for infinite λ.
+// Margin at both ends of the interval, which correspond to infinite λ.
 constexpr float kMinPlace = 1e-4f;
 
 }  // namespace
@@ -36,7 +36,7 @@ std::vector<VotePeak> VoteHistogram::peaks() const {
     const float left = i ? density[i - 1] : -1.0f;
     const float right = i + 1 < bins ? density[i + 1] : -1.0f;
     if (density[i] <= 0 || density[i] < left || density[i] <= right) continue;
-    // Mean over the kernel's core, finer than a bin.
+    // The mean over the core of the kernel locates the peak more finely than a bin.
     const float mass = at(i - 1) + at(i) + at(i + 1);
     const float shift = mass > 0 ? (at(i + 1) - at(i - 1)) / mass : 0.0f;
     const float place = (static_cast<float>(i) + 0.5f + shift) / static_cast<float>(bins);

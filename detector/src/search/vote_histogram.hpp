@@ -6,14 +6,16 @@
 
 namespace quadrille {
 
-/// Votes for one parameter in (−∞, ∞), binned by its place (see quantisation.hpp).
+/// Histogram of the votes for one parameter in (−∞, ∞), mapped to bins by place_of() (see
+/// quantisation.hpp).
 class VoteHistogram {
  public:
   explicit VoteHistogram(const VoteOptions& options);
 
   void add(float lambda);
-  /// The highest local maxima after smoothing with a triangular kernel of two bins (kernel density
-  /// estimation), highest first. The range is no circle: its ends are approached from two sides.
+  /// Returns the highest local maxima after smoothing with a triangular kernel of two bins (kernel
+  /// density estimation), highest first. The range is not circular: its two ends are different
+  /// values.
   std::vector<VotePeak> peaks() const;
 
  private:

@@ -4,20 +4,20 @@
 
 namespace quadrille {
 
-/// How votes are cast and counted.
+/// Options for casting and counting votes.
 struct VoteOptions {
   GradientLengths lengths = GradientLengths::kCommon;
   Quantisation quantisation = Quantisation::kArctangent;
-  /// Bins over the places of λ.
+  /// Number of bins over the mapped range of λ.
   int bins = 48;
-  /// λ₀: the curvature [1/unit] that falls into the middle of a half axis.
+  /// λ₀: the curvature [1/unit] that maps to the middle of a half axis.
   double lambda_scale = 1.0;
-  /// A voter must be at least this far from the data plane, in units of the points: nearer ones
-  /// know nothing of λ.
+  /// Least distance of a voter from the data plane, in the unit of the points; nearer voters hardly
+  /// depend on λ.
   double min_height = 0.05;
   /// Least cosine between the voter's normal and the gradient of the quadric that it votes for.
   double min_cosine = 0.85;
-  /// Peaks to return at most.
+  /// Largest number of peaks to return.
   int peaks = 2;
 };
 

@@ -8,12 +8,12 @@
 namespace quadrille {
 namespace {
 
-// A doubted basis of which a normal has to be scaled down by more is worth no vote.
+// If a noisy basis needs one of its normals scaled down below this factor, it is not voted on.
 constexpr double kMinScale = 0.25;
-// Least length of a unit normal's projection to the plane of basis and voter: a shorter one tells
-// no scale.
+// Least length of a unit normal's projection to the plane of basis and voter; a shorter one does
+// not determine the scale.
 constexpr double kMinProjection = 0.1;
-// Least squared distance of the two points of a basis, in their unit.
+// Least squared distance of the two points of a basis, in their squared unit.
 constexpr double kMinSquare = 1e-12;
 
 }  // namespace

@@ -13,15 +13,16 @@ namespace quadrille {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Cells along each coordinate: no more than fit three dimensions, and enough for inner ones.
+// Largest and least number of cells along each coordinate: a three-dimensional grid must fit in
+// memory, and inner cells must remain.
 constexpr int kMaxCells = 64, kMinCells = 4;
-// Least pivot of the lines' normal equations, per line: parallel lines, as of voters in one plane
-// with the basis, meet nowhere.
+// Least pivot of the lines' normal equations per line. Parallel lines, such as those of voters in
+// one plane with the basis, do not meet.
 constexpr double kMinPivot = 1e-3;
 
 using Cell = std::array<int, 3>;
 
-/// Counts of lines in the cells of λ.
+/// Counts of lines that cross each cell of λ.
 class LineCounts {
  public:
   explicit LineCounts(const VoteOptions& options)
@@ -36,7 +37,7 @@ class LineCounts {
     edges_.push_back(kInfinity);
   }
 
-  /// Walks from one end of the line to the other, from cell to cell.
+  /// Walks along the line from cell to cell, from one end to the other.
   void add(const WebLine& line) {
     Cell cell;
     std::array<double, 3> leaves;
@@ -53,7 +54,7 @@ class LineCounts {
     }
   }
 
-  /// With the kernel 1, 2, 1 along each coordinate.
+  /// Smooths the counts with the kernel 1, 2, 1 along each coordinate.
   void smooth() {
     std::vector<float> before;
     for (const int step : {1, cells_, cells_ * cells_}) {
@@ -64,7 +65,8 @@ class LineCounts {
     }
   }
 
-  /// The highest inner cell; afterwards it and its neighbours are low. None if all are empty.
+  /// Returns the inner cell with the highest count, and clears it and its neighbours; nullopt if
+  /// all are empty.
   std::optional<Cell> take_highest() {
     std::optional<Cell> best;
     float max_count = 0.0f;
@@ -79,7 +81,7 @@ class LineCounts {
     return best;
   }
 
-  /// True if the line runs through the cell or one beside it.
+  /// True if the line runs through the cell or one of its neighbours.
   bool passes(const WebLine& line, const Cell& cell) const {
     double from = -kInfinity, to = kInfinity;
     for (int k = 0; k < 3; ++k) {
@@ -102,7 +104,7 @@ class LineCounts {
     const auto above = std::upper_bound(edges_.begin() + 1, edges_.end() - 1, line.origin[axis]);
     return static_cast<int>(above - edges_.begin()) - 1;
   }
-  /// Where along the line it leaves a cell.
+  /// Parameter of the line at which it leaves a cell along an axis.
   double exit(const WebLine& line, int cell, int axis) const {
     const double d = line.direction[axis];
     if (d == 0.0) return kInfinity;
@@ -130,7 +132,7 @@ class LineCounts {
   std::vector<float> count_;
 };
 
-/// The point nearest to the lines that pass a cell.
+/// The point nearest to all lines that pass through a cell or its neighbours.
 std::optional<WebPeak> meeting_point(const std::vector<WebLine>& lines, const LineCounts& counts,
                                      const Cell& cell) {
   Eigen::Matrix3d across = Eigen::Matrix3d::Zero();

@@ -5,8 +5,8 @@
 namespace quadrille {
 namespace {
 
-// On coarse levels a better fit is tried from this share of the confidence that is asked for in the
-// end; what is left out is offered again.
+// On coarse levels a better fit is tried if the candidate reaches this share of the final
+// confidence; rejected candidates are offered again on finer levels.
 constexpr double kCoarseShare = 0.5;
 
 }  // namespace

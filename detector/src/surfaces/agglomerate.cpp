@@ -19,7 +19,7 @@ bool one_surface(const Candidate& kept, const Candidate& other, const SurfaceSam
   std::set<int> either(kept.region.begin(), kept.region.end());
   const std::size_t apart = kept.region.size() + other.region.size();
   either.insert(other.region.begin(), other.region.end());
-  if (either.size() == apart) return false;  // no sample in common
+  if (either.size() == apart) return false;  // the regions have no sample in common
   const std::vector<int> region(either.begin(), either.end());
   return far_distance(kept.Q, other.Q, samples, region, test) <= options.max_far;
 }

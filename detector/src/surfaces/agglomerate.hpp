@@ -10,14 +10,14 @@
 
 namespace quadrille {
 
-/// d_far(Q₁, Q₂): the share of the samples that are not inliers of both, 0 to 1. The paper takes
-/// all points of the scene, by which any two small surfaces are far apart; pass those of either
-/// surface.
+/// Computes d_far(Q₁, Q₂): the share of the samples that are not inliers of both quadrics, 0 to 1.
+/// The paper takes all points of the scene, which makes any two small surfaces far apart; pass the
+/// samples of the two surfaces instead.
 double far_distance(const Quadric& a, const Quadric& b, const SurfaceSamples& samples,
                     std::span<const int> region, const InlierTest& test);
 
-/// Clusters candidates greedily by d_close (`close_distance`), and those that it leaves apart by
-/// d_far; of each cluster the candidate with the largest region stays.
+/// Clusters candidates greedily: two belong together if their d_close (`close_distance`) or else
+/// their d_far is small. Of each cluster, the candidate with the largest region is kept.
 std::vector<Candidate> agglomerate(std::vector<Candidate> candidates, const SurfaceSamples& samples,
                                    const InlierTest& test, const AgglomerateOptions& options);
 

@@ -18,15 +18,17 @@
 namespace quadrille {
 namespace {
 
-// A candidate may bend this much less than a surface has to: the better fit takes in more of it.
+// A candidate's spread of normals may be lower than a surface's by this factor, since the better
+// fit covers more of the object.
 constexpr double kCandidateSpreadShare = 0.8;
-// A region is a surface of its own if it lies this share of their sizes off all surfaces about it:
-// flaws of real cups and posts reach .05 of theirs, and a dome lies .12 off its post.
+// A region is a separate surface only if its rms distance from every surface around it exceeds this
+// share of their size. Flaws of real cups and posts reach 0.05, and a dome lies 0.12 off its post.
 constexpr double kMinOffset = 0.08;
-// Samples of a region that tell whether it lies off: of more the rms is the same.
+// Number of samples of a region that suffice to measure this distance.
 constexpr std::size_t kOffsetSamples = 100;
 
-/// Area explained, weighted by how well: a truncated quadratic in the distance.
+/// The area that a candidate explains, weighted by the quality of fit: a truncated quadratic in the
+/// distance.
 double support(const SurfaceSamples& samples, const Candidate& candidate, const InlierTest& test,
                const std::vector<char>& claimed) {
   const Eigen::Matrix4f Q = candidate.Q.matrix().cast<float>();
@@ -102,24 +104,24 @@ void Aggregation::offer_planes(const std::vector<PlaneRegion>& planes) {
   }
 }
 
-/// Fits the candidate's open samples anew, extends the fit, and weighs it.
+/// Refits the candidate's open samples, extends the fit, and weighs its evidence.
 Trial Aggregation::try_out(const Candidate& candidate, const Acceptance& asked) const {
   Trial trial;
   if (!is_promising(candidate, asked, &trial)) return trial;
   trial.end = TrialEnd::kFit;
   std::optional<Surface>& surface = trial.surface;
   surface = fit_surface(samples_, claims_.open_of(candidate.region), options_);
-  // The general fit of a plane is a doubled plane.
+  // The general family fits a plane by a doubled plane.
   if (surface && is_thin(*surface, samples_)) surface = plane_instead(std::move(*surface), asked);
   if (!surface ||
       surface->rms > asked.max_candidate_residual * mean_sigma(samples_, surface->region)) {
     return trial;
   }
   surface = extender_.extended(std::move(*surface), claimed());
-  // The fit may be another now.
+  // The extended fit may differ, so it is checked again.
   if (is_thin(*surface, samples_)) return trial;
   weigh(&*surface);
-  // What hardly bends is reported as the plane that it nearly is.
+  // A surface that hardly bends is reported as the plane that it nearly is.
   if (!is_flat(*surface) && surface->evidence.spread < options_.min_spread) {
     surface = plane_instead(std::move(*surface), asked);
     if (!surface) return trial;
@@ -129,7 +131,8 @@ Trial Aggregation::try_out(const Candidate& candidate, const Acceptance& asked) 
   return trial;
 }
 
-/// True if enough of a candidate is open, and its own fit makes a better one worth while.
+/// True if enough of a candidate's samples are open, and its own fit is good enough to try a better
+/// one.
 bool Aggregation::is_promising(const Candidate& candidate, const Acceptance& asked,
                                Trial* trial) const {
   const std::vector<int> open = claims_.open_of(candidate.region);
@@ -163,7 +166,7 @@ bool Aggregation::is_acceptable(const Surface& surface, const Acceptance& asked)
          !(surface.rms > asked.max_residual * mean_sigma(samples_, surface.region));
 }
 
-/// The surface in one with earlier ones that the same quadric explains; they are taken out.
+/// Merges the surface with earlier ones that the same quadric explains, and removes those.
 Surface Aggregation::joined(Surface surface) {
   for (std::size_t k = 0; k < surfaces_.size();) {
     std::optional<Surface> joint = join(surface, surfaces_[k], samples_, options_);
@@ -171,7 +174,7 @@ Surface Aggregation::joined(Surface surface) {
       ++k;
       continue;
     }
-    // Two that are credible make no less credible whole.
+    // The union of two credible surfaces is no less credible than either.
     const double min_confidence = std::max(surface.confidence, surfaces_[k].confidence);
     surfaces_.erase(surfaces_.begin() + static_cast<std::ptrdiff_t>(k));
     weigh(&*joint);
@@ -181,7 +184,7 @@ Surface Aggregation::joined(Surface surface) {
   return surface;
 }
 
-/// Sets the evidence and the confidence.
+/// Sets the surface's evidence and confidence.
 void Aggregation::weigh(Surface* surface) const {
   surface->evidence = evidence_of(surface->region, surface->Q, canonical_form(surface->fit.posed));
   surface->confidence = confidence_of(*surface);
@@ -199,7 +202,8 @@ Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q,
   return evidence;
 }
 
-/// True if no accepted surface about it nearly explains the region: it is more than a flaw of one.
+/// True if no accepted surface nearby nearly explains the region, which then is more than a flaw of
+/// that surface.
 bool Aggregation::stands_off(std::span<const int> region) const {
   const Normalisation local = normalisation_of(samples_, region);
   const std::vector<int> some = spread_evenly(region, kOffsetSamples);

@@ -17,25 +17,25 @@
 
 namespace quadrille {
 
-/// Chooses among overlapping candidates (paper, "Hypotheses aggregation"): the one that explains
-/// most comes first, is refitted to all that it explains, connected or not, verified, joined with
-/// earlier ones that the same quadric explains, and claims its samples.
+/// Chooses among overlapping candidates (paper, "Hypotheses aggregation"). The candidate that
+/// explains most comes first; it is refitted to everything that it explains, connected or not,
+/// verified, joined with earlier surfaces that the same quadric explains, and claims its samples.
 class Aggregation {
  public:
-  /// @param samples  on which regions and claims are counted; must outlive this
-  /// @param observer  told of each candidate that is tried; may be empty
+  /// @param samples  samples to which regions and claims refer; they must outlive this
+  /// @param observer  called for each candidate that is tried; may be empty
   Aggregation(const SurfaceSamples& samples, const AggregateOptions& options,
               const InlierTest& inlier, SceneContext context = {}, TrialObserver observer = {});
 
-  /// Takes over candidates, with regions in terms of the samples, and accepts what can be accepted.
-  /// What a coarse level refuses is kept for the next call.
+  /// Takes candidates, whose regions refer to the samples, and accepts those that qualify.
+  /// Candidates refused at a coarse level are kept for the next call.
   void offer(std::vector<Candidate> candidates, SearchLevel level);
 
-  /// Takes over planes, found among the samples that nothing has claimed, that are surfaces of
-  /// their own.
+  /// Takes planes that were found among unclaimed samples, and accepts those that are credible
+  /// surfaces of their own.
   void offer_planes(const std::vector<PlaneRegion>& planes);
 
-  /// Per sample, nonzero if an accepted surface holds it.
+  /// Per sample, nonzero if it belongs to an accepted surface.
   const std::vector<char>& claimed() const { return claims_.claimed(); }
   const std::vector<Surface>& surfaces() const { return surfaces_; }
 

@@ -11,11 +11,12 @@
 namespace quadrille {
 namespace {
 
-// Share of its extent by which a surface is looked for beyond each end.
+// Further samples are sought beyond each end by this share of the surface's extent.
 constexpr float kMargin = 0.15f;
-// A refit is made if more is added than the region's size over this: two percent move no fit.
+// A surface is refitted if more samples are added than its number of samples over this; two percent
+// hardly change a fit.
 constexpr std::size_t kRefitDivisor = 50;
-// A fit to a larger region may be this much worse than that to the smaller.
+// The residual of the fit to the larger region may exceed that of the smaller by this factor.
 constexpr double kMaxRmsGrowth = 1.3;
 
 }  // namespace
@@ -32,7 +33,8 @@ Surface Extender::extended(Surface surface, const std::vector<char>& claimed) co
   all.insert(all.end(), more.begin(), more.end());
   if (more.size() > surface.region.size() / kRefitDivisor) {
     std::optional<Surface> refit = fit_surface(samples_, all, options_);
-    // A small region's fit can follow its noise: what the noise explains is no worse.
+    // The fit to a small region may follow its noise, so residuals within the noise are accepted
+    // too.
     const double noise = mean_sigma(samples_, all);
     if (refit && refit->rms < std::max(kMaxRmsGrowth * surface.rms, noise)) {
       return std::move(*refit);
@@ -60,7 +62,7 @@ std::vector<int> Extender::further(const Surface& surface, const std::vector<cha
   const Eigen::Vector3f margin = kMargin * box.sizes();
   box.extend(Eigen::Vector3f(box.min() - margin));
   box.extend(Eigen::Vector3f(box.max() + margin));
-  // The box lies within this ball.
+  // The extended box lies within a ball of this radius.
   const float radius = std::sqrt(max_square) + margin.norm() * scale;
   const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
   std::vector<int> more;

@@ -8,17 +8,17 @@
 
 namespace quadrille {
 
-/// Extends surfaces over open samples that lie on them, connected or not: the other side of an
-/// occluder, the inside of a bowl.
+/// Extends surfaces over open samples that lie on them, connected or not: for example on the other
+/// side of an occluder, or inside a bowl.
 class Extender {
  public:
-  /// @param samples  of all surfaces; must outlive this
-  /// @param buckets  of the samples; must outlive this
+  /// @param samples  the samples of all surfaces; must outlive this
+  /// @param buckets  buckets of the samples; must outlive this
   Extender(const SurfaceSamples& samples, const SampleBuckets& buckets,
            const AggregateOptions& options, const InlierTest& inlier);
 
-  /// The surface with all open samples within and near its extent that lie on it, refitted if they
-  /// are many. Its evidence is left as it was.
+  /// Adds to a surface all open samples on it within and near its extent, and refits it if they are
+  /// many. Its evidence is not updated.
   /// @param claimed  per sample, nonzero to leave it out
   Surface extended(Surface surface, const std::vector<char>& claimed) const;
 

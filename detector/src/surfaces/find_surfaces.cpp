@@ -8,7 +8,7 @@
 namespace quadrille {
 namespace {
 
-/// Samples of a level of which no accepted surface holds half.
+/// Marks the samples of a level of which accepted surfaces hold less than half.
 std::vector<char> open_samples(const SampleTree& tree, int level,
                                const std::vector<char>& claimed) {
   std::vector<char> open(static_cast<std::size_t>(tree.level(level).size()));
@@ -20,8 +20,8 @@ std::vector<char> open_samples(const SampleTree& tree, int level,
   return open;
 }
 
-/// The candidate with its region in terms of the finest samples on it. Their normals do not count:
-/// at fine levels they may be noise.
+/// Replaces a candidate's region by the finest samples under it that lie on its quadric. Their
+/// normals are ignored, since at fine levels they may be noise.
 Candidate on_finest(Candidate candidate, const SampleTree& tree, int level, InlierTest test) {
   test.min_cosine = -1.0;
   const Eigen::Matrix4f Q = candidate.Q.matrix().cast<float>();
@@ -60,8 +60,9 @@ Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
                       level > 0 ? SearchLevel::kCoarse : SearchLevel::kFinest);
     clock.end("aggregate");
   }
-  // The faces of boxes and the caps of cans have too few coarse samples, and among the finest ones
-  // too much passes for flat before the curved surfaces have theirs.
+  // The faces of boxes and the caps of cans have too few coarse samples for the first search for
+  // planes. Among the finest samples they are sought last, since before that many curved surfaces
+  // would pass for flat.
   aggregation.offer_planes(find_planes(tree.finest(), options.planes, aggregation.claimed()));
   clock.end("aggregate");
   return aggregation;

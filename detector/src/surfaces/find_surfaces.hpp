@@ -9,16 +9,16 @@
 
 namespace quadrille {
 
-/// What the search finds on one level, with regions in terms of the finest samples.
+/// Searches one level, and returns candidates whose regions refer to the finest samples.
 /// @param open  per sample of the level, zero to leave it out
 std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::vector<char> open,
                                        const DetectorOptions& options);
 
-/// Searches for surfaces and chooses among what is found, from coarse to fine: what a coarse level
-/// finds clearly, the finer ones need not search.
-/// @param tree   must outlive the result
-/// @param clock     ends the stages "search" and "aggregate"
-/// @param observer  told of each candidate that is tried; may be empty
+/// Searches for surfaces and selects among the candidates, from coarse to fine, so that the finer
+/// levels need not search what a coarse level found clearly.
+/// @param tree      must outlive the result
+/// @param clock     receives the stages "search" and "aggregate"
+/// @param observer  called for each candidate that is tried; may be empty
 Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
                           const DetectorOptions& options, StageClock& clock,
                           TrialObserver observer = {});

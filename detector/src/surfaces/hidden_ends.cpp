@@ -5,15 +5,15 @@
 namespace quadrille {
 namespace {
 
-// Samples within so many cells of an end are moved along the axis to as many beyond it.
+// Samples within this many cells of an end are moved along the axis to this many cells beyond it.
 constexpr double kEndCells = 2.0;
-// What is seen so many cells nearer than the surface would be is something in front of it, and not
-// what it stands on.
+// If something is seen this many cells nearer than the surface would be, it stands in front of the
+// surface and does not support it.
 constexpr double kInFrontCells = 6.0;
 
 enum class Sighting { kHidden, kSeen, kUnknown };
 
-/// What the sensor tells of a place that a surface would reach.
+/// Tells what the sensor saw in the direction of a point that a longer surface would reach.
 Sighting look_at(const Sight& sight, const Eigen::Vector3d& p_V, double in_front) {
   if (!(p_V.z() > 0.0)) return Sighting::kHidden;
   const double i = std::floor((p_V.x() / p_V.z() - sight.corner.x()) / sight.step);

@@ -8,11 +8,11 @@
 
 namespace quadrille {
 
-/// True if a surface that goes straight on along z of frame Q may reach beyond one end of its
-/// samples unseen: most of what would be seen of it there lies behind something else, or outside
-/// the image. Not so where it stands on what is seen there, or where something is seen behind.
-/// False without cells in the sight.
-/// @param extent_Q  of the region's samples [m]
+/// True if a surface that continues straight along z of frame Q may reach unseen beyond an end of
+/// its samples: most of that continuation would be hidden behind something else or outside the
+/// image. False if it stands on what is seen there, if something is seen behind it, or if the sight
+/// has no cells.
+/// @param extent_Q  extent of the region's samples [m]
 bool hides_an_end(const Sight& sight, const SurfaceSamples& samples, std::span<const int> region,
                   const Eigen::Isometry3d& X_CQ, const Eigen::AlignedBox3d& extent_Q);
 

@@ -8,16 +8,17 @@
 namespace quadrille {
 namespace {
 
-// Farthest that the centres of two surfaces that meet lie apart, over the sum of their sizes. The
-// size is a root mean square: ends lie at up to about twice that.
+// Largest distance between the centres of two surfaces that meet, over the sum of their sizes. The
+// size is a root mean square, so the ends are up to about twice as far away.
 constexpr double kMaxApart = 2.5;
-// A joint fit may be this much worse than the worse of two: it has fewer parameters.
+// The residual of a joint fit may exceed the worse of the two by this factor, since it has fewer
+// parameters.
 constexpr double kMaxRmsGrowth = 1.25;
 
 double bic_of(const Surface& surface, const SurfaceSamples& samples, double effective_size) {
   FamilyFit whole = surface.fit;
   whole.points = static_cast<int>(surface.region.size());
-  // No fit is better than another that the noise explains.
+  // Residuals below the noise do not make a fit better.
   const double rms = std::max(surface.rms, mean_sigma(samples, surface.region));
   whole.rss = rms * rms * whole.points;
   SelectionOptions selection;

@@ -7,11 +7,11 @@
 
 namespace quadrille {
 
-/// True unless two regions lie so far apart that they have nothing to do with each other.
+/// False if two regions are so far apart that they cannot belong to one surface.
 bool may_meet(const Normalisation& a, const Normalisation& b);
 
-/// One surface in the place of two, without evidence; nullopt if no single quadric explains both as
-/// well, by their residuals and by the Bayesian information criterion.
+/// Returns one surface in place of two, without evidence. Nullopt if no single quadric explains
+/// both as well, judged by residuals and by the Bayesian information criterion.
 std::optional<Surface> join(const Surface& a, const Surface& b, const SurfaceSamples& samples,
                             const AggregateOptions& options);
 

@@ -16,19 +16,19 @@
 namespace quadrille {
 namespace {
 
-// Share of the samples beyond each end of the extent: stray ones do not stretch it.
+// Share of the samples cut off at each end of the extent, so that stray samples do not stretch it.
 constexpr double kTrimmedShare = 0.004;
-// Bins of which those that hold a sample were seen.
+// Number of bins around the axis and along it; a bin that holds a sample counts as seen.
 constexpr int kBinsAround = 24, kBinsAlong = 8;
-// The last cells at an edge are mixed with what lies behind, or lost: how much longer a cylinder is
-// than the samples on it show, and the standard deviation of that, in cells.
+// The last cells at an edge are mixed with what lies behind, or lost. kLostCells is how much longer
+// a cylinder is than its samples show, kEdgeCells the standard deviation of that [cells].
 constexpr double kLostCells = 1.5, kEdgeCells = 1.5;
-// The same of the sides of a plane's patch.
+// Standard deviation of a side of a plane's patch [cells].
 constexpr double kPatchEdgeCells = 3.0;
-// A score says how likely a surface is right; with a dimension that is a guess it is so in part.
+// Factor on the score if a dimension is a guess, since the surface is then only partly right.
 constexpr double kGuessFactor = 0.9;
 
-/// Positions of the region in the canonical frame.
+/// Positions of the region's samples in the canonical frame.
 std::vector<Eigen::Vector3d> canonical_points(const Surface& surface, const SurfaceSamples& samples,
                                               const Eigen::Isometry3d& X_CQ) {
   const Eigen::Isometry3d X_QC = X_CQ.inverse();
@@ -55,13 +55,13 @@ bool extends_along_z(QuadricType type) {
          type == QuadricType::kHyperbolicCylinder || type == QuadricType::kIntersectingPlanes;
 }
 
-/// Turns the frame by half a turn about x so that z points the other way.
+/// Turns the frame by half a turn about x, so that z points the other way.
 void flip_z(Eigen::Isometry3d* X) {
   X->linear().col(1) *= -1.0;
   X->linear().col(2) *= -1.0;
 }
 
-/// x along the longest extent of the points across z.
+/// Turns x along the longest extent of the points across z.
 void align_x(const std::vector<Eigen::Vector3d>& points, Eigen::Isometry3d* X) {
   Eigen::Vector2d mean = Eigen::Vector2d::Zero();
   for (const Eigen::Vector3d& p : points) mean += p.head<2>();
@@ -76,7 +76,7 @@ void align_x(const std::vector<Eigen::Vector3d>& points, Eigen::Isometry3d* X) {
       X->linear() * Eigen::AngleAxisd(std::atan2(d.y(), d.x()), Eigen::Vector3d::UnitZ()).matrix();
 }
 
-/// Resolves what a quadric leaves open: signs of axes, origin along them, x of a plane.
+/// Determines what a quadric leaves open: signs of axes, the origin along them, and x of a plane.
 void settle_frame(const Surface& surface, const SurfaceSamples& samples, const Eigen::Vector3d& eye,
                   QuadricType type, Eigen::Isometry3d* X_CQ) {
   const Eigen::Vector3d towards = eye - X_CQ->translation();
@@ -86,7 +86,7 @@ void settle_frame(const Surface& surface, const SurfaceSamples& samples, const E
   } else if (extends_along_z(type) && X_CQ->linear().col(2).dot(towards) < 0) {
     flip_z(X_CQ);
   } else if (type == QuadricType::kCone) {
-    // z points from the apex into the seen part.
+    // The z axis points from the apex into the seen part.
     double sum = 0;
     for (const Eigen::Vector3d& p : canonical_points(surface, samples, *X_CQ)) sum += p.z();
     if (sum < 0) flip_z(X_CQ);
@@ -101,8 +101,8 @@ void settle_frame(const Surface& surface, const SurfaceSamples& samples, const E
   X_CQ->translation() = *X_CQ * shift;
 }
 
-/// Bins around z and along it, within the extent, that hold a sample. Equal steps of z are equal
-/// areas on a sphere, and nearly so on the other round surfaces.
+/// Share of the bins around z and along it, within the extent, that hold a sample. Equal steps of z
+/// are equal areas on a sphere, and nearly so on other round surfaces.
 double share_seen(const std::vector<Eigen::Vector3d>& points, const Eigen::AlignedBox3d& box,
                   QuadricType type) {
   std::array<bool, kBinsAround * kBinsAlong> seen{};
@@ -127,7 +127,7 @@ bool has_length(QuadricType type) {
   return type == QuadricType::kCylinder || type == QuadricType::kEllipticCylinder;
 }
 
-/// The length of a cylinder; a guess where something hides an end.
+/// The length of a cylinder. It is a guess if something hides an end.
 Dimension length_of(const Detection& d, const Surface& surface, const SurfaceSamples& samples,
                     double cell, const Sight& sight) {
   const bool open = hides_an_end(sight, samples, surface.region, d.X_CQ, d.extent_Q);

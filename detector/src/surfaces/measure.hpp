@@ -7,12 +7,12 @@
 namespace quadrille {
 
 /// Names and measures a surface: type and canonical pose by eigen-analysis of its fit, dimensions
-/// with their standard deviations, the extent of its samples, and the share of it that was seen.
+/// with standard deviations, the extent of its samples, and the share of it that was seen.
 ///
-/// Standard deviations are those of uncertainty_of(). The length of a cylinder is a guess where
-/// what lies in front, or the border of the image, hides an end.
+/// Standard deviations are those of uncertainty_of(). The length of a cylinder is a guess if an
+/// occluder or the border of the image hides an end.
 /// @param eye    the viewpoint in frame C [m]
-/// @param sight  what the sensor saw; without it each end counts as seen
+/// @param sight  depths that the sensor saw; if empty, each end counts as seen
 Detection measure(const Surface& surface, const SurfaceSamples& samples, const Eigen::Vector3d& eye,
                   const Sight& sight = {});
 

@@ -16,13 +16,13 @@
 namespace quadrille {
 namespace {
 
-// A strip is part of a plane if more than this share of it lies within so many sigma, which is
-// twice what a plane's own samples may be off, and if it is parallel within 20°.
+// A flat strip is part of a plane if more than this share of it lies within this many sigma, twice
+// what the plane's own samples may deviate, and if it is parallel within 20°.
 constexpr double kMinPartShare = 0.7, kMaxPartSigmas = 6.0, kMinPartCosine = 0.94;
-// A plane is large, and least squares have solved it before the first step: more points and fewer
-// steps than other fits take.
+// A plane is large, so its fit uses more points than others; least squares solve it in closed form,
+// so it needs fewer steps.
 constexpr int kFitPoints = 1000, kIterations = 2;
-// Independent measurements per sample, of which each was averaged over a cell.
+// Independent measurements per sample; each sample is an average over a cell.
 constexpr double kEffectiveShare = 0.25;
 
 /// True if most of a flat surface lies on the plane.

@@ -10,7 +10,8 @@
 namespace quadrille {
 namespace {
 
-// Points to look at, and those of a quadric that tell its rms within some 15 %.
+// Approximate number of points that are looked at, and least number per quadric, which determines
+// its rms to about 15 %.
 constexpr std::size_t kPoints = 10'000;
 constexpr int kMinPoints = 20;
 

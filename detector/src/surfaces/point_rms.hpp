@@ -9,10 +9,10 @@
 
 namespace quadrille {
 
-/// Root mean square first-order distance of the measured points from the quadric that their cell
-/// lies on [m]. Of the samples it is smaller: each is the mean of many points.
-/// @param owner  per finest cell of the pyramid, index of its quadric; −1 for none
-/// @return one per quadric; NaN where too few points tell
+/// Root mean square first-order distance of the measured points from the quadric of their cell [m].
+/// It is larger than that of the samples, each of which is the mean of many points.
+/// @param owner  per finest cell of the pyramid, the index of its quadric; −1 for none
+/// @return one value per quadric; NaN if it has too few points
 std::vector<double> rms_of_points(const CloudView& cloud, const CellPyramid& pyramid,
                                   const std::vector<int>& owner, std::span<const Quadric> quadrics);
 

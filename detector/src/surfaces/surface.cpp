@@ -10,8 +10,8 @@
 namespace quadrille {
 namespace {
 
-// A dimension below this many sigma is noise, and so is an angle [rad] that opens by no more over
-// the size of the region.
+// A length below this many sigma is noise, and so is an angle [rad] that opens by less over the
+// size of the region.
 constexpr double kMinLengthSigmas = 3.0, kMinAngle = 0.02;
 
 }  // namespace
@@ -43,7 +43,7 @@ bool is_thin(const Surface& surface, const SurfaceSamples& samples) {
                           form.type == QuadricType::kHyperbolicParaboloid;
   return std::any_of(form.dimensions.begin(), form.dimensions.end(), [&](const auto& dimension) {
     const auto& [name, value] = dimension;
-    // A paraboloid x² = 4 f z is 2 √f wide at the distance one, the size of the region.
+    // A paraboloid x² = 4 f z is about 2 √f wide at unit distance, the size of the region.
     if (paraboloid) return 2.0 * std::sqrt(value) < min_length;
     return value < (is_angle(name) ? kMinAngle : min_length);
   });

@@ -9,7 +9,7 @@
 namespace quadrille {
 namespace {
 
-// Steps of a fit: nearly all have converged by then.
+// Number of steps of a fit, after which nearly all have converged.
 constexpr int kIterations = 6;
 
 }  // namespace

@@ -8,16 +8,17 @@
 
 namespace quadrille {
 
-/// The surface of a region and a fit to some of its points, without evidence.
-/// @param local  the coordinates of the fit
+/// Makes the surface of a region from a fit to some of its points, without evidence.
+/// @param local  map to the coordinates of the fit
 Surface surface_of(std::vector<int> region, const Normalisation& local, FamilyFit fit);
 
-/// The surface of the family that explains a region best, without evidence; nullopt if nothing
+/// Fits the surface of the family that explains a region best, without evidence; nullopt if nothing
 /// fits.
 std::optional<Surface> fit_surface(const SurfaceSamples& samples, std::vector<int> region,
                                    const AggregateOptions& options);
 
-/// The plane of a region, without evidence; nullopt if the noise does not explain its residual.
+/// Fits the plane of a region, without evidence; nullopt if the noise does not explain its
+/// residual.
 std::optional<Surface> fit_plane(const SurfaceSamples& samples, std::vector<int> region,
                                  const AggregateOptions& options);
 

@@ -9,21 +9,21 @@
 
 namespace quadrille {
 
-/// Where the aggregation was done with a candidate, in the order of its steps.
+/// The step at which the aggregation finished with a candidate, in the order of steps.
 enum class TrialEnd {
-  kClaimed,     ///< better ones explain most of its samples
-  kFirstLook,   ///< its own fit is not worth a better one
-  kFit,         ///< no better fit, or one that is thin, noisy or flat
-  kConfidence,  ///< too little confidence in the better fit
+  kClaimed,     ///< better candidates explain most of its samples
+  kFirstLook,   ///< its own fit was too poor to try a better one
+  kFit,         ///< no better fit was found, or it was thin, noisy or flat
+  kConfidence,  ///< the better fit had too little confidence
   kAccepted,
 };
 
-/// What became of a candidate.
+/// The outcome of a candidate.
 struct Trial {
   TrialEnd end = TrialEnd::kClaimed;
-  /// Evidence for the candidate's own fit, if it was looked at.
+  /// Evidence for the candidate's own fit, if it was collected.
   std::optional<Evidence> first_look;
-  /// The better fit, if there is one, with its evidence if that was asked for.
+  /// The better fit, if there is one, with its evidence if that was collected.
   std::optional<Surface> surface;
 };
 

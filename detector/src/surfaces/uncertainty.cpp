@@ -14,42 +14,44 @@
 namespace quadrille {
 namespace {
 
-// The noise of a fit that is each point's own, over that of independent noise with the same
-// residuals. This and the next five were fitted to the errors of 2,000 dimensions in scenes with
-// exact truth: generated ones, and simulated stereo, structured light and time of flight.
+// Factor on the variance of noise that is independent per point. This constant and the next five
+// were fitted to the errors of 2,000 dimensions in scenes with exact truth: generated ones, and
+// simulated stereo, structured light and time of flight.
 constexpr double kOwnFactor = 1.0;
-// Edge of the blocks that waves of noise are averaged over, in the unit of the fit.
+// Edge of the blocks over which noise waves are averaged, in the unit of the fit.
 constexpr double kBlock = 0.6;
-// Standard deviation of a mean of noise that neighbours share, in rms residuals: of what is no
-// larger than the noise that was measured, and of a shape of its own, which the fit follows.
+// Standard deviation of the mean of noise that neighbours share, in rms residuals: for residuals no
+// larger than the measured noise, and in addition for larger ones, which are a shape of their own
+// that the fit follows.
 constexpr double kSharedShare = 0.105, kFlawShareOfRms = 0.455;
-// Where the one becomes the other: residuals over the measured noise, and the width of the step.
+// Position and width of the transition between the two, in residuals over the measured noise.
 constexpr double kFlawResidual = 1.0, kFlawStep = 0.02;
-// How fast noise counts as shared, over the correlation of neighbours' residuals above what chance
-// gives.
+// Rate at which noise counts as shared, as a function of the correlation of neighbouring residuals
+// in excess of that by chance.
 constexpr double kCorrelationRate = 80.0, kChanceCorrelation = 0.033;
-// Semi-axes of one ellipsoid, where the simplest one that explains the samples is published, differ
-// from it by this share.
+// Prior standard deviation, as a share, of the differences between an ellipsoid's semi-axes and
+// those of the simplest form that explains the samples, which is published.
 constexpr double kRoundnessStd = 0.12;
-// A dimension that the samples show no better than this share of its value is a guess.
+// A dimension is a guess if its standard deviation exceeds this share of its value.
 constexpr double kGuessShare = 0.5;
-// Points for the information of a family that was not fitted, as many as other fits take.
+// Number of points for the information of a family that was not fitted, as many as other fits use.
 constexpr int kInformationPoints = 240;
-// Eigenvalues of the information below this share of the largest: rounding is all there is.
+// Eigenvalues of the information below this share of the largest consist of rounding errors only.
 constexpr double kMinInformationShare = 1e-10;
-// Directions of the parameters, of bodies about as large as the unit, that are no better known.
+// Directions of the parameter space with a larger standard deviation count as undetermined; bodies
+// have about unit size.
 constexpr double kOpenStd = 0.5;
 
-/// Parameters and how the samples determine them.
+/// A family's parameters, and how well the samples determine them.
 struct Information {
   Family family;
-  /// JᵀJ of `points` residuals.
+  /// JᵀJ over `points` residuals.
   Eigen::MatrixXd sum;
   double points;
 };
 
-/// That an ellipsoid is one of revolution is mostly our choice and not the scene's: it is weighed
-/// as any quadric.
+/// Returns the information of a fit. An ellipsoid of revolution is mostly our choice and not the
+/// scene's, so its information is that of a general quadric.
 Information information_of(const Surface& surface, const SurfaceSamples& samples,
                            QuadricType type) {
   const FamilyFit& fit = surface.fit;
@@ -62,8 +64,8 @@ Information information_of(const Surface& surface, const SurfaceSamples& samples
   return {fit.family, fit.information, static_cast<double>(fit.points)};
 }
 
-/// Variance of the mean residual by the means of blocks: waves of noise that are shorter than a
-/// block leave the blocks independent of each other [unit of the fit, squared].
+/// Variance of the mean residual from the means of blocks, which are independent for noise waves
+/// shorter than a block [squared unit of the fit].
 double variance_by_blocks(const Surface& surface, const SurfaceSamples& samples) {
   const Eigen::Matrix4d Q = surface.fit.posed.matrix();
   std::vector<std::pair<std::array<int, 3>, double>> residuals;
@@ -87,12 +89,12 @@ double variance_by_blocks(const Surface& surface, const SurfaceSamples& samples)
   return square / (n * n);
 }
 
-/// How far the noise is one that neighbours share, 0 to 1.
+/// Degree to which neighbours share the noise, 0 to 1.
 double shared_noise(const Evidence& evidence) {
   return -std::expm1(-kCorrelationRate * std::max(0.0, evidence.correlation - kChanceCorrelation));
 }
 
-/// Variance of the mean of the noise, in the squared unit of the fit.
+/// Variance of the mean of the noise [squared unit of the fit].
 double variance_of_mean(const Surface& surface, const SurfaceSamples& samples) {
   const double n = surface.fit.points;
   const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
@@ -102,7 +104,7 @@ double variance_of_mean(const Surface& surface, const SurfaceSamples& samples) {
   return surface.fit.rss / n * (kOwnFactor / free + shared) + variance_by_blocks(surface, samples);
 }
 
-/// The derivative of a function of the fit by the family's parameters, by finite differences.
+/// Derivative of a function of the fit by the family's parameters, by finite differences.
 template <class Function>
 Eigen::MatrixXd derivative(const PosedQuadric& at, Family family, const Eigen::VectorXd& steps,
                            const Function& f) {
@@ -117,7 +119,7 @@ Eigen::MatrixXd derivative(const PosedQuadric& at, Family family, const Eigen::V
   return J;
 }
 
-/// Dimensions of a posed quadric; none where it is of another type.
+/// Dimensions of a posed quadric; empty if it is of another type.
 Eigen::VectorXd dimensions_of(const PosedQuadric& quadric, QuadricType type) {
   const CanonicalForm form = canonical_form(quadric);
   if (form.type != type) return {};
@@ -128,14 +130,15 @@ Eigen::VectorXd dimensions_of(const PosedQuadric& quadric, QuadricType type) {
   return values;
 }
 
-/// Unit q in frame C of a quadric in local coordinates, on the side of q0.
+/// Unit vector q in frame C of a quadric in local coordinates, with the sign of q0.
 Vector10d coefficients_of(const PosedQuadric& quadric, const Normalisation& local,
                           const Vector10d& q0) {
   const Vector10d q = local.to_frame(quadric.matrix()).normalized().coefficients();
   return q.dot(q0) < 0 ? Vector10d(-q) : q;
 }
 
-/// Deviation of a dimension that the samples give with one, published for the simplest type.
+/// Standard deviation that is published for a dimension, given the one from the samples: infinite
+/// for a guess, and reduced by the prior for ellipsoids.
 double published_std(double value, double std, QuadricType type) {
   if (std > kGuessShare * std::abs(value)) return std::numeric_limits<double>::infinity();
   if (type != QuadricType::kEllipsoid) return std;

@@ -7,8 +7,8 @@
 namespace quadrille {
 namespace {
 
-/// The state of the method: potentials, and the row of each column. Index 0 is none; rows and
-/// columns count from 1.
+/// State of the method: potentials, and the row of each column. Rows and columns count from 1;
+/// index 0 means none.
 class Matching {
  public:
   Matching(const Eigen::MatrixXd& cost, double alone)
@@ -33,7 +33,8 @@ class Matching {
   }
 
  private:
-  /// Beyond the true columns each row has one of its own, in which it is alone.
+  /// Cost of a pair. Beyond the true columns, each row has a column of its own in which it stays
+  /// alone.
   double cost(int row, int column) const {
     const int own = column - static_cast<int>(cost_.cols());
     if (own > 0) return own == row ? alone_ : kForbiddenCost * alone_;
@@ -58,7 +59,7 @@ class Matching {
     }
   }
 
-  /// Grows the tree of shortest paths by one column, which it returns.
+  /// Grows the tree of shortest paths by one column, and returns that column.
   int extend(int column, const std::vector<char>& done, std::vector<double>* min_cost,
              std::vector<int>* from) {
     const int row = row_of_[column];
@@ -87,7 +88,7 @@ class Matching {
     return next;
   }
 
-  /// In multiples of staying alone: so dear that no sum of costs gains by it.
+  /// Cost of a forbidden pair in multiples of `alone`, too high to occur in a least sum.
   static constexpr double kForbiddenCost = 1e6;
 
   const Eigen::MatrixXd& cost_;

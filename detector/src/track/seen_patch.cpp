@@ -7,24 +7,27 @@
 namespace quadrille {
 namespace {
 
-// Lines through the extent, on each side of the grid: some forty points on a face tell where it is.
+// Lines through the extent along each side of the grid; some forty points on a face suffice to
+// locate it.
 constexpr int kLines = 6;
-// An extent counts as wider by this share of the patch's size and so many rms on each side: its
-// ends are as uncertain.
+// The ends of an extent are uncertain, so it is widened on each side by this share of the patch's
+// size and this many rms.
 constexpr double kMarginShare = 0.1, kMarginRms = 2.0;
-// What lies outside of the other's extent by this share of the size counts half.
+// A point that lies outside the other patch's extent by this share of the size counts half.
 constexpr double kHalfWeightShare = 0.05;
-// Gauss-Newton steps at most, and the share of the size by which the last one moves the patch.
+// Largest number of Gauss-Newton steps; they end once a step moves the patch by less than this
+// share of the size.
 constexpr int kMaxRounds = 12;
 constexpr double kMinStepShare = 1e-3;
-// Weight of no shift. Small beside the share of normals along any axis of a curved surface, so that
-// only what slides is held back.
+// Weight that pulls the shift towards zero. It is small compared with the share of normals along
+// any axis of a curved surface, so it restrains only directions in which the surface slides in
+// itself.
 constexpr double kRegularisation = 0.003;
 // Least size of a patch [m].
 constexpr double kMinSize = 1e-6;
 
-/// Adds the points of the quadric on lines along one axis of the extent, as far as that axis is the
-/// one that the surface faces: the three axes together cover it about evenly.
+/// Adds points of the quadric on grid lines along one axis of the extent, but only where the normal
+/// is nearest to that axis: the three axes together cover the surface about evenly.
 void add_points_along(int axis, const Quadric& Q_Q, const Eigen::AlignedBox3d& box,
                       const Eigen::Isometry3d& X_WQ, SeenPatch* patch) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
@@ -44,25 +47,25 @@ void add_points_along(int axis, const Quadric& Q_Q, const Eigen::AlignedBox3d& b
   }
 }
 
-/// The extent, a little wider: a plane's has no more thickness than its noise.
+/// The extent, slightly widened, since a plane's extent is only as thick as its noise.
 Eigen::AlignedBox3d widened(const SeenPatch& patch) {
   const Eigen::Vector3d margin =
       Eigen::Vector3d::Constant(kMarginShare * patch.size + kMarginRms * patch.rms);
   return {patch.extent_Q.min() - margin, patch.extent_Q.max() + margin};
 }
 
-/// A point of one patch as it meets the other's surface, and what a shift of `from` does to it.
+/// A point of one patch compared with the other's surface, and the effect of a shift of `from`.
 struct Meeting {
-  /// Signed distance to the other's quadric [m], at most the patches' size.
+  /// Signed distance to the other's quadric [m], limited to the larger size of the two patches.
   double distance = 0.0;
-  /// Change of the distance with the shift.
+  /// Derivative of the distance by the shift.
   Eigen::Vector3d slope = Eigen::Vector3d::Zero();
   /// Distance to the other's extent [m].
   double outside = 0.0;
   double cosine = 1.0;
 };
 
-/// The points of `patch`, moved by sign * shift, as they meet the other.
+/// Compares the points of `patch`, moved by sign * shift, with the other patch.
 void add_meetings(const SeenPatch& patch, const SeenPatch& other, const Eigen::Vector3d& shift_W,
                   double sign, std::vector<Meeting>* meetings) {
   const Eigen::AlignedBox3d box = widened(other);
@@ -85,7 +88,7 @@ void add_meetings(const SeenPatch& patch, const SeenPatch& other, const Eigen::V
   }
 }
 
-/// The first `count` are those of the points of `from`.
+/// Comparisons in both directions; the first `count` belong to the points of `from`.
 struct Meetings {
   std::vector<Meeting> list;
   std::size_t count = 0;
@@ -100,13 +103,13 @@ Meetings meet(const SeenPatch& from, const SeenPatch& to, const Eigen::Vector3d&
   return meetings;
 }
 
-/// What lies outside of the other's extent counts little: there a fit is a guess.
+/// A point outside the other's extent counts little, since the fit is a guess there.
 double weight_of(const Meeting& meeting, double size) {
   const double ratio = meeting.outside / (kHalfWeightShare * size);
   return 1.0 / (1.0 + ratio * ratio);
 }
 
-/// The least shift that brings the surfaces together.
+/// Finds the least shift that brings the surfaces together.
 Eigen::Vector3d find_shift(const SeenPatch& from, const SeenPatch& to) {
   const double size = std::max({from.size, to.size, kMinSize});
   Eigen::Vector3d shift = to.centre_W - from.centre_W;
@@ -153,7 +156,8 @@ std::vector<double> crossings(const Quadric& Q, const Eigen::Vector3d& o,
   const double a = D.dot(Q.matrix() * D), b = D.dot(Q.matrix() * O), c = O.dot(Q.matrix() * O);
   const double square = b * b - a * c;
   if (!(square > 0.0)) return {};
-  // Stable where a nearly vanishes, as it does on planes and along rulings; never zero here.
+  // This form is stable if a nearly vanishes, as on planes and along rulings; `far` is never zero
+  // here.
   const double far = -(b + std::copysign(std::sqrt(square), b));
   std::vector<double> roots = {c / far};
   if (a != 0.0) roots.push_back(far / a);

@@ -6,51 +6,52 @@
 
 namespace quadrille {
 
-/// What was seen of a quadric, as oriented points spread evenly over it: whatever the quadric is
-/// named and wherever its canonical origin lies, the patch is where its points were.
+/// The seen part of a quadric as oriented points spread evenly over it. It is where its points
+/// were, regardless of the quadric's type and of its canonical origin.
 struct SeenPatch {
   /// The quadric in the fixed frame W.
   Quadric Q_W;
-  /// Carries points of W into the canonical frame, in which the extent is given.
+  /// Transforms points from W to the canonical frame, in which the extent is given.
   Eigen::Isometry3d X_QW = Eigen::Isometry3d::Identity();
   Eigen::AlignedBox3d extent_Q;
-  /// Points [m] and unit gradients there. Never empty.
+  /// Points [m] and unit gradients there; never empty.
   std::vector<Eigen::Vector3d> points_W, normals_W;
   Eigen::Vector3d centre_W = Eigen::Vector3d::Zero();
-  /// Root mean square distance of the points from their centre, twice [m].
+  /// Twice the root mean square distance of the points from their centre [m].
   double size = 0.0;
-  /// That of the detection [m].
+  /// The detection's rms [m].
   double rms = 0.0;
 };
 
-/// Where the line o + t d crosses a quadric, as values of t, none, one or two. Where it touches it
-/// and stays on one side, or lies in it, it crosses nothing.
+/// Values of t at which the line o + t d crosses a quadric: none, one or two. A line that only
+/// touches the quadric or lies within it does not cross it.
 std::vector<double> crossings(const Quadric& Q, const Eigen::Vector3d& o, const Eigen::Vector3d& d);
 
-/// The patch of a detection.
-/// @param X_WC  pose of the detection's frame in the fixed one
+/// Makes the patch of a detection.
+/// @param X_WC  pose of the detection's frame in the fixed frame
 SeenPatch seen_patch(const Detection& detection, const Eigen::Isometry3d& X_WC);
 
-/// The patch after a translation [m].
+/// Returns the patch after a translation [m].
 SeenPatch translated(SeenPatch patch, const Eigen::Vector3d& shift_W);
 
-/// How one patch can be carried onto another.
+/// Result of carrying one patch onto another.
 struct PatchMatch {
-  /// The shortest translation that does: none along directions in which the surfaces slide, such as
-  /// a plane in itself or a cylinder along its axis, for there it cannot be told [m].
+  /// The shortest translation that does so [m]. It has no part along directions in which the
+  /// surfaces slide, such as within a plane or along a cylinder's axis, since motion there cannot
+  /// be seen.
   Eigen::Vector3d shift_W = Eigen::Vector3d::Zero();
-  /// Root mean square distance of the surfaces after it, where both were seen [m].
+  /// Root mean square distance of the surfaces after the shift, where both were seen [m].
   double residual = 0.0;
-  /// Root mean square sine of the angle of their normals there, 0 to 1; 1 if they point apart.
+  /// Root mean square sine of the angle between their normals there, 0 to 1; 1 if they point apart.
   double turn = 0.0;
-  /// How far on average the points of one patch lie beyond the extent of the other, the lesser of
-  /// both ways: 0 if one patch was seen within the other [m].
+  /// Mean distance of one patch's points beyond the extent of the other, the smaller of both
+  /// directions [m]; 0 if one patch was seen within the other.
   double gap = 0.0;
   /// Share of the points of both patches that lie within the extent of the other, 0 to 1.
   double overlap = 0.0;
 };
 
-/// Carries one patch onto another by Gauss-Newton steps on the distances of each one's points to
+/// Carries one patch onto another by Gauss-Newton steps on the distances of each patch's points to
 /// the other's quadric.
 PatchMatch match_patches(const SeenPatch& from, const SeenPatch& to);
 

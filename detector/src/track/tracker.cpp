@@ -11,38 +11,39 @@
 namespace quadrille {
 namespace {
 
-// Frames for which any track is remembered, and tracks that are remembered at most: the time of an
-// assignment grows with their cube.
+// Number of frames for which any track is remembered, and largest number of tracks: the time of an
+// assignment grows with its cube.
 constexpr int kMinFramesKept = 3;
 constexpr std::size_t kMaxTracks = 256;
-// Beside the noise, fits of two views differ by this share of the size, and by this length [m].
+// In addition to the noise, fits of two views differ by this share of the size and by this length
+// [m].
 constexpr double kFitShare = 0.03, kFitLength = 0.002;
-// Standard deviation of a dimension beside the published one, as a share of its value: types and
-// seen parts change.
+// Standard deviation of a dimension in addition to its published one, as a share of its value:
+// types and seen parts change between views.
 constexpr double kDimensionShare = 0.1;
-// What a dimension costs at most: one wild fit is no other object.
+// Largest cost of one dimension, since a single wild fit does not make another object.
 constexpr double kMaxDimensionCost = 4.0;
-// What another type costs instead of its dimensions, which cannot be compared.
+// Cost of a different type. It replaces the cost of dimensions, which cannot be compared then.
 constexpr double kOtherTypeCost = 0.5;
-// Standard deviations of the turn of normals, and of the gap over the size.
+// Standard deviations of the turn of normals [rad], and of the gap as a share of the size.
 constexpr double kTurnDeviation = 0.35, kGapDeviation = 0.25;
-// Least size, noise [m] and variance of a place [m²] to divide by.
+// Lower limits of sizes and noise [m] and of the variance of a position [m²], to divide by.
 constexpr double kMinLength = 1e-6, kMinVariance = 1e-12;
 
 double squared(double x) { return x * x; }
 
-/// Standard deviation of where a patch is along its normals [m], however many points it rests on:
-/// the sensor's own error changes with the view.
+/// Standard deviation of a patch's position along its normals [m]. It does not fall with the number
+/// of points, since the sensor's own error changes with the view.
 double place_deviation(const SeenPatch& patch) {
   return std::hypot(patch.rms, kFitShare * patch.size, kFitLength);
 }
 
-/// True if a dimension tells what was seen and not what is there.
+/// True if a dimension measures only the seen part and not the whole object.
 bool depends_on_view(std::string_view dimension) {
   return dimension == "length" || dimension == "width" || dimension == "height";
 }
 
-/// Mean squared difference of the dimensions that both have, in standard deviations.
+/// Mean squared difference, in standard deviations, of the dimensions that both have.
 double compare_dimensions(const std::vector<Dimension>& a, const std::vector<Dimension>& b) {
   double sum = 0.0;
   int count = 0;
@@ -50,7 +51,7 @@ double compare_dimensions(const std::vector<Dimension>& a, const std::vector<Dim
     if (a[i].name != b[i].name || depends_on_view(a[i].name)) continue;
     const double scale = kDimensionShare * std::max(std::abs(a[i].value), std::abs(b[i].value));
     const double variance = squared(a[i].std) + squared(b[i].std) + squared(scale);
-    // Deviations that could not be estimated leave nothing to compare.
+    // Dimensions whose deviations could not be estimated are not compared.
     if (!std::isfinite(variance) || !(variance > 0.0)) continue;
     sum += std::min(kMaxDimensionCost, squared(a[i].value - b[i].value) / variance);
     ++count;
@@ -58,7 +59,7 @@ double compare_dimensions(const std::vector<Dimension>& a, const std::vector<Dim
   return count > 0 ? sum / count : 0.0;
 }
 
-/// Squared difference in shape and extent, in standard deviations.
+/// Squared difference of shapes and extents, in standard deviations.
 double compare_shapes(const PatchMatch& match, const SeenPatch& a, const SeenPatch& b) {
   const double size = std::max(kMinLength, 0.5 * (a.size + b.size));
   const double noise = std::hypot(a.rms, b.rms, kFitShare * size) + kMinLength;
@@ -70,7 +71,7 @@ double compare_shapes(const PatchMatch& match, const SeenPatch& a, const SeenPat
 
 void TrackOptions::check() const { check_ranges(*this); }
 
-/// What is known of a surface that was seen before.
+/// State of a surface that was seen before.
 struct Tracker::Track {
   int id = 0;
   QuadricType type = QuadricType::kPlane;
@@ -83,10 +84,10 @@ struct Tracker::Track {
   int frames_unseen = 0;
 };
 
-/// A track and a detection.
+/// A possible pairing of a track with a detection.
 struct Tracker::Pairing {
   Eigen::Vector3d shift_W;
-  /// Squared, in standard deviations.
+  /// Squared difference in standard deviations.
   double cost = std::numeric_limits<double>::infinity();
 };
 
@@ -103,7 +104,7 @@ void Tracker::update(std::int64_t utime, const Eigen::Isometry3d& X_WC,
     tracks_.clear();
     last_id_ = 0;
   }
-  // Times of hostile messages may lie further apart than integers reach.
+  // The subtraction is done in doubles, since times from hostile messages may overflow integers.
   advance(1e-6 * (static_cast<double>(utime) - static_cast<double>(utime_)));
   utime_ = utime;
   std::vector<SeenPatch> patches;
@@ -140,8 +141,8 @@ Tracker::Pairing Tracker::compare(const Track& track, const Detection& detection
                           track.velocity_variance * t * t +
                           squared(0.5 * options_.acceleration * t * t);
   const double max_cost = squared(options_.gate);
-  // What lies farther off is another, though a plane that slides in itself has no shift. The part
-  // that was seen may have changed by as much as it is large.
+  // A detection farther away is another surface, although a plane that slides in itself shows no
+  // shift. The seen part may have moved by up to its own size.
   const double max_distance = options_.gate * std::sqrt(variance) + track.patch.size + patch.size;
   if ((patch.centre_W - track.patch.centre_W).norm() > max_distance) return {};
   const PatchMatch match = match_patches(track.patch, patch);
@@ -153,9 +154,9 @@ Tracker::Pairing Tracker::compare(const Track& track, const Detection& detection
   return {match.shift_W, place + compare_shapes(match, track.patch, patch) + named};
 }
 
-/// Pairs the detections that have no track yet with the tracks that the last frame showed, or with
-/// those that it did not: what was just seen is known best and goes first, for the room in which
-/// the others may be grows until all suits them.
+/// Pairs detections without a track either with the tracks that were seen in the last frame or with
+/// the others. Recently seen tracks go first because their positions are known best; the region in
+/// which an older track may be grows until any detection fits it.
 void Tracker::pair_those(bool just_seen, const std::vector<SeenPatch>& patches,
                          std::vector<Detection>* detections) {
   std::vector<Track*> tracks;
@@ -187,7 +188,7 @@ void Tracker::pair_those(bool just_seen, const std::vector<SeenPatch>& patches,
   }
 }
 
-/// Takes over what was seen, and learns from the shift how far the velocity was wrong.
+/// Updates a track with its detection, and corrects its velocity by the shift (a Kalman gain).
 void Tracker::renew(const Detection& detection, const SeenPatch& patch,
                     const Eigen::Vector3d& shift_W, Track* track) const {
   const double t = track->seconds_unseen;

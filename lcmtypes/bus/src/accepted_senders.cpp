@@ -13,7 +13,8 @@
 namespace quadrille::bus {
 namespace {
 
-/// Leading ones, as many as the text after the slash says; nullopt if that is no number to 32.
+/// Reads the number of leading one bits of a mask, as written after the slash; nullopt if it is not
+/// a number from 0 to 32.
 std::optional<std::uint32_t> read_mask(const std::string& text) {
   unsigned bits = 0;
   const char* end = text.data() + text.size();
@@ -57,7 +58,8 @@ AcceptedSenders parse_senders(const std::string& text) {
   AcceptedSenders senders;
   if (text.empty()) return senders;
   senders.all = false;
-  // A program in the kernel grows with the list; this many leave it far below its limit.
+  // The filter program in the kernel grows with the list; this many items keep it far below its
+  // limit.
   constexpr std::ptrdiff_t kMaxItems = 256;
   if (std::count(text.begin(), text.end(), ',') >= kMaxItems) {
     throw std::invalid_argument("more than 256 senders: name networks instead");

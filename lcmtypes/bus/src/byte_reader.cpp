@@ -78,7 +78,7 @@ std::span<const std::byte> ByteReader::take_string(const char* member) {
     refuse(RejectReason::kBadLength, std::string(member) + ": a string without its end mark");
   }
   const auto text = characters.first(characters.size() - 1);
-  // Such a string cannot be encoded again.
+  // Such a string could not be encoded again.
   if (std::find(text.begin(), text.end(), std::byte{0}) != text.end()) {
     refuse(RejectReason::kBadValue, std::string(member) + ": a string with a NUL in it");
   }

@@ -14,11 +14,11 @@ struct Refused {
   Rejection rejection;
 };
 
-/// The shortest string: its length and its end mark [byte].
+/// Size of the shortest string, which has only its length and its end mark [byte].
 inline constexpr std::size_t kMinStringBytes = 5;
 
-/// Reads the members of an LCM message in order and never past its end.
-/// Each read throws Refused, naming the member, if the bytes do not hold it.
+/// Reads the members of an LCM message in order and never past its end. Each read throws Refused,
+/// naming the member, if the bytes do not contain it.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
@@ -29,23 +29,23 @@ class ByteReader {
   std::int64_t read_int64(const char* member);
   double read_double(const char* member);
 
-  /// A double that must be finite.
+  /// Reads a double that must be finite.
   double read_finite(const char* member);
 
-  /// A 32-bit count, not negative, of elements of at least so many bytes each.
+  /// Reads a 32-bit count, not negative, of elements of at least min_element_bytes each.
   std::int32_t read_count(const char* member, std::size_t min_element_bytes);
 
-  /// A string of at most so many bytes without its end mark.
+  /// Reads a string of at most max_bytes without its end mark.
   std::string read_string(const char* member, std::size_t max_bytes);
 
   /// Skips a string of any length.
   void skip_string(const char* member);
 
-  /// The next count * element_bytes bytes.
+  /// Takes the next count * element_bytes bytes.
   std::span<const std::byte> take(std::int64_t count, std::int64_t element_bytes,
                                   const char* member);
 
-  /// Bytes not yet read.
+  /// Number of bytes not yet read.
   std::size_t left() const { return bytes_.size() - position_; }
 
   /// Refuses bytes after the last member.
@@ -60,6 +60,7 @@ class ByteReader {
   std::size_t position_ = 0;
 };
 
+/// Refuses the message.
 /// @throws Refused always
 [[noreturn]] void refuse(RejectReason reason, std::string detail);
 

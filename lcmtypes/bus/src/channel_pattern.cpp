@@ -9,7 +9,7 @@
 namespace quadrille::bus {
 namespace {
 
-// Of names, longer ones of which a log may hold, and of patterns.
+// Largest length of a pattern, and of a channel name to match; a log may contain longer names.
 constexpr std::size_t kMaxBytes = 255;
 
 bool has_operators(const std::string& text) {

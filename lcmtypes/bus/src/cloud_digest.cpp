@@ -1,4 +1,4 @@
-// Only its header is used: no program needs the library to run.
+// Only the header of xxHash is used, so no program needs its library at run time.
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 

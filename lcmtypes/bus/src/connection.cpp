@@ -16,13 +16,14 @@
 namespace quadrille::bus {
 namespace {
 
-/// Has the address ask for a large receive buffer if it asks for none.
-/// @return what is asked for, and what the kernel grants [byte]
+/// Adds a large receive buffer to the address if it names none.
+/// @return the size requested, and the size that the kernel grants [byte]
 std::pair<int, int> set_receive_buffer(Url* url) {
   const auto named = named_receive_buffer(*url);
   const int asked = named.value_or(kMaxReceiveBufferBytes);
   const int granted = granted_receive_buffer(asked);
-  // LCM would complain if it asked for more; the same complaint with a cure is ours.
+  // LCM would complain if it requested more than is granted; we report that ourselves, with a
+  // remedy.
   if (!named) url->arguments["recv_buf_size"] = std::to_string(granted);
   return {asked, forced_receive_buffer(asked)};
 }
@@ -40,7 +41,7 @@ std::string failure_to_connect(const Url& url) {
 
 struct Connection::Subscriber {
   Connection* connection;
-  /// Empty for all channels.
+  /// Name of the channel; empty for all channels.
   std::string channel;
   Handler handler;
 };
@@ -75,7 +76,7 @@ Connection::Connection(const std::string& url, AcceptedSenders senders)
   url_ = parsed.to_string();
   const std::vector<int> others = find_receiving_sockets(parsed);
   lcm_.reset(lcm_create(url_.c_str()));
-  // Without a server tcpq looks well, but aborts when it is waited on.
+  // Without a server, tcpq seems to connect but aborts when it is waited on.
   if (!lcm_ || lcm_get_fileno(lcm_.get()) < 0) throw std::runtime_error(failure_to_connect(parsed));
   if (parsed.provider == "udpm") prepare_socket(others);
 }
@@ -89,7 +90,8 @@ void Connection::subscribe(const std::string& channel, Handler handler) {
 
 void Connection::subscribe(const ChannelPattern& pattern, Handler handler) {
   if (!pattern.is_pattern()) return subscribe(pattern.text(), std::move(handler));
-  // LCM puts ^ and $ around it, and its expressions are not quite ours.
+  // LCM puts ^ and $ around the pattern, and its syntax differs slightly from ours, so names are
+  // matched again.
   add_subscriber("(" + pattern.text() + ")", "",
                  [pattern, handler = std::move(handler)](const std::string& channel,
                                                          std::span<const std::byte> bytes) {
@@ -105,14 +107,15 @@ void Connection::add_subscriber(const std::string& pattern, const std::string& c
   if (subscription == nullptr) {
     throw std::runtime_error("LCM address " + url_ + ": cannot subscribe to '" + pattern + "'");
   }
-  // LCM's default of 30 drops the newest and tells nobody. handle() takes messages out of its queue
-  // faster than LCM can put them in, into a backlog with a bound.
+  // LCM's default capacity of 30 silently drops the newest messages, so it is set to unlimited.
+  // handle() takes messages out of LCM's queue faster than LCM can add them, into a backlog of
+  // limited size.
   lcm_subscription_set_queue_capacity(subscription, 0);
   subscribers_.push_back(std::move(subscriber));
 }
 
-/// Guards the socket with which LCM receives, and looks after its buffer.
-/// @param others  the sockets at that address that were there before
+/// Attaches the filter to the socket with which LCM receives, and enlarges its buffer.
+/// @param others  sockets at that address that existed before
 void Connection::prepare_socket(const std::vector<int>& others) {
   const auto errors = read_udp_errors();
   for (const int socket : find_receiving_sockets(parse_url(url_))) {
@@ -123,7 +126,8 @@ void Connection::prepare_socket(const std::vector<int>& others) {
   if (!socket_) {
     throw std::runtime_error("LCM address " + url_ + ": cannot find LCM's socket to guard it");
   }
-  // All that it has dropped is of the filter, or came since those were read.
+  // Everything that the socket has dropped since it was made was refused by the filter, or is
+  // counted after `errors` was read.
   if (socket_->dropped() >= 0) drops_.emplace(errors, 0);
   if (socket_->buffer() < asked_buffer_) socket_->force_buffer(asked_buffer_);
 }
@@ -131,7 +135,7 @@ void Connection::prepare_socket(const std::vector<int>& others) {
 void Connection::dispatch(const lcm_recv_buf_t* buffer, const char* channel, void* user) noexcept {
   auto* subscriber = static_cast<Subscriber*>(user);
   try {
-    // LCM reads the name as a regular expression, in which a dot is any character.
+    // LCM reads the name as a regular expression, in which a dot matches any character.
     if (!subscriber->channel.empty() && subscriber->channel != channel) return;
     subscriber->connection->take(
         channel, {static_cast<const std::byte*>(buffer->data), buffer->data_size}, subscriber);
@@ -141,7 +145,7 @@ void Connection::dispatch(const lcm_recv_buf_t* buffer, const char* channel, voi
   }
 }
 
-/// Handles a message at once if no other waits, without a copy.
+/// Handles a message at once and without a copy if no other message waits.
 void Connection::take(const std::string& channel, std::span<const std::byte> bytes,
                       Subscriber* subscriber) {
   const auto size = static_cast<std::int64_t>(bytes.size());
@@ -154,17 +158,18 @@ void Connection::take(const std::string& channel, std::span<const std::byte> byt
   }
 }
 
-/// Whether LCM holds another message; it then has its descriptor readable.
+/// True if LCM holds another message, since its descriptor is then readable.
 bool Connection::more_waits() const {
   pollfd descriptor{lcm_get_fileno(lcm_.get()), POLLIN, 0};
   return poll(&descriptor, 1, 0) > 0;
 }
 
-/// Handles the oldest message of the backlog if LCM is empty, or it is its turn.
-/// @return true if one was handled
+/// Handles the oldest message of the backlog if LCM's queue is empty, or if it is the backlog's
+/// turn.
+/// @return true if a message was handled
 bool Connection::handle_backlog(bool lcm_is_empty) {
-  // Taking a message out of LCM's queue is so much cheaper than what LCM does to put it in that
-  // this share of the time goes to the handlers even in a flood without end.
+  // Taking a message out of LCM's queue costs far less than LCM spends on putting it in, so this
+  // share of the time reaches the handlers even in an endless flood.
   constexpr int kTakenPerHandled = 8;
   if (!lcm_is_empty && ++turn_ % kTakenPerHandled != 0) return false;
   const auto message = backlog_->pop();
@@ -174,7 +179,7 @@ bool Connection::handle_backlog(bool lcm_is_empty) {
 }
 
 Connection::Outcome Connection::handle(int timeout_ms) {
-  // Of a server that is gone tcpq has no descriptor any more, and aborts when it is waited on.
+  // If the server is gone, tcpq has no descriptor any more and aborts when it is waited on.
   if (lcm_get_fileno(lcm_.get()) < 0) return Outcome::kEnd;
   const bool behind = backlog_ && !backlog_->empty();
   const int status = lcm_handle_timeout(lcm_.get(), behind ? 0 : timeout_ms);

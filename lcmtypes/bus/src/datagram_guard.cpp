@@ -18,13 +18,13 @@
 namespace quadrille::bus {
 namespace {
 
-/// A program of the kernel's packet filter. It sees a datagram from its UDP header on; a load past
+/// A program for the kernel's packet filter. It sees a datagram from its UDP header on; a load past
 /// the end drops the datagram.
 class Program {
  public:
   static constexpr std::uint32_t kUdpHeader = 8;
 
-  /// Loads 1, 2 or 4 bytes of what was sent.
+  /// Loads 1, 2 or 4 bytes of the payload.
   void load(int bytes, std::uint32_t at) {
     load_raw(bytes == 1 ? BPF_B : bytes == 2 ? BPF_H : BPF_W, kUdpHeader + at);
   }
@@ -34,12 +34,12 @@ class Program {
 
   void drop() { add(BPF_RET | BPF_K, 0); }
   void accept() { add(BPF_RET | BPF_K, 0xffffffff); }
-  /// Drops, or accepts, if the loaded value is that, or greater.
+  /// These accept or drop the datagram if the loaded value is equal to, or greater than, a value.
   void accept_if_equal(std::uint32_t value) { return_if(BPF_JEQ | BPF_K, value, 0xffffffff); }
   void drop_if_greater(std::uint32_t value) { return_if(BPF_JGT | BPF_K, value, 0); }
   void drop_if_greater_than_x() { return_if(BPF_JGT | BPF_X, 0, 0); }
 
-  /// Goes on at the mark that is set later, if the loaded value is that.
+  /// Jumps, if the loaded value equals `value`, to the position at which mark() is called later.
   void jump_if_equal(std::uint32_t value, std::vector<std::size_t>* to) {
     code_.push_back({BPF_JMP | BPF_JEQ | BPF_K, 0, 1, value});
     to->push_back(code_.size());
@@ -72,10 +72,11 @@ class Program {
 
 constexpr std::uint32_t kShortMagic = 0x4c433032, kLongMagic = 0x4c433033;
 constexpr std::uint32_t kShortHeader = 8, kLongHeader = 20;
-/// The longest name of a channel that LCM takes, and its largest message [byte].
+/// Length of the longest channel name that LCM accepts, and size of its largest message [byte].
 constexpr std::uint32_t kMaxChannel = 63, kMaxMessage = 1u << 28;
 
-/// Accepts a datagram in which a channel's name from there on has an end, and drops others.
+/// Accepts a datagram if the channel name that begins at an offset is terminated, and drops it
+/// otherwise.
 void accept_with_channel(std::uint32_t at, Program* program) {
   for (std::uint32_t i = 0; i <= kMaxChannel; ++i) {
     program->load(1, at + i);
@@ -84,7 +85,8 @@ void accept_with_channel(std::uint32_t at, Program* program) {
   program->drop();
 }
 
-/// LCM adds offset and size of a fragment in 32 bits and compares the sum with the message's size.
+/// Accepts fragments that lie within their message. LCM adds a fragment's offset and size in 32
+/// bits and compares the sum with the message's size.
 void accept_sound_fragments(Program* program) {
   std::vector<std::size_t> first, sound;
   program->load(1, kLongHeader - 1);

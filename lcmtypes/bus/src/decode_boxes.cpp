@@ -8,7 +8,7 @@
 namespace quadrille::bus {
 namespace {
 
-/// A box without faces: two integers, 26 doubles and three flags.
+/// Size of a box without faces: two integers, 26 doubles and three flags.
 constexpr std::size_t kMinBoxBytes = 2 * 4 + 26 * 8 + 3, kFaceBytes = 4;
 
 void check_all_finite(ByteReader& reader, const char* member, int count) {

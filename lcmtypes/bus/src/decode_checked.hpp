@@ -11,10 +11,10 @@
 
 namespace quadrille::bus {
 
-/// Decodes a message of ours by LCM's generated code, once each of its members has been checked:
-/// after that the code can allocate no more than a small multiple of the bytes.
+/// Decodes a message of ours by LCM's generated code after each of its members has been checked, so
+/// that the code allocates at most a small multiple of the bytes.
 /// @param check    is called with a ByteReader and walks over all members after the fingerprint
-/// @param convert  makes the result of what was decoded
+/// @param convert  makes the result from the decoded message
 template <class Message, class Result = Message, class Check>
 Decoded<Result> decode_checked(
     std::span<const std::byte> bytes, std::size_t max_bytes, const Check& check,

@@ -14,12 +14,12 @@
 namespace quadrille::bus {
 namespace {
 
-/// The announced shape of a cloud, before it is known to fit.
+/// The announced shape of a cloud, not yet checked against its bytes.
 struct Grid {
   std::int64_t width = 0, height = 0, point_step = 0, row_step = 0;
 };
 
-/// Where the points of a message stand in its bytes.
+/// Location of a message's points within its bytes.
 struct CloudView {
   std::int64_t utime = 0;
   std::int32_t seq = 0;
@@ -28,7 +28,7 @@ struct CloudView {
   std::span<const std::byte> records;
 };
 
-/// The offset of a field that packs a colour into 32 bits; nothing if the field is another.
+/// The offset of a field that packs a colour into 32 bits; nullopt for other fields.
 std::optional<std::size_t> colour_offset(const std::string& name, std::int32_t offset,
                                          std::int8_t type) {
   const bool wide = type == drake::lcmt_point_cloud::FLOAT32 ||
@@ -38,7 +38,8 @@ std::optional<std::size_t> colour_offset(const std::string& name, std::int32_t o
   return static_cast<std::size_t>(offset);
 }
 
-/// Finds x, y and z among the fields, whose layout both byte-block types share.
+/// Finds x, y and z among the fields, whose layout is the same in both types that hold a block of
+/// bytes.
 /// @return the offset of the colour, if there is one
 std::optional<std::size_t> read_fields(ByteReader& reader, PointLayout* layout) {
   std::optional<std::size_t> colour;
@@ -71,12 +72,12 @@ std::optional<std::size_t> read_fields(ByteReader& reader, PointLayout* layout) 
   return colour;
 }
 
-/// Takes over the colours if their bytes lie within the records.
+/// Sets the colours' offsets if their bytes lie within the records.
 void set_colour(std::size_t red, std::size_t green, std::size_t blue, PointLayout* layout) {
   if (std::max(red, blue) < layout->point_step) layout->rgb = {red, green, blue};
 }
 
-/// Takes over a grid whose rows neither overlap nor overflow.
+/// Sets the grid after checking that its rows neither overlap nor overflow.
 void set_grid(const Grid& grid, PointLayout* layout) {
   if (grid.width < 0 || grid.height < 0 || grid.point_step < 0 || grid.row_step < 0) {
     refuse(RejectReason::kBadLength, "a negative size or step");
@@ -110,7 +111,7 @@ CloudView view_drake(ByteReader& reader) {
   reader.take(reader.read_int16("filler_size"), 1, "filler");
   view.records = reader.take(reader.read_int64("data_size"), 1, "data");
   set_grid(grid, &view.layout);
-  // Drake writes red, green and blue as bytes in this order, on any machine.
+  // Drake writes the bytes red, green and blue in this order on any machine.
   if (colour) set_colour(*colour, *colour + 1, *colour + 2, &view.layout);
   return view;
 }
@@ -131,7 +132,7 @@ CloudView view_pointcloud2(ByteReader& reader) {
   reader.read_int8("is_dense");
   set_grid(grid, &view.layout);
   if (colour) {
-    // As in PCL: 0x00RRGGBB in the order of bytes of the other fields.
+    // The colour is 0x00RRGGBB as in PCL, in the byte order of the other fields.
     const bool big = view.layout.big_endian;
     set_colour(*colour + (big ? 1 : 2), *colour + (big ? 2 : 1), *colour + (big ? 3 : 0),
                &view.layout);
@@ -145,7 +146,8 @@ CloudView view_pointcloud(ByteReader& reader) {
   view.seq = reader.read_int32("seq");
   view.frame = reader.read_string("frame_id", kMaxFrameBytes);
   const std::int32_t points = reader.read_int32("n_points");
-  // LCM writes the floats of an array one by one in big-endian order: a block of records.
+  // LCM writes the floats of an array one by one in big-endian order, so the array is a block of
+  // records.
   view.records = reader.take(points, 3 * sizeof(float), "points");
   view.layout.big_endian = true;
   view.layout.width = static_cast<std::size_t>(points);

@@ -4,8 +4,8 @@
 namespace quadrille::bus {
 namespace {
 
-/// A grasp: its target, track and kind, 34 doubles and a flag. A count and a warning: with empty
-/// strings.
+/// Sizes of a grasp (its target, track and kind, 34 doubles and a flag), and of a count and a
+/// warning with empty strings.
 constexpr std::size_t kGraspBytes = 4 + 4 + 1 + 34 * 8 + 1, kMinCountBytes = 13,
                       kMinWarningBytes = 5;
 

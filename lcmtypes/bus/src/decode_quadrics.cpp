@@ -10,7 +10,7 @@ namespace quadrille::bus {
 namespace {
 
 constexpr std::size_t kMaxNameBytes = 256;
-/// Fixed members of a quadric, and of a dimension, with empty strings.
+/// Sizes of the fixed members of a quadric and of a dimension, with empty strings.
 constexpr std::size_t kMinQuadricBytes = 229, kMinDimensionBytes = 21;
 
 void check_finite(ByteReader& reader, const char* member, int count) {
@@ -41,7 +41,7 @@ void check_quadric(ByteReader& reader) {
   for (std::int32_t i = 0; i < dimensions; ++i) {
     reader.read_string("dimension name", kMaxNameBytes);
     check_finite(reader, "dimension", 1);
-    // A deviation that could not be estimated may be infinite or NaN.
+    // A standard deviation that could not be estimated may be infinite or NaN.
     reader.read_double("std");
   }
   check_finite(reader, "extent", 6);

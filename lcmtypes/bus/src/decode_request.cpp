@@ -6,8 +6,8 @@ namespace quadrille::bus {
 namespace {
 
 constexpr std::size_t kIntegerBytes = 4, kMinTypeBytes = 5, kMaxTypeBytes = 64;
-/// After the types: the flags and doubles of region, near, sizes, approach and clearance, a count,
-/// and the deadline.
+/// Size of the members after the types: flags and doubles of region, near, sizes, approach and
+/// clearance, a count, and the deadline.
 constexpr std::size_t kFixedBytes = (1 + 10 * 8) + (1 + 3 * 8) + 2 * 8 + (1 + 4 * 8) + 8 + 4 + 8;
 
 void check_request(ByteReader& reader) {

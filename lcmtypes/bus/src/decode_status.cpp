@@ -4,9 +4,11 @@
 namespace quadrille::bus {
 namespace {
 
-/// Larger ones are refused [byte]: warnings take most of a status, a few lines of text.
+/// Larger messages are refused [byte]. A status consists mostly of warnings, which are a few lines
+/// of text.
 constexpr std::size_t kMaxStatusBytes = std::size_t{1} << 20;
-/// transport_t; the members of process_t after its strings; those of stage_t after its name.
+/// Sizes of transport_t, of the members of process_t after its strings, and of those of stage_t
+/// after its name.
 constexpr std::int64_t kTransportBytes = 6 * 8, kProcessNumbersBytes = 4 * 8 + 2 * 4,
                        kStageNumbersBytes = 6 * 8;
 
@@ -18,7 +20,7 @@ void skip_counts(ByteReader& reader) {
   }
 }
 
-/// From the transport on; between come so many lists of counts.
+/// Walks over the members from the transport on, with a number of lists of counts between.
 void skip_tail(ByteReader& reader, int lists_of_counts) {
   reader.take(1, kTransportBytes, "transport");
   reader.skip_string("version");
@@ -34,8 +36,9 @@ void skip_tail(ByteReader& reader, int lists_of_counts) {
   for (std::int32_t i = 0; i < warnings; ++i) reader.skip_string("warning");
 }
 
-/// @param numbers          64-bit numbers between the sender and the transport
-/// @param lists_of_counts  between the process and the stages
+/// Checks and decodes a status message.
+/// @param numbers          number of 64-bit values between the sender and the transport
+/// @param lists_of_counts  number of lists between the process and the stages
 template <class Status>
 Decoded<Status> decode(std::span<const std::byte> bytes, std::int64_t numbers,
                        int lists_of_counts) {

@@ -20,7 +20,8 @@ std::optional<UdpErrors> read_udp_errors() {
     name_words >> name, value_words >> value;
     for (std::int64_t count = 0; name_words >> name && value_words >> count;) counts[name] = count;
     if (!counts.contains("InErrors") || !counts.contains("RcvbufErrors")) return std::nullopt;
-    // Sockets of the whole machine may have no memory left for their buffers, too.
+    // MemErrors are counted too: the sockets of the whole machine may have no memory left for
+    // buffers.
     return UdpErrors{counts["InErrors"], counts["RcvbufErrors"] + counts["MemErrors"]};
   }
   return std::nullopt;
@@ -33,7 +34,8 @@ void DropCauses::update(std::optional<UdpErrors> before, std::uint32_t dropped,
   if (fresh == 0) return;
   std::int64_t most_buffer = fresh, most_filtered = fresh;
   if (start && after) {
-    // From before the last count of the socket until after this one: no less than what it dropped.
+    // The counts span from before the socket's previous count to after the present one, so they are
+    // no less than what the socket dropped in between.
     const std::int64_t buffer = after->buffer - start->buffer;
     most_buffer = std::clamp<std::int64_t>(buffer, 0, fresh);
     most_filtered = std::clamp<std::int64_t>(after->all - start->all - buffer, 0, fresh);

@@ -18,8 +18,8 @@ constexpr bool kBigEndian = std::endian::native == std::endian::big;
 constexpr int kPointBytes = 3 * sizeof(float);
 static_assert(sizeof(Eigen::Vector3f) == kPointBytes);
 
-/// Missing points that an unorganised cloud has dropped; they go into the message again, so that
-/// it announces as many points as the cloud's source did.
+/// Number of missing points that an unorganised cloud has dropped. They are added again, so that
+/// the message announces as many points as the cloud's source did.
 std::size_t count_dropped(const PointCloud& cloud) {
   const bool dropped = !cloud.organised() && cloud.read > cloud.points.size();
   return dropped ? cloud.read - cloud.points.size() : 0;
@@ -41,7 +41,7 @@ void check_cloud(const PointCloud& cloud) {
   }
 }
 
-/// All points, those that were dropped as NaN at the end.
+/// All points, followed by NaN for each dropped one.
 std::vector<Eigen::Vector3f> restore_points(const PointCloud& cloud) {
   std::vector<Eigen::Vector3f> points = cloud.points;
   points.resize(points.size() + count_dropped(cloud),

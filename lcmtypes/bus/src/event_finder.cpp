@@ -17,8 +17,8 @@
 namespace quadrille::bus {
 namespace {
 
-/// Before each event: its mark, number (8), time (8), length of the channel's name, length of the
-/// data.
+/// Size of an event's header: its mark, number (8), time (8), length of the channel's name, length
+/// of the data.
 constexpr std::uint64_t kHeaderBytes = 28;
 
 std::uint64_t load_big_endian(std::span<const std::byte> bytes) {
@@ -100,7 +100,7 @@ std::optional<EventPlace> EventFinder::find_from(std::uint64_t offset) const {
   constexpr std::uint64_t kPiece = 1 << 16;
   std::vector<std::byte> piece;
   for (; offset + kHeaderBytes <= size_; offset += kPiece) {
-    // A header may reach into the next piece.
+    // A header may extend into the next piece.
     piece.resize(std::min(kPiece + kHeaderBytes - 1, size_ - offset));
     if (!read(offset, piece)) return std::nullopt;
     const std::string_view text(reinterpret_cast<const char*>(piece.data()), piece.size());
@@ -142,7 +142,7 @@ std::optional<EventPlace> EventFinder::next() {
     }
     const std::optional<EventPlace> behind = find_from(begin + 1);
     at_ = behind ? behind->begin : size_;
-    // An event in which another one begins has a wrong length.
+    // If another event begins within an event, that event has a wrong length.
     const bool is_whole = here && here->end <= at_;
     note_gap(is_whole ? here->end : begin, at_);
     if (is_whole) return here;

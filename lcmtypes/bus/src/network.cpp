@@ -27,14 +27,14 @@ class UdpSocket {
   int fd_;
 };
 
-/// The receive buffer that the kernel grants by one of its options [byte].
+/// The receive buffer that the kernel grants through one of its socket options [byte].
 int granted(int option, int asked) {
   const UdpSocket socket;
   setsockopt(socket.get(), SOL_SOCKET, option, &asked, sizeof(asked));
   int doubled = 0;
   socklen_t size = sizeof(doubled);
   getsockopt(socket.get(), SOL_SOCKET, SO_RCVBUF, &doubled, &size);
-  // The kernel adds as much again for its own bookkeeping and tells the sum.
+  // The kernel doubles the size for its own bookkeeping, and reports the doubled value.
   return doubled / 2;
 }
 

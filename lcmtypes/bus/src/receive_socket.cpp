@@ -54,13 +54,13 @@ std::int64_t ReceiveSocket::buffer() const {
   int doubled = 0;
   socklen_t size = sizeof(doubled);
   if (getsockopt(fd_, SOL_SOCKET, SO_RCVBUF, &doubled, &size) != 0) return 0;
-  // The kernel adds as much again for its own bookkeeping and tells the sum.
+  // The kernel doubles the size for its own bookkeeping, and reports the doubled value.
   return doubled / 2;
 }
 
 void ReceiveSocket::force_buffer(std::int64_t bytes) {
   const int asked = static_cast<int>(bytes);
-  // What is refused is told by buffer().
+  // If the kernel refuses, buffer() shows it.
   setsockopt(fd_, SOL_SOCKET, SO_RCVBUFFORCE, &asked, sizeof(asked));
 }
 

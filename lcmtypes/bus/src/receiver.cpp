@@ -8,9 +8,9 @@
 namespace quadrille::bus {
 namespace {
 
-// How soon a stop is noticed.
+// Largest delay until a stop is noticed [ms].
 constexpr int kWaitMs = 100;
-// LCM tells a signal and a lost peer alike; only the second comes again and again.
+// LCM reports a signal and a lost peer in the same way; only a lost peer is reported repeatedly.
 constexpr int kFailuresOfLostPeer = 20;
 constexpr std::chrono::milliseconds kPauseAfterFailure{10};
 
@@ -40,7 +40,7 @@ void Receiver::check() {
 }
 
 void Receiver::run() noexcept {
-  // Signals are for the main thread.
+  // Signals are left to the main thread.
   sigset_t all;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, nullptr);

@@ -8,11 +8,12 @@
 
 namespace quadrille {
 
-/// One measured cloud whose points lie elsewhere, in the frame C of its points. Whoever makes one
-/// keeps the points in place, and does not write to them, as long as it is used.
+/// A view of one measured cloud in the frame C of its points, which are stored elsewhere. The
+/// points must stay in place and unchanged while the view is used.
 struct CloudView {
   CloudView() = default;
-  /// The points of a cloud. Implicit, so that what reads clouds takes either.
+  /// Views the points of a cloud. The conversion is implicit so that functions on clouds accept
+  /// both.
   CloudView(const PointCloud& cloud)  // NOLINT(google-explicit-constructor)
       : points(cloud.points),
         width(cloud.width),
@@ -26,7 +27,7 @@ struct CloudView {
   int width = 0;
   /// Rows if the cloud is organised; otherwise 0.
   int height = 0;
-  /// Where the sensor stood, in frame C [m].
+  /// Position of the sensor in frame C [m].
   Eigen::Vector3d viewpoint = Eigen::Vector3d::Zero();
 
   bool organised() const { return width > 0 && height > 1; }

@@ -17,40 +17,42 @@ namespace quadrille {
 struct Dimension {
   std::string name;
   double value = 0.0;
-  /// Standard deviation, in the unit of the value; infinite where the view does not show the
-  /// dimension and its value is a guess.
+  /// Standard deviation in the unit of the value; infinite if the view does not show the dimension
+  /// and its value is a guess.
   double std = 0.0;
 };
 
-/// What is known of the coefficients of a quadric of unit norm, in the order of
+/// Uncertainty of the coefficients of a quadric of unit norm, in the order of
 /// Quadric::coefficients().
 struct QuadricCovariance {
-  /// Covariance along the directions that the view shows.
+  /// Covariance along the directions in coefficient space that the view determines.
   Eigen::Matrix<double, 10, 10> known = Eigen::Matrix<double, 10, 10>::Zero();
-  /// Orthonormal columns: the directions that it leaves open, along which q may lie anywhere.
+  /// Orthonormal columns: the directions that the view leaves undetermined, along which q may lie
+  /// anywhere.
   Eigen::Matrix<double, 10, Eigen::Dynamic> open = Eigen::Matrix<double, 10, Eigen::Dynamic>(10, 0);
 };
 
 /// One quadric found in a cloud with frame C.
 struct Detection {
-  /// 1, 2, … within one result, best score first; −1, −2, … for what was found but not asked for:
-  /// nothing to show or to grasp, but in the way.
+  /// Ids are 1, 2, … within one result, best score first. Ids −1, −2, … mark detections that were
+  /// found but not asked for: they are not shown and not grasped, but are obstacles.
   int id = 0;
   QuadricType type = QuadricType::kPlane;
-  /// Of unit norm, its gradient pointing to the side that the sensor saw.
+  /// The quadric, of unit norm, with its gradient towards the side that the sensor saw.
   Quadric Q_C;
-  /// Of the coefficients of Q_C. Messages and files do not hold it.
+  /// Covariance of the coefficients of Q_C. Messages and files do not contain it.
   QuadricCovariance covariance;
   /// Confidence, 0 to 1.
   double score = 0.0;
-  /// Cloud points that lie on the quadric with a compatible normal.
+  /// Number of cloud points that lie on the quadric with a compatible normal.
   int inliers = 0;
   /// Root mean square of the first-order distance of the inliers [m].
   double rms = 0.0;
-  /// Pose of the canonical frame Q: origin at the centre (or apex, vertex, middle of the seen part
-  /// of an axis), z along the axis of symmetry, or along a plane's normal towards the sensor.
+  /// Pose of the canonical frame Q. The origin is the centre, apex or vertex, or the middle of the
+  /// seen part of an axis; z runs along the axis of symmetry, or along a plane's normal towards the
+  /// sensor.
   Eigen::Isometry3d X_CQ = Eigen::Isometry3d::Identity();
-  /// Depends on the type:
+  /// Dimensions by type:
   ///   sphere radius; ellipsoid a b c (semi-axes along x y z); cylinder radius length;
   ///   elliptic_cylinder a b length; cone half_angle; elliptic_cone half_angle_a half_angle_b;
   ///   elliptic_paraboloid and hyperbolic_paraboloid focal_a focal_b (z = x²/4fa ± y²/4fb);
@@ -61,16 +63,16 @@ struct Detection {
   Eigen::AlignedBox3d extent_Q;
   /// Share of the surface within the extent that was observed, 0 to 1.
   double seen = 0.0;
-  /// 1, 2, …: the same for one surface in all clouds of a sequence (see Tracker); 0 where nothing
-  /// was tracked.
+  /// Number of the surface, 1, 2, …, which it keeps in all clouds of a sequence (see Tracker); 0 if
+  /// it was not tracked.
   int track = 0;
 };
 
-/// True if a detection was asked for, by what its id says.
+/// True if a detection was asked for, which its id tells.
 inline bool is_reported(const Detection& detection) { return detection.id >= 0; }
 
-/// The rotation of a pose as messages and files hold it: a unit quaternion with w >= 0, for q and
-/// -q are one rotation, and equal poses are to be written equally.
+/// The rotation of a pose as stored in messages and files: the unit quaternion with w >= 0. Since q
+/// and -q are the same rotation, this writes equal poses equally.
 QUADRILLE_EXPORT Eigen::Quaterniond rotation_of(const Eigen::Isometry3d& X);
 
 /// Wall time of one stage of a computation.
@@ -79,21 +81,21 @@ struct StageTime {
   double ms = 0.0;
 };
 
-/// What the detector made of one cloud.
+/// The result of detection on one cloud.
 struct DetectionResult {
-  /// Best score first; those that were not asked for after all others.
+  /// Detections, best score first; those that were not asked for come last.
   std::vector<Detection> detections;
-  /// What planes among them are faces of, the surest first.
+  /// Boxes whose faces are planes among the detections, the most certain first.
   std::vector<Box> boxes;
-  /// Points with finite coordinates within kMaxRange, and those of them that surface samples were
-  /// made of.
+  /// Number of finite points within kMaxRange, and of those among them that went into surface
+  /// samples.
   std::size_t points_finite = 0, points_used = 0;
-  /// In the order of the stages, without their total.
+  /// Times of the stages in their order, without the total.
   std::vector<StageTime> timings;
-  /// From the decoded cloud to the detections [ms].
+  /// Time from the decoded cloud to the detections [ms].
   double total_ms = 0.0;
-  /// Why the result may be empty or poor ("all points lie on a line", "coordinates look like
-  /// millimetres"); empty when all is well.
+  /// Reasons why the result may be empty or poor, such as "all points lie on a line" or
+  /// "coordinates look like millimetres"; empty if there are none.
   std::vector<std::string> warnings;
 };
 

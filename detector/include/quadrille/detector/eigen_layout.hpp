@@ -4,10 +4,11 @@
 #include <cstddef>
 
 /// @file
-/// Eigen's macros, and flags such as -march=native that set them, change where the members of
-/// public structs lie, how matrices are allocated, and what Eigen's inline functions assume of
-/// both, of which the linker keeps one for the whole program. A program that would differ from the
-/// libraries does not compile. Each public header that names a type of Eigen includes this one.
+/// Checks that a program uses Eigen as quadrille's libraries do. Eigen's macros, and flags such as
+/// -march=native that set them, change the layout of members in public structs, the allocation of
+/// matrices, and Eigen's inline functions, which assume both and of which the linker keeps one
+/// version for the whole program. A program that would differ from the libraries does not compile.
+/// Each public header that names a type of Eigen includes this one.
 
 static_assert(
     EIGEN_MAX_ALIGN_BYTES == 16 && alignof(Eigen::Matrix4d) == 16 &&

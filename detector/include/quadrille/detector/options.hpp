@@ -10,8 +10,8 @@
 
 namespace quadrille {
 
-/// The types that a detector can find: not the imaginary ones, and no plane doubled onto itself,
-/// which is reported as a plane.
+/// Names of the types that a detector can find: all but the imaginary ones and coincident planes,
+/// which are reported as a plane.
 QUADRILLE_EXPORT std::vector<Word<QuadricType>> words_of(QuadricType);
 
 /// All settings of the detector, stage by stage.
@@ -22,7 +22,7 @@ struct DetectorOptions {
 
   SamplingOptions sampling;
   PlaneOptions planes;
-  /// When a sample lies on a quadric, for search and aggregation.
+  /// Decides whether a sample lies on a quadric, for search and aggregation.
   InlierTest inlier;
   SearchOptions search;
   AgglomerateOptions agglomerate;

@@ -12,7 +12,7 @@ namespace quadrille {
 using Vector10d = Eigen::Matrix<double, 10, 1>;
 
 /// A quadric f(x) = [x 1] Q [x 1]ᵀ = Ax² + By² + Cz² + 2Dxy + 2Exz + 2Fyz + 2Gx + 2Hy + 2Iz + J
-/// (paper, eq. 1 to 3). Known only up to scale; which sign the gradient has is the user's choice.
+/// (paper, eq. 1 to 3). It is known only up to scale; the user chooses the sign of the gradient.
 class Quadric {
  public:
   Quadric() = default;
@@ -25,27 +25,29 @@ class Quadric {
   const Eigen::Matrix4d& matrix() const { return Q_; }
   /// The 10-vector q.
   QUADRILLE_EXPORT Vector10d coefficients() const;
-  /// The same surface with |q| = 1 and the same sign; unchanged if q is zero.
+  /// Returns this surface with |q| = 1 and the sign unchanged; if q is zero, returns it as it is.
   QUADRILLE_EXPORT Quadric normalized() const;
-  /// The same surface with the opposite gradient.
+  /// Returns this surface with the opposite gradient.
   Quadric flipped() const { return Quadric(Eigen::Matrix4d(-Q_)); }
 
-  /// f(x), the algebraic distance.
+  /// The algebraic distance f(x).
   QUADRILLE_EXPORT double value(const Eigen::Vector3d& x) const;
-  /// ∇f(x).
+  /// The gradient ∇f(x).
   QUADRILLE_EXPORT Eigen::Vector3d gradient(const Eigen::Vector3d& x) const;
-  /// f(x) / |∇f(x)|, the signed first-order distance [m]; infinite where the gradient vanishes.
+  /// The signed first-order distance f(x) / |∇f(x)| [m]; infinite where the gradient vanishes.
   QUADRILLE_EXPORT double distance(const Eigen::Vector3d& x) const;
 
-  /// The quadric that holds X·x for each x of this one: Q_B = X_BA⁻ᵀ Q_A X_BA⁻¹.
+  /// Returns the quadric moved by a rigid motion, which holds X·x for each x of this one: Q_B =
+  /// X_BA⁻ᵀ Q_A X_BA⁻¹.
   QUADRILLE_EXPORT Quadric transformed(const Eigen::Isometry3d& X_BA) const;
-  /// The same for any invertible projective map of homogeneous points, x_B ~ P_BA x_A.
+  /// Returns the quadric mapped by an invertible projective map of homogeneous points, x_B ~ P_BA
+  /// x_A.
   /// @throws std::invalid_argument if P_BA is singular or not finite
   QUADRILLE_EXPORT Quadric transformed(const Eigen::Projective3d& P_BA) const;
 
   /// The dual quadric Q*, the locus of the planes Π with Πᵀ Q* Π = 0 that touch this one (paper,
-  /// definition 2). The adjugate of Q, which is ~ Q⁻¹ where Q has full rank, and exists for all:
-  /// of rank 1 for cones and cylinders, zero for pairs of planes.
+  /// definition 2). It is the adjugate of Q, which is ~ Q⁻¹ if Q has full rank and exists always:
+  /// it has rank 1 for cones and cylinders, and is zero for pairs of planes.
   QUADRILLE_EXPORT Eigen::Matrix4d dual() const;
 
  private:

@@ -10,29 +10,29 @@
 
 namespace quadrille {
 
-/// Points farther from the viewpoint than this count as missing [m]. No depth sensor measures them;
-/// drivers send such numbers, as 1e30, for pixels without depth.
+/// Points farther from the viewpoint than this count as missing [m]. No depth sensor measures them,
+/// but drivers send values such as 1e30 for pixels without depth.
 inline constexpr double kMaxRange = 1000.0;
 
-/// Which points of a cloud its sensor can have measured.
+/// Tells which points of a cloud its sensor can have measured.
 struct RangeCheck {
-  /// Points within the range, and finite ones beyond it.
+  /// Number of points within the range, and of finite points beyond it.
   std::size_t near = 0, far = 0;
-  /// The cloud without the far ones, which are dropped, or NaN if it is organised; nullopt if there
-  /// are none: nothing is copied then.
+  /// The cloud without the far points: they are dropped, or NaN in an organised cloud. Nullopt if
+  /// there are none, so that nothing is copied.
   std::optional<PointCloud> rest;
 
-  /// "12 points … are left out"; empty if there are none.
+  /// A message such as "12 points … are left out"; empty if there are no far points.
   QUADRILLE_EXPORT std::string warning() const;
 
-  /// What is left of the cloud that was checked: mostly itself.
+  /// Returns the points within the range; this is the checked cloud itself if no point is far.
   CloudView kept(const CloudView& cloud) const { return rest ? CloudView(*rest) : cloud; }
   const PointCloud& kept(const PointCloud& cloud) const { return rest ? *rest : cloud; }
 };
 
 /// Finds the points of a cloud that are farther than kMaxRange from its viewpoint. If hardly any is
-/// nearer, the viewpoint is not the sensor's, as that of a map may be, and the middle of the points
-/// stands for it.
+/// nearer, the viewpoint is not the sensor's (it may be a map's origin), and the middle of the
+/// points is used instead.
 QUADRILLE_EXPORT RangeCheck check_range(const CloudView& cloud);
 
 }  // namespace quadrille

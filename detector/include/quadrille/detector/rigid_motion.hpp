@@ -11,18 +11,18 @@
 
 namespace quadrille {
 
-/// A cloud of frame C in frame F: its points and its viewpoint; the name of the frame stays. Where
-/// both are one frame it keeps its bits.
+/// Transforms the points and the viewpoint of a cloud from frame C to frame F; the name of the
+/// frame stays. If X_FC is the identity, all bits are kept.
 QUADRILLE_EXPORT PointCloud moved(PointCloud cloud, const Eigen::Isometry3d& X_FC);
 
-/// A detection of frame C in frame F. Where both are one frame it keeps its bits.
+/// Transforms a detection from frame C to frame F. If X_FC is the identity, all bits are kept.
 QUADRILLE_EXPORT Detection moved(Detection detection, const Eigen::Isometry3d& X_FC);
 
-/// Detections of frame C in frame F.
+/// Transforms detections from frame C to frame F.
 QUADRILLE_EXPORT std::vector<Detection> moved(std::vector<Detection> detections,
                                               const Eigen::Isometry3d& X_FC);
 
-/// Boxes of frame C in frame F.
+/// Transforms boxes from frame C to frame F.
 QUADRILLE_EXPORT std::vector<Box> moved(std::vector<Box> boxes, const Eigen::Isometry3d& X_FC);
 
 }  // namespace quadrille

@@ -5,7 +5,7 @@
 
 namespace quadrille {
 
-/// True if the sensor saw the inside of a round surface, as of the inner wall of a mug; false for
+/// True if the sensor saw the inside of a round surface, such as the inner wall of a mug; false for
 /// types without an inside.
 QUADRILLE_EXPORT bool shows_inside(const Detection& detection);
 

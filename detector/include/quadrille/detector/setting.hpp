@@ -9,29 +9,29 @@
 
 namespace quadrille {
 
-/// A row of the table of options: all that there is to say of one, but for its default, which
-/// stands at its field. Checks, configuration files, errors and `quadrille config` come from it.
+/// Describes one option, except for its default, which stands at its field. Range checks,
+/// configuration files, error messages and `quadrille config` come from this table.
 struct Setting {
-  /// For numbers, and for lists of them.
+  /// Describes a number or a list of numbers.
   constexpr Setting(const char* its_name, const char* its_unit, double smallest, double largest,
                     const char* reason)
       : name(its_name), unit(its_unit), min(smallest), max(largest), why(reason) {}
-  /// For what any value of its type suits.
+  /// Describes an option for which any value of its type is valid.
   constexpr Setting(const char* its_name, const char* reason) : name(its_name), why(reason) {}
 
-  /// The key in configuration files with its tables, such as "planes.sigmas".
+  /// Key in configuration files, including its tables, such as "planes.sigmas".
   const char* name;
-  /// Empty for plain numbers.
+  /// Unit; empty for plain numbers.
   const char* unit = "";
-  /// Smallest and largest value; of a list, those of each element.
+  /// Smallest and largest value; for a list, of each element.
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
-  /// What it does, and why it is as it is.
+  /// Meaning of the option, and the reason for its value.
   const char* why;
 };
 
-/// The word that stands for a value of an enumeration in files. An enumeration among the options
-/// has a function words_of() with the words for all of its values that may be chosen.
+/// The word that stands for a value of an enumeration in files. For each enumeration among the
+/// options, a function words_of() lists the words of all values that may be chosen.
 template <class Choice>
 struct Word {
   std::string_view word;
@@ -47,7 +47,8 @@ constexpr std::string_view word_of(Choice choice) {
   return {};
 }
 
-/// @throws std::invalid_argument "NAME = VALUE: must lie between MIN and MAX" if it does not
+/// Checks a value against its row.
+/// @throws std::invalid_argument "NAME = VALUE: must lie between MIN and MAX" if it is out of range
 QUADRILLE_EXPORT void check_range(const Setting& setting, double value);
 QUADRILLE_EXPORT void check_range(const Setting& setting, int value);
 

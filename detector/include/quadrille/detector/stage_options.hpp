@@ -9,10 +9,10 @@
 
 namespace quadrille {
 
-// Each struct's visit() calls v(field, Setting) for each of its options, in the order of the
-// configuration file: the row says what the field is.
+// Each struct's visit() calls v(field, Setting) for each of its options in the order of the
+// configuration file; the Setting describes the field.
 
-/// How the noise of the sensor is measured.
+/// Measurement of the sensor's noise.
 struct NoiseOptions {
   double radius = 0.04;
   double quantile = 0.25;
@@ -29,7 +29,7 @@ struct NoiseOptions {
   }
 };
 
-/// How the points are averaged.
+/// Averaging of the points.
 struct SamplingOptions {
   double cell = 0.0031;
   double relative_cell = 0.0;
@@ -54,7 +54,7 @@ struct SamplingOptions {
   }
 };
 
-/// What counts as a plane.
+/// Criteria of a plane.
 struct PlaneOptions {
   int min_samples = 40;
   double sigmas = 3.0;
@@ -78,7 +78,7 @@ struct PlaneOptions {
   }
 };
 
-/// When a sample lies on a quadric.
+/// Criteria by which a sample lies on a quadric.
 struct InlierTest {
   double sigmas = 3.0;
   double cells = 0.2;
@@ -94,15 +94,15 @@ struct InlierTest {
   }
 };
 
-/// How hypotheses are drawn from a neighbourhood.
+/// Ways to draw hypotheses from a neighbourhood.
 enum class BasisKind {
   kThreePoints,  ///< three oriented points and a vote along their null space (paper, section 4)
-  kFourPoints,   ///< a fourth point fixes λ (paper, theorem 3)
+  kFourPoints,   ///< three oriented points and a fourth point, which fixes λ (paper, theorem 3)
   kNinePoints,   ///< nine points without normals
   kTwoPoints,    ///< two oriented points and a vote in three dimensions (paper, figure 2b)
   kSphere,       ///< one oriented point and a vote for the radius (paper, figure 2b)
-  kCylinder,     ///< two oriented points give a circular cylinder
-  kCone,         ///< three oriented points give a circular cone
+  kCylinder,     ///< two oriented points, which determine a circular cylinder
+  kCone,         ///< three oriented points, which determine a circular cone
 };
 
 constexpr auto words_of(BasisKind) {
@@ -115,11 +115,11 @@ constexpr auto words_of(BasisKind) {
                                          {"cone", BasisKind::kCone}});
 }
 
-/// Which lengths the gradients at three oriented points are given, of which normals tell the
-/// directions alone.
+/// Lengths given to the gradients at three oriented points, since normals tell only their
+/// directions.
 enum class GradientLengths {
-  kCommon,  ///< one for all (paper, eq. 5): exact on spheres and circular cylinders
-  kSolved,  ///< those with which the points lie on one quadric (paper, eq. 4)
+  kCommon,  ///< one length for all (paper, eq. 5); exact on spheres and circular cylinders
+  kSolved,  ///< the lengths with which the points lie on one quadric (paper, eq. 4)
 };
 
 constexpr auto words_of(GradientLengths) {
@@ -127,11 +127,11 @@ constexpr auto words_of(GradientLengths) {
       {{"common", GradientLengths::kCommon}, {"solved", GradientLengths::kSolved}});
 }
 
-/// How a vote's parameter λ in (−∞, ∞) is carried to a bounded place for its bin (paper,
-/// "Quantizing λ").
+/// Maps from a vote's parameter λ in (−∞, ∞) to a bounded interval, which is divided into bins
+/// (paper, "Quantizing λ").
 enum class Quantisation {
-  kArctangent,  ///< atan(λ / λ₀), the angle that the paper's footnote names
-  kMeasured,    ///< the inverse of the measured distribution of λ: bins of equal mass
+  kArctangent,  ///< atan(λ / λ₀), the angle named in the paper's footnote
+  kMeasured,    ///< the measured distribution function of λ, which gives bins of equal mass
 };
 
 constexpr auto words_of(Quantisation) {
@@ -151,7 +151,7 @@ constexpr auto words_of(Family) {
                                       {"general", Family::kGeneral}});
 }
 
-/// How far and how often a hypothesis is grown.
+/// Growing of a hypothesis.
 struct GrowOptions {
   std::vector<Family> families = {Family::kPlane, Family::kSphere, Family::kCylinder, Family::kCone,
                                   Family::kRevolution};
@@ -170,7 +170,7 @@ struct GrowOptions {
   }
 };
 
-/// The paper's clustering of hypotheses as printed: of raw ones, before any is grown.
+/// The paper's clustering of hypotheses as printed, applied to raw hypotheses before any is grown.
 struct ClusterOptions {
   bool enabled = false;
   double max_difference = 0.4;
@@ -189,7 +189,7 @@ struct ClusterOptions {
   }
 };
 
-/// Where hypotheses are looked for, and how many.
+/// Search for hypotheses.
 struct SearchOptions {
   BasisKind basis = BasisKind::kThreePoints;
   GradientLengths gradient_lengths = GradientLengths::kCommon;
@@ -247,7 +247,7 @@ struct AgglomerateOptions {
   }
 };
 
-/// When a surface is accepted, and how it is fitted.
+/// Acceptance of surfaces and their final fit.
 struct AggregateOptions {
   std::vector<Family> families = {
       Family::kPlane,      Family::kSphere,     Family::kCylinder,         Family::kCone,

@@ -11,7 +11,7 @@ namespace quadrille {
 
 struct SeenPatch;
 
-/// How surfaces are known again from cloud to cloud.
+/// Options for recognising surfaces from cloud to cloud.
 struct TrackOptions {
   bool enabled = true;
   double gate = 4.0;
@@ -50,13 +50,13 @@ struct TrackOptions {
   QUADRILLE_EXPORT void check() const;
 };
 
-/// Gives the detections of successive clouds ids that last: one surface, one id, through frames in
-/// which it was not found and whatever type it was given.
+/// Gives the detections of successive clouds lasting ids: a surface keeps its id through frames in
+/// which it was not found and through changes of its detected type.
 ///
-/// A track is the patch of surface that was last seen, with its velocity. The next detection is
-/// the one that the patch is carried onto by the most likely translation, with the least difference
-/// of shape and dimensions; all are assigned at once, those first that were just seen. What is
-/// assigned to none begins a track. The same detections give the same ids.
+/// A track is the patch of surface that was last seen, with its velocity. Its next detection is the
+/// one onto which the most likely translation carries the patch with the least difference of shape
+/// and dimensions. All detections are assigned jointly, first to the tracks that were seen in the
+/// last frame; a detection without a track begins one. The same detections give the same ids.
 class Tracker {
  public:
   /// @throws std::invalid_argument if an option is out of range
@@ -65,9 +65,9 @@ class Tracker {
   QUADRILLE_EXPORT Tracker(Tracker&&) noexcept;
   QUADRILLE_EXPORT Tracker& operator=(Tracker&&) noexcept;
 
-  /// Sets Detection::track of the detections of one cloud, 1, 2, … in order of appearance.
+  /// Sets Detection::track of the detections of one cloud to 1, 2, … in order of appearance.
   ///
-  /// If time runs backwards, a log has been started again: all is forgotten, and ids begin with 1.
+  /// If time runs backwards, a log has been restarted: all tracks are forgotten and ids begin at 1.
   /// @param utime  time of the cloud [us]; equal times are one moment
   /// @param X_WC   pose of the cloud's frame in a fixed frame W; the identity for a camera at rest
   QUADRILLE_EXPORT void update(std::int64_t utime, const Eigen::Isometry3d& X_WC,

@@ -9,12 +9,12 @@
 
 namespace quadrille {
 
-/// Why a cloud cannot have been seen from its viewpoint; empty if nothing speaks against that.
+/// Explains why a cloud cannot have been seen from its viewpoint; empty if nothing contradicts it.
 ///
-/// A sensor looks to one side, is not within what it sees, and does not see through surfaces. A
-/// cloud fused from several views shows what one view would hide, and is not blamed for that; but
-/// whatever the cloud, no plane may hide most of what lies about it.
-/// @param detections  what was found in the cloud, in its frame C; of these the planes count
+/// A sensor looks to one side, is not inside what it sees, and does not see through surfaces. A
+/// cloud fused from several views shows what one view would hide, and this is accepted; but in any
+/// cloud, no plane may hide most of what lies around it.
+/// @param detections  detections in the cloud, in its frame C; only planes are used
 /// @return one sentence: what is wrong, where, and what to do
 QUADRILLE_EXPORT std::string contradict_viewpoint(const CloudView& cloud,
                                                   const std::vector<Detection>& detections);

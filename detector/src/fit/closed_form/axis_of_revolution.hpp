@@ -7,17 +7,18 @@
 
 namespace quadrille {
 
-/// The line that all normal lines meet best, the axis of a surface of revolution.
+/// The line that meets all normal lines best: the axis of a surface of revolution.
 struct AxisOfRevolution {
   /// Unit direction, and the point nearest to the origin.
   Eigen::Vector3d direction, foot;
-  /// The least sum of squared moments, then those of the two other directions, ascending.
+  /// The least sum of squared moments, then those of the two other directions, in ascending order.
   Eigen::Vector3d misfits;
 };
 
-/// By the linear line complex (H. Pottmann, J. Wallner, "Computational line geometry", 2001).
-/// @param ridge  added to Σ n nᵀ in shares of its trace, so that an axis along which the points
-///               may be moved has its foot next to the origin; 0 for none
+/// Fits the axis by a linear line complex (H. Pottmann, J. Wallner, "Computational line geometry",
+/// 2001).
+/// @param ridge  added to Σ n nᵀ in shares of its trace, so that an axis along which the surface
+///   can slide has its foot next to the origin; 0 for none
 /// @return nullopt if the normals do not determine a finite line
 template <typename Scalar>
 std::optional<AxisOfRevolution> axis_of_revolution(const OrientedPoints<Scalar>& points,

@@ -16,7 +16,7 @@ std::optional<PosedQuadric> initial_cone(const OrientedPointsf& p) {
   const Eigen::Vector3d axis = eigen.eigenvectors().col(0);
   // The apex lies in each tangent plane: nᵢ·apex = nᵢ·xᵢ.
   const Eigen::Vector3d apex = N.ldlt().solve(sum_of_planes(p));
-  // Each unit normal has the same component along the axis, so their mean has it too.
+  // All unit normals have the same component along the axis, and so has their mean.
   const double sine = std::abs(n.dot(axis));
   if (!apex.allFinite() || apex.norm() > 1e3 || sine < 1e-3 || sine > 0.999) return std::nullopt;
   const double k2 = sine * sine / (1 - sine * sine);

@@ -7,9 +7,9 @@
 
 namespace quadrille {
 
-/// A circular cone of one nappe in closed form: axis at a constant angle to all normals, apex where
-/// all tangent planes meet.
-/// @return nullopt where the points do not determine the surface
+/// Fits a circular cone of one nappe in closed form: the axis is at a constant angle to all
+/// normals, and the apex lies in all tangent planes.
+/// @return nullopt if the points do not determine the surface
 std::optional<PosedQuadric> initial_cone(const OrientedPointsf& points);
 
 }  // namespace quadrille

@@ -9,7 +9,8 @@
 namespace quadrille {
 namespace {
 
-/// Circle of points projected along the axis: centre (on the plane through the origin) and radius.
+/// Fits a circle to the points projected along the axis: its centre in the plane through the
+/// origin, and its radius.
 std::optional<std::pair<Eigen::Vector3d, double>> circle_across(const OrientedPointsf& p,
                                                                 const Eigen::Vector3d& axis) {
   const Eigen::Matrix3d R = pose_along(Eigen::Vector3d::Zero(), axis).linear();

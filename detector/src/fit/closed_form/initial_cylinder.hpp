@@ -7,9 +7,9 @@
 
 namespace quadrille {
 
-/// A circular cylinder in closed form: axis across all normals (least eigenvector of Σ n nᵀ),
-/// circle by linear least squares.
-/// @return nullopt where the points do not determine the surface
+/// Fits a circular cylinder in closed form: the axis is orthogonal to all normals (least
+/// eigenvector of Σ n nᵀ), and the circle follows by linear least squares.
+/// @return nullopt if the points do not determine the surface
 std::optional<PosedQuadric> initial_cylinder(const OrientedPointsf& points);
 
 }  // namespace quadrille

@@ -6,7 +6,7 @@
 namespace quadrille {
 namespace {
 
-// Keeps the weight positive in spite of sums of single precision.
+// Keeps the weight positive definite despite sums in single precision.
 constexpr double kRidge = 1e-9;
 
 }  // namespace

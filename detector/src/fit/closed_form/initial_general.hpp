@@ -7,8 +7,8 @@
 
 namespace quadrille {
 
-/// Any quadric in closed form: Taubin's fit (taubin.hpp).
-/// @return nullopt where the points do not determine the surface
+/// Fits any quadric in closed form by Taubin's fit (taubin.hpp).
+/// @return nullopt if the points do not determine the surface
 std::optional<PosedQuadric> initial_general(const OrientedPointsf& points);
 
 }  // namespace quadrille

@@ -7,8 +7,8 @@
 
 namespace quadrille {
 
-/// A plane in closed form: centroid and direction of least spread.
-/// @return nullopt where the points do not determine the surface
+/// Fits a plane in closed form from the centroid and the direction of least spread.
+/// @return nullopt if the points do not determine the surface
 std::optional<PosedQuadric> initial_plane(const OrientedPointsf& points);
 
 }  // namespace quadrille

@@ -7,9 +7,10 @@
 
 namespace quadrille {
 
-/// A quadric of revolution in closed form: axis_of_revolution(), then the profile ρ² = α + β s + γ
-/// s² by linear least squares.
-/// @return nullopt where the points do not determine the surface
+/// Fits a quadric of revolution in closed form: axis_of_revolution(), then by linear least squares
+/// the profile
+///   ρ² = α + β s + γ s².
+/// @return nullopt if the points do not determine the surface
 std::optional<PosedQuadric> initial_revolution(const OrientedPointsf& points);
 
 }  // namespace quadrille

@@ -7,8 +7,8 @@
 
 namespace quadrille {
 
-/// A sphere in closed form: linear least squares of |x|² + 2 b·x + j = 0.
-/// @return nullopt where the points do not determine the surface
+/// Fits a sphere in closed form by linear least squares of |x|² + 2 b·x + j = 0.
+/// @return nullopt if the points do not determine the surface
 std::optional<PosedQuadric> initial_sphere(const OrientedPointsf& points);
 
 }  // namespace quadrille

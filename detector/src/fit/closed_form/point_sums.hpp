@@ -7,14 +7,14 @@
 
 namespace quadrille {
 
-/// The columns' products MᵀM, summed in the precision of the points.
+/// The products of columns MᵀM, summed in the precision of the points.
 template <typename Derived>
 auto products_of_columns(const Eigen::MatrixBase<Derived>& M) {
   constexpr int size = Derived::ColsAtCompileTime;
   return Eigen::Matrix<double, size, size>((M.transpose() * M).template cast<double>());
 }
 
-/// The x of least |A x − b| with M = [A b].
+/// The x that minimises |A x − b|, where M = [A b].
 template <typename Derived>
 auto least_squares(const Eigen::MatrixBase<Derived>& M) {
   constexpr int size = Derived::ColsAtCompileTime - 1;
@@ -32,14 +32,16 @@ Eigen::Matrix3d scatter_of(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic, Eigen:
 
 template <typename Scalar>
 Eigen::Vector3d mean_of(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic, Eigen::RowMajor>& rows) {
-  // Of a copy: the order of a sum would depend on where in memory a row begins.
+  // A copy is summed, since the order of a vectorised sum depends on where in memory the row
+  // begins.
   const auto mean = [&](Eigen::Index k) {
     return static_cast<double>(Eigen::Array<Scalar, Eigen::Dynamic, 1>(rows.row(k)).mean());
   };
   return {mean(0), mean(1), mean(2)};
 }
 
-/// Σ n (n·x): with Σ n nᵀ the normal equations of the point that all tangent planes share.
+/// Σ n (n·x). Together with Σ n nᵀ it gives the normal equations of the point common to all tangent
+/// planes.
 template <typename Scalar>
 Eigen::Vector3d sum_of_planes(const OrientedPoints<Scalar>& p) {
   using Array = Eigen::Array<Scalar, Eigen::Dynamic, 1>;

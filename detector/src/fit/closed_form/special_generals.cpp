@@ -6,7 +6,8 @@
 namespace quadrille {
 namespace {
 
-/// λ₁x² + λ₂y² + 2 b·x + j in the eigenvectors' frame, least eigenvalue last and left out.
+/// The form λ₁x² + λ₂y² + 2 b·x + j in the frame of the eigenvectors, without the least eigenvalue,
+/// whose axis is last.
 struct PrincipalFrame {
   Eigen::Matrix3d R;
   Eigen::Vector3d b;
@@ -34,7 +35,7 @@ PrincipalFrame principal_frame(const PosedQuadric& q) {
 
 std::optional<PosedQuadric> nearest_parabolic(const PosedQuadric& general) {
   const PrincipalFrame f = principal_frame(general);
-  // λ₁x² + λ₂y² + 2 b·x + j = 0 has its vertex where the first two derivatives and f vanish.
+  // The vertex of λ₁x² + λ₂y² + 2 b·x + j = 0 is where f and its first two derivatives vanish.
   Eigen::Vector3d vertex(-f.b.x() / f.l1, -f.b.y() / f.l2, 0.0);
   vertex.z() = -0.5 * (f.j + f.b.x() * vertex.x() + f.b.y() * vertex.y()) / f.b.z();
   if (!vertex.allFinite() || vertex.norm() > 1e3) return std::nullopt;

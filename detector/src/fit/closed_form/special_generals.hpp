@@ -6,12 +6,12 @@
 
 namespace quadrille {
 
-/// Starts for quadrics with two principal directions from one with three, whose least eigenvalue is
-/// set to zero. Each is nullopt where that leaves no such surface nearby.
+/// Starts for quadrics with two principal directions, made from a quadric with three by setting its
+/// least eigenvalue to zero. Each is nullopt if no such surface is nearby.
 
-/// About its vertex: λ₁x² + λ₂y² + 2z = 0.
+/// The paraboloid λ₁x² + λ₂y² + 2z = 0 in the frame of its vertex.
 std::optional<PosedQuadric> nearest_parabolic(const PosedQuadric& general);
-/// About its axis, and without a linear part along it: λ₁x² + λ₂y² - 1 = 0.
+/// The cylinder λ₁x² + λ₂y² - 1 = 0 in the frame of its axis, without a linear part along it.
 std::optional<PosedQuadric> nearest_cylindrical(const PosedQuadric& general);
 
 }  // namespace quadrille

@@ -8,7 +8,7 @@ std::optional<PosedQuadric> initial_paraboloid(const PosedQuadric& revolution) {
   PosedQuadric paraboloid = revolution;
   const double i = revolution.D(2, 3), j = revolution.D(3, 3);
   if (std::abs(i) < 1e-6) return std::nullopt;
-  // x² + y² + 2 i z + j = 0 has its vertex at z = -j / 2i.
+  // The vertex of x² + y² + 2 i z + j = 0 is at z = -j / 2i.
   paraboloid.D(2, 2) = paraboloid.D(3, 3) = 0.0;
   paraboloid.X = revolution.X * Eigen::Translation3d(0, 0, -0.5 * j / i);
   if (std::abs(0.5 * j / i) > 1e3) return std::nullopt;
@@ -16,7 +16,7 @@ std::optional<PosedQuadric> initial_paraboloid(const PosedQuadric& revolution) {
 }
 
 std::optional<PosedQuadric> tangent_cone(const PosedQuadric& revolution) {
-  // About z = 0, ρ² = −j − 2 i z − c z²: radius r, slope dρ/dz = −i / r.
+  // Near z = 0, ρ² = −j − 2 i z − c z² has radius r and slope dρ/dz = −i / r.
   const double i = revolution.D(2, 3), j = revolution.D(3, 3);
   if (!(j < 0) || std::abs(i) < 1e-9) return std::nullopt;
   const double r = std::sqrt(-j), slope = -i / r;

@@ -21,7 +21,7 @@ template Matrix10d scatter_of_values(const OrientedPointsf&);
 template Matrix10d scatter_of_values(const OrientedPointsd&);
 
 Matrix10d scatter_of_gradients(const Matrix10d& S) {
-  // ∇v of x² is (2x, 0, 0), of 2xy is (2y, 2x, 0), of 2x is (2, 0, 0).
+  // ∇v is (2x, 0, 0) for x², (2y, 2x, 0) for 2xy, and (2, 0, 0) for 2x.
   const double xx = S(0, 9), yy = S(1, 9), zz = S(2, 9);
   const double xy = 0.5 * S(3, 9), xz = 0.5 * S(4, 9), yz = 0.5 * S(5, 9);
   const double x = 0.5 * S(6, 9), y = 0.5 * S(7, 9), z = 0.5 * S(8, 9);
@@ -43,7 +43,7 @@ Matrix10d scatter_of_gradients(const Matrix10d& S) {
 
 std::optional<TaubinSolution> solve_taubin(const Matrix10d& S, double ridge) {
   using Matrix9d = Eigen::Matrix<double, 9, 9>;
-  // The weight is singular in the constant alone, which the scatter eliminates.
+  // The weight is singular only in the constant coefficient, which is eliminated from the scatter.
   const Matrix9d reduced =
       S.topLeftCorner<9, 9>() - S.topRightCorner<9, 1>() * S.bottomLeftCorner<1, 9>() / S(9, 9);
   Matrix9d weight = scatter_of_gradients(S).topLeftCorner<9, 9>();

@@ -10,14 +10,14 @@
 namespace quadrille {
 namespace {
 
-// The distance between the means of a cell's two sides, as a share of that between its extremes:
-// nearly 1 if the sides are two layers, a half if they are the ends of a slope.
+// Least distance between the mean depths of a cell's two sides, as a share of the distance between
+// its extremes. It is nearly 1 for two layers, and a half for the two ends of a slope.
 constexpr float kMinLayerGap = 0.75f;
-// Within an area of layers at least so many of a cell and its eight neighbours have layers. Along a
-// depth edge no more than six have.
+// A cell lies within an area of layers if at least this many of it and its eight neighbours have
+// layers. Along a depth edge no more than six have.
 constexpr int kMinLayeredAround = 8;
 
-/// Sums of tangents and inverse depth over points, and the extremes of the latter.
+/// Sums of tangents and inverse depth over points, and the extremes of the inverse depth.
 struct Sums {
   float n = 0, u = 0, v = 0, w = 0;
   float min_w = PinholeView::kMaxInverseDepth, max_w = 0;
@@ -34,7 +34,7 @@ struct Sums {
   }
 };
 
-/// The cells that points fall into, −1 for those that are not seen; none lies before the image's
+/// Finds the cells of points, −1 for unseen points. No point lies left of or above the image's
 /// corner.
 struct CellIndex {
   float u0, v0, step;
@@ -58,8 +58,8 @@ void find_cells(const CellIndex& index, const SeenPoints& t, int* cell) {
   }
 }
 
-/// Adds points to the sums of their cells. Consecutive ones mostly share a cell: their sums stay in
-/// registers.
+/// Adds points to the sums of their cells. Consecutive points mostly share a cell, so their sums
+/// stay in registers.
 void add_runs(const SeenPoints& t, const int* cell, std::vector<Sums>* sums) {
   for (int k = 0; k < SeenPoints::kSize;) {
     const int c = cell[k];
@@ -71,7 +71,8 @@ void add_runs(const SeenPoints& t, const int* cell, std::vector<Sums>* sums) {
   }
 }
 
-/// Sums of the points of each cell; of_point gets the cell of each point looked at, −1 if unseen.
+/// Sums up the points of each cell; of_point receives the cell of each point looked at, −1 if
+/// unseen.
 std::vector<Sums> sum_up(const CloudView& cloud, const PinholeView& view, const DepthCells& cells,
                          std::vector<int>* of_point) {
   constexpr std::size_t kSize = SeenPoints::kSize;
@@ -88,8 +89,9 @@ std::vector<Sums> sum_up(const CloudView& cloud, const PinholeView& view, const 
   return sums;
 }
 
-/// Of cells across a depth edge, keeps the side, near or far of the middle, that has more points.
-/// @return per cell, whether points stand in clearly different depths; empty if nowhere
+/// A cell across a depth edge keeps only the side, nearer or farther than its middle depth, with
+/// more points.
+/// @return per cell, whether its points lie in two clearly separate depths; empty if no cell's do
 std::vector<char> keep_larger_sides(const CloudView& cloud, const PinholeView& view,
                                     const std::vector<int>& of_point, const DepthCells& cells,
                                     std::vector<Sums>* sums) {
@@ -122,8 +124,8 @@ std::vector<char> keep_larger_sides(const CloudView& cloud, const PinholeView& v
   return layered;
 }
 
-/// Share of the filled cells that lie within areas of layers. Of a single view the cells across
-/// depth edges have layers, but these are lines.
+/// Share of the filled cells that lie within areas of layers. In a single view cells have layers
+/// only across depth edges, which are lines and not areas.
 double layered_share(const DepthCells& cells, const std::vector<char>& layered) {
   if (layered.empty()) return 0.0;
   int inside = 0, filled = 0;
@@ -142,8 +144,8 @@ double layered_share(const DepthCells& cells, const std::vector<char>& layered) 
   return filled ? static_cast<double>(inside) / filled : 0.0;
 }
 
-/// Two rows of finer cells, one above the other: their means, and their points, of which those not
-/// to be kept count as none.
+/// Two adjacent rows of finer cells, with the number of points in each cell; cells that are not
+/// kept count as empty.
 struct FineRows {
   std::array<std::vector<float>, 2> n;
   std::array<int, 2> first{};
@@ -151,7 +153,7 @@ struct FineRows {
   FineRows(const DepthCells& cells, const std::vector<char>& keep, int j) {
     for (int r = 0; r < 2; ++r) {
       n[r].assign(static_cast<std::size_t>(cells.width), 0.0f);
-      // Below the image is none.
+      // Rows below the image are empty.
       first[r] = std::min(2 * j + r, cells.height - 1) * cells.width;
       if (2 * j + r >= cells.height) continue;
       for (int i = 0; i < cells.width; ++i) {
@@ -162,7 +164,7 @@ struct FineRows {
   }
 };
 
-/// Joins cells two by two, and tells which of them span a depth edge.
+/// Joins cells two by two, and reports which joined cells span a depth edge.
 QUADRILLE_VECTOR_CLONES
 void join(const DepthCells& fine, const FineRows& rows, int n, int first, DepthCells* cells,
           char* torn) {
@@ -185,10 +187,11 @@ void join(const DepthCells& fine, const FineRows& rows, int n, int first, DepthC
   }
 }
 
-/// Joins the cells under coarse cell (i, j) that continue the middle one, by inverse depth.
+/// Joins only those cells under coarse cell (i, j) whose depth continues that of the middle one, in
+/// the order of inverse depth.
 void join_side_of_middle(const DepthCells& fine, const FineRows& rows, int i, int first,
                          DepthCells* cells) {
-  // In order of inverse depth: points and cell.
+  // Number of points and cell, sorted by inverse depth.
   std::array<std::pair<float, int>, 4> child{};
   int n = 0;
   for (int r = 0; r < 2; ++r) {

@@ -10,36 +10,38 @@
 
 namespace quadrille {
 
-/// An image in square cells of several pixels: mean tangents and mean inverse depth of the points
-/// in each cell. Inverse depth is affine in (u, v) on a plane, so averages keep planes.
+/// An image divided into square cells of several pixels, with the mean tangents and mean inverse
+/// depth of the points in each cell. Inverse depth is affine in (u, v) on a plane, so averages keep
+/// planes exact.
 struct DepthCells {
-  /// Of square pixels.
+  /// The image, which has square pixels.
   PinholeImage image;
-  /// Pixels per cell edge.
+  /// Edge of a cell [pixels].
   int pixels = 1;
   int width = 0, height = 0;
-  /// Per cell: number of points (0 is empty), mean u, v, and inverse depth w [1/m].
+  /// Per cell: number of points (0 if empty), mean tangents u and v, and mean inverse depth w
+  /// [1/m].
   std::vector<int> count;
   std::vector<float> u, v, w;
-  /// Share of the cells within areas of layers, where points stand in clearly different depths:
-  /// next to none in a single view, which has layers at depth edges only, but what one view hides
-  /// a cloud fused from several shows.
+  /// Share of the cells within areas of layers, where points lie in clearly different depths. A
+  /// single view has layers only along depth edges, so its share is near zero; a cloud fused from
+  /// several views also shows surfaces that one view would hide.
   double layered = 0.0;
 
   int size() const { return width * height; }
-  /// Step from pixel to pixel, as a tangent.
+  /// Step from one pixel to the next, as a tangent.
   float pitch() const { return image.pitch.x(); }
   /// Edge of a cell at inverse depth w [m].
   float metric(float w) const { return pitch() * static_cast<float>(pixels) / w; }
-  /// The cell that a point is part of, from its tangents and inverse depth; −1 if it lies outside
-  /// the image or on the other side of a depth edge.
+  /// The cell that contains a point, given its tangents and inverse depth; −1 if the point lies
+  /// outside the image or on the other side of a depth edge.
   int cell_of(const Eigen::Vector3f& uvw) const;
   /// Position of the mean of cell i in frame V [m].
   Eigen::Vector3f position_V(int i) const { return Eigen::Vector3f(u[i], v[i], 1.0f) / w[i]; }
 };
 
-/// Largest step in depth between neighbouring cells of one surface at inverse depth w [m]: that of
-/// a surface seen at 75°, and the noise, which grows as the square of the depth.
+/// Largest step in depth between neighbouring cells of one surface at inverse depth w [m]: the step
+/// of a surface seen at 75° plus the noise, which grows with the square of the depth.
 inline float continuous_step(const DepthCells& cells, float w) {
   constexpr float kSteepest = 3.7f, kNoisePerSquareMetre = 0.008f;
   return kSteepest * cells.metric(w) + kNoisePerSquareMetre / (w * w);
@@ -47,16 +49,17 @@ inline float continuous_step(const DepthCells& cells, float w) {
 
 /// True if neighbouring cells of the given inverse depths may belong to one surface.
 inline bool continuous(const DepthCells& cells, float w_a, float w_b) {
-  // |1/w_a - 1/w_b| against the step of the farther one.
+  // This compares |1/w_a - 1/w_b| with the step allowed at the farther cell.
   return std::abs(w_b - w_a) < continuous_step(cells, std::min(w_a, w_b)) * (w_a * w_b);
 }
 
-/// Averages the points over cells of the given number of pixels; a cell across a depth edge keeps
-/// the side with more points.
+/// Averages the points over cells of the given number of pixels. A cell across a depth edge keeps
+/// only the side with more points.
 DepthCells make_depth_cells(const CloudView& cloud, const PinholeView& view,
                             const PinholeImage& image, int pixels);
 
-/// Cells of twice the edge; a cell that would span a depth edge keeps the side with more points.
+/// Makes cells of twice the edge. A cell that would span a depth edge keeps only the side with more
+/// points.
 /// @param keep  per cell, zero to leave it out; empty means all
 DepthCells coarser(const DepthCells& fine, const std::vector<char>& keep);
 

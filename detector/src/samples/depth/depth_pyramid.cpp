@@ -10,20 +10,20 @@
 namespace quadrille {
 namespace {
 
-// Cells within areas of layers, as a share: with more of them a cloud is no single view. Depth
-// cameras show ten times less. Cells of fewer pixels have too few points to tell.
+// A cloud is not a single view if a larger share of its cells lies within areas of layers; depth
+// cameras show a tenth of this. Cells of fewer pixels hold too few points to tell.
 constexpr double kMaxLayered = 0.002;
 constexpr int kMinLayerPixels = 2;
-// Pixels per edge of a cell: of an image of 640 x 480 at least 20 x 15 cells remain.
+// Largest edge of a cell [pixels]: an image of 640 x 480 still has 20 x 15 cells.
 constexpr int kMaxCellPixels = 32;
-// Depth of the nearer points [m]: a sensor farther away does not see what we look for, so that the
-// viewpoint is not the sensor's.
+// If the nearer points are deeper than this [m], the viewpoint is not the sensor's: a sensor that
+// far away would not see the objects sought.
 constexpr float kMaxNearDepth = 50.0f;
-// Half windows of the regressions, in cells: small ones for planes, which are found before normals
-// have to be smooth.
+// Half windows of the regressions [cells]. The window for planes is small because they are found
+// before normals have to be smooth.
 constexpr int kPlaneReach = 1, kReach = 2;
-// Tenths of the points that are nearer than the depth at which the cells have their size, and
-// points to look at for it.
+// Cells have their nominal size at the depth that this many tenths of the points are nearer than;
+// it is estimated from this many points.
 constexpr std::size_t kNearTenths = 3, kDepths = 5000;
 
 std::vector<int> parents_of(const DepthCells& fine, const DepthCells& coarse) {
@@ -90,7 +90,7 @@ class DepthPyramid : public CellPyramid {
   std::array<std::vector<int>, kLevels - 1> parents_;
 };
 
-/// Depth that kNearTenths of the points are nearer than [m]; 1 m if too few are seen to tell.
+/// Depth that kNearTenths tenths of the points are nearer than [m]; 1 m if no point is seen.
 float near_depth(const CloudView& cloud, const PinholeView& view) {
   std::vector<float> w;
   const std::size_t stride = std::max<std::size_t>(1, view.seen / kDepths);
@@ -112,7 +112,8 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const CloudView& cloud,
   if (!view) return nullptr;
   std::optional<PinholeImage> image = find_image(cloud, *view);
   if (!image) return nullptr;
-  // The cells are a whole number of pixels; those of the camera part them finer than ours.
+  // A cell has a whole number of pixels. The camera's own pixels are finer than those of the
+  // thinned cloud and allow finer steps of the cell size.
   image->pitch /= static_cast<float>(options.stride);
   image->width *= options.stride;
   image->height *= options.stride;

@@ -12,10 +12,10 @@ struct WindowSums {
   float n = 0, s = 0, t = 0, ss = 0, st = 0, tt = 0, w = 0, sw = 0, tw = 0;
 };
 
-// Cells that a fit needs, one more than it has parameters.
+// Cells that a fit needs: one more than it has parameters.
 constexpr float kMinCells = 4.0f;
-// Of the spread of a window's cells in two directions, the product of the variances as a share of
-// that of equal ones: below it they lie nearly on a line.
+// Least determinant of the cells' scatter in a window, relative to that of a round scatter of the
+// same trace. Below it the cells lie nearly on a line.
 constexpr float kMinRoundness = 0.05f;
 
 /// Inverse depth as an affine function of the offsets from the middle cell: a + b s + c t.
@@ -23,7 +23,7 @@ struct AffineFit {
   float a, b, c;
 };
 
-/// Nullopt if the window holds no triangle.
+/// Solves the affine fit; nullopt if the window's cells are too few or nearly on a line.
 std::optional<AffineFit> solve(const WindowSums& m) {
   if (m.n < kMinCells) return std::nullopt;
   const float s = m.s / m.n, t = m.t / m.n, w = m.w / m.n;
@@ -39,7 +39,7 @@ std::optional<AffineFit> solve(const WindowSums& m) {
 }
 
 /// Sums over the cells around (i, j) that may belong to its surface.
-/// @param usable  per cell, zero for those to leave out
+/// @param usable  per cell, zero to leave it out
 WindowSums sum_window(const DepthCells& cells, const std::vector<char>& usable, int i, int j,
                       int reach) {
   const int c = j * cells.width + i;
@@ -63,7 +63,7 @@ WindowSums sum_window(const DepthCells& cells, const std::vector<char>& usable, 
 void add_sample(const DepthCells& cells, int c, const AffineFit& fit, const NoiseModel& noise,
                 const Eigen::Isometry3f& X_CV, SurfaceSamples* samples) {
   const float u0 = cells.u[c], v0 = cells.v[c], w0 = cells.w[c];
-  // On the plane n·x = d: 1/z = (n_x u + n_y v + n_z) / d.
+  // On the plane n·x = d the inverse depth is 1/z = (n_x u + n_y v + n_z) / d.
   const float w = w0 + fit.a;
   Eigen::Vector3f n(fit.b, fit.c, w - fit.b * u0 - fit.c * v0);
   n.normalize();
@@ -78,7 +78,7 @@ void add_sample(const DepthCells& cells, int c, const AffineFit& fit, const Nois
   samples->source.push_back(c);
 }
 
-/// Joins the samples of neighbouring cells that continue each other.
+/// Links the samples of neighbouring cells whose depths continue each other.
 /// @param sample_of  per cell, its sample; -1 for none
 void join_neighbours(const DepthCells& cells, const std::vector<int>& sample_of,
                      SurfaceSamples* samples) {

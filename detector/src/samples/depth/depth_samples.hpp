@@ -8,13 +8,13 @@
 
 namespace quadrille {
 
-/// Surface samples of a single view: in a window of (2 reach + 1)² cells around each cell, the
-/// inverse depth is fitted by an affine function of the tangents, w = a + b u + c v, which is
-/// exact on a plane and has the normal (b, c, a) in the view's frame.
-/// @param keep   per cell, zero to leave it out of everything; empty means all
-/// @param noise  for the samples' sigma
+/// Surface samples of a single view. In a window of (2 reach + 1)² cells around each cell, the
+/// inverse depth is fitted by an affine function of the tangents, w = a + b u + c v. This is exact
+/// on a plane, whose normal in the view's frame is (b, c, a).
+/// @param keep   per cell, zero to leave it out of all windows; empty means all
+/// @param noise  gives each sample's sigma
 /// @param X_CV   pose of the view's frame in frame C
-/// @param reach  half the window, in cells
+/// @param reach  half the window [cells]
 SurfaceSamples make_depth_samples(const DepthCells& cells, const std::vector<char>& keep,
                                   const NoiseModel& noise, const Eigen::Isometry3f& X_CV,
                                   int reach);

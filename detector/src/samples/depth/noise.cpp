@@ -12,26 +12,27 @@
 namespace quadrille {
 namespace {
 
-// No depth camera's noise is smaller [m]; less is rounding, or a generated cloud without noise.
+// No depth camera has less noise [m]; less is rounding, or a generated cloud without noise.
 constexpr float kMinSigma = 1e-4f;
-// Half the width of a patch in cells: fewer leave no residual, more only take time.
+// Bounds of a patch's half width [cells]: smaller patches leave no residual, larger ones only take
+// time.
 constexpr int kMinReach = 3, kMaxReach = 8;
-// Cells that the fit of a patch takes for its six parameters: of the level that it is fitted on and
-// of coarser ones, and of finer ones, whose own noise it hardly touches.
+// Cells that the six parameters of a patch's fit use up: on the level on which it is fitted and on
+// coarser ones; and on finer levels, whose own noise the fit hardly follows.
 constexpr double kLostCells = 6.0, kLostFineCells = 1.5;
-// Residuals that tell a growth.
+// Least number of residuals that determine a growth.
 constexpr std::size_t kMinResiduals = 8;
-// Bounds of the growth: of sensors that measure time of flight, and of those that triangulate, with
-// some room above their square.
+// Bounds of the growth: the exponent 1 of time-of-flight sensors, and somewhat more than the
+// exponent 2 of triangulating sensors.
 constexpr float kMinExponent = 1.0f, kMaxExponent = 2.5f;
-// Ratio of the depths of the two halves that tells a growth from chance.
+// Least ratio of the depths of the two halves at which a growth can be told from chance.
 constexpr float kMinDepthRatio = 1.2f;
-// Noise that white noise leaves on the coarsest level, as a share of the finest one's: a quarter,
-// and what little clutter adds to it.
+// Share of the finest level's white noise that remains on the coarsest level: a quarter, plus a
+// margin for clutter.
 constexpr double kWhiteShare = 0.35;
 
-/// Depth edges along each row up to each cell: of two cells of a row with the same number, and of
-/// all filled ones between, each continues the one before.
+/// Number of depth edges in each row before each cell. If two cells of a row have the same number,
+/// each filled cell between them continues the one before.
 std::vector<int> count_edges(const DepthCells& cells) {
   std::vector<int> edges(static_cast<std::size_t>(cells.size()), 0);
   for (int j = 0; j < cells.height; ++j) {
@@ -48,7 +49,7 @@ std::vector<int> count_edges(const DepthCells& cells) {
   return edges;
 }
 
-/// w / w₀ − 1 as a quadratic in the offsets (s, t) from the centre, scaled to the patch.
+/// A quadratic for w / w₀ − 1 in the offsets (s, t) from the centre, scaled to the patch.
 struct Patch {
   float u0, v0, w0, scale;
   std::array<float, 6> a;
@@ -56,7 +57,7 @@ struct Patch {
 
 constexpr int kLanes = 8;
 
-/// Offsets and relative heights of consecutive cells over a patch; all 0 where there is none.
+/// Offsets and relative heights of consecutive cells over a patch; all 0 for empty cells.
 struct Heights {
   std::array<float, kLanes> one, s, t, h;
 
@@ -72,8 +73,8 @@ struct Heights {
   }
 };
 
-/// Lane by lane, the sums that the least squares fit of a quadratic needs: of the monomials
-/// s^p t^q up to degree four, and of h times those up to degree two.
+/// Sums for the least-squares fit of a quadratic, in separate vector lanes: the monomials s^p t^q
+/// up to degree four, and h times those up to degree two.
 struct PatchSums {
   std::array<std::array<float, kLanes>, 15> moment{};
   std::array<std::array<float, kLanes>, 6> height{};
@@ -100,7 +101,7 @@ void add(const Heights& c, PatchSums* sums) {
 }
 
 HeightFit PatchSums::fit() const {
-  // The number of the moment for each pair of the monomials 1, s, t, s², s t, t².
+  // Index of the moment for each pair of the monomials 1, s, t, s², s t, t².
   constexpr int kMoment[6][6] = {{0, 1, 2, 3, 4, 5},    {1, 3, 4, 6, 7, 8},
                                  {2, 4, 5, 7, 8, 9},    {3, 6, 7, 10, 11, 12},
                                  {4, 7, 8, 11, 12, 13}, {5, 8, 9, 12, 13, 14}};
@@ -135,7 +136,7 @@ void add(const Heights& c, const Patch& patch, Residuals* sums) {
   sums->n += static_cast<int>(n);
 }
 
-/// Calls visit(first, n) for the rows, every so many-th one, of a disc of cells about (i, j).
+/// Calls visit(first, n) for every stride-th row of a disc of cells around (i, j).
 template <class Visitor>
 void visit_disc(const DepthCells& cells, int i, int j, int reach, int stride, Visitor&& visit) {
   for (int y = std::max(0, j - reach); y <= std::min(cells.height - 1, j + reach); y += stride) {
@@ -171,13 +172,14 @@ std::optional<Patch> fit_patch(const DepthCells& cells, const std::vector<int>& 
   return patch;
 }
 
-/// Root mean square residual in depth of the level's cells over the patch; negative if none.
+/// Root mean square residual in depth of the level's cells over the patch [m]; negative if they are
+/// too few.
 float patch_residual(const DepthCells& cells, const Patch& patch, double lost) {
   const float step = cells.pitch() * static_cast<float>(cells.pixels);
   const int i = static_cast<int>((patch.u0 - cells.image.corner.x()) / step);
   const int j = static_cast<int>((patch.v0 - cells.image.corner.y()) / step);
   const int reach = std::max(1, static_cast<int>(1.0f / (patch.scale * step)));
-  // Of a fine level's many cells those of every second row tell as much.
+  // On a fine level with many cells, every second row suffices.
   const int stride = reach > kMaxReach ? 2 : 1;
   Residuals sums;
   visit_disc(cells, i, j, reach, stride, [&](int first, int n) {
@@ -194,7 +196,8 @@ float quantile_of(std::vector<float>& values, double quantile) {
   return *at;
 }
 
-/// The quantile at the near and at the far half gives the growth, held within what sensors show.
+/// Determines the growth from the quantiles of the residuals in the near and in the far half,
+/// within the limits known from sensors.
 NoiseModel fit_growth(std::vector<std::pair<float, float>> depth_residual, double quantile) {
   NoiseModel model;
   if (depth_residual.size() < kMinResiduals) return model;

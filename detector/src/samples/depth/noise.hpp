@@ -8,8 +8,8 @@
 
 namespace quadrille {
 
-/// Noise of cell means about the true surface, as it grows with depth:
-/// sigma(z) = factor · z^exponent [m].
+/// Noise of cell means around the true surface, which grows with depth: sigma(z) = factor ·
+/// z^exponent [m].
 struct NoiseModel {
   double factor = 0.001;
   double exponent = 2.0;
@@ -17,16 +17,16 @@ struct NoiseModel {
   float sigma(float z) const;
 };
 
-/// Measures the noise of cell means at each level of a pyramid of cells, as the residual of
-/// quadratic patches, w = quadratic in (u, v), that are fitted on the second level.
-/// @param levels  finest first, each of twice the cell edge of the one before
+/// Measures the noise of cell means at each level of a pyramid, as the residual of quadratic
+/// patches (w is a quadratic in (u, v)) that are fitted on the second level.
+/// @param levels  finest first, each with twice the cell edge of the one before
 /// @return one model per level
 std::vector<NoiseModel> measure_noise(std::span<const DepthCells> levels,
                                       const NoiseOptions& options);
 
-/// Share of a finest cell's noise that its neighbourhood has in common, 0 to 1, from the noise of
-/// the finest and of the coarsest level. White noise falls by half from level to level, so that
-/// next to nothing is left; the waves of a real sensor stay, and bend whole surfaces.
+/// Share of a finest cell's noise, 0 to 1, that its neighbourhood has in common, from the noise of
+/// the finest and of the coarsest level. White noise halves from level to level, so that almost
+/// none remains; the waves of a real sensor remain, and bend whole surfaces.
 double common_share(double finest_sigma, double coarsest_sigma);
 
 }  // namespace quadrille

@@ -10,11 +10,11 @@
 namespace quadrille {
 namespace {
 
-// Coordinates of bricks take 19 bits.
+// Coordinates of bricks have 19 bits.
 constexpr float kMaxBrick = 1 << 19;
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// Voxels are looked at in runs of this many, side by side whatever the width of the vectors.
+// Voxels are processed in runs of this many, whatever the width of the vectors.
 constexpr int kLanes = 8;
 using Lanes __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = float;
 using Masks __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = int;
@@ -22,13 +22,13 @@ using Halves __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = l
 
 struct alignas(32) Ball {
   float px, py, pz;
-  /// Squared radii of the ball and of what is near.
+  /// Squared radius of the ball, and squared radius within which voxels count as near.
   float square, near;
   /// Sums of 1, x, y, z, xx, yy, zz, xy, yz and zx.
   float sum[10];
 };
 
-/// Eight numbers that begin anywhere.
+/// Eight floats at any alignment.
 using Loose __attribute__((vector_size(kLanes * sizeof(float)), aligned(4), may_alias)) = float;
 
 inline __attribute__((always_inline)) void clear_outside(const Masks& in, Lanes& values) {
@@ -39,8 +39,8 @@ inline __attribute__((always_inline)) float total(const Lanes& s) {
   return (s[0] + s[4]) + (s[1] + s[5]) + ((s[2] + s[6]) + (s[3] + s[7]));
 }
 
-/// Sums over the ball, squared distances of all, the starts of the runs with near ones, and their
-/// bits.
+/// Computes the sums over the ball, the squared distances of all voxels, the starts of the runs
+/// that contain near voxels, and bit masks of these.
 /// @return number of such runs
 QUADRILLE_VECTOR_CLONES
 int sum_ball(const float* x, const float* y, const float* z, int size, Ball* ball, float* distance,
@@ -73,12 +73,12 @@ int sum_ball(const float* x, const float* y, const float* z, int size, Ball* bal
   return runs;
 }
 
-/// One or zero, without a branch.
+/// One or zero, computed without a branch.
 inline std::size_t is_between(float x, float low, float high) {
   return std::size_t{x >= low} & std::size_t{x <= high};
 }
 
-/// For each number how many are smaller.
+/// For each value, counts the values that are smaller.
 QUADRILLE_VECTOR_CLONES
 void rank_all(const float* values, int size, int* rank) {
   for (int k = 0; k < size; k += kLanes) {
@@ -115,7 +115,7 @@ void VoxelFinder::find_bricks(int x, int y, int z) {
   }
 }
 
-/// Of a wide ball, looking at each brick there is costs less than at each place for one.
+/// For a wide ball, testing every existing brick is cheaper than looking up each possible one.
 void VoxelFinder::find_among_all(int x, int y, int z) {
   const auto is_near = [&](std::uint64_t key, int shift, int centre) {
     return std::abs(static_cast<int>(key >> shift & 0x1fffff) - centre) <= reach_;
@@ -143,7 +143,7 @@ void VoxelFinder::gather_around(const Eigen::Vector3f& p) {
   for (std::vector<float>* axis : {&x_, &y_, &z_}) axis->resize(max_size);
   const Eigen::AlignedBox3f box = grid_.box_of_brick(x, y, z, radius_);
   const Eigen::Vector3f low = box.min(), high = box.max();
-  // Each voxel is written and stays if it counts, without a branch.
+  // Each voxel is written, and kept by advancing n only if it counts, without a branch.
   std::size_t n = 0;
   for (const VoxelGrid::Brick* brick : bricks_) {
     for (int v = brick->first; v < brick->first + brick->size; ++v) {
@@ -178,6 +178,7 @@ const std::vector<int>& VoxelFinder::within(const Eigen::Vector3f& p) {
   return within_;
 }
 
+/// Collects the near voxels of the runs.
 /// @return their number
 int VoxelFinder::collect_near(int runs) {
   const std::size_t room = static_cast<std::size_t>(runs + 1) * kLanes;
@@ -203,7 +204,7 @@ PlaneMoments VoxelFinder::moments(const Eigen::Vector3f& p, float reach, int max
                             distance_.data(), run_.data(), bits_.data());
   const int near = collect_near(runs);
   rank_all(near_distance_.data(), near, rank_.data());
-  // Equally near ones share a rank: of the last rank there may be more than there is room for.
+  // Equally near voxels share a rank, so there may be more of the last rank than there is room for.
   int last = -1, nearer = 0;
   for (int k = 0; k < near; ++k) {
     if (rank_[k] < max_count) last = std::max(last, rank_[k]);

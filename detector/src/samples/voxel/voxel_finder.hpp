@@ -11,21 +11,21 @@
 namespace quadrille {
 
 /// Finds the voxels around one point after another. The bricks around are gathered once for all
-/// points of a brick, so that going from voxel to voxel in their order is fast.
+/// points in a brick, so that going through the voxels in their order is fast.
 class VoxelFinder {
  public:
-  /// @param radius  of all balls [m]
+  /// @param radius  radius of all balls [m]
   /// @param keep    per voxel, zero to leave it out; empty means all
   VoxelFinder(const VoxelGrid& grid, float radius, std::span<const char> keep = {});
 
-  /// The voxels whose means lie within the radius of p, in an order that depends on the grid and
-  /// the brick of p alone.
+  /// Returns the voxels whose means lie within the radius of p. Their order depends only on the
+  /// grid and on the brick of p.
   const std::vector<int>& within(const Eigen::Vector3f& p);
 
-  /// Sums over the offsets from p of the voxels' means within the radius.
-  /// @param reach      radius of what is near [m]
-  /// @param max_count  voxels to find there at most
-  /// @param nearest    gets the voxels nearest to p, also the one whose mean p is
+  /// Sums over the offsets from p of those voxels' means that lie within the radius.
+  /// @param reach      radius within which voxels count as near [m]
+  /// @param max_count  largest number of near voxels to find
+  /// @param nearest    receives the voxels nearest to p, including the one whose mean is p
   PlaneMoments moments(const Eigen::Vector3f& p, float reach, int max_count,
                        std::vector<int>* nearest);
 
@@ -41,14 +41,15 @@ class VoxelFinder {
   int reach_;
   std::uint64_t home_;
   std::vector<const VoxelGrid::Brick*> bricks_;
-  /// The voxels of the bricks around the brick `home_`, filled up with some infinitely far.
+  /// The voxels of the bricks around the brick `home_`, padded with infinitely distant ones.
   std::vector<int> voxel_;
   std::vector<float> x_, y_, z_;
-  /// Squared distances of these; where runs of them start some of which are near, and which.
+  /// Squared distances of these voxels; starts of the runs that contain near voxels; and bit masks
+  /// of the near voxels in them.
   std::vector<float> distance_;
   std::vector<int> run_;
   std::vector<unsigned> bits_;
-  /// The near ones: squared distances, voxels, and how many are nearer.
+  /// The near voxels: squared distances, indices, and number of nearer ones.
   std::vector<float> near_distance_;
   std::vector<int> near_voxel_, rank_;
   std::vector<int> within_;

@@ -7,18 +7,18 @@
 namespace quadrille {
 namespace {
 
-// Slots of the hash table to begin with, a power of two; they double as bricks come.
+// Initial number of slots of the hash table, a power of two; it doubles as bricks are added.
 constexpr std::size_t kInitialSlots = 64;
 
-// Share of a voxel by which rounding may put a point on the other side of a face.
+// Share of a voxel by which rounding may move a point across a face.
 constexpr double kRoundingShare = 0.01;
 
-/// Quicker than asking each number alone: x − x is zero unless x is infinite or none.
+/// Faster than testing each coordinate: x − x is zero unless x is infinite or NaN.
 bool is_finite(const Eigen::Vector3f& p) {
   return (p.x() - p.x()) + (p.y() - p.y()) + (p.z() - p.z()) == 0.0f;
 }
 
-/// As std::popcount, which without an instruction of the machine is a call.
+/// Like std::popcount, which is a function call on machines without such an instruction.
 int count_bits(std::uint64_t bits) {
   bits -= bits >> 1 & 0x5555555555555555;
   bits = (bits & 0x3333333333333333) + (bits >> 2 & 0x3333333333333333);
@@ -26,7 +26,7 @@ int count_bits(std::uint64_t bits) {
   return static_cast<int>(bits * 0x0101010101010101 >> 56);
 }
 
-/// The lowest 21 bits with two zeros after each.
+/// Spreads the lowest 21 bits, with two zeros after each.
 std::uint64_t spread_bits(std::uint64_t x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffff;
@@ -36,7 +36,8 @@ std::uint64_t spread_bits(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249;
 }
 
-/// Place of a brick on a curve on which those near each other in space are near (Morton's).
+/// Position of a brick on the Morton curve, along which neighbours in space are mostly near each
+/// other.
 std::uint64_t curve_of(std::uint64_t key) {
   return spread_bits(key) | spread_bits(key >> 21) << 1 | spread_bits(key >> 42) << 2;
 }
@@ -112,7 +113,7 @@ int VoxelGrid::number_voxels() {
 VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const int> weight,
                      float edge, std::vector<int>* of_point)
     : edge_(edge), inverse_(1.0 / static_cast<double>(edge)), slots_(kInitialSlots, -1) {
-  // Per point its brick, then its voxel.
+  // For each point its brick, and later its voxel.
   std::vector<int> place(points.size(), -1);
   std::vector<unsigned char> bit(points.size());
   std::uint64_t last_key = kNoKey;
@@ -130,7 +131,7 @@ VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const in
     bricks_[last].filled |= std::uint64_t{1} << bit[k];
   }
   const int size = number_voxels();
-  // In double precision: a cloud may lie far from the origin.
+  // Sums are in double precision, since a cloud may lie far from the origin.
   std::vector<Eigen::Vector3d> sum(static_cast<std::size_t>(size), Eigen::Vector3d::Zero());
   count_.assign(sum.size(), 0);
   for (std::size_t k = 0; k < points.size(); ++k) {

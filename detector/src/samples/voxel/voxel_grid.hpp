@@ -9,26 +9,26 @@
 namespace quadrille {
 
 /// Sparse grid of cubic voxels with the mean of the points in each. Bricks of 4 x 4 x 4 voxels lie
-/// in a hash table; a word of 64 bits says which voxels of a brick hold points, and the bits before
-/// a voxel's own count its place among them. The voxels of a brick follow each other,
-/// and bricks that are near in space mostly are near in memory.
+/// in a hash table. A 64-bit word marks the voxels of a brick that hold points, and the number of
+/// bits before a voxel's own is its position among them. The voxels of a brick are consecutive, and
+/// bricks that are near in space mostly are near in memory.
 class VoxelGrid {
  public:
-  /// The voxels that the points fall into; points that are not finite are left out.
-  /// @param weight    points that each one stands for, positive; empty for one each
-  /// @param edge      of a voxel [m], positive. Beyond a million voxels from the origin
-  ///                  points share the outermost ones
-  /// @param of_point  if given, gets the voxel of each point; -1 if not finite
+  /// Makes the voxels that contain the points; points that are not finite are left out.
+  /// @param weight    positive number of points that each one stands for; empty for one each
+  /// @param edge      edge of a voxel [m], positive. Points more than a million voxels from the
+  ///   origin share the outermost voxels
+  /// @param of_point  if given, receives the voxel of each point; -1 if not finite
   VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const int> weight, float edge,
             std::vector<int>* of_point = nullptr);
 
   int size() const { return static_cast<int>(mean_.size()); }
   float edge() const { return edge_; }
-  /// Per voxel, the mean of its points [m].
+  /// Mean of the points in each voxel [m].
   const std::vector<Eigen::Vector3f>& mean() const { return mean_; }
-  /// Per voxel, how many they are.
+  /// Number of points in each voxel.
   const std::vector<int>& count() const { return count_; }
-  /// The voxel that holds a point [m]; −1 if none of the grid's does.
+  /// The voxel that contains a point [m]; −1 if it is not in the grid.
   int voxel_of(const Eigen::Vector3f& point) const;
 
  private:
@@ -36,23 +36,23 @@ class VoxelGrid {
 
   struct Brick {
     std::uint64_t key = 0, filled = 0;
-    /// Its voxels: first … first + size - 1.
+    /// The voxels of the brick are first … first + size - 1.
     int first = 0, size = 0;
 
-    /// The voxel of one of its bits, which must be filled.
+    /// The voxel of one of the brick's bits, which must be set.
     int voxel(int bit) const;
   };
-  /// The brick that a point falls into, and the bit of its voxel.
+  /// The brick of a point, and the bit of its voxel.
   struct Place {
     std::uint64_t key;
     int bit;
   };
 
   static constexpr std::uint64_t kNoKey = ~std::uint64_t{0};
-  // Coordinates take 21 bits.
+  // Coordinates have 21 bits.
   static constexpr double kMaxCoordinate = (1 << 20) - 1;
 
-  /// Index of a voxel along an axis, shifted to be positive; far ones share the outermost.
+  /// Index of a voxel along an axis, shifted to be positive; distant points share the outermost.
   std::uint32_t coordinate(float x) const {
     const double c = static_cast<double>(x) * inverse_;
     return static_cast<std::uint32_t>(std::clamp(c, -kMaxCoordinate, kMaxCoordinate) +
@@ -68,19 +68,19 @@ class VoxelGrid {
   static std::uint64_t key_of(std::uint32_t bx, std::uint32_t by, std::uint32_t bz) {
     return bx | static_cast<std::uint64_t>(by) << 21 | static_cast<std::uint64_t>(bz) << 42;
   }
-  /// Null if no point lies in it.
+  /// Returns the brick with this key; null if no point lies in it.
   const Brick* find(std::uint64_t key) const;
-  /// Where points may lie that are no farther than the margin [m] from a brick.
+  /// Box that contains all points that lie no farther than the margin [m] from a brick.
   Eigen::AlignedBox3f box_of_brick(int bx, int by, int bz, float margin) const;
   int find_or_add(std::uint64_t key);
   void rehash(std::size_t slots);
-  /// Numbers the voxels along a curve, whatever the order of the points. Returns their number.
+  /// Numbers the voxels along a curve, whatever the order of the points, and returns their count.
   int number_voxels();
 
   float edge_;
   double inverse_;
   std::vector<Brick> bricks_;
-  /// Open addressing: indices of bricks, -1 for none.
+  /// Indices of bricks in a hash table with open addressing; -1 for empty slots.
   std::vector<int> slots_;
   std::vector<Eigen::Vector3f> mean_;
   std::vector<int> count_;

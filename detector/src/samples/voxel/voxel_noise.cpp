@@ -13,14 +13,16 @@
 namespace quadrille {
 namespace {
 
-// No sensor's means are better [m], and those of depth cameras are about this good.
+// Least noise of a sensor's means [m], and the noise assumed if it cannot be measured, which is
+// typical of depth cameras.
 constexpr float kMinSigma = 1e-4f, kDefaultSigma = 1e-3f;
-// Fewer patches have no quantile, and fewer points leave little of a residual to six coefficients.
+// Fewer patches have no meaningful quantile, and fewer points leave hardly a residual to six
+// coefficients.
 constexpr std::size_t kMinPatches = 8, kMinPatchPoints = 18;
-// A patch is at least so many voxels wide to each side, to hold that many.
+// Least radius of a patch in voxels, so that it holds that many points.
 constexpr float kMinRadiusVoxels = 3.0f;
 
-/// Residual of a quadratic height over the plane of the points; negative if they are few.
+/// Residual of a quadratic height over the plane of the points [m]; negative if there are too few.
 /// @param points  relative to a point near them [m]
 float quadratic_residual(const std::vector<Eigen::Vector3f>& points, float radius) {
   PlaneMoments sums;

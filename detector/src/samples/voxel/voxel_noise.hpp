@@ -5,8 +5,8 @@
 
 namespace quadrille {
 
-/// Noise of the voxels' means [m], as the residual of quadratic heights over planes: a quantile
-/// over patches spread over the grid. A millimetre if there are too few patches to tell.
+/// Noise of the voxels' means [m], as a quantile of the residuals of quadratic heights over planes,
+/// in patches spread over the grid. It is a millimetre if there are too few patches.
 float measure_voxel_noise(const VoxelGrid& grid, const NoiseOptions& options);
 
 }  // namespace quadrille

@@ -10,10 +10,10 @@
 namespace quadrille {
 namespace {
 
-// Radii of the windows of normals, in voxels: a window of the two nearest voxels to each side
-// averages the noise, and the smaller one for planes keeps clear of edges.
+// Radii of the windows for normals in voxels. A window that reaches the two nearest voxels on each
+// side averages the noise; the smaller one for planes avoids edges.
 constexpr float kNormalReach = 2.6f, kPlaneReach = 1.9f;
-// Points of a cloud at least: of fewer no surface has samples enough.
+// Least number of points of a cloud; with fewer, no surface has enough samples.
 constexpr std::ptrdiff_t kMinPoints = 50;
 
 class VoxelPyramid : public CellPyramid {
@@ -35,7 +35,7 @@ class VoxelPyramid : public CellPyramid {
   Eigen::Vector3f mean(int cell) const override { return grids_[0].mean()[cell]; }
   float sigma(int) const override { return sigma_[0]; }
   int cell_of(const Eigen::Vector3f& point) const override { return grids_[0].voxel_of(point); }
-  /// True if the noise that averaging does not remove outweighs the finest voxels.
+  /// True if the noise that averaging does not remove is large compared with the finest voxels.
   bool is_noisy(double noisiest_cell) const {
     return sigma_.back() > static_cast<float>(noisiest_cell) * grids_[0].edge();
   }
@@ -48,7 +48,7 @@ class VoxelPyramid : public CellPyramid {
   std::vector<SurfaceSamples> samples(const std::vector<char>& keep, int threads) const override {
     std::vector<std::vector<char>> kept = {keep};
     for (int l = 1; l < kLevels; ++l) {
-      // A coarse voxel stays where most of its points do.
+      // A coarse voxel is kept if most of its points are.
       std::vector<int> balance(static_cast<std::size_t>(grids_[l].size()), 0);
       for (std::size_t v = 0; v < kept[l - 1].size(); ++v) {
         const int n = grids_[l - 1].count()[v];
@@ -67,10 +67,10 @@ class VoxelPyramid : public CellPyramid {
 
  private:
   Eigen::Vector3f eye_;
-  /// Per level, the finest first.
+  /// One element per level, the finest first.
   std::vector<VoxelGrid> grids_;
   std::vector<float> sigma_;
-  /// Per level but the last, the coarser voxel of each voxel.
+  /// Per level except the last, the coarser voxel of each voxel.
   std::vector<std::vector<int>> parents_;
 };
 

@@ -12,10 +12,10 @@
 namespace quadrille {
 namespace {
 
-// As many as a cell of a depth grid has.
+// Number of neighbours of a sample, the same as in a depth grid.
 constexpr int kNeighbours = 8;
-// Radius within which voxels are neighbours, in voxels: all that touch it by a face, an edge or a
-// corner, whose means lie as far apart as their middles.
+// Radius in voxels within which voxels are neighbours. It includes all that touch by a face, an
+// edge or a corner, if their means are as far apart as their middles.
 constexpr float kNeighbourReach = 1.9f;
 
 SurfaceSamples room_for(std::ptrdiff_t count) {
@@ -29,7 +29,8 @@ SurfaceSamples room_for(std::ptrdiff_t count) {
   return samples;
 }
 
-/// Turns neighbours from voxels into samples; voxels without a normal are nobody's neighbours.
+/// Converts neighbours from voxels to samples. Voxels without a normal have no sample and are
+/// dropped.
 void name_samples(const std::vector<int>& sample_of, SurfaceSamples* samples) {
   std::vector<int>& neighbours = samples->neighbours;
   int begin = 0, kept = 0;
@@ -55,7 +56,7 @@ SurfaceSamples make_voxel_samples(const VoxelGrid& grid, const std::vector<char>
   std::vector<int> sample_of(static_cast<std::size_t>(grid.size()), -1);
   std::vector<int> nearest;
   VoxelFinder finder(grid, reach * edge, keep);
-  // Voxels at first, as long as not all samples are known.
+  // These are voxels at first, until all samples are known.
   std::vector<int>& neighbours = samples.neighbours;
   for (int v = 0; v < grid.size(); ++v) {
     if (!keep[v]) continue;

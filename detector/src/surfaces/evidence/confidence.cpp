@@ -9,9 +9,9 @@
 namespace quadrille {
 namespace {
 
-// A remainder, or intruders, well below this are none.
+// Added before the logarithm: a remainder or intruders well below this count as none.
 constexpr double kNone = 0.05;
-// A logarithm of less than this share of anything tells nothing.
+// Lower limit of arguments of logarithms, below which differences carry no information.
 constexpr double kLeast = 1e-3;
 
 double log_of(double x) { return std::log(std::max(kLeast, x)); }

@@ -7,17 +7,17 @@
 
 namespace quadrille {
 
-/// Which model weighs a surface.
+/// Selects the model that weighs a surface.
 enum class SurfaceKind { kCurved, kFlat };
 
-/// The evidence as the models weigh it, in the order of kConfidenceTerms.
+/// Returns the evidence as inputs of the models, in the order of kConfidenceTerms.
 /// @param dof        degrees of freedom of the quadric's family
-/// @param log_prior  of its type; see log_prior()
+/// @param log_prior  log_prior() of the quadric's type
 std::array<double, kConfidenceTerms.size()> confidence_terms(const Evidence& evidence, int dof,
                                                              double log_prior);
 
-/// Probability that a quadric with these terms is a real surface of its own, 0 to 1: a logistic
-/// model whose log odds are quadratic in the terms, trained on scenes of which all is known.
+/// Probability, 0 to 1, that a quadric with these terms is a real and separate surface: a logistic
+/// model whose log odds are quadratic in the terms, trained on scenes with known truth.
 double confidence(const std::array<double, kConfidenceTerms.size()>& terms, SurfaceKind kind);
 
 }  // namespace quadrille

@@ -6,9 +6,9 @@
 
 namespace quadrille {
 
-/// One term of the evidence as the models of the confidence take it.
+/// One term of the evidence as an input of the confidence models.
 struct ConfidenceTerm {
-  /// As confidence_terms() gives it.
+  /// Name of the term; confidence_terms() returns the terms in this order.
   std::string_view name;
   std::string_view unit, meaning;
 };
@@ -40,14 +40,14 @@ inline constexpr auto kConfidenceTerms = std::to_array<ConfidenceTerm>({
     {"log_prior", "ln of odds", "few objects have this type"},
 });
 
-/// How a term is made comparable with others: held within the range that the training showed, less
-/// the mean, over the deviation.
+/// Scaling of a term: it is clamped to the range seen in training, reduced by the mean and divided
+/// by the standard deviation.
 struct TermScale {
   double min, max, mean, deviation;
 };
 
-/// Log odds of a surface: Σ_{i ≤ j} form_ij z_i z_j over z_0 = 1 and the scaled terms z_1, z_2, …;
-/// the form row by row.
+/// A model of the log odds of a surface: Σ_{i ≤ j} form_ij z_i z_j, where z_0 = 1 and z_1, z_2, …
+/// are the scaled terms. The form is stored row by row.
 struct ConfidenceModel {
   static constexpr std::size_t kSize = kConfidenceTerms.size();
   std::array<TermScale, kSize> scales;

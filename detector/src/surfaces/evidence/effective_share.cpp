@@ -10,7 +10,8 @@
 namespace quadrille {
 namespace {
 
-// Residuals that hang together wholly, as those of a wrong quadric do, leave this much uncertain.
+// Upper limit of the correlation, so that fully correlated residuals, such as those of a wrong
+// quadric, still leave some information.
 constexpr double kMaxCorrelation = 0.98;
 
 }  // namespace

@@ -7,9 +7,9 @@
 
 namespace quadrille {
 
-/// Independent measurements per sample, 0 to 1, from the correlation ρ of the residuals of
-/// neighbours: ((1 − ρ) / (1 + ρ))², as for noise that decays exponentially along two axes. The
-/// noise of depth sensors comes in waves, and many samples know less than they seem to.
+/// Independent measurements per sample, 0 to 1, from the correlation ρ of neighbouring residuals:
+/// ((1 − ρ) / (1 + ρ))², as for noise whose correlation decays exponentially along two axes. The
+/// noise of depth sensors comes in waves, so many samples carry less information than they seem to.
 double effective_share(const SurfaceSamples& samples, std::span<const int> region,
                        const Quadric& Q);
 

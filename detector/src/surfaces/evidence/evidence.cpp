@@ -15,15 +15,16 @@
 namespace quadrille {
 namespace {
 
-// Neighbours of a sample that has them on all sides.
+// Number of neighbours of a sample that has them on all sides.
 constexpr int kAllNeighbours = 8;
-// Added to sums of squared distances [m²], so that exact fits leave a ratio of them.
+// Added to sums of squared distances [m²], so that their ratio exists even for exact fits.
 constexpr double kMinSquare = 1e-12;
 
-/// The neighbour of j that lies farthest on in the direction of a step to it; -1 if none does.
+/// The neighbour of j farthest in the direction of a step that leads to j; -1 if none lies that
+/// way.
 int next_along(const SurfaceSamples& samples, int j, const Eigen::Vector3f& step) {
   int next = -1;
-  // At least half a step.
+  // The neighbour must be at least half a step farther.
   float max_along = 0.5f * step.squaredNorm();
   for (const int k : samples.neighbours_of(j)) {
     const float along = (samples.raw[k] - samples.raw[j]).dot(step);
@@ -32,9 +33,9 @@ int next_along(const SurfaceSamples& samples, int j, const Eigen::Vector3f& step
   return next;
 }
 
-/// Fills in the evidence that lies in the neighbours, of the region's border. Windows of
-/// neighbouring normals overlap, so that even a crease looks smooth from one sample to the next:
-/// the walk goes one sample further before it compares the normals.
+/// Sets the evidence about the region's border. Windows of neighbouring normals overlap, so even a
+/// crease looks smooth from one sample to the next; therefore the normals are compared across two
+/// steps.
 void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
                      const std::vector<char>& inside, std::span<const char> beyond, Evidence* e) {
   double border = 0, smooth = 0, open = 0, edge = 0, interior = 0;
@@ -89,7 +90,7 @@ double one_plane_rss(const SurfaceSamples& samples, std::span<const int> region)
   return square;
 }
 
-/// Fills in how the distances of neighbours hang together.
+/// Sets the evidence about the correlation of neighbouring distances.
 /// @param square  mean square of the distances [m²]
 void compare_neighbours(const SurfaceSamples& samples, std::span<const int> region,
                         const std::vector<char>& inside, const std::vector<float>& distance,
@@ -103,8 +104,8 @@ void compare_neighbours(const SurfaceSamples& samples, std::span<const int> regi
   e->correlation = sums.product / sums.pairs / square;
 }
 
-/// Sum of the principal curvatures, positive where the quadric bulges towards the sensor: mean over
-/// the samples [1/m].
+/// Sum of the principal curvatures, averaged over the samples [1/m]; positive if the quadric bulges
+/// towards the sensor.
 double mean_curvature(const SurfaceSamples& samples, std::span<const int> region,
                       const Eigen::Matrix4f& Q) {
   const Eigen::Matrix3f H = Q.topLeftCorner<3, 3>();

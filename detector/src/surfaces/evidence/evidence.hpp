@@ -7,64 +7,68 @@
 
 namespace quadrille {
 
-/// Real objects are quadrics up to this share of their size: cups and posts are, as scans show.
+/// Real objects deviate from quadrics by up to this share of their size, as scans of cups and posts
+/// show.
 inline constexpr double kFlawShare = 0.02;
 
-/// What speaks for and against a fitted quadric.
+/// The evidence for and against a fitted quadric.
 struct Evidence {
   /// Natural logarithm of the number of samples.
   double log_count = 0.0;
   /// Angle between the samples' normals and their mean, 90th percentile [rad].
   double spread = 0.0;
-  /// Share of the region's border where the surface goes on smoothly into samples that are no
-  /// inliers, 0 to 1: a patch cut out of something else has such a border, an object has none,
-  /// unless another one begins there.
+  /// Share of the region's border, 0 to 1, where the surface continues smoothly into samples that
+  /// are no inliers. The border of a patch cut out of something else does so; an object's border
+  /// does not, unless another object begins there.
   double smooth_border = 0.0;
-  /// Share of the samples that have a neighbour outside the region, and of those at a depth edge,
-  /// with fewer than eight neighbours: a scrap is all border.
+  /// Share of the samples with a neighbour outside the region, and share at a depth edge, with
+  /// fewer than eight neighbours. A scrap consists mostly of border.
   double open_border = 0.0, depth_edge = 0.0;
-  /// Share of the samples all of whose neighbours lie within the region.
+  /// Share of the samples whose eight neighbours all lie within the region.
   double interior = 0.0;
-  /// Standard deviation of the positions across the region over that along it.
+  /// Standard deviation of the positions across the region, divided by that along it.
   double thickness = 0.0;
-  /// Root mean square distance from the middle, and edge of a cell [m].
+  /// Root mean square distance from the middle, and mean edge of a cell [m].
   double size = 0.0, cell = 0.0;
-  /// log(rss of the best two planes / rss of the quadric): a box edge really is a rank-2 quadric,
-  /// and a curved one explains it no better than two planes do.
+  /// log(rss of the best two planes / rss of the quadric). The edge of a box is itself a rank-2
+  /// quadric, which a curved quadric explains no better than two planes do.
   double two_planes = 0.0;
-  /// The same with the best single plane: how far beyond its own residual the region bends.
+  /// log(rss of the best plane / rss of the quadric): how far the region bends beyond its own
+  /// residual.
   double one_plane = 0.0;
-  /// Noise that is measured for the samples [m], and the part of it that neighbours have in common;
-  /// see SurfaceSamples.
+  /// Noise measured for the samples [m], and the share of it that neighbours have in common; see
+  /// SurfaceSamples.
   double sigma = 0.0, common_noise = 0.0;
-  /// Root mean square distance from the quadric, and of the differences between neighbours over √2,
-  /// both in multiples of sigma.
+  /// Root mean square distance from the quadric, and root mean square difference between neighbours
+  /// divided by √2, both in multiples of sigma.
   double residual = 1.0, roughness = 1.0;
-  /// Correlation of the distances of neighbours, −1 to 1.
+  /// Correlation of neighbouring distances, −1 to 1.
   double correlation = 0.0;
-  /// Sum of the principal curvatures times the size, positive where the quadric bulges towards the
-  /// sensor: mean over the samples.
+  /// Sum of the principal curvatures times the size, averaged over the samples; positive if the
+  /// quadric bulges towards the sensor.
   double convexity = 0.0;
-  /// Samples within the box of the region that lie off the quadric, towards the sensor and behind
-  /// it, per sample of the region: through a real surface nothing is seen. See intruders.hpp.
+  /// Number of samples within the box of the region that lie off the quadric, towards the sensor
+  /// and behind it, per sample of the region. Nothing is seen through a real surface. See
+  /// intruders.hpp.
   double in_front = 0.0, behind = 0.0;
-  /// Open samples of the smooth parts that the region lies in and that it leaves over, per sample
-  /// of the region: an object is explained as a whole. See claims.hpp.
+  /// Number of open samples that the region leaves over in the smooth parts in which it lies, per
+  /// sample of the region. A true surface explains an object as a whole. See claims.hpp.
   double remainder = 0.0;
-  /// |cosine| between axis and up; see upright.hpp.
+  /// |cosine| between axis and up direction; see upright.hpp.
   double uprightness = 1.0;
-  /// Share of what has to be seen that is not there; see see_through.hpp.
+  /// Share of the rays that should meet the quadric but see something behind it; see
+  /// see_through.hpp.
   double see_through = 0.0;
 };
 
-/// Angle between the samples' normals and their mean, 90th percentile [rad]: the spread of the
-/// evidence, of a region that is not empty.
+/// Angle between the samples' normals and their mean, 90th percentile [rad], as in
+/// Evidence::spread. The region must not be empty.
 double normal_spread(const SurfaceSamples& samples, std::span<const int> region);
 
-/// Collects the evidence for a quadric whose inliers are the region, all but what lies about it:
-/// intruders, remainder, uprightness and what is seen through it.
+/// Collects the evidence for a quadric whose inliers are the region, except for that from its
+/// surroundings: intruders, remainder, uprightness and what is seen through it.
 /// @param region  not empty
-/// @param beyond  per sample, nonzero where another surface begins; may be empty
+/// @param beyond  per sample, nonzero if it belongs to another surface; may be empty
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
                           const Quadric& Q, std::span<const char> beyond = {});
 

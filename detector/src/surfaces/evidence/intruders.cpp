@@ -11,10 +11,11 @@
 namespace quadrille {
 namespace {
 
-// Distance from a quadric beyond which a sample is off it, in multiples of its noise and its cell.
+// A sample lies off a quadric if its distance exceeds this many times its noise plus this share of
+// its cell.
 constexpr float kOffSigmas = 2.0f, kOffCells = 0.1f;
 
-/// Rows are the principal axes of a region.
+/// Matrix whose rows are the principal axes of a region.
 Eigen::Matrix3f principal_axes(const PlaneSums& sums) {
   const Eigen::Vector3d mean = sums.sum / sums.n;
   const Eigen::Matrix3d covariance = sums.squares() / sums.n - mean * mean.transpose();

@@ -9,10 +9,10 @@
 
 namespace quadrille {
 
-/// Fills in the intruders of the evidence: samples within the region's box, along its principal
-/// axes, that lie off its quadric. The inside of a mug lies behind its outside, too: they speak
-/// against a quadric, but do not refute it.
-/// @param buckets  of the samples
+/// Sets the evidence about intruders: samples within the region's box along its principal axes that
+/// lie off its quadric. They speak against a quadric but do not refute it, since for instance the
+/// inside of a mug lies behind its outside.
+/// @param buckets  buckets of the samples
 /// @param region   not empty
 void add_intruders(const SurfaceSamples& samples, const SampleBuckets& buckets,
                    std::span<const int> region, const Quadric& Q, Evidence* evidence);

@@ -7,12 +7,12 @@
 
 namespace quadrille {
 
-/// What is known of a scene beside its samples.
+/// Knowledge about a scene in addition to its samples.
 struct SceneContext {
-  /// Unit normal of the plane with the most samples, in frame C and towards the viewpoint: that of
-  /// a table or a floor, on which things stand and lie, but it may be that of a wall.
+  /// Unit normal of the plane with the most samples, in frame C and towards the viewpoint. It
+  /// usually belongs to a table or floor on which things stand, but may belong to a wall.
   std::optional<Eigen::Vector3d> up;
-  /// What the sensor saw.
+  /// Depths that the sensor saw.
   Sight sight;
 };
 

@@ -12,15 +12,17 @@
 namespace quadrille {
 namespace {
 
-// Rays to look along at least, where an image has them: with more the share is the same.
+// Least number of rays to test, if the image has as many; more rays give the same share.
 constexpr double kRays = 400.0;
-// A quadric is looked for within this multiple of its region's size.
+// A quadric is tested within this multiple of its region's size.
 constexpr double kReach = 3.0;
-// Rays that meet it at less than about 20° see the smear at the edges of things.
+// Least cosine between a ray and the normal. Rays that meet the surface at less than about 20° see
+// the smear at the edges of objects.
 constexpr double kMinCosine = 0.35;
-// Closed cross sections end here, which is farther than anything is seen [m].
+// Bound of closed cross sections, farther than anything that is seen [m].
 constexpr double kFar = 1e6;
-// What is seen this far off a quadric is not on it: in sizes of the region and sigma.
+// A point lies off a quadric if it is farther than this share of the region's size plus this many
+// sigma.
 constexpr double kOffSizes = 0.1, kOffSigmas = 2.0;
 
 bool has_closed_section(QuadricType type) {
@@ -39,22 +41,23 @@ bool has_closed_section(QuadricType type) {
   }
 }
 
-/// The part of a quadric that its region vouches for, in frame V of the sight.
+/// The part of a quadric that its region supports, in frame V of the sight.
 struct VouchedPart {
   Eigen::Matrix4d Q;
-  /// +1 if the side that the gradient points to is seen, else -1.
+  /// +1 if the seen side is the one to which the gradient points, else -1.
   double side;
-  /// Within a ball, and along the directions x, y, z of a frame.
+  /// The part lies within a ball, and within a box along the axes x, y, z of a frame.
   Eigen::Vector3d centre;
   double reach;
   Eigen::Matrix3d axes;
   Eigen::AlignedBox3d box;
-  /// Distance from Q beyond which a point is not on it [m].
+  /// Distance from Q beyond which a point does not lie on it [m].
   double off;
 
-  /// Cosine of the angle at which a ray meets the seen side at x; 0 where it does not.
+  /// Cosine between the seen side's normal and the ray back to the sensor at x; 0 outside the part
+  /// or if the other side is met.
   double cosine_at(const Eigen::Vector3d& x, const Eigen::Vector3d& ray) const {
-    // Also false for NaN.
+    // This is false also for NaN.
     if (!((x - centre).squaredNorm() < reach * reach)) return 0.0;
     if (!box.contains(axes.transpose() * x)) return 0.0;
     const Eigen::Vector3d g = (Q * x.homogeneous()).head<3>();
@@ -84,7 +87,7 @@ VouchedPart vouched_part(const Eigen::Isometry3d& X_VC, const SurfaceSamples& sa
   }
   part.side = part.side > 0 ? 1.0 : -1.0;
   if (has_closed_section(form.type)) {
-    // Without an axis and without up no direction is another than the others.
+    // Without an axis and without an up direction, all directions are equivalent.
     const int open = has_axis(form.type) || up ? 2 : 3;
     part.box.min().head(open).setConstant(-kFar);
     part.box.max().head(open).setConstant(kFar);
@@ -94,14 +97,14 @@ VouchedPart vouched_part(const Eigen::Isometry3d& X_VC, const SurfaceSamples& sa
 
 /// The depths at which a ray from the origin of V meets Q; not finite if it does not.
 std::array<double, 2> depths_along(const Eigen::Matrix4d& Q, const Eigen::Vector3d& ray) {
-  // a z² + 2 b z + c = 0, solved without loss of digits.
+  // Solves a z² + 2 b z + c = 0 without cancellation.
   const double a = ray.dot(Q.topLeftCorner<3, 3>() * ray);
   const double b = ray.dot(Q.topRightCorner<3, 1>()), c = Q(3, 3);
   const double s = -(b + std::copysign(std::sqrt(b * b - a * c), b));
   return {s / a, c / s};
 }
 
-/// The cells about a position, every so many-th one.
+/// The cells around a position, of which only every stride-th one is used.
 struct Window {
   int first_i, last_i, first_j, last_j, stride;
 };

@@ -9,14 +9,14 @@
 
 namespace quadrille {
 
-/// Where a quadric would have to be seen, all around its axis as far as a region reaches along it,
-/// the share of the rays that see something behind it: 0 to 1. A ball that is a bump on something
-/// else would hide what is seen beside it. Spheres and ellipsoids reach as far as their region does
-/// along the up direction, where that is known; what has no closed cross section reaches no farther
-/// than its region.
+/// The share, 0 to 1, of the rays that should meet a quadric but see something behind it. The
+/// quadric is tested all around its axis, as far along it as its region reaches. A ball fitted to a
+/// bump on something else, for example, would hide what is seen beside it. Spheres and ellipsoids
+/// are tested as far as their region reaches along the up direction, if that is known; quadrics
+/// without a closed cross section only within their region.
 /// @param region  not empty
-/// @param form    of Q; its axes in frame C
-/// @return 0 without rays
+/// @param form    canonical form of Q, with its axes in frame C
+/// @return 0 if there are no rays
 double see_through(const SceneContext& context, const SurfaceSamples& samples,
                    std::span<const int> region, const Quadric& Q, const CanonicalForm& form);
 

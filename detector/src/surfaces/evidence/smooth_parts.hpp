@@ -6,16 +6,15 @@
 
 namespace quadrille {
 
-/// Where the normals of neighbours turn by less than this, 30°, the surface goes on smoothly: least
-/// cosine between them.
+/// Least cosine between neighbouring normals on a smoothly continuing surface (30°).
 inline constexpr float kMinSmoothCosine = 0.87f;
 
-/// The samples in connected parts, cut at creases and depth edges.
+/// Divides the samples into connected parts, cut at creases and depth edges.
 class SmoothParts {
  public:
   explicit SmoothParts(const SurfaceSamples& samples);
 
-  /// Number of the part that a sample belongs to.
+  /// Number of the part to which a sample belongs.
   int part_of(int sample) const { return part_[sample]; }
   int size() const { return size_; }
 

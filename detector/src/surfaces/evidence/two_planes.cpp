@@ -10,15 +10,16 @@
 namespace quadrille {
 namespace {
 
-// Rounds of 2-means and of Lloyd's algorithm: few samples still change sides after them.
+// Rounds of 2-means and of Lloyd's algorithm, after which few samples still change sides.
 constexpr int kNormalRounds = 5, kDistanceRounds = 4;
-// More samples place the planes no better.
+// More samples do not improve the planes.
 constexpr std::size_t kMaxSamples = 400;
-// The plane of too few samples: so far away that none of them is nearer to it.
+// Used as the plane of too few samples; it is so far away that no sample is nearer to it than to
+// the other plane.
 const Eigen::Vector4d kFarPlane(0, 0, 0, 1e3);
 
-/// The plane through positions about the origin, where nothing is lost by taking the mean out of
-/// the sums last.
+/// The plane through positions near the origin, where subtracting the mean from the sums loses no
+/// accuracy.
 Eigen::Vector4d plane_of(const PlaneSums& sums) {
   if (sums.n < 3) return kFarPlane;
   const Eigen::Vector3d m = min_spread_direction(
@@ -26,7 +27,7 @@ Eigen::Vector4d plane_of(const PlaneSums& sums) {
   return {m.x(), m.y(), m.z(), -m.dot(sums.sum) / sums.n};
 }
 
-/// The samples relative to an origin, homogeneous.
+/// The samples' positions relative to an origin, in homogeneous coordinates.
 std::vector<Eigen::Vector4d> positions_of(const SurfaceSamples& samples,
                                           std::span<const int> region,
                                           const Eigen::Vector3d& origin) {
@@ -38,7 +39,7 @@ std::vector<Eigen::Vector4d> positions_of(const SurfaceSamples& samples,
   return positions;
 }
 
-/// The normal farthest from a direction.
+/// The normal that differs most from a direction.
 Eigen::Vector3f farthest_normal(const SurfaceSamples& samples, std::span<const int> region,
                                 const Eigen::Vector3f& from) {
   int best = region[0];
@@ -48,7 +49,8 @@ Eigen::Vector3f farthest_normal(const SurfaceSamples& samples, std::span<const i
   return samples.n[best];
 }
 
-/// Parts a region by its normals: 2-means from the two most different ones.
+/// Divides a region in two by its normals, with 2-means that starts from two very different
+/// normals.
 std::vector<char> part_by_normals(const SurfaceSamples& samples, std::span<const int> region) {
   Eigen::Vector3f mean = Eigen::Vector3f::Zero();
   for (const int i : region) mean += samples.n[i];
@@ -75,7 +77,8 @@ std::vector<char> part_by_normals(const SurfaceSamples& samples, std::span<const
 double two_planes_rss(const SurfaceSamples& samples, std::span<const int> region) {
   const std::vector<int> some = spread_evenly(region, kMaxSamples);
   std::vector<char> side = part_by_normals(samples, some);
-  // Near an edge the smoothed normals lie between the faces: from here on the distance decides.
+  // Near an edge the smoothed normals lie between those of the faces, so from here on the distance
+  // decides.
   const std::vector<Eigen::Vector4d> positions =
       positions_of(samples, some, samples.raw[some[0]].cast<double>());
   double rss = 0;

@@ -6,13 +6,13 @@
 
 namespace quadrille {
 
-/// False for spheres, whose axes are arbitrary, and ellipsoids, whose z is an axis by its length
-/// alone.
+/// False for spheres, whose axes are arbitrary, and for ellipsoids, whose z axis is distinguished
+/// only by its length.
 bool has_axis(QuadricType type);
 
-/// |cosine| of the angle between a quadric's axis and the up direction: what stands has one of 1,
-/// what lies of 0; 1 for what has no axis, and where up is unknown.
-/// @param form  its axes in the frame of `up`
+/// |cosine| between a quadric's axis and the up direction: 1 if it stands, 0 if it lies; 1 also for
+/// types without an axis, and if the up direction is unknown.
+/// @param form  canonical form with its axes in the frame of `up`
 double uprightness(const CanonicalForm& form, const std::optional<Eigen::Vector3d>& up);
 
 }  // namespace quadrille

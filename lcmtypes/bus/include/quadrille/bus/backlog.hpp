@@ -13,33 +13,34 @@
 
 namespace quadrille::bus {
 
-/// Messages that came faster than they were handled, in their order. For each subscriber only so
-/// many bytes wait; what does not fit drives out the oldest of its fullest channel: of several
-/// channels a fast one does not drive out what comes on a slow one.
+/// Queue of messages that came faster than they were handled, in their order. The bytes that wait
+/// for one subscriber are limited; a message that does not fit drives out the oldest of the fullest
+/// channel, so that a fast channel does not drive out messages of a slow one.
 class Backlog {
  public:
   struct Message {
     std::string channel;
     std::vector<std::byte> bytes;
-    /// Whose message it is.
+    /// The subscriber to whom the message belongs.
     void* subscriber = nullptr;
   };
 
-  /// What a message takes beside its bytes [byte].
+  /// Memory that a message takes in addition to its bytes [byte].
   static constexpr std::size_t kOverhead = 256;
 
-  /// @param max_bytes  of one subscriber, with the overhead; its newest message waits in any case
+  /// @param max_bytes  limit for one subscriber, including the overhead; its newest message always
+  ///   waits
   explicit Backlog(std::size_t max_bytes) : max_bytes_(max_bytes) {}
 
   QUADRILLE_EXPORT void push(const std::string& channel, std::span<const std::byte> bytes,
                              void* subscriber);
 
-  /// The oldest message; nullopt if none waits.
+  /// Takes the oldest message; nullopt if none waits.
   QUADRILLE_EXPORT std::optional<Message> pop();
 
   bool empty() const { return messages_.empty(); }
 
-  /// Messages driven out so far.
+  /// Number of messages driven out so far.
   std::int64_t dropped() const { return dropped_; }
 
  private:
@@ -49,7 +50,7 @@ class Backlog {
   };
 
   void drop_of_fullest(void* subscriber);
-  /// Counts a message no longer.
+  /// Removes a message from the counts of waiting bytes.
   void forget(const Message& message);
 
   std::size_t max_bytes_;

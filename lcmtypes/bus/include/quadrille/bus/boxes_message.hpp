@@ -15,25 +15,25 @@
 
 namespace quadrille::bus {
 
-/// The boxes of one cloud, as they came in a message.
+/// The boxes of one cloud, as received in a message.
 struct BoxesMessage {
-  /// That of the cloud [us].
+  /// Time of the cloud [us].
   std::int64_t utime = 0;
-  /// That of the cloud; 0 where the cloud has none.
+  /// Number of the cloud; 0 if the cloud has none.
   std::int32_t seq = 0;
   /// Name of the cloud's frame C.
   std::string frame;
   std::vector<Box> boxes;
 };
 
-/// One box as a message; its pose is in frame C.
+/// Makes the message of one box; its pose is in frame C.
 QUADRILLE_EXPORT box_t to_message(const Box& box);
 
-/// The boxes as a message stamped with their cloud's utime, seq and frame.
+/// Makes the message of the boxes, stamped with their cloud's utime, seq and frame.
 QUADRILLE_EXPORT boxes_t to_message(const CloudMessage& cloud, const std::vector<Box>& boxes);
 
-/// Reads boxes out of a message of type quadrille.boxes_t, with every length and value checked
-/// before the generated decoder sees the bytes.
+/// Reads boxes from a message of type quadrille.boxes_t. Every length and value is checked before
+/// the generated decoder sees the bytes.
 /// @param bytes      the message as it came, fingerprint first
 /// @param max_bytes  larger messages are refused [byte]
 QUADRILLE_EXPORT Decoded<BoxesMessage> decode_boxes(std::span<const std::byte> bytes,

@@ -7,14 +7,15 @@
 
 namespace quadrille::bus {
 
-/// The regular expression that matches a text and nothing else.
+/// Returns the regular expression that matches exactly a text.
 QUADRILLE_EXPORT std::string pattern_of(const std::string& text);
 
-/// The name of a channel, or a pattern of names: what has a character that no name may have is a
-/// regular expression, which a name has to match from end to end. A dot alone makes no pattern.
+/// The name of a channel, or a pattern of names. A text with a character that no name may have is a
+/// regular expression, which must match the whole name. A dot is allowed in names and so makes no
+/// pattern.
 class ChannelPattern {
  public:
-  /// @throws std::invalid_argument if the text is neither a name, as check_channel() has it, nor a
+  /// @throws std::invalid_argument if the text is neither a valid name (see check_channel()) nor a
   ///   regular expression of at most 255 characters
   QUADRILLE_EXPORT explicit ChannelPattern(const std::string& text);
 

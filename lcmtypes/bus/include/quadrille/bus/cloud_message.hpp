@@ -21,69 +21,69 @@ enum class CloudFormat {
   kPointCloud,   ///< bot_core.pointcloud_t
 };
 
-/// All the formats, in their order.
+/// All formats in their order.
 constexpr std::array<CloudFormat, 3> all_cloud_formats() {
   return {CloudFormat::kDrake, CloudFormat::kPointCloud2, CloudFormat::kPointCloud};
 }
 
-/// "drake", "pointcloud2" or "pointcloud".
+/// Returns "drake", "pointcloud2" or "pointcloud".
 QUADRILLE_EXPORT std::string_view to_string(CloudFormat format);
 
-/// A cloud with what its message said of it.
+/// A cloud with the stamp of its message.
 struct CloudMessage {
   /// Time of capture [us].
   std::int64_t utime = 0;
-  /// Number of the cloud by its source; 0 where the type has none.
+  /// Number of the cloud, counted by its source; 0 if the type has none.
   std::int32_t seq = 0;
   PointCloud cloud;
-  /// digest_of() the cloud; 0: not known. decode_cloud() sets it.
+  /// Result of digest_of() for the cloud, which decode_cloud() sets; 0 if not known.
   std::int64_t digest = 0;
 };
 
-/// A number that tells clouds apart, whatever their utime: XXH3 of the points and of their rows and
-/// columns. Never 0.
+/// A number that identifies a cloud regardless of its utime: XXH3 of the points and of the numbers
+/// of rows and columns. It is never 0.
 QUADRILLE_EXPORT std::int64_t digest_of(const PointCloud& cloud);
 
-/// What the beginning of a cloud's message tells of it.
+/// The data at the beginning of a cloud's message.
 struct CloudStamp {
   /// Time of capture [us].
   std::int64_t utime = 0;
-  /// Number of the cloud by its source; 0 where the type has none.
+  /// Number of the cloud, counted by its source; 0 if the type has none.
   std::int32_t seq = 0;
 };
 
-/// Reads no more than the beginning; nullopt if no cloud's message begins so.
+/// Reads only the beginning of a message; nullopt if it is not the beginning of a cloud's message.
 QUADRILLE_EXPORT std::optional<CloudStamp> read_stamp(std::span<const std::byte> bytes);
 
-/// The largest message that LCM delivers over UDP [byte].
+/// Size of the largest message that LCM delivers over UDP [byte].
 inline constexpr std::size_t kMaxMessageBytes = std::size_t{256} << 20;
 
-/// The longest name of a frame that is accepted [byte].
+/// Length of the longest frame name that is accepted [byte].
 inline constexpr std::size_t kMaxFrameBytes = 1024;
 
-/// Whether colours are read: those who detect and plan alone need none.
+/// Whether colours are read; detection and planning do not need them.
 enum class CloudColours { kDrop, kKeep };
 
-/// Reads a cloud out of a message of any of the formats.
+/// Reads a cloud from a message of any of the formats.
 ///
 /// Every length, sign and product is checked before anything is allocated, and memory stays within
-/// three times the size of the message. The points are read as by read_points(): missing ones are
+/// three times the size of the message. Points are read as by read_points(): missing ones are
 /// dropped from an unorganised cloud and kept as NaN in an organised one; the viewpoint is the
 /// origin.
 /// @param bytes      the message as it came, fingerprint first
 /// @param max_bytes  larger messages are refused [byte]
-/// @param colours    whether to keep those of a field `rgb` or `rgba` of 32 bits: in
-///                   drake.lcmt_point_cloud the bytes red, green, blue, as Drake writes them; in
-///                   bot_core.pointcloud2_t 0x00RRGGBB, as PCL does. Others are passed over.
+/// @param colours    whether to keep the colours of a 32-bit field `rgb` or `rgba`: in
+///   drake.lcmt_point_cloud the bytes red, green, blue, as Drake writes them; in
+///   bot_core.pointcloud2_t 0x00RRGGBB, as PCL does. Other colour fields are ignored.
 QUADRILLE_EXPORT Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes,
                                                     std::size_t max_bytes = kMaxMessageBytes,
                                                     CloudColours colours = CloudColours::kDrop);
 
-/// The bytes of a cloud as a message: float32 x, y, z without other fields.
+/// Returns the bytes of a cloud as a message: float32 x, y, z without other fields.
 ///
-/// What was dropped from an unorganised cloud goes in again as NaN, so that the message announces
-/// cloud.read points. kPointCloud cannot tell the rows of an organised cloud; no type can tell the
-/// viewpoint.
+/// Points that were dropped from an unorganised cloud are written as NaN, so that the message
+/// announces cloud.read points. kPointCloud cannot express the rows of an organised cloud, and no
+/// type can express the viewpoint.
 /// @throws std::invalid_argument if the cloud's frame or size does not fit the type
 QUADRILLE_EXPORT std::vector<std::byte> encode_cloud(const CloudMessage& message,
                                                      CloudFormat format);

@@ -23,42 +23,43 @@
 
 namespace quadrille::bus {
 
-/// What a connection has received so far, and what was lost on the way to its handlers.
+/// Counts of what a connection has received so far, and of what was lost before its handlers.
 struct Traffic {
-  /// The largest message [byte].
+  /// Size of the largest message [byte].
   std::int64_t largest_message = 0;
-  /// The receive buffer: what was asked for, and what the kernel grants [byte]; 0 where the
-  /// transport has none.
+  /// Size of the receive buffer that was requested, and size that the kernel grants [byte]; 0 if
+  /// the transport has no buffer.
   std::int64_t asked_buffer = 0, receive_buffer = 0;
-  /// Datagrams that the kernel dropped because the buffer was full: at most as many messages were
-  /// lost there. -1 where the system does not tell.
+  /// Datagrams that the kernel dropped because the buffer was full; at most as many messages were
+  /// lost there. -1 if the system does not tell.
   std::int64_t dropped_datagrams = 0;
-  /// Datagrams that the filter of the connection refused: of senders that are not accepted, or such
-  /// as no LCM sends.
+  /// Datagrams that the connection's filter refused, because their sender is not accepted or
+  /// because no LCM sends such datagrams.
   std::int64_t filtered_datagrams = 0;
-  /// Datagrams dropped for one reason or the other.
+  /// Datagrams dropped for one of these two reasons when it is not known which.
   std::int64_t unclear_datagrams = 0;
-  /// Messages driven out by newer ones before they were handled.
+  /// Messages that newer ones drove out before they were handled.
   std::int64_t dropped_messages = 0;
 };
 
-/// Bytes of one channel's messages that wait for their handlers at most, but for the newest.
+/// Largest number of bytes that wait for one subscriber's handler, except that its newest message
+/// always waits.
 inline constexpr std::size_t kMaxBacklogBytes = std::size_t{128} << 20;
 
-/// A connection to LCM that never falls back to another transport in silence.
+/// A connection to LCM that never falls back silently to another transport.
 class Connection {
  public:
-  /// Gets the bytes of one message; they live until it returns.
+  /// Receives the bytes of one message, which are valid until it returns.
   using Handler = std::function<void(const std::string& channel, std::span<const std::byte>)>;
 
-  /// How handle() ended.
+  /// Result of handle().
   enum class Outcome { kHandled, kTimeout, kEnd };
 
-  /// Connects, asking for a large receive buffer where a udpm address names none.
-  /// @param url  an LCM address, as resolve_url() gives it
-  /// @param senders  whose messages are received over udpm; no other address tells senders
+  /// Connects, and requests a large receive buffer if a udpm address names none.
+  /// @param url  an LCM address, as returned by resolve_url()
+  /// @param senders  senders whose messages are accepted; only udpm addresses can tell senders
   /// @throws std::invalid_argument if the address cannot be parsed, or cannot tell senders
-  /// @throws std::runtime_error if it cannot be reached; says what to do about it
+  /// @throws std::runtime_error if it cannot be reached; the message says what to do about it
   QUADRILLE_EXPORT explicit Connection(const std::string& url, AcceptedSenders senders = {});
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
@@ -67,12 +68,12 @@ class Connection {
   /// The address that is in use.
   const std::string& url() const { return url_; }
 
-  /// What looked wrong when the connection was made (a receive buffer too small for a usual cloud),
-  /// one line each with the commands that mend it.
+  /// Problems found when the connection was made, such as a receive buffer too small for a usual
+  /// cloud; one line each, with the commands that mend it.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// Calls the handler for each message of exactly that channel.
-  /// @throws std::invalid_argument if the name is not one to 63 of A-Z a-z 0-9 _ - . /
+  /// Calls the handler for each message of the channel with exactly this name.
+  /// @throws std::invalid_argument if the name does not consist of 1 to 63 of A-Z a-z 0-9 _ - . /
   /// @throws std::runtime_error if LCM refuses
   QUADRILLE_EXPORT void subscribe(const std::string& channel, Handler handler);
 
@@ -80,19 +81,19 @@ class Connection {
   /// @throws std::runtime_error if LCM refuses
   QUADRILLE_EXPORT void subscribe(const ChannelPattern& pattern, Handler handler);
 
-  /// Waits for one message and has it handled, in the order in which they came. Over UDP whatever
-  /// LCM holds is taken out of its queue first: there a burst would drive out the newest uncounted,
-  /// here it drives out the oldest, beyond kMaxBacklogBytes, and is counted.
-  /// What a handler throws passes around LCM and leaves here.
+  /// Waits for one message and handles it; messages are handled in the order in which they came.
+  /// Over UDP, all messages are first taken out of LCM's own queue, since a burst would drive out
+  /// the newest there without being counted. Here it drives out the oldest beyond kMaxBacklogBytes,
+  /// and this is counted. An exception of a handler is carried past LCM and rethrown here.
   /// @param timeout_ms  how long to wait [ms]
-  /// @return kEnd at the end of a log, when the peer is gone, and when a signal came
+  /// @return kEnd at the end of a log, if the peer is gone, or if a signal came
   QUADRILLE_EXPORT Outcome handle(int timeout_ms);
 
-  /// What came and what was lost so far; may be called from any thread.
+  /// Returns what came and what was lost so far; may be called from any thread.
   QUADRILLE_EXPORT Traffic traffic() const;
 
-  /// Publishes bytes; may be called from any thread. That datagrams were lost is not reported.
-  /// @throws std::invalid_argument if the channel's name is unfit
+  /// Publishes bytes; may be called from any thread. Lost datagrams are not reported.
+  /// @throws std::invalid_argument if the channel's name is invalid
   /// @throws std::runtime_error if LCM reports a failure
   QUADRILLE_EXPORT void publish(const std::string& channel, std::span<const std::byte> bytes);
 
@@ -115,10 +116,10 @@ class Connection {
   std::string url_;
   AcceptedSenders senders_;
   std::vector<std::string> warnings_;
-  // Outlive lcm_, which calls them.
+  // These must outlive lcm_, which calls them.
   std::vector<std::unique_ptr<Subscriber>> subscribers_;
   std::exception_ptr thrown_;
-  // None where the transport itself holds its sender back.
+  // Empty if the transport itself slows its sender down.
   std::optional<Backlog> backlog_;
   std::optional<ReceiveSocket> socket_;
   mutable std::mutex drops_mutex_;
@@ -129,8 +130,8 @@ class Connection {
   std::unique_ptr<lcm_t, Destroyer> lcm_;
 };
 
-/// Refuses names that LCM would cut off or read as a pattern.
-/// @throws std::invalid_argument if the name is not one to 63 of A-Z a-z 0-9 _ - . /
+/// Refuses channel names that LCM would truncate or read as a pattern.
+/// @throws std::invalid_argument if the name does not consist of 1 to 63 of A-Z a-z 0-9 _ - . /
 QUADRILLE_EXPORT void check_channel(const std::string& channel);
 
 }  // namespace quadrille::bus

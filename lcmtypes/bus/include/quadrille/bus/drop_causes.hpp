@@ -7,36 +7,37 @@
 
 namespace quadrille::bus {
 
-/// UDP datagrams that the sockets of this machine, or network namespace, dropped since its start.
+/// Counts of UDP datagrams that the sockets of this machine, or of its network namespace, dropped
+/// since its start.
 struct UdpErrors {
-  /// For whatever reason, and of these because a buffer was full.
+  /// Datagrams dropped for any reason, and those among them for which a buffer had no room.
   std::int64_t all = 0, buffer = 0;
 };
 
-/// nullopt where the system does not tell.
+/// Returns nullopt if the system does not tell.
 QUADRILLE_EXPORT std::optional<UdpErrors> read_udp_errors();
 
-/// Datagrams that one socket dropped, by cause.
+/// Counts of datagrams that one socket dropped, by cause.
 struct Drops {
   std::int64_t buffer = 0;    ///< its buffer was full
   std::int64_t filtered = 0;  ///< its filter refused them
-  std::int64_t unclear = 0;   ///< one or the other
+  std::int64_t unclear = 0;   ///< one of the two
 };
 
-/// Tells why a socket dropped datagrams.
+/// Finds out why a socket dropped datagrams.
 ///
-/// The kernel counts together what a socket's filter refuses and what its buffer has no room for;
-/// for all sockets together it counts the two apart. Over a short time that bounds both: where no
-/// socket lacked room the filter was the cause, and where no filter refused anything the buffer
-/// was. What is left, when both happened at once and to several sockets, is unclear.
+/// For one socket the kernel counts filtered datagrams and lack of buffer space together; only for
+/// all sockets in total it counts them apart. Over a short time this bounds both: if no socket
+/// lacked room, the filter was the cause, and if no filter refused anything, the buffer was. The
+/// rest, when both happened at once and on several sockets, is unclear.
 class DropCauses {
  public:
-  /// @param errors   before the first update
-  /// @param dropped  by the socket by then; the kernel counts in 32 bits
+  /// @param errors   counts before the first update
+  /// @param dropped  datagrams that the socket had dropped by then; the kernel counts in 32 bits
   DropCauses(std::optional<UdpErrors> errors, std::uint32_t dropped)
       : before_(errors), dropped_(dropped) {}
 
-  /// @param before, after  read before and after what the socket dropped
+  /// @param before, after  counts read before and after `dropped` was read
   QUADRILLE_EXPORT void update(std::optional<UdpErrors> before, std::uint32_t dropped,
                                std::optional<UdpErrors> after);
 

@@ -13,20 +13,20 @@ struct DurationSummary {
   double p50 = 0.0, p90 = 0.0, p99 = 0.0, max = 0.0;
 };
 
-/// The last so many durations of something that happens again and again.
+/// The most recent durations of a repeated event.
 class Durations {
  public:
-  /// @param window  how many of the last durations count, at least 1
+  /// @param window  number of most recent durations that count, at least 1
   /// @throws std::invalid_argument if the window is 0
   QUADRILLE_EXPORT explicit Durations(std::size_t window = 1000);
 
-  /// @param ms  one more duration [ms]
+  /// @param ms  a further duration [ms]
   QUADRILLE_EXPORT void add(double ms);
 
   /// Nearest-rank percentiles over the window; zeros before the first duration.
   QUADRILLE_EXPORT DurationSummary summary() const;
 
-  /// How many there were, and their sum [ms], since the start.
+  /// Number of durations since the start, and their sum [ms].
   std::int64_t count() const { return count_; }
   double total() const { return total_; }
 

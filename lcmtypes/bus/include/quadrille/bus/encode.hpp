@@ -7,9 +7,9 @@
 
 namespace quadrille::bus {
 
-/// The bytes of a message of a generated type.
-/// @param message  its arrays must have the lengths that their counts tell: the generated encoder
-///   reads past the end of a shorter one
+/// Returns the bytes of a message of a generated type.
+/// @param message  message whose arrays have the lengths given by their counts; the generated
+///   encoder reads past the end of a shorter array
 /// @throws std::invalid_argument if the generated encoder fails
 template <class Message>
 std::vector<std::byte> encode(const Message& message) {

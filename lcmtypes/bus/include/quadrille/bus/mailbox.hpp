@@ -13,17 +13,17 @@
 
 namespace quadrille::bus {
 
-/// A slot for one item between a thread that receives and a thread that works: the newest wins.
-/// There may be several slots, each with a name, which are emptied in the order in which they were
-/// filled. Beside them a short queue for items that no other replaces. Where both hold something
-/// they are taken in turns.
+/// Hands items from a thread that receives to a thread that works. A slot holds one item, and a
+/// newer one replaces it; there may be several named slots, which are emptied in the order in which
+/// they were filled. A short queue holds items that are not replaced. If both hold items, they are
+/// taken in turns.
 template <class T>
 class Mailbox {
  public:
-  /// Puts an item into the slot of that name; one that was not yet taken is dropped and counted.
-  /// There are as many slots as names: their number is for the caller to bound.
+  /// Puts an item into the slot of that name; an item that was not taken yet is dropped and
+  /// counted. Each name makes a slot, and the caller must bound their number.
   void put(T item, const std::string& slot = "") {
-    // An item may be large: the old one dies after the lock is given back.
+    // An item may be large, so the old one is destroyed after the lock is released.
     std::optional<T> dropped;
     {
       const std::lock_guard lock(mutex_);
@@ -39,10 +39,10 @@ class Mailbox {
     filled_.notify_one();
   }
 
-  /// Items that may wait in the queue.
+  /// Largest number of items in the queue.
   static constexpr std::size_t kMaxQueued = 64;
 
-  /// Puts an item into the queue; false, and nothing done, if that is full.
+  /// Puts an item into the queue; returns false and does nothing if the queue is full.
   bool queue(T item) {
     {
       const std::lock_guard lock(mutex_);
@@ -53,7 +53,7 @@ class Mailbox {
     return true;
   }
 
-  /// Takes an item, waiting for one for as long as the timeout; nullopt if none came.
+  /// Takes an item, waiting for one until the timeout; nullopt if none came.
   std::optional<T> take(std::chrono::milliseconds timeout) {
     std::unique_lock lock(mutex_);
     filled_.wait_for(lock, timeout, [this] { return !slots_.empty() || !queue_.empty(); });
@@ -70,7 +70,7 @@ class Mailbox {
     return item;
   }
 
-  /// Items dropped for a newer one so far.
+  /// Number of items replaced by a newer one so far.
   std::int64_t superseded() const {
     const std::lock_guard lock(mutex_);
     return superseded_;
@@ -79,10 +79,10 @@ class Mailbox {
  private:
   mutable std::mutex mutex_;
   std::condition_variable filled_;
-  /// Those that are filled, by name.
+  /// The filled slots by name.
   std::deque<std::pair<std::string, T>> slots_;
   std::deque<T> queue_;
-  /// Whether the last item came from the queue.
+  /// True if the last item was taken from the queue.
   bool from_queue_ = false;
   std::int64_t superseded_ = 0;
 };

@@ -9,51 +9,52 @@
 
 namespace quadrille::bus {
 
-/// The receive buffer that is advised for clouds of usual sizes, of which it holds a dozen [byte].
+/// Recommended receive buffer for clouds of usual sizes, of which it holds a dozen [byte].
 inline constexpr int kReceiveBufferBytes = 64 << 20;
 
-/// The receive buffer that is asked for where the address names none [byte]. The kernel grants no
-/// more than net.core.rmem_max, and takes no memory for what is not filled.
+/// Receive buffer that is requested if the address names none [byte]. The kernel grants at most
+/// net.core.rmem_max, and uses no memory for the unfilled part.
 inline constexpr int kMaxReceiveBufferBytes = 128 << 20;
 
-/// A cloud of 640x480 points as Drake sends it [byte].
+/// Size of a cloud of 640x480 points as Drake sends it [byte].
 inline constexpr std::int64_t kUsualCloudBytes = 640 * 480 * 16;
 
-/// Why the multicast group of a udpm address cannot be reached, with the commands that mend it;
-/// nullopt if a route exists, and for other providers.
-/// @throws std::invalid_argument as multicast_group() does
+/// Explains why the multicast group of a udpm address cannot be reached, with the commands that
+/// mend it; nullopt if a route exists, and for other providers.
+/// @throws std::invalid_argument like multicast_group()
 QUADRILLE_EXPORT std::optional<std::string> find_route_problem(const Url& url);
 
-/// The receive buffer without which messages of that size are lost sooner or later: it holds one
-/// that comes while another is read [byte].
+/// Least receive buffer for messages of the given size [byte]. It holds one message that arrives
+/// while another is read; with less, messages are lost sooner or later.
 QUADRILLE_EXPORT std::int64_t needed_receive_buffer(std::int64_t message_bytes);
 
-/// The receive buffer to set up for messages of that size, which holds a burst of them [byte].
+/// Recommended receive buffer for messages of the given size, which holds a burst of them [byte].
 QUADRILLE_EXPORT int advised_receive_buffer(std::int64_t message_bytes);
 
-/// The commands that give the process a receive buffer.
-/// @param asked   the size that the address asks for [byte]
-/// @param wanted  the size that it is to have [byte]
+/// Returns the commands that give the process a receive buffer.
+/// @param asked   size that the address requests [byte]
+/// @param wanted  size that it should have [byte]
 QUADRILLE_EXPORT std::string mend_receive_buffer(std::int64_t asked, int wanted);
 
-/// What is wrong with a receive buffer for messages of a size, with the commands that mend it;
-/// nullopt if it will do.
-/// @param asked          the size that the address asks for [byte]
-/// @param granted        the size that the kernel grants [byte]
-/// @param message_bytes  of the largest message [byte]
+/// Explains why a receive buffer is too small for messages of a size, with the commands that mend
+/// it; nullopt if it suffices.
+/// @param asked          size that the address requests [byte]
+/// @param granted        size that the kernel grants [byte]
+/// @param message_bytes  size of the largest message [byte]
 QUADRILLE_EXPORT std::optional<std::string> find_buffer_problem(std::int64_t asked,
                                                                 std::int64_t granted,
                                                                 std::int64_t message_bytes);
 
-/// The same before any message came, foreseen for clouds of kUsualCloudBytes.
+/// Calls find_buffer_problem() before any message came, for clouds of kUsualCloudBytes.
 QUADRILLE_EXPORT std::optional<std::string> foresee_buffer_problem(std::int64_t asked,
                                                                    std::int64_t granted);
 
-/// The receive buffer that the kernel grants to a UDP socket that asks for so much [byte].
+/// Receive buffer that the kernel grants to a UDP socket that requests `asked` bytes [byte].
 /// @throws std::runtime_error if no socket can be made
 QUADRILLE_EXPORT int granted_receive_buffer(int asked);
 
-/// The same for a process that may exceed net.core.rmem_max (CAP_NET_ADMIN, as root has), and does.
+/// Receive buffer that a process gets if it may exceed net.core.rmem_max (CAP_NET_ADMIN, as root
+/// has) and does [byte].
 /// @throws std::runtime_error if no socket can be made
 QUADRILLE_EXPORT int forced_receive_buffer(int asked);
 

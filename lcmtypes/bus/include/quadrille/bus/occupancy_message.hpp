@@ -10,8 +10,8 @@
 
 namespace quadrille::bus {
 
-/// Reads a map of space out of a message of type quadrille.occupancy_t, with every length checked
-/// before the generated decoder sees the bytes; what its data hold is not looked at.
+/// Reads a map of space from a message of type quadrille.occupancy_t. Every length is checked
+/// before the generated decoder sees the bytes; the content of its data is not checked.
 /// @param bytes      the message as it came, fingerprint first
 /// @param max_bytes  larger messages are refused [byte]
 QUADRILLE_EXPORT Decoded<occupancy_t> decode_occupancy(std::span<const std::byte> bytes,

@@ -11,16 +11,16 @@
 
 namespace quadrille::bus {
 
-/// Where a camera was, as it came in a message.
+/// The pose of a camera, as received in a message.
 struct PoseMessage {
-  /// [us]
+  /// Time of the pose [us].
   std::int64_t utime = 0;
-  /// Pose of the camera's frame in the fixed one [m].
+  /// Pose of the camera's frame in the fixed frame [m].
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
 };
 
-/// Reads a pose out of a message of type bot_core.pose_t, with every value checked. Its quaternion
-/// may miss unit norm by the rounding of single precision, and is brought to it.
+/// Reads a pose from a message of type bot_core.pose_t, with every value checked. Its quaternion
+/// may deviate from unit norm by single-precision rounding, and is normalised.
 /// @param bytes  the message as it came, fingerprint first
 QUADRILLE_EXPORT Decoded<PoseMessage> decode_pose(std::span<const std::byte> bytes);
 

@@ -7,7 +7,7 @@
 
 namespace quadrille::bus {
 
-/// Takes the bytes of one message to where they are wanted, the bus or a log.
+/// Sends the bytes of one message to their destination, the bus or a log.
 using Publish = std::function<void(const std::string& channel, std::span<const std::byte> bytes)>;
 
 }  // namespace quadrille::bus

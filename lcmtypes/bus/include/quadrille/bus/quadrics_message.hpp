@@ -15,41 +15,42 @@
 
 namespace quadrille::bus {
 
-/// The quadrics of one cloud, as they came in a message.
+/// The quadrics of one cloud, as received in a message.
 struct QuadricsMessage {
-  /// That of the cloud [us].
+  /// Time of the cloud [us].
   std::int64_t utime = 0;
-  /// That of the cloud; 0 where the cloud has none.
+  /// Number of the cloud; 0 if the cloud has none.
   std::int32_t seq = 0;
   /// Name of the cloud's frame C.
   std::string frame;
   std::vector<Detection> detections;
-  /// digest_of() the cloud; 0: not known.
+  /// Result of digest_of() for the cloud; 0 if not known.
   std::int64_t cloud_digest = 0;
-  /// What was odd about the cloud, a sentence each.
+  /// Warnings about the cloud, one sentence each.
   std::vector<std::string> warnings = {};
 };
 
-/// Limits of what decode_quadrics() takes: ten times what is found in clouds of ten million points.
+/// Limits of decode_quadrics(): ten times what is found in clouds of ten million points.
 inline constexpr std::size_t kMaxQuadrics = 4096, kMaxQuadricsBytes = std::size_t{16} << 20;
 
-/// The pose X_CF as a message.
+/// Makes the message of the pose X_CF.
 QUADRILLE_EXPORT pose_t to_message(const Eigen::Isometry3d& X_CF);
 
-/// The pose of a message; its quaternion must have unit norm.
+/// Reads the pose of a message, whose quaternion must have unit norm.
 QUADRILLE_EXPORT Eigen::Isometry3d from_message(const pose_t& pose);
 
-/// One detection as a message; all in frame C.
+/// Makes the message of one detection; everything is in frame C.
 QUADRILLE_EXPORT quadric_t to_message(const Detection& detection);
 
-/// The result of detection as a message stamped with its cloud's utime, seq and frame.
+/// Makes the message of a detection result, stamped with its cloud's utime, seq and frame.
 QUADRILLE_EXPORT quadrics_t to_message(const CloudMessage& cloud, const DetectionResult& result);
 
-/// The detections as whoever gets them in a message will have them: their poses pass through unit
-/// quaternions, which rounds the last bits. What is computed from these is the same on both sides.
+/// Returns the detections as a receiver of the message will have them: their poses pass through
+/// unit quaternions, which rounds the last bits. Results computed from these are equal on both
+/// sides.
 QUADRILLE_EXPORT std::vector<Detection> as_received(const std::vector<Detection>& detections);
 
-/// Reads quadrics out of a message of type quadrille.quadrics_t, with every length, sign and value
+/// Reads quadrics from a message of type quadrille.quadrics_t. Every length, sign and value is
 /// checked before the generated decoder sees the bytes. More than kMaxQuadrics are refused.
 /// @param bytes      the message as it came, fingerprint first
 /// @param max_bytes  larger messages are refused [byte]

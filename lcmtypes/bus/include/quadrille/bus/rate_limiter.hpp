@@ -8,7 +8,7 @@
 
 namespace quadrille::bus {
 
-/// Lets one record in an interval through and counts those it holds back.
+/// Lets at most one record per interval through, and counts those it holds back.
 class RateLimiter {
  public:
   using Clock = std::chrono::steady_clock;
@@ -16,9 +16,9 @@ class RateLimiter {
   /// @param interval  the shortest time between two records that are let through
   explicit RateLimiter(std::chrono::milliseconds interval) : interval_(interval) {}
 
-  /// Asks for one record at that time.
-  /// @return how many records were held back since the last one let through; nullopt to hold this
-  ///   one back too
+  /// Asks to let one record through at the given time.
+  /// @return number of records held back since the last one let through; nullopt to hold this one
+  ///   back too
   QUADRILLE_EXPORT std::optional<std::int64_t> admit(Clock::time_point now = Clock::now());
 
  private:

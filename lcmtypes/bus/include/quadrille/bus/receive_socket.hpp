@@ -9,27 +9,27 @@
 
 namespace quadrille::bus {
 
-/// The descriptors of this process's UDP sockets that are bound to the port of a udpm address, in
-/// ascending order. LCM makes one with the first subscription, and keeps it to itself: it is the
-/// one that was not there before.
+/// Returns the descriptors, in ascending order, of this process's UDP sockets that are bound to the
+/// port of a udpm address. LCM makes its socket with the first subscription and does not expose it,
+/// so it is found as the one that was not there before.
 QUADRILLE_EXPORT std::vector<int> find_receiving_sockets(const Url& url);
 
-/// The socket with which LCM receives datagrams in this process, to ask the kernel how it fares.
+/// The socket on which LCM receives datagrams in this process, to query its state from the kernel.
 class ReceiveSocket {
  public:
-  /// @param fd  its descriptor, which stays open for longer than this lives
+  /// @param fd  the socket's descriptor, which must stay open as long as this lives
   explicit ReceiveSocket(int fd) : fd_(fd) {}
 
   int descriptor() const { return fd_; }
 
-  /// Its receive buffer, as it is asked for: without what the kernel adds for itself [byte].
+  /// Size of the receive buffer as it is requested, without the kernel's own overhead [byte].
   QUADRILLE_EXPORT std::int64_t buffer() const;
 
-  /// Makes the buffer larger than net.core.rmem_max, where the process may; else nothing is done.
+  /// Makes the buffer larger than net.core.rmem_max if the process may; otherwise does nothing.
   QUADRILLE_EXPORT void force_buffer(std::int64_t bytes);
 
-  /// Datagrams dropped because the buffer was full or a filter refused them; -1 where the kernel
-  /// does not tell.
+  /// Number of datagrams dropped because the buffer was full or a filter refused them; -1 if the
+  /// kernel does not tell.
   QUADRILLE_EXPORT std::int64_t dropped() const;
 
  private:

@@ -10,13 +10,13 @@
 
 namespace quadrille::bus {
 
-/// Handles the messages of a connection that is not to end by itself.
+/// Handles the messages of a connection that is not expected to end.
 class EndlessHandler {
  public:
   /// The connection must outlive this.
   explicit EndlessHandler(Connection& connection) : connection_(connection) {}
 
-  /// As Connection::handle().
+  /// Handles one message like Connection::handle().
   /// @throws std::runtime_error if the connection was lost
   QUADRILLE_EXPORT void handle(int timeout_ms);
 
@@ -25,16 +25,16 @@ class EndlessHandler {
   int failures_ = 0;
 };
 
-/// Handles the messages of a connection in a thread of its own, from its start to its end.
+/// Handles the messages of a connection in a thread of its own, which lives as long as this object.
 class Receiver {
  public:
-  /// The connection must outlive this; subscribe before.
+  /// Starts the thread. The connection must outlive this; subscribe before.
   QUADRILLE_EXPORT explicit Receiver(Connection& connection);
   Receiver(const Receiver&) = delete;
   Receiver& operator=(const Receiver&) = delete;
   QUADRILLE_EXPORT ~Receiver();
 
-  /// Throws what ended the thread, if something did: an exception of a handler, or a
+  /// Rethrows what ended the thread, if anything did: an exception of a handler, or a
   /// std::runtime_error if the connection was lost.
   QUADRILLE_EXPORT void check();
 

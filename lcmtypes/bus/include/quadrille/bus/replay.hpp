@@ -8,15 +8,16 @@
 
 namespace quadrille::bus {
 
-/// Gets one event of a log, with the time at which it was logged; its data lives until it returns.
+/// Receives one event of a log with the time at which it was logged; its data are valid until it
+/// returns.
 using EventHandler = std::function<void(const LogReader::Event&)>;
 
-/// Hands every whole event of a log to the handler, in order and none skipped, whatever bytes its
-/// channel's name has (LCM's file provider passes over those that are no UTF-8). Ends at the end of
-/// the log, or when a stop is requested.
-/// @return what the log's headers say; its defect tells of a log that was cut short, also while it
+/// Hands every complete event of a log to the handler in order, whatever bytes its channel's name
+/// has (LCM's file provider skips names that are not UTF-8). Ends at the end of the log, or when a
+/// stop is requested.
+/// @return survey of the log's headers; its defect is also set if the log was truncated while it
 ///   was read
-/// @throws std::runtime_error as survey_log() does; and what the handler throws
+/// @throws std::runtime_error like survey_log(), and whatever the handler throws
 QUADRILLE_EXPORT LogSurvey replay_log(const std::string& path, const EventHandler& handler);
 
 }  // namespace quadrille::bus

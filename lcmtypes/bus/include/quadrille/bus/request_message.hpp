@@ -9,11 +9,11 @@
 
 namespace quadrille::bus {
 
-/// Largest request that is read [byte]: some thousand ids.
+/// Size of the largest request that is read [byte], which holds some thousand ids.
 inline constexpr std::size_t kMaxRequestBytes = 64 << 10;
 
-/// Reads a request for grasps out of a message of type quadrille.grasp_request_t, with every length
-/// checked before the generated decoder sees the bytes; numbers are as they came.
+/// Reads a request for grasps from a message of type quadrille.grasp_request_t. Every length is
+/// checked before the generated decoder sees the bytes; other numbers are not checked.
 /// @param bytes  the message as it came, fingerprint first
 QUADRILLE_EXPORT Decoded<grasp_request_t> decode_request(std::span<const std::byte> bytes);
 

@@ -4,13 +4,13 @@
 
 namespace quadrille::bus {
 
-/// Makes SIGINT and SIGTERM ask for a clean end instead of killing the process.
+/// Makes SIGINT and SIGTERM request a clean end instead of killing the process.
 QUADRILLE_EXPORT void install_stop_signals();
 
-/// True once one of the signals came, or request_stop() was called.
+/// True once one of the signals came or request_stop() was called.
 QUADRILLE_EXPORT bool stop_requested();
 
-/// Asks for the end from within the process, from any thread.
+/// Requests the end from within the process; may be called from any thread.
 QUADRILLE_EXPORT void request_stop();
 
 }  // namespace quadrille::bus

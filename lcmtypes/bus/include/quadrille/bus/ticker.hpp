@@ -4,16 +4,16 @@
 
 namespace quadrille::bus {
 
-/// Says when something periodic is due.
+/// Tells when a periodic task is due.
 class Ticker {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// @param period  first due a period after the start
+  /// @param period  time between calls; the task is first due one period after the start
   explicit Ticker(std::chrono::milliseconds period, Clock::time_point start = Clock::now())
       : period_(period), last_(start) {}
 
-  /// True once a period; time that was missed is not made up for.
+  /// True once per period; missed periods are skipped.
   bool due(Clock::time_point now = Clock::now()) {
     if (now - last_ < period_) return false;
     last_ = now;

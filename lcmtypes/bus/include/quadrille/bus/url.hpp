@@ -15,30 +15,30 @@ struct Url {
   std::string provider, network;
   std::map<std::string, std::string> arguments;
 
-  /// The address as LCM reads it, its arguments in the order of their keys.
+  /// The address as LCM reads it, with its arguments sorted by key.
   QUADRILLE_EXPORT std::string to_string() const;
 };
 
-/// Takes an address apart; of an argument that is given twice the last one counts.
+/// Parses an address; if an argument is given twice, the last one counts.
 /// @throws std::invalid_argument if there is no "provider://"
 QUADRILLE_EXPORT Url parse_url(const std::string& text);
 
-/// The multicast group and port of a udpm address; LCM's own where it names none.
-/// @throws std::invalid_argument if it is not ADDRESS:PORT, or no multicast address
+/// The multicast group and port of a udpm address, or LCM's defaults if it names none.
+/// @throws std::invalid_argument if it is not ADDRESS:PORT, or not a multicast address
 QUADRILLE_EXPORT sockaddr_in multicast_group(const Url& url);
 
-/// The receive buffer that an address asks for [byte]; nullopt if it names none.
-/// @throws std::invalid_argument if that is no number of bytes from 1 to the largest int
+/// The receive buffer that an address requests [byte]; nullopt if it names none.
+/// @throws std::invalid_argument if its value is not a number of bytes from 1 to the largest int
 QUADRILLE_EXPORT std::optional<int> named_receive_buffer(const Url& url);
 
-/// Refuses addresses at which a process hears nobody, or is heard by nobody, whatever the network:
-/// those of providers that reach no other process, of no multicast group, or with arguments out of
-/// range, of which LCM says nothing.
+/// Refuses addresses at which a process can never hear or be heard, whatever the network: providers
+/// that reach no other process, addresses that are no multicast group, and arguments out of range,
+/// about which LCM itself says nothing.
 /// @throws std::invalid_argument that says what to give instead
 QUADRILLE_EXPORT void check_live(const Url& url);
 
-/// The address to use: the option if it is not empty, else $LCM_DEFAULT_URL if it is set and not
-/// empty, else LCM's own default, this machine only (ttl=0).
+/// The address to use: the option if it is not empty, otherwise $LCM_DEFAULT_URL if it is set and
+/// not empty, otherwise LCM's own default, for this machine only (ttl=0).
 QUADRILLE_EXPORT std::string resolve_url(const std::string& option);
 
 }  // namespace quadrille::bus
