@@ -10,7 +10,7 @@ class App;
 namespace quadrille {
 
 /// Returns the manual page of a program or one of its commands, as roff with the macros of man(7).
-/// @DATE@ stands for the date.
+/// The date is written as @DATE@.
 /// @param words  the command, such as {"study", "grasps"}; empty for the program
 /// @throws std::invalid_argument for an unknown command
 std::string manual_page(const CLI::App& app, const std::vector<std::string>& words);

@@ -47,8 +47,8 @@ std::set<std::string> common_senders(const Streams& streams, Kind kind) {
   return senders;
 }
 
-/// Two processes with the same work meet on all of their channels; this combines that into one
-/// finding.
+/// Two running detectors, or planners, publish on all of the same channels. Combines what was found
+/// on these channels into one finding.
 void add_twins(const std::string& channel, const Streams& streams, std::vector<Twins>* all) {
   for (const Worker& worker : kWorkers) {
     const auto senders = common_senders(streams, worker.kind);

@@ -17,7 +17,8 @@ struct PosedQuadric {
 /// A pose at the given position whose z axis has the given direction.
 Eigen::Isometry3d pose_along(const Eigen::Vector3d& position, const Eigen::Vector3d& z);
 
-/// The canonical form of a fitted quadric, whose zero entries are exact up to rounding.
+/// The matrix of a fitted quadric in its canonical frame. Entries that the form requires to be zero
+/// are zero up to rounding.
 CanonicalForm canonical_form(const PosedQuadric& fit);
 
 }  // namespace quadrille

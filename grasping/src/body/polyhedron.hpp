@@ -9,8 +9,8 @@
 
 namespace quadrille {
 
-/// Number of corners of the polygons that stand for ellipses. A radius of 30 mm grows by (sec(π/32)
-/// − 1) of itself, or 0.145 mm.
+/// Number of corners of the polygons that stand for ellipses. A radius of 30 mm grows by
+/// (sec(π/32) − 1) · 30 mm = 0.145 mm.
 inline constexpr int kSides = 32;
 
 /// Cross-section of a polyhedron that encloses a body: its height, and the scale of its semi-axes.

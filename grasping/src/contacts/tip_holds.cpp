@@ -85,8 +85,8 @@ struct Rated {
   double prior;
 };
 
-// Holds are ranked by the friction that they need, in bands of this width; all below the first band
-// count as equal.
+// Holds are ranked by the friction that they need, in bands of this width. Holds that need less
+// than the first band count as in it.
 constexpr double kFrictionBand = 0.1;
 constexpr int kFirstBand = 2;
 
@@ -157,7 +157,7 @@ class Search {
     return places;
   }
 
-  /// Returns the bounds of the surface that each dip reaches beyond the previous one.
+  /// Returns the bounds of the parts of the surface that each dip reaches beyond the previous one.
   std::vector<Eigen::AlignedBox3d> between_dips(double nearest) const {
     std::vector<Eigen::AlignedBox3d> boxes_G(dips_.size());
     for (const auto& p_G : points_G_.colwise()) {

@@ -14,7 +14,7 @@ struct OrientedBox {
   /// Half of each side length [m].
   Eigen::Vector3d half = Eigen::Vector3d::Zero();
 
-  /// The same box with each face moved outward by r [m].
+  /// Returns the box with each face moved outward by r [m].
   OrientedBox inflated(double r) const { return {R_CB, p_CB, half + Eigen::Vector3d::Constant(r)}; }
   /// Returns true if point p_C lies inside or on the box.
   bool contains(const Eigen::Vector3d& p_C) const {

@@ -22,8 +22,8 @@ constexpr std::size_t kMaxGrasps = 12;
 // to a few degrees.
 constexpr double kFrictionShare = 0.85;
 // Distances in front of the widest part, towards the hand, at which chords of the body are tried,
-// as a share of half the width. On the farthest, a ball needs a friction coefficient of 0.36/√(1 −
-// 0.36²) = 0.39, out of the 0.85 · 0.5 available by default.
+// as a share of half the width. On the farthest, a ball needs a friction coefficient of
+//   0.36/√(1 − 0.36²) = 0.39, out of the 0.85 · 0.5 available by default.
 constexpr double kMaxChordOffset = 0.36;
 constexpr double kChordOffsets[] = {0.2, kMaxChordOffset, 0.1, 0.28};
 // Least length of these chords, as a share of the greatest width. On a ball the farthest chord has

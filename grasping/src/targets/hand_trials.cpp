@@ -25,8 +25,8 @@ constexpr double kMaxDoubt = 0.004;
 // Extra opening on either side beyond what a hold needs, in 80ths of the largest opening: medium,
 // wide, then narrow. On the Franka Hand these are 7, 14 and 0 mm.
 constexpr int kRooms[] = {7, 14, 0};
-// A contact is contradicted if space is free at these depths below it, in voxels, but no deeper
-// than a share of the width.
+// A contact is contradicted if space is free at all of these depths below it, in voxels, but no
+// deeper than a share of the width.
 constexpr double kFreeDepths[] = {-0.5, 0.5, 1.5};
 constexpr double kMaxDepthShare = 0.4;
 

@@ -27,8 +27,9 @@ bool is_face(int id, const Box& box) {
   return std::find(box.faces.begin(), box.faces.end(), id) != box.faces.end();
 }
 
-/// Finds the wall of a target, and the lines across it at which it was measured.
-/// @return number of lines at which it was not measured
+/// Finds the wall of a hollow target, such as a cup, and the contact lines across its rim at which
+/// points measured the wall.
+/// @return number of contact lines at which no points did
 int find_rim(const PointCloud& cloud, const DepthView& view, const Gripper& gripper,
              const PlanOptions& options, bool inside, Target& target) {
   if (target.body.bounds_Q().sizes().maxCoeff() > kMaxShell) return 0;

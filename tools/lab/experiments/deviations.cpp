@@ -39,7 +39,7 @@ std::map<std::string, double> dimensions_of(const scoring::TrueSurface& surface)
 /// The dimensions of all surfaces that were found and named correctly.
 struct Observations {
   std::vector<Observation> known;
-  /// Number of dimensions that were published as guesses.
+  /// Number of measured lengths and angles that the detector marked as guesses.
   int guesses = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace quadrille::experiments {
 namespace {
 
-// Radius of the neighbourhood relative to that of the quadric's ball.
+// Radius of a neighbourhood, as a share of the radius of the ball that holds the quadric's points.
 constexpr double kRadius = 0.6;
 
 /// Returns points of a random quadric within a ball around one of them, scaled to the unit ball.

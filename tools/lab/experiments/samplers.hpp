@@ -10,8 +10,7 @@ namespace quadrille::experiments {
 
 /// Least cosine between a voter's or an inlier's normal and a hypothesis's gradient.
 inline constexpr double kSamplerCosine = 0.85;
-/// The sampler that solves for the gradients' lengths; the detector uses a common length by
-/// default.
+/// The sampler that solves for the gradients' lengths; the detector uses a common scale by default.
 inline constexpr const char* kThreeName = "3 points, vote, consistency test";
 
 /// Turns random points of a neighbourhood into hypotheses.

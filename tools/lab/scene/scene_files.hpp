@@ -15,8 +15,8 @@ std::string truth_path(const std::string& ply_path);
 /// tools name it; nullopt if neither exists.
 std::optional<std::string> find_truth(const std::string& ply_path);
 
-/// Returns camera, noise, and one object for each surface with its q in the camera frame, pose (x_C
-/// = R x_S + t), dims, box (in S) and what the camera saw of it.
+/// Returns camera, noise, and one object for each surface with its q in the camera frame, pose
+/// (x_C = R x_S + t), dims, box (in S) and what the camera saw of it.
 nlohmann::ordered_json truth_json(const Scene& scene);
 
 /// Writes OUT.ply and OUT.truth.json; with labels also OUT.labels (int32 per point) and OUT.normals

@@ -20,7 +20,8 @@ Label label_of(const StudyOptions& options, const std::string& version, const st
 struct SceneName {
   /// Number from 1 on, over all inputs and shards.
   int number = 1;
-  /// The cloud, or family and seed.
+  /// Where the row's scene comes from: the file of a given cloud, or the family and the seed of a
+  /// generated scene.
   std::string input;
   /// Seed of the generated scene; empty for a given cloud.
   std::string seed;

@@ -14,7 +14,7 @@ namespace quadrille::study {
 struct Study {
   StudyOptions options;
   Label label;
-  /// The scenes, in the order of the rows.
+  /// The scenes, in the order of the rows of the table that the study writes.
   std::vector<SceneName> names;
   /// Makes or reads the cloud of a scene, on any thread. If it throws std::runtime_error, the scene
   /// gets a row that says it failed.

@@ -36,8 +36,8 @@ struct DetectorSettings {
   /// Warnings to be logged about settings that are ignored.
   std::vector<std::string> warnings;
 
-  /// Lists each channel: which way its messages go, the option that names it, its name, and what
-  /// it carries.
+  /// Lists each channel: the direction of its messages, the option that names it, its name, and its
+  /// content.
   template <class Settings, class Visit>
   static void visit_channels(Settings& settings, const Visit& visit) {
     visit(Way::kIn, "--in-channel", settings.in_channel, "clouds");

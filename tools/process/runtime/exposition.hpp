@@ -24,7 +24,7 @@ class Exposition {
   /// Adds a value that only grows; "_total" is appended to the name.
   void add_counter(const std::string& name, const std::string& help, std::int64_t value);
   void add_gauge(const std::string& name, const std::string& help, double value);
-  /// Adds one counter for each reason.
+  /// Adds a counter for each entry, labelled with its reason, such as that of a refused message.
   void add_counters(const std::string& name, const std::string& help,
                     const std::vector<count_t>& counts);
   void add_stages(const std::vector<stage_t>& stages);

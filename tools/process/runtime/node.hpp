@@ -87,8 +87,8 @@ class Node {
   /// @return the work to be done, in this order
   std::vector<Job> take(Time now, const std::string& channel, std::span<const std::byte> bytes);
 
-  /// Returns work for the time in which no message calls for any. For the working thread, on the
-  /// bus.
+  /// Returns a job to run while the node is idle, that is while no message waits. Only processes on
+  /// the bus call it, from their working thread.
   virtual std::optional<Job> find_spare_job() { return std::nullopt; }
 
   /// Publishes the status. For a separate thread, also while a job is being done.

@@ -59,8 +59,8 @@ class Inbox {
   std::mutex mutex_;
 };
 
-/// Logs on which channels a process listens, and with which receive buffer, once it does.
-/// @param url  as it was given: the buffer in use is what the kernel grants
+/// Logs on which channels a process listens, and with which receive buffer, after subscribing.
+/// @param url  address as it was given; the buffer in use is what the kernel grants
 void log_listening(const std::vector<InChannel>& channels, const std::string& url,
                    const bus::Connection& connection) {
   const auto buffer = connection.traffic().receive_buffer;

@@ -35,7 +35,7 @@ struct PinholeView {
   Eigen::Isometry3f X_VC = Eigen::Isometry3f::Identity();
   /// Only every stride-th point is looked at, and pixels are wider accordingly.
   int stride = 1;
-  /// Number of points that it sees, and of finite points that it does not.
+  /// Number of points that lie in the field of view, and of finite points that do not.
   std::size_t seen = 0, unseen = 0;
   /// Bounds of the tangents (u, v) of the points that it sees.
   Eigen::AlignedBox2f bounds;

@@ -35,8 +35,8 @@ struct Gripper {
   double tcp = 0.0;
 
   /// Returns how much farther from the palm the tips lie at this opening than at the largest one
-  /// [m]. With the links' length L and angle φ this is L(cos ψ − cos φ) where sin ψ = sin φ − (max
-  /// − opening)/2L.
+  /// [m]. With the links' length L and angle φ this is L(cos ψ − cos φ), where
+  /// sin ψ = sin φ − (max − opening)/2L.
   QUADRILLE_EXPORT double extension(double opening) const;
   /// Returns the largest extension over all openings from `narrow` to `wide` [m].
   QUADRILLE_EXPORT double max_extension(double narrow, double wide) const;

@@ -27,8 +27,8 @@ struct GraspPlan {
   std::map<std::string, int> rejected;
   /// The boxes of which detected planes are faces; each box may be a target.
   std::vector<Box> boxes;
-  /// The collision shapes of all boxes, and of all other detections that have a shape. Shapes of
-  /// the same detection are adjacent.
+  /// The collision shapes of all boxes, and of all detections that have a shape and are not faces
+  /// of boxes. Shapes of the same detection are adjacent.
   std::vector<CollisionShape> shapes;
   /// Free, occupied and unknown space around the targets; to_octree() makes an OctoMap of it.
   std::shared_ptr<const OccupancyGrid> space;
