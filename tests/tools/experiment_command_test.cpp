@@ -105,11 +105,12 @@ TEST_CASE("a sequence without scans, or with a broken list of them, is a failure
   const EnvironmentVariable data("QUADRILLE_DATA", folder.path("d"));
   std::filesystem::create_directories(folder.path("d/data/real"));
   const auto check = [&](const std::string& part) {
-    test::check_failure(run_quadrille("experiment sequence --out '" + folder.path("o") + "'"),
-                        "d/data/real/manifest.json: " + part);
+    const test::Run run = run_quadrille("experiment sequence --out '" + folder.path("o") + "'");
+    test::check_failure(run, "d/data/real/manifest.json: ");
+    test::check_failure(run, part);
     CHECK(std::filesystem::is_empty(folder.path("o")));
   };
-  check("no real scans; set QUADRILLE_DATA to a folder with data/real");
+  check("manifest.json: no real scans; set QUADRILLE_DATA to a folder with data/real");
   {
     const std::string name(300, 'x');
     const EnvironmentVariable too_long("QUADRILLE_DATA", folder.path(name));
@@ -134,6 +135,6 @@ TEST_CASE("a sequence without scans, or with a broken list of them, is a failure
        {std::string(R"({"scenes":[]})"), scan + radius + R"("frames":[]}]})"}) {
     folder.write("d/data/real/manifest.json", text);
     CAPTURE(text);
-    check("lists no sequence; set QUADRILLE_DATA to a folder with data/real");
+    check("manifest.json: lists no sequence; set QUADRILLE_DATA to a folder with data/real");
   }
 }
