@@ -23,8 +23,7 @@ GraspScene::GraspScene(const PointCloud& cloud, const std::vector<Detection>& de
                        const std::vector<PointCloud>& further) {
   gripper.check();
   options.check();
-  parts_ =
-      make_scene_parts(cloud, detections, gripper, options, further, Deadline(options.deadline_ms));
+  parts_ = make_scene_parts(cloud, detections, gripper, options, further, options.deadline_ms);
 }
 
 GraspScene::GraspScene(GraspScene&&) noexcept = default;

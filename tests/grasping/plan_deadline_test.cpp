@@ -44,6 +44,31 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 
 }  // namespace
 
+TEST_CASE("a plan that is cut midway has the grasps that were found until then",
+          "[plan][deadline]") {
+  const std::vector<Ball> balls = row_of_balls();
+  const PointCloud cloud = render(balls);
+  std::vector<Detection> detections = detections_of(balls);
+  // More targets than there is time for, beside the others and out of their way.
+  for (int n = 0; n < 60; ++n) {
+    detections.push_back(sphere_detection(balls[static_cast<std::size_t>(n % 3)]));
+    detections.back().id = 100 + n;
+    detections.back().score = 0.5;
+  }
+  // Deadlines that grow until none is cut: those in between cut the plan after some targets.
+  int cut_with_grasps = 0;
+  for (double ms = 1.0; ms < 1e5; ms *= 1.25) {
+    PlanOptions options;
+    options.deadline_ms = ms;
+    const GraspPlan plan = plan_grasps(cloud, detections, franka_hand(), options);
+    CHECK(plan.cut == tells_of_cut(plan));
+    CHECK(plan.cut == plan.rejected.contains("deadline"));
+    if (!plan.cut) break;
+    cut_with_grasps += !plan.grasps.empty();
+  }
+  CHECK(cut_with_grasps > 0);
+}
+
 TEST_CASE("a deadline that does not pass changes nothing", "[plan][deadline]") {
   const std::vector<Ball> balls = row_of_balls();
   const PointCloud cloud = render(balls);
@@ -70,6 +95,7 @@ TEST_CASE("a plan that has no time says which targets it did not try", "[plan][d
   CHECK(plan.grasps.empty());
   CHECK(plan.rejected.at("deadline") == 3);
   CHECK(tells_of_cut(plan));
+  CHECK(plan.space == nullptr);
   // A query's own deadline counts for it alone.
   const GraspScene scene(cloud, detections_of(balls), franka_hand());
   GraspQuery query;

@@ -179,7 +179,8 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
     print(detection_table(input.info, result, paint) +
           grasp_table(is_found ? plan : nothing, setup.options.unknown, paint));
   }
-  if (output->map) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
+  // The plan's warnings say why there is none.
+  if (output->map && plan.space) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
 }
 
 void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const std::string& path,

@@ -34,13 +34,16 @@ class QueryPlanner {
       refusals_ = parts_.refusals;
     } else {
       for (const Target* target : asked) refusals_[Refusal::kUnmeasured] += target->unmeasured;
-      // A selected object may be among those that the deadline left out.
-      const auto late = parts_.refusals.find(Refusal::kDeadline);
-      if (late != parts_.refusals.end()) refusals_.insert(*late);
+      // A selected object may be among those for which there was no time.
+      refusals_[Refusal::kDeadline] +=
+          static_cast<int>(std::count_if(parts_.late.begin(), parts_.late.end(), [&](int id) {
+            const std::vector<int>& ids = query_.ids;
+            return ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
+          }));
       explain(asked);
     }
     for (const Target* target : asked) plan_target(*target);
-    tell_of_cut();
+    warn_of_cut();
     select();
     for (const auto& [why, count] : refusals_) {
       if (count > 0) plan_.rejected.emplace(to_string(why), count);
@@ -98,12 +101,13 @@ class QueryPlanner {
     return cut;
   }
 
-  void tell_of_cut() {
+  void warn_of_cut() {
     const int targets = refusals_[Refusal::kDeadline];
-    if (targets == 0) return;
-    plan_.warnings.push_back("the deadline cut the plan: " + std::to_string(targets) +
-                             " targets were not tried, or not to their end; raise "
-                             "planner.deadline_ms (--deadline-ms), or ask for fewer targets");
+    plan_.cut = targets > 0;
+    if (!plan_.cut) return;
+    plan_.warnings.push_back("the deadline cut the plan; targets not tried, or not to their end: " +
+                             std::to_string(targets) +
+                             "; raise planner.deadline_ms (--deadline-ms)");
   }
 
   /// Sorts the grasps, best first, and drops the surplus; each target keeps its best grasp before

@@ -23,8 +23,12 @@ using Clock = std::chrono::steady_clock;
 class SceneMaker {
  public:
   SceneMaker(const PointCloud& cloud, const std::vector<Detection>& detections,
-             const std::vector<PointCloud>& further, const Deadline& deadline, SceneParts& parts)
-      : detections_(detections), deadline_(deadline), parts_(parts), cloud_(kept(cloud)) {
+             const std::vector<PointCloud>& further, double deadline_ms, SceneParts& parts)
+      : detections_(detections),
+        deadline_(deadline_ms),
+        half_(0.5 * deadline_ms),
+        parts_(parts),
+        cloud_(kept(cloud)) {
     for (const PointCloud& view : further) further_.push_back(&kept(view));
   }
 
@@ -40,8 +44,11 @@ class SceneMaker {
       warn("no point lies before the viewpoint: all space counts as unknown");
     }
     if (seen_so) stage("targets", [&] { choose_targets(); });
-    if (deadline_.passed()) drop_all_targets();
-    stage("occupancy", [&] { map_space(); });
+    if (deadline_.passed()) {
+      drop_all_targets();
+    } else {
+      stage("occupancy", [&] { map_space(); });
+    }
   }
 
  private:
@@ -136,8 +143,8 @@ class SceneMaker {
 
   void choose_targets() {
     add(quadrille::choose_targets(cloud_, detections_, *parts_.view, parts_.gripper, parts_.options,
-                                  deadline_));
-    add(choose_boxes(cloud_, parts_.boxes, detections_, parts_.gripper, parts_.options, deadline_));
+                                  half_));
+    add(choose_boxes(cloud_, parts_.boxes, detections_, parts_.gripper, parts_.options, half_));
     drop_far_targets();
   }
 
@@ -149,6 +156,7 @@ class SceneMaker {
       refuse(target.id, Refusal::kDeadline);
     }
     parts_.targets.clear();
+    warn("the deadline passed before space was mapped: the plan has no map");
   }
 
   /// Refuses targets that do not fit into one map, so that a body far away does not spoil the map
@@ -165,9 +173,10 @@ class SceneMaker {
       parts_.targets.erase(target);
     }
     if (far.empty()) return;
-    warn(std::to_string(far.size()) +
-         " of the targets are too large, or too far from the viewpoint, to be mapped with the "
-         "others");
+    warn(
+        "targets that are too large, or too far from the viewpoint, to be mapped with the "
+        "others: " +
+        std::to_string(far.size()));
   }
 
   void add(ChosenTargets chosen) {
@@ -178,6 +187,7 @@ class SceneMaker {
 
   void refuse(int id, Refusal why) {
     parts_.why_none[id] = "cannot be held: " + std::string(to_string(why));
+    if (why == Refusal::kDeadline) parts_.late.push_back(id);
   }
 
   /// The box of which a detection is a face; nullptr if there is none.
@@ -219,7 +229,7 @@ class SceneMaker {
   }
 
   std::vector<Detection> detections_;
-  const Deadline& deadline_;
+  const Deadline deadline_, half_;
   SceneParts& parts_;
   /// Range checks of all clouds, in a list so that the clouds in it keep their addresses.
   std::list<RangeCheck> ranges_;
@@ -231,13 +241,13 @@ class SceneMaker {
 
 std::unique_ptr<const SceneParts> make_scene_parts(
     const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
-    const PlanOptions& options, const std::vector<PointCloud>& further, const Deadline& deadline) {
+    const PlanOptions& options, const std::vector<PointCloud>& further, double deadline_ms) {
   auto parts = std::make_unique<SceneParts>();
   parts->gripper = gripper;
   parts->options = options;
   parts->viewpoint_C = cloud.viewpoint;
   parts->reach = hand_reach(gripper, options.approach);
-  SceneMaker(cloud, detections, further, deadline, *parts).make();
+  SceneMaker(cloud, detections, further, deadline_ms, *parts).make();
   return parts;
 }
 

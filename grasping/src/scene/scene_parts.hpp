@@ -41,7 +41,10 @@ struct SceneParts {
   std::vector<Target> targets;
   /// Why other detections and boxes are not targets, by id: "is a plane".
   std::map<int, std::string> why_none;
+  /// Ids of the detections and boxes for which there was no time.
+  std::vector<int> late;
   RefusalCounts refusals;
+  /// Null if there was no time to map it.
   std::shared_ptr<const OccupancyGrid> space;
   /// The map refers to space and view, so all three must keep their addresses.
   std::optional<ObstacleMap> map;
@@ -49,10 +52,11 @@ struct SceneParts {
   std::vector<StageTime> timings;
 };
 
-/// Prepares a cloud stage by stage: boxes, shapes, view, targets, occupancy. Once the deadline has
-/// passed, no further targets are chosen.
+/// Prepares a cloud stage by stage: boxes, shapes, view, targets, occupancy. Targets are chosen
+/// within half of the deadline [ms], which leaves the other half to try them; 0 means no deadline.
+/// If all of it has passed by then, no target is left and space is not mapped.
 std::unique_ptr<const SceneParts> make_scene_parts(
     const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
-    const PlanOptions& options, const std::vector<PointCloud>& further, const Deadline& deadline);
+    const PlanOptions& options, const std::vector<PointCloud>& further, double deadline_ms);
 
 }  // namespace quadrille

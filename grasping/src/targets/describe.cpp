@@ -17,7 +17,8 @@ constexpr double kDiscToPad = 0.25;
 bool observed(const Eigen::Vector3d& contact_C, const OccupancyGrid& space) {
   const double step = space.resolution();
   for (int n = 0; n < 27; ++n) {
-    const Eigen::Vector3d offset(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+    const Eigen::Vector3i steps(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+    const Eigen::Vector3d offset = steps.cast<double>();
     if (space.at(contact_C + step * offset) == Voxel::kOccupied) return true;
   }
   return false;

@@ -160,9 +160,13 @@ TEST_CASE("a request may bring a deadline of its own", "[process][request][deadl
   CHECK(std::any_of(cut.rejected.begin(), cut.rejected.end(),
                     [](const count_t& entry) { return entry.name == "deadline"; }));
   CHECK(asked.status().cut == 1);
-  // The next one gets all, though the scene of the last one lacked its targets.
+  // The next one gets all, though the scene of the last one lacked its targets, and so does the one
+  // after it, on the scene that is kept: a deadline is for one request alone.
   CHECK(targets_of(asked.ask(request_of(2))).size() >= 3);
-  CHECK(asked.status().cut == 1);
+  hasty.request_id = 3;
+  CHECK(asked.ask(hasty).grasps.empty());
+  CHECK(targets_of(asked.ask(request_of(4))).size() >= 3);
+  CHECK(asked.status().cut == 2);
 }
 
 TEST_CASE("each cloud is planned on as well unless told otherwise", "[process][request]") {

@@ -10,7 +10,10 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <fstream>
 #include <functional>
+#include <iterator>
+#include <string>
 #include <thread>
 
 #include "process/runtime/run.hpp"
@@ -59,10 +62,14 @@ struct End {
   double seconds = 0.0;
 };
 
-End run_in_child(const std::function<void(const NodeMaker&)>& run) {
+/// @param said  file for what it logs
+End run_in_child(const std::string& said, const std::function<void(const NodeMaker&)>& run) {
   const auto start = std::chrono::steady_clock::now();
   const pid_t child = fork();
   if (child == 0) {
+    // Tests log to the standard output. Without a buffer nothing is lost at a sudden end.
+    if (std::freopen(said.c_str(), "w", stdout) == nullptr) std::_Exit(kEndsItself);
+    std::setvbuf(stdout, nullptr, _IONBF, 0);
     std::fclose(stderr);
     bus::install_stop_signals();
     try {
@@ -84,7 +91,8 @@ constexpr double kMaxSeconds = 8.0;
 }  // namespace
 
 TEST_CASE("on the bus a job without end is given up when the process is stopped", "[process]") {
-  const End end = run_in_child([](const NodeMaker& make_node) {
+  const test::TempFolder folder;
+  const End end = run_in_child(folder.path("said"), [](const NodeMaker& make_node) {
     ProcessArguments arguments;
     arguments.lcm_url = "memq://";
     run_on_bus(arguments, make_node);
@@ -105,11 +113,14 @@ TEST_CASE("a replay that is stopped in a job without end keeps what came before"
     for (int n = 1; n <= 6; ++n) log.write(n, "IN", std::vector<std::byte>(100));
     log.flush();
   }
-  const End end =
-      run_in_child([&](const NodeMaker& make_node) { run_on_log(arguments, make_node); });
+  const End end = run_in_child(
+      folder.path("said"), [&](const NodeMaker& make_node) { run_on_log(arguments, make_node); });
   REQUIRE(WIFEXITED(end.status));
   CHECK(WEXITSTATUS(end.status) == 1);
   CHECK(end.seconds < kMaxSeconds);
+  std::ifstream file(folder.path("said"));
+  const std::string said{std::istreambuf_iterator<char>(file), {}};
+  CHECK(said.find("stopped before the end of the log, after 2 of 6 events") != std::string::npos);
   bus::LogReader log(arguments.out_log);
   int answers = 0;
   while (const auto event = log.next()) answers += event->channel == "OUT";

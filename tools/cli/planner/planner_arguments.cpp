@@ -8,6 +8,18 @@
 
 namespace quadrille {
 
+namespace {
+
+// CLI::Range accepts NaN.
+std::string check_deadline(const std::string& text) {
+  double ms = 0.0;
+  const bool is_good =
+      CLI::detail::lexical_cast(text, ms) && ms >= 0.0 && ms <= PlanOptions::kMaxDeadline;
+  return is_good ? "" : "must be 0 to 3600000 ms";
+}
+
+}  // namespace
+
 void PlannerArguments::add_to(CLI::App& app, const std::string& default_gripper) {
   gripper_name = default_gripper;
   auto* gripper = app.add_option("--gripper", gripper_name, "Built-in name, or a TOML file")
@@ -22,7 +34,7 @@ void PlannerArguments::add_to(CLI::App& app, const std::string& default_gripper)
   add_choice_option(app, "--unknown", unknown, policies, "What unobserved space counts as");
   app.add_option("--deadline-ms", deadline_ms,
                  "End a plan after so long with the grasps that it has, and say so; 0: never")
-      ->check(CLI::Range(0.0, PlanOptions::kMaxDeadline))
+      ->check(check_deadline)
       ->type_name("T");
 }
 

@@ -56,8 +56,7 @@ constexpr std::array<Advice, 18> kAdvice = {{
      "there are more quadrics than are planned on; set max_detections (under [planner] in --config "
      "FILE), or crop the cloud"},
     {Refusal::kDeadline,
-     "the deadline passed before a grasp was found; allow more time (--deadline-ms), or ask for "
-     "fewer targets"},
+     "the deadline passed before a grasp was found; allow more time (--deadline-ms)"},
     {Refusal::kUnknown, "most candidates end in space the camera has not seen; "},
 }};
 
@@ -82,6 +81,7 @@ std::string advise(std::string_view reason, UnknownPolicy unknown) {
 }
 
 std::string explain_no_grasps(const GraspPlan& plan, UnknownPolicy unknown) {
+  if (plan.cut) return advise(to_string(Refusal::kDeadline), unknown);
   // Candidates refused for their clearance come first: they would have been grasps if less
   // clearance had been required.
   const auto near = plan.rejected.find(std::string(to_string(Refusal::kClearance)));

@@ -195,7 +195,7 @@ std::int64_t PlannerNode::publish_maps(const Stamp& stamp, const GraspPlan& plan
     bytes += publish(settings_.shapes_channel, make_shapes_message(stamp, plan));
   }
   if (!settings_.occupancy) return bytes;
-  return bytes + occupancies_.add({stamp, plan.space, X_RK});
+  return plan.space ? bytes + occupancies_.add({stamp, plan.space, X_RK}) : bytes;
 }
 
 /// Returns the job of publishing the last cloud's map, once it is due.

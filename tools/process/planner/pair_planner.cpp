@@ -8,18 +8,9 @@
 #include <utility>
 
 #include "quadrille/detector/rigid_motion.hpp"
-#include "quadrille/grasping/refusal.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 
 namespace quadrille {
-namespace {
-
-bool was_cut(const GraspPlan& plan) {
-  return plan.rejected.contains(std::string(to_string(Refusal::kDeadline)));
-}
-
-}  // namespace
-
 /// Plans on a pair in the camera's frame. The scene is made unless it is that of the last call.
 GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const GraspQuery& query) {
   if (pair == ready_) return scene_->plan(query);
@@ -32,18 +23,22 @@ GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const GraspQuery& 
   const bool as_results = pair->quadrics.frame == placement.frame;
   const Eigen::Isometry3d& X_FK = as_results ? placement.X_RK : placement.X_CK;
   PlanOptions options = settings_.plan;
-  options.deadline_ms = query.deadline_ms.value_or(options.deadline_ms);
+  options.deadline_ms = *query.deadline_ms;
+  // Whatever throws from here on leaves no scene that a later query could take for another one.
+  ready_ = nullptr;
   scene_.emplace(cloud_K, moved(pair->quadrics.detections, X_FK.inverse()), settings_.gripper,
                  options);
   GraspPlan plan = scene_->plan_from_start(query);
   // A scene that was cut short may lack targets, so the next query for this cloud makes a new one.
-  ready_ = was_cut(plan) ? nullptr : pair;
+  if (!plan.cut) ready_ = pair;
   return plan;
 }
 
 GraspPlan PairPlanner::plan(const SharedPair& pair, const GraspQuery& query) {
-  GraspPlan plan = plan_in_camera(pair, query);
-  if (was_cut(plan)) {
+  GraspQuery timed = query;
+  timed.deadline_ms = query.deadline_ms.value_or(settings_.plan.deadline_ms);
+  GraspPlan plan = plan_in_camera(pair, timed);
+  if (plan.cut) {
     ++cut_;
     cut_log_.warning(fmt::format(
         "cloud {}: the deadline cut the plan; it has the grasps that were found until then",

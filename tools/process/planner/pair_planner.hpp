@@ -31,6 +31,7 @@ class PairPlanner {
   std::int64_t cut() const { return cut_; }
 
  private:
+  /// @param query  with a deadline
   GraspPlan plan_in_camera(const SharedPair& pair, const GraspQuery& query);
 
   const PlannerSettings& settings_;

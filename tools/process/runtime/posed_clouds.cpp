@@ -36,7 +36,11 @@ std::optional<Job> PosedClouds::add(std::int64_t utime, Then then) {
     note(utime, pose);
     return then(pose);
   }
-  waiting_.push_back({utime, now_, {std::move(then)}});
+  Waiting& cloud = waiting_.emplace_back();
+  cloud.utime = utime;
+  cloud.since = now_;
+  // Moved in: a copy would copy the points of the cloud.
+  cloud.thens.push_back(std::move(then));
   return std::nullopt;
 }
 
@@ -66,7 +70,7 @@ std::vector<Job> PosedClouds::take_due(Node::Time now) {
 }
 
 bool PosedClouds::is_due(const Waiting& cloud, const CameraPose& pose) const {
-  return pose.X_WK || is_crowded() || max_wait_ == max_wait_.zero() ||
+  return pose.X_WK || is_crowded() || max_wait_ == max_wait_.zero() || now_ == Node::Time::max() ||
          now_ - cloud.since > max_wait_;
 }
 

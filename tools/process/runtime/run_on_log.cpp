@@ -6,6 +6,7 @@
 #include <memory>
 #include <mutex>
 #include <stdexcept>
+#include <utility>
 
 #include "io/new_file.hpp"
 #include "process/runtime/channel_census.hpp"
@@ -37,14 +38,15 @@ void check_unmixed(const std::string& path, const std::vector<OutChannel>& chann
 /// Runs a node through a log. The output log appears under its name once it is complete.
 class LogRun {
  public:
-  LogRun(const ProcessArguments& arguments, const NodeMaker& make_node)
+  LogRun(const ProcessArguments& arguments, bus::LogSurvey survey, const NodeMaker& make_node)
       : arguments_(arguments),
         file_(arguments.out_log),
         out_(file_.path(), arguments.out_log),
         stats_(arguments.stats_file),
         node_(make_node([this](const std::string& channel, std::span<const std::byte> bytes) {
           publish(channel, bytes);
-        })) {}
+        })),
+        survey_(std::move(survey)) {}
 
   void run() {
     if (arguments_.copy_input) check_unmixed(arguments_.in_log, node_->out_channels());
@@ -104,13 +106,14 @@ class LogRun {
 
   /// Does a job in a separate thread, so that a stop need not wait for its end.
   void work(const Job& job) {
-    const auto done = std::async(std::launch::async, [&] { node_->work(job); });
+    auto done = std::async(std::launch::async, [&] { node_->work(job); });
     const auto ends_within = [&](std::chrono::milliseconds time) {
       return done.wait_for(time) == std::future_status::ready;
     };
     while (!ends_within(std::chrono::milliseconds(50))) {
       if (bus::stop_requested() && !ends_within(kStopPatience)) give_up();
     }
+    done.get();
   }
 
   /// Ends the process while a job is running, which then writes no more.
@@ -159,6 +162,7 @@ class LogRun {
   std::int64_t utime_ = 0;
   std::unique_ptr<Node> node_;
   ChannelCensus census_;
+  /// As it was before the replay, and then as the replay found it.
   bus::LogSurvey survey_;
   std::int64_t done_ = 0;
 };
@@ -167,8 +171,7 @@ class LogRun {
 
 void run_on_log(const ProcessArguments& arguments, const NodeMaker& make_node) {
   bus::check_different_files(arguments.in_log, arguments.out_log);
-  bus::survey_log(arguments.in_log);
-  LogRun(arguments, make_node).run();
+  LogRun(arguments, bus::survey_log(arguments.in_log), make_node).run();
 }
 
 }  // namespace quadrille

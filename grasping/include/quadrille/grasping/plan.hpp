@@ -30,7 +30,10 @@ struct GraspPlan {
   /// The collision shapes of all boxes, and of all detections that have a shape and are not faces
   /// of boxes. Shapes of the same detection are adjacent.
   std::vector<CollisionShape> shapes;
-  /// Free, occupied and unknown space around the targets; to_octree() makes an OctoMap of it.
+  /// True if the deadline ended the search early, so that there may be further grasps.
+  bool cut = false;
+  /// Free, occupied and unknown space around the targets; to_octree() makes an OctoMap of it. Null
+  /// if the deadline passed before space was mapped.
   std::shared_ptr<const OccupancyGrid> space;
   std::vector<StageTime> timings;
   double total_ms = 0.0;
