@@ -90,7 +90,8 @@ constexpr double kMaxSeconds = 8.0;
 
 }  // namespace
 
-TEST_CASE("on the bus a job without end is given up when the process is stopped", "[process]") {
+TEST_CASE("on the bus a job without end is given up when the process is stopped",
+          "[process][fork]") {
   const test::TempFolder folder;
   const End end = run_in_child(folder.path("said"), [](const NodeMaker& make_node) {
     ProcessArguments arguments;
@@ -103,7 +104,7 @@ TEST_CASE("on the bus a job without end is given up when the process is stopped"
 }
 
 TEST_CASE("a replay that is stopped in a job without end keeps what came before",
-          "[process][log]") {
+          "[process][log][fork]") {
   const test::TempFolder folder;
   ProcessArguments arguments;
   arguments.in_log = folder.path("in.lcm");
