@@ -77,7 +77,7 @@ class Chain {
     for (const Job& job : node.take(Node::Time(), channel, bytes)) node.work(job);
     CHECK(node.failed() == 0);
   }
-  /// What the detector found comes to the planner.
+  /// Gives the messages of the detector to the planner.
   void pass_on() {
     if (std::exchange(quadrics_are_new_, false)) {
       give(planner_, "QUADRICS", published_.at("QUADRICS"));

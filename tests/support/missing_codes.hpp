@@ -7,7 +7,7 @@
 
 namespace quadrille::test {
 
-/// What drivers send as depth of a pixel that they could not measure, and the same with a sign.
+/// Depths that drivers send for pixels without a measurement, also with a negative sign.
 inline constexpr std::array kMissingCodes = {1e30f,
                                              std::numeric_limits<float>::max(),
                                              1e22f,
@@ -30,7 +30,7 @@ inline PointCloud with_code(PointCloud cloud, float code) {
   return cloud;
 }
 
-/// The same pixels missing.
+/// The same cloud with NaN in place of these pixels.
 inline PointCloud with_gaps(PointCloud cloud) {
   return with_code(std::move(cloud), std::numeric_limits<float>::quiet_NaN());
 }

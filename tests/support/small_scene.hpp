@@ -16,7 +16,7 @@ struct SmallScene {
   Camera camera;
 
   PointCloud render() const { return test::render(patches, camera); }
-  /// What a detector without error would find.
+  /// The detections that a detector without error would make.
   std::vector<Detection> truth() const;
 };
 

@@ -9,7 +9,7 @@ using namespace quadrille::test;
 
 namespace {
 
-/// As the rule is told, point by point in double precision.
+/// Applies the rule point by point in double precision, as an independent truth.
 std::size_t count_in_range(const CloudView& cloud) {
   std::size_t count = 0;
   for (const Eigen::Vector3f& p : cloud.points) {

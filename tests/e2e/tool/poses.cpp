@@ -88,7 +88,7 @@ bool is_refused(const std::vector<std::string>& warnings) {
 /// How many answers there are on a channel, and of how many clouds without a pose.
 struct Answers {
   std::set<std::int64_t> placed, refused;
-  /// Of the ball's centre in the fixed frame, over all clouds [m].
+  /// Largest error of the ball's centre in the fixed frame, over all clouds [m].
   double error = 0.0;
 };
 

@@ -77,7 +77,7 @@ void send_hostile(const std::string& url, const std::string& log, const Hostile&
 /// every 10 ms and a cloud every 100 ms.
 struct PoseTiming {
   int clouds = 0;
-  /// Of the poses, those that come after the next one.
+  /// Share of the poses that arrive after the pose that follows them [%].
   int percent_disordered = 0;
   /// From the time of a pose or a cloud until it comes.
   int poses_late_ms = 0, clouds_late_ms = 0;

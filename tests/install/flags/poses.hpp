@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
-/// Of a target that knows Eigen and nothing of quadrille.
+/// Belongs to a target that uses Eigen and includes no header of quadrille.
 struct Placed {
   double weight = 0.0;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();

@@ -13,7 +13,7 @@
 namespace quadrille {
 namespace {
 
-/// What is logged while a call lasts.
+/// Returns the records that are logged during a call.
 template <class Call>
 std::string logged_by(Call&& call) {
   std::ostringstream log;

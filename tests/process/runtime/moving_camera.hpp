@@ -15,10 +15,10 @@
 namespace quadrille::test {
 
 inline constexpr std::int64_t kMs = 1000;
-/// Of the moving camera [m/s].
+/// Speed of the moving camera [m/s].
 inline constexpr double kSpeed = 0.5;
 
-/// What is logged while this lives.
+/// Collects the records that are logged during its lifetime.
 class LoggedLines {
  public:
   LoggedLines() {
