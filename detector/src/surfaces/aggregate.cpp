@@ -5,12 +5,7 @@
 #include <cmath>
 
 #include "fit/family_spec.hpp"
-#include "quadrille/detector/canonical.hpp"
 #include "samples/inliers.hpp"
-#include "surfaces/evidence/confidence.hpp"
-#include "surfaces/evidence/intruders.hpp"
-#include "surfaces/evidence/see_through.hpp"
-#include "surfaces/evidence/upright.hpp"
 #include "surfaces/join.hpp"
 #include "surfaces/plane_surface.hpp"
 #include "surfaces/surface_fit.hpp"
@@ -146,7 +141,7 @@ bool Aggregation::is_promising(const Candidate& candidate, const Acceptance& ask
   const double min_spread = kCandidateSpreadShare * options_.min_spread;
   if (normal_spread(samples_, open) < min_spread) return asked.takes_planes_instead;
   const CanonicalForm form = canonical_form(candidate.Q);
-  trial->first_look = evidence_of(open, candidate.Q, form);
+  trial->first_look = all_evidence(source(), open, candidate.Q, form, beyond(open));
   const auto terms =
       confidence_terms(*trial->first_look, family_spec(candidate.family).dof, log_prior(form.type));
   return confidence(terms, SurfaceKind::kCurved) >= asked.min_candidate_confidence;
@@ -184,33 +179,21 @@ Surface Aggregation::joined(Surface surface) {
   return surface;
 }
 
-/// Sets the surface's evidence and confidence.
 void Aggregation::weigh(Surface* surface) const {
-  surface->evidence = evidence_of(surface->region, surface->Q, canonical_form(surface->fit.posed));
-  surface->confidence = confidence_of(*surface);
+  quadrille::weigh(source(), surface, beyond(surface->region));
 }
 
-Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q,
-                                  const CanonicalForm& form) const {
-  std::span<const char> beyond;
-  if (stands_off(region)) beyond = claimed();
-  Evidence evidence = collect_evidence(samples_, region, Q, beyond);
-  evidence.remainder = claims_.remainder(region);
-  add_intruders(samples_, buckets_, region, Q, &evidence);
-  evidence.uprightness = uprightness(form, context_.up);
-  evidence.see_through = see_through(context_, samples_, region, Q, form);
-  return evidence;
-}
-
-/// True if no accepted surface nearby nearly explains the region, which then is more than a flaw of
-/// that surface.
-bool Aggregation::stands_off(std::span<const int> region) const {
+/// The claimed samples, if no accepted surface nearby nearly explains the region, which then is
+/// more than a flaw of that surface; otherwise nothing.
+std::span<const char> Aggregation::beyond(std::span<const int> region) const {
   const Normalisation local = normalisation_of(samples_, region);
   const std::vector<int> some = spread_evenly(region, kOffsetSamples);
-  return std::none_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& s) {
+  const bool is_flaw = std::any_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& s) {
     return may_meet(s.local, local) &&
            rms_distance(s, samples_, some) <= kMinOffset * s.local.scale;
   });
+  if (is_flaw) return {};
+  return claimed();
 }
 
 }  // namespace quadrille

@@ -6,14 +6,11 @@
 
 #include "planes/planes.hpp"
 #include "quadrille/detector/stage_options.hpp"
-#include "samples/surface_samples.hpp"
 #include "search/candidate.hpp"
 #include "surfaces/acceptance.hpp"
-#include "surfaces/claims.hpp"
-#include "surfaces/evidence/scene_context.hpp"
 #include "surfaces/extend.hpp"
-#include "surfaces/surface.hpp"
 #include "surfaces/trial.hpp"
+#include "surfaces/weigh.hpp"
 
 namespace quadrille {
 
@@ -46,9 +43,8 @@ class Aggregation {
   std::optional<Surface> plane_instead(Surface surface, const Acceptance& asked) const;
   Surface joined(Surface surface);
   void weigh(Surface* surface) const;
-  Evidence evidence_of(std::span<const int> region, const Quadric& Q,
-                       const CanonicalForm& form) const;
-  bool stands_off(std::span<const int> region) const;
+  EvidenceSource source() const { return {samples_, buckets_, context_, &claims_}; }
+  std::span<const char> beyond(std::span<const int> region) const;
 
   const SurfaceSamples& samples_;
   AggregateOptions options_;

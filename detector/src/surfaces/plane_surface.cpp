@@ -8,10 +8,8 @@
 #include "fit/closed_form/initial_plane.hpp"
 #include "samples/region.hpp"
 #include "samples/sample_buckets.hpp"
-#include "surfaces/evidence/intruders.hpp"
-#include "surfaces/evidence/see_through.hpp"
-#include "surfaces/evidence/upright.hpp"
 #include "surfaces/surface_fit.hpp"
+#include "surfaces/weigh.hpp"
 
 namespace quadrille {
 namespace {
@@ -57,13 +55,8 @@ std::vector<Surface> weighed_planes(const SurfaceSamples& samples,
   const SampleBuckets buckets(samples);
   std::vector<Surface> surfaces;
   for (const PlaneRegion& plane : planes) {
-    Surface& surface = surfaces.emplace_back(plane_surface(samples, plane));
-    surface.evidence = collect_evidence(samples, surface.region, surface.Q);
-    add_intruders(samples, buckets, surface.region, surface.Q, &surface.evidence);
-    const CanonicalForm form = canonical_form(surface.fit.posed);
-    surface.evidence.uprightness = uprightness(form, context.up);
-    surface.evidence.see_through = see_through(context, samples, surface.region, surface.Q, form);
-    surface.confidence = confidence_of(surface);
+    weigh({samples, buckets, context, nullptr},
+          &surfaces.emplace_back(plane_surface(samples, plane)));
   }
   return surfaces;
 }

@@ -27,11 +27,6 @@ std::array<double, kConfidenceTerms.size()> terms_of(const Surface& surface) {
   return confidence_terms(surface.evidence, family_spec(surface.fit.family).dof, log_prior(type));
 }
 
-double confidence_of(const Surface& surface) {
-  return confidence(terms_of(surface),
-                    is_flat(surface) ? SurfaceKind::kFlat : SurfaceKind::kCurved);
-}
-
 bool is_thin(const Surface& surface, const SurfaceSamples& samples) {
   const CanonicalForm form = canonical_form(surface.fit.posed);
   if (is_imaginary(form.type)) return true;

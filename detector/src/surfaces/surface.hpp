@@ -39,9 +39,6 @@ double mean_sigma(const SurfaceSamples& samples, std::span<const int> region);
 /// The terms of a surface's confidence; see confidence_terms(). The surface's evidence must be set.
 std::array<double, kConfidenceTerms.size()> terms_of(const Surface& surface);
 
-/// Confidence in a surface by the model for curved or for flat surfaces. Its evidence must be set.
-double confidence_of(const Surface& surface);
-
 /// True if a surface is so thin that its two sides coincide within the noise. Near a doubled plane
 /// the first-order distance is half the true one, so such fits look too good. A hyperbolic cylinder
 /// that turns within one cell is the edge between two planes.

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+
+#include "quadrille/detector/canonical.hpp"
+#include "samples/sample_buckets.hpp"
+#include "samples/surface_samples.hpp"
+#include "surfaces/claims.hpp"
+#include "surfaces/evidence/scene_context.hpp"
+#include "surfaces/surface.hpp"
+
+namespace quadrille {
+
+/// Where the evidence for surfaces comes from.
+struct EvidenceSource {
+  const SurfaceSamples& samples;
+  const SampleBuckets& buckets;
+  const SceneContext& context;
+  /// The samples of accepted surfaces; null to weigh as if nothing else had been found.
+  const Claims* claims;
+};
+
+/// Collects all evidence for a quadric whose inliers are the region, which must not be empty.
+/// @param form    canonical form of the quadric in frame C, or in coordinates shifted and scaled
+///   against it
+/// @param beyond  per sample, nonzero if it belongs to another surface; may be empty
+Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, const Quadric& Q,
+                      const CanonicalForm& form, std::span<const char> beyond = {});
+
+/// Sets a surface's evidence and confidence.
+void weigh(const EvidenceSource& from, Surface* surface, std::span<const char> beyond = {});
+
+}  // namespace quadrille
