@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "search/gradient_scales.hpp"
+#include "variants/gradient_scales.hpp"
 
 namespace quadrille {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 
 #include "fit/monomials.hpp"
-#include "search/web.hpp"
+#include "variants/web.hpp"
 
 namespace quadrille {
 namespace {

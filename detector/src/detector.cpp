@@ -10,6 +10,7 @@
 #include "base/stage_clock.hpp"
 #include "cloud/cloud_check.hpp"
 #include "cloud/far_cloud.hpp"
+#include "detect_with.hpp"
 #include "planes/plane_claims.hpp"
 #include "planes/planes.hpp"
 #include "quadrille/detector/find_boxes.hpp"
@@ -122,7 +123,8 @@ std::size_t count_points(const CellPyramid& pyramid) {
 }
 
 /// Runs all stages on a cloud near the origin.
-Findings find_all(const CloudView& cloud, const DetectorOptions& options, StageClock& clock) {
+Findings find_all(const CloudView& cloud, const DetectorOptions& options,
+                  const FindCandidates& find, StageClock& clock) {
   const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
   clock.end("cells");
   if (!pyramid) return {};
@@ -137,7 +139,7 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options, StageC
   clock.end("samples");
 
   const SceneContext context = {normal_of_largest(flat.planes), pyramid->sight()};
-  const Aggregation aggregation = find_surfaces(tree, context, options, clock);
+  const Aggregation aggregation = find_surfaces(tree, context, options, clock, {}, find);
   Measured measured{{}, std::vector<int>(flat.plane_of_cell.size(), -1)};
   measure_surfaces(aggregation, flat, tree.finest(), context, cloud.viewpoint, &measured);
   if (lets_pass(options.only, QuadricType::kPlane)) {
@@ -157,10 +159,11 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options, StageC
 /// Runs all stages on a cloud anywhere. One far from the origin is shifted first, since its
 /// coordinates leave few digits for the shape.
 Findings find_anywhere(const CloudView& cloud, const Eigen::Vector3d& centre,
-                       const DetectorOptions& options, StageClock& clock) {
-  if (!is_far(centre)) return find_all(cloud, options, clock);
+                       const DetectorOptions& options, const FindCandidates& find,
+                       StageClock& clock) {
+  if (!is_far(centre)) return find_all(cloud, options, find, clock);
   const Eigen::Vector3d shift = -centre.array().round().matrix();
-  Findings findings = find_all(translated(cloud, shift), options, clock);
+  Findings findings = find_all(translated(cloud, shift), options, find, clock);
   for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
   return findings;
 }
@@ -185,23 +188,24 @@ double diameter_of(const CloudView& cloud) {
   return box.isEmpty() ? 0.0 : static_cast<double>(box.diagonal().norm());
 }
 
-/// Resolves the options that depend on the cloud or on the types sought.
+/// Resolves the options that depend on the cloud.
 DetectorOptions settled(DetectorOptions options, const CloudView& cloud) {
   if (options.sampling.relative_cell > 0.0) {
     options.sampling.cell = options.sampling.relative_cell * diameter_of(cloud);
   }
-  return seeks_spheres_alone(options) ? sphere_options(std::move(options)) : options;
+  return options;
 }
 
 DetectionResult detect_quadrics(const CloudView& cloud, const DetectorOptions& given,
-                                const CloudCheck& check, StageClock& clock) {
+                                const FindCandidates& find, const CloudCheck& check,
+                                StageClock& clock) {
   given.check();
   DetectionResult result;
   result.points_finite = check.range.near;
   result.warnings = check.warnings;
   if (!check.usable) return result;
   const DetectorOptions options = settled(given, cloud);
-  Findings found = find_anywhere(cloud, check.centre, options, clock);
+  Findings found = find_anywhere(cloud, check.centre, options, find, clock);
   result.detections = std::move(found.detections);
   result.points_used = found.points_used;
   const std::string doubt = contradict_viewpoint(cloud, result.detections);
@@ -212,46 +216,26 @@ DetectionResult detect_quadrics(const CloudView& cloud, const DetectorOptions& g
 
 }  // namespace
 
-bool seeks_spheres_alone(const DetectorOptions& options) {
-  return options.only == std::vector{QuadricType::kSphere};
-}
-
-DetectorOptions sphere_options(DetectorOptions options) {
-  // A sphere has only four parameters, so coarse cells, few points and few votes suffice.
-  options.sampling.cell *= 2.0;
-  options.sampling.stride *= 6;
-  options.sampling.noise.patches = std::min(options.sampling.noise.patches, 100);
-  options.search.basis = BasisKind::kSphere;
-  options.search.bases = std::min(options.search.bases, 2);
-  options.search.voters = std::min(options.search.voters, 48);
-  options.search.radii = {5.0, 10.0};
-  options.search.grow.rounds = std::min(options.search.grow.rounds, 3);
-  options.search.grow.families = {Family::kSphere};
-  options.aggregate.families = {Family::kSphere};
-  // With spheres as the only family, every round surface gets a sphere, and the residual must
-  // refuse wrong ones. With all families, richer ones explain such surfaces, and the default
-  // refuses none.
-  options.aggregate.max_residual = 1.6;
-  // More of the wider cells lie at an edge, which lowers the confidence.
-  options.aggregate.min_confidence = std::min(options.aggregate.min_confidence, 0.3);
-  return options;
-}
-
 DetectionResult detect_quadrics(const CloudView& given, const DetectorOptions& options) {
   StageClock clock;
   const CloudCheck check = check_cloud(given);
-  DetectionResult result = detect_quadrics(check.range.kept(given), options, check, clock);
+  DetectionResult result = detect_quadrics(check.range.kept(given), options, {}, check, clock);
   result.timings = clock.timings();
   result.total_ms = clock.total_ms();
   return result;
 }
 
-DetectionResult detect(const CloudView& given, const DetectorOptions& options,
+DetectionResult detect(const CloudView& cloud, const DetectorOptions& options,
                        const QuadricsReady& ready) {
+  return detect_with({}, cloud, options, ready);
+}
+
+DetectionResult detect_with(const FindCandidates& find, const CloudView& given,
+                            const DetectorOptions& options, const QuadricsReady& ready) {
   StageClock clock;
   const CloudCheck check = check_cloud(given);
   const CloudView cloud = check.range.kept(given);
-  DetectionResult result = detect_quadrics(cloud, options, check, clock);
+  DetectionResult result = detect_quadrics(cloud, options, find, check, clock);
   if (ready) ready(result);
   if (check.usable) {
     result.boxes = find_boxes_anywhere(cloud, check.centre, result.detections);

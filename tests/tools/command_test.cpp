@@ -114,24 +114,22 @@ TEST_CASE("wrong usage ends the command with 2", "[command]") {
   CHECK(run_quadrille("detect --help").code == 0);
 }
 
-TEST_CASE("settings that the search for spheres alone does not heed are named", "[command]") {
+TEST_CASE("the settings of a search for spheres alone are printed, and are those it has",
+          "[command]") {
   const TempFolder folder;
   const std::string cloud = folder.write("a.ply", ply_of({"1 2 3"}));
-  const std::string config =
-      folder.write("c.toml", "search.basis = \"three_points\"\nsearch.voters = 20\n");
-  const std::string part = config +
-                           ": warning: --only sphere sets search, families and density itself; "
-                           "not as given: search.basis\n";
-  CHECK(contains(run_quadrille("detect --only sphere --config " + config + " " + cloud).err, part));
-  for (const std::string types : {"", "--only sphere,cone "}) {
-    const std::string err =
-        run_quadrille("detect " + types + "--config " + config + " " + cloud).err;
-    CHECK_FALSE(contains(err, "not as given"));
-  }
-  const std::string suits = folder.write("d.toml", "search.basis = \"sphere\"\n");
-  CHECK_FALSE(contains(run_quadrille("detect --only sphere --config " + suits + " " + cloud).err,
-                       "not as given"));
-  CHECK_FALSE(contains(run_quadrille("detect --only sphere " + cloud).err, "not as given"));
+  const std::string config = folder.write("c.toml", "search.voters = 20\n");
+  const auto settings_of = [&](const std::string& arguments) {
+    return nlohmann::json::parse(run_quadrille("detect --json - " + arguments + " " + cloud).out)
+        .at("settings");
+  };
+  const nlohmann::json used = settings_of("--only sphere --config " + config);
+  CHECK(used["search.basis"] == "sphere");
+  CHECK(used["search.voters"] == 20);
+  CHECK(used["sampling.stride"] == 6);
+  const Run printed = run_quadrille("config --only sphere --config " + config);
+  CHECK(settings_of("--config " + folder.write("d.toml", printed.out)) == used);
+  CHECK_FALSE(settings_of("--only sphere,cone").contains("search.basis"));
 }
 
 TEST_CASE("seeds, rates and types that cannot be meant are wrong usage", "[command]") {

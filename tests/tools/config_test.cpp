@@ -61,7 +61,7 @@ io::Config odd_config() {
   PlanOptions::visit(config.planner, change);
   // Whole numbers, in fields of real ones, and lists that ascend.
   config.detector.planes.sigmas = 4.0;
-  config.detector.agglomerate.max_close = 1e-7;
+  config.detector.planes.min_radius = 1e-6;
   config.detector.aggregate.effective_size = 1e9;
   config.detector.search.radii = {1.0, 100.0};
   return config;
@@ -142,13 +142,12 @@ TEST_CASE("keys as earlier versions spelt them are read", "[config]") {
   const test::TempFolder folder;
   const io::Config config = io::load_config(
       folder.write("c.toml",
-                   "[planes]\nleast_samples = 50\nleast_proven_radius = 0.2\n[agglomerate]\n"
-                   "largest_far = 0.2\n[search.grow]\nleast_samples = 30\n[aggregate]\n"
+                   "[planes]\nleast_samples = 50\nleast_proven_radius = "
+                   "0.2\n[search.grow]\nleast_samples = 30\n[aggregate]\n"
                    "largest_residual_plane = 3\nleast_confidence_early = 0.7\n[planner]\n"
                    "wall_least = 0.001\nwall_most = 0.006\n"));
   CHECK(config.detector.planes.min_samples == 50);
   CHECK(config.detector.planes.min_proven_radius == 0.2);
-  CHECK(config.detector.agglomerate.max_far == 0.2);
   CHECK(config.detector.search.grow.min_samples == 30);
   CHECK(config.detector.aggregate.max_residual_plane == 3.0);
   CHECK(config.detector.aggregate.min_confidence_early == 0.7);
@@ -189,12 +188,35 @@ TEST_CASE("each kind of basis has its word, and others are refused with the list
     return io::load_config(folder.write("c.toml", "[search]\nbasis = \"" + word + "\"\n"))
         .detector.search.basis;
   };
-  CHECK(basis("two_points") == BasisKind::kTwoPoints);
   CHECK(basis("three_points") == BasisKind::kThreePoints);
-  CHECK(basis("four_points") == BasisKind::kFourPoints);
-  CHECK(basis("nine_points") == BasisKind::kNinePoints);
   CHECK(basis("sphere") == BasisKind::kSphere);
-  CHECK(contains(config_error("[search]\nbasis = \"five_points\"\n"), "two_points, sphere"));
+  CHECK(contains(config_error("[search]\nbasis = \"five_points\"\n"), "three_points, sphere"));
+}
+
+TEST_CASE("a search for spheres alone starts from the preset, and a file stands above it",
+          "[config]") {
+  const test::TempFolder folder;
+  const auto options_of = [&](const std::string& text) {
+    return io::search_options(io::load_detector_config(folder.write("c.toml", text)));
+  };
+  const auto toml_of = [](const DetectorOptions& options) {
+    io::Config config;
+    config.detector = options;
+    return io::to_toml(config);
+  };
+  CHECK(toml_of(options_of("only = [\"sphere\"]\n")) == toml_of(sphere_preset()));
+  DetectorOptions wanted = sphere_preset();
+  wanted.seed = 7;
+  wanted.sampling.cell = 0.0031;
+  wanted.search.radii = {5.0, 9.0, 15.0};
+  wanted.search.basis = BasisKind::kThreePoints;
+  CHECK(toml_of(options_of("only = [\"sphere\"]\nseed = 7\n[sampling]\ncell = 0.0031\n[search]\n"
+                           "radii = [5, 9, 15]\nbasis = \"three_points\"\n")) == toml_of(wanted));
+  DetectorOptions both;
+  both.only = {QuadricType::kSphere, QuadricType::kCone};
+  CHECK(toml_of(options_of("only = [\"sphere\", \"cone\"]\n")) == toml_of(both));
+  // What is printed is read back as it was.
+  CHECK(toml_of(options_of(toml_of(sphere_preset()))) == toml_of(sphere_preset()));
 }
 
 TEST_CASE("a wrong configuration is refused with its key and line", "[config][hostile]") {

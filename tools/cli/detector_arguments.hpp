@@ -17,8 +17,6 @@ namespace quadrille {
 struct DetectorSetup {
   DetectorOptions options;
   TrackOptions track;
-  /// Warnings about settings of the file that are ignored, one line each.
-  std::vector<std::string> warnings;
 };
 
 /// The detector's options on the command line, shared by the commands that detect.
@@ -31,14 +29,15 @@ struct DetectorArguments {
 
   /// Adds --config, --only, --report, --seed and --threads; this object must outlive the app.
   void add_to(CLI::App& command);
-  /// Returns the settings of the file, overridden by those of the command line.
-  DetectorSetup overrule(const io::DetectorConfig& file) const;
+  /// Returns the settings of the file, overridden by those of the command line, on top of the
+  /// preset if only spheres are sought; see io::search_options().
+  DetectorSetup overrule(io::DetectorConfig file) const;
   /// Like overrule(), for detections on which grasps are planned. Types that were not asked for are
   /// detected too, because they are obstacles; --only limits the report instead of the search.
   DetectorSetup overrule_for_planning(const io::DetectorConfig& file) const;
 
  private:
-  DetectorSetup given(const io::DetectorConfig& file) const;
+  DetectorOptions over(DetectorOptions options) const;
 };
 
 }  // namespace quadrille

@@ -30,4 +30,8 @@ DetectorConfig load_detector_config(const std::string& path);
 /// @param path  name of the text in errors
 DetectorConfig parse_detector_config(std::string_view text, const std::string& path);
 
+/// Returns the options with which to detect: those of the file, or if only spheres are sought those
+/// of sphere_preset() except where the file gives others.
+DetectorOptions search_options(const DetectorConfig& config);
+
 }  // namespace quadrille::io

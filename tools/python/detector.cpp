@@ -167,7 +167,7 @@ DetectionResult detect_in(const Points& points, const Eigen::Vector3d& viewpoint
   const io::DetectorConfig config = io::parse_detector_config(settings, source);
   const CloudView cloud = view_of(points, viewpoint);
   const py::gil_scoped_release others_run;
-  return detect(cloud, config.detector);
+  return detect(cloud, io::search_options(config));
 }
 
 void bind_tracker(py::module_& module) {

@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cli/output.hpp"
+#include "cli/types_option.hpp"
 #include "io/planner/config.hpp"
 
 namespace quadrille {
@@ -12,11 +14,15 @@ namespace {
 
 struct ConfigArguments {
   std::string config;
+  std::vector<QuadricType> only;
   bool defaults = false;
 };
 
 void run(const ConfigArguments& arguments) {
-  print(io::to_toml(arguments.defaults ? io::Config() : io::load_config(arguments.config)));
+  io::Config config = arguments.defaults ? io::Config() : io::load_config(arguments.config);
+  if (!arguments.only.empty()) config.detector.only = arguments.only;
+  if (!arguments.only.empty()) config.detector = io::search_options(config);
+  print(io::to_toml(config));
 }
 
 }  // namespace
@@ -27,6 +33,8 @@ void add_config_command(CLI::App& app) {
       "config", "Print the settings as TOML, with units, ranges, defaults and meanings");
   CLI::Option* const config =
       command->add_option("--config", arguments->config, "Settings (TOML)")->type_name("FILE");
+  add_types_option(*command, "--only", arguments->only,
+                   "Print those with which `quadrille detect` finds only these types");
   command->add_flag("--defaults", arguments->defaults, "Print those without any file")
       ->excludes(config);
   command->callback([arguments] { run(*arguments); });

@@ -35,11 +35,10 @@ struct DetectArguments {
   InputArguments input;
 };
 
-io::RunInfo run_info(const DetectArguments& arguments, const DetectorSetup& setup) {
+io::RunInfo run_info(const DetectorSetup& setup) {
   io::RunInfo run;
   run.seed = setup.options.seed;
   run.settings = io::changed_settings(setup.options, setup.track);
-  add_warnings(arguments.detector.config, setup.warnings, &run.warnings);
   return run;
 }
 
@@ -51,12 +50,10 @@ io::RunInfo with_warnings(io::RunInfo run, const std::vector<std::string>& more)
 
 void run(const DetectArguments& arguments) {
   arguments.input.check(arguments.inputs);
-  const std::string& config = arguments.detector.config;
-  io::Config settings = io::load_config(config);
+  io::Config settings = io::load_config(arguments.detector.config);
   const DetectorSetup setup = arguments.detector.overrule(settings);
   settings.detector = setup.options;
-  print_warnings(config, setup.warnings);
-  const io::RunInfo info = run_info(arguments, setup);
+  const io::RunInfo info = run_info(setup);
   PicturePaths pictures(arguments.picture.path, may_be_several(arguments.inputs));
   JsonLines json(arguments.json);
   CommandReport report(arguments.report, arguments.inputs, settings);

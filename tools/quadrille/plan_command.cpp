@@ -145,7 +145,6 @@ PlanSetup setup_of(const PlanArguments& arguments) {
   setup.info.seed = setup.detector.options.seed;
   setup.info.settings = io::changed_settings(setup.detector.options, setup.options);
   setup.info.gripper = setup.gripper.name;
-  add_warnings(arguments.detector.config, setup.detector.warnings, &setup.info.warnings);
   return setup;
 }
 
@@ -228,7 +227,6 @@ void run(const PlanArguments& arguments) {
   arguments.input.check(arguments.inputs);
   check_single_scene(arguments);
   const PlanSetup setup = setup_of(arguments);
-  print_warnings(arguments.detector.config, setup.detector.warnings);
   arguments.query.query();
   refuse_same(arguments.inputs.front(), arguments.views);
   PlanOutput output{JsonLines(arguments.json),

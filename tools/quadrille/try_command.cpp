@@ -55,7 +55,6 @@ Job job_of(const TryArguments& arguments) {
   const Gripper gripper = arguments.planner.gripper();
   io::Config config = io::load_config(arguments.detector.config);
   const DetectorSetup setup = arguments.detector.overrule_for_planning(config);
-  print_warnings(arguments.detector.config, setup.warnings);
   config.detector = setup.options;
   config.planner = arguments.planner.overrule(config.planner);
   return {gripper, config.detector, config.planner, config};

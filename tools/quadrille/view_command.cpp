@@ -52,7 +52,6 @@ struct ViewArguments {
 view::PlanSetup setup_of(const ViewArguments& arguments) {
   const io::Config config = io::load_config(arguments.detector.config);
   const DetectorSetup detector = arguments.detector.overrule_for_planning(config);
-  print_warnings(arguments.detector.config, detector.warnings);
   return {detector.options,
           arguments.planner.overrule(config.planner),
           arguments.planner.gripper(),

@@ -15,8 +15,7 @@ namespace quadrille {
 ///   f = c₁₂u₁u₂ + c₂₃u₂u₃ + c₃₁u₃u₁ + z (l₁u₁ + l₂u₂ + l₃u₃) + λ z².
 /// The gradient at xᵢ is nᵢ for c_ij = nᵢ·(x_j − xᵢ) and lᵢ = nᵢ·m. The lengths of the normals
 /// matter: unit normals are the paper's common scale, which is exact only on spheres and circular
-/// cylinders; `gradient_scales` finds the true lengths. Only λ stays free: z² is the data plane
-/// squared, the trivial solution of theorem 1.
+/// cylinders. Only λ stays free: z² is the data plane squared, the trivial solution of theorem 1.
 struct Pencil {
   /// f₀ as a symmetric 4x4 matrix.
   Eigen::Matrix4d Q0;
@@ -30,6 +29,9 @@ struct Pencil {
 /// Measures, from 0 to 1, how far three oriented points are from lying on one quadric. They lie on
 /// one exactly if b₁₂b₂₃b₃₁ = b₂₁b₃₂b₁₃ with b_ij = nᵢ·(x_j − xᵢ) and b_ij, b_ji of one sign.
 double inconsistency(const std::array<OrientedPoint, 3>& basis);
+
+/// Largest inconsistency of a basis of noisy points; on a worse one a vote is wasted.
+inline constexpr double kMaxInconsistency = 0.6;
 
 /// Least value of twice a noisy basis's triangle area over the square of its longest side. The
 /// plane of a thinner triangle is determined by noise.

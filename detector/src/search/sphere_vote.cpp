@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "search/vote_histogram.hpp"
-
 namespace quadrille {
 
 Eigen::Matrix4d tangent_sphere(const OrientedPoint& point, double curvature) {

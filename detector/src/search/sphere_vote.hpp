@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "fit/oriented_points.hpp"
-#include "search/basis.hpp"
-#include "search/vote.hpp"
+#include "search/vote_histogram.hpp"
 
 namespace quadrille {
 
@@ -16,8 +15,7 @@ Eigen::Matrix4d tangent_sphere(const OrientedPoint& point, double curvature);
 
 /// Votes for the one parameter of a sphere that an oriented point leaves free (paper, figure 2b).
 /// Each other point votes for κ = −2 n·d / |d|² if its own normal agrees with that sphere.
-/// @param options  `lambda_scale` is the curvature that maps to the middle of a half axis;
-///   `min_height` is the least distance of a voter
+/// @param options  `min_height` is the least distance of a voter
 /// @return peaks with κ stored as lambda, highest first
 std::vector<VotePeak> vote_curvature(const OrientedPoint& basis, const OrientedPointsf& voters,
                                      const VoteOptions& options);

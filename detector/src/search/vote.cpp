@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "fit/half_gradient.hpp"
-#include "search/vote_histogram.hpp"
 
 namespace quadrille {
 

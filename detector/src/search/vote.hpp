@@ -5,8 +5,7 @@
 
 #include "fit/oriented_points.hpp"
 #include "search/basis.hpp"
-#include "search/vote_options.hpp"
-#include "search/vote_peak.hpp"
+#include "search/vote_histogram.hpp"
 
 namespace quadrille {
 

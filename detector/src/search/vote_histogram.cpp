@@ -1,8 +1,9 @@
 #include "search/vote_histogram.hpp"
 
 #include <algorithm>
-
-#include "search/quantisation.hpp"
+#include <cmath>
+#include <cstddef>
+#include <numbers>
 
 namespace quadrille {
 namespace {
@@ -12,14 +13,20 @@ constexpr double kKernelSum = 9.0;
 // Margin at both ends of the interval, which correspond to infinite λ.
 constexpr float kMinPlace = 1e-4f;
 
+constexpr float kPi = std::numbers::pi_v<float>;
+
 }  // namespace
+
+constinit const Quantisation kArctangent = {
+    [](float lambda) { return 0.5f + std::atan(lambda) / kPi; },
+    [](float place) { return std::tan(kPi * (place - 0.5f)); },
+};
 
 VoteHistogram::VoteHistogram(const VoteOptions& options)
     : options_(options), count_(static_cast<std::size_t>(options.bins), 0.0f) {}
 
 void VoteHistogram::add(float lambda) {
-  const float place =
-      place_of(options_.quantisation, lambda, static_cast<float>(options_.lambda_scale));
+  const float place = options_.quantisation.place_of(lambda);
   const int bin = static_cast<int>(place * static_cast<float>(options_.bins));
   ++count_[static_cast<std::size_t>(std::clamp(bin, 0, options_.bins - 1))];
 }
@@ -41,9 +48,7 @@ std::vector<VotePeak> VoteHistogram::peaks() const {
     const float shift = mass > 0 ? (at(i + 1) - at(i - 1)) / mass : 0.0f;
     const float place = (static_cast<float>(i) + 0.5f + shift) / static_cast<float>(bins);
     const float within = std::clamp(place, kMinPlace, 1.0f - kMinPlace);
-    peaks.push_back(
-        {lambda_at(options_.quantisation, within, static_cast<float>(options_.lambda_scale)),
-         density[i] / kKernelSum});
+    peaks.push_back({options_.quantisation.lambda_at(within), density[i] / kKernelSum});
   }
   std::stable_sort(peaks.begin(), peaks.end(),
                    [](const VotePeak& a, const VotePeak& b) { return a.votes > b.votes; });

@@ -1,9 +1,10 @@
 #include "surfaces/find_surfaces.hpp"
 
+#include <utility>
+
 #include "planes/planes.hpp"
 #include "samples/inliers.hpp"
 #include "search/search.hpp"
-#include "surfaces/agglomerate.hpp"
 
 namespace quadrille {
 namespace {
@@ -38,23 +39,24 @@ Candidate on_finest(Candidate candidate, const SampleTree& tree, int level, Inli
 }  // namespace
 
 std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::vector<char> open,
-                                       const DetectorOptions& options) {
+                                       const DetectorOptions& options, Propose propose) {
   std::vector<Candidate> candidates =
       search(tree.level(level), std::move(open), options.search, options.inlier,
-             options.seed + static_cast<std::uint64_t>(level));
+             options.seed + static_cast<std::uint64_t>(level), std::move(propose));
   for (Candidate& c : candidates) c = on_finest(std::move(c), tree, level, options.inlier);
-  if (!options.agglomerate.enabled) return candidates;
-  return agglomerate(std::move(candidates), tree.finest(), options.inlier, options.agglomerate);
+  return candidates;
 }
 
 Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
-                          const DetectorOptions& options, StageClock& clock,
-                          TrialObserver observer) {
+                          const DetectorOptions& options, StageClock& clock, TrialObserver observer,
+                          const FindCandidates& find) {
   Aggregation aggregation(tree.finest(), options.aggregate, options.inlier, std::move(context),
                           std::move(observer));
   for (int level = kLevels - 1; level >= 0; --level) {
+    std::vector<char> open = open_samples(tree, level, aggregation.claimed());
     std::vector<Candidate> candidates =
-        find_candidates(tree, level, open_samples(tree, level, aggregation.claimed()), options);
+        find ? find(tree, level, std::move(open), options)
+             : find_candidates(tree, level, std::move(open), options);
     clock.end("search");
     aggregation.offer(std::move(candidates),
                       level > 0 ? SearchLevel::kCoarse : SearchLevel::kFinest);

@@ -52,8 +52,9 @@ inline bool same(const DetectionResult& a, const DetectionResult& b) {
 inline DetectionResult detect_hostile(Choices& choices) {
   DetectorOptions options;
   options.threads = 1;
-  options.seed = choices.below(3);
-  if (choices.one_in(8)) options.only = {QuadricType::kSphere};
+  const auto seed = choices.below(3);
+  if (choices.one_in(8)) options = sphere_preset();
+  options.seed = seed;
   if (choices.one_in(8)) options.sampling.relative_cell = 0.01;
   const bool twice = choices.one_in(8), without_boxes = choices.one_in(8);
   const PointCloud cloud = hostile_cloud(choices);

@@ -73,34 +73,3 @@ TEST_CASE("without open samples or surfaces there are no candidates", "[search][
   }
   CHECK(search_all(chaos, 1).empty());
 }
-
-TEST_CASE("a search that hashes its triplets counts them, and finds the same surface",
-          "[search][triplets]") {
-  const SurfaceSamples samples = cylinder_grid(24, 30, 0.04, 0.004, 0.0005, 1);
-  const std::vector<char> open(static_cast<std::size_t>(samples.size()), 1);
-  SearchOptions options;
-  options.voters = 16;
-  options.bases = 2000;
-  TripletCounts counts;
-  search(samples, open, options, {}, 1, &counts);
-  CHECK(counts.voted + counts.repeated == 0);
-  options.hash_triplets = true;
-  const auto candidates = search(samples, open, options, {}, 1, &counts);
-  REQUIRE_FALSE(candidates.empty());
-  CHECK(candidates[0].region.size() > 0.9 * samples.size());
-  CHECK(counts.voted > 50);
-  // Sixteen voters make 560 triplets.
-  CHECK(counts.repeated > counts.voted);
-}
-
-TEST_CASE("agglomerated hypotheses find the same surface", "[search][clusters]") {
-  const SurfaceSamples sphere = sphere_grid(24, 24, 0.04, 0.004, 0.0005, 2);
-  SearchOptions options;
-  options.clusters.enabled = true;
-  options.gradient_lengths = GradientLengths::kSolved;
-  const auto candidates =
-      search(sphere, std::vector<char>(static_cast<std::size_t>(sphere.size()), 1), options, {}, 1);
-  REQUIRE_FALSE(candidates.empty());
-  CHECK(candidates[0].region.size() > 0.9 * sphere.size());
-  CHECK(candidates[0].rms == Approx(0.0005).epsilon(0.3));
-}

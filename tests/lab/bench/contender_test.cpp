@@ -38,8 +38,10 @@ TEST_CASE("quadrille, its variants and the baselines find a ball before a wall",
           "[bench][contender]") {
   const Frame frame = test::make_known_frame();
   const std::vector<Contender> all = all_contenders("/nowhere");
-  for (const char* name : {"quadrille", "quadrille-four", "quadrille-nine", "quadrille-sphere",
-                           "plain-nine", "plain-four"}) {
+  for (const char* name :
+       {"quadrille", "quadrille-two", "quadrille-four", "quadrille-nine", "quadrille-solved",
+        "quadrille-measured", "quadrille-hashed", "quadrille-confident", "quadrille-clusters",
+        "quadrille-agglomerate", "quadrille-sphere", "plain-nine", "plain-four"}) {
     INFO(name);
     const Contender& contender = contender_named(all, name);
     CHECK(contender.absent.empty());

@@ -6,30 +6,26 @@
 #include "lab/bench/peer_program.hpp"
 #include "lab/bench/plain_ransac.hpp"
 #include "lab/bench/stopwatch.hpp"
-#include "quadrille/detector/detector.hpp"
+#include "variants/measured_quantisation.hpp"
+#include "variants/variant.hpp"
 
 namespace quadrille::bench {
 namespace {
 
-Outcome run_quadrille(const Frame& frame, const DetectorOptions& options) {
-  const Stopwatch stopwatch;
-  const DetectionResult result = detect(frame.cloud, options);
-  Outcome outcome{{}, stopwatch.wall_ms(), stopwatch.cpu_ms()};
-  outcome.findings = scoring::findings_of(result);
-  return outcome;
+Contender own(const std::string& name, const std::string& about, const std::string& only,
+              const std::function<DetectionResult(const CloudView&)>& detect) {
+  return {name, about, only, "", [detect](const Frame& frame) {
+            const Stopwatch stopwatch;
+            const DetectionResult result = detect(frame.cloud);
+            Outcome outcome{{}, stopwatch.wall_ms(), stopwatch.cpu_ms()};
+            outcome.findings = scoring::findings_of(result);
+            return outcome;
+          }};
 }
 
-Contender variant(const std::string& name, const std::string& about, BasisKind basis) {
-  DetectorOptions options;
-  options.search.basis = basis;
-  return {name, about, "", "", [options](const Frame& f) { return run_quadrille(f, options); }};
-}
-
-Contender sphere_variant() {
-  DetectorOptions options;
-  options.only = {QuadricType::kSphere};
-  return {"quadrille-sphere", "quadrille --only sphere: bases of one point", "sphere", "",
-          [options](const Frame& f) { return run_quadrille(f, options); }};
+Contender variant(const std::string& name, const std::string& about, const Variant& way) {
+  return own(name, about, "",
+             [way](const CloudView& cloud) { return detect_variant(cloud, {}, way); });
 }
 
 Contender plain(const std::string& name, const std::string& about, const PlainOptions& options) {
@@ -68,11 +64,24 @@ Contender peer(const std::string& name, const std::string& about, const std::str
 
 std::vector<Contender> all_contenders(const std::string& programs) {
   return {
-      variant("quadrille", "quadrille as it comes: three points a basis, and a vote",
-              BasisKind::kThreePoints),
-      variant("quadrille-four", "search.basis = four_points", BasisKind::kFourPoints),
-      variant("quadrille-nine", "search.basis = nine_points", BasisKind::kNinePoints),
-      sphere_variant(),
+      own("quadrille", "quadrille as it comes: three points a basis, and a vote", "",
+          [](const CloudView& cloud) { return detect(cloud); }),
+      variant("quadrille-two", "bases of two points, and a vote in three dimensions",
+              {.basis = VariantBasis::kTwoPoints}),
+      variant("quadrille-four", "bases of four points", {.basis = VariantBasis::kFourPoints}),
+      variant("quadrille-nine", "bases of nine points", {.basis = VariantBasis::kNinePoints}),
+      variant("quadrille-solved", "gradient lengths that three points solve for",
+              {.lengths = GradientLengths::kSolved}),
+      variant("quadrille-measured", "votes in bins of equal mass", {.quantisation = kMeasured}),
+      variant("quadrille-hashed", "no basis is voted on twice", {.hash_triplets = true}),
+      variant("quadrille-confident", "no more bases than the best surface so far takes",
+              {.confidence = 0.95}),
+      variant("quadrille-clusters", "raw hypotheses are agglomerated",
+              {.clusters = ClusterOptions()}),
+      variant("quadrille-agglomerate", "candidates are clustered by d_close and d_far",
+              {.agglomerate = AgglomerateOptions()}),
+      own("quadrille-sphere", "quadrille --only sphere: bases of one point", "sphere",
+          [](const CloudView& cloud) { return detect(cloud, sphere_preset()); }),
       plain_nine(),
       plain_four(),
       peer("cgal", "CGAL Efficient RANSAC, tuned per family", "libcgal-dev", programs),

@@ -24,8 +24,7 @@ struct BallOutcome {
 void run_frame(double time, std::uint64_t seed, BallOutcome* outcome, Table* data) {
   const GeneratedSequence& sequence = *outcome->sequence;
   const BallFrameScene frame = ball_scene(sequence, time, seed);
-  DetectorOptions options;
-  if (sequence.sphere_alone) options.only = {QuadricType::kSphere};
+  const DetectorOptions options = sequence.sphere_alone ? sphere_preset() : DetectorOptions();
   const PointCloud cloud = scoring::frame_of(frame.made).cloud;
   DetectionResult result;
   const double us = microseconds([&] { result = detect(cloud, options); });

@@ -11,7 +11,7 @@
 #include "lab/experiments/experiments.hpp"
 #include "lab/experiments/measure.hpp"
 #include "lab/experiments/random_quadric.hpp"
-#include "search/gradient_scales.hpp"
+#include "variants/gradient_scales.hpp"
 
 namespace quadrille::experiments {
 namespace {

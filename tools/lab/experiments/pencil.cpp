@@ -6,7 +6,7 @@
 #include "lab/experiments/experiments.hpp"
 #include "lab/experiments/random_quadric.hpp"
 #include "lab/experiments/section.hpp"
-#include "search/gradient_scales.hpp"
+#include "variants/gradient_scales.hpp"
 
 namespace quadrille::experiments {
 namespace {

@@ -11,8 +11,8 @@
 #include "lab/experiments/section.hpp"
 #include "lab/scoring/score.hpp"
 #include "quadrille/detector/detector.hpp"
-#include "search/gradient_scales.hpp"
 #include "search/vote.hpp"
+#include "variants/gradient_scales.hpp"
 
 namespace quadrille::experiments {
 namespace {

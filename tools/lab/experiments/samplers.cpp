@@ -5,15 +5,15 @@
 
 #include "fits/compact_fit.hpp"
 #include "fits/taubin_fit.hpp"
-#include "search/gradient_scales.hpp"
 #include "search/vote.hpp"
-#include "search/web_vote.hpp"
+#include "variants/gradient_scales.hpp"
+#include "variants/web_vote.hpp"
 
 namespace quadrille::experiments {
 namespace {
 
-// The values are those of hypotheses.cpp.
-constexpr double kMaxInconsistent = 0.6, kNormalNoise = 0.05;
+// The value is that of draw_variant.cpp.
+constexpr double kNormalNoise = 0.05;
 // Least distance of voters, and of a fourth point, from the plane of the three basis points.
 constexpr double kMinHeight = 0.1;
 
@@ -48,7 +48,7 @@ void vote_with_three(const Neighbourhood& from, const OrientedPointsf& voters, c
   }
   const auto pencil =
       way.solve_lengths ? make_scaled_pencil(basis, kScaleSoftness) : make_pencil(basis);
-  if (!pencil || (way.check && inconsistency(basis) > kMaxInconsistent)) return;
+  if (!pencil || (way.check && inconsistency(basis) > kMaxInconsistency)) return;
   for (const VotePeak& peak : vote(*pencil, voters, vote_options())) {
     hypotheses->emplace_back(pencil->at(peak.lambda));
   }

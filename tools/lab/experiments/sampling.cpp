@@ -8,19 +8,19 @@
 #include "lab/experiments/generated_scenes.hpp"
 #include "lab/experiments/measure.hpp"
 #include "lab/scoring/score.hpp"
-#include "quadrille/detector/detector.hpp"
+#include "variants/variant.hpp"
 
 namespace quadrille::experiments {
 namespace {
 
 struct SamplingWay {
   const char* name;
-  BasisKind basis;
+  VariantBasis basis;
 };
-constexpr SamplingWay kWays[] = {{"2 points, vote", BasisKind::kTwoPoints},
-                                 {"3 points, vote", BasisKind::kThreePoints},
-                                 {"4 points", BasisKind::kFourPoints},
-                                 {"9 points", BasisKind::kNinePoints}};
+constexpr SamplingWay kWays[] = {{"2 points, vote", VariantBasis::kTwoPoints},
+                                 {"3 points, vote", VariantBasis::kThreePoints},
+                                 {"4 points", VariantBasis::kFourPoints},
+                                 {"9 points", VariantBasis::kNinePoints}};
 
 const std::vector<scene::Family> kFamilies = {scene::Family::kMedium, scene::Family::kHard};
 
@@ -29,6 +29,7 @@ struct SamplingSetting {
   const char* name;
   scene::Family family;
   DetectorOptions options;
+  Variant variant;
   scoring::FrameScore score;
   /// Processor time of the detection and wall time of its search for each scene [ms].
   std::vector<double> total, search;
@@ -49,7 +50,8 @@ double stage_time(const DetectionResult& result, std::string_view stage) {
 
 void run(const scoring::Frame& frame, SamplingSetting* setting) {
   DetectionResult result;
-  const double us = microseconds([&] { result = detect(frame.cloud, setting->options); });
+  const double us = microseconds(
+      [&] { result = detect_variant(frame.cloud, setting->options, setting->variant); });
   setting->score += scoring::score(frame, scoring::findings_of(result));
   setting->total.push_back(1e-3 * us);
   setting->search.push_back(stage_time(result, "search"));
@@ -64,8 +66,7 @@ std::vector<SamplingSetting> all_settings(scene::Family family, bool quick) {
   const std::vector<int> bases = quick ? std::vector<int>{1} : std::vector<int>{1, 2, 10, 20};
   std::vector<SamplingSetting> settings;
   for (const SamplingWay& way : kWays) {
-    SamplingSetting setting{way.name, family, {}, {}, {}, {}};
-    setting.options.search.basis = way.basis;
+    SamplingSetting setting{way.name, family, {}, {.basis = way.basis}, {}, {}, {}};
     for (const double cell : cells) {
       settings.push_back(setting);
       settings.back().options.sampling.cell *= cell;

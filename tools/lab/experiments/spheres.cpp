@@ -78,7 +78,7 @@ Report run_spheres(const Settings& settings) {
   for_each_scene({scene::Family::kEasy, scene::Family::kMedium, scene::Family::kHard}, scenes,
                  settings, [&](const scene::Scene& made) {
                    Searches& both = searches[scene::traits_of(made.options.family).name];
-                   both.alone.options.only = {QuadricType::kSphere};
+                   both.alone.options = sphere_preset();
                    const PointCloud cloud = scoring::frame_of(made).cloud;
                    for (Search* search : {&both.all, &both.alone}) {
                      search->run(cloud, spheres_of(made));

@@ -5,24 +5,26 @@
 #include "lab/experiments/measure.hpp"
 #include "lab/scoring/score.hpp"
 #include "lab/trials/search_samples.hpp"
-#include "quadrille/detector/detector.hpp"
 #include "search/search.hpp"
+#include "variants/variant.hpp"
 
 namespace quadrille::experiments {
 namespace {
 
 /// The search with a given number of bases, with or without the hash, over all scenes of a family.
 struct Setting {
-  scene::Family family;
+  scene::Family family = scene::Family::kMedium;
   DetectorOptions options;
-  TripletCounts counts;
+  Variant variant;
+  /// Consistent bases that were voted on, and repeated bases that were skipped.
+  std::size_t voted = 0, repeats = 0;
   /// Processor time of the search over all levels, for each scene [ms].
   std::vector<double> times;
   scoring::FrameScore score;
 
   double repeated() const {
-    const auto all = counts.voted + counts.repeated;
-    return all ? static_cast<double>(counts.repeated) / static_cast<double>(all) : 0.0;
+    const auto all = voted + repeats;
+    return all ? static_cast<double>(repeats) / static_cast<double>(all) : 0.0;
   }
 };
 
@@ -32,14 +34,17 @@ void run(const scoring::Frame& frame, const SampleTree& tree, Setting* setting) 
       1e-3 * microseconds([&] {
         for (int l = 0; l < kLevels; ++l) {
           const SurfaceSamples& samples = tree.level(l);
-          TripletCounts counts;
+          TripletSet seen;
           search(samples, std::vector<char>(static_cast<std::size_t>(samples.size()), 1),
-                 options.search, options.inlier, options.seed, &counts);
-          setting->counts.voted += counts.voted;
-          setting->counts.repeated += counts.repeated;
+                 options.search, options.inlier, options.seed,
+                 propose_variant(setting->variant, options.search.bases,
+                                 setting->variant.hash_triplets ? &seen : nullptr));
+          setting->voted += seen.size();
+          setting->repeats += seen.repeats();
         }
       }));
-  setting->score += scoring::score(frame, scoring::findings_of(detect(frame.cloud, options)));
+  const DetectionResult result = detect_variant(frame.cloud, options, setting->variant);
+  setting->score += scoring::score(frame, scoring::findings_of(result));
 }
 
 /// The same number of bases without the hash, with it, and with it only in the largest
@@ -51,11 +56,12 @@ struct Group {
 std::vector<Group> all_groups(scene::Family family, bool quick) {
   std::vector<Group> groups;
   for (const int bases : quick ? std::vector<int>{5, 50} : std::vector<int>{5, 50, 500}) {
-    Setting setting{family, {}, {}, {}, {}};
+    Setting setting;
+    setting.family = family;
     setting.options.search.bases = bases;
     Group group{setting, setting, setting};
-    group.hashed.options.search.hash_triplets = true;
-    group.single.options.search.hash_triplets = true;
+    group.hashed.variant.hash_triplets = true;
+    group.single.variant.hash_triplets = true;
     group.single.options.search.radii = {setting.options.search.radii.back()};
     groups.push_back(group);
   }
@@ -71,10 +77,9 @@ Table table_of(const std::vector<Group>& groups, int scenes) {
               {}};
   for (const auto& [plain, hashed, single] : groups) {
     table.add({scene::traits_of(plain.family).name, number(plain.options.search.bases),
-               fmt::format("{}", hashed.counts.voted + hashed.counts.repeated),
-               percent(hashed.repeated()), percent(single.repeated()),
-               number(quantile(plain.times, 0.5)), number(quantile(hashed.times, 0.5)),
-               fmt::format("{:.3f}", plain.score.recall()),
+               fmt::format("{}", hashed.voted + hashed.repeats), percent(hashed.repeated()),
+               percent(single.repeated()), number(quantile(plain.times, 0.5)),
+               number(quantile(hashed.times, 0.5)), fmt::format("{:.3f}", plain.score.recall()),
                fmt::format("{:.3f}", hashed.score.recall())});
   }
   return table;
@@ -88,7 +93,7 @@ Table data_of(const std::vector<Group>& groups) {
                                   {"hashed", &group.hashed},
                                   {"one radius", &group.single}}) {
       data.add({scene::traits_of(s->family).name, number(s->options.search.bases), name,
-                fmt::format("{}", s->counts.voted), fmt::format("{}", s->counts.repeated),
+                fmt::format("{}", s->voted), fmt::format("{}", s->repeats),
                 number(quantile(s->times, 0.5)), number(s->score.wanted), number(s->score.found)});
     }
   }

@@ -8,9 +8,8 @@
 #include "lab/experiments/experiments.hpp"
 #include "lab/experiments/measure.hpp"
 #include "lab/experiments/neighbourhood.hpp"
-#include "search/gradient_scales.hpp"
-#include "search/quantisation.hpp"
 #include "search/vote.hpp"
+#include "variants/gradient_scales.hpp"
 
 namespace quadrille::experiments {
 namespace {
@@ -70,8 +69,7 @@ std::vector<Ballot> ballots_of(const Pencil& pencil, const OrientedPointsd& poin
 }
 
 double place(double lambda, const VoteOptions& options) {
-  return place_of(options.quantisation, static_cast<float>(lambda),
-                  static_cast<float>(options.lambda_scale));
+  return options.quantisation.place_of(static_cast<float>(lambda));
 }
 
 /// Returns the share of the ballots in each bin, over all ballots or over those that count.

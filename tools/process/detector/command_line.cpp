@@ -26,9 +26,6 @@ DetectorSettings DetectorCommandLine::settings() const {
       detector_.overrule_for_planning(io::load_detector_config(detector_.config));
   settings.detector = setup.options;
   settings.track = setup.track;
-  for (const std::string& warning : setup.warnings) {
-    settings.warnings.push_back(detector_.config + ": " + warning);
-  }
   settings.X_WK = camera_.X_WK;
   settings.process.check();
   name_channels(&settings);

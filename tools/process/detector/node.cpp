@@ -47,7 +47,6 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
       posed_clouds_(pose_source(settings), settings.frames.need_pose() ? "searched" : "tracked"),
       cloud_channels_(settings_) {
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
-  for (const std::string& warning : settings.warnings) log_warning(warning);
 }
 
 std::vector<InChannel> DetectorNode::in_channels() const {

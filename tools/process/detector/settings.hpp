@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "cli/process_arguments.hpp"
 #include "process/runtime/cloud_frame.hpp"
@@ -33,8 +32,6 @@ struct DetectorSettings {
   std::string viewer_cloud_channel = "DRAKE_POINT_CLOUD";
   DetectorOptions detector;
   TrackOptions track;
-  /// Warnings to be logged about settings that are ignored.
-  std::vector<std::string> warnings;
 
   /// Lists each channel: the direction of its messages, the option that names it, its name, and its
   /// content.

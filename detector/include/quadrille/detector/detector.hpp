@@ -9,14 +9,6 @@
 
 namespace quadrille {
 
-/// True if the options ask for spheres only, for which detect() takes the paper's type-specific
-/// path.
-QUADRILLE_EXPORT bool seeks_spheres_alone(const DetectorOptions& options);
-
-/// Returns the options of the sphere-only path: a hypothesis needs one point and no null space, and
-/// growing and fitting need no choice among families.
-QUADRILLE_EXPORT DetectorOptions sphere_options(DetectorOptions options);
-
 /// Receives the result before boxes are sought: complete except for boxes and times.
 using QuadricsReady = std::function<void(const DetectionResult& found)>;
 

@@ -97,46 +97,12 @@ struct InlierTest {
 /// Ways to draw hypotheses from a neighbourhood.
 enum class BasisKind {
   kThreePoints,  ///< three oriented points and a vote along their null space (paper, section 4)
-  kFourPoints,   ///< three oriented points and a fourth point, which fixes λ (paper, theorem 3)
-  kNinePoints,   ///< nine points without normals
-  kTwoPoints,    ///< two oriented points and a vote in three dimensions (paper, figure 2b)
   kSphere,       ///< one oriented point and a vote for the radius (paper, figure 2b)
-  kCylinder,     ///< two oriented points, which determine a circular cylinder
-  kCone,         ///< three oriented points, which determine a circular cone
 };
 
 constexpr auto words_of(BasisKind) {
-  return std::to_array<Word<BasisKind>>({{"three_points", BasisKind::kThreePoints},
-                                         {"four_points", BasisKind::kFourPoints},
-                                         {"nine_points", BasisKind::kNinePoints},
-                                         {"two_points", BasisKind::kTwoPoints},
-                                         {"sphere", BasisKind::kSphere},
-                                         {"cylinder", BasisKind::kCylinder},
-                                         {"cone", BasisKind::kCone}});
-}
-
-/// Lengths given to the gradients at three oriented points, since normals tell only their
-/// directions.
-enum class GradientLengths {
-  kCommon,  ///< one length for all (paper, eq. 5); exact on spheres and circular cylinders
-  kSolved,  ///< the lengths with which the points lie on one quadric (paper, eq. 4)
-};
-
-constexpr auto words_of(GradientLengths) {
-  return std::to_array<Word<GradientLengths>>(
-      {{"common", GradientLengths::kCommon}, {"solved", GradientLengths::kSolved}});
-}
-
-/// Maps from a vote's parameter λ in (−∞, ∞) to a bounded interval, which is divided into bins
-/// (paper, "Quantizing λ").
-enum class Quantisation {
-  kArctangent,  ///< atan(λ / λ₀), the angle named in the paper's footnote
-  kMeasured,    ///< the measured distribution function of λ, which gives bins of equal mass
-};
-
-constexpr auto words_of(Quantisation) {
-  return std::to_array<Word<Quantisation>>(
-      {{"arctangent", Quantisation::kArctangent}, {"measured", Quantisation::kMeasured}});
+  return std::to_array<Word<BasisKind>>(
+      {{"three_points", BasisKind::kThreePoints}, {"sphere", BasisKind::kSphere}});
 }
 
 constexpr auto words_of(Family) {
@@ -170,80 +136,25 @@ struct GrowOptions {
   }
 };
 
-/// The paper's clustering of hypotheses as printed, applied to raw hypotheses before any is grown.
-struct ClusterOptions {
-  bool enabled = false;
-  double max_difference = 0.4;
-  double max_close = 0.4;
-
-  template <class Options, class Visitor>
-  static void visit(Options& o, Visitor&& v) {
-    v(o.enabled, {"search.clusters.enabled",
-                  "Whether the hypotheses of a neighbourhood are agglomerated, and the cluster "
-                  "taken that has the most support in all."});
-    v(o.max_difference, {"search.clusters.max_difference", "", 0.0, 10.0,
-                         "τ: largest ‖q₁ − q₂‖₁ of unit coefficients in coordinates of the "
-                         "neighbourhood."});
-    v(o.max_close, {"search.clusters.max_close", "", 0.0, 1000.0,
-                    "Largest d_close of two members of a cluster."});
-  }
-};
-
 /// Search for hypotheses.
 struct SearchOptions {
   BasisKind basis = BasisKind::kThreePoints;
-  GradientLengths gradient_lengths = GradientLengths::kCommon;
-  Quantisation quantisation = Quantisation::kArctangent;
   std::vector<double> radii = {5.0, 9.0, 15.0};
   int bases = 5;
-  double confidence = 0.0;
   int voters = 100;
-  bool hash_triplets = false;
   double min_support = 0.5;
-  ClusterOptions clusters;
   GrowOptions grow;
 
   template <class Options, class Visitor>
   static void visit(Options& o, Visitor&& v) {
     v(o.basis, {"search.basis", "How hypotheses are drawn."});
-    v(o.gradient_lengths, {"search.gradient_lengths",
-                           "Lengths of the gradients at three or four points: solved ones find "
-                           "more kinds of quadrics with a third of the bases, but in whole scenes "
-                           "fewer small surfaces and faces beside others."});
-    v(o.quantisation, {"search.quantisation", "How the votes are put into bins."});
     v(o.radii, {"search.radii", "", 0.5, 1000.0,
                 "Radii of the neighbourhoods that bases are drawn from, in cells, ascending."});
-    v(o.bases, {"search.bases", "", 1, 10000, "Bases per seed and radius, at most."});
-    v(o.confidence, {"search.confidence", "", 0.0, 0.999999,
-                     "Above 0: no more bases than one of points on the best surface so far takes, "
-                     "with this confidence."});
+    v(o.bases, {"search.bases", "", 1, 10000, "Bases per seed and radius."});
     v(o.voters, {"search.voters", "", 16, 100000, "Voters per basis at most."});
-    v(o.hash_triplets, {"search.hash_triplets",
-                        "Whether a basis of three points is voted on only once (paper, section "
-                        "5)."});
     v(o.min_support, {"search.min_support", "", 0.0, 1.0,
                       "Share of a neighbourhood that a hypothesis must explain."});
-    ClusterOptions::visit(o.clusters, v);
     GrowOptions::visit(o.grow, v);
-  }
-};
-
-/// Thresholds of the paper's clustering of hypotheses ("Hypotheses aggregation").
-struct AgglomerateOptions {
-  bool enabled = false;
-  double max_difference = 0.4;
-  double max_close = 0.4;
-  double max_far = 0.3;
-
-  template <class Options, class Visitor>
-  static void visit(Options& o, Visitor&& v) {
-    v(o.enabled, {"agglomerate.enabled",
-                  "Whether to cluster before the aggregation chooses among the candidates."});
-    v(o.max_difference, {"agglomerate.max_difference", "", 0.0, 10.0,
-                         "τ: largest ‖q₁ − q₂‖₁ of unit coefficients in coordinates of the "
-                         "region."});
-    v(o.max_close, {"agglomerate.max_close", "", 0.0, 1000.0, "Largest d_close of one cluster."});
-    v(o.max_far, {"agglomerate.max_far", "", 0.0, 1.0, "Largest d_far of one cluster."});
   }
 };
 

@@ -18,8 +18,8 @@
 #include "samples/region.hpp"
 #include "search/basis.hpp"
 #include "search/grow.hpp"
-#include "search/hypotheses.hpp"
 #include "search/vote.hpp"
+#include "variants/draw_variant.hpp"
 
 namespace quadrille {
 namespace {
@@ -148,20 +148,17 @@ void support_of_hypothesis(benchmark::State& state) {
 BENCHMARK(support_of_hypothesis)->Arg(100)->Arg(1000);
 
 void hypotheses_of_neighbourhood(benchmark::State& state) {
-  const OrientedPointsf voters = patch_points(100);
+  Voters voters{patch_points(100), std::vector<int>(100), 0.05f, {}};
+  const Variant variant{.basis = static_cast<VariantBasis>(state.range(0))};
   RandomStream random(1, 0);
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(
-        draw_hypotheses(static_cast<BasisKind>(state.range(0)), voters, VoteOptions(), random));
-  }
+  for (auto _ : state) benchmark::DoNotOptimize(draw_variant(variant, voters, random));
 }
 BENCHMARK(hypotheses_of_neighbourhood)
     ->ArgName("basis")
-    ->Arg(static_cast<int>(BasisKind::kThreePoints))
-    ->Arg(static_cast<int>(BasisKind::kFourPoints))
-    ->Arg(static_cast<int>(BasisKind::kNinePoints))
-    ->Arg(static_cast<int>(BasisKind::kTwoPoints))
-    ->Arg(static_cast<int>(BasisKind::kSphere));
+    ->Arg(static_cast<int>(VariantBasis::kThreePoints))
+    ->Arg(static_cast<int>(VariantBasis::kFourPoints))
+    ->Arg(static_cast<int>(VariantBasis::kNinePoints))
+    ->Arg(static_cast<int>(VariantBasis::kTwoPoints));
 
 void grow_from_truth(benchmark::State& state) {
   const std::vector<char> free(samples().p.size(), 1);

@@ -1,10 +1,10 @@
-#include "search/close_distance.hpp"
+#include "variants/close_distance.hpp"
 
 #include <cmath>
 
-#include "search/cluster_hypotheses.hpp"
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"
+#include "variants/cluster_hypotheses.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "fit/oriented_points.hpp"
-#include "search/vote.hpp"
-#include "search/web.hpp"
+#include "search/vote_histogram.hpp"
+#include "variants/web.hpp"
 
 namespace quadrille {
 

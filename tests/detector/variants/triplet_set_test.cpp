@@ -1,4 +1,4 @@
-#include "search/triplet_set.hpp"
+#include "variants/triplet_set.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,10 +1,11 @@
-#include "surfaces/agglomerate.hpp"
+#include "variants/agglomerate.hpp"
 
 #include <algorithm>
 #include <set>
 
 #include "samples/inliers.hpp"
-#include "search/close_distance.hpp"
+#include "samples/region.hpp"
+#include "variants/close_distance.hpp"
 
 namespace quadrille {
 namespace {

@@ -1,11 +1,11 @@
-#include "search/gradient_scales.hpp"
+#include "variants/gradient_scales.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "detector/fits/examples.hpp"
-#include "search/hypotheses.hpp"
 #include "support/catch.hpp"
+#include "variants/draw_variant.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -109,14 +109,12 @@ TEST_CASE("with solved lengths fewer bases find an ellipsoid", "[scales][hypothe
   RandomStream random(314, 0);
   const OrientedPointsf points =
       to_fit_points(points_on(diagonal(1, 1.8, 5, -1), 200, -1e3, random));
+  const Voters voters{points, std::vector<int>(200), 0.03f, {}};
   const auto right_of = [&](GradientLengths lengths) {
-    VoteOptions options;
-    options.lengths = lengths;
     RandomStream draws(315, 0);
     int right = 0;
     for (int k = 0; k < 500; ++k) {
-      for (const Eigen::Matrix4d& Q :
-           draw_hypotheses(BasisKind::kThreePoints, points, options, draws)) {
+      for (const Eigen::Matrix4d& Q : draw_variant({.lengths = lengths}, voters, draws)) {
         right += count_support(points, Q, 0.03f, 0.9f) > 160;
       }
     }

@@ -1,11 +1,6 @@
 #pragma once
 
-#include "quadrille/detector/stage_options.hpp"
-
 namespace quadrille {
-
-/// Number of points in a basis.
-int basis_size(BasisKind kind);
 
 /// Number of bases after which, with a given confidence, one consists only of points on the
 /// surface: the least n with 1 − (1 − wᵏ)ⁿ ≥ confidence (Fischler and Bolles, 1981).

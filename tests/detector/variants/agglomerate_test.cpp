@@ -1,4 +1,4 @@
-#include "surfaces/agglomerate.hpp"
+#include "variants/agglomerate.hpp"
 
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"

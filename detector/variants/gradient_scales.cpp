@@ -1,4 +1,4 @@
-#include "search/gradient_scales.hpp"
+#include "variants/gradient_scales.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

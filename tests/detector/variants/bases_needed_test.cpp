@@ -1,4 +1,4 @@
-#include "search/bases_needed.hpp"
+#include "variants/bases_needed.hpp"
 
 #include <cmath>
 

@@ -1,14 +1,11 @@
-#include "search/quantisation.hpp"
+#include "variants/measured_quantisation.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numbers>
+#include <cstddef>
 
 namespace quadrille {
 namespace {
-
-constexpr float kPi = std::numbers::pi_v<float>;
 
 // Quantiles k/32 of the votes cast by 117,000 voters in 48 generated scenes (medium, hard, and
 // medium with waves of noise), in the coordinates of their neighbourhoods.
@@ -40,14 +37,6 @@ float measured_lambda(float place) {
 
 }  // namespace
 
-float place_of(Quantisation quantisation, float lambda, float scale) {
-  if (quantisation == Quantisation::kMeasured) return measured_place(lambda);
-  return 0.5f + std::atan(lambda / scale) / kPi;
-}
-
-float lambda_at(Quantisation quantisation, float place, float scale) {
-  if (quantisation == Quantisation::kMeasured) return measured_lambda(place);
-  return scale * std::tan(kPi * (place - 0.5f));
-}
+constinit const Quantisation kMeasured = {measured_place, measured_lambda};
 
 }  // namespace quadrille

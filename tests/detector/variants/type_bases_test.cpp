@@ -1,11 +1,11 @@
+#include "variants/type_bases.hpp"
+
 #include <array>
 #include <cmath>
 
-#include "search/cone_basis.hpp"
-#include "search/cylinder_basis.hpp"
-#include "search/hypotheses.hpp"
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"
+#include "variants/draw_variant.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -99,12 +99,12 @@ TEST_CASE("the bases of a type find it among as much of another thing", "[type_b
       points.push_back(
           {X * Eigen::Vector3d(random.uniform(), random.uniform(), 0.0), X.linear().col(2)});
     }
-    const OrientedPointsf voters = to_fit_points(points);
+    const Voters voters{to_fit_points(points), {}, 0.005f, {.min_cosine = 0.95}};
     int most = 0;
     for (int draw = 0; draw < 60; ++draw) {
-      for (const Eigen::Matrix4d& Q : draw_hypotheses(
-               cone ? BasisKind::kCone : BasisKind::kCylinder, voters, VoteOptions(), random)) {
-        most = std::max(most, count_support(voters, Q, 0.005f, 0.95f));
+      const VariantBasis basis = cone ? VariantBasis::kCone : VariantBasis::kCylinder;
+      for (const Eigen::Matrix4d& Q : draw_variant({.basis = basis}, voters, random)) {
+        most = std::max(most, supported(voters, Q).support);
       }
     }
     CAPTURE(cone);

@@ -1,4 +1,4 @@
-#include "search/close_distance.hpp"
+#include "variants/close_distance.hpp"
 
 #include <Eigen/QR>
 #include <algorithm>

@@ -1,9 +1,9 @@
-#include "search/cluster_hypotheses.hpp"
+#include "variants/cluster_hypotheses.hpp"
 
 #include <algorithm>
 #include <limits>
 
-#include "search/close_distance.hpp"
+#include "variants/close_distance.hpp"
 
 namespace quadrille {
 namespace {

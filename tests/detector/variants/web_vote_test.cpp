@@ -1,4 +1,4 @@
-#include "search/web_vote.hpp"
+#include "variants/web_vote.hpp"
 
 #include <cmath>
 

@@ -4,11 +4,18 @@
 #include <vector>
 
 #include "quadrille/detector/stage_options.hpp"
-#include "samples/region.hpp"
 #include "samples/surface_samples.hpp"
-#include "search/grow.hpp"
+#include "search/candidate.hpp"
 
 namespace quadrille {
+
+/// Thresholds of the paper's clustering of hypotheses ("Hypotheses aggregation").
+struct AgglomerateOptions {
+  /// τ: largest ‖q₁ − q₂‖₁ of unit coefficients in coordinates of the region.
+  double max_difference = 0.4;
+  /// Largest d_close and d_far of one cluster.
+  double max_close = 0.4, max_far = 0.3;
+};
 
 /// Computes d_far(Q₁, Q₂): the share of the samples that are not inliers of both quadrics, 0 to 1.
 /// The paper takes all points of the scene, which makes any two small surfaces far apart; pass the

@@ -1,4 +1,4 @@
-#include "search/web_vote.hpp"
+#include "variants/web_vote.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-
-#include "search/quantisation.hpp"
 
 namespace quadrille {
 namespace {
@@ -30,9 +28,8 @@ class LineCounts {
         count_(static_cast<std::size_t>(cells_ * cells_ * cells_), 0.0f) {
     edges_.push_back(-kInfinity);
     for (int k = 1; k < cells_; ++k) {
-      const float place = static_cast<float>(k) / static_cast<float>(cells_);
       edges_.push_back(
-          lambda_at(options.quantisation, place, static_cast<float>(options.lambda_scale)));
+          options.quantisation.lambda_at(static_cast<float>(k) / static_cast<float>(cells_)));
     }
     edges_.push_back(kInfinity);
   }

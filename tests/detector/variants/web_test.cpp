@@ -1,4 +1,4 @@
-#include "search/web.hpp"
+#include "variants/web.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
