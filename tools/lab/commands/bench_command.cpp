@@ -71,7 +71,7 @@ std::string command_of(const BenchArguments& arguments) {
 
 void list_contenders() {
   for (const bench::Contender& contender : all_contenders()) {
-    print(fmt::format("{:<16} {}{}\n", contender.name, contender.about,
+    print(fmt::format("{:<21} {}{}\n", contender.name, contender.about,
                       contender.absent.empty() ? "" : " (" + contender.absent + ")"));
   }
 }
