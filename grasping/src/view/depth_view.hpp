@@ -95,7 +95,7 @@ class DepthView {
   Eigen::Array2d pitch_ = Eigen::Array2d::Ones(), pixels_ = Eigen::Array2d::Ones();
   /// Pixel coordinates at which the axis of V passes through the image.
   double cu_ = 0.0, cv_ = 0.0;
-  /// What was measured, holes included, and the same with depths that bound what gaps may hide.
+  /// The measured depths with holes filled, and the same with depths that bound what gaps may hide.
   DepthImage measured_, image_;
   DepthBounds bounds_;
   std::vector<std::uint8_t> stray_;

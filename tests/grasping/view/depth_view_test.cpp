@@ -12,7 +12,7 @@ using namespace quadrille::test;
 
 namespace {
 
-/// Where the ray p + t·d is in the box p_C ± half, as an interval of t; empty if first > second.
+/// The interval of t in which the ray t·d is in the box p_C ± half; empty if first > second.
 std::pair<double, double> crossing(const Eigen::Vector3d& p_C, const Eigen::Array3d& half,
                                    const Eigen::Vector3d& ray) {
   const Eigen::Array3d t0 = (p_C.array() - half) / ray.array();
