@@ -161,22 +161,11 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options,
 Findings find_anywhere(const CloudView& cloud, const Eigen::Vector3d& centre,
                        const DetectorOptions& options, const FindCandidates& find,
                        StageClock& clock) {
-  if (!is_far(centre)) return find_all(cloud, options, find, clock);
-  const Eigen::Vector3d shift = -centre.array().round().matrix();
+  const Eigen::Vector3d shift = shift_to_origin(centre);
+  if (shift.isZero(0.0)) return find_all(cloud, options, find, clock);
   Findings findings = find_all(translated(cloud, shift), options, find, clock);
   for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
   return findings;
-}
-
-/// Finds boxes in a cloud anywhere, with the same shift.
-std::vector<Box> find_boxes_anywhere(const CloudView& cloud, const Eigen::Vector3d& centre,
-                                     std::vector<Detection> detections) {
-  if (!is_far(centre)) return find_boxes(cloud, detections);
-  const Eigen::Vector3d shift = -centre.array().round().matrix();
-  for (Detection& d : detections) d = translated(std::move(d), shift);
-  std::vector<Box> boxes = find_boxes(translated(cloud, shift), detections);
-  for (Box& box : boxes) box.X_CB.pretranslate(-shift);
-  return boxes;
 }
 
 /// Diagonal of the bounding box of the finite points [m].
@@ -238,7 +227,7 @@ DetectionResult detect_with(const FindCandidates& find, const CloudView& given,
   DetectionResult result = detect_quadrics(cloud, options, find, check, clock);
   if (ready) ready(result);
   if (check.usable) {
-    result.boxes = find_boxes_anywhere(cloud, check.centre, result.detections);
+    result.boxes = find_boxes(cloud, result.detections);
     clock.end("boxes");
   }
   result.timings = clock.timings();

@@ -1,16 +1,13 @@
 #include "quadrille/grasping/grasp_scene.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "scene/answer_query.hpp"
-#include "scene/scene_parts.hpp"
+#include "scene/make_scene_parts.hpp"
 
 namespace quadrille {
 namespace {
-
-// Time for a query whose deadline passed while its scene was made [ms]; the plan then says what it
-// leaves out.
-constexpr double kNoTime = 1e-3;
 
 double deadline_of(const GraspQuery& query, const PlanOptions& options) {
   return query.deadline_ms.value_or(options.deadline_ms);
@@ -42,7 +39,11 @@ GraspPlan GraspScene::plan_from_start(const GraspQuery& query) const {
   for (const StageTime& stage : timings()) made_ms += stage.ms;
   GraspQuery rest = query;
   rest.deadline_ms = deadline_of(query, parts_->options);
-  if (*rest.deadline_ms > 0.0) rest.deadline_ms = std::max(*rest.deadline_ms - made_ms, kNoTime);
+  if (*rest.deadline_ms > 0.0) {
+    // A deadline that passed while the scene was made must not become 0, which is none; the plan
+    // then says what it leaves out.
+    rest.deadline_ms = std::max(*rest.deadline_ms - made_ms, std::numeric_limits<double>::min());
+  }
   GraspPlan plan = this->plan(rest);
   plan.timings.insert(plan.timings.begin(), timings().begin(), timings().end());
   plan.total_ms += made_ms;

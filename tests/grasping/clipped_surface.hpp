@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "grasping/scenes.hpp"
@@ -208,39 +207,5 @@ class ClippedSurface {
   Eigen::Matrix4d Q_Q_;
   std::vector<Eigen::Vector3d> normals_;
 };
-
-/// True if p_C lies in the shape, to within 1 nm: from its sizes or faces, without FCL.
-inline bool holds(const CollisionShape& shape, const Eigen::Vector3d& p_C) {
-  constexpr double kSlack = 1e-9;
-  const Eigen::Vector3d p = shape.X_CS.inverse() * p_C;
-  const std::vector<double>& d = shape.dimensions;
-  const double radius = p.head<2>().norm();
-  if (shape.kind == "sphere") return p.norm() <= d[0] + kSlack;
-  if (shape.kind == "ellipsoid") {
-    return p.cwiseQuotient(Eigen::Vector3d(d[0] + kSlack, d[1] + kSlack, d[2] + kSlack)).norm() <=
-           1.0;
-  }
-  if (shape.kind == "cylinder")
-    return radius <= d[0] + kSlack && std::abs(p.z()) <= 0.5 * d[1] + kSlack;
-  if (shape.kind == "cone") {
-    return std::abs(p.z()) <= 0.5 * d[1] + kSlack &&
-           radius <= d[0] * (0.5 * d[1] - p.z()) / d[1] + kSlack * (1.0 + d[0] / d[1]);
-  }
-  if (shape.kind == "box") {
-    return (2.0 * p.cwiseAbs() - Eigen::Vector3d(d[0], d[1], d[2])).maxCoeff() <= 2.0 * kSlack;
-  }
-  Eigen::Vector3d middle = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& v : shape.vertices_S) middle += v / shape.vertices_S.size();
-  for (std::size_t i = 0; i < shape.faces.size(); i += shape.faces[i] + 1) {
-    const auto corner = [&](int k) { return shape.vertices_S[shape.faces[i + 1 + k]]; };
-    const int third = shape.faces[i] / 2 + 1;  // of a large face, far from the others
-    Eigen::Vector3d n = (corner(1) - corner(0)).cross(corner(third) - corner(0));
-    if (n.norm() < 1e-18) continue;
-    n.normalize();
-    if (n.dot(middle - corner(0)) > 0.0) n = -n;
-    if (n.dot(p - corner(0)) > kSlack) return false;
-  }
-  return true;
-}
 
 }  // namespace quadrille::test

@@ -29,6 +29,18 @@ class ExactSolid {
     add_faces();
   }
 
+  /// True if p_C lies in the solid, to within about a nanometre: along an axis of its frame, of
+  /// which one at least leaves each face steeply.
+  bool contains(const Eigen::Vector3d& p_C) const {
+    constexpr Real kSlack = 1e-9L;
+    const Vector p = (shape_.X_CS.inverse() * p_C).cast<Real>();
+    for (int i = 0; i < 3; ++i) {
+      const auto [enter, leave] = clip(p, Vector::Unit(i));
+      if (enter <= kSlack && leave >= -kSlack && enter <= leave + kSlack) return true;
+    }
+    return false;
+  }
+
   bool meets(const OrientedBox& box) const {
     const Eigen::Matrix<Real, 3, 3> R_SC = shape_.X_CS.linear().cast<Real>().transpose();
     const Vector p = R_SC * (box.p_CB - shape_.X_CS.translation()).cast<Real>();

@@ -31,13 +31,13 @@ PointCloud wall_from(double eye) {
 /// A region of free space around its axis with one wall of voxels across it, 5 mm thick, seen from
 /// either side.
 OccupancyGrid walled() {
-  OccupancyGrid grid({Eigen::Vector3d(-0.1, -0.1, -0.2), Eigen::Vector3d(0.1, 0.1, 0.9)},
+  SpaceMapper mapper({Eigen::Vector3d(-0.1, -0.1, -0.2), Eigen::Vector3d(0.1, 0.1, 0.9)},
                      kResolution);
   for (const double eye : {-1.5, 2.5}) {
     const PointCloud wall = wall_from(eye);
-    grid.add(wall, DepthView(wall));
+    mapper.add(wall, DepthView(wall));
   }
-  return grid;
+  return std::move(mapper).take();
 }
 
 }  // namespace

@@ -5,10 +5,11 @@
 #include <map>
 #include <set>
 #include <thread>
+#include <utility>
 
+#include "grasping/plans.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
-#include "scenes.hpp"
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
 
@@ -51,11 +52,7 @@ const GraspScene& ready() {
   return made;
 }
 
-std::set<int> targets_of(const GraspPlan& plan) {
-  std::set<int> targets;
-  for (const Grasp& grasp : plan.grasps) targets.insert(grasp.target);
-  return targets;
-}
+using test::targets_of;
 
 std::set<int> targets_of(const GraspQuery& query) { return targets_of(ready().plan(query)); }
 
@@ -69,11 +66,8 @@ TEST_CASE("a scene that is asked for everything answers as a plan does", "[query
   const GraspPlan asked = ready().plan(),
                   planned = plan_grasps(scene().cloud, scene().detections, franka_hand());
   REQUIRE(targets_of(asked) == std::set{1, 2, 3, 4});
-  REQUIRE(asked.grasps.size() == planned.grasps.size());
-  for (std::size_t n = 0; n < asked.grasps.size(); ++n) {
-    CHECK(asked.grasps[n].X_CG.isApprox(planned.grasps[n].X_CG, 0.0));
-    CHECK(asked.grasps[n].track == 30 + asked.grasps[n].target);
-  }
+  test::check_same_grasps(asked, planned);
+  for (const Grasp& grasp : asked.grasps) CHECK(grasp.track == 30 + grasp.target);
   CHECK(asked.rejected == planned.rejected);
 }
 
@@ -185,42 +179,33 @@ TEST_CASE("a query that nothing meets is told why", "[query]") {
 }
 
 TEST_CASE("a query that is out of range names its field", "[query]") {
-  const auto message = [](const GraspQuery& query) -> std::string {
-    try {
-      ready().plan(query);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return {};
-  };
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  GraspQuery query;
-  query.min_size = nan;
-  CHECK(message(query).find("min_size") == 0);
-  query = {};
-  query.max_size = -1.0;
-  CHECK(message(query).find("max_size") == 0);
-  query = {};
-  query.min_clearance = 1.0;
-  CHECK(message(query).find("min_clearance") == 0);
-  query = {};
-  query.near_C = Eigen::Vector3d(0, 0, nan);
-  CHECK(message(query).find("near") == 0);
-  query = {};
-  query.approach = Cone{{0, 0, 2}, 1.0};
-  CHECK(message(query).find("approach") == 0);
-  query.region =
-      Region{Eigen::Isometry3d::Identity(), {Eigen::Vector3d(0, nan, 0), Eigen::Vector3d(1, 1, 1)}};
-  CHECK(message(query).find("region") != std::string::npos);
-  query = {};
-  query.approach = Cone{{0, 0, 1}, 0.0};
-  CHECK(message(query).find("approach's angle") == 0);
-  query = {};
-  query.region = Region{};
-  CHECK(message(query).find("region") == 0);
-  query = {};
-  query.max_grasps = 0;
-  CHECK(message(query).find("max_grasps") == 0);
+  static const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::pair<const char*, void (*)(GraspQuery&)> spoiled[] = {
+      {"min_size = ", [](GraspQuery& q) { q.min_size = nan; }},
+      {"max_size = ", [](GraspQuery& q) { q.max_size = -1.0; }},
+      {"min_clearance = ", [](GraspQuery& q) { q.min_clearance = 1.0; }},
+      {"near = ", [](GraspQuery& q) { q.near_C = Eigen::Vector3d(0, 0, nan); }},
+      {"approach = ",
+       [](GraspQuery& q) {
+         q.approach = Cone{{0, 0, 2}, 1.0};
+       }},
+      {"approach's angle = ",
+       [](GraspQuery& q) {
+         q.approach = Cone{{0, 0, 1}, 0.0};
+       }},
+      {"region = ", [](GraspQuery& q) { q.region = Region{}; }},
+      {"region = ",
+       [](GraspQuery& q) {
+         q.region = Region{Eigen::Isometry3d::Identity(),
+                           {Eigen::Vector3d(0, nan, 0), Eigen::Vector3d(1, 1, 1)}};
+       }},
+      {"max_grasps = ", [](GraspQuery& q) { q.max_grasps = 0; }},
+      {"deadline_ms = ", [](GraspQuery& q) { q.deadline_ms = nan; }}};
+  for (const auto& [field, spoil] : spoiled) {
+    GraspQuery query;
+    spoil(query);
+    CHECK_THROWS_WITH(ready().plan(query), Catch::Matchers::StartsWith(field));
+  }
 }
 
 TEST_CASE("each grasp says how it holds, and whence the hand comes", "[query]") {
@@ -253,12 +238,7 @@ TEST_CASE("several threads may ask one scene", "[query]") {
   for (int k = 0; k < 4; ++k) {
     GraspQuery query;
     query.ids = {1 + k};
-    const GraspPlan alone = ready().plan(query);
-    REQUIRE(plans[k].grasps.size() == alone.grasps.size());
-    for (std::size_t n = 0; n < alone.grasps.size(); ++n) {
-      CHECK(plans[k].grasps[n].X_CG.isApprox(alone.grasps[n].X_CG, 0.0));
-      CHECK(plans[k].grasps[n].score == alone.grasps[n].score);
-    }
+    test::check_same_grasps(plans[k], ready().plan(query));
   }
 }
 

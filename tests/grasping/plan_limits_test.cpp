@@ -4,23 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "grasping/scenes.hpp"
-#include "quadrille/grasping/plan.hpp"
+#include "grasping/plans.hpp"
 #include "support/catch.hpp"
 #include "support/missing_codes.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
-
-namespace {
-
-std::set<int> targeted(const GraspPlan& plan) {
-  std::set<int> ids;
-  for (const Grasp& grasp : plan.grasps) ids.insert(grasp.target);
-  return ids;
-}
-
-}  // namespace
 
 TEST_CASE("a cloud that contradicts its viewpoint is never planned on", "[plan]") {
   const Ball ball = ball_on_table(0.0, 0.0, 0.03);
@@ -30,9 +19,7 @@ TEST_CASE("a cloud that contradicts its viewpoint is never planned on", "[plan]"
   // Below the table, on its far side.
   cloud.viewpoint = table_detection().X_CQ * Eigen::Vector3d(0.1, 0.0, -0.3);
   for (const UnknownPolicy policy : {UnknownPolicy::kObstacle, UnknownPolicy::kFree}) {
-    PlanOptions options;
-    options.unknown = policy;
-    const GraspPlan plan = plan_grasps(cloud, detections, franka_hand(), options);
+    const GraspPlan plan = plan_grasps(cloud, detections, franka_hand(), with(policy));
     CHECK(plan.grasps.empty());
     CHECK(plan.rejected == std::map<std::string, int>{{"viewpoint", 1}});
     REQUIRE(plan.warnings.size() == 1);
@@ -50,25 +37,17 @@ TEST_CASE("what is targeted never changes what is in the way", "[plan]") {
   Detection can = cylinder_detection(Eigen::Isometry3d::Identity(), 0.03, 0.06, 2);
   can.X_CQ = table_detection().X_CQ * Eigen::Translation3d(0.09, 0.0, 0.03);
   const std::vector<Detection> detections = {sphere_detection(balls[0]), can, table_detection()};
-  const GraspPlan all = plan_grasps(cloud, detections, franka_hand());
-  REQUIRE(targeted(all) == std::set<int>{1, 2});
+  GraspPlan all = plan_grasps(cloud, detections, franka_hand());
+  REQUIRE(targets_of(all) == std::set<int>{1, 2});
   PlanOptions spheres;
   spheres.targets = {QuadricType::kSphere};
   std::vector<Detection> marked = detections;
   marked[1].id = -1;
   marked[2].id = -2;
+  std::erase_if(all.grasps, [](const Grasp& grasp) { return grasp.target != 1; });
   for (const GraspPlan& some : {plan_grasps(cloud, detections, franka_hand(), spheres),
                                 plan_grasps(cloud, marked, franka_hand())}) {
-    CHECK(targeted(some) == std::set<int>{1});
-    std::size_t n = 0;
-    for (const Grasp& grasp : all.grasps) {
-      if (grasp.target != 1) continue;
-      REQUIRE(n < some.grasps.size());
-      CHECK(grasp.X_CG.matrix() == some.grasps[n].X_CG.matrix());
-      CHECK(grasp.clearance == some.grasps[n].clearance);
-      ++n;
-    }
-    CHECK(n == some.grasps.size());
+    check_same_grasps(some, all);
     CHECK(some.shapes.size() == all.shapes.size());
   }
 }
@@ -95,10 +74,7 @@ TEST_CASE("bodies far off are refused, and cost neither memory nor the others' g
   const GraspPlan plan = plan_grasps(render({ball}), all, franka_hand());
   CHECK(plan.rejected.at("far") == 2);
   CHECK(plan.space->states().size() == alone.space->states().size());
-  REQUIRE(plan.grasps.size() == alone.grasps.size());
-  for (std::size_t n = 0; n < plan.grasps.size(); ++n) {
-    CHECK(plan.grasps[n].X_CG.matrix() == alone.grasps[n].X_CG.matrix());
-  }
+  check_same_grasps(plan, alone);
 }
 
 TEST_CASE("pixels with codes for missing ones change no grasp and no voxel", "[plan][hostile]") {
@@ -114,10 +90,6 @@ TEST_CASE("pixels with codes for missing ones change no grasp and no voxel", "[p
     const GraspPlan plan = plan_grasps(coded, detections, franka_hand(), PlanOptions(), {coded});
     CHECK(plan.space->states() == truth.space->states());
     CHECK(plan.warnings.size() == (std::isfinite(code) ? 2 : 0));
-    REQUIRE(plan.grasps.size() == truth.grasps.size());
-    for (std::size_t n = 0; n < plan.grasps.size(); ++n) {
-      CHECK(plan.grasps[n].X_CG.matrix() == truth.grasps[n].X_CG.matrix());
-      CHECK(plan.grasps[n].score == truth.grasps[n].score);
-    }
+    check_same_grasps(plan, truth);
   }
 }

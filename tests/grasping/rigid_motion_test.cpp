@@ -1,16 +1,13 @@
 #include "quadrille/grasping/rigid_motion.hpp"
 
-#include "grasping/scenes.hpp"
-#include "support/catch.hpp"
+#include "grasping/plans.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
 
 TEST_CASE("a moved plan has its grasps, contacts and shapes moved", "[frames]") {
   std::mt19937 random(5);
-  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
-  const GraspPlan plan = plan_grasps(render(std::vector<Ball>{ball}),
-                                     {sphere_detection(ball), table_detection()}, franka_hand());
+  const GraspPlan plan = plan_balls({ball_on_table(0.0, 0.0, 0.03)});
   REQUIRE_FALSE(plan.grasps.empty());
   const Eigen::Isometry3d X_FC = random_pose(random);
   const GraspPlan there = moved(plan, X_FC);
@@ -28,9 +25,7 @@ TEST_CASE("a moved plan has its grasps, contacts and shapes moved", "[frames]") 
 }
 
 TEST_CASE("a map moved by whole voxels and quarter turns is the same map", "[frames][occupancy]") {
-  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
-  const GraspPlan plan = plan_grasps(render(std::vector<Ball>{ball}),
-                                     {sphere_detection(ball), table_detection()}, franka_hand());
+  const GraspPlan plan = plan_balls({ball_on_table(0.0, 0.0, 0.03)});
   const OccupancyGrid& here = *plan.space;
   Eigen::Isometry3d X_FC = Eigen::Isometry3d::Identity();
   X_FC.linear() << 0, -1, 0, 1, 0, 0, 0, 0, 1;
@@ -49,9 +44,7 @@ TEST_CASE("a map moved by whole voxels and quarter turns is the same map", "[fra
 TEST_CASE("a map moved anyhow is free only where the map was free, and occupied where it was",
           "[frames][occupancy]") {
   std::mt19937 random(6);
-  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
-  const GraspPlan plan = plan_grasps(render(std::vector<Ball>{ball}),
-                                     {sphere_detection(ball), table_detection()}, franka_hand());
+  const GraspPlan plan = plan_balls({ball_on_table(0.0, 0.0, 0.03)});
   const OccupancyGrid& here = *plan.space;
   const Eigen::Isometry3d X_FC = random_pose(random);
   const OccupancyGrid there = here.moved(X_FC);

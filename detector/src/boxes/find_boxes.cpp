@@ -11,6 +11,8 @@
 #include "boxes/grouping.hpp"
 #include "boxes/measure_box.hpp"
 #include "boxes/missing_face.hpp"
+#include "cloud/far_cloud.hpp"
+#include "cloud/some_points.hpp"
 #include "quadrille/detector/range_check.hpp"
 
 namespace quadrille {
@@ -98,9 +100,18 @@ class BoxMaker {
 
 }  // namespace
 
-std::vector<Box> find_boxes(const CloudView& cloud, const std::vector<Detection>& detections) {
-  const RangeCheck range = check_range(cloud);
-  return BoxMaker(range.kept(cloud), detections).make();
+std::vector<Box> find_boxes(const CloudView& given, const std::vector<Detection>& detections) {
+  const RangeCheck range = check_range(given);
+  const CloudView cloud = range.kept(given);
+  const std::vector<Eigen::Vector3d> some = some_of(cloud.points);
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  if (!some.empty()) shift = shift_to_origin(middle_of(some));
+  if (shift.isZero(0.0)) return BoxMaker(cloud, detections).make();
+  std::vector<Detection> shifted;
+  for (const Detection& d : detections) shifted.push_back(translated(d, shift));
+  std::vector<Box> boxes = BoxMaker(translated(cloud, shift), shifted).make();
+  for (Box& box : boxes) box.X_CB.pretranslate(-shift);
+  return boxes;
 }
 
 }  // namespace quadrille

@@ -14,7 +14,10 @@ constexpr double kFar = 8.0;
 
 }  // namespace
 
-bool is_far(const Eigen::Vector3d& centre) { return centre.norm() > kFar; }
+Eigen::Vector3d shift_to_origin(const Eigen::Vector3d& centre) {
+  if (!(centre.norm() > kFar)) return Eigen::Vector3d::Zero();
+  return -centre.array().round().matrix();
+}
 
 PointCloud translated(const CloudView& cloud, const Eigen::Vector3d& shift) {
   const Eigen::Vector3f s = shift.cast<float>();

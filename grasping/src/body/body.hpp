@@ -2,14 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <optional>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
+
+/// Points of a body lie within this distance of it, given noise and misfit [m].
+inline constexpr double kBodyNoise = 0.006;
 
 /// The solid that a detected quadric bounds, including its hidden side, in its canonical frame Q.
 ///
@@ -71,7 +71,8 @@ Body turned(Body body);
 /// Makes the solid of a box at its largest possible size.
 Body make_body(const Box& box);
 
-/// Makes the solid of a detection; nullopt if its type bounds none (the reason in *why).
-std::optional<Body> make_body(const Detection& detection, std::string* why = nullptr);
+/// Makes the solid of a detection; nullopt if its type bounds none, or its size is not finite and
+/// positive.
+std::optional<Body> make_body(const Detection& detection);
 
 }  // namespace quadrille

@@ -1,7 +1,7 @@
 // Makes the solid that a detection stands for.
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <optional>
 
 #include "body/body.hpp"
 
@@ -59,98 +59,84 @@ double end_deviation(const Detection& d) {
   return 0.0;
 }
 
-void set_extent(Body& body, const Detection& d) {
-  body.z_min = d.extent_Q.min().z();
-  body.z_max = d.extent_Q.max().z();
+/// Cuts a cone that covers both nappes to the one on which most of the seen part lies, and extends
+/// it to the apex if that is near.
+Body with_apex(Body body) {
+  if (body.z_min < 0.0 && body.z_max > 0.0) {
+    (body.z_max > -body.z_min ? body.z_min : body.z_max) = 0.0;
+  }
+  double& narrow = body.z_max <= 0.0 ? body.z_max : body.z_min;
+  const double missing = std::abs(narrow);
+  if (std::max(body.a, body.b) * missing >= kMaxApexRadius ||
+      missing > kMaxApexShare * (body.z_max - body.z_min)) {
+    return body;
+  }
+  body.beyond = missing;
+  narrow = 0.0;
+  return body;
 }
 
-/// Orients the sheet that was seen towards z ≥ c; returns false if both sheets were seen.
-bool fill_sheet(Body& body, const Detection& d) {
-  body.profile = Profile::kSheet;
-  body.a = dimension(d, 0);
-  body.b = dimension(d, 1);
-  body.c = dimension(d, 2);
+/// Orients the sheet that was seen towards z ≥ c; nullopt if both sheets were seen.
+std::optional<Body> one_sheet(Body body) {
   if (body.z_max <= 0.0) body = turned(body);
-  if (!(body.z_min > 0.0)) return false;
+  if (!(body.z_min > 0.0)) return std::nullopt;
   body.z_min = std::max(body.z_min, body.c);
-  return body.z_max > body.z_min;
+  if (!(body.z_max > body.z_min)) return std::nullopt;
+  return body;
 }
 
-void fill_ellipsoid(Body& body, const Detection& d) {
-  const bool sphere = d.type == QuadricType::kSphere;
-  body.profile = Profile::kEllipse;
-  body.a = dimension(d, 0);
-  body.b = sphere ? body.a : dimension(d, 1);
-  body.c = sphere ? body.a : dimension(d, 2);
-  body.z_min = -body.c;
-  body.z_max = body.c;
-}
-
-/// Fills the body with the space between two parallel planes, as far as each was seen.
-void fill_box(Body& body, const Detection& d) {
-  body.profile = Profile::kBox;
+/// Returns the space between two parallel planes, as far as each was seen.
+Body slab(Body body, const Detection& d) {
   body.a = 0.5 * d.extent_Q.sizes().x();
   body.b = 0.5 * d.extent_Q.sizes().y();
   body.X_CQ.translation() = d.X_CQ * Eigen::Vector3d(d.extent_Q.center());
   body.z_max = 0.5 * dimension(d, 0);
   body.z_min = -body.z_max;
+  return body;
 }
 
-/// Returns false if the type bounds no solid, or none where it was seen.
-bool fill_profile(Body& body, const Detection& d) {
-  set_extent(body, d);
+/// Returns the solid without its deviations; nullopt if the type bounds none, or none where it was
+/// seen.
+std::optional<Body> solid_of(const Detection& d) {
+  Body body;
+  body.X_CQ = d.X_CQ;
+  body.z_min = d.extent_Q.min().z();
+  body.z_max = d.extent_Q.max().z();
+  const double first = dimension(d, 0), second = dimension(d, 1), third = dimension(d, 2);
+  const auto with = [&](Profile profile, double a, double b, double c = 0.0) {
+    body.profile = profile;
+    body.a = a;
+    body.b = b;
+    body.c = c;
+    if (profile == Profile::kEllipse) body.z_min = -c, body.z_max = c;
+    return body;
+  };
   switch (d.type) {
     case QuadricType::kSphere:
+      return with(Profile::kEllipse, first, first, first);
     case QuadricType::kEllipsoid:
-      fill_ellipsoid(body, d);
-      return true;
+      return with(Profile::kEllipse, first, second, third);
     case QuadricType::kCylinder:
+      return with(Profile::kConstant, first, first);
     case QuadricType::kEllipticCylinder:
-      body.a = dimension(d, 0);
-      body.b = d.type == QuadricType::kCylinder ? body.a : dimension(d, 1);
-      return true;
+      return with(Profile::kConstant, first, second);
     case QuadricType::kCone:
+      return with_apex(with(Profile::kLinear, std::tan(first), std::tan(first)));
     case QuadricType::kEllipticCone:
-      body.profile = Profile::kLinear;
-      body.a = std::tan(dimension(d, 0));
-      body.b = d.type == QuadricType::kCone ? body.a : std::tan(dimension(d, 1));
-      return true;
+      return with_apex(with(Profile::kLinear, std::tan(first), std::tan(second)));
     case QuadricType::kEllipticParaboloid:
-      body.profile = Profile::kRoot;
-      body.a = std::sqrt(4.0 * std::abs(dimension(d, 0)));
-      body.b = std::sqrt(4.0 * std::abs(dimension(d, 1)));
       body.z_min = 0.0;
-      return true;
+      return with(Profile::kRoot, std::sqrt(4.0 * std::abs(first)),
+                  std::sqrt(4.0 * std::abs(second)));
     case QuadricType::kHyperboloidOneSheet:
-      body.profile = Profile::kHyperbola;
-      body.a = dimension(d, 0);
-      body.b = dimension(d, 1);
-      body.c = dimension(d, 2);
-      return true;
+      return with(Profile::kHyperbola, first, second, third);
     case QuadricType::kHyperboloidTwoSheets:
-      return fill_sheet(body, d);
+      return one_sheet(with(Profile::kSheet, first, second, third));
     case QuadricType::kParallelPlanes:
-      fill_box(body, d);
-      return true;
+      return slab(with(Profile::kBox, 0.0, 0.0), d);
     default:
-      return false;
+      return std::nullopt;
   }
-}
-
-/// Cuts a cone that covers both nappes to the one on which most of the seen part lies, and extends
-/// it to the apex if that is near.
-void end_cone(Body& body) {
-  if (body.profile != Profile::kLinear) return;
-  if (body.z_min < 0.0 && body.z_max > 0.0) {
-    (body.z_max > -body.z_min ? body.z_min : body.z_max) = 0.0;
-  }
-  double& narrow = body.z_max <= 0.0 ? body.z_max : body.z_min;
-  if (std::max(body.a, body.b) * std::abs(narrow) >= kMaxApexRadius ||
-      std::abs(narrow) > kMaxApexShare * (body.z_max - body.z_min)) {
-    return;
-  }
-  body.beyond = std::abs(narrow);
-  narrow = 0.0;
 }
 
 bool sound(const Body& body) {
@@ -177,20 +163,11 @@ Body make_body(const Box& box) {
   return body;
 }
 
-std::optional<Body> make_body(const Detection& detection, std::string* why) {
-  const auto refuse = [&](const std::string& reason) {
-    if (why) *why = reason;
-    return std::nullopt;
-  };
-  Body body;
-  body.X_CQ = detection.X_CQ;
-  const std::string type(to_string(detection.type));
-  if (is_imaginary(detection.type)) return refuse(type + " has no real surface");
-  if (!fill_profile(body, detection)) return refuse(type + " bounds no solid");
-  end_cone(body);
-  if (!sound(body)) return refuse(type + " has no finite, positive size");
-  body.std = deviations(detection, body);
-  body.end_std = std::min(end_deviation(detection), Body::kMaxStd);
+std::optional<Body> make_body(const Detection& detection) {
+  std::optional<Body> body = solid_of(detection);
+  if (!body || !sound(*body)) return std::nullopt;
+  body->std = deviations(detection, *body);
+  body->end_std = std::min(end_deviation(detection), Body::kMaxStd);
   return body;
 }
 

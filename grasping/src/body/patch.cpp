@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "body/polyhedron.hpp"
 
@@ -106,7 +107,7 @@ CollisionShape block_of(const Graph& g, const Detection& d, const Eigen::Vector2
   return shape;
 }
 
-void add_blocks(const Graph& g, const Detection& d, std::vector<CollisionShape>& shapes) {
+std::vector<CollisionShape> blocks_of(const Graph& g, const Detection& d) {
   const Eigen::AlignedBox3d& box = d.extent_Q;
   const Eigen::Vector2d low(box.min()[g.u_axis], box.min()[g.v_axis]);
   const Eigen::Vector2d size(box.sizes()[g.u_axis], box.sizes()[g.v_axis]);
@@ -115,6 +116,7 @@ void add_blocks(const Graph& g, const Detection& d, std::vector<CollisionShape>&
     count[i] = 1 + static_cast<int>(std::min<double>(kMaxCells - 1, 0.5 * size[i] / g.cell()[i]));
   }
   const Eigen::Vector2d half = 0.5 * size.cwiseQuotient(count.cast<double>());
+  std::vector<CollisionShape> shapes;
   for (int j = 0; j < count.y(); ++j) {
     for (int i = 0; i < count.x(); ++i) {
       const Eigen::Vector2d middle =
@@ -122,6 +124,7 @@ void add_blocks(const Graph& g, const Detection& d, std::vector<CollisionShape>&
       shapes.push_back(block_of(g, d, middle, half));
     }
   }
+  return shapes;
 }
 
 /// Makes a slab from low to high along z of its frame.
@@ -140,21 +143,21 @@ CollisionShape plane_slab(const Detection& d) {
   return slab(d.X_CQ, d.extent_Q, -thickness, 0.0);
 }
 
-/// Adds a slab for half of one of two planes that meet in the z axis of Q: from that axis along
-/// unit direction u_Q, within the extent. Adds nothing if the half plane misses the extent.
-void add_half(const Detection& d, const Eigen::Vector3d& u_Q, std::vector<CollisionShape>& shapes) {
+/// Makes a slab for half of one of two planes that meet in the z axis of Q: from that axis along
+/// unit direction u_Q, within the extent. Nullopt if the half plane misses the extent.
+std::optional<CollisionShape> half_slab(const Detection& d, const Eigen::Vector3d& u_Q) {
   const Eigen::AlignedBox3d& box = d.extent_Q;
   double from = 0.0, to = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 2; ++i) {
     if (u_Q[i] == 0.0) {
-      if (box.min()[i] > 0.0 || box.max()[i] < 0.0) return;
+      if (box.min()[i] > 0.0 || box.max()[i] < 0.0) return std::nullopt;
       continue;
     }
     const double t0 = box.min()[i] / u_Q[i], t1 = box.max()[i] / u_Q[i];
     from = std::max(from, std::min(t0, t1));
     to = std::min(to, std::max(t0, t1));
   }
-  if (!(to > from)) return;
+  if (!(to > from)) return std::nullopt;
   Eigen::Isometry3d X_QP = Eigen::Isometry3d::Identity();  // x along u, y along z of Q
   X_QP.linear() << u_Q, Eigen::Vector3d::UnitZ(), u_Q.cross(Eigen::Vector3d::UnitZ());
   const Eigen::Isometry3d X_CP = d.X_CQ * X_QP;
@@ -162,8 +165,7 @@ void add_half(const Detection& d, const Eigen::Vector3d& u_Q, std::vector<Collis
                                  Eigen::Vector3d(to, box.max().z(), 0.0));
   const Eigen::Vector3d middle_C = X_CP * Eigen::Vector3d(face.center());
   const bool from_above = d.Q_C.gradient(middle_C).dot(X_CP.linear().col(2)) >= 0.0;
-  shapes.push_back(
-      slab(X_CP, face, from_above ? -kDepthBehind : 0.0, from_above ? 0.0 : kDepthBehind));
+  return slab(X_CP, face, from_above ? -kDepthBehind : 0.0, from_above ? 0.0 : kDepthBehind);
 }
 
 bool sound(const Detection& d) {
@@ -186,25 +188,33 @@ bool sound_sizes(double a, double b) {
   return a > 1e-5 && a < 100.0 && b > 1e-5 && (b < 100.0 || std::isinf(b));
 }
 
-void add_curved(const Detection& d, std::vector<CollisionShape>& shapes) {
+std::vector<CollisionShape> curved(const Detection& d) {
   const double a = dimension(d, 0);
   const double b = d.type == QuadricType::kParabolicCylinder
                        ? std::numeric_limits<double>::infinity()
                        : dimension(d, 1);
-  if (!sound_sizes(a, b)) return;
-  if (d.type != QuadricType::kHyperbolicCylinder) return add_blocks(Saddle(a, b), d, shapes);
-  if (d.extent_Q.max().x() > 0.0) add_blocks(Branch(1.0, a, b), d, shapes);
-  if (d.extent_Q.min().x() < 0.0) add_blocks(Branch(-1.0, a, b), d, shapes);
+  if (!sound_sizes(a, b)) return {};
+  if (d.type != QuadricType::kHyperbolicCylinder) return blocks_of(Saddle(a, b), d);
+  std::vector<CollisionShape> shapes;
+  if (d.extent_Q.max().x() > 0.0) shapes = blocks_of(Branch(1.0, a, b), d);
+  if (d.extent_Q.min().x() < 0.0) {
+    const std::vector<CollisionShape> others = blocks_of(Branch(-1.0, a, b), d);
+    shapes.insert(shapes.end(), others.begin(), others.end());
+  }
+  return shapes;
 }
 
-void add_pair(const Detection& d, std::vector<CollisionShape>& shapes) {
+std::vector<CollisionShape> plane_pair(const Detection& d) {
   const double half = 0.5 * dimension(d, 0);
-  if (!(half >= 0.0 && half < 3.2)) return;
+  if (!(half >= 0.0 && half < 3.2)) return {};
+  std::vector<CollisionShape> shapes;
   for (const double side : {1.0, -1.0}) {
     for (const double turn : {half, -half}) {
-      add_half(d, side * Eigen::Vector3d(std::cos(turn), std::sin(turn), 0.0), shapes);
+      const Eigen::Vector3d u_Q = side * Eigen::Vector3d(std::cos(turn), std::sin(turn), 0.0);
+      if (const auto slab = half_slab(d, u_Q)) shapes.push_back(*slab);
     }
   }
+  return shapes;
 }
 
 }  // namespace
@@ -220,32 +230,22 @@ CollisionShape make_box(const Eigen::Isometry3d& X_CQ, const Eigen::AlignedBox3d
   return shape;
 }
 
-std::vector<CollisionShape> make_patch(const Detection& detection, std::string* why) {
-  std::vector<CollisionShape> shapes;
-  const std::string type(to_string(detection.type));
-  if (sound(detection)) {
-    switch (detection.type) {
-      case QuadricType::kPlane:
-        shapes.push_back(plane_slab(detection));
-        break;
-      // the gradient is zero, so that the seen side is unknown
-      case QuadricType::kCoincidentPlanes:
-        shapes.push_back(slab(detection.X_CQ, detection.extent_Q, -kDepthBehind, kDepthBehind));
-        break;
-      case QuadricType::kIntersectingPlanes:
-        add_pair(detection, shapes);
-        break;
-      case QuadricType::kHyperbolicParaboloid:
-      case QuadricType::kHyperbolicCylinder:
-      case QuadricType::kParabolicCylinder:
-        add_curved(detection, shapes);
-        break;
-      default:
-        break;
-    }
+std::vector<CollisionShape> make_patch(const Detection& detection) {
+  if (!sound(detection)) return {};
+  switch (detection.type) {
+    case QuadricType::kPlane:
+      return {plane_slab(detection)};
+    case QuadricType::kCoincidentPlanes:  // the gradient is zero, so that the seen side is unknown
+      return {slab(detection.X_CQ, detection.extent_Q, -kDepthBehind, kDepthBehind)};
+    case QuadricType::kIntersectingPlanes:
+      return plane_pair(detection);
+    case QuadricType::kHyperbolicParaboloid:
+    case QuadricType::kHyperbolicCylinder:
+    case QuadricType::kParabolicCylinder:
+      return curved(detection);
+    default:
+      return {};
   }
-  if (shapes.empty() && why) *why = type + " has no finite, positive size";
-  return shapes;
 }
 
 }  // namespace quadrille

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "body/patch.hpp"
 #include "body/pieces.hpp"
@@ -64,9 +65,9 @@ CollisionShape cone_shape(const Body& body) {
 }
 
 /// Computes the rings of a bulging profile from its tangents. Each ring lies where two neighbouring
-/// tangents meet, so that all chords lie outside. Adds the largest gap between them and the profile
-/// to *excess.
-std::vector<Ring> tangent_rings(const Body& body, double* excess) {
+/// tangents meet, so that all chords lie outside.
+/// @return the rings, and the largest gap between their chords and the profile [m]
+std::pair<std::vector<Ring>, double> tangent_rings(const Body& body) {
   const bool sheet = body.profile == Profile::kSheet;
   // The profile's parameter t: s = t and z = t², or for a sheet s = sinh t and z = c cosh t.
   const auto parameter = [&](double z) {
@@ -74,6 +75,7 @@ std::vector<Ring> tangent_rings(const Body& body, double* excess) {
   };
   const double first = parameter(body.z_min), step = (parameter(body.z_max) - first) / kTangents;
   std::vector<Ring> rings;
+  double gap = 0.0;
   if (first > 0.0) rings.push_back({body.z_min, body.scale(body.z_min)});
   for (int i = 0; i < kTangents; ++i) {
     const double t = first + (i + 0.5) * step, h = 0.5 * step;
@@ -82,11 +84,11 @@ std::vector<Ring> tangent_rings(const Body& body, double* excess) {
                           : Ring{t * t - h * h, t};
     const double along = (sheet ? body.c * std::hypot(1.0, ring.s) : ring.s * ring.s) - ring.z;
     const double across = std::max(body.a, body.b) * (ring.s - body.scale(ring.z));
-    *excess = std::max(*excess, std::min(along, across));
+    gap = std::max(gap, std::min(along, across));
     rings.push_back(ring);
   }
   rings.push_back({body.z_max, body.scale(body.z_max)});
-  return rings;
+  return {rings, gap};
 }
 
 /// Makes a polyhedron around a convex body.
@@ -96,9 +98,9 @@ CollisionShape polyhedron(const Body& body) {
     return make_rings(body,
                       {{body.z_min, body.scale(body.z_min)}, {body.z_max, body.scale(body.z_max)}});
   }
-  double excess = 0.0;
-  CollisionShape shape = make_rings(body, tangent_rings(body, &excess));
-  shape.excess += excess;
+  const auto [rings, gap] = tangent_rings(body);
+  CollisionShape shape = make_rings(body, rings);
+  shape.excess += gap;
   return shape;
 }
 
@@ -133,15 +135,9 @@ CollisionShape convex_shape(const Body& body) {
 
 }  // namespace
 
-std::vector<CollisionShape> make_shapes(const Detection& detection, std::string* why) {
-  std::vector<CollisionShape> shapes;
-  std::string reason;
-  if (const std::optional<Body> body = make_body(detection, &reason)) {
-    shapes = make_pieces(*body);
-  } else if (!is_imaginary(detection.type)) {
-    shapes = make_patch(detection, &reason);
-  }
-  if (shapes.empty() && why) *why = reason;
+std::vector<CollisionShape> make_shapes(const Detection& detection) {
+  const std::optional<Body> body = make_body(detection);
+  std::vector<CollisionShape> shapes = body ? make_pieces(*body) : make_patch(detection);
   for (CollisionShape& shape : shapes) {
     shape.target = detection.id;
     shape.geometry->computeLocalAABB();

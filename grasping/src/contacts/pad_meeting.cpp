@@ -32,17 +32,19 @@ std::array<double, 8> rows(const Gripper& gripper) {
 constexpr double kColumnsAcross[] = {0.0, -0.5, 0.5, -1.0, 1.0};
 // Slack on a bound on friction, since it is computed with floats.
 constexpr double kFrictionSlack = 0.01;
-// Marks a chord that meets no surface; it lies deeper inside than the end of any chord [m].
-constexpr float kNoSurface = -1e3f;
+// Marks a chord that meets no surface: it lies deeper inside than the end of any chord.
+constexpr float kNoSurface = -std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-PadMeetingFinder::PadMeetingFinder(const Body& body, const Gripper& gripper)
-    : body_(body), gripper_(gripper), quadric_(quadric_of(body)) {}
-
-void PadMeetingFinder::turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C) {
-  y_C_ = closing_C;
-  y_Q_ = body_.X_CQ.linear().transpose() * closing_C;
+PadMeetingFinder::PadMeetingFinder(const Body& body, const Gripper& gripper,
+                                   const Eigen::Vector3d& closing_C,
+                                   const Eigen::Vector3d& approach_C)
+    : body_(body),
+      gripper_(gripper),
+      quadric_(quadric_of(body)),
+      y_C_(closing_C),
+      y_Q_(body.X_CQ.linear().transpose() * closing_C) {
   const Eigen::Vector3d z_Q = body_.X_CQ.linear().transpose() * approach_C, x_Q = y_Q_.cross(z_Q);
   int n = 0;
   for (const double along : rows(gripper_)) {

@@ -23,18 +23,18 @@ struct PadMeeting {
   double friction;
 };
 
-/// Finds where the pads of a hand meet a body, on a grid of chords over the inner faces of its
-/// fingers. The pads meet the body where it is widest within their reach, not where it is widest
-/// overall.
+/// Finds where the pads of a hand of one orientation meet a body, on a grid of chords over the
+/// inner faces of its fingers. The pads meet the body where it is widest within their reach, not
+/// where it is widest overall.
 class PadMeetingFinder {
  public:
+  /// The hand closes along y and approaches along z, unit vectors in frame C at right angles.
   /// @param body  any body except a box; it and the gripper must outlive this finder
-  PadMeetingFinder(const Body& body, const Gripper& gripper);
-  PadMeetingFinder(const Body& body, Gripper&& gripper) = delete;
+  PadMeetingFinder(const Body& body, const Gripper& gripper, const Eigen::Vector3d& closing_C,
+                   const Eigen::Vector3d& approach_C);
+  PadMeetingFinder(const Body& body, Gripper&& gripper, const Eigen::Vector3d& closing_C,
+                   const Eigen::Vector3d& approach_C) = delete;
 
-  /// Sets the orientation of the hand, which closes along y and approaches along z, unit vectors in
-  /// frame C at right angles. Must be called before the first at().
-  void turn(const Eigen::Vector3d& closing_C, const Eigen::Vector3d& approach_C);
   /// Finds the contacts of a hand whose origin is p_C, moved along its closing direction as needed.
   /// Nullopt if the fingers do not meet the body, would have to open too far, meet the edge of one
   /// of its ends, or need more friction than `max_friction`.

@@ -98,7 +98,7 @@ int band(double friction) {
 class Search {
  public:
   Search(const Body& body, const Gripper& gripper, const TipLimits& limits)
-      : gripper_(gripper), limits_(limits), points_(surface(body)), finder_(body, gripper) {
+      : body_(body), gripper_(gripper), limits_(limits), points_(surface(body)) {
     for (const double dip : kDips) {
       if (dips_.empty() || dip <= kMaxDipToFinger * gripper.finger.z()) dips_.push_back(dip);
     }
@@ -110,11 +110,11 @@ class Search {
     X_CG.linear() << closing_C.cross(approach_C), closing_C, approach_C;
     const std::vector<Eigen::Vector3d> places_G = places(X_CG);
     if (blocked(X_CG, places_G)) return;
-    finder_.turn(closing_C, approach_C);
+    PadMeetingFinder finder(body_, gripper_, closing_C, approach_C);
     for (const Eigen::Vector3d& p_G : places_G) {
       X_CG.translation() = X_CG.linear() * p_G;
       if (sinks(X_CG)) continue;
-      const std::optional<PadMeeting> met = finder_.at(X_CG.translation(), limits_.friction);
+      const std::optional<PadMeeting> met = finder.at(X_CG.translation(), limits_.friction);
       if (!met || met->line.width < gripper_.min_opening) continue;
       const double value = prior - 2.0 * met->friction;
       rated_.push_back({{met->line, approach_C, met->friction}, band(met->friction), value});
@@ -196,11 +196,11 @@ class Search {
     });
   }
 
+  const Body& body_;
   const Gripper& gripper_;
   const TipLimits& limits_;
   std::vector<double> dips_;
   Eigen::Matrix3Xd points_, points_G_;
-  PadMeetingFinder finder_;
   std::vector<Rated> rated_;
 };
 

@@ -75,11 +75,8 @@ class QueryPlanner {
   /// Tries holds by the tips only if the target is held in no other way.
   /// @return whether the deadline ended the search early
   bool try_holds(const Target& target) {
-    const Surroundings around_it{*parts_.space, *parts_.view,           *parts_.map, parts_.shapes,
-                                 parts_.owners, parts_.options.unknown, parts_.reach};
     const auto task = [&](const CollisionScene& scene) {
-      return TargetTask{target,        parts_.gripper, parts_.options, query_,
-                        *parts_.space, scene,          deadline_,      parts_.viewpoint_C};
+      return TargetTask{parts_, query_, deadline_, target, scene};
     };
     bool held = false, cut = false;
     const auto keep = [&](const TargetGrasps& found) {
@@ -90,11 +87,11 @@ class QueryPlanner {
     };
     std::optional<CollisionScene> solid;
     if (target.solid) {
-      solid = solid_scene(target, around_it);
+      solid = solid_scene(target, parts_);
       keep(grasps_across(task(*solid)));
     }
     if (target.shell) {
-      const CollisionScene shell = shell_scene(target, around_it);
+      const CollisionScene shell = shell_scene(target, parts_);
       keep(grasps_at_rim(task(shell)));
     }
     if (solid && !held && !cut) keep(grasps_by_tips(task(*solid)));

@@ -3,7 +3,7 @@
 #include "base/deadline.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/plan.hpp"
-#include "scene/scene_parts.hpp"
+#include "targets/scene_parts.hpp"
 
 namespace quadrille {
 

@@ -1,3 +1,5 @@
+#include "scene/make_scene_parts.hpp"
+
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -11,13 +13,22 @@
 #include "quadrille/detector/range_check.hpp"
 #include "quadrille/detector/viewpoint_check.hpp"
 #include "quadrille/grasping/shape.hpp"
-#include "scene/scene_parts.hpp"
 #include "space/map_limits.hpp"
+#include "space/space_mapper.hpp"
 
 namespace quadrille {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+ShapeOwner owner_of(const Detection& detection) {
+  return {detection.id, detection.X_CQ * Eigen::Vector3d(detection.extent_Q.center()),
+          detection.extent_Q.sizes().maxCoeff()};
+}
+
+ShapeOwner owner_of(const Box& box) {
+  return {box.id, box.X_CB.translation(), box.size.maxCoeff()};
+}
 
 /// Makes the parts of a scene, stage by stage.
 class SceneMaker {
@@ -105,8 +116,7 @@ class SceneMaker {
         parts_.why_none[d.id] = "is a face of box " + std::to_string(box->id);
         continue;
       }
-      std::string why;
-      const std::vector<CollisionShape> shapes = quadrille::make_shapes(d, &why);
+      const std::vector<CollisionShape> shapes = quadrille::make_shapes(d);
       parts_.shapes.insert(parts_.shapes.end(), shapes.begin(), shapes.end());
       parts_.owners.resize(parts_.shapes.size(), owner_of(d));
       if (!is_wanted(d, parts_.options)) {
@@ -118,7 +128,8 @@ class SceneMaker {
         refuse(d.id, Refusal::kNoShape);
       }
       if (shapes.empty()) {
-        warn("quadric " + std::to_string(d.id) + " has no collision shape: " + why);
+        warn("quadric " + std::to_string(d.id) + " has no collision shape: " +
+             std::string(to_string(d.type)) + " has no finite, positive size");
       }
     }
   }
@@ -210,22 +221,26 @@ class SceneMaker {
     if (resolution > parts_.options.resolution) {
       warn("the targets lie far apart: occupancy is mapped at a coarser resolution");
     }
-    const auto space = std::make_shared<OccupancyGrid>(region, resolution);
-    space->restrict_to(std::move(boxes));
-    space->add(cloud_, *parts_.view);
+    SpaceMapper mapper(region, resolution, std::move(boxes));
+    mapper.add(cloud_, *parts_.view);
     for (const PointCloud* cloud : further_) {
-      space->add(*cloud, DepthView(*cloud, parts_.options.baseline, parts_.options.resolution));
+      mapper.add(*cloud, DepthView(*cloud, parts_.options.baseline, parts_.options.resolution));
     }
+    parts_.space = std::make_shared<OccupancyGrid>(
+        std::move(mapper).take_cleared(*parts_.view, up_to_clear()));
+    if (parts_.targets.empty()) return;
+    const DepthView* view = parts_.view->valid() ? &*parts_.view : nullptr;
+    parts_.map.emplace(*parts_.space, parts_.options.unknown != UnknownPolicy::kFree, view,
+                       further_.empty());
+  }
+
+  /// Returns the normal of the first support; zero if no space is to be cleared above it.
+  Eigen::Vector3d up_to_clear() const {
     const auto standing =
         std::find_if(parts_.targets.begin(), parts_.targets.end(),
                      [](const Target& target) { return !target.supports.empty(); });
-    if (parts_.options.clear_above && parts_.view->valid() && standing != parts_.targets.end()) {
-      space->clear_above(*parts_.view, standing->supports.front().n_C());
-    }
-    parts_.space = space;
-    if (parts_.targets.empty()) return;
-    parts_.map.emplace(*space, parts_.options.unknown != UnknownPolicy::kFree);
-    if (parts_.view->valid()) parts_.map->refine(*parts_.view, further_.empty());
+    const bool clears = parts_.options.clear_above && parts_.view->valid();
+    return clears && standing != parts_.targets.end() ? standing->up_C() : Eigen::Vector3d::Zero();
   }
 
   std::vector<Detection> detections_;

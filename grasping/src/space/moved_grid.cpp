@@ -3,6 +3,7 @@
 #include <array>
 
 #include "quadrille/grasping/occupancy.hpp"
+#include "space/each_cube.hpp"
 #include "space/map_limits.hpp"
 
 namespace quadrille {
@@ -26,17 +27,14 @@ Voxel OccupancyGrid::most_cautious(const Eigen::AlignedBox3d& box_C) const {
   const Eigen::Array3d corner = corner_.cast<double>();
   const Eigen::Array3d low = (box_C.min().array() / resolution_ - corner + kTouch).floor();
   const Eigen::Array3d high = (box_C.max().array() / resolution_ - corner - kTouch).floor();
-  const Eigen::Array3i from = low.max(0.0).cast<int>();
-  const Eigen::Array3i to = high.min(size_.cast<double>().array() - 1.0).cast<int>();
+  const Eigen::Vector3i from = low.max(0.0).cast<int>();
+  const Eigen::Vector3i to = (high.min(size_.cast<double>().array() - 1.0) + 1.0).cast<int>();
   const bool inside = (low >= 0.0).all() && (high < size_.cast<double>().array()).all();
   Voxel state = inside ? Voxel::kFree : Voxel::kUnknown;
-  for (int k = from[2]; k <= to[2]; ++k) {
-    for (int j = from[1]; j <= to[1]; ++j) {
-      for (int i = from[0]; i <= to[0]; ++i) {
-        if (caution(at(i, j, k)) < caution(state)) state = at(i, j, k);
-      }
-    }
-  }
+  each_cube(from, to, 1, [&](const Eigen::Vector3i& voxel) {
+    const Voxel here = at(voxel.x(), voxel.y(), voxel.z());
+    if (caution(here) < caution(state)) state = here;
+  });
   return state;
 }
 
@@ -51,14 +49,10 @@ OccupancyGrid OccupancyGrid::moved(const Eigen::Isometry3d& X_FC) const {
   const Eigen::Isometry3d X_CF = X_FC.inverse();
   const Eigen::Vector3d half_C =
       0.5 * grid.resolution_ * R_FC.transpose().cwiseAbs() * Eigen::Vector3d::Ones();
-  for (int k = 0; k < grid.size_.z(); ++k) {
-    for (int j = 0; j < grid.size_.y(); ++j) {
-      for (int i = 0; i < grid.size_.x(); ++i) {
-        const Eigen::Vector3d p_C = X_CF * grid.centre(i, j, k);
-        grid.states_[grid.index(i, j, k)] = most_cautious({p_C - half_C, p_C + half_C});
-      }
-    }
-  }
+  each_cube(Eigen::Vector3i::Zero(), grid.size_, 1, [&](const Eigen::Vector3i& at) {
+    const Eigen::Vector3d p_C = X_CF * grid.centre(at.x(), at.y(), at.z());
+    grid.states_[grid.index(at.x(), at.y(), at.z())] = most_cautious({p_C - half_C, p_C + half_C});
+  });
   return grid;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/rounding.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -58,13 +60,11 @@ struct ObstacleMap::Query {
       edge_reach[n] = (R.transpose() * axis).cwiseAbs().dot(half);
       edge_spread[n] = axis.cwiseAbs().sum();
     }
-    for (int n = 0; n < 8; ++n) {
-      to_eighth[n] = on_faces({(n & 1) ? 1.0 : -1.0, (n & 2) ? 1.0 : -1.0, (n & 4) ? 1.0 : -1.0});
+    for (unsigned n = 0; n < 8; ++n) {
+      to_eighth[n] = on_faces(cube_corner(n));
     }
-    // Rounding error of float offsets within some metres [m].
-    constexpr float kRounding = 2e-6f;
-    quick_reach << reach.cast<float>().array() + kRounding, half.cast<float>().array() + kRounding,
-        1.0f, 1.0f;
+    quick_reach << reach.cast<float>().array() + kFloatRounding,
+        half.cast<float>().array() + kFloatRounding, 1.0f, 1.0f;
     quick_spread << 1.0f, 1.0f, 1.0f, face_spread.cast<float>().array(), 0.0f, 0.0f;
   }
 
@@ -87,9 +87,12 @@ struct ObstacleMap::Query {
   }
 };
 
-ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks)
+ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks, const DepthView* view,
+                         bool sole_view)
     : resolution_(grid.resolution()),
       unknown_blocks_(unknown_blocks),
+      view_(view),
+      sole_view_(sole_view),
       corner_(grid.corner().cast<double>() * grid.resolution()) {
   levels_[0].size = grid.size();
   levels_[0].flags.resize(grid.states().size());
@@ -108,7 +111,7 @@ ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks)
 }
 
 ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
-  constexpr int kEdge = 1 << (kLevels - 1);
+  constexpr int kEdge = OccupancyGrid::kBlock;
   const Range range = voxels(region);
   ObstacleMap map;
   map.resolution_ = resolution_;
@@ -117,7 +120,6 @@ ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
   map.sole_view_ = sole_view_;
   const Eigen::Vector3i low = range.first / kEdge * kEdge;
   const Eigen::Vector3i size = ((range.second.array() + kEdge) / kEdge * kEdge).matrix() - low;
-  map.first_ = first_ + low;
   map.corner_ = corner_ + resolution_ * low.cast<double>();
   for (int n = 0; n < kLevels; ++n) {
     const Level& from = levels_[n];
@@ -214,7 +216,7 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Ve
   }
   const Level& below = levels_[level - 1];
   for (int n = 0; n < 8; ++n) {
-    const Eigen::Vector3i eighth = 2 * at + Eigen::Vector3i(n & 1, (n >> 1) & 1, n >> 2);
+    const Eigen::Vector3i eighth = 2 * at + eighth_of_cube(n);
     if (below.flags[below.index(eighth.x(), eighth.y(), eighth.z())] == 0) continue;
     const Offset there = offset + static_cast<float>(0.5 * h) * query.to_eighth[n];
     if (const std::uint8_t hit = descend(query, level - 1, eighth, there)) return hit;
@@ -229,9 +231,8 @@ bool ObstacleMap::enters_hidden(const Query& query, const Eigen::Vector3d& centr
                                 int depth, double margin) const {
   const double h = 0.5 * half;
   if (depth == 0 || view_->spacing(view_->to_view(centre).z()) > 2.0 * h) return true;
-  for (int n = 0; n < 8; ++n) {
-    const Eigen::Vector3d eighth =
-        centre + h * Eigen::Vector3d((n & 1) ? 1 : -1, (n & 2) ? 1 : -1, (n & 4) ? 1 : -1);
+  for (unsigned n = 0; n < 8; ++n) {
+    const Eigen::Vector3d eighth = centre + h * cube_corner(n);
     if (query.overlaps(eighth, h) && !view_->sees_past(eighth, h + margin) &&
         enters_hidden(query, eighth, h, depth - 1, margin)) {
       return true;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "body/body.hpp"
 #include "hand/oriented_box.hpp"
 #include "quadrille/grasping/occupancy.hpp"
+#include "space/each_cube.hpp"
 #include "view/depth_view.hpp"
 
 namespace quadrille {
@@ -24,23 +26,20 @@ enum class Hit : std::uint8_t { kNone, kOccupied, kUnknown };
 /// cannot see unknown space.
 class ObstacleMap {
  public:
+  /// If a view is given, the voxels that a box overlaps are divided, and the box passes the parts
+  /// that the view saw through: eighths of an occupied voxel, and eighths of those for an unknown
+  /// one. This matters at the edge of a shadow, where a whole voxel is unknown even if only a
+  /// little of it was hidden.
   /// @param unknown_blocks  if true, unknown voxels and all space outside the grid are obstacles
-  /// too
-  ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks);
+  ///   too
+  /// @param view  null for none; the view must outlive this map and its copies
+  /// @param sole_view  true if all points come from this view; otherwise occupied voxels stay whole
+  ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks, const DepthView* view = nullptr,
+              bool sole_view = false);
 
   /// Copies the blocks of the map that the region meets, so that they can be carved at little cost.
   /// All space beyond them counts as outside.
   ObstacleMap within(const Eigen::AlignedBox3d& region) const;
-
-  /// From now on, divides the voxels that a box overlaps and lets the box pass the parts that the
-  /// view saw through: eighths of an occupied voxel, and eighths of those for an unknown one. This
-  /// matters at the edge of a shadow, where a whole voxel is unknown even if only a little of it
-  /// was hidden. The view must outlive this map and its copies.
-  /// @param sole  true if all points come from this view; otherwise occupied voxels stay whole
-  void refine(const DepthView& view, bool sole) {
-    view_ = &view;
-    sole_view_ = sole;
-  }
 
   /// Returns what the box overlaps; touching without overlap does not count. If the box overlaps
   /// both kinds, either may be returned, but always the same one for the same box.
@@ -51,12 +50,13 @@ class ObstacleMap {
   template <class Keep>
   void carve(const Body& body, double margin, Keep&& keep);
 
-  /// Frees unknown voxels that the sensor could not see because the body stood in front of them.
-  void clear_shadow(const OccupancyGrid& grid, const DepthView& view, const Body& body,
-                    const Eigen::AlignedBox3d& region);
+  /// Frees unknown voxels that the sensor of the view, which must have been given, could not see
+  /// because the body stood in front of them.
+  void clear_shadow(const Body& body, const Eigen::AlignedBox3d& region);
 
  private:
-  static constexpr int kLevels = 5;
+  /// The cubes of the top level are the blocks of the grid.
+  static constexpr int kLevels = std::bit_width(unsigned{OccupancyGrid::kBlock});
   static constexpr std::uint8_t kAnyOccupied = 1, kAnyUnknown = 2, kAll = 4;
   struct Level {
     Eigen::Vector3i size;
@@ -80,8 +80,7 @@ class ObstacleMap {
                        const Offset& offset) const;
   bool enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half, int depth,
                      double margin) const;
-  void clear_block(const OccupancyGrid& grid, const DepthView& view, const Body& body,
-                   const Cone& cone, const Eigen::Vector3i& first);
+  void clear_block(const Body& body, const Cone& cone, const Eigen::Vector3i& first);
   void refresh(const Range& range);
 
   ObstacleMap() = default;
@@ -90,8 +89,6 @@ class ObstacleMap {
   bool unknown_blocks_ = false;
   const DepthView* view_ = nullptr;
   bool sole_view_ = false;
-  /// Index in the grid of this map's first voxel.
-  Eigen::Vector3i first_ = Eigen::Vector3i::Zero();
   Eigen::Vector3d corner_;
   std::array<Level, kLevels> levels_;
 };
@@ -102,16 +99,12 @@ void ObstacleMap::carve(const Body& body, double margin, Keep&& keep) {
   box.min().array() -= margin;
   box.max().array() += margin;
   const Range range = voxels(box);
-  for (int k = range.first.z(); k <= range.second.z(); ++k) {
-    for (int j = range.first.y(); j <= range.second.y(); ++j) {
-      for (int i = range.first.x(); i <= range.second.x(); ++i) {
-        std::uint8_t& flags = levels_[0].flags[levels_[0].index(i, j, k)];
-        if (flags == 0) continue;
-        const Eigen::Vector3d c = centre(i, j, k);
-        if (body.contains(c, margin) && !keep(c)) flags = 0;
-      }
-    }
-  }
+  each_cube(range.first, range.second.array() + 1, 1, [&](const Eigen::Vector3i& at) {
+    std::uint8_t& flags = levels_[0].flags[levels_[0].index(at.x(), at.y(), at.z())];
+    if (flags == 0) return;
+    const Eigen::Vector3d c = centre(at.x(), at.y(), at.z());
+    if (body.contains(c, margin) && !keep(c)) flags = 0;
+  });
   refresh(range);
 }
 

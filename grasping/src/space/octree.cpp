@@ -1,6 +1,7 @@
 #include <octomap/OcTree.h>
 
 #include "quadrille/grasping/occupancy.hpp"
+#include "space/each_cube.hpp"
 
 namespace quadrille {
 namespace {
@@ -23,12 +24,8 @@ class TreeWriter {
       : grid_(grid), tree_(std::make_shared<octomap::OcTree>(grid.resolution())) {}
 
   std::shared_ptr<octomap::OcTree> write() {
-    constexpr int kEdge = OccupancyGrid::kBlock;
-    for (int k = 0; k < grid_.size().z(); k += kEdge) {
-      for (int j = 0; j < grid_.size().y(); j += kEdge) {
-        for (int i = 0; i < grid_.size().x(); i += kEdge) write_block({i, j, k});
-      }
-    }
+    each_cube(Eigen::Vector3i::Zero(), grid_.size(), OccupancyGrid::kBlock,
+              [&](const Eigen::Vector3i& low) { write_block(low); });
     // Without this call FCL takes occupied cells for free, because inner nodes do not know their
     // children yet.
     if (tree_->getRoot()) tree_->updateInnerOccupancy();
@@ -58,17 +55,20 @@ class TreeWriter {
   void write_block(const Eigen::Vector3i& low) {
     const int state = uniform(low, OccupancyGrid::kBlock);
     if (absent(state)) return;
-    constexpr int kDepth = 12;  // blocks of 16 voxels lie 4 above the leaves of 16 levels
     if (!tree_->getRoot()) tree_ = std::make_shared<RootedTree>(grid_.resolution());
     octomap::OcTreeNode* node = tree_->getRoot();
     const Eigen::Vector3i key = grid_.corner() + low + Eigen::Vector3i::Constant(32768);
-    for (int depth = 0; depth < kDepth; ++depth) node = child(node, key, 15 - depth);
+    for (int edge = 1 << 15; edge >= OccupancyGrid::kBlock; edge /= 2) {
+      node = child(node, key, edge);
+    }
     write_node(node, low, OccupancyGrid::kBlock, state);
   }
 
-  octomap::OcTreeNode* child(octomap::OcTreeNode* node, const Eigen::Vector3i& key, int bit) {
+  /// Returns the child of a node that holds the voxel of this key, made if it is missing.
+  /// @param edge  edge of the child, a power of two [voxels]
+  octomap::OcTreeNode* child(octomap::OcTreeNode* node, const Eigen::Vector3i& key, int edge) {
     const unsigned n =
-        ((key.x() >> bit) & 1) | (((key.y() >> bit) & 1) << 1) | (((key.z() >> bit) & 1) << 2);
+        (key.x() & edge ? 1u : 0u) | (key.y() & edge ? 2u : 0u) | (key.z() & edge ? 4u : 0u);
     return tree_->nodeChildExists(node, n) ? tree_->getNodeChild(node, n)
                                            : tree_->createNodeChild(node, n);
   }
@@ -80,10 +80,11 @@ class TreeWriter {
       return;
     }
     const int step = edge / 2;
-    for (unsigned n = 0; n < 8; ++n) {
-      const Eigen::Vector3i at = low + step * Eigen::Vector3i(n & 1, (n >> 1) & 1, n >> 2);
+    for (int n = 0; n < 8; ++n) {
+      const Eigen::Vector3i at = low + step * eighth_of_cube(n);
       const int part = uniform(at, step);
-      if (!absent(part)) write_node(tree_->createNodeChild(node, n), at, step, part);
+      if (!absent(part))
+        write_node(tree_->createNodeChild(node, static_cast<unsigned>(n)), at, step, part);
     }
   }
 

@@ -41,8 +41,9 @@ constexpr double kMinAlongAxis = 0.7;
 
 std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task) {
   if (const auto why = misfit(line, task)) return why;
-  if (friction_needed(line) > kFrictionShare * task.options.friction) return Refusal::kFriction;
-  if (contradicted(line, task.space)) return Refusal::kContradicted;
+  if (friction_needed(line) > kFrictionShare * task.parts.options.friction)
+    return Refusal::kFriction;
+  if (contradicted(line, *task.parts.space)) return Refusal::kContradicted;
   return std::nullopt;
 }
 
@@ -50,9 +51,9 @@ std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task)
 std::vector<ContactLine> lines_across(const TargetTask& task, const ApproachSpace& space,
                                       HandTrials& trials) {
   if (!task.target.box) {
-    return contact_lines(task.target.body, task.gripper, task.viewpoint_C, space.up_C);
+    return contact_lines(task.target.body, task.parts.gripper, task.parts.viewpoint_C, space.up_C);
   }
-  BoxLines found = box_lines(*task.target.box, task.gripper);
+  BoxLines found = box_lines(*task.target.box, task.parts.gripper);
   trials.refuse(Refusal::kUnmeasured, found.unmeasured);
   return std::move(found.lines);
 }
@@ -93,7 +94,7 @@ GraspKind kind_of(const ContactLine& line, const Target& target) {
 bool try_depth(const ContactLine& line, const Eigen::Vector3d& approach_C, double depth,
                GraspKind kind, const TargetTask& task, HandTrials& trials) {
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
-  if (on_pads(line, X_CG, task.gripper)) {
+  if (on_pads(line, X_CG, task.parts.gripper)) {
     return trials.try_hand({line, X_CG, kind, friction_needed(line)});
   }
   trials.refuse(Refusal::kFriction);
@@ -115,7 +116,7 @@ double passed_by_tips(const ContactLine& line, double off, const Eigen::Vector3d
 void try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C, const TargetTask& task,
                 HandTrials& trials) {
   const Body& body = task.target.body;
-  const double depth = kTipBeyond - task.gripper.finger_front;
+  const double depth = kTipBeyond - task.parts.gripper.finger_front;
   for (const double share : kChordOffsets) {
     const double off = 0.5 * share * line.width;
     const Eigen::Vector3d p_C = line.centre_C - off * approach_C;
@@ -136,11 +137,11 @@ void try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C, cons
 void try_across(const ContactLine& line, const Eigen::Vector3d& approach_C, const TargetTask& task,
                 HandTrials& trials) {
   if (trials.resembles_accepted(line, approach_C) ||
-      trials.palm_blocked(line, approach_C, places(line, task.gripper))) {
+      trials.palm_blocked(line, approach_C, places(line, task.parts.gripper))) {
     return;
   }
-  if (min_opening(line, task.options) <= task.gripper.max_opening) {
-    const double step = kDepthStepToPad * task.gripper.pad.y();
+  if (min_opening(line, task.parts.options) <= task.parts.gripper.max_opening) {
+    const double step = kDepthStepToPad * task.parts.gripper.pad.y();
     const GraspKind kind = kind_of(line, task.target);
     for (const double depth : {0.0, -step, step}) {
       if (try_depth(line, approach_C, depth, kind, task, trials)) return;
@@ -162,7 +163,7 @@ TargetGrasps grasps_across(const TargetTask& task) {
     if (trials.done()) break;
     try_across(lines[candidate.line], candidate.approach_C, task, trials);
   }
-  return trials.take();
+  return std::move(trials).take();
 }
 
 }  // namespace quadrille

@@ -28,8 +28,9 @@ bool observed(const Eigen::Vector3d& contact_C, const OccupancyGrid& space) {
 /// disc of radius r.
 double epsilon(const ContactLine& line, const TargetTask& task, double reach) {
   ContactModel model;
-  model.friction = task.options.friction;
-  model.torsion = 2.0 / 3.0 * task.options.friction * kDiscToPad * task.gripper.pad.minCoeff();
+  model.friction = task.parts.options.friction;
+  model.torsion =
+      2.0 / 3.0 * task.parts.options.friction * kDiscToPad * task.parts.gripper.pad.minCoeff();
   model.torque_scale = reach;
   return grasp_epsilon(line, model);
 }
@@ -48,16 +49,16 @@ Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) 
   grasp.width = line.width;
   grasp.preshape = preshape;
   grasp.contacts_C = line.contacts_C;
-  grasp.approach = task.options.approach;
+  grasp.approach = task.parts.options.approach;
   grasp.friction_needed = attempt.friction;
   grasp.epsilon = epsilon(line, task, reach);
   grasp.clearance = task.scene.clearance(
-      sweep_hand(task.gripper, grasp.X_CG, grasp.preshape, grasp.width, grasp.approach));
-  const int seen =
-      observed(line.contacts_C[0], task.space) + observed(line.contacts_C[1], task.space);
+      sweep_hand(task.parts.gripper, grasp.X_CG, grasp.preshape, grasp.width, grasp.approach));
+  const int seen = observed(line.contacts_C[0], *task.parts.space) +
+                   observed(line.contacts_C[1], *task.parts.space);
   grasp.unknown_contact = seen < 2;
   ScoreTerms terms;
-  terms.friction = (1.0 - grasp.friction_needed / task.options.friction) * attempt.straight;
+  terms.friction = (1.0 - grasp.friction_needed / task.parts.options.friction) * attempt.straight;
   terms.clearance = grasp.clearance / kFullClearance;
   terms.observed = 0.5 * seen;
   terms.room = 0.5 * (grasp.preshape - line.opening) / kFullRoom;

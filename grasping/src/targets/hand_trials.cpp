@@ -55,11 +55,11 @@ double pad_margin(const ContactLine& line, const PlanOptions& options) {
 
 /// Returns the openings of the hand to be tried, in this order [m].
 std::vector<double> preshapes(const ContactLine& line, const TargetTask& task) {
-  const double needed = min_opening(line, task.options);
-  const double unit = task.gripper.max_opening / 80.0;
+  const double needed = min_opening(line, task.parts.options);
+  const double unit = task.parts.gripper.max_opening / 80.0;
   std::vector<double> openings;
   for (const int room : kRooms) {
-    const double opening = std::min(needed + 2.0 * (unit * room), task.gripper.max_opening);
+    const double opening = std::min(needed + 2.0 * (unit * room), task.parts.gripper.max_opening);
     if (std::find(openings.begin(), openings.end(), opening) == openings.end()) {
       openings.push_back(opening);
     }
@@ -75,7 +75,7 @@ ApproachSpace approach_space(const TargetTask& task) {
   space.axes_C = body.X_CQ.linear();
   space.centre_C = body.centre_C();
   space.reach = 0.5 * body.bounds_Q().sizes().maxCoeff();
-  const Eigen::Vector3d ray = task.viewpoint_C - space.centre_C;
+  const Eigen::Vector3d ray = task.parts.viewpoint_C - space.centre_C;
   if (ray.norm() > 1e-9) space.view_C = ray.normalized();
   space.up_C = task.target.up_C();
   space.wanted = task.query.approach;
@@ -87,8 +87,8 @@ double min_opening(const ContactLine& line, const PlanOptions& options) {
 }
 
 std::optional<Refusal> misfit(const ContactLine& line, const TargetTask& task) {
-  if (min_opening(line, task.options) <= task.gripper.max_opening &&
-      line.width >= task.gripper.min_opening) {
+  if (min_opening(line, task.parts.options) <= task.parts.gripper.max_opening &&
+      line.width >= task.parts.gripper.min_opening) {
     return std::nullopt;
   }
   return Refusal::kWidth;
@@ -133,7 +133,7 @@ void HandTrials::obstructed(Refusal why) {
 bool HandTrials::palm_blocked(const ContactLine& line, const Eigen::Vector3d& approach_C,
                               const Eigen::AlignedBox3d& places_G) {
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, 0.0);
-  const auto palm = common_palm(task_.gripper, X_CG, places_G, task_.options.approach);
+  const auto palm = common_palm(task_.parts.gripper, X_CG, places_G, task_.parts.options.approach);
   const auto what = palm ? task_.scene.palm_obstruction(*palm) : std::nullopt;
   if (what) obstructed(refusal_of(*what));
   return what.has_value();
@@ -141,22 +141,22 @@ bool HandTrials::palm_blocked(const ContactLine& line, const Eigen::Vector3d& ap
 
 bool HandTrials::try_hand(const Attempt& attempt) {
   const ContactLine& line = attempt.line;
-  const Gripper& gripper = task_.gripper;
+  const Gripper& gripper = task_.parts.gripper;
   const CollisionScene& scene = task_.scene;
   if (resembles_accepted(line, attempt.X_CG.linear().col(2))) return true;
   const auto swept = [&](double preshape) {
-    return sweep_hand(gripper, attempt.X_CG, preshape, line.width, task_.options.approach);
+    return sweep_hand(gripper, attempt.X_CG, preshape, line.width, task_.parts.options.approach);
   };
   const auto stopped_by = [&](const std::optional<Obstruction>& what) {
     if (what) obstructed(refusal_of(*what));
     return what.has_value();
   };
   const auto fingers =
-      common_fingers(gripper, attempt.X_CG, min_opening(line, task_.options), line.width);
+      common_fingers(gripper, attempt.X_CG, min_opening(line, task_.parts.options), line.width);
   if (stopped_by(scene.closing_obstruction(fingers))) return false;
   if (stopped_by(scene.palm_obstruction(swept(line.opening).palm))) return false;
-  if (attempt.may_bulge &&
-      meets_too_early(line, attempt.X_CG, gripper, scene.target, pad_margin(line, task_.options))) {
+  if (attempt.may_bulge && meets_too_early(line, attempt.X_CG, gripper, scene.target,
+                                           pad_margin(line, task_.parts.options))) {
     obstructed(Refusal::kTarget);
     return false;
   }

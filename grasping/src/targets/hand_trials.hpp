@@ -56,8 +56,7 @@ class HandTrials {
                     const Eigen::AlignedBox3d& places_G);
   /// Returns true if a grasp like this was accepted, so that no similar one need be tried.
   bool try_hand(const Attempt& attempt);
-  /// Hands over the result; this must be the last call.
-  TargetGrasps take() { return std::move(found_); }
+  TargetGrasps take() && { return std::move(found_); }
 
  private:
   void obstructed(Refusal why);

@@ -1,6 +1,7 @@
 // Finds grasps across the wall of a vessel, at its rim.
 #include "contacts/rim.hpp"
 
+#include <utility>
 #include <vector>
 
 #include "contacts/closing.hpp"
@@ -23,7 +24,7 @@ constexpr double kMaxWarpToReach = 1.0 / 15.0;
 void try_rim(const ContactLine& line, const Eigen::Vector3d& approach_C, const TargetTask& task,
              HandTrials& trials) {
   const Shell& shell = *task.target.shell;
-  const Gripper& gripper = task.gripper;
+  const Gripper& gripper = task.parts.gripper;
   const double warp = wall_warp(shell, line, approach_C, 0.5 * gripper.pad.x());
   const double max_warp = kMaxWarpToReach * rim_reach(gripper);
   if (!(warp <= max_warp)) return trials.refuse(Refusal::kTwist);
@@ -53,7 +54,7 @@ TargetGrasps grasps_at_rim(const TargetTask& task) {
     if (trials.done()) break;
     try_rim(lines[candidate.line], candidate.approach_C, task, trials);
   }
-  return trials.take();
+  return std::move(trials).take();
 }
 
 }  // namespace quadrille

@@ -1,31 +1,25 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
 #include "base/deadline.hpp"
 #include "quadrille/grasping/grasp.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
-#include "quadrille/grasping/gripper.hpp"
-#include "quadrille/grasping/occupancy.hpp"
-#include "quadrille/grasping/plan_options.hpp"
 #include "quadrille/grasping/refusal.hpp"
 #include "space/collision.hpp"
+#include "targets/scene_parts.hpp"
 #include "targets/target.hpp"
 
 namespace quadrille {
 
 /// The inputs for planning the grasps of one target. Everything that it refers to must outlive it.
 struct TargetTask {
-  const Target& target;
-  const Gripper& gripper;
-  const PlanOptions& options;
+  const SceneParts& parts;
   const GraspQuery& query;
-  const OccupancyGrid& space;
-  const CollisionScene& scene;
   const Deadline& deadline;
-  /// Position of the sensor [m].
-  Eigen::Vector3d viewpoint_C;
+  const Target& target;
+  /// The obstacles around the target.
+  const CollisionScene& scene;
 };
 
 /// The diverse grasps of one target that survive, in no particular order, and the refusals.

@@ -23,12 +23,12 @@ bool part_of(const ShapeOwner& other, const Body& body) {
          other.size <= kMaxPartShare * size + kPartSizeError;
 }
 
-CollisionScene uncarved_scene(const Target& target, const Surroundings& around_it) {
-  const Eigen::AlignedBox3d region = around(target.body, around_it.reach + kMaxClearance);
-  CollisionScene scene{around_it.map.within(region), target.supports, {}, {}};
-  for (std::size_t n = 0; n < around_it.shapes.size(); ++n) {
-    const ShapeOwner& owner = around_it.owners[n];
-    const CollisionShape& shape = around_it.shapes[n];
+CollisionScene uncarved_scene(const Target& target, const SceneParts& parts) {
+  const Eigen::AlignedBox3d region = around(target.body, parts.reach + kMaxClearance);
+  CollisionScene scene{parts.map->within(region), target.supports, {}, {}};
+  for (std::size_t n = 0; n < parts.shapes.size(); ++n) {
+    const ShapeOwner& owner = parts.owners[n];
+    const CollisionShape& shape = parts.shapes[n];
     if (owner.id != target.id && !part_of(owner, target.body) && may_reach(shape, region)) {
       scene.neighbours.push_back(shape);
     }
@@ -51,42 +51,32 @@ bool holds_up(const Target& target, const OccupancyGrid& space, const Eigen::Vec
   return std::any_of(target.supports.begin(), target.supports.end(), near);
 }
 
-void clear_shadow(const Body& body, const Surroundings& around_it, CollisionScene& scene) {
-  if (around_it.unknown != UnknownPolicy::kTargetShadow) return;
-  scene.map.clear_shadow(around_it.space, around_it.view, body, around(body, around_it.reach));
+void clear_shadow(const Body& body, const SceneParts& parts, CollisionScene& scene) {
+  if (parts.options.unknown != UnknownPolicy::kTargetShadow) return;
+  scene.map.clear_shadow(body, around(body, parts.reach));
 }
 
 }  // namespace
 
-ShapeOwner owner_of(const Detection& detection) {
-  return {detection.id, detection.X_CQ * Eigen::Vector3d(detection.extent_Q.center()),
-          detection.extent_Q.sizes().maxCoeff()};
-}
-
-ShapeOwner owner_of(const Box& box) {
-  return {box.id, box.X_CB.translation(), box.size.maxCoeff()};
-}
-
-CollisionScene solid_scene(const Target& target, const Surroundings& around_it) {
-  CollisionScene scene = uncarved_scene(target, around_it);
+CollisionScene solid_scene(const Target& target, const SceneParts& parts) {
+  CollisionScene scene = uncarved_scene(target, parts);
   scene.target = make_pieces(target.body);
-  scene.map.carve(
-      target.body, carve_margin(around_it.space, target),
-      [&](const Eigen::Vector3d& p_C) { return holds_up(target, around_it.space, p_C); });
-  clear_shadow(target.body, around_it, scene);
+  scene.map.carve(target.body, carve_margin(*parts.space, target),
+                  [&](const Eigen::Vector3d& p_C) { return holds_up(target, *parts.space, p_C); });
+  clear_shadow(target.body, parts, scene);
   return scene;
 }
 
-CollisionScene shell_scene(const Target& target, const Surroundings& around_it) {
-  CollisionScene scene = uncarved_scene(target, around_it);
+CollisionScene shell_scene(const Target& target, const SceneParts& parts) {
+  CollisionScene scene = uncarved_scene(target, parts);
   const Shell& shell = *target.shell;
   scene.target = make_wall(shell);
   scene.end_doubt = scene.margin;  // find_shell() put the rim where the points end
-  const double margin = carve_margin(around_it.space, target);
+  const double margin = carve_margin(*parts.space, target);
   scene.map.carve(shell.body, margin + shell.outer(), [&](const Eigen::Vector3d& p_C) {
-    return !shell.in_wall(p_C, margin) || holds_up(target, around_it.space, p_C);
+    return !shell.in_wall(p_C, margin) || holds_up(target, *parts.space, p_C);
   });
-  clear_shadow(shell.body, around_it, scene);
+  clear_shadow(shell.body, parts, scene);
   return scene;
 }
 

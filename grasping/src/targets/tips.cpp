@@ -1,5 +1,6 @@
 // Finds holds by the tips alone, wherever they reach, for targets that have no better grasp.
 #include <optional>
+#include <utility>
 
 #include "contacts/tip_holds.hpp"
 #include "targets/hand_trials.hpp"
@@ -17,7 +18,7 @@ constexpr std::size_t kMaxGrasps = 8;
 
 std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task) {
   if (const auto why = misfit(line, task)) return why;
-  if (contradicted(line, task.space)) return Refusal::kContradicted;
+  if (contradicted(line, *task.parts.space)) return Refusal::kContradicted;
   return std::nullopt;
 }
 
@@ -25,9 +26,10 @@ std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task)
 
 TargetGrasps grasps_by_tips(const TargetTask& task) {
   HandTrials trials(task, kMaxChecks, kMaxGrasps);
-  const TipLimits limits{task.scene, task.options.approach, kFrictionShare * task.options.friction};
+  const TipLimits limits{task.scene, task.parts.options.approach,
+                         kFrictionShare * task.parts.options.friction};
   for (const TipHold& hold :
-       tip_holds(task.target.body, task.gripper, approach_space(task), limits)) {
+       tip_holds(task.target.body, task.parts.gripper, approach_space(task), limits)) {
     if (trials.done()) break;
     if (const auto why = unusable(hold.line, task)) {
       trials.refuse(*why);
@@ -36,7 +38,7 @@ TargetGrasps grasps_by_tips(const TargetTask& task) {
     const Eigen::Isometry3d X_CG = grasp_pose(hold.line, hold.approach_C, 0.0);
     trials.try_hand({hold.line, X_CG, GraspKind::kTip, hold.friction});
   }
-  return trials.take();
+  return std::move(trials).take();
 }
 
 }  // namespace quadrille

@@ -19,12 +19,10 @@ PixelSpan clipped(const PixelSpan& s, int width, int height) {
 
 }  // namespace
 
-DepthBounds::DepthBounds(const DepthImage& image, const std::vector<std::uint8_t>& filled)
+DepthBounds::DepthBounds(const DepthImage& image, const DepthImage& measured)
     : width_(image.width), height_(image.height) {
-  std::vector<float> surface = image.depth;
-  for (std::size_t n = 0; n < surface.size(); ++n) {
-    if (surface[n] == 0.0f || filled[n]) surface[n] = kInfinity;
-  }
+  std::vector<float> surface = measured.depth;
+  std::replace(surface.begin(), surface.end(), 0.0f, kInfinity);
   levels_.push_back({image.width, image.height, image.depth, image.depth, std::move(surface)});
   while (levels_.back().width > 1 || levels_.back().height > 1) {
     levels_.push_back(coarser(levels_.back()));

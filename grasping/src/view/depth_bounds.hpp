@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "view/depth_image.hpp"
@@ -24,8 +23,8 @@ struct PixelSpan {
 class DepthBounds {
  public:
   DepthBounds() = default;
-  /// @param filled  per pixel, nonzero if its depth was filled in rather than measured
-  DepthBounds(const DepthImage& image, const std::vector<std::uint8_t>& filled);
+  /// @param image  the measured depths, and those of gaps that were filled
+  DepthBounds(const DepthImage& image, const DepthImage& measured);
 
   /// Returns the bounds over the pixels of a span; pixels outside the image count as missing.
   DepthRange range(const PixelSpan& span) const;

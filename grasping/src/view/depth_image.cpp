@@ -36,19 +36,18 @@ bool has_support(const DepthImage& image, int u, int v) {
 
 }  // namespace
 
-std::vector<std::size_t> remove_strays(DepthImage& image) {
+std::vector<std::size_t> find_strays(const DepthImage& image) {
   std::vector<std::size_t> strays;
   for (int v = 0; v < image.height; ++v) {
     for (int u = 0; u < image.width; ++u) {
       if (image.at(u, v) > 0.0f && !has_support(image, u, v)) strays.push_back(image.index(u, v));
     }
   }
-  for (const std::size_t at : strays) image.depth[at] = 0.0f;
   return strays;
 }
 
-void fill_holes(DepthImage& image) {
-  const DepthImage raw = image;
+DepthImage fill_holes(const DepthImage& raw) {
+  DepthImage image = raw;
   for (int v = 1; v + 1 < image.height; ++v) {
     for (int u = 1; u + 1 < image.width; ++u) {
       if (raw.at(u, v) > 0.0f) continue;
@@ -65,6 +64,7 @@ void fill_holes(DepthImage& image) {
       if (known >= kMinMeasured) image.depth[image.index(u, v)] = min_depth;
     }
   }
+  return image;
 }
 
 }  // namespace quadrille

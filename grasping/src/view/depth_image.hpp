@@ -17,11 +17,12 @@ struct DepthImage {
   float at(int u, int v) const { return holds(u, v) ? depth[index(u, v)] : 0.0f; }
 };
 
-/// Removes the pixels without support among their neighbours: stray and mixed pixels.
-/// @return their indices
-std::vector<std::size_t> remove_strays(DepthImage& image);
+/// Returns the indices of the pixels without support among their neighbours: stray and mixed
+/// pixels.
+std::vector<std::size_t> find_strays(const DepthImage& image);
 
-/// Fills missing pixels that have a few measured neighbours with the smallest of their depths.
-void fill_holes(DepthImage& image);
+/// Returns the image with missing pixels that have a few measured neighbours filled with the
+/// smallest of their depths.
+DepthImage fill_holes(const DepthImage& image);
 
 }  // namespace quadrille

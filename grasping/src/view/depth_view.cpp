@@ -23,12 +23,11 @@ DepthView::DepthView(const PointCloud& cloud, double baseline, double thin)
   place(*view, find_pixels(cloud, *view, kMaxPixels));
   keep_nearest(cloud);
   // Two passes fill holes that are three pixels wide.
-  fill_holes(image_);
-  fill_holes(image_);
+  measured_ = fill_holes(fill_holes(measured_));
   // Only in the optical convention do the rows run along the sensor's baseline.
   const GapRules rules{R_VC_.isIdentity() ? baseline : 0.0, thin};
-  filled_ = fill_gaps(image_.depth, image_.width, pitch_.matrix(), rules);
-  bounds_ = DepthBounds(image_, filled_);
+  image_ = fill_gaps(measured_, pitch_.matrix(), rules);
+  bounds_ = DepthBounds(image_, measured_);
 }
 
 void DepthView::place(const PinholeView& view, const PinholeImage& image) {
@@ -43,27 +42,30 @@ void DepthView::place(const PinholeView& view, const PinholeImage& image) {
   const Eigen::Array2d centre = -image.corner.cast<double>() / pitch_ - 0.5;
   cu_ = centre.x();
   cv_ = centre.y();
-  image_.width = image.width;
-  image_.height = image.height;
+  measured_.width = image.width;
+  measured_.height = image.height;
 }
 
 /// Keeps the nearest point of each pixel, unless it is a stray.
 void DepthView::keep_nearest(const PointCloud& cloud) {
-  image_.depth.assign(static_cast<std::size_t>(image_.width) * image_.height, 0.0f);
-  std::vector<std::size_t> nearest(image_.depth.size(), 0);
+  measured_.depth.assign(static_cast<std::size_t>(measured_.width) * measured_.height, 0.0f);
+  std::vector<std::size_t> nearest(measured_.depth.size(), 0);
   for (std::size_t n = 0; n < cloud.points.size(); ++n) {
     const Eigen::Vector3d p_V = to_view(cloud.points[n].cast<double>());
     // This is also false for points that are not finite.
     if (!(p_V.z() > kMinDepth)) continue;
     const Eigen::Vector2i uv = pixel(p_V);
-    if (!image_.holds(uv.x(), uv.y())) continue;
-    const std::size_t at = image_.index(uv.x(), uv.y());
+    if (!measured_.holds(uv.x(), uv.y())) continue;
+    const std::size_t at = measured_.index(uv.x(), uv.y());
     const float depth = static_cast<float>(p_V.z());
-    if (image_.depth[at] > 0.0f && image_.depth[at] <= depth) continue;
-    image_.depth[at] = depth;
+    if (measured_.depth[at] > 0.0f && measured_.depth[at] <= depth) continue;
+    measured_.depth[at] = depth;
     nearest[at] = n;
   }
-  for (const std::size_t at : remove_strays(image_)) stray_[nearest[at]] = 1;
+  for (const std::size_t at : find_strays(measured_)) {
+    measured_.depth[at] = 0.0f;
+    stray_[nearest[at]] = 1;
+  }
 }
 
 }  // namespace quadrille

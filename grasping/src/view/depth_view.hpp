@@ -83,7 +83,7 @@ class DepthView {
   /// Returns the column of the nearer measured pixel at the ends of the gap at (u, v); -1 if there
   /// is none.
   int nearer_end_of_gap(int u, int v) const;
-  bool measured(int u, int v) const { return depth(u, v) > 0.0 && !filled_[image_.index(u, v)]; }
+  bool measured(int u, int v) const { return measured_.at(u, v) > 0.0f; }
   void place(const PinholeView& view, const PinholeImage& image);
   void keep_nearest(const PointCloud& cloud);
 
@@ -95,9 +95,8 @@ class DepthView {
   Eigen::Array2d pitch_ = Eigen::Array2d::Ones(), pixels_ = Eigen::Array2d::Ones();
   /// Pixel coordinates at which the axis of V passes through the image.
   double cu_ = 0.0, cv_ = 0.0;
-  DepthImage image_;
-  /// For each pixel, nonzero if its depth was not measured but bounds what a gap may hide.
-  std::vector<std::uint8_t> filled_;
+  /// The measured depths with holes filled, and the same with depths that bound what gaps may hide.
+  DepthImage measured_, image_;
   DepthBounds bounds_;
   std::vector<std::uint8_t> stray_;
 };

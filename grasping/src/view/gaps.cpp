@@ -52,27 +52,19 @@ void fill_blind(const Gap& gap, double pitch, double baseline, std::vector<float
 
 }  // namespace
 
-std::vector<std::uint8_t> fill_gaps(std::vector<float>& depth, int width,
-                                    const Eigen::Vector2d& pitch, const GapRules& rules) {
-  std::vector<float> filled(depth.size(), 0.0f);
-  const int height = width > 0 ? static_cast<int>(depth.size() / width) : 0;
-  for (int v = 0; v < height; ++v) {
-    each_gap(depth, static_cast<std::size_t>(v) * width, width, 1, [&](const Gap& gap) {
-      if (rules.thin > 0.0) fill_narrow(gap, pitch.x(), rules.thin, filled);
-      if (rules.baseline > 0.0) fill_blind(gap, pitch.x(), rules.baseline, filled);
+DepthImage fill_gaps(const DepthImage& image, const Eigen::Vector2d& pitch, const GapRules& rules) {
+  DepthImage filled = image;
+  for (int v = 0; v < image.height; ++v) {
+    each_gap(image.depth, image.index(0, v), image.width, 1, [&](const Gap& gap) {
+      if (rules.thin > 0.0) fill_narrow(gap, pitch.x(), rules.thin, filled.depth);
+      if (rules.baseline > 0.0) fill_blind(gap, pitch.x(), rules.baseline, filled.depth);
     });
   }
-  for (int u = 0; u < width && rules.thin > 0.0; ++u) {
-    each_gap(depth, u, height, width,
-             [&](const Gap& gap) { fill_narrow(gap, pitch.y(), rules.thin, filled); });
+  for (int u = 0; u < image.width && rules.thin > 0.0; ++u) {
+    each_gap(image.depth, image.index(u, 0), image.height, image.width,
+             [&](const Gap& gap) { fill_narrow(gap, pitch.y(), rules.thin, filled.depth); });
   }
-  std::vector<std::uint8_t> mask(depth.size(), 0);
-  for (std::size_t n = 0; n < depth.size(); ++n) {
-    if (filled[n] == 0.0f) continue;
-    depth[n] = filled[n];
-    mask[n] = 1;
-  }
-  return mask;
+  return filled;
 }
 
 }  // namespace quadrille

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
-#include <vector>
+
+#include "view/depth_image.hpp"
 
 namespace quadrille {
 
@@ -15,7 +15,8 @@ struct GapRules {
   double thin = 0.0;
 };
 
-/// Fills missing pixels with the depth up to which nothing can stand there; others stay missing.
+/// Returns the image with missing pixels filled with the depth up to which nothing can stand there;
+/// others stay missing.
 ///
 /// Blind bands: beside the edge of a near object, a sensor with two eyes (or an eye and a
 /// projector) is blind where the object stands between the farther surface and its second eye. The
@@ -27,10 +28,8 @@ struct GapRules {
 /// Narrow gaps: an object in a gap of tangent w at depth z is thinner than w·z, so no object of
 /// relevant size stands nearer than thin/w. In both cases the filled depth is at most that of the
 /// nearer end of the gap.
-/// @param depth  depths row by row [m], 0 if missing; missing pixels are filled in
+/// @param image  depths; a missing pixel is 0
 /// @param pitch  tangent of the angle between neighbouring pixels along and across the rows
-/// @return for each pixel, nonzero if it was filled
-std::vector<std::uint8_t> fill_gaps(std::vector<float>& depth, int width,
-                                    const Eigen::Vector2d& pitch, const GapRules& rules);
+DepthImage fill_gaps(const DepthImage& image, const Eigen::Vector2d& pitch, const GapRules& rules);
 
 }  // namespace quadrille

@@ -38,16 +38,13 @@ TEST_CASE("the slope of a profile is the derivative of its scale", "[body]") {
   }
 }
 
-TEST_CASE("only types that enclose something become bodies, and the reason says which do not",
-          "[body]") {
+TEST_CASE("only types that enclose something become bodies", "[body]") {
   std::mt19937 random(52);
   for (const QuadricType type :
        {QuadricType::kHyperbolicParaboloid, QuadricType::kPlane, QuadricType::kHyperbolicCylinder,
         QuadricType::kParabolicCylinder, QuadricType::kIntersectingPlanes,
         QuadricType::kCoincidentPlanes}) {
-    std::string why;
-    CHECK_FALSE(make_body(ClippedSurface(type, random).detection(), &why));
-    CHECK(why == std::string(to_string(type)) + " bounds no solid");
+    CHECK_FALSE(make_body(ClippedSurface(type, random).detection()));
   }
 }
 

@@ -101,28 +101,3 @@ TEST_CASE("a chord ends on the surface of every body", "[contacts][law]") {
     CHECK((found > 0) == (d.type != QuadricType::kParallelPlanes));
   }
 }
-
-TEST_CASE("epsilon follows its closed form and falls with leaning normals", "[quality]") {
-  ContactLine line;
-  line.contacts_C = {Eigen::Vector3d(0, 0.03, 0), Eigen::Vector3d(0, -0.03, 0)};
-  line.normals_C = {Eigen::Vector3d::UnitY(), Eigen::Vector3d(-Eigen::Vector3d::UnitY())};
-  line.width = 0.06;
-  ContactModel model;
-  model.friction = 0.5;
-  model.torsion = 1.0;  // not the bottleneck
-  model.torque_scale = 0.03;
-  CHECK(friction_needed(line) == 0.0);
-  CHECK(grasp_epsilon(line, model) == Approx(0.5 / std::sqrt(2.25)));
-  model.torsion = 0.003;
-  CHECK(grasp_epsilon(line, model) == Approx(0.1));
-  model.torsion = 1.0;
-  const double straight = grasp_epsilon(line, model);
-  line.normals_C[0] = Eigen::Vector3d(0, 1, 0.3).normalized();
-  CHECK(friction_needed(line) == Approx(0.3));
-  CHECK(grasp_epsilon(line, model) < straight);
-  CHECK(grasp_epsilon(line, model) > 0.0);
-  line.normals_C[0] = Eigen::Vector3d(0, 1, 0.6).normalized();
-  CHECK(grasp_epsilon(line, model) == 0.0);
-  line.normals_C[0] = -Eigen::Vector3d::UnitY();
-  CHECK(std::isinf(friction_needed(line)));
-}

@@ -40,8 +40,7 @@ bool off_ends(const Body& body, const Eigen::Vector3d& p_C, const Eigen::Vector3
 TEST_CASE("pads that reach over the middle of a cylinder meet its sides", "[pads]") {
   const Body body = cylinder(0.03, 0.1);
   const Gripper hand = franka_hand();
-  PadMeetingFinder finder(body, hand);
-  finder.turn(kX, -kZ);
+  PadMeetingFinder finder(body, hand, kX, -kZ);
   const auto meeting = finder.at({0.005, 0.0, 0.02});
   REQUIRE(meeting);
   const ContactLine& line = meeting->line;
@@ -57,8 +56,7 @@ TEST_CASE("tips above the equator of a ball meet it where they end", "[pads]") {
   const double radius = 0.04, height = 0.015;
   const Body body = make_body(sphere_detection({{0, 0, 0}, radius})).value();
   const Gripper hand = franka_hand();
-  PadMeetingFinder finder(body, hand);
-  finder.turn(kX, -kZ);
+  PadMeetingFinder finder(body, hand, kX, -kZ);
   const auto meeting = finder.at({0.0, 0.0, height + hand.finger_front});
   REQUIRE(meeting);
   const double half = std::sqrt(radius * radius - height * height);
@@ -71,9 +69,7 @@ TEST_CASE("tips above the equator of a ball meet it where they end", "[pads]") {
 TEST_CASE("pads that reach beside a body, or that it is too wide for, do not meet it", "[pads]") {
   const Gripper hand = franka_hand();
   const Body wide = cylinder(0.041, 0.1), narrow = cylinder(0.03, 0.1);
-  PadMeetingFinder wide_finder(wide, hand), finder(narrow, hand);
-  wide_finder.turn(kX, -kZ);
-  finder.turn(kX, -kZ);
+  PadMeetingFinder wide_finder(wide, hand, kX, -kZ), finder(narrow, hand, kX, -kZ);
   CHECK_FALSE(wide_finder.at(Eigen::Vector3d::Zero()));
   CHECK_FALSE(finder.at({0.0, 0.05, 0.0}));
   CHECK_FALSE(finder.at({0.0, 0.0, 0.2}));
@@ -84,8 +80,7 @@ TEST_CASE("pads that lean out over the end of a body meet its edge, which is no 
   const Body body = cylinder(0.02, 0.06);
   const Eigen::Vector3d closing = (kX + 0.2 * kZ).normalized();
   const Gripper hand = franka_hand();
-  PadMeetingFinder finder(body, hand);
-  finder.turn(closing, closing.cross(Eigen::Vector3d::UnitY()));
+  PadMeetingFinder finder(body, hand, closing, closing.cross(Eigen::Vector3d::UnitY()));
   const auto middle = finder.at(Eigen::Vector3d::Zero());
   REQUIRE(middle);
   REQUIRE(middle->line.closing_C == closing);
@@ -101,10 +96,9 @@ TEST_CASE("no point of a body lies between the fingers beyond where they meet it
     if (d.type == QuadricType::kParallelPlanes) continue;
     d.X_CQ = random_pose(random);
     const Body body = make_body(d).value();
-    PadMeetingFinder finder(body, hand);
     for (int n = 0; n < 1500; ++n) {
       const Eigen::Matrix3d R = random_rotation(random);
-      finder.turn(R.col(1), R.col(2));
+      PadMeetingFinder finder(body, hand, R.col(1), R.col(2));
       // On steeper sides, which no friction holds, more lies between two chords of the grid.
       const auto meeting = finder.at(random_point(random, body.bounds_C()), 0.5);
       if (!meeting) continue;

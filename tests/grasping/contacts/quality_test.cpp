@@ -75,6 +75,12 @@ TEST_CASE("the quality of an aligned pair is what a search over all wrenches fin
   }
 }
 
+TEST_CASE("the quality is bounded by friction or by torsion, whichever gives way first",
+          "[quality]") {
+  CHECK(grasp_epsilon(line(0.06, 0.0, 0.0), {0.5, 1.0, 0.03}) == Approx(0.5 / std::sqrt(2.25)));
+  CHECK(grasp_epsilon(line(0.06, 0.0, 0.0), {0.5, 0.003, 0.03}) == Approx(0.1));
+}
+
 TEST_CASE("leaning normals lower the quality, to nothing where the grasp does not close",
           "[quality]") {
   const ContactModel model{0.5, 0.05, 0.05};  // hard to twist: friction decides

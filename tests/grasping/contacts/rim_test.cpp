@@ -1,9 +1,8 @@
 #include "contacts/rim.hpp"
 
+#include "grasping/plans.hpp"
 #include "grasping/seen_cup.hpp"
 #include "hand/hand.hpp"
-#include "quadrille/grasping/plan.hpp"
-#include "support/catch.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -88,10 +87,8 @@ TEST_CASE("a cup wider than the hand is held by its rim and no hand touches the 
   const Eigen::Isometry3d X_TC = table_detection().X_CQ.inverse();
   for (const bool inner : {false, true}) {
     for (const UnknownPolicy policy : {UnknownPolicy::kTargetShadow, UnknownPolicy::kFree}) {
-      PlanOptions options;
-      options.unknown = policy;
       const GraspPlan plan = plan_grasps(cloud, {wall_detection(cup, inner), table_detection()},
-                                         franka_hand(), options);
+                                         franka_hand(), with(policy));
       CAPTURE(inner, static_cast<int>(policy), plan.rejected);
       REQUIRE_FALSE(plan.grasps.empty());
       for (const Grasp& g : plan.grasps) {

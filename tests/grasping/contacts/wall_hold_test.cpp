@@ -5,8 +5,7 @@
 
 #include "contacts/rim.hpp"
 #include "grasping/cup.hpp"
-#include "quadrille/grasping/plan.hpp"
-#include "support/catch.hpp"
+#include "grasping/plans.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -94,10 +93,8 @@ TEST_CASE("hands lie straight on a rim, their tips as far below the contacts as 
   const Eigen::Vector3d into = -table_detection().X_CQ.linear().col(2);
   const Eigen::Isometry3d X_TC = table_detection().X_CQ.inverse();
   for (const bool inner : {false, true}) {
-    PlanOptions options;
-    options.unknown = UnknownPolicy::kFree;
     const GraspPlan plan = plan_grasps(render(cup), {wall_detection(cup, inner), table_detection()},
-                                       franka_hand(), options);
+                                       franka_hand(), with(UnknownPolicy::kFree));
     REQUIRE_FALSE(plan.grasps.empty());
     CHECK(plan.grasps.front().X_CG.linear().col(2).dot(into) > std::cos(0.03));
     for (const Grasp& grasp : plan.grasps) {

@@ -8,14 +8,6 @@
 using namespace quadrille;
 using Eigen::Vector3d;
 
-namespace {
-
-Eigen::Isometry3d in_grasp(HandConvention convention) {
-  return hand_in_grasp(convention, franka_hand(), 0.05);
-}
-
-}  // namespace
-
 TEST_CASE("a hand's pose and its grasp are each other's inverse in every convention",
           "[conventions]") {
   std::mt19937 random(7);
@@ -31,31 +23,22 @@ TEST_CASE("a hand's pose and its grasp are each other's inverse in every convent
   }
 }
 
-TEST_CASE("approach and closing lie along the axes that each convention names", "[conventions]") {
-  const Vector3d approach = Vector3d::UnitZ(), closing = Vector3d::UnitY();
-  const auto axis = [](HandConvention convention, int column) -> Vector3d {
-    return in_grasp(convention).linear().col(column);
+TEST_CASE("axes and origin of the hand lie where each convention has them", "[conventions]") {
+  struct Row {
+    HandConvention convention;
+    int approach, closing;
+    double back;
   };
-  CHECK(axis(HandConvention::kDrake, 1) == approach);
-  CHECK(axis(HandConvention::kDrake, 0) == closing);
-  CHECK(axis(HandConvention::kMoveit, 2) == approach);
-  CHECK(axis(HandConvention::kMoveit, 1) == closing);
-  CHECK(axis(HandConvention::kGpd, 0) == approach);
-  CHECK(axis(HandConvention::kGpd, 1) == closing);
-  CHECK(axis(HandConvention::kGraspnet, 0) == approach);
-  CHECK(axis(HandConvention::kGraspnet, 1) == closing);
-}
-
-TEST_CASE("the hand's origin lies behind the pads by what each convention names", "[conventions]") {
-  const auto back = [](HandConvention convention) {
-    const Vector3d p = in_grasp(convention).translation();
-    CHECK(p.head<2>().isZero());
-    return -p.z();
-  };
-  CHECK(back(HandConvention::kMoveit) == Approx(0.1034));
-  CHECK(back(HandConvention::kDrake) == Approx(0.1034));
-  CHECK(back(HandConvention::kGpd) == Approx(0.045));
-  CHECK(back(HandConvention::kGraspnet) == 0.0);
+  for (const Row& row :
+       {Row{HandConvention::kDrake, 1, 0, 0.1034}, Row{HandConvention::kMoveit, 2, 1, 0.1034},
+        Row{HandConvention::kGpd, 0, 1, 0.045}, Row{HandConvention::kGraspnet, 0, 1, 0.0}}) {
+    CAPTURE(to_string(row.convention));
+    const Eigen::Isometry3d X_GH = hand_in_grasp(row.convention, franka_hand(), 0.05);
+    CHECK(Vector3d(X_GH.linear().col(row.approach)) == Vector3d::UnitZ());
+    CHECK(Vector3d(X_GH.linear().col(row.closing)) == Vector3d::UnitY());
+    CHECK(X_GH.translation().head<2>().isZero());
+    CHECK(X_GH.translation().z() == Approx(-row.back));
+  }
   Gripper plain = franka_hand();
   plain.tcp = 0.0;
   CHECK(-hand_in_grasp(HandConvention::kMoveit, plain, 0.05).translation().z() ==

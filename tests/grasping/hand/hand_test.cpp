@@ -25,6 +25,13 @@ std::array<OrientedBox, 3> hand_at(const Gripper& g, const Eigen::Isometry3d& X_
                       {0.5 * g.palm.x(), 0.5 * g.palm.y(), back})};
 }
 
+std::array<Gripper, 3> hands() {
+  Gripper swinging = franka_hand();
+  swinging.link_length = 0.06;
+  swinging.link_angle = 0.6;
+  return {franka_hand(), schunk_wsg50(), swinging};
+}
+
 Eigen::Vector3d random_in(std::mt19937& random, const OrientedBox& box) {
   return box.p_CB + box.R_CB * random_point(random, {-box.half, box.half});
 }
@@ -77,10 +84,7 @@ TEST_CASE("a hand that does not close passes no space while closing", "[hand]") 
 
 TEST_CASE("what fingers have in common lies in what each such hand passes", "[hand]") {
   std::mt19937 random(41);
-  Gripper swinging = franka_hand();
-  swinging.link_length = 0.06;
-  swinging.link_angle = 0.6;
-  for (const Gripper& gripper : {franka_hand(), schunk_wsg50(), swinging}) {
+  for (const Gripper& gripper : hands()) {
     for (int n = 0; n < 200; ++n) {
       const Eigen::Isometry3d X_CG = random_pose(random);
       const double opening = uniform(random, gripper.min_opening, gripper.max_opening);
@@ -101,11 +105,8 @@ TEST_CASE("what fingers have in common lies in what each such hand passes", "[ha
 
 TEST_CASE("what palms have in common lies in the palm of each hand, at each width", "[hand]") {
   std::mt19937 random(37);
-  Gripper swinging = franka_hand();
-  swinging.link_length = 0.06;
-  swinging.link_angle = 0.6;
   int common = 0;
-  for (const Gripper& gripper : {franka_hand(), schunk_wsg50(), swinging}) {
+  for (const Gripper& gripper : hands()) {
     for (int n = 0; n < 200; ++n) {
       const Eigen::Isometry3d X_CG = random_pose(random);
       const Eigen::Vector3d some =

@@ -4,7 +4,6 @@
 #include <sstream>
 
 #include "grasping/mapped_scene.hpp"
-#include "quadrille/grasping/occupancy.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;
@@ -12,29 +11,34 @@ using namespace quadrille::test;
 
 namespace {
 
-/// The scene in a grid that reaches beside its image.
+/// The scene in a grid that reaches beside its image, before and after space above seen space is
+/// cleared.
 struct WideGrid {
   Scene scene;
   Eigen::Vector3d up = table_detection().X_CQ.linear().col(2);
-  OccupancyGrid grid;
+  OccupancyGrid before, grid;
 
   WideGrid(const Eigen::Vector3d& low, const Eigen::Vector3d& high)
-      : grid(scene.cloud, scene.view, Eigen::AlignedBox3d(low, high), kResolution) {}
+      : before(map_of(scene.cloud, scene.view, {low, high})), grid(cleared(low, high)) {}
+
+  OccupancyGrid cleared(const Eigen::Vector3d& low, const Eigen::Vector3d& high) const {
+    SpaceMapper mapper({low, high}, kResolution);
+    mapper.add(scene.cloud, scene.view);
+    return std::move(mapper).take_cleared(scene.view, up);
+  }
 };
 
 }  // namespace
 
 TEST_CASE("what hangs over seen space beside the image is free, what a surface hides is not",
           "[occupancy]") {
-  WideGrid wide({-0.15, -0.6, 0.3}, {0.15, 0.15, 0.95});
-  auto& [scene, up, grid] = wide;
-  const std::vector<Voxel> before = grid.states();
-  grid.clear_above(scene.view, up);
+  const WideGrid wide({-0.15, -0.6, 0.3}, {0.15, 0.15, 0.95});
+  const auto& [scene, up, before, grid] = wide;
   int cleared = 0, hidden = 0;
   for (int k = 0; k < grid.size().z(); ++k) {
     for (int j = 0; j < grid.size().y(); ++j) {
       for (int i = 0; i < grid.size().x(); ++i) {
-        const Voxel was = before[grid.index(i, j, k)], is = grid.at(i, j, k);
+        const Voxel was = before.at(i, j, k), is = grid.at(i, j, k);
         const Eigen::Vector3d p_C = grid.centre(i, j, k), p_V = scene.view.to_view(p_C);
         const Eigen::Vector2i uv = scene.view.pixel(p_V);
         const double depth = scene.view.depth(uv.x(), uv.y());
@@ -61,9 +65,9 @@ TEST_CASE("what hangs over seen space beside the image is free, what a surface h
 
 TEST_CASE("each voxel is cleared exactly if its own pixels and the voxel below allow it",
           "[occupancy]") {
-  WideGrid wide({-0.3, -0.5, 0.4}, {0.3, 0.15, 0.95});
-  auto& [scene, up, grid] = wide;
-  std::vector<Voxel> states = grid.states();
+  const WideGrid wide({-0.3, -0.5, 0.4}, {0.3, 0.15, 0.95});
+  const auto& [scene, up, before, grid] = wide;
+  std::vector<Voxel> states = before.states();
   int axis = 0;
   const double steepest = up.cwiseAbs().maxCoeff(&axis);
   const Eigen::Vector3i size = grid.size();
@@ -91,34 +95,24 @@ TEST_CASE("each voxel is cleared exactly if its own pixels and the voxel below a
       }
     }
   }
-  grid.clear_above(scene.view, up);
   CHECK(looked_at > 10000);
   CHECK((grid.states() == states));
 }
 
 TEST_CASE("what stands over unknown or occupied space stays unknown", "[occupancy]") {
-  const Scene scene;
   // All of it beside the image: nothing below it was seen.
-  const Eigen::AlignedBox3d region(Eigen::Vector3d(-0.1, -1.2, 0.3),
-                                   Eigen::Vector3d(0.1, -0.9, 0.5));
-  OccupancyGrid grid(scene.cloud, scene.view, region, kResolution);
-  grid.clear_above(scene.view, table_detection().X_CQ.linear().col(2));
-  for (const Voxel state : grid.states()) REQUIRE(state == Voxel::kUnknown);
+  const WideGrid wide({-0.1, -1.2, 0.3}, {0.1, -0.9, 0.5});
+  for (const Voxel state : wide.grid.states()) REQUIRE(state == Voxel::kUnknown);
 }
 
 TEST_CASE("octrees show what was seen, not what is taken for clear", "[occupancy]") {
-  const Scene scene;
-  const Eigen::AlignedBox3d region(Eigen::Vector3d(-0.15, -0.6, 0.3),
-                                   Eigen::Vector3d(0.15, 0.15, 0.95));
-  const OccupancyGrid grid(scene.cloud, scene.view, region, kResolution);
-  OccupancyGrid cleared = grid;
-  cleared.clear_above(scene.view, table_detection().X_CQ.linear().col(2));
-  REQUIRE(cleared.states() != grid.states());
+  const WideGrid wide({-0.15, -0.6, 0.3}, {0.15, 0.15, 0.95});
+  REQUIRE(wide.grid.states() != wide.before.states());
   const auto bytes_of = [](const OccupancyGrid& of) {
     std::ostringstream stream;
     of.to_octree()->write(stream);
     return stream.str();
   };
-  CHECK(bytes_of(cleared).size() > 1000);
-  CHECK((bytes_of(cleared) == bytes_of(grid)));
+  CHECK(bytes_of(wide.grid).size() > 1000);
+  CHECK((bytes_of(wide.grid) == bytes_of(wide.before)));
 }

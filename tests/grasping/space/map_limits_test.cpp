@@ -33,10 +33,7 @@ TEST_CASE("a region of any shape is mapped within the bound, and no coarser than
   const double resolution = fit_resolution(region, 0.005);
   CHECK(count_voxels(region, resolution) <= OccupancyGrid::kMaxVoxels);
   CHECK(count_voxels(region, 0.8 * resolution) > OccupancyGrid::kMaxVoxels);
-}
-
-TEST_CASE("a region that fits is mapped as finely as asked for", "[space][limits]") {
-  CHECK(fit_resolution(cube(kOrigin, 1.0), 0.005) == 0.005);
+  CHECK(fit_resolution(cube(kOrigin, 1.0), 0.005) == 0.005);  // what fits is mapped as asked for
 }
 
 TEST_CASE("of boxes too far apart for one map those nearest to the viewpoint stay",

@@ -97,7 +97,7 @@ TEST_CASE("no overlap of a box and a voxel is missed, nor one told that is none"
   int hits = 0;
   for (int n = 0; n < 4 * rounds(); ++n) {
     const PointCloud cloud = scattered(random);
-    const OccupancyGrid grid(cloud, DepthView(cloud), kRegion, kResolution);
+    const OccupancyGrid grid = map_of(cloud, DepthView(cloud));
     const ObstacleMap map(grid, false);
     const auto occupied = [](Voxel state) { return state == Voxel::kOccupied; };
     const auto judge = [&](const OrientedBox& box) {
@@ -164,55 +164,13 @@ TEST_CASE("the box test agrees with FCL on the octree", "[occupancy][collision]"
   CHECK(hits < 2900);
 }
 
-TEST_CASE("a box is free up to a voxel's face and hits beyond", "[occupancy][collision]") {
-  PointCloud cluster;  // a lone point would count as a stray
-  for (int i = 0; i < 49; ++i) {
-    cluster.points.emplace_back(0.0005f + 0.0005f * (i % 7), 0.0005f + 0.0005f * (i / 7), 0.5025f);
-  }
-  const OccupancyGrid one(cluster, DepthView(cluster),
-                          {Eigen::Vector3d(-0.05, -0.05, 0.45), Eigen::Vector3d(0.05, 0.05, 0.55)},
-                          kResolution);
-  REQUIRE(one.at({0.0025, 0.0025, 0.5025}) == Voxel::kOccupied);
-  const ObstacleMap map(one, false);
-  const auto tree = std::shared_ptr<const octomap::OcTree>(one.to_octree());
-  for (const double gap : {-1e-4, 1e-4}) {
-    const OrientedBox box{Eigen::Matrix3d::Identity(),
-                          {0.005 + 0.01 + gap, 0.0025, 0.5025},
-                          Eigen::Vector3d::Constant(0.01)};
-    CHECK((map.collides(box) != Hit::kNone) == (gap < 0));
-    CHECK(overlaps(box, tree) == (gap < 0));
-  }
-}
-
-TEST_CASE("no box that holds an occupied voxel's centre is told free", "[occupancy][collision]") {
-  const Scene scene;
-  const ObstacleMap map(scene.grid, false);
-  std::vector<Eigen::Vector3d> centres;
-  const Eigen::Vector3i size = scene.grid.size();
-  for (int k = 0; k < size.z(); ++k) {
-    for (int j = 0; j < size.y(); ++j) {
-      for (int i = 0; i < size.x(); ++i) {
-        if (scene.grid.at(i, j, k) == Voxel::kOccupied)
-          centres.push_back(scene.grid.centre(i, j, k));
-      }
-    }
-  }
-  std::mt19937 random(10);
-  for (int n = 0; n < 1000; ++n) {
-    const OrientedBox box = random_box(random, kAround);
-    const bool holds = std::any_of(centres.begin(), centres.end(),
-                                   [&](const Eigen::Vector3d& c) { return box.contains(c); });
-    if (holds) REQUIRE(map.collides(box) == Hit::kOccupied);
-  }
-}
-
 TEST_CASE("policies are ordered: free space grows from obstacle to shadow to free",
           "[occupancy][policy]") {
   const Scene scene;
   const Body body = make_body(sphere_detection(scene.balls[0])).value();
-  const ObstacleMap obstacle(scene.grid, true), free(scene.grid, false);
-  ObstacleMap shadow(scene.grid, true);
-  shadow.clear_shadow(scene.grid, scene.view, body, kRegion);
+  const ObstacleMap obstacle(scene.grid, true, &scene.view), free(scene.grid, false, &scene.view);
+  ObstacleMap shadow(scene.grid, true, &scene.view);
+  shadow.clear_shadow(body, kRegion);
   std::mt19937 random(11);
   int between = 0, above = 0;
   for (int n = 0; n < 4000; ++n) {
@@ -232,10 +190,10 @@ TEST_CASE("policies are ordered: free space grows from obstacle to shadow to fre
 TEST_CASE("the shadow about a target is cleared there as it is everywhere", "[occupancy][policy]") {
   const Scene scene;
   const Body body = make_body(sphere_detection(scene.balls[0])).value();
-  ObstacleMap all(scene.grid, true), near(scene.grid, true);
-  all.clear_shadow(scene.grid, scene.view, body, kRegion);
+  ObstacleMap all(scene.grid, true, &scene.view), near(scene.grid, true, &scene.view);
+  all.clear_shadow(body, kRegion);
   const Eigen::AlignedBox3d region = body.bounds_C();
-  near.clear_shadow(scene.grid, scene.view, body, region);
+  near.clear_shadow(body, region);
   // Blocks of 16 voxels that meet the region.
   const Eigen::Vector3d corner = scene.grid.centre(0, 0, 0).array() - 0.5 * kResolution;
   const auto block = [&](const Eigen::Vector3d& p_C) -> Eigen::Array3i {
@@ -277,11 +235,10 @@ TEST_CASE("refined, a box may enter the seen parts of voxels and no hidden ones"
           "[occupancy][collision]") {
   const Scene scene;
   constexpr double kCoarse = 0.008;  // so that its eighths are larger than pixels
-  const OccupancyGrid grid(scene.cloud, scene.view, kRegion, kCoarse);
+  const OccupancyGrid grid = map_of(scene.cloud, scene.view, kRegion, kCoarse);
   const ObstacleMap coarse(grid, true);
   const bool sole = GENERATE(true, false);
-  ObstacleMap fine(grid, true);
-  fine.refine(scene.view, sole);
+  const ObstacleMap fine(grid, true, &scene.view, sole);
   const SeenSpace space(scene.view);
   std::mt19937 random(11);
   int opened = 0, blocked = 0, unknown = 0, occupied = 0;

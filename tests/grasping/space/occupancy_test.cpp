@@ -83,33 +83,12 @@ TEST_CASE("nor is one with missing pixels, a turned camera or gaps that are fill
     region.extend(X * kRegion.corner(static_cast<Eigen::AlignedBox3d::CornerType>(n)));
   }
   const DepthView view(scene.cloud, 0.09, kResolution);
-  const OccupancyGrid grid(scene.cloud, view, region, kResolution);
+  const OccupancyGrid grid = map_of(scene.cloud, view, region);
   const Wrong wrong = compare(grid, view);
   CHECK(wrong.free == 0);
   CHECK(wrong.unknown == 0);
   CHECK(wrong.undecided < 300);
   CHECK(wrong.right_free > 10000);
-}
-
-TEST_CASE("voxels near surfaces are as conservative as those in the open", "[occupancy]") {
-  const Scene scene;
-  std::mt19937 random(7);
-  const OccupancyGrid& grid = scene.grid;
-  int free = 0, blocked = 0;
-  for (int n = 0; n < 250; ++n) {
-    const Ball& ball = scene.balls[n % 2];
-    const Eigen::Vector3d p =
-        ball.p_C + (ball.radius + uniform(random, 0.0, 0.012)) * random_rotation(random).col(0);
-    const Eigen::Vector3i at =
-        (p / kResolution).array().floor().cast<int>().matrix() - grid.corner();
-    const Voxel state = grid.at(p);
-    const bool pass = all_rays_pass(scene, grid.centre(at.x(), at.y(), at.z()), 0.5 * kResolution);
-    if (state == Voxel::kFree) REQUIRE(pass);
-    free += state == Voxel::kFree;
-    blocked += !pass;
-  }
-  CHECK(free > 20);
-  CHECK(blocked > 20);
 }
 
 TEST_CASE("every point's voxel is occupied, the inside of things unknown", "[occupancy]") {
@@ -136,7 +115,7 @@ TEST_CASE("a single stray point neither occupies nor hides", "[occupancy]") {
   cloud.points[v * kWidth + u] = stray.cast<float>();
   const DepthView view(cloud);
   CHECK(view.stray()[v * kWidth + u] == 1);
-  const OccupancyGrid grid(cloud, view, kRegion, kResolution);
+  const OccupancyGrid grid = map_of(cloud, view);
   CHECK(grid.at(stray) == Voxel::kFree);
 }
 
@@ -146,7 +125,7 @@ TEST_CASE("a cloud without its rows and columns gives the same map", "[occupancy
   std::erase_if(loose.points, [](const Eigen::Vector3f& p) { return !p.allFinite(); });
   loose.width = loose.height = 0;
   const DepthView view(loose);
-  const OccupancyGrid grid(loose, view, kRegion, kResolution);
+  const OccupancyGrid grid = map_of(loose, view);
   CHECK(grid.states() == scene.grid.states());
 }
 
@@ -160,7 +139,7 @@ TEST_CASE("points in no order still map the open space as free and the hidden as
   for (std::size_t i = loose.points.size(); i > 1; --i) {
     std::swap(loose.points[i - 1], loose.points[random() % i]);
   }
-  const OccupancyGrid grid(loose, DepthView(loose), kRegion, kResolution);
+  const OccupancyGrid grid = map_of(loose, DepthView(loose));
   std::size_t both = 0, lost = 0, gained = 0;
   for (std::size_t n = 0; n < grid.states().size(); ++n) {
     const bool a = scene.grid.states()[n] == Voxel::kFree, b = grid.states()[n] == Voxel::kFree;
@@ -197,7 +176,7 @@ TEST_CASE("an empty cloud or region maps nothing and stops nothing but the unkno
   const PointCloud empty;
   const DepthView view(empty);
   CHECK_FALSE(view.valid());
-  const OccupancyGrid nothing(empty, view, {}, kResolution);
+  const OccupancyGrid nothing = map_of(empty, view, {});
   CHECK(nothing.states().empty());
   CHECK(nothing.to_octree()->size() == 0);
   const OrientedBox box{Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(),
@@ -208,11 +187,9 @@ TEST_CASE("an empty cloud or region maps nothing and stops nothing but the unkno
 }
 
 TEST_CASE("a region beyond the map's range is refused", "[occupancy][hostile]") {
-  const PointCloud empty;
-  const DepthView view(empty);
   const Eigen::AlignedBox3d far(Eigen::Vector3d::Constant(1e6), Eigen::Vector3d::Constant(1e6 + 1));
-  CHECK_THROWS_AS(OccupancyGrid(empty, view, far, 0.005), std::invalid_argument);
-  CHECK_THROWS_AS(OccupancyGrid(empty, view, far, 0.0), std::invalid_argument);
+  CHECK_THROWS_AS(OccupancyGrid(far, 0.005), std::invalid_argument);
+  CHECK_THROWS_AS(OccupancyGrid(far, 0.0), std::invalid_argument);
 }
 
 TEST_CASE("two views fused are free where one is, and occupied where one is", "[occupancy][fuse]") {
@@ -227,17 +204,18 @@ TEST_CASE("two views fused are free where one is, and occupied where one is", "[
   for (Eigen::Vector3f& p : other.cloud.points) p = turn.cast<float>() * p;
   other.cloud.viewpoint = turn.translation();
   const DepthView view(other.cloud);
-  const OccupancyGrid alone(other.cloud, view, kRegion, kResolution);
+  const OccupancyGrid alone = map_of(other.cloud, view);
   const bool first = GENERATE(true, false);  // in either order
-  OccupancyGrid both(kRegion, kResolution);
-  if (first) both.add(scene.cloud, scene.view);
-  both.add(other.cloud, view);
-  if (!first) both.add(scene.cloud, scene.view);
+  SpaceMapper mapper(kRegion, kResolution);
+  if (first) mapper.add(scene.cloud, scene.view);
+  mapper.add(other.cloud, view);
+  if (!first) mapper.add(scene.cloud, scene.view);
+  CHECK_THROWS_AS(mapper.add(scene.cloud, DepthView(PointCloud())), std::invalid_argument);
+  const OccupancyGrid both = std::move(mapper).take();
   int gained = 0;
   for (std::size_t n = 0; n < both.states().size(); ++n) {
     REQUIRE(both.states()[n] == std::max(scene.grid.states()[n], alone.states()[n]));
     gained += both.states()[n] == Voxel::kFree && scene.grid.states()[n] == Voxel::kUnknown;
   }
   CHECK(gained > 500);
-  CHECK_THROWS_AS(both.add(scene.cloud, DepthView(PointCloud())), std::invalid_argument);
 }

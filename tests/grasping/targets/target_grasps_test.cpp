@@ -3,29 +3,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "grasping/scenes.hpp"
-#include "quadrille/grasping/plan.hpp"
-#include "support/catch.hpp"
+#include "grasping/plans.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
 
-namespace {
-
-GraspPlan plan_ball(const Ball& ball, const Gripper& gripper, PlanOptions options = {}) {
-  return plan_grasps(render({ball}), {table_detection(), sphere_detection(ball)}, gripper, options);
-}
-
-PlanOptions all_free() {
-  PlanOptions options;
-  options.unknown = UnknownPolicy::kFree;
-  return options;
-}
-
-}  // namespace
-
 TEST_CASE("no two grasps of a target are alike", "[plan][target]") {
-  const GraspPlan plan = plan_ball(ball_on_table(0.0, 0.0, 0.03), franka_hand(), all_free());
+  const GraspPlan plan = plan_balls({ball_on_table(0.0, 0.0, 0.03)}, with(UnknownPolicy::kFree));
   REQUIRE(plan.grasps.size() > 3);
   for (std::size_t i = 0; i < plan.grasps.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
@@ -44,9 +28,9 @@ TEST_CASE("no two grasps of a target are alike", "[plan][target]") {
 TEST_CASE("contacts lie on the target, between the pads, and hold with the friction there is",
           "[plan][target]") {
   const Ball ball = ball_on_table(0.02, 0.01, 0.03);
-  PlanOptions options = all_free();
+  PlanOptions options = with(UnknownPolicy::kFree);
   options.friction = 0.4;
-  const GraspPlan plan = plan_ball(ball, franka_hand(), options);
+  const GraspPlan plan = plan_balls({ball}, options);
   REQUIRE_FALSE(plan.grasps.empty());
   for (const Grasp& grasp : plan.grasps) {
     CHECK(grasp.friction_needed <= 0.4);
@@ -64,13 +48,15 @@ TEST_CASE("contacts lie on the target, between the pads, and hold with the frict
 TEST_CASE("what is too wide, or too thin, is refused by width and nothing else", "[plan][target]") {
   Gripper small = franka_hand();
   small.max_opening = 0.05;
-  const GraspPlan wide = plan_ball(ball_on_table(0.0, 0.0, 0.03), small, all_free());
+  const GraspPlan wide =
+      plan_balls({ball_on_table(0.0, 0.0, 0.03)}, with(UnknownPolicy::kFree), small);
   CHECK(wide.grasps.empty());
   CHECK(wide.rejected.at("width") > 10);
   CHECK(wide.rejected.count("collision") == 0);
   Gripper thick = franka_hand();
   thick.min_opening = 0.065;
-  const GraspPlan thin = plan_ball(ball_on_table(0.0, 0.0, 0.03), thick, all_free());
+  const GraspPlan thin =
+      plan_balls({ball_on_table(0.0, 0.0, 0.03)}, with(UnknownPolicy::kFree), thick);
   CHECK(thin.grasps.empty());
   CHECK(thin.rejected.at("width") > 10);
 }
@@ -78,7 +64,7 @@ TEST_CASE("what is too wide, or too thin, is refused by width and nothing else",
 TEST_CASE("a ball nearly as wide as the hand opens is held beside its widest part",
           "[plan][target]") {
   const Ball ball = ball_on_table(0.0, 0.0, 0.039);
-  const GraspPlan plan = plan_ball(ball, franka_hand(), all_free());
+  const GraspPlan plan = plan_balls({ball}, with(UnknownPolicy::kFree));
   REQUIRE_FALSE(plan.grasps.empty());
   for (const Grasp& grasp : plan.grasps) {
     CHECK(grasp.width < 2.0 * ball.radius);
@@ -92,13 +78,11 @@ TEST_CASE("a ball nearly as wide as the hand opens is held beside its widest par
 TEST_CASE("a wall around the target is in the way of every hand", "[plan][target]") {
   const Ball ball = ball_on_table(0.0, 0.0, 0.02);
   std::vector<Ball> all = {ball};
-  std::vector<Detection> detections = {table_detection(), sphere_detection(ball)};
   for (int k = 0; k < 10; ++k) {
     const double t = 2.0 * std::numbers::pi * k / 10;
     all.push_back(ball_on_table(0.062 * std::cos(t), 0.062 * std::sin(t), 0.035));
-    detections.push_back(sphere_detection(all.back(), k + 2));
   }
-  const GraspPlan plan = plan_grasps(render(all), detections, franka_hand(), all_free());
+  const GraspPlan plan = plan_balls(all, with(UnknownPolicy::kFree));
   CHECK(std::none_of(plan.grasps.begin(), plan.grasps.end(),
                      [](const Grasp& grasp) { return grasp.target == 1; }));
   CHECK(plan.rejected.at("collision") > 100);
@@ -108,8 +92,8 @@ TEST_CASE("unseen space is counted apart from what collides", "[plan][target]") 
   const Ball ball = ball_on_table(0.0, 0.0, 0.03);
   PlanOptions options;
   options.clear_above = false;
-  const GraspPlan careful = plan_ball(ball, franka_hand(), options);
-  const GraspPlan bold = plan_ball(ball, franka_hand(), all_free());
+  const GraspPlan careful = plan_balls({ball}, options);
+  const GraspPlan bold = plan_balls({ball}, with(UnknownPolicy::kFree));
   CHECK(careful.rejected.at("unknown") > 10);
   CHECK(bold.rejected.count("unknown") == 0);
   CHECK(bold.grasps.size() >= careful.grasps.size());
@@ -120,7 +104,7 @@ TEST_CASE("a hand may come from beside the image, over space that was seen to be
   PlanOptions options;
   const auto refused = [&](bool clear_above) {
     options.clear_above = clear_above;
-    const GraspPlan plan = plan_ball(ball, franka_hand(), options);
+    const GraspPlan plan = plan_balls({ball}, options);
     CHECK(plan.grasps.size() > 3);
     return plan.rejected.count("unknown") > 0 ? plan.rejected.at("unknown") : 0;
   };

@@ -2,12 +2,25 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "grasping/mapped_scene.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
+
+namespace {
+
+/// The interval of t in which the ray t·d is in the box p_C ± half; empty if first > second.
+std::pair<double, double> crossing(const Eigen::Vector3d& p_C, const Eigen::Array3d& half,
+                                   const Eigen::Vector3d& ray) {
+  const Eigen::Array3d t0 = (p_C.array() - half) / ray.array();
+  const Eigen::Array3d t1 = (p_C.array() + half) / ray.array();
+  return {t0.min(t1).maxCoeff(), t0.max(t1).minCoeff()};
+}
+
+}  // namespace
 
 TEST_CASE("the image is the depth that was rendered, pixel by pixel", "[view]") {
   const Scene scene;
@@ -41,10 +54,9 @@ TEST_CASE("bounds of the depth hold that of every pixel whose ray passes the box
     const DepthRange range = view.range(view.to_view(p), reach);
     for (int v = 0; v < view.height(); ++v) {
       for (int u = 0; u < view.width(); ++u) {
-        const Eigen::Array3d ray = view.to_view(view.p_CV() + view.ray_C(u, v)).array();
-        const Eigen::Array3d t0 = (view.to_view(p) - reach).array() / ray;
-        const Eigen::Array3d t1 = (view.to_view(p) + reach).array() / ray;
-        if (t0.min(t1).maxCoeff() > t0.max(t1).minCoeff()) continue;
+        const Eigen::Vector3d ray = view.to_view(view.p_CV() + view.ray_C(u, v));
+        const auto [enter, leave] = crossing(view.to_view(p), reach.array(), ray);
+        if (enter > leave) continue;
         ++passed;
         REQUIRE(range.min <= view.depth(u, v));
         REQUIRE(range.max >= view.depth(u, v));
@@ -84,9 +96,9 @@ TEST_CASE("a map restricted to boxes is the same within them, and tells no free 
   const Scene scene;
   const Eigen::AlignedBox3d box(Eigen::Vector3d(-0.05, -0.04, 0.72),
                                 Eigen::Vector3d(0.0, 0.0, 0.8));
-  OccupancyGrid part(kRegion, kResolution);
-  part.restrict_to({box});
-  part.add(scene.cloud, scene.view);
+  SpaceMapper mapper(kRegion, kResolution, {box});
+  mapper.add(scene.cloud, scene.view);
+  const OccupancyGrid part = std::move(mapper).take();
   int within = 0, left_out = 0;
   const Eigen::Vector3i size = part.size();
   for (int n = 0; n < size.prod(); ++n) {
@@ -133,10 +145,7 @@ TEST_CASE("the nearest surface is the least depth that was measured around a box
     for (int v = 0; v < view.height(); ++v) {
       for (int u = 0; u < view.width(); ++u) {
         const double z = view.depth(u, v);
-        const Eigen::Vector3d ray = view.ray_C(u, v);
-        const Eigen::Array3d t0 = (p_C.array() - half) / ray.array();
-        const Eigen::Array3d t1 = (p_C.array() + half) / ray.array();
-        const double enter = t0.min(t1).maxCoeff(), leave = t0.max(t1).minCoeff();
+        const auto [enter, leave] = crossing(p_C, Eigen::Array3d::Constant(half), view.ray_C(u, v));
         if (z == 0.0 || enter > leave) continue;
         least = std::min(least, z);
         meets |= z <= leave;

@@ -3,12 +3,10 @@
 #include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
-#include <utility>
 #include <vector>
 
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
-#include "quadrille/detector/point_cloud.hpp"
 
 namespace octomap {
 class OcTree;
@@ -16,17 +14,17 @@ class OcTree;
 
 namespace quadrille {
 
-class DepthView;
-
 /// State of one voxel, in order of increasing evidence. Clear voxels were not seen, but lie above
-/// free space (see OccupancyGrid::clear_above); octrees leave them out, like unknown ones.
+/// free space, where anything would stand in view (planner.clear_above); octrees leave them out,
+/// like unknown ones.
 enum class Voxel : std::uint8_t { kUnknown, kClear, kFree, kOccupied };
 
 /// A dense voxel grid of free, occupied and unknown space in a region.
 ///
 /// A voxel is occupied if it holds a point, free if every ray through it was seen to pass, and
-/// unknown otherwise (behind a surface, outside the image, at missing pixels). Voxel (i, j, k)
-/// covers [i, i + 1) × … times the resolution, counted from a corner on OctoMap's own lattice.
+/// unknown otherwise (behind a surface, outside the image, at missing pixels). GraspPlan::space
+/// holds the grid of a plan. Voxel (i, j, k) covers [i, i + 1) × … times the resolution, counted
+/// from a corner on OctoMap's own lattice.
 class OccupancyGrid {
  public:
   /// Edge length of the blocks that make up the grid, in voxels.
@@ -43,25 +41,6 @@ class OccupancyGrid {
   /// @throws std::invalid_argument if the resolution is not positive, the region leaves OctoMap's
   ///         range of ±32768 voxels, or it has more than kMaxVoxels
   QUADRILLE_EXPORT OccupancyGrid(const Eigen::AlignedBox3d& region, double resolution);
-  /// Makes a grid of what one view shows of the region.
-  QUADRILLE_EXPORT OccupancyGrid(const PointCloud& cloud, const DepthView& view,
-                                 const Eigen::AlignedBox3d& region, double resolution);
-
-  /// Restricts the search for free space to blocks that meet one of these boxes, to save time. All
-  /// other blocks stay unknown, except for voxels that contain points.
-  void restrict_to(std::vector<Eigen::AlignedBox3d> boxes_C) { boxes_C_ = std::move(boxes_C); }
-  /// Adds what another view of the same scene shows. A voxel that any view found occupied stays
-  /// occupied; one that any view saw through is free.
-  /// @param view  the view of that cloud
-  /// @throws std::invalid_argument if the view is that of another cloud
-  QUADRILLE_EXPORT void add(const PointCloud& cloud, const DepthView& view);
-
-  /// Marks unknown voxels above free ones as clear: objects stand on a support, so one that reached
-  /// up there would also be seen below. This applies only to voxels beside the image and at missing
-  /// pixels, not to those hidden by a surface, since an object may overhang what stands in front of
-  /// it.
-  /// @param up_C  unit normal of the supporting plane
-  QUADRILLE_EXPORT void clear_above(const DepthView& view, const Eigen::Vector3d& up_C);
 
   double resolution() const { return resolution_; }
   /// Number of voxels along x, y and z; zero for an empty region.
@@ -93,23 +72,12 @@ class OccupancyGrid {
   QUADRILLE_EXPORT std::shared_ptr<octomap::OcTree> to_octree() const;
 
  private:
-  void mark_free(const DepthView& view);
-  void mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge);
-  void mark_eight(const DepthView& view, const Eigen::Vector3i& low, const Eigen::Vector3d& p_V);
-  void mark_occupied(const PointCloud& cloud, const std::vector<std::uint8_t>& stray);
-  struct Tile;
-  std::vector<Tile> tiles_beside(const DepthView& view) const;
-  void divide(const DepthView& view, const Eigen::Vector3i& block, std::vector<Tile>& tiles) const;
-  void clear_layer(const DepthView* view, const Tile& tile, int axis, const Eigen::Vector3i& up);
-  bool wanted(const Eigen::Vector3i& block) const;
+  friend class SpaceMapper;
   Voxel most_cautious(const Eigen::AlignedBox3d& box_C) const;
-  void fill_free(const Eigen::Vector3i& low, int edge);
 
   double resolution_ = 0.0;
   Eigen::Vector3i corner_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
   std::vector<Voxel> states_;
-  /// The boxes of restrict_to(); if there are none, all blocks are searched.
-  std::vector<Eigen::AlignedBox3d> boxes_C_;
 };
 
 }  // namespace quadrille

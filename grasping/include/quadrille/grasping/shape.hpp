@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "quadrille/detector/box.hpp"
@@ -11,7 +10,7 @@
 namespace quadrille {
 
 /// Makes collision shapes that enclose a detection within its extent. Returns none if its type has
-/// none, with the reason in *why.
+/// no real surface, or its size is not finite and positive.
 ///
 /// Spheres, ellipsoids, circular cylinders, whole circular cones and parallel planes are exact.
 /// Frusta, elliptic cylinders and cones, paraboloids and sheets of hyperboloids become a polyhedron
@@ -19,8 +18,7 @@ namespace quadrille {
 /// open. A plane becomes a slab of 10 mm to 100 mm behind the side that was seen, and each half of
 /// two intersecting planes a slab of 10 mm. Hyperbolic paraboloids, hyperbolic and parabolic
 /// cylinders become blocks that reach 10 mm behind the surface.
-QUADRILLE_EXPORT std::vector<CollisionShape> make_shapes(const Detection& detection,
-                                                         std::string* why = nullptr);
+QUADRILLE_EXPORT std::vector<CollisionShape> make_shapes(const Detection& detection);
 
 /// Makes the collision shape of a box: a native box of its most likely size. Anything beyond that
 /// size lies in space that was not seen.

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "body/pieces.hpp"
@@ -14,6 +15,7 @@
 #include "quadrille/grasping/plan.hpp"
 #include "quadrille/grasping/shape.hpp"
 #include "space/collision.hpp"
+#include "space/space_mapper.hpp"
 #include "view/depth_view.hpp"
 
 namespace quadrille {
@@ -45,8 +47,14 @@ Eigen::AlignedBox3d region() {
           low + Eigen::Vector3d::Constant(kEdge * kResolution - 0.001)};
 }
 
+OccupancyGrid map_space() {
+  SpaceMapper mapper(region(), kResolution);
+  mapper.add(cloud(), view());
+  return std::move(mapper).take();
+}
+
 const OccupancyGrid& grid() {
-  static const OccupancyGrid made(cloud(), view(), region(), kResolution);
+  static const OccupancyGrid made = map_space();
   return made;
 }
 
@@ -109,9 +117,7 @@ void view_of_cloud(benchmark::State& state) {
 BENCHMARK(view_of_cloud)->Unit(benchmark::kMillisecond);
 
 void occupancy_of_view(benchmark::State& state) {
-  for (auto _ : state) {
-    benchmark::DoNotOptimize(OccupancyGrid(cloud(), view(), region(), kResolution));
-  }
+  for (auto _ : state) benchmark::DoNotOptimize(map_space());
   state.counters["voxels"] = static_cast<double>(grid().states().size());
 }
 BENCHMARK(occupancy_of_view)->Unit(benchmark::kMillisecond);

@@ -6,10 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "base/deadline.hpp"
 #include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
-#include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/grasping/collision_shape.hpp"
 #include "quadrille/grasping/gripper.hpp"
 #include "quadrille/grasping/occupancy.hpp"
@@ -17,10 +15,18 @@
 #include "quadrille/grasping/refusal.hpp"
 #include "space/obstacle_map.hpp"
 #include "targets/target.hpp"
-#include "targets/target_scene.hpp"
 #include "view/depth_view.hpp"
 
 namespace quadrille {
+
+/// The detection or box that a collision shape belongs to.
+struct ShapeOwner {
+  /// Id of the detection or box.
+  int id = 0;
+  /// Centre and largest size of the owner [m].
+  Eigen::Vector3d middle_C = Eigen::Vector3d::Zero();
+  double size = 0.0;
+};
 
 /// A cloud prepared for grasp queries, with all that the queries need.
 struct SceneParts {
@@ -46,17 +52,11 @@ struct SceneParts {
   RefusalCounts refusals;
   /// Null if there was no time to map it.
   std::shared_ptr<const OccupancyGrid> space;
-  /// The map refers to space and view, so all three must keep their addresses.
+  /// The voxels of that space, including the targets' own. The map refers to the view, so both must
+  /// keep their addresses.
   std::optional<ObstacleMap> map;
   std::vector<std::string> warnings;
   std::vector<StageTime> timings;
 };
-
-/// Prepares a cloud stage by stage: boxes, shapes, view, targets, occupancy. Targets are chosen
-/// within half of the deadline [ms], which leaves the other half to try them; 0 means no deadline.
-/// If all of it has passed by then, no target is left and space is not mapped.
-std::unique_ptr<const SceneParts> make_scene_parts(
-    const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
-    const PlanOptions& options, const std::vector<PointCloud>& further, double deadline_ms);
 
 }  // namespace quadrille

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "quadrille/detector/point_cloud.hpp"
+#include "targets/scene_parts.hpp"
+
+namespace quadrille {
+
+/// Prepares a cloud stage by stage: boxes, shapes, view, targets, occupancy. Targets are chosen
+/// within half of the deadline [ms], which leaves the other half to try them; 0 means no deadline.
+/// If all of it has passed by then, no target is left and space is not mapped.
+std::unique_ptr<const SceneParts> make_scene_parts(
+    const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
+    const PlanOptions& options, const std::vector<PointCloud>& further, double deadline_ms);
+
+}  // namespace quadrille

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/grasping/occupancy.hpp"
+#include "view/depth_view.hpp"
+
+namespace quadrille {
+
+/// Maps the space that views of one static scene show. A voxel that any view found occupied is
+/// occupied; otherwise, one that any view saw through is free. The order of the views does not
+/// matter.
+class SpaceMapper {
+ public:
+  /// The region and the resolution are those of OccupancyGrid, with the same errors.
+  /// @param boxes_C  free space is sought only in blocks that meet one of these boxes, to save
+  /// time;
+  ///   all other blocks stay unknown, except for voxels that contain points. No boxes: everywhere.
+  SpaceMapper(const Eigen::AlignedBox3d& region, double resolution,
+              std::vector<Eigen::AlignedBox3d> boxes_C = {})
+      : grid_(region, resolution), boxes_C_(std::move(boxes_C)) {}
+
+  /// @param view  the view of that cloud
+  /// @throws std::invalid_argument if the view is that of another cloud
+  void add(const PointCloud& cloud, const DepthView& view);
+
+  /// Hands over the map of all views.
+  OccupancyGrid take() && { return std::move(grid_); }
+  /// Hands over the map after marking unknown voxels above free ones as clear: objects stand on a
+  /// support, so one that reached up there would also be seen below. This applies only to voxels
+  /// beside the image and at missing pixels, not to those hidden by a surface, since an object may
+  /// overhang what stands in front of it.
+  /// @param up_C  unit normal of the supporting plane; zero if there is none, which clears nothing
+  OccupancyGrid take_cleared(const DepthView& view, const Eigen::Vector3d& up_C) &&;
+
+ private:
+  struct Tile;
+  void mark_occupied(const PointCloud& cloud, const std::vector<std::uint8_t>& stray);
+  void mark_free(const DepthView& view);
+  void mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge);
+  void mark_eight(const DepthView& view, const Eigen::Vector3i& low, const Eigen::Vector3d& p_V);
+  void fill_free(const Eigen::Vector3i& low, int edge);
+  bool wanted(const Eigen::Vector3i& block) const;
+  Eigen::Vector3d middle_V(const DepthView& view, const Eigen::Vector3i& low, int edge) const;
+  bool is_clear(const DepthView& view, const Eigen::Vector3i& low, int edge) const;
+  std::vector<Tile> tiles_beside(const DepthView& view) const;
+  void clear_layer(const DepthView* view, const Tile& tile, int axis, const Eigen::Vector3i& up);
+  Voxel& voxel(int i, int j, int k) { return grid_.states_[grid_.index(i, j, k)]; }
+
+  OccupancyGrid grid_;
+  std::vector<Eigen::AlignedBox3d> boxes_C_;
+};
+
+}  // namespace quadrille
