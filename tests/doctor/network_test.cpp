@@ -1,4 +1,4 @@
-#include "quadrille/bus/network.hpp"
+#include "link/network.hpp"
 
 #include "doctor/check_network.hpp"
 #include "doctor/report.hpp"

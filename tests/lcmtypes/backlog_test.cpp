@@ -1,4 +1,4 @@
-#include "quadrille/bus/backlog.hpp"
+#include "link/backlog.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,4 +1,4 @@
-#include "quadrille/bus/channel_pattern.hpp"
+#include "link/channel_pattern.hpp"
 
 #include <stdexcept>
 

@@ -1,4 +1,4 @@
-#include "quadrille/bus/clock.hpp"
+#include "run/clock.hpp"
 
 #include <ctime>
 #include <thread>

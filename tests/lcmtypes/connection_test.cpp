@@ -1,4 +1,4 @@
-#include "quadrille/bus/connection.hpp"
+#include "link/connection.hpp"
 
 #include "contains.hpp"
 

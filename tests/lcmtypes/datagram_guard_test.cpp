@@ -1,4 +1,4 @@
-#include "quadrille/bus/datagram_guard.hpp"
+#include "link/datagram_guard.hpp"
 
 #include <arpa/inet.h>
 #include <netinet/in.h>

@@ -1,4 +1,4 @@
-#include "quadrille/bus/drop_causes.hpp"
+#include "link/drop_causes.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,4 +1,4 @@
-#include "quadrille/bus/durations.hpp"
+#include "run/durations.hpp"
 
 #include "support/catch.hpp"
 

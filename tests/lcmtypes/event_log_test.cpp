@@ -1,4 +1,4 @@
-#include "quadrille/bus/event_log.hpp"
+#include "log/event_log.hpp"
 
 #include <filesystem>
 #include <fstream>
@@ -36,7 +36,7 @@ TEST_CASE("a log cut short anywhere gives its whole events", "[bus][log][hostile
     fs::resize_file(file.path(), size);
     if (size < test::kEventBytes && size < 4) {
       // Not even the mark of an event.
-      CHECK_THROWS_AS(survey_log(file.path()), std::runtime_error);
+      CHECK_THROWS_AS(LogReader(file.path()), std::runtime_error);
       continue;
     }
     if (size < 28) continue;
@@ -53,15 +53,15 @@ TEST_CASE("a log cut short anywhere gives its whole events", "[bus][log][hostile
 TEST_CASE("an empty log has no events", "[bus][log]") {
   const test::TemporaryLog file;
   std::ofstream(file.path()).close();
-  CHECK(survey_log(file.path()).events == 0);
+  CHECK(LogReader(file.path()).survey().events == 0);
 }
 
 TEST_CASE("what is no log is refused with its name", "[bus][log][hostile]") {
   const test::TemporaryLog file;
-  CHECK_THROWS_WITH(survey_log(file.path()), test::contains("no such file"));
+  CHECK_THROWS_WITH(LogReader(file.path()), test::contains("no such file"));
   std::ofstream(file.path()) << "ply\nformat ascii 1.0\nend_header\n";
-  CHECK_THROWS_WITH(survey_log(file.path()), test::contains("is not an LCM log"));
-  CHECK_THROWS_WITH(survey_log("/"), test::contains("is not a file"));
+  CHECK_THROWS_WITH(LogReader(file.path()), test::contains("is not an LCM log"));
+  CHECK_THROWS_WITH(LogReader("/"), test::contains("is not a file"));
 }
 
 /// Puts bytes into a file at an offset.
@@ -71,14 +71,18 @@ void overwrite(const std::string& path, std::uintmax_t offset, const std::string
   log << bytes;
 }
 
+using Times = std::vector<std::int64_t>;
+
 /// The times of the events that a log gives.
-std::vector<std::int64_t> times_of(const std::string& path) {
-  std::vector<std::int64_t> times;
+Times times_of(const std::string& path) {
+  Times times;
   for (LogReader log(path); const auto event = log.next();) times.push_back(event->utime);
   return times;
 }
 
-using Times = std::vector<std::int64_t>;
+std::string defect_of(const std::string& path) {
+  return LogReader(path).survey().defect.value_or("");
+}
 
 TEST_CASE("absurd lengths in a log are told with their offset, and passed over",
           "[bus][log][hostile]") {
@@ -91,7 +95,7 @@ TEST_CASE("absurd lengths in a log are told with their offset, and passed over",
   Times left = {1000, 2000, 3000};
   left.erase(left.begin() + static_cast<std::ptrdiff_t>(event));
   CHECK(times_of(file.path()) == left);
-  const auto defect = survey_log(file.path()).defect;
+  const auto defect = LogReader(file.path()).survey().defect;
   REQUIRE(defect);
   CHECK(*defect == "damaged at byte " + std::to_string(event * test::kEventBytes) +
                        ": 39 bytes are no event; all events before and behind are used; copy the "
@@ -110,7 +114,7 @@ TEST_CASE("behind each damaged byte of a log its events are found again", "[bus]
     const bool in_mark = member < 4, shorter = member == 27;
     const bool longer = member >= 20 && member < 27;
     CHECK(times_of(file.path()).size() == (in_mark || longer ? 2 : 3));
-    const std::string defect = survey_log(file.path()).defect.value_or("");
+    const std::string defect = defect_of(file.path());
     const bool looks_cut = longer && member >= 23 && begin == 2 * test::kEventBytes;
     const std::string where = std::to_string(begin + (shorter ? 36 : 0)) + ":";
     if (in_mark || longer || shorter) {
@@ -134,7 +138,7 @@ TEST_CASE("foreign bytes between events are passed over, whatever they look like
       << whole.substr(0, test::kEventBytes) << foreign << whole.substr(test::kEventBytes);
   CHECK(times_of(file.path()) == Times{1000, 2000, 3000});
   CHECK_THAT(
-      survey_log(file.path()).defect.value_or(""),
+      defect_of(file.path()),
       test::contains("damaged at byte 39: " + std::to_string(foreign.size()) + " bytes are"));
 }
 
@@ -155,7 +159,35 @@ TEST_CASE("a log that ends in zeros, as after a loss of power, is told as damage
   test::write_three(file.path());
   fs::resize_file(file.path(), 3 * test::kEventBytes + GENERATE(5, 27, 28, 5000));
   CHECK(times_of(file.path()) == Times{1000, 2000, 3000});
-  CHECK_THAT(survey_log(file.path()).defect.value_or(""), test::contains("damaged at byte 117:"));
+  CHECK_THAT(defect_of(file.path()), test::contains("damaged at byte 117:"));
+}
+
+TEST_CASE("no event is passed over for its channel's name", "[bus][log][hostile]") {
+  const test::TemporaryLog file;
+  const std::vector<std::string> names = {"A", "A\nB", "\xff\xfe", std::string("A\0B", 3),
+                                          std::string(999, '\x80')};
+  {
+    LogWriter log(file.path());
+    for (const std::string& name : names) log.write(1, name, std::vector<std::byte>(4));
+  }
+  std::vector<std::string> found;
+  for (LogReader log(file.path()); const auto event = log.next();) found.push_back(event->channel);
+  CHECK(found == names);
+}
+
+TEST_CASE("a log that is cut short while it is read is told of", "[bus][log][hostile]") {
+  const test::TemporaryLog file;
+  {
+    // An event is longer than what is read ahead.
+    LogWriter log(file.path());
+    for (int i = 1; i <= 3; ++i) log.write(i, "A", std::vector<std::byte>(100000));
+  }
+  LogReader log(file.path());
+  CHECK(log.next());
+  fs::resize_file(file.path(), 150000);
+  CHECK_FALSE(log.next());
+  CHECK(log.survey().events == 3);
+  CHECK(log.survey().defect == "cut short while it was read: after 1 of 3 events");
 }
 
 TEST_CASE("a log is not written over itself", "[bus][log]") {

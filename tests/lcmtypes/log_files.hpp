@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "quadrille/bus/event_log.hpp"
+#include "log/event_log.hpp"
 #include "support/temp_folder.hpp"
 
 namespace quadrille::test {

@@ -1,4 +1,4 @@
-#include "quadrille/bus/mailbox.hpp"
+#include "run/mailbox.hpp"
 
 #include <memory>
 #include <thread>

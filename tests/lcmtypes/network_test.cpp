@@ -1,4 +1,4 @@
-#include "quadrille/bus/network.hpp"
+#include "link/network.hpp"
 
 #include "contains.hpp"
 #include "support/catch.hpp"

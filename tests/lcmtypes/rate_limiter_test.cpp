@@ -1,4 +1,4 @@
-#include "quadrille/bus/rate_limiter.hpp"
+#include "run/rate_limiter.hpp"
 
 #include "support/catch.hpp"
 

@@ -1,4 +1,4 @@
-#include "quadrille/bus/receiver.hpp"
+#include "link/receiver.hpp"
 
 #include <chrono>
 #include <stdexcept>

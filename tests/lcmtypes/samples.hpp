@@ -3,13 +3,19 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <lcmtypes/bot_core/pose_t.hpp>
 #include <lcmtypes/drake/lcmt_point_cloud.hpp>
 #include <limits>
 #include <vector>
 
+#include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/grasps_message.hpp"
+#include "quadrille/bus/occupancy_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/bus/request_message.hpp"
+#include "quadrille/bus/status_message.hpp"
 
 namespace quadrille::test {
 
@@ -104,6 +110,112 @@ inline drake::lcmt_point_cloud make_wide_message(bool big_endian) {
 
 inline std::vector<std::byte> make_quadrics_bytes() {
   return bus::encode(bus::to_message(make_cloud(), make_result()));
+}
+
+/// Two boxes that differ in their ids and faces.
+inline std::vector<Box> make_boxes() {
+  Box box;
+  box.id = 9;
+  box.faces = {3, 7};
+  box.score = 0.8;
+  box.X_CB = make_result().detections[0].X_CQ;
+  box.size = {0.3, 0.2, 0.1};
+  box.std = {0.001, 0.002, 0.03};
+  box.seen = {true, true, false};
+  box.inner_B = {Eigen::Vector3d(-0.15, -0.1, 0.05), Eigen::Vector3d(0.15, 0.1, 0.05)};
+  box.outer_B = {Eigen::Vector3d(-0.15, -0.1, -0.05), Eigen::Vector3d(0.15, 0.1, 0.05)};
+  Box other = box;
+  other.id = 10;
+  other.faces = {4};
+  return {box, other};
+}
+
+inline grasps_t make_grasps() {
+  grasps_t m{};
+  m.utime = 77;
+  m.seq = 4;
+  m.frame = "camera";
+  m.gripper = "franka";
+  m.unknown = "obstacle";
+  m.grasps.resize(2);
+  m.grasps[1].target = 3;
+  m.grasps[1].width = 0.05;
+  m.num_grasps = 2;
+  m.rejected = {{"width", 9}};
+  m.num_rejected = 1;
+  m.warnings = {"few points"};
+  m.num_warnings = 1;
+  return m;
+}
+
+inline grasp_request_t make_request() {
+  grasp_request_t m{};
+  m.request_id = 7;
+  m.cloud_utime = 1234;
+  m.frame = "world";
+  m.targets = {3, 5};
+  m.num_targets = 2;
+  m.tracks = {9};
+  m.num_tracks = 1;
+  m.types = {"sphere", "cone"};
+  m.num_types = 2;
+  m.max_grasps = 4;
+  m.min_size = 0.25;
+  return m;
+}
+
+inline bot_core::pose_t make_pose() {
+  bot_core::pose_t m{};
+  m.utime = 1234567;
+  m.pos[0] = 1.0, m.pos[1] = -2.0, m.pos[2] = 3.0;
+  // A quarter turn about z.
+  m.orientation[0] = m.orientation[3] = std::sqrt(0.5);
+  return m;
+}
+
+inline detector_status_t make_detector_status() {
+  detector_status_t m{};
+  m.sender = "robot:12:34";
+  m.superseded = 3;
+  m.pose_age = 4.25;
+  m.transport.dropped_datagrams = 7;
+  m.process.version = "0.1.0";
+  m.rejected = {{"bad_length", 2}};
+  m.num_rejected = 1;
+  m.untracked = {{"no_pose", 5}};
+  m.num_untracked = 1;
+  m.stages.resize(2);
+  m.stages[1].name = "quadrics";
+  m.stages[1].p99 = 41.5;
+  m.num_stages = 2;
+  m.warnings = {"buffer too small"};
+  m.num_warnings = 1;
+  return m;
+}
+
+inline planner_status_t make_planner_status() {
+  planner_status_t m{};
+  m.sender = "robot:12:35";
+  m.unpaired_quadrics = 9;
+  m.rejected_requests = {{"cut_short", 1}};
+  m.num_rejected_requests = 1;
+  m.pose_age = 7.5;
+  m.unplaced = {{"late_pose", 4}};
+  m.num_unplaced = 1;
+  m.stages.resize(1);
+  m.stages[0].name = "grasps";
+  m.num_stages = 1;
+  return m;
+}
+
+inline occupancy_t make_occupancy() {
+  occupancy_t m{};
+  m.utime = 5;
+  m.frame = "camera";
+  m.resolution = 0.005;
+  m.data = {1, 2, 3};
+  m.data_size = 3;
+  return m;
 }
 
 /// Overwrites a big-endian 32-bit number.

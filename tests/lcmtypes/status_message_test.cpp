@@ -1,14 +1,26 @@
 #include "quadrille/bus/status_message.hpp"
 
-#include <lcmtypes/quadrille/detector_status_t.hpp>
-#include <lcmtypes/quadrille/planner_status_t.hpp>
-#include <lcmtypes/quadrille/pose_t.hpp>
-
-#include "quadrille/bus/encode.hpp"
+#include "samples.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::bus {
 namespace {
+
+TEST_CASE("the status of a detector or a planner survives its message", "[bus][status]") {
+  const auto decoded = decode_detector_status(encode(test::make_detector_status()));
+  const auto& detector = std::get<detector_status_t>(decoded);
+  CHECK(detector.superseded == 3);
+  CHECK(detector.pose_age == 4.25);
+  CHECK(detector.transport.dropped_datagrams == 7);
+  CHECK(detector.stages[1].p99 == 41.5);
+  CHECK(detector.warnings[0] == "buffer too small");
+  const auto other = decode_planner_status(encode(test::make_planner_status()));
+  const auto& planner = std::get<planner_status_t>(other);
+  CHECK(planner.unpaired_quadrics == 9);
+  CHECK(planner.rejected_requests[0].name == "cut_short");
+  CHECK(planner.pose_age == 7.5);
+  CHECK(planner.unplaced[0].count == 4);
+}
 
 TEST_CASE("only reasons that occurred go into the status", "[bus][status]") {
   RejectCounts counts;

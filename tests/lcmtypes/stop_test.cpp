@@ -1,4 +1,4 @@
-#include "quadrille/bus/stop.hpp"
+#include "run/stop.hpp"
 
 #include <signal.h>
 #include <sys/wait.h>

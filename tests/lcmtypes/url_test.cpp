@@ -1,4 +1,4 @@
-#include "quadrille/bus/url.hpp"
+#include "link/url.hpp"
 
 #include <cstdlib>
 

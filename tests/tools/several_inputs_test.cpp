@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "quadrille/bus/event_log.hpp"
+#include "log/event_log.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 

@@ -1,5 +1,5 @@
+#include "log/event_log.hpp"
 #include "quadrille/bus/encode.hpp"
-#include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "support/catch.hpp"

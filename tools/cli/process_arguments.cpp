@@ -4,9 +4,9 @@
 #include <exception>
 #include <stdexcept>
 
-#include "quadrille/bus/channel_pattern.hpp"
-#include "quadrille/bus/connection.hpp"
-#include "quadrille/bus/url.hpp"
+#include "link/channel_pattern.hpp"
+#include "link/connection.hpp"
+#include "link/url.hpp"
 
 namespace quadrille {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "doctor/multicast.hpp"
-#include "quadrille/bus/network.hpp"
+#include "link/network.hpp"
 
 namespace quadrille::doctor {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "doctor/finding.hpp"
-#include "quadrille/bus/url.hpp"
+#include "link/url.hpp"
 
 namespace quadrille::doctor {
 

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "doctor/check_traffic.hpp"
-#include "quadrille/bus/channel_pattern.hpp"
+#include "link/channel_pattern.hpp"
 
 namespace quadrille::doctor {
 namespace {

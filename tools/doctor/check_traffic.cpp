@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "io/describe.hpp"
-#include "quadrille/bus/channel_pattern.hpp"
+#include "link/channel_pattern.hpp"
 
 namespace quadrille::doctor {
 namespace {

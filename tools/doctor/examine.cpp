@@ -12,8 +12,8 @@
 #include "doctor/check_traffic.hpp"
 #include "doctor/listen.hpp"
 #include "doctor/round_trip.hpp"
-#include "quadrille/bus/clock.hpp"
-#include "quadrille/bus/network.hpp"
+#include "link/network.hpp"
+#include "run/clock.hpp"
 
 namespace quadrille::doctor {
 namespace {

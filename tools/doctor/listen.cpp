@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "doctor/multicast.hpp"
-#include "quadrille/bus/clock.hpp"
-#include "quadrille/bus/network.hpp"
+#include "link/network.hpp"
+#include "run/clock.hpp"
 
 namespace quadrille::doctor {
 namespace {

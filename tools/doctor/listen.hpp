@@ -3,7 +3,7 @@
 #include <chrono>
 
 #include "doctor/traffic.hpp"
-#include "quadrille/bus/url.hpp"
+#include "link/url.hpp"
 
 namespace quadrille::doctor {
 

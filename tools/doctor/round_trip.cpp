@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "quadrille/bus/clock.hpp"
-#include "quadrille/bus/connection.hpp"
+#include "link/connection.hpp"
+#include "run/clock.hpp"
 
 namespace quadrille::doctor {
 namespace {

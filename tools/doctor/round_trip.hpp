@@ -5,8 +5,8 @@
 #include <cstdint>
 
 #include "doctor/finding.hpp"
-#include "quadrille/bus/durations.hpp"
-#include "quadrille/bus/url.hpp"
+#include "link/url.hpp"
+#include "run/durations.hpp"
 
 namespace quadrille::doctor {
 

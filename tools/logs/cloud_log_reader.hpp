@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "log/event_log.hpp"
 #include "quadrille/bus/cloud_message.hpp"
-#include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/rejection.hpp"
 
 namespace quadrille::logs {
@@ -24,7 +24,7 @@ class CloudLogReader {
  public:
   /// @param channel  the only channel to read; if empty, all channels are read, and events of other
   ///   types are skipped
-  /// @throws std::runtime_error as bus::survey_log() does
+  /// @throws std::runtime_error as bus::LogReader does
   explicit CloudLogReader(const std::string& path, const std::string& channel = "");
 
   /// Returns the next cloud; nullopt at the end. Events that are not valid clouds are counted.

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "quadrille/bus/connection.hpp"
+#include "link/connection.hpp"
 
 namespace quadrille::logs {
 namespace {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
+#include "log/event_log.hpp"
 #include "quadrille/bus/cloud_message.hpp"
-#include "quadrille/bus/event_log.hpp"
 
 namespace quadrille::logs {
 

@@ -10,8 +10,8 @@
 #include "cli/process_arguments.hpp"
 #include "doctor/examine.hpp"
 #include "doctor/report.hpp"
+#include "link/url.hpp"
 #include "quadrille/bus/cloud_message.hpp"
-#include "quadrille/bus/url.hpp"
 
 namespace quadrille {
 namespace {

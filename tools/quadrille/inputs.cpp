@@ -20,11 +20,11 @@
 #include "io/cloud_file.hpp"
 #include "io/describe.hpp"
 #include "io/file_bytes.hpp"
+#include "log/event_log.hpp"
 #include "logs/cloud_log_reader.hpp"
-#include "quadrille/bus/clock.hpp"
-#include "quadrille/bus/event_log.hpp"
 #include "quadrille/detector/printable.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
+#include "run/clock.hpp"
 
 namespace quadrille {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <thread>
 
-#include "quadrille/bus/connection.hpp"
-#include "quadrille/bus/receiver.hpp"
+#include "link/connection.hpp"
+#include "link/receiver.hpp"
 #include "view/backend.hpp"
 #include "view/live_questions.hpp"
 #include "view/live_scene.hpp"

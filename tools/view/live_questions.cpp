@@ -6,10 +6,10 @@
 #include <utility>
 #include <variant>
 
-#include "quadrille/bus/clock.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/request_message.hpp"
+#include "run/clock.hpp"
 
 namespace quadrille::view {
 namespace {

@@ -9,7 +9,7 @@
 #include <span>
 #include <string>
 
-#include "quadrille/bus/connection.hpp"
+#include "link/connection.hpp"
 #include "view/latest_messages.hpp"
 #include "view/question.hpp"
 

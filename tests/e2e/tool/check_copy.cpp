@@ -1,7 +1,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "quadrille/bus/event_log.hpp"
+#include "log/event_log.hpp"
 #include "tool.hpp"
 
 namespace quadrille::e2e {

@@ -9,9 +9,9 @@
 #include <optional>
 #include <stdexcept>
 
+#include "log/event_log.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/encode.hpp"
-#include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/tracker.hpp"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "quadrille/bus/event_log.hpp"
+#include "log/event_log.hpp"
 #include "tool.hpp"
 
 namespace quadrille::e2e {

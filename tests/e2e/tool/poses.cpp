@@ -11,9 +11,9 @@
 #include <stdexcept>
 #include <vector>
 
+#include "log/event_log.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/encode.hpp"
-#include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "tool.hpp"
 

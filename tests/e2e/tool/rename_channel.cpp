@@ -1,4 +1,4 @@
-#include "quadrille/bus/event_log.hpp"
+#include "log/event_log.hpp"
 #include "tool.hpp"
 
 namespace quadrille::e2e {

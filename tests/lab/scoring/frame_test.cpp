@@ -8,21 +8,12 @@
 #include <string>
 
 #include "lab/scene/scene_files.hpp"
+#include "lcmtypes/contains.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
 
 namespace quadrille::scoring {
 namespace {
-
-/// What is wrong with a frame in files; empty if nothing is.
-std::string error_of(const std::string& ply_path) {
-  try {
-    read_frame(ply_path);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
-}
 
 TEST_CASE("the points of a generated frame lie on the surfaces that they are labelled with",
           "[scoring][frame]") {
@@ -56,7 +47,7 @@ TEST_CASE("a frame of a sensor is read with the truth that other tools write", "
   const scene::Scene scene = scene::make_scene({scene::Family::kEasy, 1000});
   write_scene(cloud, scene, true);
   std::filesystem::remove(scene::truth_path(cloud));
-  CHECK(error_of(cloud).find("a.truth.json: no such file") != std::string::npos);
+  CHECK_THROWS_WITH(read_frame(cloud), test::contains("a.truth.json: no such file"));
   nlohmann::ordered_json truth = scene::truth_json(scene);
   truth["sensor"] = "stereo";
   folder.write("a.json", truth.dump());
@@ -73,7 +64,7 @@ TEST_CASE("the truth that we write counts before a file that is merely named as 
   folder.write("a.json", "{}");
   CHECK(read_frame(cloud).family == "easy");
   std::filesystem::remove(scene::truth_path(cloud));
-  CHECK(error_of(cloud).find("a.json: no truth of a scene") != std::string::npos);
+  CHECK_THROWS_WITH(read_frame(cloud), test::contains("a.json: no truth of a scene"));
 }
 
 }  // namespace

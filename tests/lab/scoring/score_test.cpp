@@ -34,17 +34,36 @@ TEST_CASE("the truth itself scores full marks", "[scoring][score]") {
   CHECK(s.widths_right == 1);
 }
 
-TEST_CASE("nothing found is nothing wrong", "[scoring][score]") {
-  const FrameScore s = score_of({});
-  CHECK(s.wanted == 1);
-  CHECK(s.found + s.wrong + s.planes_found + s.planes_wrong == 0);
-}
-
-TEST_CASE("a sphere that misses the ball is wrong, one within the noise is right",
-          "[scoring][score]") {
-  CHECK(score_of({ball_at(0.02, kBallRadius)}).found == 0);
-  CHECK(score_of({ball_at(0.02, kBallRadius)}).wrong == 1);
-  CHECK(score_of({ball_at(0.002, kBallRadius)}).found == 1);
+TEST_CASE("findings are judged by the truth", "[scoring][score]") {
+  const Quadric ball = ball_at(0, kBallRadius), missing = ball_at(0.02, kBallRadius);
+  // A sphere of 300 m is the wall.
+  const Quadric huge =
+      from_canonical({QuadricType::kSphere, test::translation(0, 0, 301.5), {{"radius", 300.0}}});
+  const struct {
+    const char* what;
+    std::vector<Quadric> findings;
+    std::string only;
+    int wanted, found, wrong, planes_found, planes_wrong;
+  } cases[] = {
+      {"nothing found is nothing wrong", {}, "", 1, 0, 0, 0, 0},
+      {"a sphere that misses the ball", {missing}, "", 1, 0, 1, 0, 0},
+      {"one within the noise", {ball_at(0.002, kBallRadius)}, "", 1, 1, 0, 0, 0},
+      {"two findings of one surface", {ball, ball_at(0.001, kBallRadius)}, "", 1, 1, 1, 0, 0},
+      {"what is hardly seen need not be found", {ball_at(0.5, kBallRadius)}, "", 1, 0, 0, 0, 0},
+      {"one type alone counts", {ball}, "sphere", 1, 1, 0, 0, 0},
+      {"another type alone counts", {ball}, "cylinder", 0, 0, 0, 0, 0},
+      {"a flat finding that is no plane of the scene", {wall_at(1.3)}, "", 1, 0, 0, 0, 1},
+      {"a flat finding of any type", {huge}, "", 1, 0, 0, 1, 0},
+  };
+  for (const auto& c : cases) {
+    CAPTURE(c.what);
+    const FrameScore s = score_of(c.findings, c.only);
+    CHECK(s.wanted == c.wanted);
+    CHECK(s.found == c.found);
+    CHECK(s.wrong == c.wrong);
+    CHECK(s.planes_found == c.planes_found);
+    CHECK(s.planes_wrong == c.planes_wrong);
+  }
 }
 
 TEST_CASE("the width is that across the line of sight", "[scoring][score]") {
@@ -67,39 +86,6 @@ TEST_CASE("a finding can be right where it was seen and of the wrong width", "[s
   CHECK(s.width_errors[0] > 0.1);
   CHECK(s.width_errors[0] * 2.0 * kBallRadius > sigma);
   CHECK(s.widths_right == 0);
-}
-
-TEST_CASE("of two findings of one surface one is wrong", "[scoring][score]") {
-  const FrameScore s = score_of({ball_at(0, kBallRadius), ball_at(0.001, kBallRadius)});
-  CHECK(s.found == 1);
-  CHECK(s.wrong == 1);
-}
-
-TEST_CASE("what is hardly seen need not be found, and may be", "[scoring][score]") {
-  const FrameScore s = score_of({ball_at(0.5, kBallRadius)});
-  CHECK(s.wanted == 1);
-  CHECK(s.found == 0);
-  CHECK(s.wrong == 0);
-}
-
-TEST_CASE("if one type alone counts, the others need not be found, and may be",
-          "[scoring][score]") {
-  CHECK(score_of({ball_at(0, kBallRadius)}, "sphere").found == 1);
-  const FrameScore s = score_of({ball_at(0, kBallRadius)}, "cylinder");
-  CHECK(s.wanted == 0);
-  CHECK(s.wrong == 0);
-}
-
-TEST_CASE("flat findings are judged against planes, whatever they are called", "[scoring][score]") {
-  const FrameScore off = score_of({wall_at(1.3)});
-  CHECK(off.planes_found == 0);
-  CHECK(off.planes_wrong == 1);
-  CHECK(off.wrong == 0);
-  // A sphere of 300 m is the wall.
-  const Quadric huge =
-      from_canonical({QuadricType::kSphere, test::translation(0, 0, 301.5), {{"radius", 300.0}}});
-  CHECK(score_of({huge}).planes_found == 1);
-  CHECK(score_of({huge}).wrong == 0);
 }
 
 TEST_CASE("a quadric through much more than the surface does not find it", "[scoring][score]") {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "log/event_log.hpp"
 #include "process/runtime/run.hpp"
-#include "quadrille/bus/event_log.hpp"
 #include "support/catch.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/temp_folder.hpp"

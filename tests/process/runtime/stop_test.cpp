@@ -1,5 +1,5 @@
 // A process ends soon after it was told to, whatever it is at.
-#include "quadrille/bus/stop.hpp"
+#include "run/stop.hpp"
 
 #include <signal.h>
 #include <sys/wait.h>
@@ -16,8 +16,8 @@
 #include <string>
 #include <thread>
 
+#include "log/event_log.hpp"
 #include "process/runtime/run.hpp"
-#include "quadrille/bus/event_log.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
 

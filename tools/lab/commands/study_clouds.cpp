@@ -8,7 +8,7 @@
 #include "io/cloud_file.hpp"
 #include "io/file_bytes.hpp"
 #include "lab/scene/scene_files.hpp"
-#include "quadrille/bus/event_log.hpp"
+#include "log/event_log.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
 
 namespace quadrille {

@@ -36,18 +36,18 @@ void run_frame(double time, std::uint64_t seed, BallOutcome* outcome, Table* dat
   outcome->found += found;
   outcome->seen.push_back(frame.seen);
   outcome->times.push_back(1e-3 * us);
-  data->add({sequence.name, number(time), number(frame.seen), found ? "1" : "0"});
+  data->row(sequence.name, time, frame.seen, found ? "1" : "0");
 }
 
 std::string row_of(const BallOutcome& o, Table* table) {
   const GeneratedSequence& s = *o.sequence;
   const std::string rate = fmt::format("{:.1f} %", 100.0 * o.found / o.frames);
-  table->add(
-      {s.name,
-       fmt::format("{:g} x {:g} x {:g}", 2e2 * s.axes.x(), 2e2 * s.axes.y(), 2e2 * s.axes.z()),
-       s.sphere_alone ? "sphere" : "generic", number(o.frames),
-       fmt::format("{:.0f} %", 100.0 * quantile(o.seen, 0.5)), fmt::format("{:.1f} %", s.printed),
-       rate, number(quantile(o.times, 0.5))});
+  table->row(
+      s.name,
+      fmt::format("{:g} x {:g} x {:g}", 2e2 * s.axes.x(), 2e2 * s.axes.y(), 2e2 * s.axes.z()),
+      s.sphere_alone ? "sphere" : "generic", o.frames,
+      fmt::format("{:.0f} %", 100.0 * quantile(o.seen, 0.5)), fmt::format("{:.1f} %", s.printed),
+      rate, quantile(o.times, 0.5));
   return fmt::format("{} {}", s.name, rate);
 }
 

@@ -143,9 +143,8 @@ Table comparison(const std::vector<Outcome>& all, const std::vector<double>& sha
       const double gain = four->time_to(recall) / three->time_to(recall);
       const double bases = four->bases_to(recall) / three->bases_to(recall);
       least = std::min(least, gain), most = std::max(most, gain);
-      table.add({percent(share), percent(recall), number(three->time_to(recall)),
-                 number(four->time_to(recall)), number(gain), number(bases),
-                 number(bases * four->hypotheses_per_basis / three->hypotheses_per_basis)});
+      table.row(percent(share), percent(recall), three->time_to(recall), four->time_to(recall),
+                gain, bases, bases * four->hypotheses_per_basis / three->hypotheses_per_basis);
     }
   }
   findings->push_back(
@@ -211,12 +210,10 @@ Report run_basis(const Settings& settings) {
                    "found at last", "bases to 95 %", "µs to 95 %"};
   report.data.columns = {"outliers", "sampler", "bases", "us", "rate"};
   for (const Outcome& o : outcomes) {
-    table.add({percent(o.outliers), o.name, number(o.us_per_basis), number(o.hypotheses_per_basis),
-               percent(o.last_rate()), or_never(o.bases_to(kWanted)),
-               or_never(o.time_to(kWanted))});
+    table.row(percent(o.outliers), o.name, o.us_per_basis, o.hypotheses_per_basis,
+              percent(o.last_rate()), or_never(o.bases_to(kWanted)), or_never(o.time_to(kWanted)));
     for (const auto& [at, rate] : o.rates) {
-      report.data.add(
-          {number(o.outliers), o.name, number(at), number(at * o.us_per_basis), number(rate)});
+      report.data.row(o.outliers, o.name, at, at * o.us_per_basis, rate);
     }
   }
   report.plots = {time_plot(outcomes, samplers), rate_plot(outcomes, 0.0),

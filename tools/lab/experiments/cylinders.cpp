@@ -21,31 +21,6 @@ constexpr double kNoises[] = {0.25, 0.5, 1.0};
 /// which a cylinder has to be found.
 constexpr double kMinSeen = 0.4;
 
-/// A cylinder in a bin with enough of its side visible.
-struct Target {
-  int id;
-  KnownCylinder cylinder;
-};
-
-std::vector<Target> targets_of(const scene::Scene& made) {
-  std::vector<Target> targets;
-  int id = 0;
-  for (const scene::Body& body : made.layout.bodies) {
-    for (std::size_t part = 0; part < body.surfaces.size(); ++part, ++id) {
-      const int visible = made.ideal.visible[static_cast<std::size_t>(id)];
-      const int alone = made.ideal.alone[static_cast<std::size_t>(id)];
-      if (!body.surfaces[part].curved || visible < kMinPixels || visible < kMinSeen * alone) {
-        continue;
-      }
-      const Eigen::Isometry3d X_CS = made.layout.X_CW * body.X_WB * body.X_BS[part];
-      targets.push_back(
-          {id,
-           {X_CS.translation(), X_CS.linear().col(2), body.surfaces[part].dims.front().second}});
-    }
-  }
-  return targets;
-}
-
 /// The results at one level of clutter and noise.
 struct CylinderOutcome {
   int cylinders;
@@ -87,25 +62,20 @@ DetectionResult match_cloud(const PointCloud& cloud) {
   return result;
 }
 
-/// Makes a frame of the bin with its own noise, in which only the targets have to be found.
-scoring::Frame frame_of(const scene::Scene& made, const std::vector<Target>& targets,
-                        double noise) {
-  scoring::Frame frame = scoring::frame_of(made);
-  frame.noise = noise;
-  for (scoring::TrueSurface& surface : frame.surfaces) {
-    surface.sigma = scene::depth_noise(noise, surface.X_CS.translation().z());
-    if (!surface.curved) continue;
-    surface.evaluate = std::any_of(targets.begin(), targets.end(),
-                                   [&](const Target& t) { return t.id == surface.id; });
-  }
-  return frame;
-}
-
 void run(const scene::Scene& made, CylinderOutcome* outcome) {
-  const std::vector<Target> targets = targets_of(made);
+  scoring::Frame frame = scoring::frame_of(made);
+  frame.noise = outcome->noise;
   std::vector<KnownCylinder> known;
-  for (const Target& target : targets) known.push_back(target.cylinder);
-  const scoring::Frame frame = frame_of(made, targets, outcome->noise);
+  for (scoring::TrueSurface& surface : frame.surfaces) {
+    surface.sigma = scene::depth_noise(outcome->noise, surface.X_CS.translation().z());
+    if (!surface.curved) continue;
+    const auto id = static_cast<std::size_t>(surface.id);
+    const int visible = made.ideal.visible[id];
+    surface.evaluate = visible >= kMinPixels && visible >= kMinSeen * made.ideal.alone[id];
+    if (!surface.evaluate) continue;
+    known.push_back(
+        {surface.X_CS.translation(), surface.X_CS.linear().col(2), surface.box_S.max().x()});
+  }
   DetectionResult result;
   outcome->times.push_back(1e-3 * microseconds([&] { result = detect(frame.cloud); }));
   for (const char found : found_cylinders(result, known)) outcome->exact += found;
@@ -151,14 +121,12 @@ Report report_of(const std::vector<CylinderOutcome>& outcomes, int bins) {
     const double ms = quantile(o.times, 0.5);
     known += o.score.wanted, exact += o.exact, any += o.score.found;
     matched += o.matched;
-    table.add({number(o.cylinders), number(1e3 * scene::depth_noise(o.noise, height)),
-               number(o.score.wanted), percent(o.exact, o.score.wanted),
-               percent(o.score.found, o.score.wanted), fmt::format("{:.3f}", o.score.precision()),
-               number(ms), percent(o.matched, o.score.wanted), number(o.claimed),
-               number(quantile(o.match_times, 0.5))});
-    report.data.add({number(o.cylinders), number(o.noise), number(o.score.wanted), number(o.exact),
-                     number(o.score.found), number(o.score.wrong), number(ms), number(o.matched),
-                     number(o.claimed), number(quantile(o.match_times, 0.5))});
+    table.row(o.cylinders, 1e3 * scene::depth_noise(o.noise, height), o.score.wanted,
+              percent(o.exact, o.score.wanted), percent(o.score.found, o.score.wanted),
+              fmt::format("{:.3f}", o.score.precision()), ms, percent(o.matched, o.score.wanted),
+              o.claimed, quantile(o.match_times, 0.5));
+    report.data.row(o.cylinders, o.noise, o.score.wanted, o.exact, o.score.found, o.score.wrong, ms,
+                    o.matched, o.claimed, quantile(o.match_times, 0.5));
   }
   for (const double noise : kNoises) {
     const std::string name =

@@ -140,8 +140,7 @@ Report report_of(const Observations& observations, int scenes) {
     families[o.family].push_back(&o);
     kinds[{o.type, o.dimension}].push_back(&o);
     (o.dimension == "length" ? length : shape).push_back(&o);
-    report.data.add(
-        {o.family, o.type, o.dimension, number(o.published), number(o.truth), number(o.std)});
+    report.data.row(o.family, o.type, o.dimension, o.published, o.truth, o.std);
   }
   Table by_family{"By scenes", columns_of({"scenes"}), {}};
   for (const auto& [family, group] : families) by_family.add(row_of({family}, group));

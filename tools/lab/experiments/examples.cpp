@@ -62,7 +62,7 @@ Plot draw_example(QuadricType type, std::uint64_t seed, int points, Report* repo
   for (const char* fit : kFits) {
     const auto found = find_contender(all, fit)->fit(data);
     const FitErrors errors = errors_of(found, Q, truth, size);
-    report->data.add({name, fit, number(errors.point), number(errors.angle)});
+    report->data.row(name, fit, errors.point, errors.angle);
     const std::string label = fmt::format("{}: off by {:.1f} %", fit, 100.0 * errors.point);
     if (found) plot.lines.push_back(drawn_section(label, *found, plane, false));
     if (found) plot.lines.back().way = fit;

@@ -26,25 +26,16 @@ enum class Normals { kExact, kNoisy, kEstimated };
 constexpr std::array kModes = {Normals::kExact, Normals::kNoisy, Normals::kEstimated};
 
 std::string name_of(Normals mode) {
-  switch (mode) {
-    case Normals::kExact:
-      return "exact";
-    case Normals::kNoisy:
-      return "noisy";
-    default:
-      return "estimated";
-  }
+  constexpr std::array kNames = {"exact", "noisy", "estimated"};
+  return kNames.at(static_cast<std::size_t>(mode));
 }
 
 std::string describe(Normals mode) {
-  switch (mode) {
-    case Normals::kExact:
-      return "exact normals, noise on the points alone, as the paper has it";
-    case Normals::kNoisy:
-      return "normals turned by noise of 2σ rad about each axis";
-    default:
-      return fmt::format("normals estimated from the {} nearest noisy points", kNeighbours);
-  }
+  const std::array texts = {
+      std::string("exact normals, noise on the points alone, as the paper has it"),
+      std::string("normals turned by noise of 2σ rad about each axis"),
+      fmt::format("normals estimated from the {} nearest noisy points", kNeighbours)};
+  return texts.at(static_cast<std::size_t>(mode));
 }
 
 /// Mean errors of every contender in one mode at one noise level, in the contenders' order.
@@ -151,12 +142,11 @@ Table comparison(const std::vector<Contender>& all, const std::vector<Row>& rows
     const std::string level = fmt::format(" {:g} %", 100.0 * row.level);
     if (!won) lost[row.mode] += level;
     if (rounding) equal[row.mode] += level;
-    table.add({name_of(row.mode), fmt::format("{:g}", 100.0 * row.level), number(mine.point),
-               number(row.means[p].point), std::string(all[p].name), number(mine.angle),
-               number(row.means[a].angle), std::string(all[a].name),
-               rounding ? "equal to rounding"
-               : won    ? "yes"
-                        : "no"});
+    table.row(name_of(row.mode), fmt::format("{:g}", 100.0 * row.level), mine.point,
+              row.means[p].point, all[p].name, mine.angle, row.means[a].angle, all[a].name,
+              rounding ? "equal to rounding"
+              : won    ? "yes"
+                       : "no");
   }
   for (const Normals mode : kModes) {
     findings->push_back(verdict(mode, lost[mode], equal[mode]));
@@ -199,8 +189,7 @@ Table all_errors(const std::vector<Contender>& all, const std::vector<Row>& rows
   for (const Row& row : rows) {
     for (std::size_t m = 0; m < all.size(); ++m) {
       const auto add = [&](const std::string& measure, double value) {
-        table.add({measure, std::string(all[m].name), name_of(row.mode), number(row.level),
-                   number(value)});
+        table.row(measure, all[m].name, name_of(row.mode), row.level, value);
       };
       add("point", row.means[m].point);
       add("angle", row.means[m].angle);
@@ -209,7 +198,7 @@ Table all_errors(const std::vector<Contender>& all, const std::vector<Row>& rows
   }
   for (const Series& line : times) {
     for (const auto& [points, time] : line.points) {
-      table.add({"time_us", line.name, "exact", number(points), number(time)});
+      table.row("time_us", line.name, "exact", points, time);
     }
   }
   return table;

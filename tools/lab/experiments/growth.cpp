@@ -70,10 +70,10 @@ Report run_growth(const Settings& settings) {
     const auto found =
         std::count_if(fused.things.begin(), fused.things.end(),
                       [&](const scene::FusedThing& t) { return is_found(t, result.detections); });
-    table.add({fmt::format("{}", size), number(1e-3 * best), number(best / size),
-               number(bytes / size), fmt::format("{} of {}", found, fused.things.size())});
-    report.data.add({fmt::format("{}", size), number(1e-3 * best), number(bytes),
-                     fmt::format("{}", found), fmt::format("{}", fused.things.size())});
+    table.row(fmt::format("{}", size), 1e-3 * best, best / size, bytes / size,
+              fmt::format("{} of {}", found, fused.things.size()));
+    report.data.row(fmt::format("{}", size), 1e-3 * best, bytes, fmt::format("{}", found),
+                    fmt::format("{}", fused.things.size()));
     settings.progress(done += 1.0 / static_cast<double>(sizes.size()));
   }
   report.findings = {fmt::format("Clouds of {} to {} points take {} to {} µs a point.",

@@ -160,8 +160,8 @@ Report run_minimal(const Settings& settings) {
   Plot plot{"Distribution of the time of a minimal solve", "µs", "share of the rounds", {}, true};
   for (std::size_t k = 0; k < ways.size(); ++k) {
     const double median = quantile(times[k], 0.5);
-    report.data.add({ways[k].name, number(median), number(svd / median),
-                     number(difference(ways[k], ways.back(), settings.seed))});
+    report.data.row(ways[k].name, median, svd / median,
+                    difference(ways[k], ways.back(), settings.seed));
     plot.lines.push_back({ways[k].label, {}, ways[k].from_svd});
     for (double share = 0.0; share <= 1.0; share += 0.02) {
       plot.lines.back().points.emplace_back(quantile(times[k], share), share);

@@ -126,16 +126,14 @@ Report run_objects(const Settings& settings) {
       DetectionResult result;
       const double us = microseconds([&] { result = detect(frame.cloud); });
       const scoring::FrameScore one = scoring::score(frame, scoring::findings_of(result));
-      report.data.add({objects[k].name, number(a), number(one.wanted), number(one.found),
-                       number(seen), number(1e-3 * us)});
+      report.data.row(objects[k].name, a, one.wanted, one.found, seen, 1e-3 * us);
       score += one;
       least = std::min(least, seen);
       settings.progress((static_cast<double>(k) + (a + 1.0) / arrangements) /
                         static_cast<double>(objects.size()));
     }
     found += score.found, asked += score.wanted;
-    table.add({objects[k].name, number(score.wanted), fmt::format("{:.0f} %", 100.0 * least),
-               number(score.found)});
+    table.row(objects[k].name, score.wanted, fmt::format("{:.0f} %", 100.0 * least), score.found);
   }
   report.findings = {
       fmt::format("{} of {} objects are found, by any quadric that runs along "

@@ -160,8 +160,7 @@ Report run_pencil(const Settings& settings) {
       value = std::max(value, std::abs(Q.value(point.x)));
       sine = std::max(sine, Q.gradient(point.x).normalized().cross(point.n).norm());
     }
-    report.data.add({number(lambda), std::string(to_string(canonical_form(Q).type)), number(value),
-                     number(sine)});
+    report.data.row(lambda, to_string(canonical_form(Q).type), value, sine);
   }
   report.findings = {
       fmt::format("Three exact oriented points of an ellipsoid leave a pencil; the "

@@ -112,9 +112,8 @@ Table whole_detector(const Settings& settings) {
               {"planes", "curved surfaces", "found", "curved that are none", "planes found"},
               {}};
   for (int k = 0; k < 2; ++k) {
-    table.add({k ? "not taken out" : "taken out first", number(scores[k].wanted),
-               number(scores[k].found), number(scores[k].wrong),
-               fmt::format("{:.3f}", scores[k].plane_recall())});
+    table.row(k ? "not taken out" : "taken out first", scores[k].wanted, scores[k].found,
+              scores[k].wrong, fmt::format("{:.3f}", scores[k].plane_recall()));
   }
   return table;
 }
@@ -129,7 +128,7 @@ Report run_planes(const Settings& settings) {
     const OrientedPointsd points = wedge(degrees, random);
     const Winner winner = best_vote(points, settings.quick ? 100 : 1000, random);
     const std::string type(to_string(canonical_form(winner.Q).type));
-    report.data.add({number(degrees), type, number(winner.support), number(kPoints)});
+    report.data.row(degrees, type, winner.support, kPoints);
     report.findings.push_back(fmt::format(
         "Two planes at {:g}°: the quadric that most points lie on, {} of {}, is of type "
         "{}.",

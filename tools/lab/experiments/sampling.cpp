@@ -100,10 +100,9 @@ Table table_of(const std::string& title, std::vector<SamplingSetting> settings,
               {}};
   for (const SamplingSetting& s : settings) {
     if (!belongs(s)) continue;
-    table.add({scene::traits_of(s.family).name, number(1e3 * s.options.sampling.cell),
-               number(s.options.search.bases), s.name, fmt::format("{:.3f}", s.score.recall()),
-               fmt::format("{:.3f}", s.score.precision()), number(s.median_total()),
-               number(s.median_search())});
+    table.row(scene::traits_of(s.family).name, 1e3 * s.options.sampling.cell,
+              s.options.search.bases, s.name, fmt::format("{:.3f}", s.score.recall()),
+              fmt::format("{:.3f}", s.score.precision()), s.median_total(), s.median_search());
   }
   return table;
 }
@@ -197,10 +196,9 @@ Report report_of(const std::vector<SamplingSetting>& all, int scenes) {
       {"family", "cell_m", "bases", "way", "known", "found", "wrong", "total_ms", "search_ms"},
       {}};
   for (const SamplingSetting& s : all) {
-    report.data.add({scene::traits_of(s.family).name, number(s.options.sampling.cell),
-                     number(s.options.search.bases), s.name, number(s.score.wanted),
-                     number(s.score.found), number(s.score.wrong), number(s.median_total()),
-                     number(s.median_search())});
+    report.data.row(scene::traits_of(s.family).name, s.options.sampling.cell,
+                    s.options.search.bases, s.name, s.score.wanted, s.score.found, s.score.wrong,
+                    s.median_total(), s.median_search());
   }
   report.plots = plots_of(all);
   return report;

@@ -58,20 +58,20 @@ Report report_errors(const std::map<std::string, std::vector<SphereError>>& grou
   for (const auto& [name, errors] : groups) {
     double sum = 0.0;
     for (const SphereError& error : errors) {
-      report.data.add({name, error.found ? "1" : "0", number(error.radius), number(error.centre)});
+      report.data.row(name, error.found ? "1" : "0", error.radius, error.centre);
       sum += error.radius;
     }
     const std::vector<double> radius = sizes_of(errors, &SphereError::radius);
     const std::vector<double> centre = sizes_of(errors, &SphereError::centre);
     const std::string count = fmt::format("{}", errors.size());
     if (radius.empty()) {
-      table.add({name, count, "0", "-", "-", "-", "-", "-"});
+      table.row(name, count, "0", "-", "-", "-", "-", "-");
       continue;
     }
-    table.add({name, count, fmt::format("{}", radius.size()),
-               as_percent(sum / static_cast<double>(radius.size())),
-               as_percent(quantile(radius, 0.5)), as_percent(quantile(radius, 0.9)),
-               as_percent(quantile(centre, 0.5)), as_percent(quantile(centre, 0.9))});
+    table.row(name, count, fmt::format("{}", radius.size()),
+              as_percent(sum / static_cast<double>(radius.size())),
+              as_percent(quantile(radius, 0.5)), as_percent(quantile(radius, 0.9)),
+              as_percent(quantile(centre, 0.5)), as_percent(quantile(centre, 0.9)));
     report.findings.push_back(fmt::format(
         "{}: {} of {} found; median error of the radius {}, of the centre {}.", name, radius.size(),
         errors.size(), as_percent(quantile(radius, 0.5)), as_percent(quantile(centre, 0.5))));

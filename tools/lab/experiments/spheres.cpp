@@ -11,17 +11,13 @@
 namespace quadrille::experiments {
 namespace {
 
-std::vector<KnownSphere> spheres_of(const scene::Scene& made) {
+std::vector<KnownSphere> spheres_of(const scoring::Frame& frame, const scene::Rendering& ideal) {
   std::vector<KnownSphere> spheres;
-  std::size_t id = 0;
-  for (const scene::Body& body : made.layout.bodies) {
-    for (std::size_t part = 0; part < body.surfaces.size(); ++part, ++id) {
-      const scene::Surface& surface = body.surfaces[part];
-      if (surface.type != "sphere" || made.ideal.visible[id] < kMinPixels) continue;
-      const Eigen::Isometry3d X_CS = made.layout.X_CW * body.X_WB * body.X_BS[part];
-      const CanonicalForm form = canonical_form(surface.Q_S.transformed(X_CS));
-      spheres.push_back({form.X.translation(), form.dimensions.front().second});
-    }
+  for (const scoring::TrueSurface& surface : frame.surfaces) {
+    const int visible = ideal.visible[static_cast<std::size_t>(surface.id)];
+    if (surface.type != "sphere" || visible < kMinPixels) continue;
+    const CanonicalForm form = canonical_form(surface.Q_C);
+    spheres.push_back({form.X.translation(), form.dimensions.front().second});
   }
   return spheres;
 }
@@ -59,8 +55,8 @@ void report_times(const std::map<std::string, Searches>& families, Report* repor
   std::vector<double> all;
   for (const auto& [name, s] : families) {
     const double slow = quantile(s.all.times, 0.5), fast = quantile(s.alone.times, 0.5);
-    table.add({name, fmt::format("{}", s.all.times.size()), number(slow), number(fast),
-               number(slow / fast), s.all.found(), s.alone.found()});
+    table.row(name, fmt::format("{}", s.all.times.size()), slow, fast, slow / fast, s.all.found(),
+              s.alone.found());
     all.insert(all.end(), s.all.times.begin(), s.all.times.end());
     every.times.insert(every.times.end(), s.alone.times.begin(), s.alone.times.end());
   }
@@ -78,10 +74,10 @@ Report run_spheres(const Settings& settings) {
   for_each_scene({scene::Family::kEasy, scene::Family::kMedium, scene::Family::kHard}, scenes,
                  settings, [&](const scene::Scene& made) {
                    Searches& both = searches[scene::traits_of(made.options.family).name];
-                   both.alone.options = sphere_preset();
-                   const PointCloud cloud = scoring::frame_of(made).cloud;
+                    both.alone.options = sphere_preset();
+                    const scoring::Frame frame = scoring::frame_of(made);
                    for (Search* search : {&both.all, &both.alone}) {
-                     search->run(cloud, spheres_of(made));
+                     search->run(frame.cloud, spheres_of(frame, made.ideal));
                    }
                  });
   std::map<std::string, std::vector<SphereError>> groups;

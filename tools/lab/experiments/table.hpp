@@ -1,9 +1,13 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace quadrille::experiments {
+
+/// Formats a number with four significant digits, as used in tables.
+std::string number(double value);
 
 /// A table of words and numbers, as text.
 struct Table {
@@ -13,10 +17,17 @@ struct Table {
 
   /// @throws std::invalid_argument if the row does not have one cell per column
   void add(std::vector<std::string> row);
-};
 
-/// Formats a number with four significant digits, as used in tables.
-std::string number(double value);
+  /// Adds a row of texts and of numbers, which number() formats.
+  template <class... Cells>
+  void row(const Cells&... cells) {
+    add({text_of(cells)...});
+  }
+
+ private:
+  static std::string text_of(std::string_view text) { return std::string(text); }
+  static std::string text_of(double value) { return number(value); }
+};
 
 /// Formats the table as Markdown, with the title as a heading if there is one.
 std::string to_markdown(const Table& table);

@@ -138,8 +138,8 @@ Report run_votes(const Settings& settings) {
       is_found(Quadric(best->pencil.at(found)), around, 0.06) ? "found" : "not found")};
   report.data.columns = {"place", "all", "votes"};
   for (std::size_t k = 0; k < all.size(); ++k) {
-    report.data.add({number((static_cast<double>(k) + 0.5) / static_cast<double>(all.size())),
-                     number(all[k]), number(counted[k])});
+    report.data.row((static_cast<double>(k) + 0.5) / static_cast<double>(all.size()), all[k],
+                    counted[k]);
   }
   return report;
 }

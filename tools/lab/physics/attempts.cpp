@@ -1,6 +1,7 @@
 #include "lab/physics/attempts.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -51,21 +52,8 @@ Attempt attempt(const Grasp& grasp, const SeenQuadrics& seen, const TrueScene& s
 }  // namespace
 
 std::string to_string(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::kHeld:
-      return "held";
-    case Outcome::kTurned:
-      return "turned";
-    case Outcome::kSlipped:
-      return "slipped";
-    case Outcome::kDropped:
-      return "dropped";
-    case Outcome::kMissed:
-      return "missed";
-    case Outcome::kUntried:
-      break;
-  }
-  return "untried";
+  constexpr std::array kNames = {"held", "turned", "slipped", "dropped", "missed", "untried"};
+  return kNames.at(static_cast<std::size_t>(outcome));
 }
 
 SeenQuadrics seen_quadrics(const std::vector<Detection>& detections) {

@@ -16,6 +16,9 @@ namespace {
 
 using Eigen::Vector3d;
 using nlohmann::ordered_json;
+using scene::box_of;
+using scene::pose_of;
+using scene::quadric_of;
 
 // Thickness of the walls of cups, bowls and vases [m].
 constexpr double kWall = 0.003;
@@ -24,27 +27,6 @@ constexpr double kFacesDown = -0.5;
 // Largest distance between a cap and the end that it closes [m]; a narrower end is a point and
 // needs no cap.
 constexpr double kAtEnd = 1e-6;
-
-Vector3d vector_of(const ordered_json& json) {
-  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
-
-Eigen::Isometry3d pose_of(const ordered_json& json) {
-  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-  for (int i = 0; i < 3; ++i) X.linear().row(i) = vector_of(json.at("R").at(i)).transpose();
-  X.translation() = vector_of(json.at("t"));
-  return X;
-}
-
-Eigen::AlignedBox3d box_of(const ordered_json& json) {
-  return {vector_of(json.at(0)), vector_of(json.at(1))};
-}
-
-Quadric quadric_of(const ordered_json& json) {
-  Vector10d q;
-  for (int i = 0; i < 10; ++i) q[i] = json.at(i).get<double>();
-  return Quadric(q);
-}
 
 // Returns true if one of the caps of the same body lies at height z of frame S.
 bool has_cap(const std::vector<const ordered_json*>& caps, const Eigen::Isometry3d& X_CS,

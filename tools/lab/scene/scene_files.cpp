@@ -7,6 +7,8 @@
 #include <numbers>
 #include <span>
 
+#include "base/quantile.hpp"
+#include "io/json_parts.hpp"
 #include "io/new_file.hpp"
 #include "io/ply.hpp"
 
@@ -15,12 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class Vector>
-Json array_of(const Vector& v) {
-  Json array = Json::array();
-  for (Eigen::Index i = 0; i < v.size(); ++i) array.push_back(v[i]);
-  return array;
-}
+using io::array_of;
 
 Json pose_json(const Eigen::Isometry3d& X) {
   Json rows = Json::array();
@@ -50,10 +47,8 @@ Seen seen_of(const View& view, int index) {
   for (std::size_t i = 0; i < view.points.size(); ++i) {
     if (view.labels[i] == index) cosines.push_back(mean.dot(view.normals[i]));
   }
-  std::sort(depths.begin(), depths.end());
-  std::sort(cosines.begin(), cosines.end());
-  const double cosine = std::clamp(cosines[cosines.size() / 10], -1.0f, 1.0f);
-  return {static_cast<int>(depths.size()), depths[depths.size() / 2],
+  const double cosine = std::clamp(nth_smallest(cosines, cosines.size() / 10), -1.0f, 1.0f);
+  return {static_cast<int>(depths.size()), median(depths),
           std::acos(cosine) * 180.0 / std::numbers::pi};
 }
 
@@ -98,6 +93,27 @@ std::string without_extension(const std::string& ply_path) {
 }
 
 }  // namespace
+
+Eigen::Vector3d vector_of(const Json& json) {
+  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+
+Eigen::Isometry3d pose_of(const Json& json) {
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  for (int i = 0; i < 3; ++i) X.linear().row(i) = vector_of(json.at("R").at(i)).transpose();
+  X.translation() = vector_of(json.at("t"));
+  return X;
+}
+
+Eigen::AlignedBox3d box_of(const Json& json) {
+  return {vector_of(json.at(0)), vector_of(json.at(1))};
+}
+
+Quadric quadric_of(const Json& json) {
+  Vector10d q;
+  for (int i = 0; i < 10; ++i) q[i] = json.at(i).get<double>();
+  return Quadric(q);
+}
 
 std::string truth_path(const std::string& ply_path) {
   return without_extension(ply_path) + ".truth.json";

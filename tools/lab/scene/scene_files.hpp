@@ -19,6 +19,13 @@ std::optional<std::string> find_truth(const std::string& ply_path);
 /// (x_C = R x_S + t), dims, box (in S) and what the camera saw of it.
 nlohmann::ordered_json truth_json(const Scene& scene);
 
+/// Read parts of a ground truth as truth_json() writes them.
+/// @throws nlohmann::json::exception if they are something else
+Eigen::Vector3d vector_of(const nlohmann::ordered_json& json);
+Eigen::Isometry3d pose_of(const nlohmann::ordered_json& json);
+Eigen::AlignedBox3d box_of(const nlohmann::ordered_json& json);
+Quadric quadric_of(const nlohmann::ordered_json& json);
+
 /// Writes OUT.ply and OUT.truth.json; with labels also OUT.labels (int32 per point) and OUT.normals
 /// (3 float32 per point).
 /// @throws io::FileError if a file cannot be written

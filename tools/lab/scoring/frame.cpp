@@ -15,23 +15,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-Eigen::Vector3d vector_of(const ordered_json& json) {
-  return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
-}
-
 TrueSurface surface_of(const ordered_json& json) {
   TrueSurface surface;
   surface.id = json.at("id");
   surface.curved = json.at("kind") == "quadric";
   surface.type = json.at("type");
-  Vector10d q;
-  for (int i = 0; i < 10; ++i) q[i] = json.at("q").at(i);
-  surface.Q_C = Quadric(q);
-  for (int i = 0; i < 3; ++i) {
-    surface.X_CS.linear().row(i) = vector_of(json.at("pose").at("R").at(i)).transpose();
-  }
-  surface.X_CS.translation() = vector_of(json.at("pose").at("t"));
-  surface.box_S = {vector_of(json.at("box").at(0)), vector_of(json.at("box").at(1))};
+  surface.Q_C = scene::quadric_of(json.at("q"));
+  surface.X_CS = scene::pose_of(json.at("pose"));
+  surface.box_S = scene::box_of(json.at("box"));
   surface.size = json.at("size");
   // The deviation is unknown for surfaces with too few points.
   if (!json.at("sigma").is_null()) surface.sigma = json.at("sigma");

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/quantile.hpp"
 #include "lab/scoring/matching.hpp"
 
 namespace quadrille::scoring {
@@ -173,8 +174,7 @@ class Judge {
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moment).eigenvectors().col(2);
     std::vector<double> cosines;
     for (const Eigen::Vector3d& g : gradients) cosines.push_back(std::abs(g.dot(axis)));
-    std::sort(cosines.begin(), cosines.end());
-    return cosines[cosines.size() / 10] > std::cos(12.0 * std::numbers::pi / 180.0);
+    return nth_smallest(cosines, cosines.size() / 10) > std::cos(12.0 * std::numbers::pi / 180.0);
   }
 
   void judge_rest(const std::map<int, Quadric>& rest, FrameScore* result) const {
@@ -214,9 +214,7 @@ class Judge {
     for (const std::size_t i : target.own) {
       heights.push_back((X_CS.inverse() * frame_.cloud.points[i].cast<double>()).z());
     }
-    const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-    std::nth_element(heights.begin(), middle, heights.end());
-    return X_CS * Eigen::Vector3d(0, 0, *middle);
+    return X_CS * Eigen::Vector3d(0, 0, median(heights));
   }
 
   /// Compares the widths across the line of sight and the axis.

@@ -1,7 +1,10 @@
 #include "lab/study/grasp_judge.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+
+#include "base/quantile.hpp"
 
 namespace quadrille::study {
 namespace {
@@ -35,26 +38,11 @@ std::vector<Eigen::AlignedBox3d> swept_hand(const Gripper& gripper, const Grasp&
                  front)};
 }
 
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 std::string to_string(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kTouches:
-      return "touches";
-    case Verdict::kMisses:
-      return "misses";
-    case Verdict::kSlips:
-      return "slips";
-    case Verdict::kGood:
-      break;
-  }
-  return "good";
+  constexpr std::array kNames = {"touches", "misses", "slips", "good"};
+  return kNames.at(static_cast<std::size_t>(verdict));
 }
 
 GraspJudge::GraspJudge(const physics::TrueScene& scene, const Gripper& gripper, double friction)
@@ -136,7 +124,7 @@ bool GraspJudge::slips(const Between& between) const {
       if (side * between.p_G[i].y() < outermost - kContactDepth) continue;
       cosines.push_back(std::abs(between.n_G[i].y()));
     }
-    if (median_of(std::move(cosines)) < least) return true;
+    if (median(cosines) < least) return true;
   }
   return false;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/hash.hpp"
+#include "lab/study/csv.hpp"
 #include "quadrille/grasping/plan_options.hpp"
 
 namespace quadrille::study {
@@ -29,15 +30,16 @@ std::string word_of(Tries tries) {
   return tries == Tries::kFirst ? "first" : "all";
 }
 
-Cells label_columns() {
-  Cells columns;
-  for (const auto& [column, value] : label_of({}, "", "", "")) columns.push_back(column);
-  return columns;
-}
-
 Cells with(Cells cells, const Cells& more) {
   cells.insert(cells.end(), more.begin(), more.end());
   return cells;
+}
+
+/// Returns the columns of the label and those that the first line of a table names.
+Cells columns_of(std::string_view line) {
+  Cells columns;
+  for (const auto& [column, value] : label_of({}, "", "", "")) columns.push_back(column);
+  return with(std::move(columns), parse_csv(line).front().cells);
 }
 
 Cells start_of(const Label& label, const SceneName& name) {
@@ -103,60 +105,18 @@ Label label_of(const StudyOptions& options, const std::string& version, const st
 }
 
 const Cells& grasp_columns() {
-  static const Cells columns = with(label_columns(), {"scene",
-                                                      "input",
-                                                      "seed",
-                                                      "rank",
-                                                      "first",
-                                                      "target",
-                                                      "type",
-                                                      "score",
-                                                      "x",
-                                                      "y",
-                                                      "z",
-                                                      "qw",
-                                                      "qx",
-                                                      "qy",
-                                                      "qz",
-                                                      "width",
-                                                      "preshape",
-                                                      "approach",
-                                                      "friction_needed",
-                                                      "epsilon",
-                                                      "clearance",
-                                                      "unknown_contact",
-                                                      "verdict",
-                                                      "object",
-                                                      "object_type",
-                                                      "outcome",
-                                                      "slip",
-                                                      "rotation"});
+  static const Cells columns = columns_of(
+      "scene,input,seed,rank,first,target,type,score,x,y,z,qw,qx,qy,qz,width,preshape,approach,"
+      "friction_needed,epsilon,clearance,unknown_contact,verdict,object,object_type,outcome,slip,"
+      "rotation\n");
   return columns;
 }
 
 const Cells& scene_columns() {
-  static const Cells columns = with(label_columns(), {"scene",
-                                                      "input",
-                                                      "seed",
-                                                      "points",
-                                                      "detections",
-                                                      "boxes",
-                                                      "rejected",
-                                                      "grasps",
-                                                      "grasps_good",
-                                                      "grasps_touching",
-                                                      "grasps_tried",
-                                                      "grasps_held",
-                                                      "first",
-                                                      "first_good",
-                                                      "first_touching",
-                                                      "first_tried",
-                                                      "first_held",
-                                                      "objects",
-                                                      "objects_with_grasp",
-                                                      "objects_with_good",
-                                                      "objects_with_held",
-                                                      "error"});
+  static const Cells columns = columns_of(
+      "scene,input,seed,points,detections,boxes,rejected,grasps,grasps_good,grasps_touching,"
+      "grasps_tried,grasps_held,first,first_good,first_touching,first_tried,first_held,objects,"
+      "objects_with_grasp,objects_with_good,objects_with_held,error\n");
   return columns;
 }
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "link/connection.hpp"
 #include "process/detector/trackers.hpp"
-#include "quadrille/bus/connection.hpp"
 
 namespace quadrille {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "link/channel_pattern.hpp"
 #include "process/detector/settings.hpp"
 #include "process/runtime/node.hpp"
-#include "quadrille/bus/channel_pattern.hpp"
 #include "quadrille/bus/rejection.hpp"
 
 namespace quadrille {

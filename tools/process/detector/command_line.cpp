@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "quadrille/bus/channel_pattern.hpp"
+#include "link/channel_pattern.hpp"
 
 namespace quadrille {
 

@@ -9,11 +9,11 @@
 #include "process/runtime/other_senders.hpp"
 #include "process/runtime/process_info.hpp"
 #include "quadrille/bus/boxes_message.hpp"
-#include "quadrille/bus/clock.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/status_message.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
+#include "run/clock.hpp"
 
 namespace quadrille {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "process/planner/messages.hpp"
 #include "process/planner/settings.hpp"
-#include "quadrille/bus/publish.hpp"
-#include "quadrille/bus/rate_limiter.hpp"
+#include "run/publish.hpp"
+#include "run/rate_limiter.hpp"
 
 namespace quadrille {
 

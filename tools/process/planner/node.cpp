@@ -13,10 +13,10 @@
 #include "process/planner/status_text.hpp"
 #include "process/planner/viewer_hands.hpp"
 #include "process/runtime/logging.hpp"
-#include "quadrille/bus/clock.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
+#include "run/clock.hpp"
 
 namespace quadrille {
 PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)

@@ -23,8 +23,8 @@
 #include "process/runtime/sequence_gaps.hpp"
 #include "process/runtime/stages.hpp"
 #include "process/runtime/viewer.hpp"
-#include "quadrille/bus/rate_limiter.hpp"
 #include "quadrille/bus/request_message.hpp"
+#include "run/rate_limiter.hpp"
 
 namespace quadrille {
 

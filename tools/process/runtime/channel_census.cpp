@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "io/describe.hpp"
-#include "quadrille/bus/channel_pattern.hpp"
+#include "link/channel_pattern.hpp"
 #include "quadrille/detector/printable.hpp"
 
 namespace quadrille {

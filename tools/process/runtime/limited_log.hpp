@@ -5,7 +5,7 @@
 #include <mutex>
 #include <string>
 
-#include "quadrille/bus/rate_limiter.hpp"
+#include "run/rate_limiter.hpp"
 
 namespace quadrille {
 

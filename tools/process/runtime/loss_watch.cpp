@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "quadrille/bus/network.hpp"
+#include "link/network.hpp"
 
 namespace quadrille {
 namespace {

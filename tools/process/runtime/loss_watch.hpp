@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "quadrille/bus/connection.hpp"
-#include "quadrille/bus/rate_limiter.hpp"
+#include "link/connection.hpp"
+#include "run/rate_limiter.hpp"
 
 namespace quadrille {
 

@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "link/connection.hpp"
 #include "process/runtime/limited_log.hpp"
-#include "quadrille/bus/connection.hpp"
-#include "quadrille/bus/publish.hpp"
+#include "run/publish.hpp"
 
 namespace quadrille {
 

@@ -15,7 +15,7 @@
 #include "process/runtime/camera_poses.hpp"
 #include "process/runtime/node.hpp"
 #include "process/runtime/refusals.hpp"
-#include "quadrille/bus/rate_limiter.hpp"
+#include "run/rate_limiter.hpp"
 
 namespace quadrille {
 

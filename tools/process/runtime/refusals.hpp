@@ -3,8 +3,8 @@
 #include <chrono>
 #include <string>
 
-#include "quadrille/bus/rate_limiter.hpp"
 #include "quadrille/bus/rejection.hpp"
+#include "run/rate_limiter.hpp"
 
 namespace quadrille {
 

@@ -1,7 +1,7 @@
 #include "process/runtime/run.hpp"
 
 #include "process/runtime/logging.hpp"
-#include "quadrille/bus/stop.hpp"
+#include "run/stop.hpp"
 
 namespace quadrille {
 

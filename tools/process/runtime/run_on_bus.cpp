@@ -5,6 +5,9 @@
 #include <mutex>
 #include <thread>
 
+#include "link/connection.hpp"
+#include "link/receiver.hpp"
+#include "link/url.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/loss_watch.hpp"
 #include "process/runtime/other_senders.hpp"
@@ -12,12 +15,9 @@
 #include "process/runtime/silent_channels.hpp"
 #include "process/runtime/stats_file.hpp"
 #include "process/runtime/worker.hpp"
-#include "quadrille/bus/connection.hpp"
-#include "quadrille/bus/mailbox.hpp"
-#include "quadrille/bus/receiver.hpp"
-#include "quadrille/bus/stop.hpp"
-#include "quadrille/bus/ticker.hpp"
-#include "quadrille/bus/url.hpp"
+#include "run/mailbox.hpp"
+#include "run/rate_limiter.hpp"
+#include "run/stop.hpp"
 
 namespace quadrille {
 namespace {
@@ -102,7 +102,9 @@ void tell_end(const bus::Connection& connection, const bus::Mailbox<Job>& mailbo
 void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
                         const OtherSenders& others, SilentChannels& silent, StatsFile& stats,
                         Node& node, Inbox& inbox, int niceness) {
-  bus::Ticker status_tick(std::chrono::seconds(1));
+  // The first status is due after a second.
+  bus::RateLimiter status_rate(std::chrono::seconds(1));
+  status_rate.admit();
   LossWatch losses;
   Worker worker(mailbox, node, niceness);
   bus::Receiver receiver(connection);
@@ -114,7 +116,7 @@ void work_until_stopped(bus::Connection& connection, bus::Mailbox<Job>& mailbox,
     for (const std::string& line : silent.find_warnings(std::chrono::steady_clock::now())) {
       log_warning(line);
     }
-    if (status_tick.due()) publish_status(connection, mailbox, others, stats, node);
+    if (status_rate.admit()) publish_status(connection, mailbox, others, stats, node);
   }
   if (worker.finish(kStopPatience)) return;
   log_warning("the work at hand does not end; it is given up");

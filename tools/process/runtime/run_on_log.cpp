@@ -9,14 +9,13 @@
 #include <utility>
 
 #include "io/new_file.hpp"
+#include "log/event_log.hpp"
 #include "process/runtime/channel_census.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/run.hpp"
 #include "process/runtime/stats_file.hpp"
-#include "quadrille/bus/event_log.hpp"
-#include "quadrille/bus/replay.hpp"
-#include "quadrille/bus/stop.hpp"
 #include "quadrille/detector/printable.hpp"
+#include "run/stop.hpp"
 
 namespace quadrille {
 namespace {
@@ -38,20 +37,23 @@ void check_unmixed(const std::string& path, const std::vector<OutChannel>& chann
 /// Runs a node through a log. The output log appears under its name once it is complete.
 class LogRun {
  public:
-  LogRun(const ProcessArguments& arguments, bus::LogSurvey survey, const NodeMaker& make_node)
+  LogRun(const ProcessArguments& arguments, const NodeMaker& make_node)
       : arguments_(arguments),
+        log_(arguments.in_log),
         file_(arguments.out_log),
         out_(file_.path(), arguments.out_log),
         stats_(arguments.stats_file),
         node_(make_node([this](const std::string& channel, std::span<const std::byte> bytes) {
           publish(channel, bytes);
-        })),
-        survey_(std::move(survey)) {}
+        })) {}
 
   void run() {
     if (arguments_.copy_input) check_unmixed(arguments_.in_log, node_->out_channels());
-    survey_ = bus::replay_log(arguments_.in_log,
-                              [this](const bus::LogReader::Event& event) { handle(event); });
+    while (!bus::stop_requested()) {
+      const auto event = log_.next();
+      if (!event) break;
+      handle(*event);
+    }
     // Nothing more will come, so all jobs that still wait are due.
     work(node_->find_due_jobs(Node::Time::max()));
     const std::string incomplete = save();
@@ -125,12 +127,13 @@ class LogRun {
 
   /// Describes a replay that did not reach the end of the log; empty if it did.
   std::string describe_incomplete() const {
-    if (done_ >= survey_.events) return "";
+    if (done_ >= log_.survey().events) return "";
     const std::string why =
         bus::stop_requested()
             ? fmt::format("stopped before the end of the log, after {} of {} events", done_,
-                          survey_.events)
-            : fmt::format("{}; wait until it is written", survey_.defect.value_or("cut short"));
+                          log_.survey().events)
+            : fmt::format("{}; wait until it is written",
+                          log_.survey().defect.value_or("cut short"));
     return fmt::format("{}: {}; {} holds only what came of these", arguments_.in_log, why,
                        arguments_.out_log);
   }
@@ -141,7 +144,7 @@ class LogRun {
     if (!incomplete.empty()) return {printable(incomplete, kMaxLine)};
     std::vector<std::string> warnings =
         census_.find_missing(node_->in_channels(), arguments_.channel_prefix);
-    if (survey_.defect) warnings.push_back(*survey_.defect);
+    if (log_.survey().defect) warnings.push_back(*log_.survey().defect);
     for (std::string& oddity : node_->find_oddities()) warnings.push_back(std::move(oddity));
     for (std::string& warning : warnings) {
       warning = printable(arguments_.in_log, kMaxPath) + ": " + printable(warning, kMaxLine);
@@ -151,6 +154,7 @@ class LogRun {
   }
 
   const ProcessArguments& arguments_;
+  bus::LogReader log_;
   io::NewFile file_;
   bus::LogWriter out_;
   StatsFile stats_;
@@ -162,8 +166,6 @@ class LogRun {
   std::int64_t utime_ = 0;
   std::unique_ptr<Node> node_;
   ChannelCensus census_;
-  /// As it was before the replay, and then as the replay found it.
-  bus::LogSurvey survey_;
   std::int64_t done_ = 0;
 };
 
@@ -171,7 +173,7 @@ class LogRun {
 
 void run_on_log(const ProcessArguments& arguments, const NodeMaker& make_node) {
   bus::check_different_files(arguments.in_log, arguments.out_log);
-  LogRun(arguments, bus::survey_log(arguments.in_log), make_node).run();
+  LogRun(arguments, make_node).run();
 }
 
 }  // namespace quadrille

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "quadrille/bus/durations.hpp"
+#include "run/durations.hpp"
 
 namespace quadrille {
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "process/runtime/file_claim.hpp"
-#include "quadrille/bus/rate_limiter.hpp"
+#include "run/rate_limiter.hpp"
 
 namespace quadrille {
 

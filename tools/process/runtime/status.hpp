@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "link/connection.hpp"
 #include "process/runtime/node.hpp"
 #include "process/runtime/process_info.hpp"
 #include "process/runtime/stages.hpp"
-#include "quadrille/bus/clock.hpp"
-#include "quadrille/bus/connection.hpp"
+#include "run/clock.hpp"
 
 namespace quadrille {
 

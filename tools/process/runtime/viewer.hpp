@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "quadrille/bus/cloud_message.hpp"
-#include "quadrille/bus/publish.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "run/publish.hpp"
 
 namespace quadrille {
 

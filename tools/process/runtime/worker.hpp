@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "process/runtime/node.hpp"
-#include "quadrille/bus/mailbox.hpp"
+#include "run/mailbox.hpp"
 
 namespace quadrille {
 

@@ -1,0 +1,28 @@
+#include "messages/decode_checked.hpp"
+#include "quadrille/bus/grasps_message.hpp"
+
+namespace quadrille::bus {
+namespace {
+
+/// Size of a grasp: its target, track and kind, 34 doubles and a flag.
+constexpr std::size_t kGraspBytes = 4 + 4 + 1 + 34 * 8 + 1;
+
+void check_grasps(ByteReader& reader) {
+  reader.read_int64("utime");
+  reader.read_int64("request_id");
+  reader.read_int32("seq");
+  reader.read_string("frame", kMaxFrameBytes);
+  reader.skip_string("gripper");
+  reader.skip_string("unknown");
+  reader.skip_array("grasps", kGraspBytes);
+  reader.skip_counts("rejected");
+  reader.skip_strings("warnings");
+}
+
+}  // namespace
+
+Decoded<grasps_t> decode_grasps(std::span<const std::byte> bytes, std::size_t max_bytes) {
+  return decode_checked<grasps_t>(bytes, max_bytes, check_grasps);
+}
+
+}  // namespace quadrille::bus
