@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/json.hpp"
-#include "view/mesh.hpp"
+#include "mesh/surface_mesh.hpp"
 
 namespace quadrille::view {
 

@@ -15,11 +15,6 @@ using Profile = Body::Profile;
 // length: a slender cone may be cut off.
 constexpr double kMaxApexRadius = 0.006, kMaxApexShare = 0.5;
 
-/// Value of the n-th dimension; 0 if it is missing.
-double dimension(const Detection& d, std::size_t n) {
-  return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
-}
-
 /// Standard deviation of the n-th dimension; 0 if it is missing, and at most 1, which stands for
 /// unknown but stays finite.
 double deviation(const Detection& d, std::size_t n) {
@@ -67,9 +62,9 @@ void set_extent(Body& body, const Detection& d) {
 /// Orients the sheet that was seen towards z ≥ c; returns false if both sheets were seen.
 bool fill_sheet(Body& body, const Detection& d) {
   body.profile = Profile::kSheet;
-  body.a = dimension(d, 0);
-  body.b = dimension(d, 1);
-  body.c = dimension(d, 2);
+  body.a = d.dimension(0);
+  body.b = d.dimension(1);
+  body.c = d.dimension(2);
   if (body.z_max <= 0.0) body = turned(body);
   if (!(body.z_min > 0.0)) return false;
   body.z_min = std::max(body.z_min, body.c);
@@ -79,9 +74,9 @@ bool fill_sheet(Body& body, const Detection& d) {
 void fill_ellipsoid(Body& body, const Detection& d) {
   const bool sphere = d.type == QuadricType::kSphere;
   body.profile = Profile::kEllipse;
-  body.a = dimension(d, 0);
-  body.b = sphere ? body.a : dimension(d, 1);
-  body.c = sphere ? body.a : dimension(d, 2);
+  body.a = d.dimension(0);
+  body.b = sphere ? body.a : d.dimension(1);
+  body.c = sphere ? body.a : d.dimension(2);
   body.z_min = -body.c;
   body.z_max = body.c;
 }
@@ -92,7 +87,7 @@ void fill_box(Body& body, const Detection& d) {
   body.a = 0.5 * d.extent_Q.sizes().x();
   body.b = 0.5 * d.extent_Q.sizes().y();
   body.X_CQ.translation() = d.X_CQ * Eigen::Vector3d(d.extent_Q.center());
-  body.z_max = 0.5 * dimension(d, 0);
+  body.z_max = 0.5 * d.dimension(0);
   body.z_min = -body.z_max;
 }
 
@@ -106,26 +101,26 @@ bool fill_profile(Body& body, const Detection& d) {
       return true;
     case QuadricType::kCylinder:
     case QuadricType::kEllipticCylinder:
-      body.a = dimension(d, 0);
-      body.b = d.type == QuadricType::kCylinder ? body.a : dimension(d, 1);
+      body.a = d.dimension(0);
+      body.b = d.type == QuadricType::kCylinder ? body.a : d.dimension(1);
       return true;
     case QuadricType::kCone:
     case QuadricType::kEllipticCone:
       body.profile = Profile::kLinear;
-      body.a = std::tan(dimension(d, 0));
-      body.b = d.type == QuadricType::kCone ? body.a : std::tan(dimension(d, 1));
+      body.a = std::tan(d.dimension(0));
+      body.b = d.type == QuadricType::kCone ? body.a : std::tan(d.dimension(1));
       return true;
     case QuadricType::kEllipticParaboloid:
       body.profile = Profile::kRoot;
-      body.a = std::sqrt(4.0 * std::abs(dimension(d, 0)));
-      body.b = std::sqrt(4.0 * std::abs(dimension(d, 1)));
+      body.a = std::sqrt(4.0 * std::abs(d.dimension(0)));
+      body.b = std::sqrt(4.0 * std::abs(d.dimension(1)));
       body.z_min = 0.0;
       return true;
     case QuadricType::kHyperboloidOneSheet:
       body.profile = Profile::kHyperbola;
-      body.a = dimension(d, 0);
-      body.b = dimension(d, 1);
-      body.c = dimension(d, 2);
+      body.a = d.dimension(0);
+      body.b = d.dimension(1);
+      body.c = d.dimension(2);
       return true;
     case QuadricType::kHyperboloidTwoSheets:
       return fill_sheet(body, d);

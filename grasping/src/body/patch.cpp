@@ -19,10 +19,6 @@ constexpr double kDepthBehind = 0.01;
 constexpr double kMaxSagitta = 0.0005;
 constexpr int kMaxCells = 10;
 
-double dimension(const Detection& d, std::size_t n) {
-  return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
-}
-
 /// A surface written as the graph h(u, v) over two axes of frame Q, within an interval of each.
 struct Graph {
   int u_axis, v_axis, h_axis;
@@ -187,10 +183,10 @@ bool sound_sizes(double a, double b) {
 }
 
 void add_curved(const Detection& d, std::vector<CollisionShape>& shapes) {
-  const double a = dimension(d, 0);
+  const double a = d.dimension(0);
   const double b = d.type == QuadricType::kParabolicCylinder
                        ? std::numeric_limits<double>::infinity()
-                       : dimension(d, 1);
+                       : d.dimension(1);
   if (!sound_sizes(a, b)) return;
   if (d.type != QuadricType::kHyperbolicCylinder) return add_blocks(Saddle(a, b), d, shapes);
   if (d.extent_Q.max().x() > 0.0) add_blocks(Branch(1.0, a, b), d, shapes);
@@ -198,7 +194,7 @@ void add_curved(const Detection& d, std::vector<CollisionShape>& shapes) {
 }
 
 void add_pair(const Detection& d, std::vector<CollisionShape>& shapes) {
-  const double half = 0.5 * dimension(d, 0);
+  const double half = 0.5 * d.dimension(0);
   if (!(half >= 0.0 && half < 3.2)) return;
   for (const double side : {1.0, -1.0}) {
     for (const double turn : {half, -half}) {

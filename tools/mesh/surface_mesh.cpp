@@ -1,11 +1,11 @@
-#include "view/mesh.hpp"
+#include "mesh/surface_mesh.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <unordered_map>
 
-namespace quadrille::view {
+namespace quadrille {
 namespace {
 
 /// Splits a cell into six tetrahedra around its diagonal from corner 0 to 7; those of neighbouring
@@ -13,8 +13,7 @@ namespace {
 constexpr std::array<std::array<int, 4>, 6> kTetrahedra = {
     {{0, 1, 3, 7}, {0, 3, 2, 7}, {0, 2, 6, 7}, {0, 6, 4, 7}, {0, 4, 5, 7}, {0, 5, 1, 7}}};
 
-/// Meshes a surface by marching tetrahedra over a box. Along an edge the quadric is a polynomial of
-/// degree two, so that vertices are exact.
+/// Meshes a surface by marching tetrahedra over a box.
 class Mesher {
  public:
   Mesher(const Quadric& Q, const Eigen::AlignedBox3d& box, int cells)
@@ -94,21 +93,10 @@ class Mesher {
     const auto [at, is_new] =
         made_.try_emplace(key, static_cast<std::uint32_t>(mesh_.vertices.size()));
     if (is_new) {
-      const Eigen::Vector3d p = corner(from), d = corner(to) - p;
-      mesh_.vertices.push_back((p + crossing(from, to) * d).cast<float>());
+      const Eigen::Vector3d p = corner(from), q = corner(to);
+      mesh_.vertices.push_back((p + crossing_between(Q_, p, q) * (q - p)).cast<float>());
     }
     return at->second;
-  }
-
-  double crossing(std::uint32_t from, std::uint32_t to) const {
-    const double f0 = values_[from], f1 = values_[to];
-    const double middle = Q_.value(0.5 * (corner(from) + corner(to)));
-    const double a = 2.0 * (f0 + f1 - 2.0 * middle), b = f1 - f0 - a;
-    const double s = -0.5 * (b + std::copysign(std::sqrt(std::max(b * b - 4.0 * a * f0, 0.0)), b));
-    for (const double t : {f0 / s, s / a}) {
-      if (t >= 0.0 && t <= 1.0) return t;
-    }
-    return f0 / (f0 - f1);
   }
 
   Quadric Q_;
@@ -143,6 +131,11 @@ Eigen::AlignedBox3d grown_extent(const Detection& detection) {
 }
 
 }  // namespace
+
+double crossing_between(const Quadric& Q, const Eigen::Vector3d& p, const Eigen::Vector3d& q) {
+  const auto [first, second] = Q.crossings(p, q - p);
+  return std::clamp(std::abs(first - 0.5) < std::abs(second - 0.5) ? first : second, 0.0, 1.0);
+}
 
 Mesh mesh_of(const Detection& detection, int cells) {
   const bool finite = detection.Q_C.matrix().allFinite() && detection.X_CQ.matrix().allFinite() &&
@@ -186,4 +179,4 @@ Mesh mesh_of_outline(std::vector<Eigen::Vector2d> points) {
   return mesh;
 }
 
-}  // namespace quadrille::view
+}  // namespace quadrille
