@@ -49,8 +49,15 @@ TEST_CASE("thousands of clouds that fail give some lines", "[process][log]") {
 }
 
 TEST_CASE("a record tells how many it stands for, if it does for more", "[process][log]") {
-  CHECK(with_held_back("cut short", 0) == "cut short");
-  CHECK(with_held_back("cut short", 7) == "cut short; 7 more since the last record");
+  LimitedLog log;
+  const LimitedLog::Clock::time_point start;
+  const std::string text = logged_by([&] {
+    for (int n = 0; n < 8; ++n) log.warning("cut short", start);
+    log.warning("cut short", start + std::chrono::seconds(1));
+    log.warning("cut short", start + std::chrono::seconds(2));
+  });
+  CHECK(std::count(text.begin(), text.end(), '\n') == 3);
+  CHECK(text.find("cut short; 7 more since the last record\n") != std::string::npos);
 }
 
 }  // namespace quadrille

@@ -6,6 +6,7 @@
 
 #include "process/planner/messages.hpp"
 #include "process/planner/settings.hpp"
+#include "process/runtime/limited_log.hpp"
 #include "quadrille/bus/publish.hpp"
 #include "quadrille/bus/rate_limiter.hpp"
 
@@ -36,7 +37,8 @@ class MapPublisher {
  private:
   const std::string channel_;
   const bus::Publish publish_;
-  bus::RateLimiter due_, log_;
+  bus::RateLimiter due_;
+  LimitedLog log_;
   std::optional<Map> late_;
 };
 

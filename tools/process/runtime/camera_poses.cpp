@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "quadrille/detector/rigid_motion.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -121,6 +123,13 @@ Placement place(const CloudFrames& frames, const CameraPose& pose) {
   if (frames.clouds == CloudFrame::kWorld) placement.X_CK = *pose.X_WK;
   if (frames.of_results() == CloudFrame::kWorld) placement.X_RK = *pose.X_WK;
   return placement;
+}
+
+PointCloud in_camera_frame(const PointCloud& cloud, const Placement& placement,
+                           const CloudFrames& frames) {
+  PointCloud cloud_K = moved(cloud, placement.X_CK.inverse());
+  if (frames.clouds == CloudFrame::kWorld) cloud_K.viewpoint.setZero();
+  return cloud_K;
 }
 
 }  // namespace quadrille

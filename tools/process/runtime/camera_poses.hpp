@@ -7,6 +7,7 @@
 
 #include "process/runtime/cloud_frame.hpp"
 #include "process/runtime/pose_history.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
 
@@ -78,5 +79,9 @@ struct Placement {
 
 /// Returns the placement of a cloud whose camera had this pose.
 Placement place(const CloudFrames& frames, const CameraPose& pose);
+
+/// Returns a cloud in frame K, in which the sensor of a cloud given in W is the origin.
+PointCloud in_camera_frame(const PointCloud& cloud, const Placement& placement,
+                           const CloudFrames& frames);
 
 }  // namespace quadrille

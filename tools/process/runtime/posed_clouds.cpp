@@ -7,8 +7,6 @@
 #include <numeric>
 #include <utility>
 
-#include "process/runtime/limited_log.hpp"
-#include "process/runtime/logging.hpp"
 #include "process/runtime/status.hpp"
 
 namespace quadrille {
@@ -20,12 +18,9 @@ PosedClouds::PosedClouds(PoseSource source, std::string fate)
       poses_(source_.max_age, source_.max_wait) {}
 
 void PosedClouds::receive_pose(std::span<const std::byte> bytes, Refusals* refusals) {
-  const bus::Decoded<bus::PoseMessage> decoded = bus::decode_pose(bytes);
   ++poses_received_;
-  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
-    refusals->add(source_.channel, *rejection);
-  } else {
-    poses_.add(std::get<bus::PoseMessage>(decoded));
+  if (const auto pose = refusals->accept(source_.channel, bus::decode_pose(bytes))) {
+    poses_.add(*pose);
   }
 }
 
@@ -85,17 +80,12 @@ void PosedClouds::note(std::int64_t utime, const CameraPose& pose) {
   last_age_ = pose.age;
   if (pose.X_WK) {
     const std::string far = describe_if_far(pose);
-    if (far.empty()) return;
-    const auto held_back = far_log_.admit();
-    if (held_back) log_warning(with_held_back(source_.channel + ": " + far, *held_back));
+    if (!far.empty()) far_log_.warning(source_.channel + ": " + far);
     return;
   }
   ++poseless_[static_cast<std::size_t>(pose.lack)];
-  const auto held_back = poseless_log_.admit();
-  if (!held_back) return;
-  log_warning(with_held_back(
-      fmt::format("{}: cloud {} is not {}: {}", source_.channel, utime, fate_, pose.detail),
-      *held_back));
+  poseless_log_.warning(
+      fmt::format("{}: cloud {} is not {}: {}", source_.channel, utime, fate_, pose.detail));
 }
 
 std::int64_t PosedClouds::poseless() const {

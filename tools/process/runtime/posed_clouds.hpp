@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "process/runtime/camera_poses.hpp"
+#include "process/runtime/limited_log.hpp"
 #include "process/runtime/node.hpp"
 #include "process/runtime/refusals.hpp"
-#include "quadrille/bus/rate_limiter.hpp"
 
 namespace quadrille {
 
@@ -96,7 +96,7 @@ class PosedClouds {
   std::int64_t poses_received_ = 0;
   std::array<std::int64_t, 3> poseless_{};
   std::optional<double> last_age_;
-  bus::RateLimiter poseless_log_{std::chrono::seconds(1)}, far_log_{std::chrono::seconds(10)};
+  LimitedLog poseless_log_, far_log_{std::chrono::seconds(10)};
 };
 
 }  // namespace quadrille

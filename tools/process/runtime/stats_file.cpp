@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "io/new_file.hpp"
-#include "process/runtime/logging.hpp"
 
 namespace quadrille {
 
@@ -29,7 +28,7 @@ void StatsFile::write(const std::string& text) noexcept {
   try {
     replace(text);
   } catch (const std::exception& error) {
-    if (log_.admit()) log_error(error.what());
+    log_.error(error.what());
   }
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "process/runtime/file_claim.hpp"
-#include "quadrille/bus/rate_limiter.hpp"
+#include "process/runtime/limited_log.hpp"
 
 namespace quadrille {
 
@@ -25,7 +25,7 @@ class StatsFile {
 
   std::string path_;
   FileClaim claim_;
-  bus::RateLimiter log_{std::chrono::minutes(1)};
+  LimitedLog log_{std::chrono::minutes(1)};
 };
 
 }  // namespace quadrille
