@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/quantile.hpp"
+
 namespace quadrille::study {
 namespace {
 
@@ -33,12 +35,6 @@ std::vector<Eigen::AlignedBox3d> swept_hand(const Gripper& gripper, const Grasp&
   return {box_of(finger_x, half, thick, back, tip), box_of(finger_x, -thick, -half, back, tip),
           box_of(0.5 * palm.x(), -0.5 * palm.y(), 0.5 * palm.y(), front - palm.z() - grasp.approach,
                  front)};
-}
-
-double median_of(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace
@@ -136,7 +132,7 @@ bool GraspJudge::slips(const Between& between) const {
       if (side * between.p_G[i].y() < outermost - kContactDepth) continue;
       cosines.push_back(std::abs(between.n_G[i].y()));
     }
-    if (median_of(std::move(cosines)) < least) return true;
+    if (median(cosines) < least) return true;
   }
   return false;
 }
