@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <type_traits>
 
-#include "io/setting_text.hpp"
+#include "io/settings/setting_text.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 

@@ -1,11 +1,11 @@
-#include "io/npy.hpp"
+#include "io/npy/npy.hpp"
 
 #include <bit>
 #include <cstdint>
 #include <string>
 
 #include "io/file_bytes.hpp"
-#include "io/npz.hpp"
+#include "io/npy/npz.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 

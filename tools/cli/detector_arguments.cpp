@@ -8,7 +8,7 @@
 
 #include "cli/seed_option.hpp"
 #include "cli/types_option.hpp"
-#include "io/setting_text.hpp"
+#include "io/settings/setting_text.hpp"
 #include "quadrille/detector/detector.hpp"
 
 namespace quadrille {

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "io/new_file.hpp"
-#include "io/ply.hpp"
+#include "io/ply/ply.hpp"
 
 namespace quadrille::scene {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "process/runtime/logging.hpp"
-#include "process/runtime/other_senders.hpp"
-#include "process/runtime/process_info.hpp"
+#include "process/runtime/status/process_info.hpp"
+#include "process/runtime/watch/other_senders.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/clock.hpp"
 #include "quadrille/bus/encode.hpp"

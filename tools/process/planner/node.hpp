@@ -18,12 +18,12 @@
 #include "process/planner/settings.hpp"
 #include "process/runtime/limited_log.hpp"
 #include "process/runtime/node.hpp"
-#include "process/runtime/posed_clouds.hpp"
-#include "process/runtime/rate.hpp"
+#include "process/runtime/poses/posed_clouds.hpp"
 #include "process/runtime/refusals.hpp"
-#include "process/runtime/sequence_gaps.hpp"
-#include "process/runtime/stages.hpp"
+#include "process/runtime/status/rate.hpp"
+#include "process/runtime/status/stages.hpp"
 #include "process/runtime/viewer.hpp"
+#include "process/runtime/watch/sequence_gaps.hpp"
 #include "quadrille/bus/request_message.hpp"
 
 namespace quadrille {

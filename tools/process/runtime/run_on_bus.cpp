@@ -6,11 +6,11 @@
 #include <thread>
 
 #include "process/runtime/logging.hpp"
-#include "process/runtime/loss_watch.hpp"
-#include "process/runtime/other_senders.hpp"
 #include "process/runtime/run.hpp"
-#include "process/runtime/silent_channels.hpp"
-#include "process/runtime/stats_file.hpp"
+#include "process/runtime/status/stats_file.hpp"
+#include "process/runtime/watch/loss_watch.hpp"
+#include "process/runtime/watch/other_senders.hpp"
+#include "process/runtime/watch/silent_channels.hpp"
 #include "process/runtime/worker.hpp"
 #include "quadrille/bus/connection.hpp"
 #include "quadrille/bus/mailbox.hpp"

@@ -9,10 +9,10 @@
 #include <utility>
 
 #include "io/new_file.hpp"
-#include "process/runtime/channel_census.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/run.hpp"
-#include "process/runtime/stats_file.hpp"
+#include "process/runtime/status/stats_file.hpp"
+#include "process/runtime/watch/channel_census.hpp"
 #include "quadrille/bus/event_log.hpp"
 #include "quadrille/bus/replay.hpp"
 #include "quadrille/bus/stop.hpp"
