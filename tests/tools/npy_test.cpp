@@ -41,12 +41,7 @@ PointCloud parse_numpy(const std::string& text) {
 }
 
 std::string npy_error(const std::string& text) {
-  try {
-    parse_numpy(text);
-  } catch (const io::FileError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { parse_numpy(text); });
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "lab/bench/peer_program.hpp"
 #include "lab/bench/plain_ransac.hpp"
 #include "support/catch.hpp"
+#include "support/error_of.hpp"
 #include "support/known_frame.hpp"
 #include "support/temp_folder.hpp"
 
@@ -74,12 +75,7 @@ TEST_CASE("a peer's program gets the cloud and its family, and is heard", "[benc
 TEST_CASE("a peer's program that fails is named", "[bench][contender][hostile]") {
   const test::TempFolder folder;
   const std::string path = write_script(folder, "exit 3\n");
-  std::string error;
-  try {
-    run_program_on(path, test::make_known_frame());
-  } catch (const std::runtime_error& e) {
-    error = e.what();
-  }
+  const std::string error = test::error_of([&] { run_program_on(path, test::make_known_frame()); });
   CHECK(error.find(path + ": failed") == 0);
 }
 

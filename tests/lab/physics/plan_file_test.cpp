@@ -7,6 +7,7 @@
 #include "io/planner/plan_json.hpp"
 #include "io/run_info.hpp"
 #include "support/catch.hpp"
+#include "support/error_of.hpp"
 #include "support/temp_folder.hpp"
 
 using namespace quadrille;
@@ -15,12 +16,7 @@ namespace {
 
 std::string refusal(const std::string& text) {
   const test::TempFolder folder;
-  try {
-    physics::read_plan(folder.write("p.json", text));
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { physics::read_plan(folder.write("p.json", text)); });
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "grasping/scenes.hpp"
 #include "lab/scene/scene_files.hpp"
 #include "support/catch.hpp"
+#include "support/error_of.hpp"
 #include "support/temp_folder.hpp"
 
 using namespace quadrille;
@@ -173,12 +174,7 @@ TEST_CASE("a file that is no truth is refused in one line that names it", "[phys
   const test::TempFolder folder;
   const auto message = [&](const std::string& text) {
     folder.write("s.truth.json", text);
-    try {
-      physics::read_true_scene(folder.path("s.ply"));
-    } catch (const std::runtime_error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::error_of([&] { physics::read_true_scene(folder.path("s.ply")); });
   };
   const auto names = [](const std::string& error, const char* part) {
     INFO(error);

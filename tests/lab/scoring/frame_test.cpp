@@ -9,6 +9,7 @@
 
 #include "lab/scene/scene_files.hpp"
 #include "support/catch.hpp"
+#include "support/error_of.hpp"
 #include "support/temp_folder.hpp"
 
 namespace quadrille::scoring {
@@ -16,12 +17,7 @@ namespace {
 
 /// What is wrong with a frame in files; empty if nothing is.
 std::string error_of(const std::string& ply_path) {
-  try {
-    read_frame(ply_path);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { read_frame(ply_path); });
 }
 
 TEST_CASE("the points of a generated frame lie on the surfaces that they are labelled with",

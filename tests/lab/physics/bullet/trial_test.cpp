@@ -5,6 +5,7 @@
 
 #include "lab/physics/bodies.hpp"
 #include "support/catch.hpp"
+#include "support/error_of.hpp"
 
 using namespace quadrille;
 using Eigen::Vector3d;
@@ -176,12 +177,7 @@ TEST_CASE("a trial gives the same bits each time", "[physics][trial][determinism
 
 TEST_CASE("options that make no sense are refused by name", "[physics][trial]") {
   const auto message = [](const TrialOptions& options) {
-    try {
-      options.check();
-    } catch (const std::invalid_argument& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::error_of([&] { options.check(); });
   };
   TrialOptions options;
   CHECK(message(options).empty());

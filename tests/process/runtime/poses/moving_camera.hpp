@@ -1,15 +1,11 @@
 #pragma once
 
-#include <spdlog/sinks/ostream_sink.h>
-#include <spdlog/spdlog.h>
-
 #include <cstdint>
-#include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include "process/encode_pose.hpp"
+#include "process/logged_lines.hpp"
 #include "process/runtime/poses/posed_clouds.hpp"
 
 namespace quadrille::test {
@@ -17,22 +13,6 @@ namespace quadrille::test {
 inline constexpr std::int64_t kMs = 1000;
 /// Speed of the moving camera [m/s].
 inline constexpr double kSpeed = 0.5;
-
-/// Collects the records that are logged during its lifetime.
-class LoggedLines {
- public:
-  LoggedLines() {
-    spdlog::set_default_logger(std::make_shared<spdlog::logger>(
-        "", std::make_shared<spdlog::sinks::ostream_sink_mt>(stream_)));
-  }
-  ~LoggedLines() { spdlog::set_default_logger(before_); }
-  bool have(const std::string& text) const { return stream_.str().find(text) != std::string::npos; }
-  std::string text() const { return stream_.str(); }
-
- private:
-  std::ostringstream stream_;
-  std::shared_ptr<spdlog::logger> before_ = spdlog::default_logger();
-};
 
 /// The clouds of a camera that moves along x, by what comes and when.
 class MovingCamera {
