@@ -45,7 +45,7 @@ std::string OutputFolder::path_of(const std::string& name) const {
 }
 
 std::string draw_plots(const std::string& path, const std::vector<experiments::Plot>& plots) {
-  const std::string script = fs::path(path).replace_extension(".gnuplot").string();
+  std::string script = fs::path(path).replace_extension(".gnuplot").string();
   io::write_file(script, experiments::to_gnuplot(plots));
   io::NewFile picture(path);
   const std::string command = "gnuplot " + in_quotes(script) + " >";
