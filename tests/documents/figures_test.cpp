@@ -45,6 +45,9 @@ std::string pair_of_shares(const std::string& right, const std::string& any) {
 
 }  // namespace
 
+// Tests with the tag [figures] are hidden, because they take half a minute or more. The long run of
+// continuous integration has them.
+
 TEST_CASE("the laboratory's page lists each experiment", "[documents]") {
   for (const auto& experiment : experiments::all_experiments()) {
     check_says(kLaboratory, fmt::format("| `{}` |", experiment.name));
@@ -99,7 +102,8 @@ TEST_CASE("the laboratory's page shows what trying grasps prints", "[documents][
   CHECK(rows > 2);
 }
 
-TEST_CASE("the laboratory's page says what is found in fused clouds", "[documents][slow]") {
+TEST_CASE("the laboratory's page says what is found in fused clouds",
+          "[.][figures][documents][slow]") {
   const Report report = run_experiment("growth");
   REQUIRE(report.data.rows.size() == 5);
   const std::string page = test::folded_document(kLaboratory);
@@ -147,10 +151,15 @@ TEST_CASE("what a twelfth of the bins shows does not contradict the page's share
     const double margin = 3.0 * std::sqrt(share * (1.0 - share) / asked) + 1.0 / asked;
     CHECK(std::stod(rows[k][3]) / 100.0 > share - margin);
     CHECK(std::stod(rows[k][3]) / 100.0 < share + margin);
+    const std::vector<std::string>& counts = report.data.rows[k];
+    const double known = std::stod(counts[2]), any = std::stod(counts[4]);
+    CHECK(known >= 6);
+    CHECK(known <= std::stod(counts[0]));
+    CHECK(any <= known);
+    CHECK(std::stod(counts[5]) <= 0.2 * any);
   }
 }
 
-// Hidden: takes minutes. The continuous integration's long run has it.
 TEST_CASE("the page on the paper quotes the shares of cylinders in bins",
           "[.][figures][documents][slow]") {
   const Report report = run_experiment("cylinders");
@@ -166,7 +175,7 @@ TEST_CASE("the page on the paper quotes the shares of cylinders in bins",
   }
 }
 
-TEST_CASE("the page on the paper quotes the errors of spheres", "[documents][slow]") {
+TEST_CASE("the page on the paper quotes the errors of spheres", "[.][figures][documents][slow]") {
   const Report report = run_experiment("spheres");
   std::map<std::string, std::vector<std::string>> rows;
   for (const auto& row : report.tables.front().rows) rows[row[0]] = row;

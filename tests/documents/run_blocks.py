@@ -17,6 +17,7 @@ LCM's multicast has to work: run this with tools/private_network.
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -119,26 +120,25 @@ def run_block(language, code, live, folder, env):
     return None
 
 
-def make_robot_log(folder, env):
-    """The log of the reader's own robot, my_robot.lcm."""
+def make_robot_log(folder, build):
+    """The log of the reader's own robot."""
     commands = ["quadrille scene robot.ply --family tabletop --seed 3",
                 "quadrille log my_robot.lcm robot.ply robot.ply --channel MY_CAMERA"]
     for command in commands:
-        status, output = run(command.split(), folder, env, TIMEOUT_S)
+        status, output = run(command.split(), folder, environment(build, folder), TIMEOUT_S)
         if status != 0:
             raise Failure(f"{command}: {output}")
-    (folder / "robot.ply").unlink()
-    (folder / "robot.truth.json").unlink()
+    return folder / "my_robot.lcm"
 
 
-def check_document(repository, build, document, counts):
+def check_document(repository, build, document, robot_log, counts):
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary)
         for name in LINKED:
             (folder / name).symlink_to(repository / name)
         (folder / "build").symlink_to(build)
         env = environment(build, folder)
-        make_robot_log(folder, env)
+        shutil.copy(robot_log, folder)
         failures = []
         for line, mark, detail, language, code in blocks_of((repository / document).read_text(encoding="utf-8")):
             place = f"{document}:{line}"
@@ -161,8 +161,10 @@ def main():
     repository, build = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
     counts = {"run": 0, "not run": 0, "shown only": 0}
     failures = []
-    for document in sys.argv[3:]:
-        failures += check_document(repository, build, document, counts)
+    with tempfile.TemporaryDirectory() as temporary:
+        robot_log = make_robot_log(pathlib.Path(temporary), build)
+        for document in sys.argv[3:]:
+            failures += check_document(repository, build, document, robot_log, counts)
     print(", ".join(f"{count} blocks {what}" for what, count in counts.items()))
     for failure in failures:
         print(failure, file=sys.stderr)

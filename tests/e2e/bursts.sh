@@ -5,21 +5,13 @@ set -euo pipefail
 # shellcheck source=tests/shell/private_network.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../shell/private_network.sh"
 
-fail() {
-  echo "bursts: $*" >&2
-  exit 1
-}
-
-need_private_network "$@"
-ip link set lo up
-ip route add 224.0.0.0/4 dev lo
+begin_alone "$@"
+carry_multicast
 
 bin=$1
 tool=$2
 clouds=${3:-400}
 slowed=false
-url="udpm://239.255.76.67:7667?ttl=0"
-make_work_folder
 
 start_detector() {
   "$bin/quadrille-detector" --lcm-url "$1" --stats-file "$work/detector.prom" "${@:2}" \

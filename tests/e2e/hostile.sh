@@ -4,21 +4,13 @@ set -euo pipefail
 # shellcheck source=tests/shell/private_network.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../shell/private_network.sh"
 
-fail() {
-  echo "hostile: $*" >&2
-  exit 1
-}
-
-need_private_network "$@"
-ip link set lo up
-ip route add 224.0.0.0/4 dev lo
+begin_alone "$@"
+carry_multicast
 
 bin=$1
 tool=$2
 messages=${3:-10000}
 seed=${4:-1}
-url="udpm://239.255.76.67:7667?ttl=0"
-make_work_folder
 
 # Samples of all messages that the processes take.
 "$tool" make-logs "$work"

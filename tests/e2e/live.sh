@@ -10,7 +10,7 @@ run_live() {
   "$planner" -v --occupancy-period 0 --deadline-ms 0 --lcm-url "$url" 2>"$work/planner.stderr" &
   local planner_process=$!
   started=("$logger" "$detector_process" "$planner_process")
-  wait_until 20 enough_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"
+  wait_until 20 has_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"
   lcm-logplayer --lcm-url="$url" "$1" >/dev/null
   # The last cloud has to pass through both; then each tells its last status.
   wait_until 20 grep -q "cloud 3000000: " "$work/planner.stderr" ||
@@ -43,7 +43,7 @@ check_requests() {
   "$planner" -v --on-request --unknown free --lcm-url "$url" 2>"$work/planner.stderr" &
   local planner_process=$!
   started=("$logger" "$detector_process" "$planner_process")
-  wait_until 20 enough_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"
+  wait_until 20 has_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"
   "$ask" 0 0 0.8 1 "$url" | grep -q "no cloud has come" || fail "an answer before any cloud"
   lcm-logplayer --lcm-url="$url" "$work/scene.lcm" >/dev/null
   wait_until 20 grep -qa QUADRICS "$work/asked.lcm" || fail "no quadrics of the scene"
@@ -75,7 +75,7 @@ check_cameras() {
     2>"$work/other.stderr" &
   local other=$!
   started=("$logger" "$detector_process" "$other")
-  wait_until 20 enough_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"
+  wait_until 20 has_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"
   lcm-logplayer --lcm-url="$url" "$work/camera.lcm" >/dev/null
   wait_until 20 grep -q "cloud 3000000: " "$work/detector.stderr" || fail "no last cloud"
   for name in detector other; do

@@ -5,33 +5,12 @@ set -euo pipefail
 # shellcheck source=tests/shell/private_network.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../shell/private_network.sh"
 
-fail() {
-  echo "poses: $*" >&2
-  exit 1
-}
-
-need_private_network "$@"
-ip link set lo up
-ip route add 224.0.0.0/4 dev lo
+begin_alone "$@"
+carry_multicast
 
 bin=$1
 tool=$2
-url="udpm://239.255.76.67:7667?ttl=0"
 frames=(--pose-channel POSE --result-frame world)
-make_work_folder
-
-# Sockets bound to the port 7667.
-enough_listeners() { [[ $(grep -c ':1DF3 ' /proc/net/udp) -ge $1 ]]; }
-
-# wait_until SECONDS COMMAND…: until the command succeeds.
-wait_until() {
-  local tries=$(($1 * 20))
-  shift
-  until "$@"; do
-    ((tries-- > 0)) || return 1
-    sleep 0.05
-  done
-}
 
 # replay LOG PLACED REFUSED: what both processes make of a log, twice with the same bytes.
 replay() {
@@ -60,7 +39,7 @@ play() {
     --lcm-url "$url" --stats-file "$work/planner.prom" 2>"$work/planner.stderr" &
   local planner=$!
   started=("$logger" "$detector" "$planner")
-  wait_until 20 enough_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"
+  wait_until 20 has_listeners 3 || fail "no one listens: $(cat "$work"/*.stderr)"
   lcm-logplayer --lcm-url="$url" "$1" >/dev/null
   sleep 1
   kill -INT "$detector" "$planner"

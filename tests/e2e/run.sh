@@ -5,35 +5,14 @@ set -euo pipefail
 # shellcheck source=tests/shell/private_network.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../shell/private_network.sh"
 
-fail() {
-  echo "e2e: $*" >&2
-  exit 1
-}
-
-enter_private_network "$@" || ip route get 239.255.76.67 >/dev/null 2>&1 || fail "no multicast" \
-  "route and no right to make a network namespace; mend it with: sudo ip route add 224.0.0.0/4 dev lo"
+begin_alone "$@"
 
 bin=$1
 tool=$2
 detector=$bin/quadrille-detector
 planner=$bin/quadrille-grasp-planner
-url="udpm://239.255.76.67:7667?ttl=0"
 # Whoever does not obey --lcm-url ends up where no one listens.
 export LCM_DEFAULT_URL="udpm://239.255.76.68:7668?ttl=0"
-make_work_folder
-
-# wait_until SECONDS COMMAND…: until the command succeeds.
-wait_until() {
-  local tries=$(($1 * 20))
-  shift
-  until "$@"; do
-    ((tries-- > 0)) || return 1
-    sleep 0.05
-  done
-}
-
-# Sockets bound to the port 7667.
-enough_listeners() { [[ $(grep -c ':1DF3 ' /proc/net/udp) -ge $1 ]]; }
 
 # expect_exit STATUS TEXT COMMAND…: the command ends with that status and says the text on stderr.
 expect_exit() {
@@ -52,15 +31,9 @@ expect_end() {
 }
 
 check_without_route() {
-  if [[ ${QUADRILLE_PRIVATE_NETWORK:-} != yes ]]; then
-    echo "e2e: skipped: a missing multicast route, which needs the right to make a network" \
-      "namespace (root, or unprivileged user namespaces)"
-    return 0
-  fi
   expect_exit 1 "ip route add 224.0.0.0/4 dev lo" "$detector" --lcm-url "$url"
   expect_exit 1 "ip route add 224.0.0.0/4 dev lo" "$planner" --lcm-url "$url"
-  ip link set lo up
-  ip route add 224.0.0.0/4 dev lo
+  carry_multicast
 }
 
 # shellcheck source=tests/e2e/replays.sh

@@ -7,6 +7,7 @@
 
 #include "base/random.hpp"
 #include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille::test {
 
@@ -105,17 +106,12 @@ inline std::vector<Patch> box(const Eigen::Isometry3d& X_CB, const Eigen::Vector
 /// Nearest positive parameter at which the ray of direction d_C from the origin meets the patch;
 /// infinite if it does not.
 inline double hit(const Patch& patch, const Eigen::Isometry3d& X_BC, const Eigen::Vector3d& d_C) {
-  const Eigen::Vector4d o = X_BC.translation().homogeneous();
-  Eigen::Vector4d d = Eigen::Vector4d::Zero();
-  d.head<3>() = X_BC.linear() * d_C;
-  const double a = d.dot(patch.D * d), b = d.dot(patch.D * o), c = o.dot(patch.D * o);
-  const double root = std::sqrt(b * b - a * c);
+  const Eigen::Vector3d o = X_BC.translation(), d = X_BC.linear() * d_C;
   double nearest = std::numeric_limits<double>::infinity();
-  for (const double t : {c / (-b + root), c / (-b - root)}) {
-    const Eigen::Vector4d x = o + t * d;
-    if (t > 0 && t < nearest && patch.box_B.contains(x.head<3>()) && x.dot(patch.within * x) <= 0) {
-      nearest = t;
-    }
+  for (const double t : Quadric(patch.D).crossings(o, d)) {
+    const Eigen::Vector3d x = o + t * d;
+    const bool within = Quadric(patch.within).value(x) <= 0.0;
+    if (t > 0.0 && t < nearest && patch.box_B.contains(x) && within) nearest = t;
   }
   return nearest;
 }

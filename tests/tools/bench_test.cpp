@@ -55,7 +55,7 @@ TEST_CASE("the benchmark writes one table in all forms, and a plot", "[command][
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 11);
   const std::string svg = test::content_of(folder.path("bench.svg"));
   CHECK(test::is_well_formed(svg));
-  CHECK(contains(svg, "<circle"));
+  CHECK(contains(svg, "<use xlink:href='#gpPt6'"));
   const std::string page = test::content_of(folder.path("bench.md"));
   CHECK(contains(page, "--scenes 2 --seed 1000 --contender quadrille,quadrille-sphere,plain-nine"));
   CHECK(contains(page, "| medium | sphere | plain-nine |"));

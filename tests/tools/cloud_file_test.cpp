@@ -21,12 +21,7 @@ std::string packed(const std::string& path) {
 }
 
 std::string error_of(const std::string& path) {
-  try {
-    io::read_cloud(path);
-  } catch (const io::FileError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { io::read_cloud(path); });
 }
 
 }  // namespace

@@ -2,8 +2,8 @@
 #include <vector>
 
 #include "io/cloud_file.hpp"
-#include "io/pcd.hpp"
-#include "io/ply.hpp"
+#include "io/pcd/pcd.hpp"
+#include "io/ply/ply.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 

@@ -19,76 +19,34 @@ using namespace quadrille;
 using namespace quadrille::experiments;
 using test::contains;
 
-TEST_CASE("ticks are round numbers within the axis", "[experiment][plot]") {
-  CHECK(ticks(0.0, 5.0, false) == std::vector<double>{0, 1, 2, 3, 4, 5});
-  CHECK(ticks(-0.5, 0.5, false).size() == 5);
-  CHECK(ticks(1e-3, 1e2, true).size() == 6);
-  CHECK(ticks(1e-3, 1e2, true).front() == Approx(1e-3));
-  // Less than a decade has linear ticks.
-  CHECK(ticks(2.0, 8.0, true).size() >= 2);
-  for (const double value : ticks(-1.0, 1.0, false)) CHECK(std::signbit(value) == (value < 0));
-}
-
-TEST_CASE("a plot is an SVG document with a path for each line", "[experiment][plot]") {
-  const Plot plot{
-      "a < b & c", "x", "y", {{"one", {{0, 1}, {1, 2}}}, {"two", {{0, 2}, {1, 1}}, true}}};
-  const std::string svg = to_svg({plot, plot});
-  CHECK(test::is_well_formed(svg));
-  CHECK(contains(svg, "a &lt; b &amp; c"));
-  CHECK(test::count(svg, ">one</text>") == 2);
-  CHECK(test::count(svg, "stroke-dasharray") == 4);
-  // From left bottom to right top of the frame, but for its margin.
-  CHECK(contains(svg, "M89.2 318.0L530.8 42.0"));
-}
-
-TEST_CASE("a line of which one point can be drawn is a dot", "[experiment][plot]") {
-  Plot plot{"t", "x", "y", {}, true, true};
-  plot.lines = {{"one", {{3, 3}}},
-                {"one of three", {{1, 0}, {10, 5}, {20, std::nan("")}}},
-                {"two", {{1, 1}, {100, 100}}},
-                {"none", {{1, 0}}}};
-  const std::string one_path = to_svg({{"", "", "", {plot.lines[2]}, true, true}});
-  const std::string svg = to_svg({plot});
-  CHECK(test::count(svg, "<circle") == 2);
-  CHECK(test::count(one_path, "<circle") == 0);
-  CHECK(test::count(svg, "stroke-width=\"1.6\"") == 1 + 4);
+TEST_CASE("lines, dots and pieces are told apart, and a single point can be seen",
+          "[experiment][plot]") {
+  Plot plot{"it's <b> & c", "x", "y", {}, true, true};
+  plot.lines = {
+      {"one", {{3, 3}}},
+      {"one of three", {{1, 0}, {10, 5}, {20, std::nan("")}}},
+      {"two", {{1, 1}, {100, 100}}},
+      {"none", {{1, 0}}},
+      {.name = "pieces", .points = {{1, 1}, {2, 2}, {3, 3}, {4, 4}}, .drawn = Drawn::kPieces}};
+  const std::string script = to_gnuplot({plot});
+  CHECK(contains(script, "set title 'it''s <b> & c'\n"));
+  CHECK(test::count(script, "with linespoints") == 2);
+  CHECK(test::count(script, "with lines lw") == 2);
+  CHECK_FALSE(contains(script, "none"));
+  CHECK_FALSE(contains(script, "nan"));
+  CHECK(contains(script, "1 1\n2 2\n\n3 3\n4 4\n"));
   plot.lines[2].marked = true;
-  CHECK(test::count(to_svg({plot}), "<circle") == 4);
+  CHECK(test::count(to_gnuplot({plot}), "with linespoints") == 3);
 }
 
 TEST_CASE("one way has one colour in all plots of a document", "[experiment][plot]") {
   const std::vector<std::pair<double, double>> points = {{0, 0}, {1, 1}};
   const Plot first{"", "", "", {{"a", points}, {"b, easy", points, false, false, "b"}}};
   const Plot second{"", "", "", {{"b, hard", points, true, false, "b"}, {"c", points}}};
-  const std::string svg = to_svg({first, second});
-  // Each line and its place in the legend.
-  CHECK(test::count(svg, "#1f77b4") == 2);
-  CHECK(test::count(svg, "#d62728") == 4);
-  CHECK(test::count(svg, "#2ca02c") == 2);
-}
-
-TEST_CASE("ticks are written out", "[experiment][plot]") {
-  const std::string svg =
-      to_svg({{"", "", "", {{"a", {{0, 0.001}, {5000, 100000}}}}, false, true}});
-  for (const char* tick : {">0<", ">1000<", ">5000<", ">0.001<", ">0.1<", ">100000<"}) {
-    CAPTURE(tick);
-    CHECK(contains(svg, tick));
-  }
-  CHECK_FALSE(contains(svg, "e+"));
-}
-
-TEST_CASE("a logarithmic plot leaves out what has no logarithm", "[experiment][plot]") {
-  Plot plot{"t",  "x", "y", {{"a", {{0, 1}, {1, 0}, {10, std::nan("")}, {10, 10}, {100, 1000}}}},
-            true, true};
-  const std::string svg = to_svg({plot});
-  CHECK(test::is_well_formed(svg));
-  CHECK(contains(svg, "M89.2 318.0L530.8 42.0"));
-  CHECK_FALSE(contains(svg, "nan"));
-  CHECK_FALSE(contains(svg, "inf"));
-  plot.lines = {{"empty", {}}};
-  CHECK(test::is_well_formed(to_svg({plot})));
-  plot.lines = {{"one", {{3, 3}}}};
-  CHECK_FALSE(contains(to_svg({plot}), "nan"));
+  const std::string script = to_gnuplot({first, second});
+  CHECK(test::count(script, "#1f77b4") == 1);
+  CHECK(test::count(script, "#d62728") == 2);
+  CHECK(test::count(script, "#2ca02c") == 1);
 }
 
 TEST_CASE("tables have a cell a column, in Markdown and CSV", "[experiment][table]") {

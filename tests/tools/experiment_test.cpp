@@ -2,7 +2,6 @@
 
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
-#include "tools/well_formed.hpp"
 
 using namespace quadrille;
 using namespace quadrille::experiments;
@@ -22,7 +21,6 @@ Report run_quick(std::string_view name, std::uint64_t seed = 1) {
   const Report report = find_experiment(name)->run(settings);
   CHECK(last > 0.2);
   CHECK_FALSE(report.findings.empty());
-  CHECK(test::is_well_formed(to_svg(report.plots)));
   for (const auto& row : report.data.rows) CHECK(row.size() == report.data.columns.size());
   return report;
 }
@@ -189,20 +187,6 @@ TEST_CASE("published standard deviations are about as large as the errors", "[ex
   // 95 % and 8 % of a normal distribution.
   CHECK(within > 0.8 * all);
   CHECK(far_within < 0.3 * all);
-}
-
-TEST_CASE("cylinders of generated bins are found", "[experiment][bin]") {
-  const Report report = run_quick("cylinders");
-  REQUIRE(report.data.rows.size() == 9);
-  for (const auto& row : report.data.rows) {
-    CAPTURE(row[0], row[1]);
-    const double known = value_of(row[2]), exact = value_of(row[3]), any = value_of(row[4]);
-    CHECK(known >= 6);
-    CHECK(known <= value_of(row[0]));
-    CHECK(exact >= 0.4 * known);
-    CHECK(any <= known);
-    CHECK(value_of(row[5]) <= 0.2 * any);
-  }
 }
 
 TEST_CASE("what stands on the table of a fused cloud is found once there are points enough",

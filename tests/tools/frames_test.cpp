@@ -7,7 +7,7 @@
 #include <string>
 
 #include "io/cloud_file.hpp"
-#include "io/ply.hpp"
+#include "io/ply/ply.hpp"
 #include "support/catch.hpp"
 #include "support/scans.hpp"
 #include "tools/moved_scan.hpp"

@@ -64,13 +64,8 @@ TEST_CASE("the Robotiq hands are known by name, with links that close them", "[g
   const Gripper large = io::load_gripper("robotiq_2f140");
   CHECK(large.max_opening == 0.1285);
   CHECK(large.extension(0.0) == Approx(0.0237).margin(3e-4));
-  std::string unknown;
-  try {
-    io::load_gripper("claw");
-  } catch (const std::invalid_argument& error) {
-    unknown = error.what();
-  }
-  CHECK(contains(unknown, "known: franka, robotiq_2f140, robotiq_2f85, wsg50"));
+  CHECK(contains(error_of([] { io::load_gripper("claw"); }),
+                 "known: franka, robotiq_2f140, robotiq_2f85, wsg50"));
 }
 
 TEST_CASE("a contradiction in a gripper file is one line with file, field and remedy",

@@ -1,4 +1,4 @@
-#include "io/json.hpp"
+#include "io/json/json.hpp"
 
 #include <limits>
 #include <nlohmann/json.hpp>

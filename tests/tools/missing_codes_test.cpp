@@ -6,7 +6,7 @@
 
 #include "detector/table_scene.hpp"
 #include "io/cloud_file.hpp"
-#include "io/ply.hpp"
+#include "io/ply/ply.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"

@@ -1,11 +1,11 @@
-#include "io/npy.hpp"
+#include "io/npy/npy.hpp"
 
 #include <bit>
 #include <cstdint>
 #include <string>
 
 #include "io/file_bytes.hpp"
-#include "io/npz.hpp"
+#include "io/npy/npz.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 
@@ -41,12 +41,7 @@ PointCloud parse_numpy(const std::string& text) {
 }
 
 std::string npy_error(const std::string& text) {
-  try {
-    parse_numpy(text);
-  } catch (const io::FileError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { parse_numpy(text); });
 }
 
 }  // namespace

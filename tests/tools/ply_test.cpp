@@ -1,4 +1,4 @@
-#include "io/ply.hpp"
+#include "io/ply/ply.hpp"
 
 #include <limits>
 #include <vector>

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "support/error_of.hpp"
 #include "support/temp_folder.hpp"
 
 namespace quadrille::test {
@@ -31,9 +31,6 @@ std::string ply_of(const std::vector<std::string>& points);
 int lines_of(const std::string& text);
 
 bool contains(const std::string& text, const std::string& part);
-
-/// The message that a call throws as std::runtime_error; empty if it throws nothing.
-std::string error_of(const std::function<void()>& call);
 
 inline std::span<const std::byte> bytes_of(const std::string& text) {
   return std::as_bytes(std::span(text));

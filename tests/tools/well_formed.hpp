@@ -11,10 +11,12 @@ inline int count(const std::string& text, const std::string& part) {
   return n;
 }
 
-/// A simple check of XML: every tag is closed in turn, quotes are paired, and & begins an entity.
+/// A simple check of an SVG document: every tag is closed in turn, quotes are paired, and & begins
+/// an entity. The declaration of XML before it is not checked.
 inline bool is_well_formed(const std::string& xml) {
   std::vector<std::string> open;
-  for (std::size_t at = 0; (at = xml.find_first_of("<&", at)) != std::string::npos;) {
+  const std::size_t begin = xml.find("<svg ");
+  for (std::size_t at = begin; (at = xml.find_first_of("<&", at)) != std::string::npos;) {
     const std::size_t end = xml.find(xml[at] == '<' ? '>' : ';', at);
     if (end == std::string::npos) return false;
     const std::string inside = xml.substr(at + 1, end - at - 1);
@@ -32,7 +34,7 @@ inline bool is_well_formed(const std::string& xml) {
       open.push_back(inside.substr(0, inside.find(' ')));
     }
   }
-  return open.empty() && xml.starts_with("<svg ");
+  return open.empty() && begin != std::string::npos;
 }
 
 }  // namespace quadrille::test

@@ -1,4 +1,4 @@
-#include "view/live_questions.hpp"
+#include "view/live/live_questions.hpp"
 
 #include <stdexcept>
 #include <variant>

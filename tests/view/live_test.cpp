@@ -9,7 +9,7 @@
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "support/catch.hpp"
-#include "view/live_scene.hpp"
+#include "view/live/live_scene.hpp"
 
 using namespace quadrille;
 

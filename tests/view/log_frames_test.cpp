@@ -1,4 +1,4 @@
-#include "view/log_frames.hpp"
+#include "view/log/log_frames.hpp"
 
 #include <atomic>
 #include <stdexcept>
@@ -7,7 +7,7 @@
 #include "logs/cloud_log_writer.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"
-#include "view/log_backend.hpp"
+#include "view/log/log_backend.hpp"
 
 using namespace quadrille;
 

@@ -1,4 +1,4 @@
-#include "view/owners.hpp"
+#include "view/scene/owners.hpp"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "view/request_guard.hpp"
+#include "view/http/request_guard.hpp"
 
 #include "support/catch.hpp"
 

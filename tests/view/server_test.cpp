@@ -9,9 +9,9 @@
 
 #include "io/gzip.hpp"
 #include "support/catch.hpp"
+#include "view/http/http_server.hpp"
 #include "view/http_client.hpp"
-#include "view/http_server.hpp"
-#include "view/pack.hpp"
+#include "view/scene/pack.hpp"
 
 using namespace quadrille;
 

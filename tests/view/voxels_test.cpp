@@ -4,8 +4,8 @@
 
 #include "io/planner/octree_bytes.hpp"
 #include "support/catch.hpp"
-#include "view/octree_leaves.hpp"
-#include "view/voxel_layers.hpp"
+#include "view/scene/octree_leaves.hpp"
+#include "view/scene/voxel_layers.hpp"
 
 using namespace quadrille;
 

@@ -13,7 +13,8 @@ bool is_plain(char c) {
          std::string_view("_-./,:=+@%#").find(c) != std::string_view::npos;
 }
 
-/// Returns a word, in quotes if a shell needs them.
+}  // namespace
+
 std::string in_quotes(const std::string& word) {
   if (!word.empty() && std::all_of(word.begin(), word.end(), is_plain)) return word;
   std::string text = "'";
@@ -26,8 +27,6 @@ std::string in_quotes(const std::string& word) {
   }
   return text + "'";
 }
-
-}  // namespace
 
 std::string command_line() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);

@@ -5,6 +5,8 @@
 
 #include "cli/seed_option.hpp"
 #include "cli/types_option.hpp"
+#include "io/settings/setting_text.hpp"
+#include "quadrille/detector/detector.hpp"
 
 namespace quadrille {
 namespace {

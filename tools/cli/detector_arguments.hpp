@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/config.hpp"
+#include "io/settings/config.hpp"
 
 namespace CLI {
 class App;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/json.hpp"
+#include "io/json/json.hpp"
 #include "io/new_file.hpp"
 
 namespace quadrille {

@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <sstream>
 
-#include "io/setting_text.hpp"
+#include "io/settings/setting_text.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/printable.hpp"
 

@@ -70,7 +70,7 @@ plans two-finger grasps on them; how it is built, what the paper's experiments
 gave, the pages of the C++ API, and examples in C++ and Python.")
 set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOC_PACKAGE_SHLIBDEPS OFF)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "liblcm-bin, quadrille-doc")
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS "gnuplot-nox, liblcm-bin, quadrille-doc")
 set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS "quadrille, quadrille-doc")
 set(scripts ${PROJECT_SOURCE_DIR}/tools/packaging/debian)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA ${scripts}/quadrille/prerm

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "doctor/finding.hpp"
-#include "io/json.hpp"
+#include "io/json/json.hpp"
 
 namespace quadrille::doctor {
 

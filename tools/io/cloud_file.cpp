@@ -10,11 +10,11 @@
 
 #include "io/file_bytes.hpp"
 #include "io/gzip.hpp"
-#include "io/npy.hpp"
-#include "io/npy_header.hpp"
-#include "io/npz.hpp"
-#include "io/pcd.hpp"
-#include "io/ply.hpp"
+#include "io/npy/npy.hpp"
+#include "io/npy/npy_header.hpp"
+#include "io/npy/npz.hpp"
+#include "io/pcd/pcd.hpp"
+#include "io/ply/ply.hpp"
 #include "io/xyz.hpp"
 
 namespace quadrille::io {

@@ -6,21 +6,18 @@
 #include <cmath>
 #include <numbers>
 
+#include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/printable.hpp"
 #include "quadrille/detector/seen_side.hpp"
 
 namespace quadrille::io {
 namespace {
 
-bool is_angle(const Dimension& dimension) {
-  return dimension.name.find("angle") != std::string::npos;
-}
-
 double shown_value(const Dimension& dimension) {
-  return dimension.value * (is_angle(dimension) ? 180.0 / std::numbers::pi : 1000.0);
+  return dimension.value * (is_angle(dimension.name) ? 180.0 / std::numbers::pi : 1000.0);
 }
 
-const char* unit_of(const Dimension& dimension) { return is_angle(dimension) ? "deg" : "mm"; }
+const char* unit_of(const Dimension& dimension) { return is_angle(dimension.name) ? "deg" : "mm"; }
 
 std::string short_name(const std::string& name) {
   if (name == "radius") return "r";

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "io/json.hpp"
+#include "io/json/json.hpp"
 
 namespace quadrille::io {
 

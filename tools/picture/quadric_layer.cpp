@@ -39,15 +39,8 @@ class ClippedQuadric {
 
   /// Returns the depths at which a ray (z = 1) meets the surface, nearest first; 0 for none.
   std::array<double, 2> depths(const Eigen::Vector3d& ray) const {
-    const Eigen::Matrix4d& Q = Q_V_.matrix();
-    const double a = ray.dot(Q.topLeftCorner<3, 3>() * ray);
-    const double b = Q.topRightCorner<3, 1>().dot(ray);
-    const double c = Q(3, 3);
-    const double discriminant = b * b - a * c;
-    if (!(discriminant >= 0.0)) return {0.0, 0.0};
-    const double s = -(b + std::copysign(std::sqrt(discriminant), b));
-    std::array<double, 2> roots = {c / s, s / a};
-    if (!(roots[0] <= roots[1])) std::swap(roots[0], roots[1]);
+    std::array<double, 2> roots = Q_V_.crossings(Eigen::Vector3d::Zero(), ray);
+    std::sort(roots.begin(), roots.end());
     std::array<double, 2> kept = {0.0, 0.0};
     int count = 0;
     for (const double t : roots) {

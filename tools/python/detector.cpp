@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "io/cloud_file.hpp"
-#include "io/config.hpp"
+#include "io/settings/config.hpp"
 #include "python/arrays.hpp"
 #include "python/module.hpp"
 #include "quadrille/detector/seen_side.hpp"

@@ -10,9 +10,9 @@
 #include "cli/detector_arguments.hpp"
 #include "cli/output.hpp"
 #include "cli/report_option.hpp"
+#include "io/json/settings_json.hpp"
 #include "io/planner/config.hpp"
 #include "io/run_info.hpp"
-#include "io/settings_json.hpp"
 #include "picture/picture.hpp"
 #include "quadrille/command_report.hpp"
 #include "quadrille/detector/detector.hpp"
@@ -21,7 +21,7 @@
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
 #include "quadrille/tracking.hpp"
-#include "view/scene_of_result.hpp"
+#include "view/scene/scene_of_result.hpp"
 
 namespace quadrille {
 namespace {

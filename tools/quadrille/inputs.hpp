@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/frame_arguments.hpp"
-#include "io/json.hpp"
+#include "io/json/json.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {

@@ -19,12 +19,12 @@
 #include "cli/planner/query_arguments.hpp"
 #include "cli/report_option.hpp"
 #include "io/file_bytes.hpp"
+#include "io/json/settings_json.hpp"
 #include "io/new_file.hpp"
 #include "io/planner/config.hpp"
 #include "io/planner/octree_bytes.hpp"
 #include "io/planner/plan_json.hpp"
 #include "io/run_info.hpp"
-#include "io/settings_json.hpp"
 #include "picture/picture.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/command_report.hpp"
@@ -37,7 +37,7 @@
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
 #include "quadrille/tracking.hpp"
-#include "view/scene_of_result.hpp"
+#include "view/scene/scene_of_result.hpp"
 
 namespace quadrille {
 namespace {

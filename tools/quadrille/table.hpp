@@ -3,7 +3,7 @@
 #include <string>
 
 #include "cli/paint.hpp"
-#include "io/json.hpp"
+#include "io/json/json.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/plan.hpp"
 

@@ -28,7 +28,7 @@
 #include "quadrille/grasping/grasp_scene.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/try_table.hpp"
-#include "view/scene_of_result.hpp"
+#include "view/scene/scene_of_result.hpp"
 
 namespace quadrille {
 namespace {

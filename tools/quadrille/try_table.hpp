@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "cli/paint.hpp"
-#include "io/json.hpp"
+#include "io/json/json.hpp"
 #include "lab/physics/attempts.hpp"
-#include "view/scene_tables.hpp"
+#include "view/scene/scene_tables.hpp"
 
 namespace quadrille {
 

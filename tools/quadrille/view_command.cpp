@@ -32,6 +32,10 @@
 #include "view/log_backend.hpp"
 #include "view/request_guard.hpp"
 #include "view/scene_of_cloud.hpp"
+#include "view/http/request_guard.hpp"
+#include "view/live/live_backend.hpp"
+#include "view/log/log_backend.hpp"
+#include "view/scene/scene_of_cloud.hpp"
 #include "view/server.hpp"
 
 namespace quadrille {

@@ -7,9 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-#include "io/json.hpp"
+#include "io/json/json.hpp"
+#include "view/live/question.hpp"
 #include "view/plan_choice.hpp"
-#include "view/question.hpp"
 
 namespace quadrille::view {
 

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "io/json.hpp"
+#include "io/json/json.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 
 namespace quadrille::view {

@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "view/live/question.hpp"
 #include "view/plan_choice.hpp"
-#include "view/question.hpp"
 
 namespace quadrille::view {
 

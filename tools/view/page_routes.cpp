@@ -12,8 +12,8 @@
 
 #include "io/gzip.hpp"
 #include "view/assets.hpp"
-#include "view/pack.hpp"
 #include "view/page_requests.hpp"
+#include "view/scene/pack.hpp"
 
 namespace quadrille::view {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "view/backend.hpp"
-#include "view/http_message.hpp"
-#include "view/request_guard.hpp"
+#include "view/http/http_message.hpp"
+#include "view/http/request_guard.hpp"
 
 namespace quadrille::view {
 

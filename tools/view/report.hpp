@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "view/scene.hpp"
-#include "view/scene_tables.hpp"
+#include "view/scene/scene.hpp"
+#include "view/scene/scene_tables.hpp"
 
 namespace quadrille::view {
 

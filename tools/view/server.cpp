@@ -5,7 +5,7 @@
 #include <boost/system/system_error.hpp>
 #include <stdexcept>
 
-#include "view/http_server.hpp"
+#include "view/http/http_server.hpp"
 #include "view/page_routes.hpp"
 
 namespace quadrille::view {

@@ -235,7 +235,9 @@ CanonicalForm from_rank_0(const Diagonal& d) {
 
 }  // namespace
 
-bool is_angle(const std::string& dimension) { return dimension.find("angle") != std::string::npos; }
+bool is_angle(const std::string& dimension) {
+  return dimension == "angle" || dimension.starts_with("half_angle");
+}
 
 CanonicalForm canonical_form(const Quadric& Q, double tolerance) {
   if (!Q.matrix().allFinite() || Q.matrix().isZero(0.0)) {

@@ -44,6 +44,20 @@ double Quadric::distance(const Eigen::Vector3d& x) const {
   return f == 0.0 ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
+std::array<double, 2> Quadric::crossings(const Eigen::Vector3d& o, const Eigen::Vector3d& d) const {
+  // f(o + t d) = a t² + 2 b t + c.
+  const Eigen::Matrix3d A = Q_.topLeftCorner<3, 3>();
+  const Eigen::Vector3d g = Q_.topRightCorner<3, 1>();
+  const double a = d.dot(A * d), b = d.dot(A * o + g), c = o.dot(A * o + 2.0 * g) + Q_(3, 3);
+  const double square = b * b - a * c;
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  if (!(square > 0.0)) return {kNone, kNone};
+  // This form avoids cancellation, as on planes and along rulings, where a nearly vanishes; s is
+  // never zero here.
+  const double s = -(b + std::copysign(std::sqrt(square), b));
+  return {c / s, s / a};
+}
+
 Quadric Quadric::transformed(const Eigen::Isometry3d& X_BA) const {
   const Eigen::Matrix4d X_AB = X_BA.inverse().matrix();
   return Quadric(Eigen::Matrix4d(X_AB.transpose() * Q_ * X_AB));

@@ -36,7 +36,7 @@ void add_points_along(int axis, const Quadric& Q_Q, const Eigen::AlignedBox3d& b
     Eigen::Vector3d o = box.min();
     o[u] += (i % kLines + 0.5) * step[u];
     o[v] += (i / kLines + 0.5) * step[v];
-    for (const double t : crossings(Q_Q, o, Eigen::Vector3d::Unit(axis))) {
+    for (const double t : Q_Q.crossings(o, Eigen::Vector3d::Unit(axis))) {
       if (!(t >= 0.0 && t <= box.sizes()[axis])) continue;
       const Eigen::Vector3d x = o + t * Eigen::Vector3d::Unit(axis);
       const Eigen::Vector3d g = Q_Q.gradient(x);
@@ -149,20 +149,6 @@ OneWay summarise(std::span<const Meeting> meetings) {
 }
 
 }  // namespace
-
-std::vector<double> crossings(const Quadric& Q, const Eigen::Vector3d& o,
-                              const Eigen::Vector3d& d) {
-  const Eigen::Vector4d O = o.homogeneous(), D(d.x(), d.y(), d.z(), 0.0);
-  const double a = D.dot(Q.matrix() * D), b = D.dot(Q.matrix() * O), c = O.dot(Q.matrix() * O);
-  const double square = b * b - a * c;
-  if (!(square > 0.0)) return {};
-  // This form is stable if a nearly vanishes, as on planes and along rulings; `far` is never zero
-  // here.
-  const double far = -(b + std::copysign(std::sqrt(square), b));
-  std::vector<double> roots = {c / far};
-  if (a != 0.0) roots.push_back(far / a);
-  return roots;
-}
 
 SeenPatch seen_patch(const Detection& detection, const Eigen::Isometry3d& X_WC) {
   SeenPatch patch;

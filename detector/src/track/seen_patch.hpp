@@ -23,10 +23,6 @@ struct SeenPatch {
   double rms = 0.0;
 };
 
-/// Values of t at which the line o + t d crosses a quadric: none, one or two. A line that only
-/// touches the quadric or lies within it does not cross it.
-std::vector<double> crossings(const Quadric& Q, const Eigen::Vector3d& o, const Eigen::Vector3d& d);
-
 /// Makes the patch of a detection.
 /// @param X_WC  pose of the detection's frame in the fixed frame
 SeenPatch seen_patch(const Detection& detection, const Eigen::Isometry3d& X_WC);

@@ -15,11 +15,6 @@ using Profile = Body::Profile;
 // length: a slender cone may be cut off.
 constexpr double kMaxApexRadius = 0.006, kMaxApexShare = 0.5;
 
-/// Value of the n-th dimension; 0 if it is missing.
-double dimension(const Detection& d, std::size_t n) {
-  return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
-}
-
 /// Standard deviation of the n-th dimension; 0 if it is missing, and at most 1, which stands for
 /// unknown but stays finite.
 double deviation(const Detection& d, std::size_t n) {
@@ -90,7 +85,7 @@ Body slab(Body body, const Detection& d) {
   body.a = 0.5 * d.extent_Q.sizes().x();
   body.b = 0.5 * d.extent_Q.sizes().y();
   body.X_CQ.translation() = d.X_CQ * Eigen::Vector3d(d.extent_Q.center());
-  body.z_max = 0.5 * dimension(d, 0);
+  body.z_max = 0.5 * d.dimension(0);
   body.z_min = -body.z_max;
   return body;
 }
@@ -102,7 +97,7 @@ std::optional<Body> solid_of(const Detection& d) {
   body.X_CQ = d.X_CQ;
   body.z_min = d.extent_Q.min().z();
   body.z_max = d.extent_Q.max().z();
-  const double first = dimension(d, 0), second = dimension(d, 1), third = dimension(d, 2);
+  const double first = d.dimension(0), second = d.dimension(1), third = d.dimension(2);
   const auto with = [&](Profile profile, double a, double b, double c = 0.0) {
     body.profile = profile;
     body.a = a;

@@ -20,10 +20,6 @@ constexpr double kDepthBehind = 0.01;
 constexpr double kMaxSagitta = 0.0005;
 constexpr int kMaxCells = 10;
 
-double dimension(const Detection& d, std::size_t n) {
-  return n < d.dimensions.size() ? d.dimensions[n].value : 0.0;
-}
-
 /// A surface written as the graph h(u, v) over two axes of frame Q, within an interval of each.
 struct Graph {
   int u_axis, v_axis, h_axis;
@@ -189,10 +185,10 @@ bool sound_sizes(double a, double b) {
 }
 
 std::vector<CollisionShape> curved(const Detection& d) {
-  const double a = dimension(d, 0);
+  const double a = d.dimension(0);
   const double b = d.type == QuadricType::kParabolicCylinder
                        ? std::numeric_limits<double>::infinity()
-                       : dimension(d, 1);
+                       : d.dimension(1);
   if (!sound_sizes(a, b)) return {};
   if (d.type != QuadricType::kHyperbolicCylinder) return blocks_of(Saddle(a, b), d);
   std::vector<CollisionShape> shapes;
@@ -205,7 +201,7 @@ std::vector<CollisionShape> curved(const Detection& d) {
 }
 
 std::vector<CollisionShape> plane_pair(const Detection& d) {
-  const double half = 0.5 * dimension(d, 0);
+  const double half = 0.5 * d.dimension(0);
   if (!(half >= 0.0 && half < 3.2)) return {};
   std::vector<CollisionShape> shapes;
   for (const double side : {1.0, -1.0}) {

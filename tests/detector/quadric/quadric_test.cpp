@@ -1,5 +1,6 @@
 #include "quadrille/detector/quadric.hpp"
 
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,35 @@ TEST_CASE("the first-order distance of a sphere is exact on its surface's linear
   CHECK(sphere_quadric(2.0).distance({2.001, 0, 0}) == Approx(0.001).epsilon(1e-3));
   CHECK(sphere_quadric(2.0).distance({1.999, 0, 0}) == Approx(-0.001).epsilon(1e-3));
   CHECK(std::isinf(sphere_quadric(2.0).distance({0, 0, 0})));
+}
+
+TEST_CASE("a line crosses a quadric where it passes through, and not where it touches",
+          "[quadric]") {
+  const auto crossings = [](const Quadric& Q, const Eigen::Vector3d& o, const Eigen::Vector3d& d) {
+    std::vector<double> finite;
+    for (const double t : Q.crossings(o, d)) {
+      if (std::isfinite(t)) finite.push_back(t);
+    }
+    return finite;
+  };
+  const Eigen::Vector3d along = Eigen::Vector3d::UnitX(), across = Eigen::Vector3d::UnitY();
+  const Quadric ball = sphere_quadric(1.0);
+  Eigen::Matrix4d flat = Eigen::Matrix4d::Zero();
+  flat(0, 3) = flat(3, 0) = 0.5;
+  flat(3, 3) = -2.0;
+  const Quadric plane(flat);
+  CHECK(crossings(ball, {-3, 0, 0}, along) == std::vector<double>{2.0, 4.0});
+  CHECK(crossings(ball, {3, 0, 0}, along) == std::vector<double>{-2.0, -4.0});
+  // The second line starts on the ball itself.
+  CHECK(crossings(ball, {-1, 0, 0}, along) == std::vector<double>{0.0, 2.0});
+  CHECK(crossings(ball, {-3, 2, 0}, along).empty());
+  // Here b² = ac, with the contact before the start and at it.
+  CHECK(crossings(ball, {-3, 1, 0}, along).empty());
+  CHECK(crossings(ball, {0, 1, 0}, along).empty());
+  CHECK(crossings(plane, {0, 5, 0}, along) == std::vector<double>{2.0});
+  CHECK(crossings(plane, {0, 5, 0}, across).empty());
+  // This line lies in the plane.
+  CHECK(crossings(plane, {2, 5, 0}, across).empty());
 }
 
 TEST_CASE("a transformed quadric holds the transformed points", "[quadric]") {

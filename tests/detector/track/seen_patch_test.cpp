@@ -1,7 +1,5 @@
 #include "track/seen_patch.hpp"
 
-#include <algorithm>
-
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
 #include "support/exact_detection.hpp"
@@ -32,28 +30,6 @@ TEST_CASE("a patch lies on its quadric, within its extent, and faces as its grad
       CHECK(n_C.dot(d.Q_C.gradient(x_C).normalized()) == Approx(1.0));
     }
   }
-}
-
-TEST_CASE("a line crosses a quadric where it passes through, and not where it touches", "[patch]") {
-  using Eigen::Vector3d;
-  const Vector3d along = Vector3d::UnitX();
-  Eigen::Matrix4d ball = Eigen::Matrix4d::Identity(), plane = Eigen::Matrix4d::Zero();
-  ball(3, 3) = -1.0;
-  plane(0, 3) = plane(3, 0) = 0.5;
-  plane(3, 3) = -2.0;
-  std::vector<double> two = crossings(Quadric(ball), {-3, 0, 0}, along);
-  std::sort(two.begin(), two.end());
-  CHECK(two == std::vector<double>{2.0, 4.0});
-  // From a point of the ball itself.
-  CHECK(crossings(Quadric(ball), {-1, 0, 0}, along).size() == 2);
-  CHECK(crossings(Quadric(ball), {-3, 2, 0}, along).empty());
-  // b² = ac, with the contact before the start and at it.
-  CHECK(crossings(Quadric(ball), {-3, 1, 0}, along).empty());
-  CHECK(crossings(Quadric(ball), {0, 1, 0}, along).empty());
-  CHECK(crossings(Quadric(plane), {0, 5, 0}, along) == std::vector<double>{2.0});
-  CHECK(crossings(Quadric(plane), {0, 5, 0}, Vector3d::UnitY()).empty());
-  // In the plane.
-  CHECK(crossings(Quadric(plane), {2, 5, 0}, Vector3d::UnitY()).empty());
 }
 
 TEST_CASE("a detection without extent is a patch of one point", "[patch]") {

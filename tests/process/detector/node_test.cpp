@@ -1,16 +1,13 @@
 #include "process/detector/node.hpp"
 
-#include <spdlog/sinks/ostream_sink.h>
-#include <spdlog/spdlog.h>
-
 #include <CLI/CLI.hpp>
 #include <map>
 #include <memory>
 #include <set>
-#include <sstream>
 
 #include "process/detector/command_line.hpp"
 #include "process/encode_pose.hpp"
+#include "process/logged_lines.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "support/catch.hpp"
@@ -125,18 +122,15 @@ TEST_CASE("clouds before the first pose are not tracked, and the log's end says 
 TEST_CASE("if no pose ever comes, the log says so once in a while and the status counts the clouds",
           "[process][track][pose]") {
   Process process(settings_with_poses());
-  std::ostringstream log;
-  const auto logger = spdlog::default_logger();
-  spdlog::set_default_logger(
-      std::make_shared<spdlog::logger>("", std::make_shared<spdlog::sinks::ostream_sink_mt>(log)));
+  const test::LoggedLines log;
   for (int k = 1; k <= 3; ++k) {
     process.take("POINT_CLOUD", encode_view(100000 * k, camera_at(0)), 100000 * k);
   }
   process.pass(400000);
-  spdlog::set_default_logger(logger);
-  const std::size_t first = log.str().find("CAMERA: cloud 100000 is not tracked: no pose has come");
+  const std::size_t first =
+      log.text().find("CAMERA: cloud 100000 is not tracked: no pose has come");
   CHECK(first != std::string::npos);
-  CHECK(log.str().find("not tracked", first + 40) == std::string::npos);
+  CHECK(log.text().find("not tracked", first + 40) == std::string::npos);
   CHECK(process.untracked() == "no_pose 3 ");
 }
 

@@ -1,29 +1,13 @@
 #include "process/runtime/limited_log.hpp"
 
-#include <spdlog/sinks/ostream_sink.h>
-#include <spdlog/spdlog.h>
-
-#include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
+#include "process/logged_lines.hpp"
 #include "process/runtime/node.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille {
 namespace {
-
-/// Returns the records that are logged during a call.
-template <class Call>
-std::string logged_by(Call&& call) {
-  std::ostringstream log;
-  const auto before = spdlog::default_logger();
-  spdlog::set_default_logger(
-      std::make_shared<spdlog::logger>("", std::make_shared<spdlog::sinks::ostream_sink_mt>(log)));
-  call();
-  spdlog::set_default_logger(before);
-  return log.str();
-}
 
 struct IdleNode : Node {
   std::vector<InChannel> in_channels() const override { return {}; }
@@ -37,20 +21,25 @@ struct IdleNode : Node {
 TEST_CASE("thousands of clouds that fail give some lines", "[process][log]") {
   IdleNode node;
   const auto start = std::chrono::steady_clock::now();
-  const std::string log = logged_by([&] {
-    for (int n = 0; n < 3000; ++n) {
-      node.work({n, [] { throw std::runtime_error("cannot be encoded"); }});
-    }
-  });
+  const test::LoggedLines log;
+  for (int n = 0; n < 3000; ++n) {
+    node.work({n, [] { throw std::runtime_error("cannot be encoded"); }});
+  }
   const auto seconds = std::chrono::steady_clock::now() - start;
   CHECK(node.failed() == 3000);
-  CHECK(std::count(log.begin(), log.end(), '\n') <= 2 + seconds / std::chrono::seconds(1));
-  CHECK(log.find("cloud 0: cannot be encoded\n") != std::string::npos);
+  CHECK(log.count() <= 2 + seconds / std::chrono::seconds(1));
+  CHECK(log.have("cloud 0: cannot be encoded\n"));
 }
 
 TEST_CASE("a record tells how many it stands for, if it does for more", "[process][log]") {
-  CHECK(with_held_back("cut short", 0) == "cut short");
-  CHECK(with_held_back("cut short", 7) == "cut short; 7 more since the last record");
+  LimitedLog limited;
+  const test::LoggedLines log;
+  const LimitedLog::Clock::time_point start;
+  for (int n = 0; n < 8; ++n) limited.warning("cut short", start);
+  limited.warning("cut short", start + std::chrono::seconds(1));
+  limited.warning("cut short", start + std::chrono::seconds(2));
+  CHECK(log.count() == 3);
+  CHECK(log.have("cut short; 7 more since the last record\n"));
 }
 
 }  // namespace quadrille

@@ -9,6 +9,7 @@
 #include "log/event_log.hpp"
 #include "process/runtime/run.hpp"
 #include "support/catch.hpp"
+#include "support/error_of.hpp"
 #include "support/file_size_limit.hpp"
 #include "support/temp_folder.hpp"
 
@@ -86,14 +87,11 @@ class LogFolder {
     arguments.in_log = in();
     arguments.out_log = out();
     arguments.copy_input = copy;
-    try {
+    return test::error_of([&] {
       run_on_log(arguments, [&](bus::Publish publish) {
         return std::make_unique<EchoNode>(std::move(publish), on_event);
       });
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "";
+    });
   }
 
   std::map<std::string, int> written() const {

@@ -7,12 +7,12 @@
 #include <sstream>
 
 #include "io/file_bytes.hpp"
-#include "process/runtime/exposition.hpp"
-#include "process/runtime/process_info.hpp"
-#include "process/runtime/rate.hpp"
-#include "process/runtime/sequence_gaps.hpp"
-#include "process/runtime/stages.hpp"
-#include "process/runtime/stats_file.hpp"
+#include "process/runtime/status/exposition.hpp"
+#include "process/runtime/status/process_info.hpp"
+#include "process/runtime/status/rate.hpp"
+#include "process/runtime/status/stages.hpp"
+#include "process/runtime/status/stats_file.hpp"
+#include "process/runtime/watch/sequence_gaps.hpp"
 #include "quadrille/detector/options.hpp"
 #include "support/catch.hpp"
 #include "support/temp_folder.hpp"

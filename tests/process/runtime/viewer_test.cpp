@@ -1,5 +1,6 @@
 #include "process/runtime/viewer.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <lcmtypes/drake/lcmt_point_cloud.hpp>
 #include <lcmtypes/drake/lcmt_viewer_draw.hpp>
@@ -8,7 +9,6 @@
 #include <map>
 #include <string>
 
-#include "process/runtime/surface_mesh.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille {
@@ -85,48 +85,23 @@ TEST_CASE("a viewer that starts late gets the same scene again", "[viewer]") {
   CHECK(got.load.link[0].geom[0].float_data == first.link[0].geom[0].float_data);
 }
 
-TEST_CASE("a mesh lies on its quadric, within its box, and looks to the gradient's side",
-          "[viewer]") {
-  Vector10d saddle = Vector10d::Zero(), neck = Vector10d::Zero();
-  saddle[0] = 5.0;
-  saddle[1] = -3.0;
-  saddle[8] = -0.5;
-  neck.head<3>() = Eigen::Vector3d(1, 1, -0.5);
-  neck[9] = -0.01;
-  const Eigen::AlignedBox3d box(Eigen::Vector3d(-0.2, -0.15, -0.1),
-                                Eigen::Vector3d(0.2, 0.15, 0.1));
-  for (const Vector10d& q : {saddle, neck}) {
-    const Quadric Q(q);
-    const TriangleMesh mesh = mesh_in_box(Q, box, 12);
-    REQUIRE(mesh.triangles.size() > 100);
-    double furthest = 0.0;
-    for (const Eigen::Vector3d& v : mesh.vertices) {
-      furthest = std::max({furthest, std::abs(Q.value(v)), box.exteriorDistance(v)});
-    }
-    CHECK(furthest < 1e-8);
-    int turned = 0;
-    for (const auto& [a, b, c] : mesh.triangles) {
-      const Eigen::Vector3d &p = mesh.vertices[a], &r = mesh.vertices[b], &s = mesh.vertices[c];
-      turned += (r - p).cross(s - p).dot(Q.gradient(p)) < -1e-12;
-    }
-    CHECK(turned == 0);
+TEST_CASE("a quadric of no primitive shape is shown as a mesh", "[viewer]") {
+  DetectionResult result = ball_at(0.0, 0.1);
+  result.detections[0].type = QuadricType::kHyperboloidOneSheet;
+  Published got;
+  got.viewer.show(0, links_of(result));
+  REQUIRE(got.load.num_links == 1);
+  const auto& shape = got.load.link[0].geom[0];
+  CHECK(shape.type == 4);  // MESH
+  const auto vertices = static_cast<std::size_t>(shape.float_data[0]);
+  const auto triangles = static_cast<std::size_t>(shape.float_data[1]);
+  REQUIRE(triangles > 100);
+  REQUIRE(shape.float_data.size() == 2 + 3 * vertices + 3 * triangles);
+  for (std::size_t i = 0; i < vertices; ++i) {
+    CHECK(Eigen::Vector3f(&shape.float_data[2 + 3 * i]).norm() == Approx(0.1f).epsilon(1e-4));
   }
-}
-
-TEST_CASE("the area of a sphere's mesh is that of the sphere", "[viewer]") {
-  Vector10d q = Vector10d::Zero();
-  q.head<3>().setOnes();
-  q[9] = -0.01;
-  const TriangleMesh mesh = mesh_in_box(
-      Quadric(q), {Eigen::Vector3d::Constant(-0.11), Eigen::Vector3d::Constant(0.11)}, 24);
-  double area = 0.0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    area += 0.5 *
-            (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
-  }
-  CHECK(area == Approx(4 * 3.14159265 * 0.01).epsilon(0.02));
-  // Closed: Euler's formula for a sphere.
-  CHECK(static_cast<int>(mesh.vertices.size()) - static_cast<int>(mesh.triangles.size()) / 2 == 2);
+  const auto first = shape.float_data.begin() + 2 + static_cast<std::ptrdiff_t>(3 * vertices);
+  CHECK(*std::max_element(first, shape.float_data.end()) == static_cast<float>(vertices - 1));
 }
 
 TEST_CASE("the viewer's cloud is finite, thin, and has the layout that Meldis takes", "[viewer]") {

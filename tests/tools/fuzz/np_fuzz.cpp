@@ -2,8 +2,8 @@
 #include <span>
 
 #include "io/file_bytes.hpp"
-#include "io/npy.hpp"
-#include "io/npz.hpp"
+#include "io/npy/npy.hpp"
+#include "io/npy/npz.hpp"
 
 /// Whatever the bytes, both readers return a cloud or throw a FileError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

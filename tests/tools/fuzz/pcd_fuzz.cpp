@@ -2,7 +2,7 @@
 #include <span>
 
 #include "io/file_bytes.hpp"
-#include "io/pcd.hpp"
+#include "io/pcd/pcd.hpp"
 
 /// Whatever the bytes, the reader returns a cloud or throws a FileError.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

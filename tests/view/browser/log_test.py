@@ -82,19 +82,18 @@ def check_choice(page, plan):
 
 def check_click_in_scene(page, plan):
     """Clicks over the stage until each object that can be seen was chosen, as a hand would."""
-    canvas = page.all("#canvas")[0]
-    width, height = canvas.size["width"], canvas.size["height"]
-    chosen = set()
-    for row in range(2, 18):
-        for column in range(2, 18):
-            page.browser.execute_script(
-                "const [canvas, x, y] = arguments;"
-                "canvas.dispatchEvent(new MouseEvent('click', {clientX: x, clientY: y, bubbles: true}));",
-                canvas, width * column / 20, height * row / 20)
-            for item in page.all('#list [aria-pressed="true"]'):
-                chosen.add(int(item.get_attribute("data-object")))
+    chosen = page.browser.execute_script("""
+        const canvas = document.querySelector("#canvas"), chosen = new Set();
+        for (let row = 2; row < 18; ++row) {
+          for (let column = 2; column < 18; ++column) {
+            const at = { clientX: canvas.clientWidth * column / 20, clientY: canvas.clientHeight * row / 20 };
+            canvas.dispatchEvent(new MouseEvent("click", { ...at, bubbles: true }));
+            for (const item of document.querySelectorAll('#list [aria-pressed="true"]')) chosen.add(item.dataset.object);
+          }
+        }
+        return [...chosen].map(Number);""")
     assert chosen, "a click in the scene chooses an object"
-    assert chosen <= set(objects_of(plan)), chosen
+    assert set(chosen) <= set(objects_of(plan)), chosen
     page.press(Keys.ESCAPE)
 
 

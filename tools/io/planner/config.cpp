@@ -1,6 +1,6 @@
 #include "io/planner/config.hpp"
 
-#include "io/setting_reader.hpp"
+#include "io/settings/setting_reader.hpp"
 
 namespace quadrille::io {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/config.hpp"
+#include "io/settings/config.hpp"
 #include "quadrille/grasping/plan_options.hpp"
 
 namespace quadrille::io {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "io/planner/config.hpp"
-#include "io/setting_text.hpp"
+#include "io/settings/setting_text.hpp"
 
 namespace quadrille::io {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "io/planner/gripper_files.hpp"
-#include "io/setting_text.hpp"
-#include "io/toml_file.hpp"
+#include "io/settings/setting_text.hpp"
+#include "io/settings/toml_file.hpp"
 #include "quadrille/detector/printable.hpp"
 
 namespace quadrille::io {

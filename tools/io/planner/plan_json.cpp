@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "io/json_parts.hpp"
+#include "io/json/json_parts.hpp"
 #include "io/run_info.hpp"
 
 namespace quadrille::io {

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "io/file_bytes.hpp"
-#include "io/ply.hpp"
+#include "io/ply/ply.hpp"
 
 extern char** environ;
 

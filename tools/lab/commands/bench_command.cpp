@@ -104,7 +104,7 @@ void compare(BenchArguments arguments) {
               bench::to_markdown(rows, contenders, command_of(arguments), QUADRILLE_VERSION));
   files.write("bench.csv", experiments::to_csv(bench::to_table(rows)));
   files.write("bench.json", bench::to_json(rows).dump(1) + "\n");
-  files.write("bench.svg", experiments::to_svg(bench::plots_of(rows)));
+  files.draw("bench.svg", bench::plots_of(rows));
   print(to_markdown(bench::to_table(rows)));
   print(files.list() + "\n");
 }

@@ -68,7 +68,7 @@ void run_one(const experiments::Experiment& experiment, experiments::Settings se
   files->write(name + ".md",
                experiments::to_markdown(report, experiment, settings, QUADRILLE_VERSION));
   files->write(name + ".csv", experiments::to_csv(report.data));
-  if (!report.plots.empty()) files->write(name + ".svg", experiments::to_svg(report.plots));
+  if (!report.plots.empty()) files->draw(name + ".svg", report.plots);
   if (count > 1) print(name + ":\n");
   for (const std::string& finding : report.findings) print(finding + "\n");
 }
@@ -102,7 +102,7 @@ void add_experiment_command(CLI::App& app) {
       ->check(CLI::Validator(check_name, ""));
   command
       ->add_option("--out", arguments->out,
-                   "Folder for NAME.md, NAME.csv and, if it has plots, NAME.svg")
+                   "Folder for NAME.md, NAME.csv and, if it has plots, NAME.gnuplot and NAME.svg")
       ->type_name("FOLDER");
   add_seed_option(*command, arguments->settings.seed, "the random numbers");
   command->add_flag("--quick", arguments->settings.quick, "Little work, to see that it runs");

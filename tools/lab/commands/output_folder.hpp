@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "lab/experiments/plot.hpp"
+
 namespace quadrille {
 
 /// The files that a command writes into a folder when its work is done.
@@ -19,6 +21,9 @@ class OutputFolder {
   /// @throws io::FileError if that fails
   void write(const std::string& name, const std::string& text);
 
+  /// Draws plots, as draw_plots() does.
+  void draw(const std::string& name, const std::vector<experiments::Plot>& plots);
+
   /// Returns the paths of the written files, for the user to read.
   std::string list() const;
 
@@ -28,5 +33,12 @@ class OutputFolder {
   std::string folder_;
   std::vector<std::string> written_;
 };
+
+/// Draws plots with gnuplot, and leaves the script beside the picture. Says so on stderr if there
+/// is no gnuplot.
+/// @param path  path of the picture, which ends in .svg
+/// @return that path, or the script's if there is no picture
+/// @throws io::FileError if a file cannot be written
+std::string draw_plots(const std::string& path, const std::vector<experiments::Plot>& plots);
 
 }  // namespace quadrille

@@ -13,12 +13,10 @@
 
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
-#include "io/file_bytes.hpp"
-#include "io/new_file.hpp"
+#include "lab/commands/output_folder.hpp"
 #include "lab/commands/study_arguments.hpp"
 #include "lab/commands/study_clouds.hpp"
 #include "lab/commands/study_report.hpp"
-#include "lab/experiments/plot.hpp"
 #include "lab/scene/scene.hpp"
 #include "lab/scene/scene_files.hpp"
 #include "lab/study/run_study.hpp"
@@ -94,11 +92,6 @@ void check_usage(const StudyArguments& arguments) {
   }
 }
 
-void write_plot(const std::string& path, const std::vector<study::GroupSummary>& groups) {
-  if (path.empty()) return;
-  io::write_file(path, experiments::to_svg(study::score_plots(groups)));
-}
-
 int failed_of(const std::vector<study::GroupSummary>& groups) {
   int failed = 0;
   for (const study::GroupSummary& group : groups) failed += group.failed;
@@ -124,8 +117,9 @@ void run(const StudyArguments& arguments) {
   }
   const std::vector<study::GroupSummary> groups = study::summarise({arguments.csv});
   print(study::summary_text(groups));
-  const std::string plot = std::filesystem::path(arguments.csv).replace_extension(".svg").string();
-  write_plot(plot, groups);
+  const std::string plot =
+      draw_plots(std::filesystem::path(arguments.csv).replace_extension(".svg").string(),
+                 study::score_plots(groups));
   if (!arguments.report.empty()) {
     // The study is made anew because the clouds of a log can be read only once.
     write_study_report(arguments.report, study_of(arguments), groups,
@@ -150,7 +144,7 @@ void add_summary_command(CLI::App& study) {
   command->callback([arguments] {
     const std::vector<study::GroupSummary> groups = study::summarise(arguments->tables);
     print(study::summary_text(groups));
-    write_plot(arguments->plot, groups);
+    if (!arguments->plot.empty()) draw_plots(arguments->plot, study::score_plots(groups));
   });
 }
 

@@ -8,7 +8,7 @@
 
 #include "cli/command_line.hpp"
 #include "view/report_file.hpp"
-#include "view/scene_of_cloud.hpp"
+#include "view/scene/scene_of_cloud.hpp"
 
 namespace quadrille {
 namespace {

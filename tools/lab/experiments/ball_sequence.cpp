@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "io/file_bytes.hpp"
-#include "io/json_parts.hpp"
+#include "io/json/json_parts.hpp"
 
 namespace quadrille::experiments {
 namespace {

@@ -36,13 +36,10 @@ struct Plot {
   bool equal_axes = false;
 };
 
-/// Returns tick values of an axis from low to high: 1, 2 or 5 times a power of ten. A logarithmic
-/// axis has the powers of ten, and more ticks if those are fewer than two.
-std::vector<double> ticks(double low, double high, bool logarithmic);
-
-/// Returns the plots, one below the other, as one SVG document, each with its legend on the right.
+/// Returns a script by which gnuplot draws the plots, one below the other, as one SVG document,
+/// each with its legend on the right.
 ///
 /// Points that are not finite, or not positive on a logarithmic axis, are left out.
-std::string to_svg(const std::vector<Plot>& plots);
+std::string to_gnuplot(const std::vector<Plot>& plots);
 
 }  // namespace quadrille::experiments

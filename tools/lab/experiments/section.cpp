@@ -1,32 +1,20 @@
 #include "lab/experiments/section.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <optional>
+
+#include "mesh/surface_mesh.hpp"
 
 namespace quadrille::experiments {
 namespace {
 
 using Eigen::Vector2d;
 
-/// Returns the root between two points of opposite signs. Along a line a quadric is a parabola,
-/// which the value in the middle determines.
-double root_between(double first, double middle, double last) {
-  const double a = 2.0 * (first + last - 2.0 * middle), b = last - first - a;
-  // This form avoids cancellation; exactly one of the two roots lies in between.
-  const double q = -0.5 * (b + std::copysign(std::sqrt(std::max(0.0, b * b - 4 * a * first)), b));
-  const double other = q != 0.0 ? first / q : 0.0;
-  if (a == 0.0 || (other >= 0.0 && other <= 1.0)) return other;
-  return q / a;
-}
-
 std::optional<Vector2d> crossing(const Quadric& Q, const SectionPlane& plane, const Vector2d& from,
                                  const Vector2d& to) {
-  const auto value = [&](const Vector2d& p) { return Q.value(plane.at(p.x(), p.y())); };
-  const double first = value(from), last = value(to);
-  if ((first < 0.0) == (last < 0.0)) return std::nullopt;
-  return from + root_between(first, value(0.5 * (from + to)), last) * (to - from);
+  const Eigen::Vector3d p = plane.at(from.x(), from.y()), q = plane.at(to.x(), to.y());
+  if ((Q.value(p) < 0.0) == (Q.value(q) < 0.0)) return std::nullopt;
+  return from + crossing_between(Q, p, q) * (to - from);
 }
 
 }  // namespace

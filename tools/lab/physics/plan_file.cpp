@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "io/file_bytes.hpp"
-#include "io/json_parts.hpp"
+#include "io/json/json_parts.hpp"
 
 namespace quadrille::physics {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "io/file_bytes.hpp"
-#include "io/json_parts.hpp"
+#include "io/json/json_parts.hpp"
 #include "lab/physics/exact_detection.hpp"
 #include "lab/scene/scene_files.hpp"
 #include "quadrille/detector/quadric.hpp"

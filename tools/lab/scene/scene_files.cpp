@@ -10,7 +10,7 @@
 #include "base/quantile.hpp"
 #include "io/json_parts.hpp"
 #include "io/new_file.hpp"
-#include "io/ply.hpp"
+#include "io/ply/ply.hpp"
 
 namespace quadrille::scene {
 namespace {

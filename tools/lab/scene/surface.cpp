@@ -5,12 +5,7 @@
 namespace quadrille::scene {
 
 SurfaceCaster::SurfaceCaster(const Surface& surface, const Eigen::Isometry3d& X_CS)
-    : surface_(surface),
-      X_SC_(X_CS.inverse()),
-      Q_C_(surface.Q_S.transformed(X_CS).normalized()),
-      A_(Q_C_.matrix().topLeftCorner<3, 3>()),
-      g_(Q_C_.matrix().topRightCorner<3, 1>()),
-      j_(Q_C_.matrix()(3, 3)) {}
+    : surface_(surface), X_SC_(X_CS.inverse()), Q_C_(surface.Q_S.transformed(X_CS).normalized()) {}
 
 bool SurfaceCaster::holds(const Eigen::Vector3d& p_C) const {
   constexpr double kSlack = 1e-9;
@@ -21,15 +16,7 @@ bool SurfaceCaster::holds(const Eigen::Vector3d& p_C) const {
 }
 
 std::optional<double> SurfaceCaster::first_hit(const Eigen::Vector3d& ray) const {
-  // Along the ray f(t ray) = a t² + 2 b t + j; the roots are computed in the form that avoids
-  // cancellation.
-  const double a = surface_.curved ? ray.dot(A_ * ray) : 0.0;
-  const double b = g_.dot(ray);
-  const double discriminant = b * b - a * j_;
-  if (discriminant < 0.0) return std::nullopt;
-  const double s = -(b + std::copysign(std::sqrt(discriminant), b));
-  double near = j_ / s;
-  double far = a != 0.0 ? s / a : -1.0;
+  auto [near, far] = Q_C_.crossings(Eigen::Vector3d::Zero(), ray);
   if (far > 0.0 && far < near) std::swap(near, far);
   for (const double t : {near, far}) {
     if (t > 0.0 && std::isfinite(t) && holds(t * ray)) return t;

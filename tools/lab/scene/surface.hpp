@@ -51,10 +51,6 @@ class SurfaceCaster {
   const Surface& surface_;
   Eigen::Isometry3d X_SC_;
   Quadric Q_C_;
-  /// Q_C as x'Ax + 2g'x + j.
-  Eigen::Matrix3d A_;
-  Eigen::Vector3d g_;
-  double j_;
 };
 
 }  // namespace quadrille::scene

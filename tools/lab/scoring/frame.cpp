@@ -7,7 +7,7 @@
 
 #include "io/cloud_file.hpp"
 #include "io/file_bytes.hpp"
-#include "io/json_parts.hpp"
+#include "io/json/json_parts.hpp"
 #include "lab/scene/scene_files.hpp"
 
 namespace quadrille::scoring {

@@ -194,14 +194,10 @@ class Judge {
     result->planes_wrong = static_cast<int>(flat.size()) - result->planes_right;
   }
 
-  /// Returns the length of the chord of a quadric along a line; nullopt if there is none.
-  static std::optional<double> chord(const Quadric& Q, const Eigen::Vector3d& c,
-                                     const Eigen::Vector3d& u) {
-    const Eigen::Vector4d C = c.homogeneous(), U(u.x(), u.y(), u.z(), 0.0);
-    const double a = U.dot(Q.matrix() * U), b = U.dot(Q.matrix() * C), d = C.dot(Q.matrix() * C);
-    const double square = b * b - a * d;
-    if (!(square > 0.0) || a == 0.0) return std::nullopt;
-    return 2.0 * std::sqrt(square) / std::abs(a);
+  /// Returns the length of the chord of a quadric along a line; not finite if there is none.
+  static double chord(const Quadric& Q, const Eigen::Vector3d& c, const Eigen::Vector3d& u) {
+    const auto [first, second] = Q.crossings(c, u);
+    return std::abs(first - second);
   }
 
   /// Returns where a surface's width is measured: at the centre of a closed surface, otherwise on
@@ -223,12 +219,13 @@ class Judge {
     Eigen::Vector3d u = c.cross(axis);
     // If it is seen along its axis, the width is the same, or nearly so, in all directions.
     u = u.norm() > 1e-3 * c.norm() ? u.normalized() : c.unitOrthogonal();
-    const auto truth = chord(target.surface->Q_C, c, u);
-    if (!truth) return;
+    const double truth = chord(target.surface->Q_C, c, u);
+    if (!std::isfinite(truth)) return;
+    const double found = chord(Q, c, u);
     const double error =
-        std::abs(chord(Q, c, u).value_or(std::numeric_limits<double>::infinity()) - *truth);
-    result->width_errors.push_back(error / *truth);
-    result->widths_right += error <= std::max(0.004, 0.1 * *truth);
+        std::isfinite(found) ? std::abs(found - truth) : std::numeric_limits<double>::infinity();
+    result->width_errors.push_back(error / truth);
+    result->widths_right += error <= std::max(0.004, 0.1 * truth);
   }
 
   const Frame& frame_;

@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "process/runtime/logging.hpp"
-#include "process/runtime/other_senders.hpp"
-#include "process/runtime/process_info.hpp"
+#include "process/runtime/status/process_info.hpp"
+#include "process/runtime/watch/other_senders.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -80,25 +80,21 @@ std::vector<Job> DetectorNode::find_due_jobs(Time now) {
 std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
                                                std::span<const std::byte> bytes) {
   const TimePoint now = std::chrono::steady_clock::now();
-  bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(bytes);
+  auto decoded = bus::decode_cloud(bytes);
   const std::lock_guard lock(mutex_);
   ++counts_.received;
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
-  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
-    refusals_.add(channel, *rejection);
-    return std::nullopt;
-  }
+  auto cloud = refusals_.accept(channel, std::move(decoded));
+  if (!cloud) return std::nullopt;
   if (const auto rejection = cloud_channels_.refuse(channel, now)) {
     refusals_.add(channel, *rejection);
     return std::nullopt;
   }
   ++counts_.decoded;
   stages_.add("decode", bus::ms_since(now));
-  auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
-  gaps_.add(channel + '\n' + cloud.cloud.frame, cloud.seq);
-  const std::int64_t utime = cloud.utime;
-  const auto shared = std::make_shared<const bus::CloudMessage>(std::move(cloud));
-  return posed_clouds_.add(utime, [this, channel, shared, now](const CameraPose& pose) {
+  gaps_.add(channel + '\n' + cloud->cloud.frame, cloud->seq);
+  const auto shared = std::make_shared<const bus::CloudMessage>(*std::move(cloud));
+  return posed_clouds_.add(shared->utime, [this, channel, shared, now](const CameraPose& pose) {
     return Job{
         shared->utime,
         [this, channel, shared, pose, now] { detect_and_publish(channel, *shared, pose, now); },
@@ -120,8 +116,7 @@ DetectionResult DetectorNode::detect_placed(const std::string& channel,
     ready(nothing);
     return nothing;
   }
-  PointCloud cloud_K = moved(cloud.cloud, placement.X_CK.inverse());
-  if (settings_.frames.clouds == CloudFrame::kWorld) cloud_K.viewpoint.setZero();
+  const PointCloud cloud_K = in_camera_frame(cloud.cloud, placement, settings_.frames);
   std::vector<Detection> placed;
   DetectionResult result = detect(cloud_K, settings_.detector, [&](DetectionResult found) {
     if (pose.X_WK) track(channel, cloud, *pose.X_WK, &found.detections);

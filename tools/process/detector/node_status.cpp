@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "process/detector/node.hpp"
-#include "process/runtime/exposition.hpp"
-#include "process/runtime/other_senders.hpp"
-#include "process/runtime/status.hpp"
+#include "process/runtime/status/exposition.hpp"
+#include "process/runtime/status/status.hpp"
+#include "process/runtime/watch/other_senders.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/status_message.hpp"
 

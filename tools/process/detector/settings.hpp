@@ -5,7 +5,7 @@
 #include <string>
 
 #include "cli/process_arguments.hpp"
-#include "process/runtime/cloud_frame.hpp"
+#include "process/runtime/poses/cloud_frame.hpp"
 #include "process/runtime/viewer.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/tracker.hpp"

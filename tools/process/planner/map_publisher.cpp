@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "process/runtime/limited_log.hpp"
-#include "process/runtime/logging.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 
@@ -33,8 +31,7 @@ std::chrono::milliseconds interval_of(const PlannerSettings& settings) {
 MapPublisher::MapPublisher(const PlannerSettings& settings, bus::Publish publish)
     : channel_(settings.occupancy_channel),
       publish_(std::move(publish)),
-      due_(interval_of(settings)),
-      log_(std::chrono::seconds(1)) {}
+      due_(interval_of(settings)) {}
 
 std::int64_t MapPublisher::add(Map map) {
   if (!due_.admit()) {
@@ -58,11 +55,8 @@ std::int64_t MapPublisher::publish(const Map& map) {
     return static_cast<std::int64_t>(bytes.size());
   } catch (const std::invalid_argument& error) {
     // The grasps are already published. In frame W, a map may lie too far from the origin.
-    if (const auto held_back = log_.admit()) {
-      log_warning(with_held_back(
-          fmt::format("{}: no map of cloud {}: {}", channel_, map.stamp.utime, error.what()),
-          *held_back));
-    }
+    log_.warning(
+        fmt::format("{}: no map of cloud {}: {}", channel_, map.stamp.utime, error.what()));
     return 0;
   }
 }

@@ -8,6 +8,9 @@
 #include "process/planner/settings.hpp"
 #include "run/publish.hpp"
 #include "run/rate_limiter.hpp"
+#include "process/runtime/limited_log.hpp"
+#include "quadrille/bus/publish.hpp"
+#include "quadrille/bus/rate_limiter.hpp"
 
 namespace quadrille {
 
@@ -36,7 +39,8 @@ class MapPublisher {
  private:
   const std::string channel_;
   const bus::Publish publish_;
-  bus::RateLimiter due_, log_;
+  bus::RateLimiter due_;
+  LimitedLog log_;
   std::optional<Map> late_;
 };
 

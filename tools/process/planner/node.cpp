@@ -74,72 +74,59 @@ std::vector<Job> PlannerNode::find_due_jobs(Time now) {
 std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
                                               std::span<const std::byte> bytes) {
   const auto start = std::chrono::steady_clock::now();
-  bus::Decoded<bus::CloudMessage> decoded = bus::decode_cloud(bytes);
+  auto decoded = bus::decode_cloud(bytes);
   const double decode_ms = bus::ms_since(start);
   const std::lock_guard lock(mutex_);
   ++counts_.received_clouds;
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
-  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
-    refused_clouds_.add(channel, *rejection);
-    return std::nullopt;
-  }
+  auto cloud = refused_clouds_.accept(channel, std::move(decoded));
+  if (!cloud) return std::nullopt;
   ++counts_.decoded_clouds;
   stages_.add("decode", decode_ms);
-  auto cloud = std::get<bus::CloudMessage>(std::move(decoded));
-  gaps_.add(cloud.cloud.frame, cloud.seq);
-  const std::int64_t utime = cloud.utime;
-  return posed_clouds_.add(utime, [this, cloud = std::move(cloud)](const CameraPose& pose) mutable {
-    return make_job(pairing_.add(std::move(cloud), place(settings_.frames, pose)));
-  });
+  gaps_.add(cloud->cloud.frame, cloud->seq);
+  const std::int64_t utime = cloud->utime;
+  return posed_clouds_.add(
+      utime, [this, cloud = *std::move(cloud)](const CameraPose& pose) mutable {
+        return make_job(pairing_.add(std::move(cloud), place(settings_.frames, pose)));
+      });
 }
 
 std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
                                                  std::span<const std::byte> bytes) {
-  bus::Decoded<bus::QuadricsMessage> decoded = bus::decode_quadrics(bytes);
+  auto decoded = bus::decode_quadrics(bytes);
   const std::lock_guard lock(mutex_);
   ++counts_.received_quadrics;
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
-  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
-    refused_quadrics_.add(channel, *rejection);
-    return std::nullopt;
-  }
+  const auto quadrics = refused_quadrics_.accept(channel, std::move(decoded));
+  if (!quadrics) return std::nullopt;
   ++counts_.decoded_quadrics;
-  auto quadrics = std::get<bus::QuadricsMessage>(std::move(decoded));
   const bool waits = posed_clouds_.follow(
-      quadrics.utime, [this, quadrics](const CameraPose&) { return pair_quadrics(quadrics); });
-  return waits ? std::nullopt : pair_quadrics(quadrics);
+      quadrics->utime, [this, quadrics](const CameraPose&) { return pair_quadrics(*quadrics); });
+  return waits ? std::nullopt : pair_quadrics(*quadrics);
 }
 
 /// Pairs quadrics with their cloud. The mutex must be held.
 std::optional<Job> PlannerNode::pair_quadrics(const bus::QuadricsMessage& quadrics) {
   auto job = make_job(pairing_.add(quadrics));
-  if (const auto given_up = pairing_.take_given_up()) log_unpaired(*given_up);
+  if (const auto given_up = pairing_.take_given_up()) {
+    unpaired_log_.warning(fmt::format("{}: the quadrics of cloud {} are not planned on: {}",
+                                      settings_.quadrics_channel, given_up->utime,
+                                      explain(given_up->why)));
+  }
   return job;
-}
-
-void PlannerNode::log_unpaired(const Pairing::GivenUp& quadrics) {
-  const auto held_back = unpaired_log_.admit();
-  if (!held_back) return;
-  log_warning(
-      with_held_back(fmt::format("{}: the quadrics of cloud {} are not planned on: {}",
-                                 settings_.quadrics_channel, quadrics.utime, explain(quadrics.why)),
-                     *held_back));
 }
 
 std::optional<Job> PlannerNode::receive_request(const std::string& channel,
                                                 std::span<const std::byte> bytes) {
-  bus::Decoded<grasp_request_t> decoded = bus::decode_request(bytes);
+  auto decoded = bus::decode_request(bytes);
   const std::lock_guard lock(mutex_);
   ++requests_;
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
-  if (const auto* rejection = std::get_if<bus::Rejection>(&decoded)) {
-    refused_requests_.add(channel, *rejection);
-    return std::nullopt;
-  }
-  auto request = std::get<grasp_request_t>(std::move(decoded));
+  const auto request = refused_requests_.accept(channel, std::move(decoded));
+  if (!request) return std::nullopt;
   const auto now = std::chrono::steady_clock::now();
-  return Job{request.cloud_utime, [this, request, now] { answer(request, now); },
-             [this, request](const std::string& why) { refuse(request, nullptr, why); }};
+  return Job{request->cloud_utime, [this, request, now] { answer(*request, now); },
+             [this, request](const std::string& why) { refuse(*request, nullptr, why); }};
 }
 
 std::optional<Job> PlannerNode::make_job(std::optional<CloudAndQuadrics> found) {

@@ -16,13 +16,14 @@
 #include "process/planner/pairing.hpp"
 #include "process/planner/recent_pairs.hpp"
 #include "process/planner/settings.hpp"
+#include "process/runtime/limited_log.hpp"
 #include "process/runtime/node.hpp"
-#include "process/runtime/posed_clouds.hpp"
-#include "process/runtime/rate.hpp"
+#include "process/runtime/poses/posed_clouds.hpp"
 #include "process/runtime/refusals.hpp"
-#include "process/runtime/sequence_gaps.hpp"
-#include "process/runtime/stages.hpp"
+#include "process/runtime/status/rate.hpp"
+#include "process/runtime/status/stages.hpp"
 #include "process/runtime/viewer.hpp"
+#include "process/runtime/watch/sequence_gaps.hpp"
 #include "quadrille/bus/request_message.hpp"
 #include "run/rate_limiter.hpp"
 
@@ -49,7 +50,6 @@ class PlannerNode : public Node {
   std::optional<Job> receive_quadrics(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_request(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> pair_quadrics(const bus::QuadricsMessage& quadrics);
-  void log_unpaired(const Pairing::GivenUp& quadrics);
   std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
   void plan_and_publish(const SharedPair& pair);
   void answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at);
@@ -74,7 +74,7 @@ class PlannerNode : public Node {
   PosedClouds posed_clouds_;
   std::int64_t requests_ = 0, unmet_ = 0;
   Refusals refused_clouds_, refused_quadrics_, refused_poses_, refused_requests_;
-  bus::RateLimiter unpaired_log_{std::chrono::seconds(1)};
+  LimitedLog unpaired_log_;
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};
   Rate received_rate_, published_rate_;

@@ -5,8 +5,8 @@
 
 #include "process/planner/node.hpp"
 #include "process/planner/status_text.hpp"
-#include "process/runtime/other_senders.hpp"
-#include "process/runtime/status.hpp"
+#include "process/runtime/status/status.hpp"
+#include "process/runtime/watch/other_senders.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/status_message.hpp"
 

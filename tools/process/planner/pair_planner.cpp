@@ -15,8 +15,7 @@ namespace quadrille {
 GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const GraspQuery& query) {
   if (pair == ready_) return scene_->plan(query);
   const Placement& placement = pair->placement;
-  PointCloud cloud_K = moved(pair->cloud->cloud, placement.X_CK.inverse());
-  if (settings_.frames.clouds == CloudFrame::kWorld) cloud_K.viewpoint.setZero();
+  PointCloud cloud_K = in_camera_frame(pair->cloud->cloud, placement, settings_.frames);
   if (!placement.lack.empty()) {
     cloud_K.viewpoint.setConstant(std::numeric_limits<double>::quiet_NaN());
   }

@@ -1,8 +1,8 @@
 #include "process/planner/status_text.hpp"
 
 #include "io/planner/gripper_file.hpp"
-#include "process/runtime/exposition.hpp"
-#include "process/runtime/process_info.hpp"
+#include "process/runtime/status/exposition.hpp"
+#include "process/runtime/status/process_info.hpp"
 
 namespace quadrille {
 

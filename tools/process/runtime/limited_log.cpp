@@ -6,17 +6,21 @@
 
 namespace quadrille {
 
-std::string with_held_back(const std::string& record, std::int64_t held_back) {
-  if (held_back == 0) return record;
-  return fmt::format("{}; {} more since the last record", record, held_back);
-}
-
-void LimitedLog::log(void (*write)(const std::string&), const std::string& record) {
+void LimitedLog::log(void (*write)(const std::string&), const std::string& record,
+                     Clock::time_point now) {
   const std::lock_guard lock(mutex_);
-  if (const auto held_back = limiter_.admit()) write(with_held_back(record, *held_back));
+  const auto held_back = limiter_.admit(now);
+  if (!held_back) return;
+  write(*held_back == 0 ? record
+                        : fmt::format("{}; {} more since the last record", record, *held_back));
 }
 
-void LimitedLog::warning(const std::string& record) { log(log_warning, record); }
-void LimitedLog::error(const std::string& record) { log(log_error, record); }
+void LimitedLog::warning(const std::string& record, Clock::time_point now) {
+  log(log_warning, record, now);
+}
+
+void LimitedLog::error(const std::string& record, Clock::time_point now) {
+  log(log_error, record, now);
+}
 
 }  // namespace quadrille

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
 #include <mutex>
 #include <string>
 
@@ -9,20 +8,23 @@
 
 namespace quadrille {
 
-/// Returns a record with the number of similar ones that were left out before it.
-std::string with_held_back(const std::string& record, std::int64_t held_back);
-
-/// Logs at most one record per second, with the number of those left out before it. For any thread.
+/// Logs at most one record per interval, with the number of those left out before it. For any
+/// thread.
 class LimitedLog {
  public:
-  void warning(const std::string& record);
-  void error(const std::string& record);
+  using Clock = bus::RateLimiter::Clock;
+
+  explicit LimitedLog(std::chrono::milliseconds interval = std::chrono::seconds(1))
+      : limiter_(interval) {}
+
+  void warning(const std::string& record, Clock::time_point now = Clock::now());
+  void error(const std::string& record, Clock::time_point now = Clock::now());
 
  private:
-  void log(void (*write)(const std::string&), const std::string& record);
+  void log(void (*write)(const std::string&), const std::string& record, Clock::time_point now);
 
   std::mutex mutex_;
-  bus::RateLimiter limiter_{std::chrono::seconds(1)};
+  bus::RateLimiter limiter_;
 };
 
 }  // namespace quadrille

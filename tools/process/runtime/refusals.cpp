@@ -2,18 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "process/runtime/limited_log.hpp"
-#include "process/runtime/logging.hpp"
-
 namespace quadrille {
 
 void Refusals::add(const std::string& channel, const bus::Rejection& rejection) {
   counts_.add(rejection.reason);
-  const auto held_back = log_.admit();
-  if (!held_back) return;
-  log_warning(with_held_back(fmt::format("{}: refused a message: {} ({})", channel,
-                                         to_string(rejection.reason), rejection.detail),
-                             *held_back));
+  log_.warning(fmt::format("{}: refused a message: {} ({})", channel, to_string(rejection.reason),
+                           rejection.detail));
 }
 
 std::string describe(const bus::RejectCounts& counts) {

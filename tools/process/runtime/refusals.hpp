@@ -1,8 +1,11 @@
 #pragma once
 
-#include <chrono>
+#include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 
+#include "process/runtime/limited_log.hpp"
 #include "quadrille/bus/rejection.hpp"
 #include "run/rate_limiter.hpp"
 
@@ -12,11 +15,18 @@ namespace quadrille {
 class Refusals {
  public:
   void add(const std::string& channel, const bus::Rejection& rejection);
+  /// Returns a message that was decoded; adds it and returns nullopt if it was refused.
+  template <class Message>
+  std::optional<Message> accept(const std::string& channel, bus::Decoded<Message> decoded) {
+    if (auto* message = std::get_if<Message>(&decoded)) return std::move(*message);
+    add(channel, std::get<bus::Rejection>(decoded));
+    return std::nullopt;
+  }
   const bus::RejectCounts& counts() const { return counts_; }
 
  private:
   bus::RejectCounts counts_;
-  bus::RateLimiter log_{std::chrono::seconds(1)};
+  LimitedLog log_;
 };
 
 /// Returns "none refused", or "3 refused (cut_short 1, bad_length 2)".

@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "process/runtime/surface_mesh.hpp"
+#include "mesh/surface_mesh.hpp"
 #include "quadrille/bus/encode.hpp"
 
 namespace quadrille {
@@ -37,21 +37,16 @@ std::array<float, 4> color_of(std::size_t index, float opacity) {
   return {c[0], c[1], c[2], opacity};
 }
 
-double dimension(const Detection& detection, std::size_t index) {
-  return index < detection.dimensions.size() ? detection.dimensions[index].value : 0.0;
-}
-
 ViewerShape mesh_shape(const Detection& detection) {
-  const Quadric Q_Q = detection.Q_C.transformed(detection.X_CQ.inverse());
-  const TriangleMesh mesh = mesh_in_box(Q_Q, detection.extent_Q, kMeshCells);
+  const Mesh mesh = mesh_of(detection, kMeshCells);
   ViewerShape shape{Geometry::MESH, Eigen::Isometry3d::Identity(), {}, {}};
   shape.numbers = {static_cast<float>(mesh.vertices.size()),
                    static_cast<float>(mesh.triangles.size())};
-  for (const Eigen::Vector3d& v : mesh.vertices) {
-    for (int i = 0; i < 3; ++i) shape.numbers.push_back(static_cast<float>(v[i]));
+  for (const Eigen::Vector3f& v : mesh.vertices) {
+    shape.numbers.insert(shape.numbers.end(), {v.x(), v.y(), v.z()});
   }
   for (const auto& triangle : mesh.triangles) {
-    for (const int v : triangle) shape.numbers.push_back(static_cast<float>(v));
+    shape.numbers.insert(shape.numbers.end(), triangle.begin(), triangle.end());
   }
   return shape;
 }
@@ -61,7 +56,7 @@ ViewerShape shape_of(const Detection& d, const std::array<float, 4>& color) {
   const auto middle = [&](const Eigen::Vector3d& p_Q) {
     return Eigen::Isometry3d(Eigen::Translation3d(p_Q));
   };
-  const auto number = [&](std::size_t i) { return static_cast<float>(dimension(d, i)); };
+  const auto number = [&](std::size_t i) { return static_cast<float>(d.dimension(i)); };
   switch (d.type) {
     case QuadricType::kSphere:
       return {Geometry::SPHERE, middle({0, 0, 0}), color, {number(0)}};

@@ -59,6 +59,10 @@ struct Detection {
   ///   hyperboloids a b c; hyperbolic_cylinder a b; parabolic_cylinder focal;
   ///   plane width height; parallel_planes distance; intersecting_planes angle.
   std::vector<Dimension> dimensions;
+  /// Value of the n-th dimension; 0 if there are fewer.
+  double dimension(std::size_t n) const {
+    return n < dimensions.size() ? dimensions[n].value : 0.0;
+  }
   /// Bounding box of the inliers in frame Q [m].
   Eigen::AlignedBox3d extent_Q;
   /// Share of the surface within the extent that was observed, 0 to 1.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <array>
 
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
@@ -36,6 +37,12 @@ class Quadric {
   QUADRILLE_EXPORT Eigen::Vector3d gradient(const Eigen::Vector3d& x) const;
   /// The signed first-order distance f(x) / |∇f(x)| [m]; infinite where the gradient vanishes.
   QUADRILLE_EXPORT double distance(const Eigen::Vector3d& x) const;
+
+  /// Returns the values of t at which the line o + t d crosses the quadric, the smaller magnitude
+  /// first; a value is not finite if the line has no such crossing. A line that only touches the
+  /// quadric or lies within it does not cross it.
+  QUADRILLE_EXPORT std::array<double, 2> crossings(const Eigen::Vector3d& o,
+                                                   const Eigen::Vector3d& d) const;
 
   /// Returns the quadric moved by a rigid motion, which holds X·x for each x of this one: Q_B =
   /// X_BA⁻ᵀ Q_A X_BA⁻¹.

@@ -1,7 +1,6 @@
 #include "surfaces/evidence/see_through.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -43,7 +42,7 @@ bool has_closed_section(QuadricType type) {
 
 /// The part of a quadric that its region supports, in frame V of the sight.
 struct VouchedPart {
-  Eigen::Matrix4d Q;
+  Quadric Q;
   /// +1 if the seen side is the one to which the gradient points, else -1.
   double side;
   /// The part lies within a ball, and within a box along the axes x, y, z of a frame.
@@ -60,7 +59,7 @@ struct VouchedPart {
     // This is false also for NaN.
     if (!((x - centre).squaredNorm() < reach * reach)) return 0.0;
     if (!box.contains(axes.transpose() * x)) return 0.0;
-    const Eigen::Vector3d g = (Q * x.homogeneous()).head<3>();
+    const Eigen::Vector3d g = (Q.matrix() * x.homogeneous()).head<3>();
     return std::max(0.0, -side * ray.dot(g) / (ray.norm() * g.norm()));
   }
 };
@@ -70,7 +69,7 @@ VouchedPart vouched_part(const Eigen::Isometry3d& X_VC, const SurfaceSamples& sa
                          const CanonicalForm& form, const std::optional<Eigen::Vector3d>& up) {
   VouchedPart part{};
   const Eigen::Matrix4d X_CV = X_VC.inverse().matrix();
-  part.Q = X_CV.transpose() * quadric.normalized().matrix() * X_CV;
+  part.Q = Quadric(Eigen::Matrix4d(X_CV.transpose() * quadric.normalized().matrix() * X_CV));
   Eigen::Matrix3d axes_C = form.X.linear();
   if (!has_axis(form.type) && up) axes_C = pose_along(Eigen::Vector3d::Zero(), *up).linear();
   part.axes = X_VC.linear() * axes_C;
@@ -82,7 +81,7 @@ VouchedPart vouched_part(const Eigen::Isometry3d& X_VC, const SurfaceSamples& sa
     const Eigen::Vector3d x = X_VC * samples.raw[i].cast<double>();
     const Eigen::Vector3d n = X_VC.linear() * samples.n[i].cast<double>();
     part.box.extend(Eigen::Vector3d(part.axes.transpose() * x));
-    part.side += (part.Q * x.homogeneous()).head<3>().normalized().dot(n);
+    part.side += (part.Q.matrix() * x.homogeneous()).head<3>().normalized().dot(n);
     part.off += kOffSigmas * samples.sigma[i] / static_cast<double>(region.size());
   }
   part.side = part.side > 0 ? 1.0 : -1.0;
@@ -93,15 +92,6 @@ VouchedPart vouched_part(const Eigen::Isometry3d& X_VC, const SurfaceSamples& sa
     part.box.max().head(open).setConstant(kFar);
   }
   return part;
-}
-
-/// The depths at which a ray from the origin of V meets Q; not finite if it does not.
-std::array<double, 2> depths_along(const Eigen::Matrix4d& Q, const Eigen::Vector3d& ray) {
-  // Solves a z² + 2 b z + c = 0 without cancellation.
-  const double a = ray.dot(Q.topLeftCorner<3, 3>() * ray);
-  const double b = ray.dot(Q.topRightCorner<3, 1>()), c = Q(3, 3);
-  const double s = -(b + std::copysign(std::sqrt(b * b - a * c), b));
-  return {s / a, c / s};
 }
 
 /// The cells around a position, of which only every stride-th one is used.
@@ -139,7 +129,7 @@ double see_through(const SceneContext& context, const SurfaceSamples& samples,
       if (w == 0.0f) continue;
       const Eigen::Vector3d ray(sight.corner.x() + (i + 0.5) * sight.step,
                                 sight.corner.y() + (j + 0.5) * sight.step, 1.0);
-      for (const double z : depths_along(part.Q, ray)) {
+      for (const double z : part.Q.crossings(Eigen::Vector3d::Zero(), ray)) {
         if (!(z > 0.0)) continue;
         const double cosine = part.cosine_at(z * ray, ray);
         if (cosine < kMinCosine) continue;

@@ -1,0 +1,97 @@
+#include "process/runtime/poses/camera_poses.hpp"
+
+#include <limits>
+#include <random>
+
+#include "process/runtime/poses/moving_camera.hpp"
+#include "support/catch.hpp"
+
+namespace quadrille {
+
+using test::kMs;
+using test::LoggedLines;
+using test::MovingCamera;
+
+TEST_CASE("poses further from the cloud than the largest age are none, and the reason is told",
+          "[process][pose]") {
+  MovingCamera f(0.05, 0.2);
+  f.pose(0, 0);
+  f.cloud(201 * kMs, 201 * kMs);
+  f.pass(300 * kMs);
+  CHECK(f.last.detail.find("the last pose before it is 0.201 s older, more than track.pose_age = "
+                           "0.2 s") == 0);
+  f.pose(500 * kMs, 500 * kMs);
+  f.pose(700 * kMs, 700 * kMs);
+  f.pose(700 * kMs + 201 * kMs, 901 * kMs);
+  for (const std::int64_t utime : {900 * kMs, 701 * kMs, 699 * kMs, 500 * kMs}) {
+    f.cloud(utime, 902 * kMs);
+    CHECK(f.done.back() == utime);
+    CHECK(f.last.X_WK);
+  }
+  f.cloud(-1 * kMs, 904 * kMs);
+  f.pass(1000 * kMs);
+  CHECK(f.last.detail == "all poses kept are newer; do both senders use one clock?");
+  f.pose(1500 * kMs, 1500 * kMs);
+  f.cloud(902 * kMs, 1500 * kMs);
+  f.pass(1600 * kMs);
+  CHECK(f.last.detail.find("the first pose after it is 0.598 s newer, more than track.pose_age") ==
+        0);
+  CHECK(f.reasons() == "no_pose 1 old_pose 2 ");
+}
+
+TEST_CASE("poses that are far from the clouds of a moving camera are warned of, once in a while",
+          "[process][pose]") {
+  const LoggedLines log;
+  MovingCamera near(1.0), far(1.0);
+  for (int i = 0; i <= 20; ++i) near.pose(40 * kMs * i, 0);
+  near.cloud(120 * kMs + 20 * kMs, 0);
+  CHECK(log.text().empty());
+  far.pose(0, 0);
+  for (int i = 1; i <= 10; ++i) {
+    far.pose(400 * kMs * i, 0);
+    far.cloud(400 * kMs * i - 200 * kMs, 0);
+  }
+  CHECK(far.clouds().last_age_ms() == Approx(200.0));
+  CHECK(
+      log.have("POSE: poses are 200 ms from the clouds; at 0.50 m/s that is up to 100 mm; "
+               "publish poses faster"));
+  CHECK(log.text().find("poses are") == log.text().rfind("poses are"));
+}
+
+TEST_CASE("a camera that turns misplaces too, and one at rest does not", "[process][pose]") {
+  CameraPose pose;
+  pose.X_WK.emplace().setIdentity();
+  pose.age = 0.2;
+  CHECK(describe_if_far(pose).empty());
+  pose.motion = {0.1, 0.5};
+  CHECK(describe_if_far(pose).find("poses are 200 ms from the clouds; at 0.10 m/s and 29 °/s that "
+                                   "is up to 120 mm a metre away; ") == 0);
+  pose.age = 0.019;
+  CHECK(describe_if_far(pose).empty());
+}
+
+TEST_CASE("hostile times give a pose or none, but no pose that is no number",
+          "[process][pose][hostile]") {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max(),
+                         kLeast = std::numeric_limits<std::int64_t>::min();
+  const std::vector<std::int64_t> times = {
+      kLeast, kLeast + 1, kLeast + 2,    -1,        0,         1,
+      kMs,    kMost / 2,  kMost / 2 + 1, kMost - 2, kMost - 1, kMost};
+  std::mt19937 random(5);
+  const auto any = [&] { return times[random() % times.size()]; };
+  MovingCamera f(0.05, 1e6);
+  std::size_t clouds = 0;
+  for (int i = 0; i < 20000; ++i) {
+    if (random() % 2 == 0) {
+      f.pose(any(), any());
+    } else {
+      f.cloud(any(), any());
+      ++clouds;
+    }
+    if (f.last.X_WK) REQUIRE(f.last.X_WK->matrix().allFinite());
+  }
+  f.pass(kMost);
+  CHECK(f.done.size() >= clouds - PosedClouds::kMaxWaiting);
+}
+
+}  // namespace quadrille

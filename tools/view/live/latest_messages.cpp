@@ -1,0 +1,94 @@
+#include "view/live/latest_messages.hpp"
+
+#include <utility>
+#include <variant>
+
+#include "quadrille/bus/grasps_message.hpp"
+
+namespace quadrille::view {
+namespace {
+
+/// Time for which clouds are kept after a browser last looked.
+constexpr std::chrono::seconds kWatchTime{3};
+/// Time after quadrics, or boxes, during which more of them are expected.
+constexpr std::chrono::seconds kQuadricsTime{1};
+/// Time for which a plan of all objects takes precedence over answers to requests for some.
+constexpr std::chrono::seconds kPlanTime{3};
+
+/// Returns true if the grasps answer a request.
+bool is_answer(std::span<const std::byte> bytes) {
+  const auto decoded = bus::decode_grasps(bytes);
+  const auto* const grasps = std::get_if<grasps_t>(&decoded);
+  return grasps != nullptr && grasps->request_id != 0;
+}
+
+}  // namespace
+
+void MessageKeeper::take(const std::string& channel, std::span<const std::byte> bytes) {
+  const std::pair<const std::string&, Bytes LatestMessages::*> slots[] = {
+      {channels_.quadrics, &LatestMessages::quadrics},
+      {channels_.boxes, &LatestMessages::boxes},
+      {channels_.grasps, &LatestMessages::grasps},
+      {channels_.occupancy, &LatestMessages::occupancy},
+      {channels_.detector_status, &LatestMessages::detector_status},
+      {channels_.planner_status, &LatestMessages::planner_status}};
+  const bool is_cloud = channel == channels_.cloud;
+  const auto now = Clock::now();
+  const bool is_plan = channel == channels_.grasps && !is_answer(bytes);
+  {
+    const std::lock_guard lock(mutex_);
+    if (is_cloud && now > watched_until_) return;
+    if (is_plan) plan_came_ = now;
+    if (channel == channels_.grasps && now - plan_came_ < kPlanTime && !is_plan) return;
+  }
+  Bytes copy = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
+  const std::lock_guard lock(mutex_);
+  if (is_cloud) keep_cloud(std::move(copy));
+  if (channel == channels_.quadrics) latest_.quadrics_before = latest_.quadrics;
+  for (const auto& [name, slot] : slots) {
+    if (!is_cloud && name == channel) std::swap(latest_.*slot, copy);
+  }
+  if (channel == channels_.quadrics) quadrics_came_ = now;
+  if (channel == channels_.boxes) boxes_came_ = now;
+  // Status messages are not part of a scene.
+  const bool is_status =
+      channel == channels_.detector_status || channel == channels_.planner_status;
+  if (is_status) return;
+  // Quadrics wait for their boxes, and clouds for their quadrics, if such messages have come
+  // recently.
+  const auto last = is_cloud ? quadrics_came_ : boxes_came_;
+  const bool waits = is_cloud || channel == channels_.quadrics;
+  has_news_ = has_news_ || !waits || now - last > kQuadricsTime;
+  news_.notify_one();
+}
+
+void MessageKeeper::keep_cloud(Bytes bytes) {
+  cloud_bytes_ += bytes->size();
+  latest_.clouds.push_back(std::move(bytes));
+  while (latest_.clouds.size() > kMaxClouds ||
+         (latest_.clouds.size() > 1 && cloud_bytes_ > kMaxCloudBytes)) {
+    cloud_bytes_ -= latest_.clouds.front()->size();
+    latest_.clouds.pop_front();
+  }
+}
+
+void MessageKeeper::watch() {
+  const std::lock_guard lock(mutex_);
+  watched_until_ = Clock::now() + kWatchTime;
+  news_.notify_one();
+}
+
+bool MessageKeeper::wait(std::chrono::milliseconds timeout) {
+  std::unique_lock lock(mutex_);
+  const bool ready =
+      news_.wait_for(lock, timeout, [this] { return has_news_ && Clock::now() < watched_until_; });
+  if (ready) has_news_ = false;
+  return ready;
+}
+
+LatestMessages MessageKeeper::latest() const {
+  const std::lock_guard lock(mutex_);
+  return latest_;
+}
+
+}  // namespace quadrille::view

@@ -1,0 +1,47 @@
+#include "view/log/log_frames.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+#include <variant>
+
+#include "quadrille/detector/printable.hpp"
+
+namespace quadrille::view {
+
+LogFrames::LogFrames(const std::string& path, const std::string& channel)
+    : path_(path), channel_(channel) {
+  bus::LogReader reader(path);
+  for (std::int64_t event = 0; const auto found = reader.next(); ++event) {
+    if (!channel.empty() && found->channel != channel) continue;
+    const auto stamp = bus::read_stamp(found->bytes);
+    if (!stamp || !std::holds_alternative<bus::CloudMessage>(bus::decode_cloud(found->bytes))) {
+      continue;
+    }
+    utimes_.push_back(stamp->utime);
+    events_.push_back(event);
+  }
+  defect_ = reader.survey().defect;
+  if (!utimes_.empty()) return;
+  throw std::runtime_error(
+      fmt::format("{}: holds no cloud{}; record POINT_CLOUD messages, or name another --channel",
+                  path, channel.empty() ? "" : " on " + printable(channel)));
+}
+
+std::optional<logs::LoggedCloud> LogFrames::load(std::size_t number) {
+  if (number >= events_.size()) return std::nullopt;
+  if (!reader_ || next_event_ > events_[number]) {
+    reader_ = std::make_unique<bus::LogReader>(path_);
+    next_event_ = 0;
+  }
+  while (const auto event = reader_->next()) {
+    if (next_event_++ < events_[number]) continue;
+    auto decoded = bus::decode_cloud(event->bytes, bus::kMaxMessageBytes, bus::CloudColours::kKeep);
+    auto* const message = std::get_if<bus::CloudMessage>(&decoded);
+    if (message == nullptr) break;
+    return logs::LoggedCloud{std::move(*message), event->channel, event->utime};
+  }
+  return std::nullopt;
+}
+
+}  // namespace quadrille::view

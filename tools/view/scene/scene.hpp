@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/json/json.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/grasping/grasp.hpp"
+#include "quadrille/grasping/gripper.hpp"
+#include "quadrille/grasping/plan_options.hpp"
+#include "view/scene/voxel_layers.hpp"
+
+namespace quadrille::view {
+
+/// Number of refused candidates by the name of the reason.
+using Rejected = std::map<std::string, std::int64_t>;
+
+/// Everything that is shown of one cloud, in one frame C.
+struct Scene {
+  /// Name of the input or of the channel.
+  std::string name;
+  std::int64_t utime = 0;
+  std::int32_t seq = 0;
+  PointCloud cloud;
+  std::vector<Detection> detections;
+  std::vector<Box> boxes;
+  /// The grasps, best first.
+  std::vector<Grasp> grasps;
+  /// Outcome of the trial of each grasp; empty if none was tried.
+  std::vector<std::string> outcomes;
+  std::string gripper_name;
+  /// The gripper; without it the hand cannot be drawn.
+  std::optional<Gripper> gripper;
+  UnknownPolicy unknown = UnknownPolicy::kObstacle;
+  /// Refusals of all targets, and by target if known.
+  Rejected rejected;
+  std::map<int, Rejected> rejected_of;
+  VoxelLayers voxels;
+  std::vector<StageTime> timings;
+  std::vector<std::string> warnings;
+};
+
+/// Limits of how much of a scene is shown.
+struct PackLimits {
+  std::size_t points = 80000, voxels = 20000, objects = 255, grasps = 1000;
+};
+
+/// Returns the grasps of a scene, the refusals, and the hand, in the form that the page expects.
+io::Json plan_json(const Scene& scene, const PackLimits& limits = {});
+
+/// Packs a scene in the form that the page expects: "QVW1", the length of the JSON as 32 bits, the
+/// JSON, and the arrays, which the JSON names by their offset from its end. Little-endian.
+std::string pack_scene(const Scene& scene, const PackLimits& limits = {});
+
+}  // namespace quadrille::view

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "quadrille/detector/options.hpp"
+#include "quadrille/grasping/grasp_query.hpp"
+#include "view/log/log_backend.hpp"
+
+namespace quadrille::view {
+
+/// The settings with which the clouds of a log are processed.
+struct PlanSetup {
+  DetectorOptions detector;
+  PlanOptions plan;
+  Gripper gripper;
+  GraspQuery query;
+  PackLimits limits;
+};
+
+/// Detects and plans on one cloud, as `quadrille plan` does. A further query for each object gives
+/// its own grasps and refusals.
+/// @param cloud  cloud in the frame K in which the work is done
+/// @param X_CK  pose of that frame in the frame C of the scene
+Scene scene_of_cloud(const PointCloud& cloud, const Eigen::Isometry3d& X_CK,
+                     const PlanSetup& setup);
+
+}  // namespace quadrille::view
