@@ -50,9 +50,10 @@ class BoxMaker {
   }
 
  private:
+  /// False for a face whose middle lies on a box: it is a second fit of one of the box's own faces.
   bool is_free(const Face* face) const {
     return std::none_of(boxes_.begin(), boxes_.end(), [&](const Box& box) {
-      return box.outer_B.exteriorDistance(box.X_CB.inverse() * face->middle_C) < kPartOf;
+      return box.outer_B.exteriorDistance(box.X_CB.inverse() * face->middle_C) < kRounding;
     });
   }
 
@@ -85,9 +86,6 @@ class BoxMaker {
     if (faces.size() == detected) return std::nullopt;
     return measure_box(faces, others, sight_);
   }
-
-  // A face whose middle lies this near to a box [m] is a second fit of one of the box's own faces.
-  static constexpr double kPartOf = 0.005;
 
   DirectionIndex sight_;
   std::vector<const Detection*> planes_;

@@ -25,11 +25,12 @@ std::optional<std::pair<double, double>> clip(const Eigen::AlignedBox3d& box,
   return std::pair(from, to);
 }
 
-int count_seen_within(const Eigen::AlignedBox3d& box_B, const Eigen::Isometry3d& X_CB,
-                      const std::vector<Eigen::Vector3d>& points_C, const DirectionIndex& sight) {
+std::size_t count_seen_within(const Eigen::AlignedBox3d& box_B, const Eigen::Isometry3d& X_CB,
+                              const std::vector<Eigen::Vector3d>& points_C,
+                              const DirectionIndex& sight) {
   const Eigen::Isometry3d X_BC = X_CB.inverse();
   const Eigen::Vector3d eye_B = X_BC * sight.eye();
-  return static_cast<int>(
+  return static_cast<std::size_t>(
       std::count_if(points_C.begin(), points_C.end(), [&](const Eigen::Vector3d& p_C) {
         const Eigen::Vector3d p_B = X_BC * p_C;
         return clip(box_B, sight.single() ? eye_B : p_B, p_B).has_value();
