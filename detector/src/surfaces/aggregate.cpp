@@ -30,12 +30,12 @@ constexpr std::size_t kOffsetSamples = 100;
 /// The area that a candidate explains, weighted by the quality of fit: a truncated quadratic in the
 /// distance.
 double support(const SurfaceSamples& samples, const Candidate& candidate, const InlierTest& test,
-               const std::vector<char>& claimed) {
+               const Mask& free) {
   const Eigen::Matrix4f Q = candidate.Q.matrix().cast<float>();
   const float sigmas = static_cast<float>(test.sigmas);
   float sum = 0;
   for (const int i : candidate.region) {
-    if (claimed[i]) continue;
+    if (!free[i]) continue;
     const float d = distance_to(Q, samples.raw[i]) / (sigmas * samples.sigma[i]);
     sum += std::max(0.0f, 1.0f - d * d) * samples.cell[i] * samples.cell[i];
   }
@@ -67,7 +67,7 @@ void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
   std::vector<double> value;
   std::vector<Eigen::AlignedBox3f> box;
   for (const Candidate& c : pending_) {
-    value.push_back(support(samples_, c, inlier_, claimed()));
+    value.push_back(support(samples_, c, inlier_, free()));
     box.push_back(box_of(samples_, c.region));
   }
   std::vector<Candidate> later;
@@ -87,7 +87,7 @@ void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
     const Eigen::AlignedBox3f claim = box_of(samples_, surface.region);
     for (std::size_t c = 0; c < pending_.size(); ++c) {
       if (value[c] > 0 && box[c].intersects(claim)) {
-        value[c] = support(samples_, pending_[c], inlier_, claimed());
+        value[c] = support(samples_, pending_[c], inlier_, free());
       }
     }
   }
@@ -117,7 +117,7 @@ Trial Aggregation::try_out(const Candidate& candidate, const Acceptance& asked) 
       surface->rms > asked.max_candidate_residual * mean_sigma(samples_, surface->region)) {
     return trial;
   }
-  surface = extender_.extended(std::move(*surface), claimed());
+  surface = extender_.extended(std::move(*surface), free());
   // The extended fit may differ, so it is checked again.
   if (is_thin(*surface, samples_)) return trial;
   weigh(&*surface);
@@ -192,9 +192,8 @@ void Aggregation::weigh(Surface* surface) const {
 
 Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q,
                                   const CanonicalForm& form) const {
-  std::span<const char> beyond;
-  if (stands_off(region)) beyond = claimed();
-  Evidence evidence = collect_evidence(samples_, region, Q, beyond);
+  static const Mask kAll;
+  Evidence evidence = collect_evidence(samples_, region, Q, stands_off(region) ? free() : kAll);
   evidence.remainder = claims_.remainder(region);
   add_intruders(samples_, buckets_, region, Q, &evidence);
   evidence.uprightness = uprightness(form, context_.up);

@@ -36,7 +36,7 @@ class Aggregation {
   void offer_planes(const std::vector<PlaneRegion>& planes);
 
   /// Per sample, nonzero if it belongs to an accepted surface.
-  const std::vector<char>& claimed() const { return claims_.claimed(); }
+  const Mask& free() const { return claims_.free(); }
   const std::vector<Surface>& surfaces() const { return surfaces_; }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/mask.hpp"
 #include "base/stage_clock.hpp"
 #include "quadrille/detector/options.hpp"
 #include "samples/sample_tree.hpp"
@@ -11,7 +12,7 @@ namespace quadrille {
 
 /// Searches one level, and returns candidates whose regions refer to the finest samples.
 /// @param open  per sample of the level, zero to leave it out
-std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::vector<char> open,
+std::vector<Candidate> find_candidates(const SampleTree& tree, int level, Mask open,
                                        const DetectorOptions& options);
 
 /// Searches for surfaces and selects among the candidates, from coarse to fine, so that the finer
