@@ -10,9 +10,6 @@
 namespace quadrille {
 namespace {
 
-// Least cosine between an end's direction and the reversed normal of a plane that faces it (78°).
-constexpr double kMinFacing = 0.2;
-
 /// Distance from a corner along a direction to the plane; nullopt if the ray misses the plane's
 /// extent [m].
 std::optional<double> distance_to(const Detection& plane, const Eigen::Vector3d& n_C,
@@ -34,7 +31,7 @@ PlaneStop stop_at_plane(const std::vector<Eigen::Vector3d>& corners_C, const Eig
   for (const Detection* plane : planes) {
     const Eigen::Vector3d n_C = outward_normal(*plane);
     const double facing = -n_C.dot(out_C);
-    if (facing < kMinFacing) continue;
+    if (facing < kMinCosine) continue;
     const bool parallel = facing > std::cos(kMaxSkew);
     // The nearest corner stops the end. On a parallel plane all corners meet at once, and their
     // mean is more accurate.

@@ -10,8 +10,6 @@ namespace {
 
 // Number of tiles along each side of the image.
 constexpr int kTiles = 64;
-// Number of levels; each has about a quarter of the points of the level before.
-constexpr std::size_t kLevels = 4;
 // This many points suffice to judge a face; for larger areas a thinner level is used.
 constexpr std::size_t kMaxPoints = 12'000;
 
@@ -57,7 +55,7 @@ DirectionIndex::DirectionIndex(const CloudView& cloud) : cloud_(cloud), view_(fi
   }
   levels_.push_back(sort_into_buckets(tile, kTiles * kTiles));
   double cells = static_cast<double>(levels_.front().list.size());
-  while (levels_.size() < kLevels) {
+  while (levels_.back().list.size() > kMaxPoints) {
     cells *= 0.25;
     levels_.push_back(thinned(levels_.back(), tangents, cells));
   }
@@ -119,8 +117,7 @@ std::vector<Eigen::Vector3d> DirectionIndex::points_in(const Eigen::Vector2i& lo
     for (int row = low.y(); row <= high.y(); ++row) count += row_of(level, row).size();
     return count <= kMaxPoints;
   };
-  const auto found = std::find_if(levels_.begin(), levels_.end(), is_enough);
-  const Buckets& level = found == levels_.end() ? levels_.back() : *found;
+  const Buckets& level = *std::find_if(levels_.begin(), levels_.end(), is_enough);
   std::vector<Eigen::Vector3d> points;
   for (int row = low.y(); row <= high.y(); ++row) {
     for (const int k : row_of(level, row)) points.push_back(cloud_.points[k].cast<double>());

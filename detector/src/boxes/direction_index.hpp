@@ -41,7 +41,7 @@ class DirectionIndex {
   CloudView cloud_;
   std::optional<PinholeView> view_;
   /// The points of the cloud in each tile: all points first, then ever fewer, evenly spread over
-  /// the image.
+  /// the image, until they are no more than a box needs.
   std::vector<Buckets> levels_;
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/quantile.hpp"
+#include "quadrille/detector/range_check.hpp"
 
 namespace quadrille {
 
@@ -40,12 +41,11 @@ std::size_t count_seen_within(const Eigen::AlignedBox3d& box_B, const Eigen::Iso
 double free_of_sight(const Eigen::AlignedBox3d& box_B, const Eigen::Isometry3d& X_CB, int axis,
                      int side, const std::vector<Eigen::Vector3d>& points_C,
                      const DirectionIndex& sight, std::size_t strays) {
-  constexpr double kFar = 1e3;
   if (!sight.single()) return std::numeric_limits<double>::infinity();
   const double end = side > 0 ? box_B.max()[axis] : box_B.min()[axis];
   Eigen::AlignedBox3d beyond_B = box_B;
-  beyond_B.min()[axis] = side > 0 ? end : end - kFar;
-  beyond_B.max()[axis] = side > 0 ? end + kFar : end;
+  beyond_B.min()[axis] = side > 0 ? end : end - kMaxRange;
+  beyond_B.max()[axis] = side > 0 ? end + kMaxRange : end;
   const Eigen::Isometry3d X_BC = X_CB.inverse();
   const Eigen::Vector3d eye_B = X_BC * sight.eye();
   std::vector<double> free;

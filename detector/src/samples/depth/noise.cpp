@@ -52,8 +52,6 @@ struct Patch {
   std::array<float, 6> a;
 };
 
-constexpr int kLanes = 8;
-
 /// Offsets and relative heights of consecutive cells over a patch; all 0 for empty cells.
 struct Heights {
   std::array<float, kLanes> one, s, t, h;

@@ -11,8 +11,6 @@ namespace quadrille {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// Voxels are processed in runs of this many, whatever the width of the vectors.
-constexpr int kLanes = 8;
 using Lanes __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = float;
 using Masks __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = int;
 using Halves __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = long long;
