@@ -15,15 +15,13 @@ namespace quadrille {
 namespace {
 
 // Edge of the blocks over which noise waves are averaged, in the unit of the fit. This constant and
-// the next four were fitted to the errors of 2,000 dimensions in scenes with exact truth: generated
-// ones, and simulated stereo, structured light and time of flight.
+// the next three were fitted to the errors of 2,000 dimensions in scenes with exact truth:
+// generated ones, and simulated stereo, structured light and time of flight.
 constexpr double kBlock = 0.6;
 // Standard deviation of the mean of noise that neighbours share, in rms residuals: for residuals no
-// larger than the measured noise, and in addition for larger ones, which are a shape of their own
-// that the fit follows.
-constexpr double kSharedShare = 0.105, kFlawShareOfRms = 0.455;
-// Position and width of the transition between the two, in residuals over the measured noise.
-constexpr double kFlawResidual = 1.0, kFlawStep = 0.02;
+// larger than the measured noise, and for larger ones, which are a shape of their own that the fit
+// follows.
+constexpr double kSharedShare = 0.105, kFlawShare = 0.467;
 // Rate at which noise counts as shared, as a function of the correlation of neighbouring residuals
 // in excess of that by chance.
 constexpr double kCorrelationRate = 80.0, kChanceCorrelation = 0.033;
@@ -91,9 +89,8 @@ double shared_noise(const Evidence& evidence) {
 double variance_of_mean(const Surface& surface, const SurfaceSamples& samples) {
   const double n = surface.fit.points;
   const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
-  const double step = (surface.evidence.residual - kFlawResidual) / kFlawStep;
-  const double flaw = kFlawShareOfRms * kFlawShareOfRms / (1.0 + std::exp(-step));
-  const double shared = shared_noise(surface.evidence) * (kSharedShare * kSharedShare + flaw);
+  const double share = surface.evidence.residual > 1.0 ? kFlawShare : kSharedShare;
+  const double shared = shared_noise(surface.evidence) * share * share;
   return surface.fit.rss / n * (1.0 / free + shared) + variance_by_blocks(surface, samples);
 }
 

@@ -11,8 +11,8 @@ namespace quadrille {
 
 /// Makes boxes from the planes among the detections of a cloud.
 ///
-/// Two or three planes are faces of one box if, within the uncertainty of their normals, they meet
-/// at right angles in a common convex edge. Faces that were not detected are sought in the cloud. A
+/// Two or three planes are faces of one box if they meet at right angles, within 9°, in a common
+/// convex edge. Faces that were not detected are sought in the cloud. A
 /// single plane is the top of a box if it is a free-standing rectangle above a plane that is
 /// parallel to it. Planes larger than 0.7 m are tables, walls and floors. Ids continue those of the
 /// detections; boxes with the most detected faces come first. Deterministic.
