@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/printable.hpp"
-#include "quadrille/detector/seen_side.hpp"
 
 namespace quadrille::io {
 namespace {

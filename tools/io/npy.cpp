@@ -12,7 +12,7 @@
 
 #include "io/file_bytes.hpp"
 #include "io/npy_header.hpp"
-#include "quadrille/detector/ingest.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille::io {
 namespace {

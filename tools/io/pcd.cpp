@@ -11,7 +11,7 @@
 #include "io/header_lines.hpp"
 #include "io/packed_point.hpp"
 #include "io/pcd_header.hpp"
-#include "quadrille/detector/ingest.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/detector/printable.hpp"
 
 namespace quadrille::io {

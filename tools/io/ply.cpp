@@ -12,7 +12,7 @@
 #include "io/packed_point.hpp"
 #include "io/ply_body.hpp"
 #include "io/ply_header.hpp"
-#include "quadrille/detector/ingest.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille::io {
 namespace {

@@ -23,8 +23,8 @@
 #include "logs/cloud_log_reader.hpp"
 #include "quadrille/bus/clock.hpp"
 #include "quadrille/bus/event_log.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/printable.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
 
 namespace quadrille {
 namespace {

@@ -27,7 +27,7 @@
 #include "io/planner/gripper_file.hpp"
 #include "quadrille/bus/stop.hpp"
 #include "quadrille/bus/url.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "view/live_backend.hpp"
 #include "view/log_backend.hpp"
 #include "view/request_guard.hpp"

@@ -1,5 +1,3 @@
-#include "quadrille/detector/find_boxes.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <list>
@@ -11,7 +9,8 @@
 #include "boxes/grouping.hpp"
 #include "boxes/measure_box.hpp"
 #include "boxes/missing_face.hpp"
-#include "quadrille/detector/range_check.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
+#include "quadrille/detector/detector.hpp"
 
 namespace quadrille {
 namespace {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "base/quantile.hpp"
-#include "quadrille/detector/range_check.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
 
 namespace quadrille {
 

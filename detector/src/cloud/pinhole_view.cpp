@@ -6,8 +6,8 @@
 
 #include "base/vector_clones.hpp"
 #include "cloud/some_points.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
 #include "quadrille/detector/pinhole.hpp"
-#include "quadrille/detector/range_check.hpp"
 
 namespace quadrille {
 namespace {

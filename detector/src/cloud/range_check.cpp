@@ -1,5 +1,3 @@
-#include "quadrille/detector/range_check.hpp"
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
@@ -9,6 +7,7 @@
 
 #include "base/vector_clones.hpp"
 #include "cloud/some_points.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
 
 namespace quadrille {
 namespace {

@@ -1,5 +1,3 @@
-#include "quadrille/detector/viewpoint_check.hpp"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -9,7 +7,7 @@
 
 #include "base/quantile.hpp"
 #include "cloud/some_points.hpp"
-#include "quadrille/detector/range_check.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
 
 namespace quadrille {
 namespace {

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "base/mask.hpp"
-#include "quadrille/detector/cloud_view.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/depth/noise.hpp"
 #include "samples/sight.hpp"

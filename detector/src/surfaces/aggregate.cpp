@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "fit/family_spec.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "samples/inliers.hpp"
 #include "surfaces/evidence/confidence.hpp"
 #include "surfaces/evidence/intruders.hpp"

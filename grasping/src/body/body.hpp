@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille {

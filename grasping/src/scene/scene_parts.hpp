@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "base/deadline.hpp"
-#include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/grasping/collision_shape.hpp"

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/collision_shape.hpp"
 #include "quadrille/grasping/occupancy.hpp"

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "detector/pipe.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"
 

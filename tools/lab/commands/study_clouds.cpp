@@ -9,7 +9,7 @@
 #include "io/file_bytes.hpp"
 #include "lab/scene/scene_files.hpp"
 #include "quadrille/bus/event_log.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 namespace {

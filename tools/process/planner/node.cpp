@@ -15,7 +15,7 @@
 #include "process/runtime/logging.hpp"
 #include "quadrille/bus/clock.hpp"
 #include "quadrille/bus/encode.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 
 namespace quadrille {

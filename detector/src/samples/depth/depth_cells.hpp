@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/mask.hpp"
-#include "quadrille/detector/cloud_view.hpp"
 #include "quadrille/detector/pinhole.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
 
