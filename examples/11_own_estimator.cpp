@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 // A ball of 4 cm radius on a table, seen from above with noise of 1 mm.
 quadrille::PointCloud ball_on_table() {

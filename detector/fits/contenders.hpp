@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "fits/normalise.hpp"
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 

@@ -2,7 +2,7 @@
 
 #include "fits/axis.hpp"
 #include "fits/type_design.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 namespace {

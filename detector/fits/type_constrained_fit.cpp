@@ -14,7 +14,7 @@
 #include "fits/taubin_fit.hpp"
 #include "fits/two_planes_fit.hpp"
 #include "fits/type_design.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 namespace {

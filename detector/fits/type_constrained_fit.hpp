@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "fits/normalise.hpp"
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 

@@ -1,7 +1,7 @@
-#include "quadrille/detector/rigid_motion.hpp"
-
 #include <Eigen/QR>
 #include <utility>
+
+#include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 namespace {

@@ -1,4 +1,4 @@
-#include "quadrille/detector/seen_side.hpp"
+#include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 namespace {

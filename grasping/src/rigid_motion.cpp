@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 

@@ -2,9 +2,8 @@
 #include <stdexcept>
 
 #include "detector/table_scene.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
 #include "quadrille/detector/detector.hpp"
-#include "quadrille/detector/find_boxes.hpp"
-#include "quadrille/detector/viewpoint_check.hpp"
 #include "support/catch.hpp"
 #include "support/missing_codes.hpp"
 

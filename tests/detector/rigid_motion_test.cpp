@@ -1,8 +1,7 @@
-#include "quadrille/detector/rigid_motion.hpp"
-
 #include <cmath>
 
 #include "base/random.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"
 

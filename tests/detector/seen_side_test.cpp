@@ -1,5 +1,4 @@
-#include "quadrille/detector/seen_side.hpp"
-
+#include "quadrille/detector/detection.hpp"
 #include "support/catch.hpp"
 
 using namespace quadrille;

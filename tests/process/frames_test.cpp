@@ -9,7 +9,7 @@
 #include "process/encode_pose.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille::test {
 

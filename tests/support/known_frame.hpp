@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "lab/scoring/frame.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "support/depth_camera.hpp"
 
 namespace quadrille::test {

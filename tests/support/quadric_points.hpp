@@ -7,7 +7,6 @@
 
 #include "fit/geometric_fit.hpp"
 #include "quadrille/detector/quadric.hpp"
-#include "quadrille/detector/quadric_type.hpp"
 #include "search/basis.hpp"
 #include "support/depth_camera.hpp"
 

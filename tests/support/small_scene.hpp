@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "support/choices.hpp"
 #include "support/depth_camera.hpp"
 

@@ -3,7 +3,7 @@
 #include "lab/experiments/ball_scene.hpp"
 #include "lab/experiments/experiment.hpp"
 #include "lab/experiments/section.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 

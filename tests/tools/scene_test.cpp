@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/scene/scene_files.hpp"
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 namespace {

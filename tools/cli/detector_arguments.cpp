@@ -5,7 +5,6 @@
 
 #include "cli/seed_option.hpp"
 #include "cli/types_option.hpp"
-#include "io/settings/setting_text.hpp"
 #include "quadrille/detector/detector.hpp"
 
 namespace quadrille {

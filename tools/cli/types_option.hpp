@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace CLI {
 class App;

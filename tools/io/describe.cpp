@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/printable.hpp"
-#include "quadrille/detector/seen_side.hpp"
 
 namespace quadrille::io {
 namespace {

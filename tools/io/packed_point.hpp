@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstddef>
 
-#include "quadrille/detector/ingest.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille::io {
 

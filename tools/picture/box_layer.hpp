@@ -2,7 +2,7 @@
 
 #include "picture/sketch.hpp"
 #include "picture/view.hpp"
-#include "quadrille/detector/box.hpp"
+#include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 

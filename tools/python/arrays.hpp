@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "quadrille/detector/cloud_view.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille::python {
 

@@ -13,7 +13,7 @@
 #include "io/settings/config.hpp"
 #include "python/arrays.hpp"
 #include "python/module.hpp"
-#include "quadrille/detector/seen_side.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/tracker.hpp"
 
 namespace quadrille::python {

@@ -25,6 +25,10 @@
 #include "quadrille/detector/printable.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
 #include "run/clock.hpp"
+#include "quadrille/bus/clock.hpp"
+#include "quadrille/bus/event_log.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -28,6 +29,14 @@ Value quantile(std::vector<Value>& values, double share) {
 template <class Value>
 Value median(std::vector<Value>& values) {
   return nth_smallest(values, values.size() / 2);
+}
+
+/// Returns the standard deviation of normal noise from the median of its absolute values. Reorders
+/// the values, which must not be empty.
+template <class Value>
+Value robust_std(std::vector<Value>& values) {
+  for (Value& value : values) value = std::abs(value);
+  return Value(1.4826) * median(values);
 }
 
 }  // namespace quadrille

@@ -1,5 +1,13 @@
 #pragma once
 
+namespace quadrille {
+
+/// Sums run in this many strands whatever the width of the vectors, so that results do not depend
+/// on it.
+inline constexpr int kLanes = 8;
+
+}  // namespace quadrille
+
 // Marks a function whose loops are worth compiling twice, for AVX2 and for any x86-64; the loader
 // picks the version that the machine can run. Both perform the same operations (no fused
 // multiply-add), so the results are the same bits.

@@ -1,6 +1,7 @@
 #include "boxes/bounding_plane.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -9,22 +10,16 @@
 namespace quadrille {
 namespace {
 
-// Least cosines between an end's direction and the reversed normal of a plane: for a plane that
-// faces the end (78°), and for one that is parallel to it (10°).
-constexpr double kMinFacing = 0.2, kMinParallel = 0.985;
-// A plane continues under the box and in its shadow, up to this far beyond its seen part [m].
-constexpr double kBeyondSeen = 0.1;
-
 /// Distance from a corner along a direction to the plane; nullopt if the ray misses the plane's
 /// extent [m].
 std::optional<double> distance_to(const Detection& plane, const Eigen::Vector3d& n_C,
                                   const Eigen::Vector3d& corner_C, const Eigen::Vector3d& out_C) {
   const double distance = n_C.dot(plane.X_CQ.translation() - corner_C) / n_C.dot(out_C);
   const Eigen::Vector3d at_Q = plane.X_CQ.inverse() * Eigen::Vector3d(corner_C + distance * out_C);
-  for (int i = 0; i < 2; ++i) {
-    if (at_Q[i] < plane.extent_Q.min()[i] - kBeyondSeen) return std::nullopt;
-    if (at_Q[i] > plane.extent_Q.max()[i] + kBeyondSeen) return std::nullopt;
-  }
+  const auto within = [&](int i) {
+    return at_Q[i] >= plane.extent_Q.min()[i] && at_Q[i] <= plane.extent_Q.max()[i];
+  };
+  if (!within(0) || !within(1)) return std::nullopt;
   return distance;
 }
 
@@ -36,8 +31,8 @@ PlaneStop stop_at_plane(const std::vector<Eigen::Vector3d>& corners_C, const Eig
   for (const Detection* plane : planes) {
     const Eigen::Vector3d n_C = outward_normal(*plane);
     const double facing = -n_C.dot(out_C);
-    if (facing < kMinFacing) continue;
-    const bool parallel = facing > kMinParallel;
+    if (facing < kMinCosine) continue;
+    const bool parallel = facing > std::cos(kMaxSkew);
     // The nearest corner stops the end. On a parallel plane all corners meet at once, and their
     // mean is more accurate.
     double nearest = std::numeric_limits<double>::infinity(), sum = 0.0;

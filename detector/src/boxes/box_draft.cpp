@@ -5,12 +5,6 @@
 #include "boxes/box_axes.hpp"
 
 namespace quadrille {
-namespace {
-
-// Distance around the faces within which their surroundings are looked at [m].
-constexpr double kAround = 0.04;
-
-}  // namespace
 
 Eigen::Isometry3d BoxDraft::X_CA() const {
   Eigen::Isometry3d X_CA = Eigen::Isometry3d::Identity();
@@ -52,6 +46,21 @@ double BoxDraft::max_tolerance() const {
   double tolerance = 0.0;
   for (const Face* face : faces) tolerance = std::max(tolerance, face->tolerance());
   return tolerance;
+}
+
+double BoxDraft::skin() const { return kRounding + max_tolerance(); }
+
+std::size_t BoxDraft::max_strays() const {
+  constexpr double kShare = 0.04;
+  std::size_t on_faces = 0;
+  for (const Face* face : faces) on_faces += face->points_C.size();
+  return static_cast<std::size_t>(kShare * static_cast<double>(on_faces));
+}
+
+Eigen::AlignedBox3d BoxDraft::core_A(const Eigen::AlignedBox3d& box_A) const {
+  constexpr double kMaxShare = 0.3;
+  const Eigen::Vector3d layer = (kMaxShare * box_A.sizes()).cwiseMin(skin());
+  return {box_A.min() + layer, box_A.max() - layer};
 }
 
 BoxDraft draft_of(const std::vector<const Face*>& faces, const DirectionIndex& sight) {

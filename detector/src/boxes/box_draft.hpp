@@ -34,6 +34,12 @@ struct BoxDraft {
   std::array<Eigen::Vector3d, 8> corners_C(const Eigen::AlignedBox3d& box_A) const;
   /// The largest of the faces' tolerances [m].
   double max_tolerance() const;
+  /// Thickness of the outermost layer of the box, which may be rounded and noisy [m].
+  double skin() const;
+  /// Number of lines of sight through the box, or of points in it, that are taken for strays.
+  std::size_t max_strays() const;
+  /// A box without its outermost layer, which takes at most three tenths of a side on either end.
+  Eigen::AlignedBox3d core_A(const Eigen::AlignedBox3d& box_A) const;
 };
 
 /// Finds the axes, and collects what was seen around the faces.

@@ -33,8 +33,7 @@ using BoxEnds = std::array<std::array<BoxEnd, 2>, 3>;
 BoxEnds find_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes);
 
 /// Bounds the unseen ends: they may neither hide points that were seen nor cross a plane.
-void bound_open_ends(const BoxDraft& draft, const std::vector<const Detection*>& planes,
-                     BoxEnds* ends);
+BoxEnds bounded(const BoxDraft& draft, const std::vector<const Detection*>& planes, BoxEnds ends);
 
 /// The box between the seen positions of the ends, in frame A [m].
 Eigen::AlignedBox3d seen_part(const BoxEnds& ends);

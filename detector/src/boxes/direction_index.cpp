@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 #include <utility>
 
 namespace quadrille {
@@ -10,10 +10,8 @@ namespace {
 
 // Number of tiles along each side of the image.
 constexpr int kTiles = 64;
-// Number of levels; each has about a quarter of the points of the level before.
-constexpr int kLevels = 4;
 // This many points suffice to judge a face; for larger areas a thinner level is used.
-constexpr int kMaxPoints = 12'000;
+constexpr std::size_t kMaxPoints = 12'000;
 
 /// A grid over an image that admits the first point in each cell.
 class Thinning {
@@ -46,62 +44,33 @@ class Thinning {
 
 DirectionIndex::DirectionIndex(const CloudView& cloud) : cloud_(cloud), view_(find_view(cloud)) {
   if (!view_) return;
-  SeenByTile seen = by_tile(cloud.points);
-  double cells = static_cast<double>(seen.level.points.size());
-  levels_.push_back(seen.level);
-  for (int n = 1; n < kLevels; ++n) {
+  std::vector<int> tile(cloud.points.size(), -1);
+  std::vector<Eigen::Vector2f> tangents(cloud.points.size());
+  for (std::size_t k = 0; k < cloud.points.size(); ++k) {
+    const Eigen::Vector3f seen = (*view_)(cloud.points[k]);
+    if (!(seen.z() > 0.0f)) continue;
+    tangents[k] = seen.head<2>();
+    const Eigen::Vector2i at = tile_of(tangents[k]);
+    tile[k] = at.y() * kTiles + at.x();
+  }
+  levels_.push_back(sort_into_buckets(tile, kTiles * kTiles));
+  double cells = static_cast<double>(levels_.front().list.size());
+  while (levels_.back().list.size() > kMaxPoints) {
     cells *= 0.25;
-    thin(view_->bounds, cells, &seen);
-    levels_.push_back(seen.level);
+    levels_.push_back(thinned(levels_.back(), tangents, cells));
   }
 }
 
-DirectionIndex::SeenByTile DirectionIndex::by_tile(std::span<const Eigen::Vector3f> points) const {
-  constexpr int kUnseen = -1;
-  std::vector<int> tile(points.size(), kUnseen);
-  std::vector<Eigen::Vector2f> tangents(points.size());
-  SeenByTile seen;
-  std::vector<int>& begin = seen.level.begin;
-  begin.assign(kTiles * kTiles + 1, 0);
-  for (std::size_t first = 0; first < points.size(); first += SeenPoints::kSize) {
-    const SeenPoints block = view_->look(points, first);
-    const std::size_t size = std::min<std::size_t>(SeenPoints::kSize, points.size() - first);
-    for (std::size_t i = 0; i < size; ++i) {
-      if (!(block.w[i] > 0.0f)) continue;
-      tangents[first + i] = {block.u[i], block.v[i]};
-      const Eigen::Vector2i at = tile_of(tangents[first + i]);
-      tile[first + i] = at.y() * kTiles + at.x();
-      ++begin[static_cast<std::size_t>(tile[first + i]) + 1];
-    }
+Buckets DirectionIndex::thinned(const Buckets& level, const std::vector<Eigen::Vector2f>& tangents,
+                                double cells) const {
+  Thinning thinning(view_->bounds, cells);
+  Buckets rest{{0}, {}};
+  for (int tile = 0; tile < level.size(); ++tile) {
+    std::copy_if(level[tile].begin(), level[tile].end(), std::back_inserter(rest.list),
+                 [&](int k) { return thinning.take(tangents[k]); });
+    rest.first.push_back(static_cast<int>(rest.list.size()));
   }
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  seen.level.points.resize(static_cast<std::size_t>(begin.back()));
-  seen.tangents.resize(seen.level.points.size());
-  std::vector<int> next(begin.begin(), begin.end() - 1);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    if (tile[k] == kUnseen) continue;
-    const int place = next[tile[k]]++;
-    seen.level.points[place] = static_cast<int>(k);
-    seen.tangents[place] = tangents[k];
-  }
-  return seen;
-}
-
-void DirectionIndex::thin(const Eigen::AlignedBox2f& image, double cells, SeenByTile* seen) {
-  Thinning thinning(image, cells);
-  std::vector<int>& begin = seen->level.begin;
-  int kept = 0;
-  for (std::size_t tile = 0; tile + 1 < begin.size(); ++tile) {
-    const int first = std::exchange(begin[tile], kept);
-    for (int k = first; k < begin[tile + 1]; ++k) {
-      if (!thinning.take(seen->tangents[k])) continue;
-      seen->level.points[kept] = seen->level.points[k];
-      seen->tangents[kept++] = seen->tangents[k];
-    }
-  }
-  begin.back() = kept;
-  seen->level.points.resize(static_cast<std::size_t>(kept));
-  seen->tangents.resize(static_cast<std::size_t>(kept));
+  return rest;
 }
 
 Eigen::Vector2i DirectionIndex::tile_of(const Eigen::Vector2f& tangents) const {
@@ -139,24 +108,19 @@ std::vector<Eigen::Vector3d> DirectionIndex::points_towards(
 
 std::vector<Eigen::Vector3d> DirectionIndex::points_in(const Eigen::Vector2i& low,
                                                        const Eigen::Vector2i& high) const {
-  const auto first = [&](const Level& level, int row) {
-    return level.begin[row * kTiles + low.x()];
+  const auto row_of = [&](const Buckets& level, int row) {
+    const auto at = level.first.begin() + row * kTiles;
+    return std::span(level.list).subspan(at[low.x()], at[high.x() + 1] - at[low.x()]);
   };
-  const auto last = [&](const Level& level, int row) {
-    return level.begin[row * kTiles + high.x() + 1];
-  };
-  const auto is_enough = [&](const Level& level) {
-    int count = 0;
-    for (int row = low.y(); row <= high.y(); ++row) count += last(level, row) - first(level, row);
+  const auto is_enough = [&](const Buckets& level) {
+    std::size_t count = 0;
+    for (int row = low.y(); row <= high.y(); ++row) count += row_of(level, row).size();
     return count <= kMaxPoints;
   };
-  const auto found = std::find_if(levels_.begin(), levels_.end(), is_enough);
-  const Level& level = found == levels_.end() ? levels_.back() : *found;
+  const Buckets& level = *std::find_if(levels_.begin(), levels_.end(), is_enough);
   std::vector<Eigen::Vector3d> points;
   for (int row = low.y(); row <= high.y(); ++row) {
-    for (int k = first(level, row); k < last(level, row); ++k) {
-      points.push_back(cloud_.points[level.points[k]].cast<double>());
-    }
+    for (const int k : row_of(level, row)) points.push_back(cloud_.points[k].cast<double>());
   }
   return points;
 }

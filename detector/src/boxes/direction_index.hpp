@@ -5,8 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "quadrille/detector/cloud_view.hpp"
+#include "base/buckets.hpp"
 #include "quadrille/detector/pinhole.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
 
@@ -28,20 +29,10 @@ class DirectionIndex {
                                               double margin) const;
 
  private:
-  /// The points' indices tile by tile, and the position at which each tile begins among them.
-  struct Level {
-    std::vector<int> begin, points;
-  };
-
-  /// A level together with the tangents of each of its points.
-  struct SeenByTile {
-    Level level;
-    std::vector<Eigen::Vector2f> tangents;
-  };
-
-  SeenByTile by_tile(std::span<const Eigen::Vector3f> points) const;
-  /// Keeps one point in each cell of a grid with about so many cells over the image.
-  static void thin(const Eigen::AlignedBox2f& image, double cells, SeenByTile* seen);
+  /// Keeps one of a level's points in each cell of a grid with about so many cells over the image.
+  /// @param tangents  of each point of the cloud
+  Buckets thinned(const Buckets& level, const std::vector<Eigen::Vector2f>& tangents,
+                  double cells) const;
   Eigen::Vector2i tile_of(const Eigen::Vector2f& tangents) const;
   std::vector<Eigen::Vector3d> points_in(const Eigen::Vector2i& low,
                                          const Eigen::Vector2i& high) const;
@@ -49,8 +40,9 @@ class DirectionIndex {
 
   CloudView cloud_;
   std::optional<PinholeView> view_;
-  /// All points first, then ever fewer, evenly spread over the image.
-  std::vector<Level> levels_;
+  /// The points of the cloud in each tile: all points first, then ever fewer, evenly spread over
+  /// the image, until they are no more than a box needs.
+  std::vector<Buckets> levels_;
 };
 
 }  // namespace quadrille

@@ -9,29 +9,13 @@
 
 #include "base/quantile.hpp"
 #include "boxes/connected_pieces.hpp"
-#include "samples/height_fit.hpp"
+#include "cloud/some_points.hpp"
 
 namespace quadrille {
 namespace {
 
-// A detection's extent ends short of the plane's edges: points up to this far beside it may belong
-// to it. Points this near to the plane are used to measure its noise [m].
-constexpr double kBeside = 0.015;
-// Points within this many standard deviations lie on a plane; the tolerance is clamped to these
-// limits [m].
-constexpr double kSigmas = 3.0, kMinTolerance = 0.002, kMaxTolerance = 0.015;
-// Points no farther apart than this many pitches belong to one piece.
-constexpr double kGapPitches = 2.5;
-// A piece has at least this many points, and this share of the plane's points.
-constexpr std::size_t kMinPoints = 40;
-constexpr double kMinShare = 0.05;
-// Neighbouring points share their noise, so that this many count as one independent measurement.
-constexpr double kPointsPerMeasurement = 16.0;
-// Least cosine between a line of sight and a normal for which their intersection is used; it also
-// limits how far pitches are stretched.
-constexpr double kMinCosine = 0.1;
-// Converts the median of absolute deviations to the standard deviation of normal noise.
-constexpr double kMedianToSigma = 1.4826;
+// Least tolerance of a face [m].
+constexpr double kMinTolerance = 0.002;
 // Share of the points that reach() cuts off at either end.
 constexpr double kTrimmed = 0.01;
 // This many points suffice for reach().
@@ -89,12 +73,12 @@ double noise_of(const FacePatch& patch, const std::vector<Eigen::Vector3d>& poin
   std::vector<double> off;
   for (const Eigen::Vector3d& p_C : points) {
     const Eigen::Vector3d p = X_PC * p_C;
-    if (std::abs(p.z()) < kBeside &&
+    if (std::abs(p.z()) < kMaxTolerance &&
         (p.head<2>().cwiseAbs().array() < 0.7 * patch.half.array()).all()) {
-      off.push_back(std::abs(p.z()));
+      off.push_back(p.z());
     }
   }
-  return off.empty() ? 0.0 : kMedianToSigma * median(off);
+  return off.empty() ? 0.0 : robust_std(off);
 }
 
 /// Distance between neighbouring points across the line of sight, from the number n of points in
@@ -126,22 +110,6 @@ void set_middle(Face& face) {
   }
 }
 
-/// Standard deviation of the normal: n points with noise σ, whose least variance within the plane
-/// is λ², determine it to σ/√(n λ²) [rad].
-double deviation_of_normal(const Face& face) {
-  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
-  for (const Eigen::Vector3d& p : face.points_C)
-    S += (p - face.middle_C) * (p - face.middle_C).transpose();
-  const double n = static_cast<double>(face.points_C.size());
-  // The points have no spread along the normal, so trace and minors determine the other two
-  // eigenvalues.
-  const double trace = S.trace() / n;
-  const double minors = 0.5 * (trace * trace - (S / n).squaredNorm());
-  const double least =
-      0.5 * trace - std::sqrt(std::max(0.0, 0.25 * trace * trace - std::max(0.0, minors)));
-  return face.sigma / std::sqrt(std::max(1e-12, n / kPointsPerMeasurement * least));
-}
-
 }  // namespace
 
 Eigen::Vector3d outward_normal(const Detection& plane) {
@@ -149,7 +117,7 @@ Eigen::Vector3d outward_normal(const Detection& plane) {
   return plane.Q_C.gradient(plane.X_CQ.translation()).dot(z_C) < 0.0 ? Eigen::Vector3d(-z_C) : z_C;
 }
 
-double Face::tolerance() const { return std::clamp(kSigmas * sigma, kMinTolerance, kMaxTolerance); }
+double Face::tolerance() const { return std::clamp(3.0 * sigma, kMinTolerance, kMaxTolerance); }
 
 Eigen::Vector3d Face::on_plane(const Eigen::Vector3d& p_C, const DirectionIndex& sight) const {
   if (sight.single()) {
@@ -187,22 +155,6 @@ struct Piece {
 
 bool larger(const Piece& a, const Piece& b) { return a.measured_C.size() > b.measured_C.size(); }
 
-/// Largest departure from the plane of a quadratic that is fitted to the heights of a piece's
-/// points [m].
-double bend_of(const Piece& piece, const FacePatch& patch) {
-  const Eigen::Matrix3d R_PC = patch.X_CP.linear().transpose();
-  HeightFit fit;
-  Eigen::Vector2d half = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector3d& p_C : piece.measured_C) {
-    const Eigen::Vector2d place = (R_PC * (p_C - piece.face.middle_C)).head<2>();
-    half = half.cwiseMax(place.cwiseAbs());
-    fit.add(place.x(), place.y(), piece.face.height(p_C));
-  }
-  const HeightFit::Vector6 a = fit.factor().solve(fit.b);
-  return std::max({std::abs(a[3]) * half.x() * half.x(), std::abs(a[4]) * half.prod(),
-                   std::abs(a[5]) * half.y() * half.y()});
-}
-
 /// The pieces of a patch, the largest first.
 /// @param sigma  noise of the points [m]; measured if not given
 std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma,
@@ -210,7 +162,7 @@ std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma
   Face whole;
   whole.n_C = patch.X_CP.linear().col(2);
   whole.offset = whole.n_C.dot(patch.X_CP.translation());
-  const std::vector<Eigen::Vector3d> points = sight.points_towards(corners_C(patch), kBeside);
+  const std::vector<Eigen::Vector3d> points = sight.points_towards(corners_C(patch), kMaxTolerance);
   whole.sigma = sigma ? *sigma : noise_of(patch, points);
 
   const Eigen::Isometry3d X_PC = patch.X_CP.inverse();
@@ -220,7 +172,7 @@ std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma
     if (std::abs(whole.height(p)) > whole.tolerance()) continue;
     const Eigen::Vector3d on_C = whole.on_plane(p, sight);
     const Eigen::Vector2d place = (X_PC * on_C).head<2>();
-    if (!(place.cwiseAbs().array() < patch.half.array() + kBeside).all()) continue;
+    if (!(place.cwiseAbs().array() < patch.half.array() + kMaxTolerance).all()) continue;
     measured_C.push_back(p);
     whole.points_C.push_back(on_C);
     places.push_back(place);
@@ -242,17 +194,13 @@ std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma
     piece.measured_C.push_back(measured_C[k]);
   }
   whole.points_C.clear();
-  const std::size_t min_points = std::max(
-      kMinPoints, static_cast<std::size_t>(kMinShare * static_cast<double>(places.size())));
   std::vector<Piece> pieces;
   for (auto& [n, piece] : numbered) {
-    if (piece.measured_C.size() < min_points) continue;
+    if (piece.measured_C.size() < kMinPoints) continue;
     std::vector<Eigen::Vector3d> points_C = std::move(piece.face.points_C);
     piece.face = whole;
     piece.face.points_C = std::move(points_C);
     set_middle(piece.face);
-    piece.face.normal_std = deviation_of_normal(piece.face);
-    piece.face.bend = bend_of(piece, patch);
     pieces.push_back(std::move(piece));
   }
   std::stable_sort(pieces.begin(), pieces.end(), larger);

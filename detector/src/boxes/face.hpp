@@ -10,6 +10,24 @@
 
 namespace quadrille {
 
+/// Edges of boxes are rounded within this distance [m]. Thinner things are sheets, or steps that
+/// noise feigns.
+inline constexpr double kRounding = 0.008;
+/// Normals are parallel or at right angles if they are within this angle (9°): sensors bend faces
+/// in waves, and beyond it a right angle cannot be told from others.
+inline constexpr double kMaxSkew = 0.15;
+/// Points count as part of a face if they lie within three standard deviations of its plane, but at
+/// most this far from it [m]. A detection's extent ends short of the plane's edges by up to as
+/// much.
+inline constexpr double kMaxTolerance = 0.015;
+/// Points no farther apart than this many pitches lie side by side.
+inline constexpr double kGapPitches = 2.5;
+/// Least cosine between a line of sight and a normal at which a face is looked at and pitches are
+/// stretched.
+inline constexpr double kMinCosine = 0.1;
+/// Distance around an edge within which its surroundings are looked at [m].
+inline constexpr double kAround = 0.02;
+
 /// Unit normal of a plane on the side that the sensor saw.
 Eigen::Vector3d outward_normal(const Detection& plane);
 
@@ -21,10 +39,8 @@ struct Face {
   /// Outward unit normal, and offset of the plane n·x = offset [m].
   Eigen::Vector3d n_C = Eigen::Vector3d::UnitZ();
   double offset = 0.0;
-  /// Noise of the points along the normal [m], and standard deviation of the normal [rad].
-  double sigma = 0.0, normal_std = 0.0;
-  /// How far a quadratic fitted over the plane departs from it at the border of the points [m].
-  double bend = 0.0;
+  /// Noise of the points along the normal [m].
+  double sigma = 0.0;
   /// Cosine between the normal and the line of sight: the factor from noise along that line to
   /// noise along the normal.
   double cosine = 1.0;
@@ -37,6 +53,8 @@ struct Face {
   Eigen::Vector3d middle_C = Eigen::Vector3d::Zero();
   double radius = 0.0;
 
+  /// Number of independent measurements among the points, since neighbouring points share noise.
+  double measurements() const { return static_cast<double>(points_C.size()) / 16.0; }
   double height(const Eigen::Vector3d& p_C) const { return n_C.dot(p_C) - offset; }
   /// Points count as part of the face if they lie no farther than this from the plane [m].
   double tolerance() const;

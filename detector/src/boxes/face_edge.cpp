@@ -5,55 +5,32 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <utility>
 
 #include "base/quantile.hpp"
 
 namespace quadrille {
 namespace {
 
-// A row is this many pitches wide, and counts only with this many points.
-constexpr double kRowPitches = 2.5;
-constexpr std::size_t kMinRowPoints = 3;
-// An edge counts as seen if at least this many rows, and this share of all rows, see it.
-constexpr std::size_t kMinSeenRows = 3;
+// An edge counts as seen if at least this share of the rows see it.
 constexpr double kMinSeenShare = 0.3;
-// This many points, the nearest within a distance [m], decide what lies beside a row; sensors lose
-// some points beside the edges of things.
-constexpr std::size_t kVoters = 3;
-constexpr double kMaxBeside = 0.04;
 // A point beside a row touches the row's end if it is no farther from it than this many times their
-// distance within the plane (true of a table that is seen at 14° or more), plus an error [m].
-constexpr double kMaxSlant = 4.0, kTouchError = 0.004;
-// Fewer points than this say nothing about a rectangle.
-constexpr int kMinLooks = 8;
+// distance within the plane (true of a table that is seen at 14° or more), plus the edge's
+// rounding.
+constexpr double kMaxSlant = 4.0;
 // A surface that leaves a face is fitted to points in this many bands of height, each as wide as
-// the tolerance and with at least this many points. kMeetingDoubt is the share of the correction
-// that remains uncertain; kMaxMiss is how far from the last points the surface may leave the
-// tolerance [m].
+// the tolerance and with at least this many points.
 constexpr std::size_t kLeavingBands = 3;
 constexpr int kMinBandPoints = 8;
-constexpr double kMeetingDoubt = 0.25, kMaxMiss = 0.001;
-// If too few rows see the edge, the face reaches as far as this quantile of the rows' ends.
-constexpr double kFarRows = 0.9;
 
 /// A line of points that runs towards an edge.
 struct Row {
-  std::size_t count = 0;
   double end = -std::numeric_limits<double>::infinity();
   Eigen::Vector3d last_C = Eigen::Vector3d::Zero();
-  /// For each point beyond the end: its distance from it, and whether it shows that the face ends
-  /// here.
-  std::vector<std::pair<double, bool>> beside;
+  /// Distance to the nearest point beyond the end, and whether it shows that the face ends there.
+  double beside = kAround;
+  bool seen = false;
 
-  bool seen() {
-    if (beside.empty()) return false;
-    std::sort(beside.begin(), beside.end());
-    const std::size_t voters = std::min(kVoters, beside.size());
-    std::size_t ends = 0;
-    for (std::size_t k = 0; k < voters; ++k) ends += beside[k].second;
-    return 2 * ends > voters;
-  }
+  bool empty() const { return !std::isfinite(end); }
 };
 
 /// Rows of points side by side, which run towards an edge.
@@ -66,7 +43,6 @@ class Rows {
     rows_.resize(1 + static_cast<std::size_t>(std::max(0.0, (high - low) / width)));
     for (const Eigen::Vector3d& p : face.points_C) {
       if (Row* row = at(p)) {
-        ++row->count;
         const double end = out_C_.dot(p);
         if (end > row->end) {
           row->end = end;
@@ -95,15 +71,16 @@ void look_beside(const Face& face, const Eigen::Vector3d& out_C,
                  const std::vector<SeenThrough>& around, Rows& rows) {
   for (const SeenThrough& seen : around) {
     Row* row = rows.at(seen.on_C);
-    if (!row || row->count < kMinRowPoints) continue;
+    if (!row || row->empty()) continue;
     const double beyond = out_C.dot(seen.on_C) - row->end;
-    if (!(beyond > 0.0 && beyond < kMaxBeside)) continue;
+    if (!(beyond > 0.0 && beyond < row->beside)) continue;
     const bool behind = seen.height < -face.tolerance();
     // A point in the plane beyond the end is no sign of an end.
     const bool touches =
         seen.height > face.tolerance() &&
-        (seen.p_C - row->last_C).norm() < kMaxSlant * beyond + face.tolerance() + kTouchError;
-    row->beside.emplace_back(beyond, behind || touches);
+        (seen.p_C - row->last_C).norm() < kMaxSlant * beyond + face.tolerance() + kRounding;
+    row->beside = beyond;
+    row->seen = behind || touches;
   }
 }
 
@@ -131,13 +108,13 @@ std::optional<double> meeting_of(const Face& face, const Eigen::Vector3d& out_C,
   if (*std::min_element(bands.begin(), bands.end()) < kMinBandPoints) return std::nullopt;
   const Eigen::Vector2d line = S.ldlt().solve(b);
   // At the height of the tolerance the surface must pass near the end of the rows.
-  if (!(line.y() > 0.0) || std::abs(line.sum()) > kMaxMiss + 2.0 * face.pitch) return std::nullopt;
+  if (!(line.y() > 0.0) || std::abs(line.sum()) > 2.0 * face.pitch) return std::nullopt;
   return end + line.x();
 }
 
 double deviation(std::vector<double> values, double middle) {
-  for (double& value : values) value = std::abs(value - middle);
-  return 1.4826 * median(values);
+  for (double& value : values) value -= middle;
+  return robust_std(values);
 }
 
 }  // namespace
@@ -158,14 +135,14 @@ FaceEdge edge_of(const Face& face, const Eigen::Vector3d& out_C,
                  const std::vector<SeenThrough>& around, const DirectionIndex& sight) {
   const Eigen::Vector3d across_C = face.n_C.cross(out_C);
   const double pitch = face.pitch_along(out_C, sight);
-  Rows rows(face, out_C, kRowPitches * face.pitch_along(across_C, sight));
+  Rows rows(face, out_C, kGapPitches * face.pitch_along(across_C, sight));
   if (sight.single()) look_beside(face, out_C, around, rows);
   std::vector<double> all, seen;
-  for (Row& row : rows.all()) {
-    if (row.count < kMinRowPoints) continue;
+  for (const Row& row : rows.all()) {
+    if (row.empty()) continue;
     all.push_back(row.end);
     // A cloud fused from several views hides nothing, so each row's end is seen.
-    if (!sight.single() || row.seen()) seen.push_back(row.end);
+    if (!sight.single() || row.seen) seen.push_back(row.end);
   }
   FaceEdge edge;
   if (all.empty()) {
@@ -173,24 +150,23 @@ FaceEdge edge_of(const Face& face, const Eigen::Vector3d& out_C,
     edge.std = pitch;
     return edge;
   }
-  edge.seen = seen.size() >= kMinSeenRows &&
-              static_cast<double>(seen.size()) >= kMinSeenShare * static_cast<double>(all.size());
+  edge.seen = static_cast<double>(seen.size()) >= kMinSeenShare * static_cast<double>(all.size());
   std::vector<double>& rows_that_tell = edge.seen ? seen : all;
-  const double end = edge.seen ? median(seen) : quantile(all, kFarRows);
+  const double end = median(rows_that_tell);
   edge.at = end + 0.5 * pitch;
   const double spread = deviation(rows_that_tell, end);
   edge.std = std::hypot(0.5 * pitch, spread / std::sqrt(double(rows_that_tell.size())));
   if (!sight.single()) return edge;
   const auto meeting = meeting_of(face, out_C, end, around, rows);
   if (meeting && *meeting < edge.at) {
-    edge.std = std::hypot(edge.std, kMeetingDoubt * (edge.at - *meeting));
+    edge.std = std::hypot(edge.std, edge.at - *meeting);
     edge.at = *meeting;
   }
   return edge;
 }
 
 double Filling::share() const {
-  return on + through < kMinLooks ? 1.0 : static_cast<double>(on) / (on + through);
+  return on + through == 0 ? 1.0 : static_cast<double>(on) / (on + through);
 }
 
 Filling& Filling::operator+=(const Filling& other) {

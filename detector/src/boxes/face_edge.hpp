@@ -44,7 +44,7 @@ struct Filling {
   int on = 0, through = 0;
 
   /// Share of these points that lie on the plane; a disc fills 0.79 of the square around it.
-  /// Returns 1 if the points are too few to tell.
+  /// Returns 1 without any points.
   double share() const;
   Filling& operator+=(const Filling& other);
 };

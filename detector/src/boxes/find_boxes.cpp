@@ -1,5 +1,3 @@
-#include "quadrille/detector/find_boxes.hpp"
-
 #include <algorithm>
 #include <limits>
 #include <list>
@@ -14,6 +12,8 @@
 #include "cloud/far_cloud.hpp"
 #include "cloud/some_points.hpp"
 #include "quadrille/detector/range_check.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
+#include "quadrille/detector/detector.hpp"
 
 namespace quadrille {
 namespace {
@@ -52,9 +52,10 @@ class BoxMaker {
   }
 
  private:
+  /// False for a face whose middle lies on a box: it is a second fit of one of the box's own faces.
   bool is_free(const Face* face) const {
     return std::none_of(boxes_.begin(), boxes_.end(), [&](const Box& box) {
-      return box.outer_B.exteriorDistance(box.X_CB.inverse() * face->middle_C) < kPartOf;
+      return box.outer_B.exteriorDistance(box.X_CB.inverse() * face->middle_C) < kRounding;
     });
   }
 
@@ -87,9 +88,6 @@ class BoxMaker {
     if (faces.size() == detected) return std::nullopt;
     return measure_box(faces, others, sight_);
   }
-
-  // A face whose middle lies this near to a box [m] is a second fit of one of the box's own faces.
-  static constexpr double kPartOf = 0.005;
 
   DirectionIndex sight_;
   std::vector<const Detection*> planes_;

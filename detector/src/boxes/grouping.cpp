@@ -6,15 +6,9 @@
 namespace quadrille {
 namespace {
 
-// Faces are at right angles within this many standard deviations of the angle between their
-// normals. The tolerance is at least kMinTolerance because of sensor waves; beyond kMaxTolerance a
-// right angle cannot be told from others [rad].
-constexpr double kSigmas = 3.0, kMinTolerance = 0.09, kMaxTolerance = 0.22;
-// A face meets another if it ends this near to the other's plane [m]. Edges are rounded, and an
-// obliquely seen face lacks its outermost points over this many pitches.
-constexpr double kMaxGap = 0.012, kGapPitches = 2.0;
-// Least share of the shorter face that lies beside the other one along their common edge.
-constexpr double kMinOverlap = 0.6;
+// A face meets another if it ends this near to the other's plane [m]: both of their edges may be
+// rounded.
+constexpr double kMaxGap = 2.0 * kRounding;
 
 /// True if a face ends at the plane of another and lies behind it.
 bool ends_at(const Face& face, const Face& other) {
@@ -28,23 +22,13 @@ bool are_near(const Face& a, const Face& b) {
   return (a.middle_C - b.middle_C).norm() < a.radius + b.radius + kMaxGap;
 }
 
-double overlap(const std::pair<double, double>& a, const std::pair<double, double>& b) {
-  const double common = std::min(a.second, b.second) - std::max(a.first, b.first);
-  return common / std::min(a.second - a.first, b.second - b.first);
-}
-
 }  // namespace
 
 bool at_right_angles(const Face& a, const Face& b) {
-  const double std = std::hypot(a.normal_std, b.normal_std);
-  const double tolerance = std::clamp(kSigmas * std, kMinTolerance, kMaxTolerance);
-  return std::abs(a.n_C.dot(b.n_C)) < std::sin(tolerance);
+  return std::abs(a.n_C.dot(b.n_C)) < std::sin(kMaxSkew);
 }
 
-bool share_edge(const Face& a, const Face& b) {
-  const Eigen::Vector3d edge_C = a.n_C.cross(b.n_C).normalized();
-  return ends_at(a, b) && ends_at(b, a) && overlap(a.reach(edge_C), b.reach(edge_C)) > kMinOverlap;
-}
+bool share_edge(const Face& a, const Face& b) { return ends_at(a, b) && ends_at(b, a); }
 
 std::vector<std::vector<int>> group_faces(const std::vector<Face>& faces) {
   const int size = static_cast<int>(faces.size());

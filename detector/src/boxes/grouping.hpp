@@ -6,11 +6,11 @@
 
 namespace quadrille {
 
-/// True if two faces are at right angles within the uncertainty of their normals.
+/// True if two faces are at right angles.
 bool at_right_angles(const Face& a, const Face& b);
 
 /// True if two faces at right angles meet in a convex edge of a solid: each ends at the other's
-/// plane and lies behind it, and they lie side by side along the edge.
+/// plane and lies behind it.
 bool share_edge(const Face& a, const Face& b);
 
 /// Groups of faces, as indices, that may belong to one box: first triples whose faces all share

@@ -6,7 +6,6 @@
 #include "boxes/box_ends.hpp"
 #include "boxes/direction_index.hpp"
 #include "boxes/face.hpp"
-#include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille {

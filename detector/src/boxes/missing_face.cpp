@@ -9,19 +9,8 @@
 namespace quadrille {
 namespace {
 
-// A missing face spans at least this share of the known faces' edge, and is at most this much
-// noisier, plus an error [m].
-constexpr double kMinSpan = 0.7, kMaxNoise = 1.5, kNoiseError = 0.001;
-// Largest bend of a face, in multiples of the tolerance. Near a tangent plane a cylinder bends by
-// twice the tolerance, and a plane by much less than this.
-constexpr double kMaxBend = 0.7;
-// Fewest points of a missing face. Detection may have missed it for a reason, so this exceeds the
-// minimum of detected faces.
-constexpr std::size_t kMinPoints = 60;
-// Distance around an edge within which its surroundings are looked at [m].
-constexpr double kAround = 0.04;
-// Least cosine between the normal and the direction to the eye for which a face is sought.
-constexpr double kMinCosine = 0.08;
+// A missing face is at most this many times as noisy as the known ones.
+constexpr double kMaxNoise = 2.0;
 
 /// Range of the known faces along a direction [m].
 std::pair<double, double> reach_of(const std::vector<const Face*>& faces,
@@ -48,18 +37,13 @@ double end_of(const std::vector<const Face*>& faces, const Eigen::Vector3d& out_
   return edge_of(*known, out_C, around, sight).at;
 }
 
-double span(const std::pair<double, double>& reach) { return reach.second - reach.first; }
-
 /// Noise along the line of sight [m].
 double sensor_noise(const Face& face) { return face.sigma / face.cosine; }
 
 bool belongs(const Face& missing, const std::vector<const Face*>& faces) {
-  if (missing.bend > kMaxBend * missing.tolerance()) return false;
   return std::all_of(faces.begin(), faces.end(), [&](const Face* face) {
-    const Eigen::Vector3d edge_C = missing.n_C.cross(face->n_C).normalized();
     return at_right_angles(missing, *face) && share_edge(missing, *face) &&
-           span(missing.reach(edge_C)) > kMinSpan * span(face->reach(edge_C)) &&
-           sensor_noise(missing) < kMaxNoise * sensor_noise(*face) + kNoiseError;
+           sensor_noise(missing) < kMaxNoise * sensor_noise(*face);
   });
 }
 
@@ -89,7 +73,7 @@ std::optional<Face> face_on(const Eigen::Vector3d& out_C, const std::vector<cons
   middle_A[axis] = sign * end_of(faces, out_C, patch, sight);
   patch.X_CP.translation() = R_CA * middle_A;
   std::optional<Face> face = face_at(patch, cosine * sensor_noise(*faces.front()), sight);
-  if (!face || face->points_C.size() < kMinPoints || !belongs(*face, faces)) return std::nullopt;
+  if (!face || !belongs(*face, faces)) return std::nullopt;
   return face;
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/quantile.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
 
 namespace quadrille {
 
@@ -25,11 +26,12 @@ std::optional<std::pair<double, double>> clip(const Eigen::AlignedBox3d& box,
   return std::pair(from, to);
 }
 
-int count_seen_within(const Eigen::AlignedBox3d& box_B, const Eigen::Isometry3d& X_CB,
-                      const std::vector<Eigen::Vector3d>& points_C, const DirectionIndex& sight) {
+std::size_t count_seen_within(const Eigen::AlignedBox3d& box_B, const Eigen::Isometry3d& X_CB,
+                              const std::vector<Eigen::Vector3d>& points_C,
+                              const DirectionIndex& sight) {
   const Eigen::Isometry3d X_BC = X_CB.inverse();
   const Eigen::Vector3d eye_B = X_BC * sight.eye();
-  return static_cast<int>(
+  return static_cast<std::size_t>(
       std::count_if(points_C.begin(), points_C.end(), [&](const Eigen::Vector3d& p_C) {
         const Eigen::Vector3d p_B = X_BC * p_C;
         return clip(box_B, sight.single() ? eye_B : p_B, p_B).has_value();
@@ -39,12 +41,11 @@ int count_seen_within(const Eigen::AlignedBox3d& box_B, const Eigen::Isometry3d&
 double free_of_sight(const Eigen::AlignedBox3d& box_B, const Eigen::Isometry3d& X_CB, int axis,
                      int side, const std::vector<Eigen::Vector3d>& points_C,
                      const DirectionIndex& sight, std::size_t strays) {
-  constexpr double kFar = 1e3;
   if (!sight.single()) return std::numeric_limits<double>::infinity();
   const double end = side > 0 ? box_B.max()[axis] : box_B.min()[axis];
   Eigen::AlignedBox3d beyond_B = box_B;
-  beyond_B.min()[axis] = side > 0 ? end : end - kFar;
-  beyond_B.max()[axis] = side > 0 ? end + kFar : end;
+  beyond_B.min()[axis] = side > 0 ? end : end - kMaxRange;
+  beyond_B.max()[axis] = side > 0 ? end + kMaxRange : end;
   const Eigen::Isometry3d X_BC = X_CB.inverse();
   const Eigen::Vector3d eye_B = X_BC * sight.eye();
   std::vector<double> free;

@@ -16,8 +16,9 @@ std::optional<std::pair<double, double>> clip(const Eigen::AlignedBox3d& box,
 
 /// Counts the points that were seen through a box or in it; many of them show that it is no solid.
 /// @param X_CB  pose of the frame of the box in frame C
-int count_seen_within(const Eigen::AlignedBox3d& box_B, const Eigen::Isometry3d& X_CB,
-                      const std::vector<Eigen::Vector3d>& points_C, const DirectionIndex& sight);
+std::size_t count_seen_within(const Eigen::AlignedBox3d& box_B, const Eigen::Isometry3d& X_CB,
+                              const std::vector<Eigen::Vector3d>& points_C,
+                              const DirectionIndex& sight);
 
 /// How far one end of a box may be moved outward before it hides what was seen: the least distance
 /// at which a line of sight passes through the added part, except for some strays. Infinite if no

@@ -10,8 +10,6 @@
 namespace quadrille {
 namespace {
 
-// Nothing to grasp is this far away [m], but in coordinates given in millimetres most things are.
-constexpr double kFarthest = 50.0;
 // If the standard deviation of the points is larger [m], the coordinates are probably not in
 // metres.
 constexpr double kWidest = 5.0;
@@ -20,9 +18,6 @@ constexpr double kMax = 1e9;
 const char* const kTooLarge = "coordinates are too large to be a measurement in metres";
 // From this coordinate on [m], single precision has steps of half a millimetre.
 constexpr double kCoarse = 4096.0;
-// Points are outliers if they lie this many times as far from the centre as nine tenths of the
-// points do.
-constexpr double kOutlier = 100.0;
 
 /// Value of a measure that a given share of the points does not exceed.
 template <class Measure>
@@ -33,18 +28,17 @@ double quantile(const std::vector<Eigen::Vector3d>& points, double share, Measur
   return quadrille::quantile(values, share);
 }
 
-/// Variances, in ascending order, along the principal axes of the points within a distance of the
-/// centre.
-Eigen::Vector3d spread_within(double distance, const std::vector<Eigen::Vector3d>& points,
-                              const Eigen::Vector3d& centre) {
+/// Variances of the points along their principal axes in ascending order.
+Eigen::Vector3d spread_of(const std::vector<Eigen::Vector3d>& points,
+                          const Eigen::Vector3d& centre) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
-  double n = 0;
   for (const Eigen::Vector3d& p : points) {
     const Eigen::Vector3d x = p - centre;
-    if (x.norm() > distance) continue;
-    n += 1, sum += x, square += x * x.transpose();
+    sum += x;
+    square += x * x.transpose();
   }
+  const double n = static_cast<double>(points.size());
   const Eigen::Vector3d mean = sum / n;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
       Eigen::Matrix3d(square / n - mean * mean.transpose()), Eigen::EigenvaluesOnly);
@@ -53,17 +47,6 @@ Eigen::Vector3d spread_within(double distance, const std::vector<Eigen::Vector3d
 
 bool coincide(const Eigen::Vector3d& spread) { return !(spread[2] > 1e-18); }
 bool on_a_line(const Eigen::Vector3d& spread) { return spread[1] < 1e-8 * spread[2]; }
-
-/// Variances of the points along their principal axes in ascending order. Far outliers would
-/// stretch any cloud into a line, so they are ignored unless nearly all other points coincide or
-/// lie on a line.
-Eigen::Vector3d spread_of(const std::vector<Eigen::Vector3d>& points,
-                          const Eigen::Vector3d& centre) {
-  const double usual = quantile(points, 0.9, [&](const auto& p) { return (p - centre).norm(); });
-  Eigen::Vector3d spread = spread_within(kOutlier * usual, points, centre);
-  if (!coincide(spread) && !on_a_line(spread)) return spread;
-  return spread_within(kMax, points, centre);
-}
 
 }  // namespace
 

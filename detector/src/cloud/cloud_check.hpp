@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "quadrille/detector/cloud_view.hpp"
-#include "quadrille/detector/range_check.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <utility>
 
-#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 namespace {

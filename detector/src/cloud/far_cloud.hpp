@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "quadrille/detector/cloud_view.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
 

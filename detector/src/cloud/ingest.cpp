@@ -1,5 +1,3 @@
-#include "quadrille/detector/ingest.hpp"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -8,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
+
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
 namespace {

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/quantile.hpp"
 #include "quadrille/detector/pinhole.hpp"
 
 namespace quadrille {
@@ -15,8 +16,6 @@ constexpr double kMaxPixels = 64e6, kMinFilled = 0.01;
 // Bounds of a camera's pitch, as a tangent: 100,000 or 50 pixels across 53°. Smaller steps are
 // rounding errors, larger ones gaps.
 constexpr float kMinPitch = 1e-5f, kMaxPitch = 0.02f;
-// Largest slope of a step within a row; the rows of an upright camera rise less.
-constexpr float kMaxRowSlope = 0.05f;
 // Numbers of points looked at for the steps within a row and for the phase, enough to average out
 // their rounding.
 constexpr std::size_t kSteps = 10000, kPhases = 2500;
@@ -37,12 +36,6 @@ constexpr float kPointsPerBlock = 8.0f;
 // Least factor by which a step coarsens the pixels. If one side is a single pixel already, only the
 // other side shrinks, and the square root of the excess would converge slowly.
 constexpr float kMinCoarser = 1.01f;
-
-float median(std::vector<float>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Calls visit(t, next) for roughly `about` of the seen points, spread evenly over the cloud, where
 /// t is the point's (u, v, w) and `next` that of the next seen point.
@@ -80,9 +73,7 @@ std::optional<float> pitch_from_order(const CloudView& cloud, const PinholeView&
   std::size_t looked = 0;
   sample_pairs(cloud, view, kSteps, [&](const Eigen::Vector3f& t, const Eigen::Vector3f& next) {
     const Eigen::Vector2f d = (next - t).head<2>().cwiseAbs();
-    if (d.x() > kMinPitch && d.x() < kMaxPitch && d.y() < kMaxRowSlope * d.x()) {
-      steps.push_back(d.x());
-    }
+    if (d.x() > kMinPitch && d.x() < kMaxPitch) steps.push_back(d.x());
     ++looked;
   });
   if (steps.empty() || steps.size() < looked / 2) return std::nullopt;

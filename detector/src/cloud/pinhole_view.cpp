@@ -5,19 +5,15 @@
 #include <vector>
 
 #include "base/vector_clones.hpp"
+#include "cloud/some_points.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
 #include "quadrille/detector/pinhole.hpp"
 
 namespace quadrille {
 namespace {
 
-// Fewer points do not show a camera's pixels.
-constexpr std::size_t kMinPoints = 200;
 // A single view may leave one of this many finite points unseen, since stray points lie anywhere.
 constexpr std::size_t kPointsPerUnseen = 50;
-// This many rays suffice to find the direction of the view.
-constexpr std::size_t kRays = 10000;
-// Range of lengths for which a ray has a reliable direction in single precision [m].
-constexpr float kMinRay = 1e-6f, kMaxRay = 1e6f;
 // The cloud's frame is taken for a camera's own frame if the cosine between its z axis and the mean
 // ray is at least this (37°).
 constexpr float kMinCosine = 0.8f;
@@ -26,13 +22,13 @@ constexpr float kMinCosine = 0.8f;
 /// that the pixels of a depth camera stay aligned. Nullopt if there is no mean direction.
 std::optional<Eigen::Isometry3f> view_frame(const CloudView& cloud) {
   const Eigen::Vector3f eye = cloud.viewpoint.cast<float>();
-  const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kRays);
+  const std::size_t stride = step_over(cloud.points.size());
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   std::size_t looked = 0, ahead = 0;
   for (std::size_t i = 0; i < cloud.points.size(); i += stride) {
     const Eigen::Vector3f ray = cloud.points[i] - eye;
     const float length = ray.norm();
-    if (!(length > kMinRay && length < kMaxRay)) continue;
+    if (!(length > 0.0f && length < static_cast<float>(kMaxRange))) continue;
     ++looked;
     ahead += ray.z() > 0.0f;
     sum += (ray / length).cast<double>();

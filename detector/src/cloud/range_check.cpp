@@ -1,5 +1,3 @@
-#include "quadrille/detector/range_check.hpp"
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
@@ -9,6 +7,7 @@
 
 #include "base/vector_clones.hpp"
 #include "cloud/some_points.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
 
 namespace quadrille {
 namespace {
@@ -36,23 +35,23 @@ bool all_in_range(const float* points, const float* from) {
   return sum <= kSquaredRange;
 }
 
-void count(std::span<const Eigen::Vector3f> points, const Eigen::Vector3f& from,
-           RangeCheck* check) {
+RangeCheck count(std::span<const Eigen::Vector3f> points, const Eigen::Vector3f& from) {
   constexpr std::size_t kRun = 16;
   const Eigen::Matrix<float, 3 * kRun, 1> from_each = from.replicate<kRun, 1>();
-  check->near = check->far = 0;
+  RangeCheck check;
   std::size_t i = 0;
   while (i < points.size()) {
     if (i + kRun <= points.size() && all_in_range(points[i].data(), from_each.data())) {
-      check->near += kRun, i += kRun;
+      check.near += kRun, i += kRun;
       continue;
     }
     for (const std::size_t end = std::min(i + kRun, points.size()); i < end; ++i) {
       const bool near = in_range(points[i], from);
-      check->near += near;
-      check->far += !near && points[i].allFinite();
+      check.near += near;
+      check.far += !near && points[i].allFinite();
     }
   }
+  return check;
 }
 
 PointCloud without_far(const CloudView& cloud, const Eigen::Vector3f& from) {
@@ -75,13 +74,12 @@ PointCloud without_far(const CloudView& cloud, const Eigen::Vector3f& from) {
 }  // namespace
 
 RangeCheck check_range(const CloudView& cloud) {
-  RangeCheck check;
   Eigen::Vector3f from = cloud.viewpoint.cast<float>();
-  count(cloud.points, from, &check);
+  RangeCheck check = count(cloud.points, from);
   if (check.near < kMinPoints && check.far >= kMinPoints) {
     const std::vector<Eigen::Vector3d> some = some_of(cloud.points);
     if (!some.empty()) from = middle_of(some).cast<float>();
-    count(cloud.points, from, &check);
+    check = count(cloud.points, from);
   }
   if (check.far > 0) check.rest = without_far(cloud, from);
   return check;

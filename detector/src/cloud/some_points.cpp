@@ -1,14 +1,12 @@
 #include "cloud/some_points.hpp"
 
-#include <algorithm>
-
 #include "base/quantile.hpp"
 
 namespace quadrille {
 
 std::vector<Eigen::Vector3d> some_of(std::span<const Eigen::Vector3f> points) {
   std::vector<Eigen::Vector3d> some;
-  const std::size_t stride = std::max<std::size_t>(1, points.size() / 5000);
+  const std::size_t stride = step_over(points.size());
   for (std::size_t i = 0; i < points.size(); i += stride) {
     if (points[i].allFinite()) some.push_back(points[i].cast<double>());
   }

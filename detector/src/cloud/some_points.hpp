@@ -1,16 +1,22 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 namespace quadrille {
 
+/// Nothing to grasp is this far away [m], but in coordinates given in millimetres most things are.
+inline constexpr double kFarthest = 50.0;
 /// Fewer points than this make no surface.
 inline constexpr std::size_t kMinPoints = 50;
 
-/// Returns up to some thousands of finite points spread evenly over the cloud.
+/// Step between points of which about five thousand, spread evenly over a cloud, are looked at.
+inline std::size_t step_over(std::size_t points) { return std::max<std::size_t>(1, points / 5000); }
+
+/// Returns the finite ones of these points.
 std::vector<Eigen::Vector3d> some_of(std::span<const Eigen::Vector3f> points);
 
 /// Coordinate-wise median of some points, which must not be empty.

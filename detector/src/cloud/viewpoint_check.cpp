@@ -1,5 +1,3 @@
-#include "quadrille/detector/viewpoint_check.hpp"
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -8,17 +6,14 @@
 #include <cstdio>
 
 #include "base/quantile.hpp"
-#include "quadrille/detector/range_check.hpp"
+#include "cloud/some_points.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
 
 namespace quadrille {
 namespace {
 
 using Points = std::vector<Eigen::Vector3d>;
 
-// Approximate number of points that are looked at.
-constexpr std::size_t kSome = 5000;
-// Fewer points do not suffice for a verdict.
-constexpr std::size_t kMinPoints = 50;
 // Least length of the mean of unit rays. It is (1 + cos a) / 2 for rays that fill a cone of half
 // angle a; with less, they fill more than a half space.
 constexpr double kMinMeanRay = 0.3;
@@ -33,10 +28,8 @@ constexpr double kMaxPlane = 100.0;
 constexpr double kOwn = 0.015, kAbout = 0.3;
 // Edge of the cells that record where on a plane points were seen [m].
 constexpr double kPlaneCell = 0.04;
-// Largest share of the points around a plane that it may hide, and number of hidden points needed
-// as proof.
+// Largest share of the points around a plane that it may hide.
 constexpr double kMaxHidden = 0.6;
-constexpr std::size_t kMinHidden = 30;
 
 // The angle between neighbouring pixels is a tear if it is this many times the typical one; lenses
 // change it less. The share of tears is allowed because viewpoints may be a few centimetres off.
@@ -46,13 +39,8 @@ constexpr double kMinAhead = 0.3;
 
 /// Rays from the viewpoint to finite points spread evenly over the cloud.
 Points rays_of(const CloudView& cloud) {
-  Points rays;
-  const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kSome);
-  for (std::size_t i = 0; i < cloud.points.size(); i += stride) {
-    if (cloud.points[i].allFinite()) {
-      rays.push_back(cloud.points[i].cast<double>() - cloud.viewpoint);
-    }
-  }
+  Points rays = some_of(cloud.points);
+  for (Eigen::Vector3d& ray : rays) ray -= cloud.viewpoint;
   return rays;
 }
 
@@ -65,7 +53,7 @@ std::string percent(double share) {
 std::vector<double> pixel_angles(const CloudView& cloud) {
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>> pairs;
   Eigen::Vector3d ahead = Eigen::Vector3d::Zero(), along = Eigen::Vector3d::Zero();
-  const std::size_t stride = std::max<std::size_t>(1, cloud.points.size() / kSome);
+  const std::size_t stride = step_over(cloud.points.size());
   for (std::size_t i = 0; i + 1 < cloud.points.size(); i += stride) {
     if ((i + 1) % static_cast<std::size_t>(cloud.width) == 0) continue;
     const Eigen::Vector3d a = (cloud.points[i].cast<double>() - cloud.viewpoint).normalized();
@@ -126,7 +114,7 @@ class SeenPlane {
     std::size_t all = 0, hidden = 0;
 
     double share() const { return static_cast<double>(hidden) / static_cast<double>(all); }
-    bool too_many() const { return hidden >= kMinHidden && share() > kMaxHidden; }
+    bool too_many() const { return hidden >= kMinPoints && share() > kMaxHidden; }
   };
   /// Counts only the points around the plane, or all points.
   Counts count(bool about) const {

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 #include "fit/posed_quadric.hpp"
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 

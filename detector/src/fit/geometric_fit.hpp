@@ -8,7 +8,7 @@
 
 #include "fit/family_fit.hpp"
 #include "fit/oriented_points.hpp"
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 

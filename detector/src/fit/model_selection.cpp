@@ -14,7 +14,7 @@
 #include "fit/closed_form/special_revolutions.hpp"
 #include "fit/family_spec.hpp"
 #include "fit/normal_equations.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 namespace {

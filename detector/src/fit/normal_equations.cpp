@@ -15,9 +15,8 @@ namespace {
 // gradient's length counts as at least this share of its mean.
 constexpr float kWeakGradient = 0.05f;
 // Points are processed in chunks of this many, which compilers vectorise and which fit the L1
-// cache. Sums run in kLanes strands whatever the width of the vectors, so that results do not
-// depend on it.
-constexpr int kChunk = 128, kLanes = 8;
+// cache.
+constexpr int kChunk = 128;
 constexpr int kColumns = 11;
 
 /// A chunk of points; the entries beyond the last point are zero.

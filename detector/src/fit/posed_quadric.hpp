@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 

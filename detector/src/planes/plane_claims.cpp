@@ -50,8 +50,8 @@ std::vector<int> planes_of_cells(const CellPyramid& pyramid, const SurfaceSample
   return plane_of_cell;
 }
 
-std::vector<char> cells_off_planes(const std::vector<int>& plane_of_cell) {
-  std::vector<char> keep;
+Mask cells_off_planes(const std::vector<int>& plane_of_cell) {
+  Mask keep;
   keep.reserve(plane_of_cell.size());
   for (const int plane : plane_of_cell) keep.push_back(plane < 0);
   return keep;

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/mask.hpp"
 #include "planes/planes.hpp"
 #include "samples/cell_pyramid.hpp"
 
@@ -14,8 +15,8 @@ namespace quadrille {
 std::vector<int> planes_of_cells(const CellPyramid& pyramid, const SurfaceSamples& coarse,
                                  const std::vector<PlaneRegion>& planes, double sigmas);
 
-/// Returns for each finest cell zero if it lies on a plane, since no other surface is sought there.
+/// Returns the finest cells that lie on no plane; other surfaces are sought only there.
 /// @param plane_of_cell  result of planes_of_cells()
-std::vector<char> cells_off_planes(const std::vector<int>& plane_of_cell);
+Mask cells_off_planes(const std::vector<int>& plane_of_cell);
 
 }  // namespace quadrille

@@ -13,20 +13,15 @@
 namespace quadrille {
 namespace {
 
-// Planes are joined only if the cosine between their normals is at least this (14°).
-constexpr double kMinCoplanarCosine = 0.97;
-// A seed needs this many neighbours to tell whether it lies in something flat. A plane needs this
-// many samples: three determine it, and one is to spare.
+// A seed needs this many neighbours to tell whether it lies in something flat.
 constexpr std::size_t kMinSeedNeighbours = 5;
-constexpr int kMinPlaneSamples = 4;
 // A growing plane is refitted first at this many samples, then each time their number has doubled.
 constexpr std::size_t kFirstRefit = 12;
 // Distance from a plane that is allowed in addition to the noise, as a share of the cell size:
 // cells at an edge average it off.
 constexpr float kCellShare = 0.05f;
-// A bend is significant from this many standard deviations on; a bend of up to kHiddenSigmas may
-// hide in the noise.
-constexpr double kSignificantSigmas = 3.0, kHiddenSigmas = 2.0;
+// A bend of up to this many standard deviations may hide in the noise.
+constexpr double kHiddenSigmas = 2.0;
 // Neighbouring samples share their noise, so that this many count as one independent measurement.
 constexpr double kSamplesPerMeasurement = 4.0;
 
@@ -38,13 +33,12 @@ Eigen::Vector4d plane_towards(const Eigen::Vector3f& side, const PlaneSums& sums
 
 /// Seeds for planes, the flattest first: samples whose normal agrees with their neighbours' normals
 /// within the angle [rad].
-std::vector<int> flat_seeds(const SurfaceSamples& samples, double angle,
-                            const std::vector<char>& claimed) {
+std::vector<int> flat_seeds(const SurfaceSamples& samples, double angle, const Mask& free) {
   const float min_cosine = static_cast<float>(std::cos(angle));
   std::vector<std::pair<float, int>> flat;
   for (int i = 0; i < samples.size(); ++i) {
     const auto around = samples.neighbours_of(i);
-    if (around.size() < kMinSeedNeighbours || (!claimed.empty() && claimed[i])) continue;
+    if (around.size() < kMinSeedNeighbours || (!free.empty() && !free[i])) continue;
     float sum = 0;
     for (const int j : around) sum += samples.n[i].dot(samples.n[j]);
     const float mean = sum / static_cast<float>(around.size());
@@ -90,7 +84,7 @@ std::pair<double, double> curvature_of(const SurfaceSamples& samples, const Plan
 bool may_bend(const SurfaceSamples& samples, const PlaneRegion& region,
               const PlaneOptions& options) {
   const auto [curvature, std] = curvature_of(samples, region);
-  return (curvature > 1.0 / options.min_radius && curvature > kSignificantSigmas * std) ||
+  return (curvature > 1.0 / options.min_radius && curvature > options.sigmas * std) ||
          curvature + kHiddenSigmas * std > 1.0 / options.min_proven_radius;
 }
 
@@ -107,7 +101,7 @@ std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
     // If the viewpoint lies nearly in the plane, its parts' normals point to either side by chance,
     // so signs are ignored.
     const double cosine = large.plane.head<3>().dot(small.plane.head<3>());
-    if (std::abs(cosine) < kMinCoplanarCosine) return false;
+    if (std::abs(cosine) < std::cos(options.angle)) return false;
     const double n = static_cast<double>(small.samples.size());
     double distance = 0, sigma = 0;
     for (const int i : small.samples) {
@@ -142,7 +136,7 @@ std::optional<Eigen::Vector4d> plane_at(const SurfaceSamples& samples, int seed,
   for (const int j : samples.neighbours_of(seed)) {
     if (!taken[j]) sums.add(samples.raw[j].cast<double>());
   }
-  if (sums.n < kMinPlaneSamples) return std::nullopt;
+  if (sums.n < 3) return std::nullopt;
   return plane_towards(samples.n[seed], sums);
 }
 
@@ -172,7 +166,7 @@ PlaneRegion grow_plane(const SurfaceSamples& samples, const PlaneOptions& option
       refit_at = region.samples.size() * 2;
     }
   }
-  if (sums.n >= kMinPlaneSamples) region.plane = plane_towards(samples.n[seed], sums);
+  if (sums.n >= 3) region.plane = plane_towards(samples.n[seed], sums);
   return region;
 }
 
@@ -185,14 +179,14 @@ Eigen::Vector3d middle_of(const SurfaceSamples& samples, const PlaneRegion& plan
 }
 
 std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options,
-                                     const std::vector<char>& claimed) {
+                                     const Mask& free) {
   std::vector<PlaneRegion> planes;
-  // Per sample: 0 if free, 1 if claimed, otherwise the number of the attempt that took it.
-  std::vector<int> taken(claimed.begin(), claimed.end());
-  taken.resize(static_cast<std::size_t>(samples.size()), 0);
+  // Per sample: 0 if free, otherwise the number of the attempt that took it; 1 if not to be used.
+  std::vector<int> taken(static_cast<std::size_t>(samples.size()), 0);
+  for (std::size_t i = 0; i < free.size(); ++i) taken[i] = !free[i];
   std::vector<char> bent(taken.size(), 0);
   int attempt = 1;
-  for (const int seed : flat_seeds(samples, options.angle, claimed)) {
+  for (const int seed : flat_seeds(samples, options.angle, free)) {
     if (taken[seed] || bent[seed]) continue;
     taken[seed] = ++attempt;
     const std::optional<Eigen::Vector4d> start = plane_at(samples, seed, taken);

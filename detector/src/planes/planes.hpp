@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/mask.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/surface_samples.hpp"
@@ -25,9 +26,9 @@ Eigen::Vector3d middle_of(const SurfaceSamples& samples, const PlaneRegion& plan
 
 /// Grows planes over neighbours from the flattest seeds. This is a type-specific fit: one oriented
 /// point determines a plane (paper, table of minimal cases).
-/// @param claimed  per sample, nonzero to leave it out; empty to use all
+/// @param free  samples to use
 std::vector<PlaneRegion> find_planes(const SurfaceSamples& samples, const PlaneOptions& options,
-                                     const std::vector<char>& claimed = {});
+                                     const Mask& free = {});
 
 /// Normal of the plane with the most samples; nullopt without planes.
 std::optional<Eigen::Vector3d> normal_of_largest(const std::vector<PlaneRegion>& planes);

@@ -1,10 +1,10 @@
-#include "quadrille/detector/canonical.hpp"
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 namespace {

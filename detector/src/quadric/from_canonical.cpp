@@ -1,7 +1,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 namespace {

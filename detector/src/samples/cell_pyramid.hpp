@@ -3,7 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "quadrille/detector/cloud_view.hpp"
+#include "base/mask.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/depth/noise.hpp"
 #include "samples/sight.hpp"
@@ -39,8 +40,8 @@ class CellPyramid {
   virtual SurfaceSamples coarse_samples() const = 0;
   /// Samples of all levels, computed without some of the finest cells so that normals do not mix
   /// surfaces.
-  /// @param keep  per finest cell, zero to leave it out
-  virtual std::vector<SurfaceSamples> samples(const std::vector<char>& keep, int threads) const = 0;
+  /// @param keep  finest cells to use
+  virtual std::vector<SurfaceSamples> samples(const Mask& keep, int threads) const = 0;
 };
 
 /// Makes the front end that suits the cloud: a depth grid for a single view, voxels otherwise.

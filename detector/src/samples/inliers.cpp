@@ -1,6 +1,11 @@
 #include "samples/inliers.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "samples/flood.hpp"
 
 namespace quadrille {
 
@@ -19,20 +24,15 @@ bool is_inlier(const SurfaceSamples& samples, int i, const Eigen::Matrix4f& Q,
 
 std::vector<int> connected_inliers(const SurfaceSamples& samples, std::span<const int> start,
                                    const Quadric& quadric, const InlierTest& test,
-                                   const std::vector<char>& free) {
+                                   const Mask& free) {
   const Eigen::Matrix4f Q = quadric.normalized().matrix().cast<float>();
   std::vector<char> seen(static_cast<std::size_t>(samples.size()), 0);
-  std::vector<int> region;
-  const auto visit = [&](int i) {
-    if (seen[i]) return;
-    seen[i] = 1;
-    if (free[i] && is_inlier(samples, i, Q, test)) region.push_back(i);
+  const auto joins = [&](int i) {
+    return !std::exchange(seen[i], 1) && free[i] && is_inlier(samples, i, Q, test);
   };
-  for (const int i : start) visit(i);
-  for (std::size_t k = 0; k < region.size(); ++k) {
-    for (const int j : samples.neighbours_of(region[k])) visit(j);
-  }
-  return region;
+  std::vector<int> region;
+  std::copy_if(start.begin(), start.end(), std::back_inserter(region), joins);
+  return flood(samples, std::move(region), [&](int i, int) { return joins(i); });
 }
 
 }  // namespace quadrille

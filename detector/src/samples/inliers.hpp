@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/mask.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/surface_samples.hpp"
@@ -23,9 +24,8 @@ bool is_inlier(const SurfaceSamples& samples, int i, const Eigen::Matrix4f& Q,
                const InlierTest& test);
 
 /// Returns the inliers of Q that are connected to the start through neighbouring inliers.
-/// @param free  per sample, zero to leave it out
+/// @param free  samples that may be inliers
 std::vector<int> connected_inliers(const SurfaceSamples& samples, std::span<const int> start,
-                                   const Quadric& Q, const InlierTest& test,
-                                   const std::vector<char>& free);
+                                   const Quadric& Q, const InlierTest& test, const Mask& free);
 
 }  // namespace quadrille

@@ -15,9 +15,6 @@ constexpr float kMinPoints = 4;
 // equivalent to b c < kMinWidthProduct (b + c)², which needs only the sum and product of b and c.
 constexpr double kMinWidth = 0.05;
 constexpr double kMinWidthProduct = kMinWidth / ((1 + kMinWidth) * (1 + kMinWidth));
-// The points certainly lie on a line if ab + bc + ca, the trace of the cofactors, is less than
-// this.
-constexpr double kMinPairProducts = 1e-3;
 // If (b - a)(c - a) is less than this, a equals b or c, and no single direction has least spread.
 constexpr double kMinSeparation = 1e-6;
 // Largest number of Newton steps, and the step size and slope at which they end.
@@ -49,31 +46,32 @@ Eigen::Matrix3d cofactors(const Eigen::Matrix3d& S) {
 
 }  // namespace
 
-bool PlaneMoments::solve(Eigen::Vector3f* mean, Eigen::Vector3f* normal) const {
-  if (n < kMinPoints) return false;
-  *mean = sum / n;
-  const Eigen::Vector3d m = mean->cast<double>();
+std::optional<PlaneMoments::Plane> PlaneMoments::solve() const {
+  if (n < kMinPoints) return std::nullopt;
+  Plane plane;
+  plane.mean = sum / n;
+  const Eigen::Vector3d m = plane.mean.cast<double>();
   const Eigen::Vector3d ii = squares.matrix().cast<double>() / static_cast<double>(n);
   const Eigen::Vector3d ij = products.matrix().cast<double>() / static_cast<double>(n);
   Eigen::Matrix3d S;
   S << ii[0], ij[0], ij[2], ij[0], ii[1], ij[1], ij[2], ij[1], ii[2];
   S -= m * m.transpose();
   const double trace = S.trace();
-  if (!(trace > 0)) return false;
+  if (!(trace > 0)) return std::nullopt;
   S /= trace;
   const Eigen::Matrix3d C = cofactors(S);
-  if (!(C.trace() > kMinPairProducts)) return false;
   const double a = min_root(C.trace(), S.col(0).dot(C.col(0)));
   const double sum_bc = 1 - a, product_bc = C.trace() - a * sum_bc;
-  if (!(product_bc > kMinWidthProduct * sum_bc * sum_bc)) return false;
+  if (!(product_bc > kMinWidthProduct * sum_bc * sum_bc)) return std::nullopt;
   // S - a has the eigenvalue zero for the normal n, so its cofactors are (b - a)(c - a) nnᵀ.
   S.diagonal().array() -= a;
   const Eigen::Matrix3d N = cofactors(S);
-  if (!(N.trace() > kMinSeparation)) return false;
+  if (!(N.trace() > kMinSeparation)) return std::nullopt;
   Eigen::Index widest;
   N.diagonal().maxCoeff(&widest);
-  *normal = N.col(widest).normalized().cast<float>();
-  return normal->allFinite();
+  plane.normal = N.col(widest).normalized().cast<float>();
+  if (!plane.normal.allFinite()) return std::nullopt;
+  return plane;
 }
 
 }  // namespace quadrille

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 namespace quadrille {
 
@@ -19,10 +20,14 @@ struct PlaneMoments {
     squares += d.array().square();
     products += d.array() * Eigen::Array3f(d.y(), d.z(), d.x());
   }
-  /// Computes the mean of the offsets, relative to their reference point, and the unit direction of
-  /// least spread.
-  /// @return false if the points are too few, lie on a line, or spread equally in all directions
-  bool solve(Eigen::Vector3f* mean, Eigen::Vector3f* normal) const;
+  /// The mean of the offsets, relative to their reference point, and the unit direction of least
+  /// spread.
+  struct Plane {
+    Eigen::Vector3f mean, normal;
+  };
+  /// Returns the plane; nullopt if the points are too few, lie on a line, or spread equally in all
+  /// directions.
+  std::optional<Plane> solve() const;
 };
 
 }  // namespace quadrille

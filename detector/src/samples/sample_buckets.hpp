@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "base/buckets.hpp"
 #include "samples/surface_samples.hpp"
 #include "samples/voxel/voxel_grid.hpp"
 
@@ -22,8 +23,8 @@ class SampleBuckets {
   SampleBuckets(const SurfaceSamples& samples, std::vector<int> bucket);
 
   VoxelGrid grid_;
-  /// The samples of voxel v are list_[first_[v]] … list_[first_[v + 1] - 1].
-  std::vector<int> first_, list_;
+  /// The samples in each voxel; those that are not finite lie in none.
+  Buckets samples_;
 };
 
 }  // namespace quadrille

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "base/buckets.hpp"
 #include "samples/cell_pyramid.hpp"
 
 namespace quadrille {
@@ -14,16 +15,15 @@ class SampleTree {
 
   const SurfaceSamples& level(int l) const { return levels_[l]; }
   /// The finest samples under sample i of level l.
-  std::span<const int> under(int l, int i) const;
+  std::span<const int> under(int l, int i) const { return under_[l][i]; }
   /// The finest samples with steadier normals: the mean of their own and their parent's.
   const SurfaceSamples& finest() const { return finest_; }
 
  private:
   std::vector<SurfaceSamples> levels_;
   SurfaceSamples finest_;
-  /// Per level, first[i] … first[i + 1] - 1 are the positions in the list of the samples under
-  /// sample i.
-  std::vector<std::vector<int>> first_, list_;
+  /// Per level, the finest samples under each of its samples.
+  std::vector<Buckets> under_;
 };
 
 }  // namespace quadrille

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "quadrille/detector/quadric.hpp"
-#include "quadrille/detector/quadric_type.hpp"
 
 namespace quadrille {
 

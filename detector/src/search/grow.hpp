@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "quadrille/detector/quadric.hpp"
-#include "quadrille/detector/quadric_type.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/region.hpp"
 #include "samples/surface_samples.hpp"

@@ -6,6 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "base/random.hpp"
+#include "samples/flood.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -19,16 +22,12 @@ constexpr double kMinHeightLimits = 2.0, kMinHeight = 0.1;
 /// Samples within a ball that are connected to the seed.
 std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float radius,
                                const std::vector<char>& free, std::vector<int>* stamp, int mark) {
-  std::vector<int> list = {seed};
   (*stamp)[seed] = mark;
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    for (const int j : samples.neighbours_of(list[k])) {
-      if ((*stamp)[j] == mark || !free[j]) continue;
-      (*stamp)[j] = mark;
-      if ((samples.p[j] - samples.p[seed]).squaredNorm() <= radius * radius) list.push_back(j);
-    }
-  }
-  return list;
+  return flood(samples, {seed}, [&](int j, int) {
+    if ((*stamp)[j] == mark || !free[j]) return false;
+    (*stamp)[j] = mark;
+    return (samples.p[j] - samples.p[seed]).squaredNorm() <= radius * radius;
+  });
 }
 
 class Searcher {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "fit/family_spec.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "samples/inliers.hpp"
 #include "surfaces/join.hpp"
 #include "surfaces/plane_surface.hpp"
@@ -25,12 +26,12 @@ constexpr std::size_t kOffsetSamples = 100;
 /// The area that a candidate explains, weighted by the quality of fit: a truncated quadratic in the
 /// distance.
 double support(const SurfaceSamples& samples, const Candidate& candidate, const InlierTest& test,
-               const std::vector<char>& claimed) {
+               const Mask& free) {
   const Eigen::Matrix4f Q = candidate.Q.matrix().cast<float>();
   const float sigmas = static_cast<float>(test.sigmas);
   float sum = 0;
   for (const int i : candidate.region) {
-    if (claimed[i]) continue;
+    if (!free[i]) continue;
     const float d = distance_to(Q, samples.raw[i]) / (sigmas * samples.sigma[i]);
     sum += std::max(0.0f, 1.0f - d * d) * samples.cell[i] * samples.cell[i];
   }
@@ -62,7 +63,7 @@ void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
   std::vector<double> value;
   std::vector<Eigen::AlignedBox3f> box;
   for (const Candidate& c : pending_) {
-    value.push_back(support(samples_, c, inlier_, claimed()));
+    value.push_back(support(samples_, c, inlier_, free()));
     box.push_back(box_of(samples_, c.region));
   }
   std::vector<Candidate> later;
@@ -82,7 +83,7 @@ void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
     const Eigen::AlignedBox3f claim = box_of(samples_, surface.region);
     for (std::size_t c = 0; c < pending_.size(); ++c) {
       if (value[c] > 0 && box[c].intersects(claim)) {
-        value[c] = support(samples_, pending_[c], inlier_, claimed());
+        value[c] = support(samples_, pending_[c], inlier_, free());
       }
     }
   }
@@ -112,7 +113,7 @@ Trial Aggregation::try_out(const Candidate& candidate, const Acceptance& asked) 
       surface->rms > asked.max_candidate_residual * mean_sigma(samples_, surface->region)) {
     return trial;
   }
-  surface = extender_.extended(std::move(*surface), claimed());
+  surface = extender_.extended(std::move(*surface), free());
   // The extended fit may differ, so it is checked again.
   if (is_thin(*surface, samples_)) return trial;
   weigh(&*surface);
@@ -141,7 +142,7 @@ bool Aggregation::is_promising(const Candidate& candidate, const Acceptance& ask
   const double min_spread = kCandidateSpreadShare * options_.min_spread;
   if (normal_spread(samples_, open) < min_spread) return asked.takes_planes_instead;
   const CanonicalForm form = canonical_form(candidate.Q);
-  trial->first_look = all_evidence(source(), open, candidate.Q, form, beyond(open));
+  trial->first_look = all_evidence(source(), open, candidate.Q, form, around(open));
   const auto terms =
       confidence_terms(*trial->first_look, family_spec(candidate.family).dof, log_prior(form.type));
   return confidence(terms, SurfaceKind::kCurved) >= asked.min_candidate_confidence;
@@ -180,20 +181,20 @@ Surface Aggregation::joined(Surface surface) {
 }
 
 void Aggregation::weigh(Surface* surface) const {
-  quadrille::weigh(source(), surface, beyond(surface->region));
+  quadrille::weigh(source(), surface, around(surface->region));
 }
 
-/// The claimed samples, if no accepted surface nearby nearly explains the region, which then is
-/// more than a flaw of that surface; otherwise nothing.
-std::span<const char> Aggregation::beyond(std::span<const int> region) const {
+/// The samples that no surface has claimed, if no accepted surface nearby nearly explains the
+/// region, which then is more than a flaw of that surface; otherwise all samples.
+const Mask& Aggregation::around(std::span<const int> region) const {
+  static const Mask kAll;
   const Normalisation local = normalisation_of(samples_, region);
   const std::vector<int> some = spread_evenly(region, kOffsetSamples);
   const bool is_flaw = std::any_of(surfaces_.begin(), surfaces_.end(), [&](const Surface& s) {
     return may_meet(s.local, local) &&
            rms_distance(s, samples_, some) <= kMinOffset * s.local.scale;
   });
-  if (is_flaw) return {};
-  return claimed();
+  return is_flaw ? kAll : free();
 }
 
 }  // namespace quadrille

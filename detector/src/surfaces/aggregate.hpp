@@ -33,7 +33,7 @@ class Aggregation {
   void offer_planes(const std::vector<PlaneRegion>& planes);
 
   /// Per sample, nonzero if it belongs to an accepted surface.
-  const std::vector<char>& claimed() const { return claims_.claimed(); }
+  const Mask& free() const { return claims_.free(); }
   const std::vector<Surface>& surfaces() const { return surfaces_; }
 
  private:
@@ -44,7 +44,7 @@ class Aggregation {
   Surface joined(Surface surface);
   void weigh(Surface* surface) const;
   EvidenceSource source() const { return {samples_, buckets_, context_, &claims_}; }
-  std::span<const char> beyond(std::span<const int> region) const;
+  const Mask& around(std::span<const int> region) const;
 
   const SurfaceSamples& samples_;
   AggregateOptions options_;

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "base/mask.hpp"
 #include "samples/surface_samples.hpp"
 #include "surfaces/evidence/smooth_parts.hpp"
 
@@ -15,8 +16,8 @@ class Claims {
 
   /// Claims the samples of a region; samples already claimed stay claimed.
   void add(std::span<const int> region);
-  /// Per sample, nonzero if it was claimed.
-  const std::vector<char>& claimed() const { return claimed_; }
+  /// The samples that nothing has claimed.
+  const Mask& free() const { return free_; }
   /// Returns the samples of a region that nothing has claimed.
   std::vector<int> open_of(std::span<const int> region) const;
 
@@ -26,7 +27,7 @@ class Claims {
 
  private:
   SmoothParts parts_;
-  std::vector<char> claimed_;
+  Mask free_;
   /// Per smooth part, the number of its unclaimed samples.
   std::vector<int> open_;
 };

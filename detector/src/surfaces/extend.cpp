@@ -27,8 +27,8 @@ Extender::Extender(const SurfaceSamples& samples, const SampleBuckets& buckets,
   inlier_.sigmas *= options.claim;
 }
 
-Surface Extender::extended(Surface surface, const std::vector<char>& claimed) const {
-  const std::vector<int> more = further(surface, claimed);
+Surface Extender::extended(Surface surface, const Mask& free) const {
+  const std::vector<int> more = further(surface, free);
   std::vector<int> all = surface.region;
   all.insert(all.end(), more.begin(), more.end());
   if (more.size() > surface.region.size() / kRefitDivisor) {
@@ -44,7 +44,7 @@ Surface Extender::extended(Surface surface, const std::vector<char>& claimed) co
   return surface;
 }
 
-std::vector<int> Extender::further(const Surface& surface, const std::vector<char>& claimed) const {
+std::vector<int> Extender::further(const Surface& surface, const Mask& free) const {
   const Eigen::Isometry3f Y = surface.fit.posed.X.inverse().cast<float>();
   const Eigen::Vector3f centre = surface.local.centre.cast<float>();
   const float scale = static_cast<float>(surface.local.scale);
@@ -67,7 +67,7 @@ std::vector<int> Extender::further(const Surface& surface, const std::vector<cha
   const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
   std::vector<int> more;
   for (const int i : buckets_.near(centre, radius)) {
-    if (claimed[i] || inside[i] || (samples_.raw[i] - centre).squaredNorm() > radius * radius) {
+    if (!free[i] || inside[i] || (samples_.raw[i] - centre).squaredNorm() > radius * radius) {
       continue;
     }
     if (is_inlier(samples_, i, Q, inlier_) && box.contains(posed(i))) more.push_back(i);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "base/mask.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/sample_buckets.hpp"
 #include "surfaces/surface.hpp"
@@ -19,11 +20,11 @@ class Extender {
 
   /// Adds to a surface all open samples on it within and near its extent, and refits it if they are
   /// many. Its evidence is not updated.
-  /// @param claimed  per sample, nonzero to leave it out
-  Surface extended(Surface surface, const std::vector<char>& claimed) const;
+  /// @param free  samples that may be added
+  Surface extended(Surface surface, const Mask& free) const;
 
  private:
-  std::vector<int> further(const Surface& surface, const std::vector<char>& claimed) const;
+  std::vector<int> further(const Surface& surface, const Mask& free) const;
 
   const SurfaceSamples& samples_;
   AggregateOptions options_;

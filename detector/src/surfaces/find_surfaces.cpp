@@ -10,12 +10,11 @@ namespace quadrille {
 namespace {
 
 /// Marks the samples of a level of which accepted surfaces hold less than half.
-std::vector<char> open_samples(const SampleTree& tree, int level,
-                               const std::vector<char>& claimed) {
-  std::vector<char> open(static_cast<std::size_t>(tree.level(level).size()));
+Mask open_samples(const SampleTree& tree, int level, const Mask& free) {
+  Mask open(static_cast<std::size_t>(tree.level(level).size()));
   for (int i = 0; i < tree.level(level).size(); ++i) {
     int balance = 0;
-    for (const int k : tree.under(level, i)) balance += claimed[k] ? -1 : 1;
+    for (const int k : tree.under(level, i)) balance += free[k] ? 1 : -1;
     open[i] = balance > 0;
   }
   return open;
@@ -38,7 +37,7 @@ Candidate on_finest(Candidate candidate, const SampleTree& tree, int level, Inli
 
 }  // namespace
 
-std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::vector<char> open,
+std::vector<Candidate> find_candidates(const SampleTree& tree, int level, Mask open,
                                        const DetectorOptions& options, Propose propose) {
   std::vector<Candidate> candidates =
       search(tree.level(level), std::move(open), options.search, options.inlier,
@@ -53,7 +52,7 @@ Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
   Aggregation aggregation(tree.finest(), options.aggregate, options.inlier, std::move(context),
                           std::move(observer));
   for (int level = kLevels - 1; level >= 0; --level) {
-    std::vector<char> open = open_samples(tree, level, aggregation.claimed());
+    Mask open = open_samples(tree, level, aggregation.free());
     std::vector<Candidate> candidates =
         find ? find(tree, level, std::move(open), options)
              : find_candidates(tree, level, std::move(open), options);
@@ -65,7 +64,7 @@ Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
   // The faces of boxes and the caps of cans have too few coarse samples for the first search for
   // planes. Among the finest samples they are sought last, since before that many curved surfaces
   // would pass for flat.
-  aggregation.offer_planes(find_planes(tree.finest(), options.planes, aggregation.claimed()));
+  aggregation.offer_planes(find_planes(tree.finest(), options.planes, aggregation.free()));
   clock.end("aggregate");
   return aggregation;
 }

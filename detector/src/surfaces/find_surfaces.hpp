@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "base/mask.hpp"
 #include "base/stage_clock.hpp"
 #include "quadrille/detector/options.hpp"
 #include "samples/sample_tree.hpp"
@@ -14,12 +15,12 @@ namespace quadrille {
 /// Searches one level, and returns candidates whose regions refer to the finest samples.
 /// @param open     per sample of the level, zero to leave it out
 /// @param propose  empty for the way that the options select
-std::vector<Candidate> find_candidates(const SampleTree& tree, int level, std::vector<char> open,
+std::vector<Candidate> find_candidates(const SampleTree& tree, int level, Mask open,
                                        const DetectorOptions& options, Propose propose = {});
 
 /// A way to search one level, such as find_candidates().
 using FindCandidates = std::function<std::vector<Candidate>(
-    const SampleTree&, int level, std::vector<char> open, const DetectorOptions&)>;
+    const SampleTree&, int level, Mask open, const DetectorOptions&)>;
 
 /// Searches for surfaces and selects among the candidates, from coarse to fine, so that the finer
 /// levels need not search what a coarse level found clearly.

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/quantile.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "surfaces/hidden_ends.hpp"
 #include "surfaces/uncertainty.hpp"
 

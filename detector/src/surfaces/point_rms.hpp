@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "quadrille/detector/cloud_view.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "samples/cell_pyramid.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "fit/family_spec.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "samples/inliers.hpp"
 
 namespace quadrille {

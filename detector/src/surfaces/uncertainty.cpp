@@ -14,18 +14,14 @@
 namespace quadrille {
 namespace {
 
-// Factor on the variance of noise that is independent per point. This constant and the next five
-// were fitted to the errors of 2,000 dimensions in scenes with exact truth: generated ones, and
-// simulated stereo, structured light and time of flight.
-constexpr double kOwnFactor = 1.0;
-// Edge of the blocks over which noise waves are averaged, in the unit of the fit.
+// Edge of the blocks over which noise waves are averaged, in the unit of the fit. This constant and
+// the next three were fitted to the errors of 2,000 dimensions in scenes with exact truth:
+// generated ones, and simulated stereo, structured light and time of flight.
 constexpr double kBlock = 0.6;
 // Standard deviation of the mean of noise that neighbours share, in rms residuals: for residuals no
-// larger than the measured noise, and in addition for larger ones, which are a shape of their own
-// that the fit follows.
-constexpr double kSharedShare = 0.105, kFlawShareOfRms = 0.455;
-// Position and width of the transition between the two, in residuals over the measured noise.
-constexpr double kFlawResidual = 1.0, kFlawStep = 0.02;
+// larger than the measured noise, and for larger ones, which are a shape of their own that the fit
+// follows.
+constexpr double kSharedShare = 0.105, kFlawShare = 0.467;
 // Rate at which noise counts as shared, as a function of the correlation of neighbouring residuals
 // in excess of that by chance.
 constexpr double kCorrelationRate = 80.0, kChanceCorrelation = 0.033;
@@ -34,10 +30,6 @@ constexpr double kCorrelationRate = 80.0, kChanceCorrelation = 0.033;
 constexpr double kRoundnessStd = 0.12;
 // A dimension is a guess if its standard deviation exceeds this share of its value.
 constexpr double kGuessShare = 0.5;
-// Number of points for the information of a family that was not fitted, as many as other fits use.
-constexpr int kInformationPoints = 240;
-// Eigenvalues of the information below this share of the largest consist of rounding errors only.
-constexpr double kMinInformationShare = 1e-10;
 // Directions of the parameter space with a larger standard deviation count as undetermined; bodies
 // have about unit size.
 constexpr double kOpenStd = 0.5;
@@ -56,8 +48,7 @@ Information information_of(const Surface& surface, const SurfaceSamples& samples
                            QuadricType type) {
   const FamilyFit& fit = surface.fit;
   if (type == QuadricType::kEllipsoid && fit.family != Family::kGeneral) {
-    const OrientedPointsf points =
-        fit_points(samples, surface.region, surface.local, kInformationPoints);
+    const OrientedPointsf points = fit_points(samples, surface.region, surface.local, fit.points);
     const std::optional<FamilyFit> at = refine(points, Family::kGeneral, fit.posed, 0);
     if (at) return {Family::kGeneral, at->information, static_cast<double>(at->points)};
   }
@@ -98,10 +89,9 @@ double shared_noise(const Evidence& evidence) {
 double variance_of_mean(const Surface& surface, const SurfaceSamples& samples) {
   const double n = surface.fit.points;
   const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
-  const double step = (surface.evidence.residual - kFlawResidual) / kFlawStep;
-  const double flaw = kFlawShareOfRms * kFlawShareOfRms / (1.0 + std::exp(-step));
-  const double shared = shared_noise(surface.evidence) * (kSharedShare * kSharedShare + flaw);
-  return surface.fit.rss / n * (kOwnFactor / free + shared) + variance_by_blocks(surface, samples);
+  const double share = surface.evidence.residual > 1.0 ? kFlawShare : kSharedShare;
+  const double shared = shared_noise(surface.evidence) * share * share;
+  return surface.fit.rss / n * (1.0 / free + shared) + variance_by_blocks(surface, samples);
 }
 
 /// Derivative of a function of the fit by the family's parameters, by finite differences.
@@ -152,7 +142,9 @@ Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples
                            const CanonicalForm& form) {
   const Information information = information_of(surface, samples, form.type);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information.sum);
-  const double min_known = kMinInformationShare * eigen.eigenvalues().tail<1>()[0];
+  // Smaller eigenvalues consist of rounding errors only.
+  const double min_known =
+      std::numeric_limits<double>::epsilon() * eigen.eigenvalues().tail<1>()[0];
   const double variance = variance_of_mean(surface, samples) * information.points;
   const Eigen::VectorXd variances =
       eigen.eigenvalues().unaryExpr([&](double l) { return l > min_known ? variance / l : 0.0; });

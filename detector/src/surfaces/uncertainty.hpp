@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "surfaces/surface.hpp"
 
 namespace quadrille {

@@ -7,8 +7,8 @@
 namespace quadrille {
 
 Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, const Quadric& Q,
-                      const CanonicalForm& form, std::span<const char> beyond) {
-  Evidence evidence = collect_evidence(from.samples, region, Q, beyond);
+                      const CanonicalForm& form, const Mask& free) {
+  Evidence evidence = collect_evidence(from.samples, region, Q, free);
   if (from.claims) evidence.remainder = from.claims->remainder(region);
   add_intruders(from.samples, from.buckets, region, Q, &evidence);
   evidence.uprightness = uprightness(form, from.context.up);
@@ -16,9 +16,9 @@ Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, c
   return evidence;
 }
 
-void weigh(const EvidenceSource& from, Surface* surface, std::span<const char> beyond) {
+void weigh(const EvidenceSource& from, Surface* surface, const Mask& free) {
   const CanonicalForm form = canonical_form(surface->fit.posed);
-  surface->evidence = all_evidence(from, surface->region, surface->Q, form, beyond);
+  surface->evidence = all_evidence(from, surface->region, surface->Q, form, free);
   surface->confidence =
       confidence(terms_of(*surface), is_flat(*surface) ? SurfaceKind::kFlat : SurfaceKind::kCurved);
 }

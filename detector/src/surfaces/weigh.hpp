@@ -2,7 +2,8 @@
 
 #include <span>
 
-#include "quadrille/detector/canonical.hpp"
+#include "base/mask.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "samples/sample_buckets.hpp"
 #include "samples/surface_samples.hpp"
 #include "surfaces/claims.hpp"
@@ -23,11 +24,11 @@ struct EvidenceSource {
 /// Collects all evidence for a quadric whose inliers are the region, which must not be empty.
 /// @param form    canonical form of the quadric in frame C, or in coordinates shifted and scaled
 ///   against it
-/// @param beyond  per sample, nonzero if it belongs to another surface; may be empty
+/// @param free    samples that belong to no other surface
 Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, const Quadric& Q,
-                      const CanonicalForm& form, std::span<const char> beyond = {});
+                      const CanonicalForm& form, const Mask& free = {});
 
 /// Sets a surface's evidence and confidence.
-void weigh(const EvidenceSource& from, Surface* surface, std::span<const char> beyond = {});
+void weigh(const EvidenceSource& from, Surface* surface, const Mask& free = {});
 
 }  // namespace quadrille

@@ -37,10 +37,13 @@ class Matching {
   /// alone.
   double cost(int row, int column) const {
     const int own = column - static_cast<int>(cost_.cols());
-    if (own > 0) return own == row ? alone_ : kForbiddenCost * alone_;
+    if (own > 0) return own == row ? alone_ : forbidden();
     const double c = cost_(row - 1, column - 1);
-    return c < alone_ ? c : kForbiddenCost * alone_;
+    return c < alone_ ? c : forbidden();
   }
+  /// Cost of a forbidden pair: more than if all rows stay alone, and so never part of the least
+  /// sum.
+  double forbidden() const { return (rows_ + 1) * alone_; }
 
   /// Matches one more row along the shortest augmenting path.
   void add(int row) {
@@ -87,9 +90,6 @@ class Matching {
     }
     return next;
   }
-
-  /// Cost of a forbidden pair in multiples of `alone`, too high to occur in a least sum.
-  static constexpr double kForbiddenCost = 1e6;
 
   const Eigen::MatrixXd& cost_;
   const double alone_;

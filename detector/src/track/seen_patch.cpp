@@ -15,6 +15,8 @@ constexpr int kLines = 6;
 constexpr double kMarginShare = 0.1, kMarginRms = 2.0;
 // A point that lies outside the other patch's extent by this share of the size counts half.
 constexpr double kHalfWeightShare = 0.05;
+// Least standard deviation of a patch's position [m].
+constexpr double kFitLength = 0.002;
 // Largest number of Gauss-Newton steps; they end once a step moves the patch by less than this
 // share of the size.
 constexpr int kMaxRounds = 12;
@@ -23,8 +25,6 @@ constexpr double kMinStepShare = 1e-3;
 // any axis of a curved surface, so it restrains only directions in which the surface slides in
 // itself.
 constexpr double kRegularisation = 0.003;
-// Least size of a patch [m].
-constexpr double kMinSize = 1e-6;
 
 /// Adds points of the quadric on grid lines along one axis of the extent, but only where the normal
 /// is nearest to that axis: the three axes together cover the surface about evenly.
@@ -111,7 +111,7 @@ double weight_of(const Meeting& meeting, double size) {
 
 /// Finds the least shift that brings the surfaces together.
 Eigen::Vector3d find_shift(const SeenPatch& from, const SeenPatch& to) {
-  const double size = std::max({from.size, to.size, kMinSize});
+  const double size = std::max(from.size, to.size);
   Eigen::Vector3d shift = to.centre_W - from.centre_W;
   for (int round = 0; round < kMaxRounds; ++round) {
     Eigen::Matrix3d H = Eigen::Matrix3d::Zero();
@@ -150,6 +150,10 @@ OneWay summarise(std::span<const Meeting> meetings) {
 
 }  // namespace
 
+double place_std(const SeenPatch& patch) {
+  return std::hypot(patch.rms, kFitShare * patch.size, kFitLength);
+}
+
 SeenPatch seen_patch(const Detection& detection, const Eigen::Isometry3d& X_WC) {
   SeenPatch patch;
   const Eigen::Isometry3d X_WQ = X_WC * detection.X_CQ;
@@ -171,7 +175,8 @@ SeenPatch seen_patch(const Detection& detection, const Eigen::Isometry3d& X_WC) 
   patch.centre_W /= static_cast<double>(patch.points_W.size());
   double squares = 0.0;
   for (const Eigen::Vector3d& x : patch.points_W) squares += (x - patch.centre_W).squaredNorm();
-  patch.size = 2.0 * std::sqrt(squares / static_cast<double>(patch.points_W.size()));
+  patch.size =
+      std::max(patch.size, 2.0 * std::sqrt(squares / static_cast<double>(patch.points_W.size())));
   return patch;
 }
 
@@ -188,7 +193,7 @@ PatchMatch match_patches(const SeenPatch& from, const SeenPatch& to) {
   PatchMatch match;
   match.shift_W = find_shift(from, to);
   const Meetings meetings = meet(from, to, match.shift_W);
-  const double size = std::max({from.size, to.size, kMinSize});
+  const double size = std::max(from.size, to.size);
   double sum = 0.0, squares = 0.0, turns = 0.0;
   for (const Meeting& meeting : meetings.list) {
     const double weight = weight_of(meeting, size);

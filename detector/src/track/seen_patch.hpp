@@ -17,11 +17,19 @@ struct SeenPatch {
   /// Points [m] and unit gradients there; never empty.
   std::vector<Eigen::Vector3d> points_W, normals_W;
   Eigen::Vector3d centre_W = Eigen::Vector3d::Zero();
-  /// Twice the root mean square distance of the points from their centre [m].
-  double size = 0.0;
+  /// Twice the root mean square distance of the points from their centre [m]; at least a
+  /// micrometre, to divide by.
+  double size = 1e-6;
   /// The detection's rms [m].
   double rms = 0.0;
 };
+
+/// Fits of two views differ by this share of the patch's size, in addition to the noise.
+inline constexpr double kFitShare = 0.03;
+
+/// Standard deviation of a patch's position along its normals [m]. It does not fall with the number
+/// of points, since the sensor's own error changes with the view.
+double place_std(const SeenPatch& patch);
 
 /// Makes the patch of a detection.
 /// @param X_WC  pose of the detection's frame in the fixed frame

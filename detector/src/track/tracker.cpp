@@ -15,9 +15,6 @@ namespace {
 // assignment grows with its cube.
 constexpr int kMinFramesKept = 3;
 constexpr std::size_t kMaxTracks = 256;
-// In addition to the noise, fits of two views differ by this share of the size and by this length
-// [m].
-constexpr double kFitShare = 0.03, kFitLength = 0.002;
 // Standard deviation of a dimension in addition to its published one, as a share of its value:
 // types and seen parts change between views.
 constexpr double kDimensionShare = 0.1;
@@ -27,16 +24,8 @@ constexpr double kMaxDimensionCost = 4.0;
 constexpr double kOtherTypeCost = 0.5;
 // Standard deviations of the turn of normals [rad], and of the gap as a share of the size.
 constexpr double kTurnDeviation = 0.35, kGapDeviation = 0.25;
-// Lower limits of sizes and noise [m] and of the variance of a position [m²], to divide by.
-constexpr double kMinLength = 1e-6, kMinVariance = 1e-12;
 
 double squared(double x) { return x * x; }
-
-/// Standard deviation of a patch's position along its normals [m]. It does not fall with the number
-/// of points, since the sensor's own error changes with the view.
-double place_deviation(const SeenPatch& patch) {
-  return std::hypot(patch.rms, kFitShare * patch.size, kFitLength);
-}
 
 /// True if a dimension measures only the seen part and not the whole object.
 bool depends_on_view(std::string_view dimension) {
@@ -61,8 +50,8 @@ double compare_dimensions(const std::vector<Dimension>& a, const std::vector<Dim
 
 /// Squared difference of shapes and extents, in standard deviations.
 double compare_shapes(const PatchMatch& match, const SeenPatch& a, const SeenPatch& b) {
-  const double size = std::max(kMinLength, 0.5 * (a.size + b.size));
-  const double noise = std::hypot(a.rms, b.rms, kFitShare * size) + kMinLength;
+  const double size = 0.5 * (a.size + b.size);
+  const double noise = std::hypot(a.rms, b.rms, kFitShare * size);
   return squared(match.residual / noise) + squared(match.turn / kTurnDeviation) +
          squared(match.gap / (kGapDeviation * size)) + (1.0 - match.overlap);
 }
@@ -137,7 +126,7 @@ void Tracker::advance(double seconds) {
 Tracker::Pairing Tracker::compare(const Track& track, const Detection& detection,
                                   const SeenPatch& patch) const {
   const double t = track.seconds_unseen;
-  const double variance = squared(place_deviation(track.patch)) + squared(place_deviation(patch)) +
+  const double variance = squared(place_std(track.patch)) + squared(place_std(patch)) +
                           track.velocity_variance * t * t +
                           squared(0.5 * options_.acceleration * t * t);
   const double max_cost = squared(options_.gate);
@@ -146,7 +135,7 @@ Tracker::Pairing Tracker::compare(const Track& track, const Detection& detection
   const double max_distance = options_.gate * std::sqrt(variance) + track.patch.size + patch.size;
   if ((patch.centre_W - track.patch.centre_W).norm() > max_distance) return {};
   const PatchMatch match = match_patches(track.patch, patch);
-  const double place = match.shift_W.squaredNorm() / std::max(variance, kMinVariance);
+  const double place = match.shift_W.squaredNorm() / variance;
   if (!(place < max_cost)) return {};
   const double named = track.type == detection.type
                            ? compare_dimensions(track.dimensions, detection.dimensions)
@@ -195,7 +184,7 @@ void Tracker::renew(const Detection& detection, const SeenPatch& patch,
   if (t > 0.0) {
     const double expected = track->velocity_variance + squared(options_.acceleration * t);
     const double measured =
-        (squared(place_deviation(track->patch)) + squared(place_deviation(patch))) / (t * t);
+        (squared(place_std(track->patch)) + squared(place_std(patch))) / (t * t);
     const double gain = expected > 0.0 ? expected / (expected + measured) : 0.0;
     track->v_W += gain / t * shift_W;
     track->velocity_variance = (1.0 - gain) * expected;

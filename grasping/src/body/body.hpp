@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille {

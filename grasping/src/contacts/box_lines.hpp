@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "contacts/contact_line.hpp"
-#include "quadrille/detector/box.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/gripper.hpp"
 
 namespace quadrille {

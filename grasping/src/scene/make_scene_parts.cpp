@@ -9,9 +9,8 @@
 #include <utility>
 
 #include "body/body.hpp"
-#include "quadrille/detector/find_boxes.hpp"
-#include "quadrille/detector/range_check.hpp"
-#include "quadrille/detector/viewpoint_check.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
+#include "quadrille/detector/detector.hpp"
 #include "quadrille/grasping/shape.hpp"
 #include "space/map_limits.hpp"
 #include "space/space_mapper.hpp"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "quadrille/detector/box.hpp"
+#include "base/deadline.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/collision_shape.hpp"
 #include "quadrille/grasping/gripper.hpp"

@@ -25,3 +25,9 @@ TEST_CASE("of an even number the quantile is the lower one in the middle, the me
   CHECK(quantile(one, 0.3) == 7);
   CHECK(median(one) == 7);
 }
+
+TEST_CASE("the deviation of normal noise survives outliers", "[quantile]") {
+  // The quartiles of a standard normal distribution, and two outliers.
+  std::vector<double> values = {-100.0, -0.6745, 0.6745, 0.6745, 100.0};
+  CHECK(robust_std(values) == Approx(1.0).epsilon(1e-4));
+}

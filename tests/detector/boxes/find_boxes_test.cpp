@@ -1,9 +1,8 @@
-#include "quadrille/detector/find_boxes.hpp"
-
 #include <algorithm>
 #include <limits>
 
 #include "../table_scene.hpp"
+#include "quadrille/detector/detector.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille {

@@ -1,5 +1,3 @@
-#include "quadrille/detector/ingest.hpp"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -9,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "quadrille/detector/point_cloud.hpp"
 #include "support/catch.hpp"
 
 using quadrille::PointCloud;

@@ -136,7 +136,7 @@ TEST_CASE("points all around the viewpoint or too few of them are no single view
   }
   CHECK_FALSE(find_view(around));
   PointCloud few = render({wall(1.0)});
-  few.points.resize(100);
+  few.points.resize(40);
   CHECK_FALSE(find_view(few));
   CHECK_FALSE(find_view(PointCloud()));
 }

@@ -1,6 +1,5 @@
-#include "quadrille/detector/range_check.hpp"
-
 #include "detector/table_scene.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
 #include "support/catch.hpp"
 #include "support/missing_codes.hpp"
 

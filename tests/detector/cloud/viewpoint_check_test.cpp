@@ -1,12 +1,11 @@
-#include "quadrille/detector/viewpoint_check.hpp"
-
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "base/random.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "fits/normalise.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "support/depth_camera.hpp"
 #include "support/quadric_points.hpp"
 

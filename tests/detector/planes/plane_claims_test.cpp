@@ -29,7 +29,7 @@ TEST_CASE("the cells of a table are claimed, those of what stands on it are not"
   const SurfaceSamples coarse = pyramid->coarse_samples();
   const auto planes = find_planes(coarse, {});
   REQUIRE(planes.size() == 1);
-  const std::vector<char> keep = cells_off_planes(planes_of_cells(*pyramid, coarse, planes, 3.0));
+  const Mask keep = cells_off_planes(planes_of_cells(*pyramid, coarse, planes, 3.0));
   REQUIRE(keep.size() == static_cast<std::size_t>(pyramid->size(0)));
   int table = 0, claimed = 0, ball = 0, kept = 0;
   for (int c = 0; c < pyramid->size(0); ++c) {

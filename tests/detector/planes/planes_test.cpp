@@ -90,15 +90,15 @@ TEST_CASE("no samples, no planes", "[planes][degenerate]") {
 TEST_CASE("samples that another surface holds do not tilt a plane's start", "[planes]") {
   // Every free sample has one claimed neighbour, which stands out.
   SurfaceSamples samples = plane_grid(30, 30, 0.01, 0.0005, 7);
-  std::vector<char> claimed(static_cast<std::size_t>(samples.size()));
+  Mask free(samples.p.size(), 1);
   for (int row = 1; row < 30; row += 3) {
     for (int column = 1; column < 30; column += 3) {
       const int i = row * 30 + column;
-      claimed[i] = 1;
+      free[i] = 0;
       samples.raw[i].x() += 0.05f;
     }
   }
-  const auto planes = find_planes(samples, {}, claimed);
+  const auto planes = find_planes(samples, {}, free);
   REQUIRE(planes.size() == 1);
   CHECK(planes[0].samples.size() == 800);
   CHECK(planes[0].plane.x() > 0.9999);
@@ -106,11 +106,11 @@ TEST_CASE("samples that another surface holds do not tilt a plane's start", "[pl
 
 TEST_CASE("samples that another surface holds belong to no plane", "[planes]") {
   const SurfaceSamples samples = edge_grid(0.0005);
-  std::vector<char> claimed(static_cast<std::size_t>(samples.size()));
-  for (int i = 0; i < samples.size(); ++i) claimed[i] = samples.n[i].y() > 0.7f;
-  const auto planes = find_planes(samples, {}, claimed);
+  Mask free(samples.p.size(), 1);
+  for (int i = 0; i < samples.size(); ++i) free[i] = samples.n[i].y() <= 0.7f;
+  const auto planes = find_planes(samples, {}, free);
   REQUIRE(planes.size() == 1);
-  for (const int i : planes[0].samples) CHECK_FALSE(claimed[i]);
+  for (const int i : planes[0].samples) CHECK(free[i]);
   CHECK(planes[0].samples.size() > 380);
 }
 

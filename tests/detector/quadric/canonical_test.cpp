@@ -1,6 +1,5 @@
-#include "quadrille/detector/canonical.hpp"
-
 #include "base/random.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "support/catch.hpp"
 
 using quadrille::canonical_form;

@@ -1,8 +1,7 @@
-#include "quadrille/detector/quadric_type.hpp"
-
 #include <set>
 #include <string>
 
+#include "quadrille/detector/quadric.hpp"
 #include "support/catch.hpp"
 
 using quadrille::all_quadric_types;

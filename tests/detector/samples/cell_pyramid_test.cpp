@@ -66,7 +66,7 @@ void check_pyramid(const CellPyramid& pyramid, std::size_t points) {
       REQUIRE(pyramid.parents(l)[c] < pyramid.size(l + 1));
     }
   }
-  const std::vector<char> keep(static_cast<std::size_t>(pyramid.size(0)), 1);
+  const Mask keep(static_cast<std::size_t>(pyramid.size(0)), 1);
   const auto one = pyramid.samples(keep, 1), three = pyramid.samples(keep, 3);
   REQUIRE(one.size() == kLevels);
   for (int l = 0; l < kLevels; ++l) {
@@ -132,7 +132,7 @@ TEST_CASE("normals of voxels are those of the sphere and look to the viewpoint's
           "[pyramid][voxel]") {
   const auto pyramid = make_voxel_pyramid(all_around(0.0002), {});
   REQUIRE(pyramid);
-  const std::vector<char> keep(static_cast<std::size_t>(pyramid->size(0)), 1);
+  const Mask keep(static_cast<std::size_t>(pyramid->size(0)), 1);
   for (const SurfaceSamples& level : pyramid->samples(keep, 1)) {
     std::vector<double> angle;
     for (int i = 0; i < level.size(); ++i) {

@@ -52,12 +52,12 @@ TEST_CASE("the normal is the direction of the least spread", "[plane_moments]") 
       const std::vector<Vector3f> points =
           cloud_of(&random, 0.01 * Vector3d(1, 0.6, thin), Vector3f(0.002f, -0.001f, 0.003f));
       const auto truth = solver_of(points);
-      Vector3f mean, normal;
-      REQUIRE(moments_of(points).solve(&mean, &normal));
-      CHECK(normal.norm() == Approx(1.0f));
+      const auto plane = moments_of(points).solve();
+      REQUIRE(plane);
+      CHECK(plane->normal.norm() == Approx(1.0f));
       // Compared by the spread, which two directions may share.
       const Vector3d v = truth.eigenvalues();
-      const double c = std::abs(truth.eigenvectors().col(0).dot(normal.cast<double>()));
+      const double c = std::abs(truth.eigenvectors().col(0).dot(plane->normal.cast<double>()));
       CHECK((1 - c * c) * (v[1] - v[0]) < 1e-5 * v[2]);
     }
   }
@@ -65,15 +65,14 @@ TEST_CASE("the normal is the direction of the least spread", "[plane_moments]") 
 
 TEST_CASE("few points, a line and a ball have no normal", "[plane_moments][degenerate]") {
   RandomStream random(6, 0);
-  Vector3f mean, normal;
-  CHECK_FALSE(PlaneMoments().solve(&mean, &normal));
-  CHECK_FALSE(moments_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).solve(&mean, &normal));
-  CHECK_FALSE(moments_of(std::vector<Vector3f>(9, {0.1f, 0.2f, 0.3f})).solve(&mean, &normal));
-  CHECK_FALSE(moments_of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}})
-                  .solve(&mean, &normal));
+  CHECK_FALSE(PlaneMoments().solve());
+  CHECK_FALSE(moments_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}).solve());
+  CHECK_FALSE(moments_of(std::vector<Vector3f>(9, {0.1f, 0.2f, 0.3f})).solve());
+  CHECK_FALSE(
+      moments_of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}).solve());
   for (const double width : {0.0, 0.1, 0.2}) {
     const auto points = cloud_of(&random, 0.01 * Vector3d(1, width, 0), Vector3f::Zero());
     const Vector3d v = solver_of(points).eigenvalues();
-    CHECK(moments_of(points).solve(&mean, &normal) == (v[1] > 0.05 * v[2]));
+    CHECK(moments_of(points).solve().has_value() == (v[1] > 0.05 * v[2]));
   }
 }

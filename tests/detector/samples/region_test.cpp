@@ -77,7 +77,7 @@ TEST_CASE("a region grows over connected inliers only and only over free ones", 
   const SurfaceSamples samples = plane_grid(30, 10, 0.004, 0.0, 1);
   Eigen::Matrix4d D = Eigen::Matrix4d::Zero();
   D(0, 3) = D(3, 0) = 0.5;
-  std::vector<char> free(static_cast<std::size_t>(samples.size()), 1);
+  Mask free(static_cast<std::size_t>(samples.size()), 1);
   const std::vector<int> start = {0};
   CHECK(connected_inliers(samples, start, Quadric(D), {}, free).size() == 300);
   for (int j = 0; j < 10; ++j) free[static_cast<std::size_t>(j * 30 + 12)] = 0;

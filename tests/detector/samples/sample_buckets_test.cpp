@@ -30,8 +30,8 @@ TEST_CASE("the buckets of a ball hold all of its samples, and few others", "[buc
         const float distance = (samples.raw[k] - centre).norm();
         const bool found = std::binary_search(near.begin(), near.end(), k);
         missing += distance <= radius && !found;
-        // Buckets are 12 cells wide, and a ball's are found by their means.
-        far += distance > radius + 2 * 1.7321f * 12 * 0.004f && found;
+        // Buckets are 12 cells wide; those with a mean within two edges of the ball are found.
+        far += distance > radius + (2 + 1.7321f) * 12 * 0.004f && found;
       }
       CHECK(missing == 0);
       CHECK(far == 0);

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "detector/fits/examples.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"
 

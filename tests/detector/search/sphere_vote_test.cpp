@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"
 

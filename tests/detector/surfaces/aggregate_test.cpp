@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "detector/pipe.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"
 
@@ -70,7 +70,7 @@ TEST_CASE("a good candidate becomes a surface, fitted and with its samples claim
   CHECK(radius_of(surface) == Approx(kPipeRadius).epsilon(0.01));
   CHECK(surface.rms == Approx(0.0005).epsilon(0.2));
   CHECK(surface.confidence > 0.9);
-  const auto claimed = std::count(aggregation.claimed().begin(), aggregation.claimed().end(), 1);
+  const auto claimed = std::count(aggregation.free().begin(), aggregation.free().end(), 0);
   CHECK(claimed == static_cast<long>(surface.region.size()));
 }
 
@@ -240,8 +240,7 @@ TEST_CASE("planes among what is left become surfaces, if their evidence is good"
   aggregation.offer_planes({plane});
   REQUIRE(aggregation.surfaces().size() == 1);
   CHECK(aggregation.surfaces()[0].fit.family == Family::kPlane);
-  CHECK(std::count(aggregation.claimed().begin(), aggregation.claimed().end(), 1) ==
-        samples.size());
+  CHECK(std::count(aggregation.free().begin(), aggregation.free().end(), 0) == samples.size());
   options.min_plane_confidence = 1.0;
   Aggregation doubtful(samples, options, {});
   doubtful.offer_planes({plane});

@@ -52,5 +52,5 @@ TEST_CASE("what was claimed is open no more", "[claims]") {
   claims.add(columns(0, 2));
   CHECK(claims.open_of(columns(0, 4)) == columns(2, 4));
   for (const int k : columns(0, kClaimedColumns))
-    CHECK((claims.claimed()[k] != 0) == (k % kClaimedColumns < 2));
+    CHECK((claims.free()[k] == 0) == (k % kClaimedColumns < 2));
 }

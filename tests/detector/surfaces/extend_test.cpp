@@ -18,16 +18,16 @@ TEST_CASE("a surface is extended over open samples near its ends, once each", "[
   REQUIRE(piece);
   const SampleBuckets buckets(samples);
   const Extender extender(samples, buckets, {}, {});
-  std::vector<char> claimed(static_cast<std::size_t>(samples.size()), 0);
-  std::vector<int> region = extender.extended(*piece, claimed).region;
+  Mask free(samples.p.size(), 1);
+  std::vector<int> region = extender.extended(*piece, free).region;
   // By a tenth and more at each end, and no farther than the margin.
   CHECK(region.size() > middle.size() * 12 / 10);
   CHECK(region.size() < middle.size() * 14 / 10);
   std::sort(region.begin(), region.end());
   CHECK(std::adjacent_find(region.begin(), region.end()) == region.end());
   // What is claimed above stays there.
-  for (int i = 50 * kPipeColumns; i < samples.size(); ++i) claimed[static_cast<std::size_t>(i)] = 1;
-  region = extender.extended(*piece, claimed).region;
+  for (int i = 50 * kPipeColumns; i < samples.size(); ++i) free[static_cast<std::size_t>(i)] = 0;
+  region = extender.extended(*piece, free).region;
   CHECK(region.size() > middle.size());
   CHECK(std::none_of(region.begin(), region.end(), [](int i) { return i >= 50 * kPipeColumns; }));
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "detector/table_scene.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
 

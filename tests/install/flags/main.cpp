@@ -5,8 +5,8 @@
 #include <iostream>
 
 #include "poses.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
 
 namespace {
 

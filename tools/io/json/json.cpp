@@ -2,7 +2,7 @@
 
 #include "io/json/json_parts.hpp"
 #include "io/run_info.hpp"
-#include "quadrille/detector/seen_side.hpp"
+#include "quadrille/detector/detection.hpp"
 
 namespace quadrille::io {
 namespace {

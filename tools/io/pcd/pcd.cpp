@@ -12,6 +12,8 @@
 #include "io/packed_point.hpp"
 #include "io/pcd/pcd_header.hpp"
 #include "quadrille/detector/ingest.hpp"
+#include "io/pcd_header.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/detector/printable.hpp"
 
 namespace quadrille::io {

@@ -10,6 +10,8 @@
 #include "lab/scene/scene_files.hpp"
 #include "log/event_log.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/bus/event_log.hpp"
+#include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 namespace {

@@ -10,8 +10,8 @@
 #include "lab/experiments/generated_scenes.hpp"
 #include "lab/experiments/measure.hpp"
 #include "lab/scoring/score.hpp"
-#include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille::experiments {
 namespace {

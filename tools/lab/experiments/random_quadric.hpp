@@ -2,7 +2,7 @@
 
 #include "base/random.hpp"
 #include "fits/normalise.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille::experiments {
 

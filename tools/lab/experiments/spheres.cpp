@@ -5,8 +5,8 @@
 #include "lab/experiments/measure.hpp"
 #include "lab/experiments/sphere_errors.hpp"
 #include "lab/scoring/frame.hpp"
-#include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille::experiments {
 namespace {

@@ -1,6 +1,6 @@
 #include "lab/physics/exact_detection.hpp"
 
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille::physics {
 namespace {

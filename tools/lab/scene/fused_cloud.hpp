@@ -5,7 +5,7 @@
 
 #include "lab/scene/random.hpp"
 #include "quadrille/detector/point_cloud.hpp"
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille::scene {
 

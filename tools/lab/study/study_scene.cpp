@@ -4,8 +4,8 @@
 #include <set>
 
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 

@@ -14,6 +14,7 @@
 #include "quadrille/bus/status_message.hpp"
 #include "quadrille/detector/rigid_motion.hpp"
 #include "run/clock.hpp"
+#include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 namespace {

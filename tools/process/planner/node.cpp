@@ -14,7 +14,7 @@
 #include "process/planner/viewer_hands.hpp"
 #include "process/runtime/logging.hpp"
 #include "quadrille/bus/encode.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 #include "run/clock.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 
 namespace quadrille {

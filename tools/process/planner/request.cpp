@@ -8,7 +8,7 @@
 
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/printable.hpp"
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 namespace {

@@ -12,7 +12,7 @@
 #include "io/json/json_parts.hpp"
 #include "io/planner/advice.hpp"
 #include "io/planner/plan_json.hpp"
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/setting.hpp"
 #include "view/scene/owners.hpp"
 #include "view/scene/pack.hpp"

@@ -4,7 +4,7 @@
 #include <set>
 #include <utility>
 
-#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 
 namespace quadrille::view {

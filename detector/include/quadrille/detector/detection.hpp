@@ -1,17 +1,42 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
 
-#include "quadrille/detector/box.hpp"
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/detector/quadric.hpp"
-#include "quadrille/detector/quadric_type.hpp"
 
 namespace quadrille {
+
+/// A box of which one, two or three faces were detected as planes.
+struct Box {
+  /// Number of the box, which continues the ids of the detections.
+  int id = 0;
+  /// Ids of the detections that are faces of the box, those with more points first.
+  std::vector<int> faces;
+  /// Mean confidence of the faces, 0 to 1.
+  double score = 0.0;
+  /// Pose of frame B: the origin is the middle of the box, the longest side runs along x and the
+  /// shortest along z; x and z point to the sensor's side.
+  Eigen::Isometry3d X_CB = Eigen::Isometry3d::Identity();
+  /// Lengths of the sides along x, y, z, and their standard deviations [m]. For a side that was not
+  /// seen, they are its most likely length and the deviation of a length uniform between its
+  /// bounds.
+  Eigen::Vector3d size = Eigen::Vector3d::Zero(), std = Eigen::Vector3d::Zero();
+  /// True if both ends of the side were seen.
+  std::array<bool, 3> seen = {false, false, false};
+  /// The part that was seen, and the most that the box may occupy without hiding what was seen
+  /// behind it or crossing a plane, in frame B [m]. They differ only at ends that were not seen.
+  Eigen::AlignedBox3d inner_B, outer_B;
+};
+
+/// False if the box was found but not asked for, like its faces; it then only is an obstacle.
+inline bool is_reported(const Box& box) { return box.faces.empty() || box.faces.front() >= 0; }
 
 /// One named measure of a quadric, such as "radius" [m] or "half_angle" [rad].
 struct Dimension {
@@ -102,5 +127,23 @@ struct DetectionResult {
   /// "coordinates look like millimetres"; empty if there are none.
   std::vector<std::string> warnings;
 };
+
+/// Transforms the points and the viewpoint of a cloud from frame C to frame F; the name of the
+/// frame stays. If X_FC is the identity, all bits are kept.
+QUADRILLE_EXPORT PointCloud moved(PointCloud cloud, const Eigen::Isometry3d& X_FC);
+
+/// Transforms a detection from frame C to frame F. If X_FC is the identity, all bits are kept.
+QUADRILLE_EXPORT Detection moved(Detection detection, const Eigen::Isometry3d& X_FC);
+
+/// Transforms detections from frame C to frame F.
+QUADRILLE_EXPORT std::vector<Detection> moved(std::vector<Detection> detections,
+                                              const Eigen::Isometry3d& X_FC);
+
+/// Transforms boxes from frame C to frame F.
+QUADRILLE_EXPORT std::vector<Box> moved(std::vector<Box> boxes, const Eigen::Isometry3d& X_FC);
+
+/// True if the sensor saw the inside of a round surface, such as the inner wall of a mug; false for
+/// types without an inside.
+QUADRILLE_EXPORT bool shows_inside(const Detection& detection);
 
 }  // namespace quadrille

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "quadrille/detector/export.hpp"
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/setting.hpp"
 #include "quadrille/detector/stage_options.hpp"
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <span>
 
-#include "quadrille/detector/cloud_view.hpp"
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/setting.hpp"
 
 namespace quadrille {

@@ -8,14 +8,12 @@ namespace {
 
 // Keeps the foot of a cylinder's axis from drifting along the axis.
 constexpr double kRidge = 1e-9;
-// An axis whose foot is farther away, in radii of the points, belongs to a plane.
-constexpr double kMaxFoot = 100.0;
 
 }  // namespace
 
 std::optional<PosedQuadric> initial_revolution(const OrientedPointsf& p) {
   const auto axis = axis_of_revolution(p, kRidge);
-  if (!axis || axis->foot.norm() > kMaxFoot) return std::nullopt;
+  if (!axis) return std::nullopt;
   // The profile is ρ² = α + β s + γ s².
   const Eigen::Isometry3d X = pose_along(axis->foot, axis->direction);
   const Eigen::Isometry3f Y = X.inverse().cast<float>();

@@ -13,9 +13,6 @@ namespace {
 // Least distance between the mean depths of a cell's two sides, as a share of the distance between
 // its extremes. It is nearly 1 for two layers, and a half for the two ends of a slope.
 constexpr float kMinLayerGap = 0.75f;
-// A cell lies within an area of layers if at least this many of it and its eight neighbours have
-// layers. Along a depth edge no more than six have.
-constexpr int kMinLayeredAround = 8;
 
 /// Sums of tangents and inverse depth over points, and the extremes of the inverse depth.
 struct Sums {
@@ -124,8 +121,8 @@ std::vector<char> keep_larger_sides(const CloudView& cloud, const PinholeView& v
   return layered;
 }
 
-/// Share of the filled cells that lie within areas of layers. In a single view cells have layers
-/// only across depth edges, which are lines and not areas.
+/// Share of the filled cells that lie within areas of layers: all their neighbours have layers. In
+/// a single view cells have layers only across depth edges, which are lines and not areas.
 double layered_share(const DepthCells& cells, const std::vector<char>& layered) {
   if (layered.empty()) return 0.0;
   int inside = 0, filled = 0;
@@ -138,7 +135,7 @@ double layered_share(const DepthCells& cells, const std::vector<char>& layered) 
       for (const int row : {c - cells.width, c, c + cells.width}) {
         around += layered[row - 1] + layered[row] + layered[row + 1];
       }
-      inside += around >= kMinLayeredAround;
+      inside += around == 9;
     }
   }
   return filled ? static_cast<double>(inside) / filled : 0.0;
@@ -150,7 +147,7 @@ struct FineRows {
   std::array<std::vector<float>, 2> n;
   std::array<int, 2> first{};
 
-  FineRows(const DepthCells& cells, const std::vector<char>& keep, int j) {
+  FineRows(const DepthCells& cells, const Mask& keep, int j) {
     for (int r = 0; r < 2; ++r) {
       n[r].assign(static_cast<std::size_t>(cells.width), 0.0f);
       // Rows below the image are empty.
@@ -251,7 +248,7 @@ DepthCells make_depth_cells(const CloudView& cloud, const PinholeView& view,
   return cells;
 }
 
-DepthCells coarser(const DepthCells& fine, const std::vector<char>& keep) {
+DepthCells coarser(const DepthCells& fine, const Mask& keep) {
   DepthCells cells;
   cells.image = fine.image;
   cells.pixels = 2 * fine.pixels;

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <vector>
 
-#include "quadrille/detector/cloud_view.hpp"
+#include "base/mask.hpp"
 #include "quadrille/detector/pinhole.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
 
@@ -60,7 +61,7 @@ DepthCells make_depth_cells(const CloudView& cloud, const PinholeView& view,
 
 /// Makes cells of twice the edge. A cell that would span a depth edge keeps only the side with more
 /// points.
-/// @param keep  per cell, zero to leave it out; empty means all
-DepthCells coarser(const DepthCells& fine, const std::vector<char>& keep);
+/// @param keep  cells to use
+DepthCells coarser(const DepthCells& fine, const Mask& keep);
 
 }  // namespace quadrille

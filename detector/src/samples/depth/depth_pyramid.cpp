@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "base/parallel.hpp"
+#include "base/quantile.hpp"
+#include "cloud/some_points.hpp"
 #include "samples/cell_pyramid.hpp"
 #include "samples/depth/depth_cells.hpp"
 #include "samples/depth/depth_samples.hpp"
@@ -11,20 +13,11 @@ namespace quadrille {
 namespace {
 
 // A cloud is not a single view if a larger share of its cells lies within areas of layers; depth
-// cameras show a tenth of this. Cells of fewer pixels hold too few points to tell.
+// cameras show a tenth of this.
 constexpr double kMaxLayered = 0.002;
-constexpr int kMinLayerPixels = 2;
-// Largest edge of a cell [pixels]: an image of 640 x 480 still has 20 x 15 cells.
-constexpr int kMaxCellPixels = 32;
-// If the nearer points are deeper than this [m], the viewpoint is not the sensor's: a sensor that
-// far away would not see the objects sought.
-constexpr float kMaxNearDepth = 50.0f;
 // Half windows of the regressions [cells]. The window for planes is small because they are found
 // before normals have to be smooth.
 constexpr int kPlaneReach = 1, kReach = 2;
-// Cells have their nominal size at the depth that this many tenths of the points are nearer than;
-// it is estimated from this many points.
-constexpr std::size_t kNearTenths = 3, kDepths = 5000;
 
 std::vector<int> parents_of(const DepthCells& fine, const DepthCells& coarse) {
   std::vector<int> parents;
@@ -67,7 +60,7 @@ class DepthPyramid : public CellPyramid {
     return make_depth_samples(cells_[kLevels - 1], {}, noise_[kLevels - 1], X_CV_, kPlaneReach);
   }
 
-  std::vector<SurfaceSamples> samples(const std::vector<char>& keep, int threads) const override {
+  std::vector<SurfaceSamples> samples(const Mask& keep, int threads) const override {
     std::array<DepthCells, kLevels> rest;
     for (int l = 1; l < kLevels; ++l) {
       rest[l] = l == 1 ? coarser(cells_[0], keep) : coarser(rest[l - 1], {});
@@ -90,18 +83,16 @@ class DepthPyramid : public CellPyramid {
   std::array<std::vector<int>, kLevels - 1> parents_;
 };
 
-/// Depth that kNearTenths tenths of the points are nearer than [m]; 1 m if no point is seen.
+/// Depth that three tenths of the points are nearer than, at which cells have their nominal size
+/// [m]; 1 m if no point is seen.
 float near_depth(const CloudView& cloud, const PinholeView& view) {
   std::vector<float> w;
-  const std::size_t stride = std::max<std::size_t>(1, view.seen / kDepths);
-  for (std::size_t i = 0; i < cloud.points.size(); i += stride) {
+  for (std::size_t i = 0; i < cloud.points.size(); i += step_over(view.seen)) {
     const float inverse_depth = view(cloud.points[i]).z();
     if (inverse_depth > 0.0f) w.push_back(inverse_depth);
   }
   if (w.empty()) return 1.0f;
-  const auto near = w.begin() + static_cast<std::ptrdiff_t>(w.size() * (10 - kNearTenths) / 10);
-  std::nth_element(w.begin(), near, w.end());
-  return 1.0f / *near;
+  return 1.0f / nth_smallest(w, w.size() * 7 / 10);
 }
 
 }  // namespace
@@ -118,15 +109,13 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const CloudView& cloud,
   image->width *= options.stride;
   image->height *= options.stride;
   const float z = near_depth(cloud, *view);
-  if (z > kMaxNearDepth) return nullptr;
-  const int pixels = static_cast<int>(
-      std::lround(std::clamp(options.cell / (image->pitch.x() * z), 1.0, 1.0 * kMaxCellPixels)));
+  // A sensor that far away would not see the objects sought, so the viewpoint is not the sensor's.
+  if (z > kFarthest) return nullptr;
+  const int pixels = static_cast<int>(std::lround(std::clamp(
+      options.cell / (image->pitch.x() * z), 1.0, 1.0 * std::max(image->width, image->height))));
   std::array<DepthCells, kLevels> cells;
   cells[0] = make_depth_cells(cloud, *view, *image, pixels);
-  const double layered = pixels < kMinLayerPixels
-                             ? make_depth_cells(cloud, *view, *image, kMinLayerPixels).layered
-                             : cells[0].layered;
-  if (layered > kMaxLayered) return nullptr;
+  if (cells[0].layered > kMaxLayered) return nullptr;
   const auto coarsen = [&] {
     for (int l = 1; l < kLevels; ++l) cells[l] = coarser(cells[l - 1], {});
   };

@@ -39,9 +39,8 @@ std::optional<AffineFit> solve(const WindowSums& m) {
 }
 
 /// Sums over the cells around (i, j) that may belong to its surface.
-/// @param usable  per cell, zero to leave it out
-WindowSums sum_window(const DepthCells& cells, const std::vector<char>& usable, int i, int j,
-                      int reach) {
+/// @param usable  filled cells to use
+WindowSums sum_window(const DepthCells& cells, const Mask& usable, int i, int j, int reach) {
   const int c = j * cells.width + i;
   const float u0 = cells.u[c], v0 = cells.v[c], w0 = cells.w[c], z0 = 1.0f / w0;
   const float limit = continuous_step(cells, w0) * static_cast<float>(reach);
@@ -102,10 +101,10 @@ void join_neighbours(const DepthCells& cells, const std::vector<int>& sample_of,
 
 }  // namespace
 
-SurfaceSamples make_depth_samples(const DepthCells& cells, const std::vector<char>& keep,
+SurfaceSamples make_depth_samples(const DepthCells& cells, const Mask& keep,
                                   const NoiseModel& noise, const Eigen::Isometry3f& X_CV,
                                   int reach) {
-  std::vector<char> usable(static_cast<std::size_t>(cells.size()));
+  Mask usable(static_cast<std::size_t>(cells.size()));
   for (int c = 0; c < cells.size(); ++c) {
     usable[c] = cells.count[c] > 0 && (keep.empty() || keep[c]);
   }

@@ -6,22 +6,19 @@
 #include <numeric>
 #include <optional>
 
+#include "base/quantile.hpp"
 #include "base/vector_clones.hpp"
 #include "samples/height_fit.hpp"
 
 namespace quadrille {
 namespace {
 
-// No depth camera has less noise [m]; less is rounding, or a generated cloud without noise.
-constexpr float kMinSigma = 1e-4f;
 // Bounds of a patch's half width [cells]: smaller patches leave no residual, larger ones only take
 // time.
 constexpr int kMinReach = 3, kMaxReach = 8;
-// Cells that the six parameters of a patch's fit use up: on the level on which it is fitted and on
-// coarser ones; and on finer levels, whose own noise the fit hardly follows.
-constexpr double kLostCells = 6.0, kLostFineCells = 1.5;
-// Least number of residuals that determine a growth.
-constexpr std::size_t kMinResiduals = 8;
+// Cells that the six parameters of a patch's fit use up, on the level on which it is fitted and on
+// coarser ones. On the finer level, four cells take part in the fit as one.
+constexpr double kLostCells = 6.0, kLostFineCells = kLostCells / 4.0;
 // Bounds of the growth: the exponent 1 of time-of-flight sensors, and somewhat more than the
 // exponent 2 of triangulating sensors.
 constexpr float kMinExponent = 1.0f, kMaxExponent = 2.5f;
@@ -54,8 +51,6 @@ struct Patch {
   float u0, v0, w0, scale;
   std::array<float, 6> a;
 };
-
-constexpr int kLanes = 8;
 
 /// Offsets and relative heights of consecutive cells over a patch; all 0 for empty cells.
 struct Heights {
@@ -189,16 +184,9 @@ float patch_residual(const DepthCells& cells, const Patch& patch, double lost) {
   return static_cast<float>(std::sqrt(sums.square / (sums.n - lost))) / patch.w0;
 }
 
-float quantile_of(std::vector<float>& values, double quantile) {
-  const auto at = values.begin() +
-                  static_cast<std::ptrdiff_t>(quantile * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 /// Determines the growth from the quantiles of the residuals in the near and in the far half,
 /// within the limits known from sensors.
-NoiseModel fit_growth(std::vector<std::pair<float, float>> depth_residual, double quantile) {
+NoiseModel fit_growth(std::vector<std::pair<float, float>> depth_residual, double share) {
   NoiseModel model;
   if (depth_residual.size() < kMinResiduals) return model;
   std::sort(depth_residual.begin(), depth_residual.end());
@@ -210,8 +198,8 @@ NoiseModel fit_growth(std::vector<std::pair<float, float>> depth_residual, doubl
       z.push_back(depth_residual[i].first);
       r.push_back(depth_residual[i].second);
     }
-    depth[k] = quantile_of(z, 0.5);
-    residual[k] = std::max(kMinSigma, quantile_of(r, quantile));
+    depth[k] = quantile(z, 0.5);
+    residual[k] = std::max(kMinSigma, quantile(r, share));
   }
   if (depth[1] > kMinDepthRatio * depth[0]) {
     model.exponent = std::clamp(std::log(residual[1] / residual[0]) / std::log(depth[1] / depth[0]),

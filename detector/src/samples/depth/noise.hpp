@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -7,6 +8,11 @@
 #include "samples/depth/depth_cells.hpp"
 
 namespace quadrille {
+
+/// No depth camera has less noise [m]; less is rounding, or a generated cloud without noise.
+inline constexpr float kMinSigma = 1e-4f;
+/// Fewer residuals have no meaningful quantile.
+inline constexpr std::size_t kMinResiduals = 8;
 
 /// Noise of cell means around the true surface, which grows with depth: sigma(z) = factor ·
 /// z^exponent [m].

@@ -10,12 +10,7 @@
 namespace quadrille {
 namespace {
 
-// Coordinates of bricks have 19 bits.
-constexpr float kMaxBrick = 1 << 19;
-
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// Voxels are processed in runs of this many, whatever the width of the vectors.
-constexpr int kLanes = 8;
 using Lanes __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = float;
 using Masks __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = int;
 using Halves __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = long long;
@@ -95,7 +90,8 @@ VoxelFinder::VoxelFinder(const VoxelGrid& grid, float radius, std::span<const ch
     : grid_(grid),
       keep_(keep),
       radius_(radius),
-      reach_(static_cast<int>(std::min(kMaxBrick, std::ceil(radius / (4 * grid.edge()))))),
+      reach_(static_cast<int>(std::min(static_cast<float>(VoxelGrid::kMaxCoordinate),
+                                       std::ceil(radius / (4 * grid.edge()))))),
       home_(VoxelGrid::kNoKey) {}
 
 void VoxelFinder::find_bricks(int x, int y, int z) {

@@ -7,9 +7,6 @@
 namespace quadrille {
 namespace {
 
-// Initial number of slots of the hash table, a power of two; it doubles as bricks are added.
-constexpr std::size_t kInitialSlots = 64;
-
 // Share of a voxel by which rounding may move a point across a face.
 constexpr double kRoundingShare = 0.01;
 
@@ -112,7 +109,7 @@ int VoxelGrid::number_voxels() {
 
 VoxelGrid::VoxelGrid(std::span<const Eigen::Vector3f> points, std::span<const int> weight,
                      float edge, std::vector<int>* of_point)
-    : edge_(edge), inverse_(1.0 / static_cast<double>(edge)), slots_(kInitialSlots, -1) {
+    : edge_(edge), inverse_(1.0 / static_cast<double>(edge)), slots_(1, -1) {
   // For each point its brick, and later its voxel.
   std::vector<int> place(points.size(), -1);
   std::vector<unsigned char> bit(points.size());

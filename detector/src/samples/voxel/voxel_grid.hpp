@@ -80,7 +80,8 @@ class VoxelGrid {
   float edge_;
   double inverse_;
   std::vector<Brick> bricks_;
-  /// Indices of bricks in a hash table with open addressing; -1 for empty slots.
+  /// Indices of bricks in a hash table with open addressing; -1 for empty slots. Their number is a
+  /// power of two, which doubles as bricks are added.
   std::vector<int> slots_;
   std::vector<Eigen::Vector3f> mean_;
   std::vector<int> count_;

@@ -13,12 +13,10 @@
 namespace quadrille {
 namespace {
 
-// Least noise of a sensor's means [m], and the noise assumed if it cannot be measured, which is
-// typical of depth cameras.
-constexpr float kMinSigma = 1e-4f, kDefaultSigma = 1e-3f;
-// Fewer patches have no meaningful quantile, and fewer points leave hardly a residual to six
-// coefficients.
-constexpr std::size_t kMinPatches = 8, kMinPatchPoints = 18;
+// Noise assumed if it cannot be measured, which is typical of depth cameras [m].
+constexpr float kDefaultSigma = 1e-3f;
+// Fewer points leave hardly a residual to six coefficients.
+constexpr std::size_t kMinPatchPoints = 18;
 // Least radius of a patch in voxels, so that it holds that many points.
 constexpr float kMinRadiusVoxels = 3.0f;
 
@@ -27,13 +25,13 @@ constexpr float kMinRadiusVoxels = 3.0f;
 float quadratic_residual(const std::vector<Eigen::Vector3f>& points, float radius) {
   PlaneMoments sums;
   for (const Eigen::Vector3f& p : points) sums.add(p);
-  Eigen::Vector3f mean, normal;
-  if (points.size() < kMinPatchPoints || !sums.solve(&mean, &normal)) return -1.0f;
-  const Eigen::Vector3f e1 = normal.unitOrthogonal(), e2 = normal.cross(e1);
+  const auto plane = sums.solve();
+  if (points.size() < kMinPatchPoints || !plane) return -1.0f;
+  const Eigen::Vector3f e1 = plane->normal.unitOrthogonal(), e2 = plane->normal.cross(e1);
   HeightFit fit;
   for (const Eigen::Vector3f& p : points) {
-    const Eigen::Vector3f d = (p - mean) / radius;
-    fit.add(d.dot(e1), d.dot(e2), d.dot(normal));
+    const Eigen::Vector3f d = (p - plane->mean) / radius;
+    fit.add(d.dot(e1), d.dot(e2), d.dot(plane->normal));
   }
   const double rss = fit.rss(fit.factor().solve(fit.b));
   return radius * static_cast<float>(std::sqrt(rss / static_cast<double>(points.size() - 6)));
@@ -54,7 +52,7 @@ float measure_voxel_noise(const VoxelGrid& grid, const NoiseOptions& options) {
     const float r = quadratic_residual(patch, radius);
     if (r >= 0) residual.push_back(r);
   }
-  if (residual.size() < kMinPatches) return kDefaultSigma;
+  if (residual.size() < kMinResiduals) return kDefaultSigma;
   return std::max(kMinSigma, quantile(residual, options.quantile));
 }
 

@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "cloud/some_points.hpp"
 #include "samples/cell_pyramid.hpp"
 #include "samples/voxel/voxel_grid.hpp"
 #include "samples/voxel/voxel_noise.hpp"
@@ -10,11 +11,9 @@
 namespace quadrille {
 namespace {
 
-// Radii of the windows for normals in voxels. A window that reaches the two nearest voxels on each
-// side averages the noise; the smaller one for planes avoids edges.
-constexpr float kNormalReach = 2.6f, kPlaneReach = 1.9f;
-// Least number of points of a cloud; with fewer, no surface has enough samples.
-constexpr std::ptrdiff_t kMinPoints = 50;
+// Radius of the windows for normals in voxels. A window that reaches the two nearest voxels on each
+// side averages the noise.
+constexpr float kNormalReach = 2.6f;
 
 class VoxelPyramid : public CellPyramid {
  public:
@@ -41,12 +40,13 @@ class VoxelPyramid : public CellPyramid {
   }
 
   SurfaceSamples coarse_samples() const override {
-    const std::vector<char> all(static_cast<std::size_t>(grids_.back().size()), 1);
-    return make_voxel_samples(grids_.back(), all, sigma_.back(), eye_, kPlaneReach);
+    const Mask all(static_cast<std::size_t>(grids_.back().size()), 1);
+    // The smaller windows avoid edges.
+    return make_voxel_samples(grids_.back(), all, sigma_.back(), eye_, kNeighbourReach);
   }
 
-  std::vector<SurfaceSamples> samples(const std::vector<char>& keep, int threads) const override {
-    std::vector<std::vector<char>> kept = {keep};
+  std::vector<SurfaceSamples> samples(const Mask& keep, int threads) const override {
+    std::vector<Mask> kept = {keep};
     for (int l = 1; l < kLevels; ++l) {
       // A coarse voxel is kept if most of its points are.
       std::vector<int> balance(static_cast<std::size_t>(grids_[l].size()), 0);
@@ -54,7 +54,7 @@ class VoxelPyramid : public CellPyramid {
         const int n = grids_[l - 1].count()[v];
         balance[parents_[l - 1][v]] += kept[l - 1][v] ? n : -n;
       }
-      std::vector<char>& mark = kept.emplace_back();
+      Mask& mark = kept.emplace_back();
       for (const int b : balance) mark.push_back(b > 0);
     }
     std::vector<SurfaceSamples> result(kLevels);
@@ -80,7 +80,7 @@ std::unique_ptr<CellPyramid> make_voxel_pyramid(const CloudView& cloud,
                                                 const SamplingOptions& options) {
   const auto finite = std::count_if(cloud.points.begin(), cloud.points.end(),
                                     [](const Eigen::Vector3f& p) { return p.allFinite(); });
-  if (finite < kMinPoints) return nullptr;
+  if (static_cast<std::size_t>(finite) < kMinPoints) return nullptr;
   const float edge = static_cast<float>(options.cell);
   auto pyramid = std::make_unique<VoxelPyramid>(cloud, edge, options.noise);
   if (pyramid->is_noisy(options.noisiest_cell)) {

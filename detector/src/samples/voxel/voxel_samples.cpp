@@ -14,9 +14,6 @@ namespace {
 
 // Number of neighbours of a sample, the same as in a depth grid.
 constexpr int kNeighbours = 8;
-// Radius in voxels within which voxels are neighbours. It includes all that touch by a face, an
-// edge or a corner, if their means are as far apart as their middles.
-constexpr float kNeighbourReach = 1.9f;
 
 SurfaceSamples room_for(std::ptrdiff_t count) {
   SurfaceSamples samples;
@@ -48,7 +45,7 @@ void name_samples(const std::vector<int>& sample_of, SurfaceSamples* samples) {
 
 }  // namespace
 
-SurfaceSamples make_voxel_samples(const VoxelGrid& grid, const std::vector<char>& keep, float sigma,
+SurfaceSamples make_voxel_samples(const VoxelGrid& grid, const Mask& keep, float sigma,
                                   const Eigen::Vector3f& eye, float reach) {
   const float edge = grid.edge();
   SurfaceSamples samples = room_for(std::count_if(keep.begin(), keep.end(), std::identity()));
@@ -63,11 +60,12 @@ SurfaceSamples make_voxel_samples(const VoxelGrid& grid, const std::vector<char>
     const Eigen::Vector3f p = grid.mean()[v];
     const PlaneMoments moments =
         finder.moments(p, kNeighbourReach * edge, kNeighbours + 1, &nearest);
-    Eigen::Vector3f mean, n;
-    if (!moments.solve(&mean, &n)) continue;
+    const auto plane = moments.solve();
+    if (!plane) continue;
+    Eigen::Vector3f n = plane->normal;
     if (n.dot(eye - p) < 0) n = -n;
     sample_of[v] = samples.size();
-    samples.p.push_back(p + n * n.dot(mean));
+    samples.p.push_back(p + n * n.dot(plane->mean));
     samples.n.push_back(n);
     samples.raw.push_back(p);
     samples.sigma.push_back(sigma);

@@ -37,7 +37,7 @@ int next_along(const SurfaceSamples& samples, int j, const Eigen::Vector3f& step
 /// crease looks smooth from one sample to the next; therefore the normals are compared across two
 /// steps.
 void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
-                     const std::vector<char>& inside, std::span<const char> beyond, Evidence* e) {
+                     const std::vector<char>& inside, const Mask& free, Evidence* e) {
   double border = 0, smooth = 0, open = 0, edge = 0, interior = 0;
   for (const int i : region) {
     int within = 0;
@@ -48,7 +48,7 @@ void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
         continue;
       }
       const int next = next_along(samples, j, samples.raw[j] - samples.raw[i]);
-      if (next >= 0 && !inside[next] && (beyond.empty() || !beyond[next])) {
+      if (next >= 0 && !inside[next] && (free.empty() || free[next])) {
         smooth += samples.n[next].dot(samples.n[i]) > kMinSmoothCosine;
       }
     }
@@ -133,7 +133,7 @@ double normal_spread(const SurfaceSamples& samples, std::span<const int> region)
 }
 
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
-                          const Quadric& quadric, std::span<const char> beyond) {
+                          const Quadric& quadric, const Mask& free) {
   Evidence e;
   const double n = static_cast<double>(region.size());
   double square = kMinSquare * n;
@@ -157,7 +157,7 @@ Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> re
   e.one_plane = std::log((one_plane_rss(samples, region) + kMinSquare * n) / square);
   compare_neighbours(samples, region, inside, distance, square / n, &e);
   e.convexity = mean_curvature(samples, region, Q) * e.size;
-  walk_neighbours(samples, region, inside, beyond, &e);
+  walk_neighbours(samples, region, inside, free, &e);
   return e;
 }
 

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "base/mask.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "samples/surface_samples.hpp"
 
@@ -68,8 +69,8 @@ double normal_spread(const SurfaceSamples& samples, std::span<const int> region)
 /// Collects the evidence for a quadric whose inliers are the region, except for that from its
 /// surroundings: intruders, remainder, uprightness and what is seen through it.
 /// @param region  not empty
-/// @param beyond  per sample, nonzero if it belongs to another surface; may be empty
+/// @param free    samples that belong to no other surface
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
-                          const Quadric& Q, std::span<const char> beyond = {});
+                          const Quadric& Q, const Mask& free = {});
 
 }  // namespace quadrille

@@ -2,7 +2,6 @@
 
 #include <span>
 
-#include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "samples/surface_samples.hpp"
 #include "surfaces/evidence/scene_context.hpp"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "quadrille/detector/canonical.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 

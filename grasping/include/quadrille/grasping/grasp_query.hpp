@@ -9,7 +9,7 @@
 
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
-#include "quadrille/detector/quadric_type.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {
 

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "quadrille/detector/box.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/grasping/collision_shape.hpp"

@@ -9,7 +9,7 @@
 
 #include "messages/byte_reader.hpp"
 #include "quadrille/bus/cloud_message.hpp"
-#include "quadrille/detector/ingest.hpp"
+#include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille::bus {
 namespace {

@@ -90,7 +90,7 @@ TEST_CASE("coarser cells hold all points of one surface and one side of an edge"
   CHECK(all.pixels == 2);
   CHECK(all.count == std::vector<int>{4, 2, 4, 4});
   CHECK(all.w[0] == 1.0f);
-  std::vector<char> keep(16, 1);
+  Mask keep(16, 1);
   keep[0] = keep[1] = keep[4] = keep[5] = 0;
   const DepthCells rest = coarser(fine, keep);
   CHECK(rest.count[0] == 0);

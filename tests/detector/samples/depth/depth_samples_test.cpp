@@ -18,7 +18,7 @@ DepthCells cells_of(const std::vector<Patch>& patches, int pixels) {
   return make_depth_cells(cloud, *view, *find_image(cloud, *view), pixels);
 }
 
-SurfaceSamples samples_of(const DepthCells& cells, const std::vector<char>& keep = {}) {
+SurfaceSamples samples_of(const DepthCells& cells, const Mask& keep = {}) {
   return make_depth_samples(cells, keep, NoiseModel(), Eigen::Isometry3f::Identity(), 2);
 }
 
@@ -90,7 +90,7 @@ TEST_CASE("neighbours are the eight cells around, but not across a depth edge",
 
 TEST_CASE("cells left out make no samples and no one's neighbours", "[depth][samples]") {
   const DepthCells cells = cells_of({rectangle(translation(0, 0, 1.5), 1e3, 1e3)}, 4);
-  std::vector<char> keep(static_cast<std::size_t>(cells.size()), 1);
+  Mask keep(static_cast<std::size_t>(cells.size()), 1);
   for (int c = 0; c < cells.size(); ++c) keep[static_cast<std::size_t>(c)] = c % 80 < 40;
   const SurfaceSamples samples = samples_of(cells, keep);
   CHECK(samples.size() == 40 * 60);

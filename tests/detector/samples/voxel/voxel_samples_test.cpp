@@ -36,7 +36,7 @@ std::vector<Vector3f> sloping_plane(double noise) {
 TEST_CASE("samples of a plane have its normal, lie on it, and keep what the voxels say",
           "[voxel]") {
   const VoxelGrid grid(sloping_plane(0.0), {}, kSampleEdge);
-  std::vector<char> keep(static_cast<std::size_t>(grid.size()), 1);
+  Mask keep(static_cast<std::size_t>(grid.size()), 1);
   for (int v = 0; v < grid.size(); v += 5) keep[v] = 0;
   for (const float side : {1.0f, -1.0f}) {
     const Vector3f eye = Vector3f(1, 2, 3) + side * kNormal;
@@ -61,12 +61,12 @@ TEST_CASE("samples of a plane have its normal, lie on it, and keep what the voxe
 
 TEST_CASE("no voxel kept gives no samples, and points on a line no normal", "[voxel][degenerate]") {
   const VoxelGrid grid(sloping_plane(0.0), {}, kSampleEdge);
-  const std::vector<char> none(static_cast<std::size_t>(grid.size()), 0);
+  const Mask none(static_cast<std::size_t>(grid.size()), 0);
   CHECK(make_voxel_samples(grid, none, kSigma, Vector3f::Zero(), 2.6f).size() == 0);
   std::vector<Vector3f> line;
   for (int i = 0; i < 1000; ++i) line.emplace_back(0.001f * static_cast<float>(i), 0.0f, 1.0f);
   const VoxelGrid thin(line, {}, kSampleEdge);
-  const std::vector<char> all(static_cast<std::size_t>(thin.size()), 1);
+  const Mask all(static_cast<std::size_t>(thin.size()), 1);
   CHECK(make_voxel_samples(thin, all, kSigma, Vector3f::Zero(), 2.6f).size() == 0);
 }
 

@@ -49,16 +49,16 @@ TEST_CASE("a whole surface has no smooth border, a piece cut out of one has", "[
 TEST_CASE("a smooth border at which another surface begins speaks against none", "[evidence]") {
   const SurfaceSamples samples = cylinder_grid(25, 40, kPipeRadius, 0.004, 0.0005, 2);
   std::vector<int> middle;
-  std::vector<char> above(static_cast<std::size_t>(samples.size()), 0);
+  Mask free(samples.p.size(), 1);
   for (const int i : all_of(samples)) {
     const int row = i / 25;
     if (row >= 10 && row < 30) middle.push_back(i);
-    above[i] = row >= 30;
+    free[i] = row < 30;
   }
   const Quadric Q = cylinder_quadric();
   const double alone = collect_evidence(samples, middle, Q).smooth_border;
   CHECK(alone > 0.3);
-  CHECK(collect_evidence(samples, middle, Q, above).smooth_border ==
+  CHECK(collect_evidence(samples, middle, Q, free).smooth_border ==
         Approx(0.5 * alone).epsilon(0.05));
 }
 

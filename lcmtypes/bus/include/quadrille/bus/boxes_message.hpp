@@ -10,7 +10,7 @@
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/rejection.hpp"
-#include "quadrille/detector/box.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/export.hpp"
 
 namespace quadrille::bus {

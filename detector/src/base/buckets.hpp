@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+/// The numbers 0 … n-1 sorted into buckets.
+struct Buckets {
+  /// Bucket b has list[first[b]] … list[first[b + 1] - 1], in ascending order.
+  std::vector<int> first, list;
+
+  int size() const { return static_cast<int>(first.size()) - 1; }
+  std::span<const int> operator[](int b) const {
+    return {list.data() + first[b], static_cast<std::size_t>(first[b + 1] - first[b])};
+  }
+};
+
+/// Sorts numbers into buckets by counting.
+/// @param bucket  for each number its bucket, less than size; negative for none
+/// @param size    number of buckets
+inline Buckets sort_into_buckets(std::span<const int> bucket, int size) {
+  Buckets buckets;
+  buckets.first.assign(static_cast<std::size_t>(size) + 1, 0);
+  for (const int b : bucket) {
+    if (b >= 0) ++buckets.first[static_cast<std::size_t>(b) + 1];
+  }
+  std::partial_sum(buckets.first.begin(), buckets.first.end(), buckets.first.begin());
+  buckets.list.resize(static_cast<std::size_t>(buckets.first.back()));
+  std::vector<int> next(buckets.first.begin(), buckets.first.end() - 1);
+  for (std::size_t i = 0; i < bucket.size(); ++i) {
+    if (bucket[i] >= 0) buckets.list[next[bucket[i]]++] = static_cast<int>(i);
+  }
+  return buckets;
+}
+
+}  // namespace quadrille
