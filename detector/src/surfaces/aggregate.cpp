@@ -9,7 +9,6 @@
 #include "samples/inliers.hpp"
 #include "surfaces/evidence/confidence.hpp"
 #include "surfaces/evidence/intruders.hpp"
-#include "surfaces/evidence/see_through.hpp"
 #include "surfaces/evidence/upright.hpp"
 #include "surfaces/join.hpp"
 #include "surfaces/plane_surface.hpp"
@@ -59,7 +58,7 @@ Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& 
       observer_(std::move(observer)),
       buckets_(samples),
       extender_(samples, buckets_, options, inlier),
-      claims_(samples) {}
+      claims_(samples.size()) {}
 
 void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
   const Acceptance asked = acceptance_at(level, options_);
@@ -195,10 +194,8 @@ Evidence Aggregation::evidence_of(std::span<const int> region, const Quadric& Q,
   std::span<const char> beyond;
   if (stands_off(region)) beyond = claimed();
   Evidence evidence = collect_evidence(samples_, region, Q, beyond);
-  evidence.remainder = claims_.remainder(region);
   add_intruders(samples_, buckets_, region, Q, &evidence);
   evidence.uprightness = uprightness(form, context_.up);
-  evidence.see_through = see_through(context_, samples_, region, Q, form);
   return evidence;
 }
 

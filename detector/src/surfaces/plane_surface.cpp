@@ -9,7 +9,6 @@
 #include "samples/region.hpp"
 #include "samples/sample_buckets.hpp"
 #include "surfaces/evidence/intruders.hpp"
-#include "surfaces/evidence/see_through.hpp"
 #include "surfaces/evidence/upright.hpp"
 #include "surfaces/surface_fit.hpp"
 
@@ -60,9 +59,7 @@ std::vector<Surface> weighed_planes(const SurfaceSamples& samples,
     Surface& surface = surfaces.emplace_back(plane_surface(samples, plane));
     surface.evidence = collect_evidence(samples, surface.region, surface.Q);
     add_intruders(samples, buckets, surface.region, surface.Q, &surface.evidence);
-    const CanonicalForm form = canonical_form(surface.fit.posed);
-    surface.evidence.uprightness = uprightness(form, context.up);
-    surface.evidence.see_through = see_through(context, samples, surface.region, surface.Q, form);
+    surface.evidence.uprightness = uprightness(canonical_form(surface.fit.posed), context.up);
     surface.confidence = confidence_of(surface);
   }
   return surfaces;
