@@ -22,7 +22,7 @@ double mean_sigma(const SurfaceSamples& samples, std::span<const int> region) {
   return sum / static_cast<double>(region.size());
 }
 
-std::array<double, kConfidenceTerms.size()> terms_of(const Surface& surface) {
+ConfidenceTerms terms_of(const Surface& surface) {
   const QuadricType type = canonical_form(surface.fit.posed).type;
   return confidence_terms(surface.evidence, family_spec(surface.fit.family).dof, log_prior(type));
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -37,7 +36,7 @@ inline bool is_flat(const Surface& surface) { return surface.fit.family == Famil
 double mean_sigma(const SurfaceSamples& samples, std::span<const int> region);
 
 /// The terms of a surface's confidence; see confidence_terms(). The surface's evidence must be set.
-std::array<double, kConfidenceTerms.size()> terms_of(const Surface& surface);
+ConfidenceTerms terms_of(const Surface& surface);
 
 /// True if a surface is so thin that its two sides coincide within the noise. Near a doubled plane
 /// the first-order distance is half the true one, so such fits look too good. A hyperbolic cylinder

@@ -16,7 +16,7 @@ constexpr double kCertain = 0.9999;
 
 void print_header() {
   fmt::print("scene,kind,right");
-  for (const ConfidenceTerm& term : kConfidenceTerms) fmt::print(",{}", term.name);
+  for (const std::string_view term : kConfidenceTerms) fmt::print(",{}", term);
   fmt::print("\n");
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "lab/scoring/frame.hpp"
@@ -12,7 +11,7 @@ namespace quadrille::confidence_training {
 /// A surface that the detector weighed, and whether it exists.
 struct Observation {
   /// The evidence; see confidence_terms().
-  std::array<double, kConfidenceTerms.size()> terms{};
+  ConfidenceTerms terms{};
   bool flat = false, right = false;
 };
 

@@ -1,36 +1,60 @@
 #!/usr/bin/env python3
-"""Trains the models of the detector's confidence anew and prints confidence_weights.hpp.
+"""Trains the detector's confidence and prints confidence_weights.hpp.
 
-  cmake --build build --target quadrille_confidence
-  build/bin/quadrille_confidence --accept-none SCENE.ply... > all.csv
-  build/bin/quadrille_confidence SCENE.ply... > used.csv
-  tools/lab/confidence/train_confidence.py all.csv used.csv > confidence_weights.hpp
+  tools/lab/confidence/train_confidence.py [--ablate] EVIDENCE.csv... > confidence_weights.hpp
 
-Reads the evidence for surfaces that the detector considered, and whether each surface is right.
-Fits two logistic models, for curved and for flat surfaces, whose log odds are quadratic in the
-terms. The first run weighs each candidate as if nothing else had been found, the second as the
-detector meets it with the current weights. Train on both, build, and repeat the second run until
-the models no longer improve. On stderr, the script tells how well the new models distinguish right
-from wrong in scenes on which they were not trained. It needs only numpy, and some gigabytes of
-memory for a hundred thousand surfaces.
+Reads what quadrille_confidence prints: the terms of the surfaces that the detector considered, and
+whether each is right. There is a model for curved and one for flat surfaces. Its log odds are a sum
+of weights times terms and products of two terms, fitted by penalised maximum likelihood. From all
+products, the script drops those that matter least and fits again, step by step, on three quarters
+of the scenes. The smallest form that is nearly as good as the best on the last quarter is fitted to
+all scenes and printed. On stderr the script tells how good the forms are on that quarter, and with
+--ablate what each term is worth. It needs only numpy, and some gigabytes of memory for a hundred
+thousand surfaces.
 """
 
 import argparse
 import csv
+import pathlib
+import re
 import sys
 
 import numpy
 
-FOLDS = 4
-# Terms are clamped to the range that holds all but this share of the surfaces.
-TAIL = 0.003
 KINDS = ("curved", "flat")
+# Each fourth seed is held out. Scenes of one seed show the same objects to different sensors.
+FOLDS = 4
+# Terms are clamped to the range that holds all but this share of the surfaces on either side.
+TAIL = 0.003
+# Penalty on squared weights in standard units; it keeps them finite if few surfaces are wrong.
+RIDGE = 3.0
+# Share of the weights that is dropped in one step.
+STEP = 0.1
+RESAMPLES = 100
+# Number of surfaces of each kind with which the detector's arithmetic is tested.
+EXAMPLES = 4
 
 
-def read_evidence(paths):
-    """Returns scenes, labels and terms by kind, one row per surface; and the terms' names."""
-    rows = {kind: ([], [], []) for kind in KINDS}
-    names = None
+class Surfaces:
+    """Surfaces of one kind: their scenes, whether each is right, and its terms as a row."""
+
+    def __init__(self, scenes, right, terms):
+        self.scenes, self.right, self.terms = scenes, right, terms
+
+    def where(self, keep):
+        return Surfaces(self.scenes[keep], self.right[keep], self.terms[keep])
+
+    def held_out(self):
+        seeds = [int(re.search(r"\d+$", scene)[0]) for scene in self.scenes]
+        return numpy.array(seeds) % FOLDS == 0
+
+    def families(self):
+        return numpy.array([re.split("[-_]", scene)[0] for scene in self.scenes])
+
+
+def read_evidence(paths, left_out):
+    """Returns the surfaces of each kind, and the names of the terms that are not left out."""
+    rows, names = [], None
     for path in paths:
         with open(path, newline="") as file:
             reader = csv.reader(file)
@@ -38,119 +62,235 @@ def read_evidence(paths):
             if names not in (None, header[3:]):
                 sys.exit(f"train_confidence.py: {path} has other terms than the files before it")
             names = header[3:]
-            for scene, kind, right, *terms in reader:
-                values = [float(term) for term in terms]
-                if not numpy.isfinite(values).all():
-                    continue
-                scenes, labels, features = rows[kind]
-                scenes.append(scene)
-                labels.append(float(right))
-                features.append(values)
-    return {kind: tuple(map(numpy.array, row)) for kind, row in rows.items()}, names
+            rows += reader
+    scenes = numpy.array([pathlib.PurePath(row[0]).stem for row in rows])
+    kinds, right = (numpy.array([row[k] for row in rows]) for k in (1, 2))
+    kept = [k for k, name in enumerate(names) if name not in left_out]
+    terms = numpy.array([row[3:] for row in rows], dtype=float)[:, kept]
+    finite = numpy.isfinite(terms).all(axis=1)
+    surfaces = Surfaces(scenes, right.astype(float), terms)
+    return {kind: surfaces.where(finite & (kinds == kind)) for kind in KINDS}, [names[k] for k in kept]
 
 
-def products(z):
-    """Returns all products of two of 1, z_1, z_2, ..., in the order of the upper triangle."""
-    z = numpy.hstack([numpy.ones((len(z), 1)), z])
-    i, j = numpy.triu_indices(z.shape[1])
-    return z[:, i] * z[:, j]
-
-
-def probability(log_odds):
-    return 1.0 / (1.0 + numpy.exp(-numpy.clip(log_odds, -30, 30)))
-
-
-class Model:
-    """A model whose log odds are a quadratic form of scaled terms."""
-
-    def __init__(self, x, y, ridge):
-        self.low, self.high = numpy.quantile(x, [TAIL, 1 - TAIL], axis=0)
-        clamped = numpy.clip(x, self.low, self.high)
-        self.mean = clamped.mean(axis=0)
-        deviation = clamped.std(axis=0)
-        self.deviation = numpy.where(deviation > 1e-6, deviation, 1.0)
-        self.form = fit(products(self.scaled(x)), y, ridge)
-
-    def scaled(self, x):
-        return (numpy.clip(x, self.low, self.high) - self.mean) / self.deviation
-
-    def log_odds(self, x):
-        return products(self.scaled(x)) @ self.form
-
-
-def fit(x, y, ridge):
-    """Maximises the log likelihood by Newton's method; the ridge keeps the weights finite."""
+def newton(x, y, start):
+    """Maximises the penalised log likelihood by Newton's method with step halving. Returns the
+    weights of the columns, of which the first is constant, and their squares in units of their
+    variances."""
     scale = numpy.maximum(x.std(axis=0), 1e-6)
-    scale[0] = 1.0  # the constant term is not scaled
+    scale[0] = 1.0
     x = x / scale
-    penalty = ridge * numpy.eye(x.shape[1])
-    penalty[0, 0] = 1e-9
-    w = numpy.zeros(x.shape[1])
-    for _ in range(30):
-        p = probability(x @ w)
-        hessian = x.T @ (x * (p * (1 - p))[:, None]) + penalty
-        step = numpy.linalg.solve(hessian, x.T @ (y - p) - penalty @ w)
+    penalty = numpy.full(x.shape[1], RIDGE)
+    penalty[0] = 1e-9
+
+    def cost(w):
+        log_odds = x @ w
+        return (numpy.logaddexp(0, log_odds) - y * log_odds).sum() + penalty @ (w * w) / 2
+
+    w = start * scale
+    while True:
+        p = 1.0 / (1.0 + numpy.exp(-numpy.clip(x @ w, -30, 30)))
+        hessian = x.T @ (x * (p * (1 - p))[:, None]) + numpy.diag(penalty)
+        step = numpy.linalg.solve(hessian, x.T @ (y - p) - penalty * w)
+        while cost(w + step) > cost(w) and abs(step).max() > 1e-6:
+            step /= 2
         w += step
-        if abs(step).max() < 1e-4:
-            break
-    return w / scale
+        if abs(step).max() < 1e-3:
+            return w / scale, w * w / numpy.diag(numpy.linalg.inv(hessian))
 
 
-def report(name, log_odds, y):
-    """Prints the log loss, and the share of right-wrong pairs of surfaces in the correct order."""
-    p = numpy.clip(probability(log_odds), 1e-9, 1 - 1e-9)
-    loss = -(y * numpy.log(p) + (1 - y) * numpy.log(1 - p)).mean()
-    rank = numpy.empty(len(y))
-    rank[numpy.argsort(log_odds)] = numpy.arange(1, len(y) + 1)
-    n = y.sum()
-    pairs = (rank[y == 1].sum() - n * (n + 1) / 2) / (n * (len(y) - n))
-    print(f"{name:24} log loss {loss:.3f}, pairs told apart {100 * pairs:.1f} %", file=sys.stderr)
+class Scaling:
+    """Clamps terms, and scales them to mean 0 and deviation 1."""
+
+    def __init__(self, terms, ranges):
+        self.ranges = ranges
+        clamped = numpy.clip(terms, *ranges)
+        self.mean, self.deviation = clamped.mean(axis=0), clamped.std(axis=0) + 1e-6
+
+    def columns(self, terms, form):
+        """Returns the products of two scaled terms, where number 0 is the constant 1."""
+        z = (numpy.clip(terms, *self.ranges) - self.mean) / self.deviation
+        z = numpy.hstack([numpy.ones((len(z), 1)), z])
+        i, j = numpy.array(form).T
+        return z[:, i] * z[:, j]
+
+    def unscaled(self, form, weights):
+        """Returns the weights of the products of unscaled terms."""
+        result = dict.fromkeys(form, 0.0)
+        offset = numpy.append(0.0, self.mean)
+        deviation = numpy.append(1.0, self.deviation)
+        for (i, j), weight in zip(form, weights):
+            # This multiplies out (x_i - m_i) (x_j - m_j), of which a constant has no m.
+            for a, u in [(i, 1.0), (0, -offset[i])] if i else [(0, 1.0)]:
+                for b, v in [(j, 1.0), (0, -offset[j])] if j else [(0, 1.0)]:
+                    result[min(a, b), max(a, b)] += weight * u * v / (deviation[i] * deviation[j])
+        return result
 
 
-def train(kind, scenes, y, x, ridge, folds):
-    if len(set(y)) < 2:
+def all_products(terms):
+    return [(i, j) for i in range(terms + 1) for j in range(i, terms + 1)]
+
+
+def smaller_form(form, worth):
+    """Drops the weights that are worth least. A term stays as long as a product contains it."""
+    inside = {i for product in form if product[0] for i in product}
+    free = [k for k, (i, j) in enumerate(form) if j and (i or j not in inside)]
+    dropped = sorted(free, key=lambda k: worth[k])[:max(1, int(STEP * len(form)))]
+    return [k for k in range(len(form)) if k not in dropped]
+
+
+def area(log_odds, right):
+    """Returns the area under the curve: the share of right-wrong pairs in the correct order."""
+    rank = numpy.empty(len(right))
+    rank[numpy.argsort(log_odds)] = numpy.arange(1, len(right) + 1)
+    n = right.sum()
+    return (rank[right == 1].sum() - n * (n + 1) / 2) / (n * (len(right) - n))
+
+
+def report(name, surfaces, log_odds, others):
+    """Prints the area, how much it is more than that of others, and by families."""
+    _, scene = numpy.unique(surfaces.scenes, return_inverse=True)
+    rows = numpy.split(numpy.argsort(scene), numpy.cumsum(numpy.bincount(scene))[:-1])
+    random = numpy.random.default_rng(0)
+    more = []
+    for _ in range(RESAMPLES):
+        pick = numpy.concatenate([rows[k] for k in random.integers(0, len(rows), len(rows))])
+        more.append(numpy.subtract(*(area(o[pick], surfaces.right[pick])
+                                     for o in (log_odds, others))))
+    total = area(log_odds, surfaces.right)
+    loss = (numpy.logaddexp(0, log_odds) - surfaces.right * log_odds).mean()
+    families = surfaces.families()
+    by_family = (f"{f} {area(log_odds[families == f], surfaces.right[families == f]):.3f}"
+                 for f in sorted(set(families)))
+    print(f"  {name:32} {total:.4f} ({total - area(others, surfaces.right):+.4f} "
+          f"± {numpy.std(more):.4f}), log loss {loss:.4f}; {', '.join(by_family)}", file=sys.stderr)
+
+
+class Trainer:
+    """Trains forms on most scenes of one kind, and judges them on the others."""
+
+    def __init__(self, surfaces, ranges):
+        out = surfaces.held_out()
+        self.seen, self.held_out = surfaces.where(~out), surfaces.where(out)
+        self.scaling = Scaling(self.seen.terms, ranges)
+
+    def log_odds(self, form):
+        columns = self.scaling.columns(self.seen.terms, form)
+        weights, _ = newton(columns, self.seen.right, numpy.zeros(len(form)))
+        return self.scaling.columns(self.held_out.terms, form) @ weights
+
+    def forms(self, form):
+        """Yields ever smaller forms, from a form down to straight lines in few terms, each with its
+        log odds on held-out scenes."""
+        everything = self.scaling.columns(self.seen.terms, form)
+        held_out = self.scaling.columns(self.held_out.terms, form)
+        left, weights = numpy.arange(len(form)), numpy.zeros(len(form))
+        while len(left) > 5:
+            weights, worth = newton(everything[:, left], self.seen.right, weights)
+            yield [form[k] for k in left], held_out[:, left] @ weights
+            keep = smaller_form([form[k] for k in left], worth)
+            left, weights = left[keep], weights[keep]
+
+
+def choose_form(trainer, terms, within):
+    """Returns the smallest form whose area is within a distance of the largest area."""
+    forms = list(trainer.forms(all_products(terms)))
+    areas = [area(log_odds, trainer.held_out.right) for _, log_odds in forms]
+    for form, log_odds in forms:
+        report(f"{len(form)} weights", trainer.held_out, log_odds, forms[0][1])
+    return forms[max(k for k, a in enumerate(areas) if a >= max(areas) - within)][0]
+
+
+def ablate(trainer, form, names):
+    chosen = trainer.log_odds(form)
+    terms = range(1, len(names))
+    lines = [(0, 0)] + [(0, k) for k in terms]
+    squares = [(k, k) for k in terms]
+    report("straight lines", trainer.held_out, trainer.log_odds(lines), chosen)
+    report("parabolas", trainer.held_out, trainer.log_odds(lines + squares), chosen)
+    for k in terms:
+        rest = [product for product in form if k not in product]
+        if rest != form:
+            report(f"without {names[k]}", trainer.held_out, trainer.log_odds(rest), chosen)
+
+
+def train(kind, surfaces, ranges, names, arguments):
+    """Returns the weights of the products of unscaled terms, and a few examples."""
+    if len(set(surfaces.right)) < 2:
         sys.exit(f"train_confidence.py: needs right and wrong {kind} surfaces; take more scenes")
-    print(f"{kind}: {len(y)} surfaces of {len(set(scenes))} scenes, {int(y.sum())} right",
+    print(f"{kind}: {len(surfaces.right)} surfaces of {len(set(surfaces.scenes))} scenes, "
+          f"{int(surfaces.right.sum())} right; area under the curve on scenes held out:",
           file=sys.stderr)
-    model = Model(x, y, ridge)
-    report("its own scenes", model.log_odds(x), y)
-    if folds:
-        held_out = numpy.zeros(len(y))
-        fold = numpy.unique(scenes, return_inverse=True)[1] % FOLDS
-        for k in range(FOLDS):
-            rest = fold != k
-            held_out[~rest] = Model(x[rest], y[rest], ridge).log_odds(x[~rest])
-        report("other scenes", held_out, y)
-    return model
+    trainer = Trainer(surfaces, ranges)
+    form = choose_form(trainer, len(names) - 1, arguments.within)
+    if arguments.ablate:
+        ablate(trainer, form, names)
+    scaling = Scaling(surfaces.terms, ranges)
+    columns = scaling.columns(surfaces.terms, form)
+    weights, _ = newton(columns, surfaces.right, numpy.zeros(len(form)))
+    some = numpy.linspace(0, len(surfaces.right) - 1, EXAMPLES, dtype=int)
+    probability = 1.0 / (1.0 + numpy.exp(-(columns[some] @ weights)))
+    return scaling.unscaled(form, weights), list(zip(surfaces.terms[some], probability))
 
 
-def print_model(name, model):
-    print(f"inline constexpr ConfidenceModel {name} = {{\n    {{{{")
-    for row in zip(model.low, model.high, model.mean, model.deviation):
-        print("        {" + ", ".join(f"{value:.6g}" for value in row) + "},")
-    print("    }},\n    {{")
-    values = [f"{value:.4g}" for value in model.form]
-    for first in range(0, len(values), 8):
-        print("        " + ", ".join(values[first:first + 8]) + ",")
-    print("    }}};\n")
+def print_weights(names, ranges, models):
+    print("#pragma once\n\n#include \"surfaces/evidence/confidence_model.hpp\"\n\n"
+          "namespace quadrille {\n\n"
+          "// Printed by tools/lab/confidence/train_confidence.py, which says how it was trained.\n\n"
+          "inline constexpr auto kTermRanges = std::to_array<TermRange>({")
+    for name, low, high in zip(names[1:], *ranges):
+        print(f"    {{{low:.6g}, {high:.6g}}},  // {name}")
+    print("});\n")
+    for kind, weights in models.items():
+        print(f"inline constexpr auto k{kind.capitalize()}Model = "
+              "std::to_array<ConfidenceWeight>({")
+        for product, weight in sorted(weights.items()):
+            row = [f'"{names[k]}"' for k in product if k] + [f"{weight:.7g}"]
+            print(f"    {{{', '.join(row)}}},")
+        print("});\n")
+    print("}  // namespace quadrille")
+
+
+def write_examples(path, examples):
+    """Writes terms of surfaces, and the probabilities that this script computes for them."""
+    with open(path, "w") as file:
+        file.write("#pragma once\n\n#include \"surfaces/evidence/confidence.hpp\"\n\n"
+                   "namespace quadrille::test {\n\n"
+                   "/// Terms of a surface, and its probability as numpy computes it.\n"
+                   "struct ConfidenceExample {\n  SurfaceKind kind;\n  ConfidenceTerms terms;\n"
+                   "  double probability;\n};\n\n"
+                   "// Printed by tools/lab/confidence/train_confidence.py --examples.\n"
+                   "inline constexpr auto kConfidenceExamples = "
+                   "std::to_array<ConfidenceExample>({\n")
+        for kind, rows in examples.items():
+            for terms, probability in rows:
+                values = ", ".join(f"{value:.7g}" for value in terms)
+                file.write(f"    {{SurfaceKind::k{kind.capitalize()}, {{{values}}}, "
+                           f"{probability:.7g}}},\n")
+        file.write("});\n\n}  // namespace quadrille::test\n")
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("csv", nargs="+", help="what quadrille_confidence prints")
-    parser.add_argument("--ridge", type=float, default=3.0,
-                        help="penalty on squared weights in standard units (default: %(default)s)")
-    parser.add_argument("--no-folds", action="store_true", help="do not try other scenes")
+    parser.add_argument("--within", type=float, default=0.002,
+                        help="area under the curve to give for a smaller form (default: %(default)s)")
+    parser.add_argument("--without", default="", help="terms to leave out, separated by commas")
+    parser.add_argument("--examples", help="file to write, for the test of the detector's arithmetic")
+    parser.add_argument("--ablate", action="store_true", help="tell what each term is worth")
     arguments = parser.parse_args()
-    evidence, _ = read_evidence(arguments.csv)
-    models = {kind: train(kind, *evidence[kind], arguments.ridge, not arguments.no_folds)
-              for kind in KINDS}
-    print("#pragma once\n\n#include \"surfaces/evidence/confidence_model.hpp\"\n\n"
-          "namespace quadrille {\n\n"
-          "// Printed by tools/lab/confidence/train_confidence.py, which says how it was trained.\n")
-    print_model("kCurvedModel", models["curved"])
-    print_model("kFlatModel", models["flat"])
-    print("}  // namespace quadrille")
+    evidence, names = read_evidence(arguments.csv, arguments.without.split(","))
+    names = ["", *names]
+    everything = numpy.vstack([surfaces.terms for surfaces in evidence.values()])
+    ranges = numpy.quantile(everything, [TAIL, 1 - TAIL], axis=0)
+    models, examples = {}, {}
+    for kind, surfaces in evidence.items():
+        models[kind], examples[kind] = train(kind, surfaces, ranges, names, arguments)
+    used = {k for weights in models.values() for product in weights for k in product}
+    idle = [name for k, name in enumerate(names) if k not in used]
+    print(f"terms without a weight: {', '.join(idle) or 'none'}", file=sys.stderr)
+    print_weights(names, ranges, models)
+    if arguments.examples:
+        write_examples(arguments.examples, examples)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-
 #include "surfaces/evidence/confidence_model.hpp"
 #include "surfaces/evidence/evidence.hpp"
 
@@ -13,11 +11,11 @@ enum class SurfaceKind { kCurved, kFlat };
 /// Returns the evidence as inputs of the models, in the order of kConfidenceTerms.
 /// @param dof        degrees of freedom of the quadric's family
 /// @param log_prior  log_prior() of the quadric's type
-std::array<double, kConfidenceTerms.size()> confidence_terms(const Evidence& evidence, int dof,
-                                                             double log_prior);
+ConfidenceTerms confidence_terms(const Evidence& evidence, int dof, double log_prior);
 
 /// Probability, 0 to 1, that a quadric with these terms is a real and separate surface: a logistic
-/// model whose log odds are quadratic in the terms, trained on scenes with known truth.
-double confidence(const std::array<double, kConfidenceTerms.size()>& terms, SurfaceKind kind);
+/// model whose log odds are a sum of weighted terms and products of two, trained on scenes with
+/// known truth.
+double confidence(const ConfidenceTerms& terms, SurfaceKind kind);
 
 }  // namespace quadrille
