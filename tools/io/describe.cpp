@@ -6,9 +6,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "quadrille/detector/canonical.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/printable.hpp"
+#include "quadrille/detector/quadric.hpp"
 
 namespace quadrille::io {
 namespace {

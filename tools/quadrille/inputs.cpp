@@ -22,13 +22,9 @@
 #include "io/file_bytes.hpp"
 #include "log/event_log.hpp"
 #include "logs/cloud_log_reader.hpp"
-#include "quadrille/detector/printable.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
-#include "run/clock.hpp"
-#include "quadrille/bus/clock.hpp"
-#include "quadrille/bus/event_log.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/printable.hpp"
+#include "run/clock.hpp"
 
 namespace quadrille {
 namespace {

@@ -11,7 +11,6 @@
 #include "boxes/missing_face.hpp"
 #include "cloud/far_cloud.hpp"
 #include "cloud/some_points.hpp"
-#include "quadrille/detector/range_check.hpp"
 #include "quadrille/detector/cloud_checks.hpp"
 #include "quadrille/detector/detector.hpp"
 

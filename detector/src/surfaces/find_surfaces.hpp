@@ -19,8 +19,8 @@ std::vector<Candidate> find_candidates(const SampleTree& tree, int level, Mask o
                                        const DetectorOptions& options, Propose propose = {});
 
 /// A way to search one level, such as find_candidates().
-using FindCandidates = std::function<std::vector<Candidate>(
-    const SampleTree&, int level, Mask open, const DetectorOptions&)>;
+using FindCandidates = std::function<std::vector<Candidate>(const SampleTree&, int level, Mask open,
+                                                            const DetectorOptions&)>;
 
 /// Searches for surfaces and selects among the candidates, from coarse to fine, so that the finer
 /// levels need not search what a coarse level found clearly.

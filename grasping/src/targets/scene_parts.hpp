@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "quadrille/detector/box.hpp"
 #include "base/deadline.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/collision_shape.hpp"

@@ -12,8 +12,6 @@
 
 #include "io/file_bytes.hpp"
 #include "io/npy/npy_header.hpp"
-#include "quadrille/detector/ingest.hpp"
-#include "io/npy_header.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille::io {

@@ -11,8 +11,6 @@
 #include "io/header_lines.hpp"
 #include "io/packed_point.hpp"
 #include "io/pcd/pcd_header.hpp"
-#include "quadrille/detector/ingest.hpp"
-#include "io/pcd_header.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/detector/printable.hpp"
 

@@ -12,9 +12,6 @@
 #include "io/packed_point.hpp"
 #include "io/ply/ply_body.hpp"
 #include "io/ply/ply_header.hpp"
-#include "quadrille/detector/ingest.hpp"
-#include "io/ply_body.hpp"
-#include "io/ply_header.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille::io {

@@ -2,7 +2,6 @@
 
 #include <type_traits>
 
-#include "io/setting_reader.hpp"
 #include "io/settings/setting_reader.hpp"
 
 namespace quadrille::io {

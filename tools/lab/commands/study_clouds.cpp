@@ -9,8 +9,6 @@
 #include "io/file_bytes.hpp"
 #include "lab/scene/scene_files.hpp"
 #include "log/event_log.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
-#include "quadrille/bus/event_log.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille {

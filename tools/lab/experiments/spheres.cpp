@@ -74,8 +74,8 @@ Report run_spheres(const Settings& settings) {
   for_each_scene({scene::Family::kEasy, scene::Family::kMedium, scene::Family::kHard}, scenes,
                  settings, [&](const scene::Scene& made) {
                    Searches& both = searches[scene::traits_of(made.options.family).name];
-                    both.alone.options = sphere_preset();
-                    const scoring::Frame frame = scoring::frame_of(made);
+                   both.alone.options = sphere_preset();
+                   const scoring::Frame frame = scoring::frame_of(made);
                    for (Search* search : {&both.all, &both.alone}) {
                      search->run(frame.cloud, spheres_of(frame, made.ideal));
                    }

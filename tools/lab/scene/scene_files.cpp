@@ -8,7 +8,7 @@
 #include <span>
 
 #include "base/quantile.hpp"
-#include "io/json_parts.hpp"
+#include "io/json/json_parts.hpp"
 #include "io/new_file.hpp"
 #include "io/ply/ply.hpp"
 

@@ -12,9 +12,8 @@
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/bus/status_message.hpp"
-#include "quadrille/detector/rigid_motion.hpp"
-#include "run/clock.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "run/clock.hpp"
 
 namespace quadrille {
 namespace {

@@ -6,11 +6,9 @@
 
 #include "process/planner/messages.hpp"
 #include "process/planner/settings.hpp"
+#include "process/runtime/limited_log.hpp"
 #include "run/publish.hpp"
 #include "run/rate_limiter.hpp"
-#include "process/runtime/limited_log.hpp"
-#include "quadrille/bus/publish.hpp"
-#include "quadrille/bus/rate_limiter.hpp"
 
 namespace quadrille {
 

@@ -10,17 +10,10 @@
 
 #include "io/new_file.hpp"
 #include "log/event_log.hpp"
-#include "process/runtime/channel_census.hpp"
-#include "process/runtime/logging.hpp"
-#include "process/runtime/run.hpp"
-#include "process/runtime/stats_file.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/run.hpp"
 #include "process/runtime/status/stats_file.hpp"
 #include "process/runtime/watch/channel_census.hpp"
-#include "quadrille/bus/event_log.hpp"
-#include "quadrille/bus/replay.hpp"
-#include "quadrille/bus/stop.hpp"
 #include "quadrille/detector/printable.hpp"
 #include "run/stop.hpp"
 

@@ -10,9 +10,6 @@
 #include <string>
 
 #include "link/connection.hpp"
-#include "view/latest_messages.hpp"
-#include "view/question.hpp"
-#include "quadrille/bus/connection.hpp"
 #include "view/live/latest_messages.hpp"
 #include "view/live/question.hpp"
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "quadrille/detector/rigid_motion.hpp"
+#include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 namespace {

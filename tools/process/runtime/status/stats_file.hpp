@@ -4,8 +4,8 @@
 #include <string>
 
 #include "process/runtime/file_claim.hpp"
-#include "run/rate_limiter.hpp"
 #include "process/runtime/limited_log.hpp"
+#include "run/rate_limiter.hpp"
 
 namespace quadrille {
 

@@ -8,13 +8,9 @@
 
 #include "link/connection.hpp"
 #include "process/runtime/node.hpp"
-#include "process/runtime/process_info.hpp"
-#include "process/runtime/stages.hpp"
-#include "run/clock.hpp"
 #include "process/runtime/status/process_info.hpp"
 #include "process/runtime/status/stages.hpp"
-#include "quadrille/bus/clock.hpp"
-#include "quadrille/bus/connection.hpp"
+#include "run/clock.hpp"
 
 namespace quadrille {
 
