@@ -165,7 +165,7 @@ TEST_CASE("a file that is no truth is refused in one line that names it", "[phys
     folder.write("s.truth.json", text);
     physics::read_true_scene(folder.path("s.ply"));
   };
-  CHECK_THROWS_WITH(read("no json"), test::contains("s.truth.json: no truth of a scene"));
+  CHECK_THROWS_WITH(read("no json"), test::contains("s.truth.json: byte 2: no truth"));
   CHECK_THROWS_WITH(read("{}"), test::contains("s.truth.json: no truth of a scene"));
   CHECK_THROWS_WITH(read(R"({"objects": []})"),
                     test::contains("s.truth.json") && test::contains("no table"));
