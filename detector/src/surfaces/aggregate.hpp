@@ -8,6 +8,7 @@
 #include "quadrille/detector/stage_options.hpp"
 #include "search/candidate.hpp"
 #include "surfaces/acceptance.hpp"
+#include "surfaces/claims.hpp"
 #include "surfaces/extend.hpp"
 #include "surfaces/trial.hpp"
 #include "surfaces/weigh.hpp"
