@@ -19,7 +19,7 @@ const std::vector<scene::Family> kFamilies = {scene::Family::kEasy, scene::Famil
 
 SceneOptions small(scene::Family family, std::uint64_t seed) { return {family, seed, 320, 240}; }
 
-Quadric quadric_of(const nlohmann::ordered_json& object) {
+Quadric true_quadric(const nlohmann::ordered_json& object) {
   Vector10d q;
   for (int i = 0; i < 10; ++i) q[i] = object["q"][static_cast<std::size_t>(i)];
   return Quadric(q);
@@ -47,7 +47,7 @@ Eigen::Vector3d point_from_dims(const nlohmann::ordered_json& o, double u, doubl
   return {dim(o, "a") * w * c, dim(o, "b") * w * s, v};
 }
 
-Eigen::Isometry3d pose_of(const nlohmann::ordered_json& o) {
+Eigen::Isometry3d true_pose(const nlohmann::ordered_json& o) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) X.linear()(i, j) = o["pose"]["R"].at(i).at(j);
@@ -68,7 +68,7 @@ TEST_CASE("a ray meets each quadric exactly", "[scene]") {
       if (id < 0) continue;
       const int column = static_cast<int>(i % 320), row = static_cast<int>(i / 320);
       const Eigen::Vector3d p = scene.ideal.depth[i] * scene.camera.ray(column, row);
-      const Quadric Q = quadric_of(truth["objects"].at(static_cast<std::size_t>(id)));
+      const Quadric Q = true_quadric(truth["objects"].at(static_cast<std::size_t>(id)));
       if (std::abs(Q.distance(p)) > 1e-9) FAIL("surface " << id << " at " << p.transpose());
       const double angle =
           std::abs(Q.gradient(p).normalized().dot(scene.ideal.normal[i].cast<double>()));
@@ -91,7 +91,7 @@ TEST_CASE("measured points lie on their true quadric within the noise", "[scene]
       const auto& object = truth["objects"].at(static_cast<std::size_t>(id));
       const double sigma = depth_noise(traits_of(family).noise, p.z()) + 0.0006;
       // Noise moves a point along its ray, by no more than that off the surface.
-      ratios.push_back(std::abs(quadric_of(object).distance(p)) / (sigma * p.norm() / p.z()));
+      ratios.push_back(std::abs(true_quadric(object).distance(p)) / (sigma * p.norm() / p.z()));
     }
     std::sort(ratios.begin(), ratios.end());
     REQUIRE(ratios.size() > 20000);
@@ -110,11 +110,11 @@ TEST_CASE("the truth's q agrees with its type, dims and pose", "[scene]") {
       const std::string type = object["type"];
       INFO(type);
       CHECK(quadric_type_from_string(type).has_value());
-      const Quadric Q = quadric_of(object);
+      const Quadric Q = true_quadric(object);
       CHECK(Q.coefficients().norm() == Approx(1.0));
       for (const double u : {0.3, 2.0, 4.5}) {
         for (const double v : {0.02, 0.05, 0.09}) {
-          CHECK(std::abs(Q.distance(pose_of(object) * point_from_dims(object, u, v))) < 1e-9);
+          CHECK(std::abs(Q.distance(true_pose(object) * point_from_dims(object, u, v))) < 1e-9);
         }
       }
       ++checked;
