@@ -110,7 +110,7 @@ TEST_CASE("a printed setting has its meaning, range, unit and default beside it"
   CHECK(contains(text, "# 0.01 to 1.5708 rad; default 0.26\nangle = 0.25\n"));
   CHECK(contains(text, "# 0 to 1 m; default 0.05\napproach = 1.0\n"));
   CHECK(contains(text, "# one of obstacle, target-shadow, free; default \"obstacle\"\n"));
-  CHECK(contains(text, "\n# default false\nenabled = false\n"));
+  CHECK(contains(text, "\n# default true\nclear_above = true\n"));
   CHECK(contains(text, "\nradii = [5.0, 9.0, 15.0]\n"));
   CHECK(contains(text, "\n[search.grow]\n"));
   std::istringstream lines(text);

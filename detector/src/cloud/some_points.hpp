@@ -13,8 +13,10 @@ inline constexpr double kFarthest = 50.0;
 /// Fewer points than this make no surface.
 inline constexpr std::size_t kMinPoints = 50;
 
-/// Step between points of which about five thousand, spread evenly over a cloud, are looked at.
-inline std::size_t step_over(std::size_t points) { return std::max<std::size_t>(1, points / 5000); }
+/// Step between points of which about ten thousand, spread evenly over a cloud, are looked at.
+inline std::size_t step_over(std::size_t points) {
+  return std::max<std::size_t>(1, points / 10000);
+}
 
 /// Returns the finite ones of these points.
 std::vector<Eigen::Vector3d> some_of(std::span<const Eigen::Vector3f> points);

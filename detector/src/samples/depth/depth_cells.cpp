@@ -121,8 +121,9 @@ std::vector<char> keep_larger_sides(const CloudView& cloud, const PinholeView& v
   return layered;
 }
 
-/// Share of the filled cells that lie within areas of layers: all their neighbours have layers. In
-/// a single view cells have layers only across depth edges, which are lines and not areas.
+/// Share of the filled cells that lie within areas of layers: they or one of their neighbours at
+/// most have none. In a single view cells have layers only across depth edges, which are lines and
+/// not areas: along one, no more than six of nine have.
 double layered_share(const DepthCells& cells, const std::vector<char>& layered) {
   if (layered.empty()) return 0.0;
   int inside = 0, filled = 0;
@@ -135,7 +136,7 @@ double layered_share(const DepthCells& cells, const std::vector<char>& layered) 
       for (const int row : {c - cells.width, c, c + cells.width}) {
         around += layered[row - 1] + layered[row] + layered[row + 1];
       }
-      inside += around == 9;
+      inside += around >= 8;
     }
   }
   return filled ? static_cast<double>(inside) / filled : 0.0;

@@ -115,7 +115,10 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const CloudView& cloud,
       options.cell / (image->pitch.x() * z), 1.0, 1.0 * std::max(image->width, image->height))));
   std::array<DepthCells, kLevels> cells;
   cells[0] = make_depth_cells(cloud, *view, *image, pixels);
-  if (cells[0].layered > kMaxLayered) return nullptr;
+  // Cells of one pixel hold too few points to tell layers.
+  const double layered =
+      pixels > 1 ? cells[0].layered : make_depth_cells(cloud, *view, *image, 2).layered;
+  if (layered > kMaxLayered) return nullptr;
   const auto coarsen = [&] {
     for (int l = 1; l < kLevels; ++l) cells[l] = coarser(cells[l - 1], {});
   };
