@@ -17,6 +17,9 @@ namespace {
 constexpr double kMinFilled = 0.7;
 // Size of a face's corners as a share of its sides.
 constexpr double kCorner = 0.12;
+// If the distance of two ends is uncertain by more than this share of it, the faces belong to
+// several things, to a curved or thin one, or to a step that noise feigns.
+constexpr double kMaxDoubt = 0.1;
 
 double uniform_std(double width) { return width / std::sqrt(12.0); }
 
@@ -67,7 +70,8 @@ bool is_solid(const BoxDraft& draft, const BoxEnds& ends) {
   const bool alone = draft.faces.size() == 1;
   // The depth behind a single face is not seen, so its axis is skipped.
   for (int axis = alone ? 1 : 0; axis < 3; ++axis) {
-    if (size[axis] < kRounding) return false;
+    const double doubt = std::hypot(ends[axis][0].std, ends[axis][1].std);
+    if (doubt > kMaxDoubt * size[axis]) return false;
   }
   return all_filled(draft, box_A) && (alone || nothing_within(draft, box_A));
 }

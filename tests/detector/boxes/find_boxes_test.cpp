@@ -94,6 +94,21 @@ TEST_CASE("no box is made of balls, cans, a table and a wall", "[boxes]") {
   }
 }
 
+TEST_CASE("no box spans two boxes that stand side by side, one farther out", "[boxes]") {
+  const Eigen::Isometry3d X_CW = test::world_seen_from({0.0, -0.7, 0.55});
+  const Eigen::Vector3d size(0.06, 0.1, 0.1);
+  for (const double yaw : {0.2, 0.5}) {
+    const Eigen::Isometry3d X_CB = X_CW * standing(size, 0.0, 0.0, yaw);
+    std::vector<test::Patch> patches = {test::rectangle(X_CW, 1.5, 1.2)};
+    for (const int k : {-1, 0, 1}) {
+      add(test::box(X_CB * test::translation(0.06 * k, 0.02 * k, 0.0), size), &patches);
+    }
+    const std::vector<Box> boxes = detect(seen(patches)).boxes;
+    CHECK(!boxes.empty());
+    for (const Box& box : boxes) CHECK(box.size.maxCoeff() < 0.105);
+  }
+}
+
 TEST_CASE("the corner of a room is no box", "[boxes]") {
   const Eigen::Isometry3d X_CW = test::world_seen_from({0.7, 0.7, 0.6});
   const std::vector<test::Patch> walls = test::box(X_CW, {0.6, 0.6, 0.6});
