@@ -1,6 +1,7 @@
 #include "surfaces/weigh.hpp"
 
 #include "surfaces/evidence/intruders.hpp"
+#include "surfaces/evidence/see_through.hpp"
 #include "surfaces/evidence/upright.hpp"
 
 namespace quadrille {
@@ -10,6 +11,7 @@ Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, c
   Evidence evidence = collect_evidence(from.samples, region, Q, free);
   add_intruders(from.samples, from.buckets, region, Q, &evidence);
   evidence.uprightness = uprightness(form, from.context.up);
+  evidence.see_through = see_through(from.context, from.samples, region, Q, form);
   return evidence;
 }
 

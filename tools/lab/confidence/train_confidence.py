@@ -235,7 +235,7 @@ def train(kind, surfaces, ranges, names, arguments):
 def print_weights(names, ranges, models):
     print("#pragma once\n\n#include \"surfaces/evidence/confidence_model.hpp\"\n\n"
           "namespace quadrille {\n\n"
-          "// Printed by tools/lab/confidence/train_confidence.py, which says how it was trained.\n\n"
+          "// Printed by tools/lab/confidence/train_confidence.py. CONTRIBUTING.md tells what they were fitted to.\n\n"
           "inline constexpr auto kTermRanges = std::to_array<TermRange>({")
     for name, low, high in zip(names[1:], *ranges):
         print(f"    {{{low:.6g}, {high:.6g}}},  // {name}")

@@ -39,6 +39,7 @@ ConfidenceTerms confidence_terms(const Evidence& e, int dof, double log_prior) {
           std::log(kNone + e.in_front),
           std::log(kNone + e.behind),
           e.uprightness,
+          e.see_through,
           static_cast<double>(dof),
           log_prior};
 }

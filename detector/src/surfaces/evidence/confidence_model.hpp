@@ -12,7 +12,7 @@ inline constexpr auto kConfidenceTerms = std::to_array<std::string_view>({
     "log_count",    "spread",        "smooth_border", "open_border", "depth_edge",   "interior",
     "log_size",     "log_cell",      "two_planes",    "one_plane",   "log_sigma",    "common_noise",
     "log_residual", "log_roughness", "correlation",   "convexity",   "log_in_front", "log_behind",
-    "uprightness",  "dof",           "log_prior",
+    "uprightness",  "see_through",   "dof",           "log_prior",
 });
 
 /// Values of the terms.

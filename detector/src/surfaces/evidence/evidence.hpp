@@ -52,6 +52,9 @@ struct Evidence {
   double in_front = 0.0, behind = 0.0;
   /// |cosine| between axis and up direction; see upright.hpp.
   double uprightness = 1.0;
+  /// Share of the rays that should meet the quadric but see something behind it; see
+  /// see_through.hpp.
+  double see_through = 0.0;
 };
 
 /// Angle between the samples' normals and their mean, 90th percentile [rad], as in
@@ -59,7 +62,7 @@ struct Evidence {
 double normal_spread(const SurfaceSamples& samples, std::span<const int> region);
 
 /// Collects the evidence for a quadric whose inliers are the region, except for
-/// intruders and uprightness.
+/// intruders, uprightness and what is seen through it.
 /// @param region  not empty
 /// @param free    samples that belong to no other surface
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
