@@ -55,7 +55,7 @@ Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& 
       observer_(std::move(observer)),
       buckets_(samples),
       extender_(samples, buckets_, options, inlier),
-      claims_(samples.size()) {}
+      claims_(samples) {}
 
 void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
   const Acceptance asked = acceptance_at(level, options_);

@@ -44,7 +44,7 @@ class Aggregation {
   std::optional<Surface> plane_instead(Surface surface, const Acceptance& asked) const;
   Surface joined(Surface surface);
   void weigh(Surface* surface) const;
-  EvidenceSource source() const { return {samples_, buckets_, context_}; }
+  EvidenceSource source() const { return {samples_, buckets_, context_, &claims_}; }
   const Mask& around(std::span<const int> region) const;
 
   const SurfaceSamples& samples_;

@@ -4,14 +4,15 @@
 #include <vector>
 
 #include "base/mask.hpp"
+#include "samples/surface_samples.hpp"
+#include "surfaces/evidence/smooth_parts.hpp"
 
 namespace quadrille {
 
 /// Records which samples belong to accepted surfaces; each sample is explained only once.
 class Claims {
  public:
-  /// @param samples  number of samples
-  explicit Claims(int samples);
+  explicit Claims(const SurfaceSamples& samples);
 
   /// Claims the samples of a region; samples already claimed stay claimed.
   void add(std::span<const int> region);
@@ -20,8 +21,15 @@ class Claims {
   /// Returns the samples of a region that nothing has claimed.
   std::vector<int> open_of(std::span<const int> region) const;
 
+  /// Number of open samples that a region leaves over in the smooth parts in which it lies, per
+  /// sample of the region. Each part counts by its share of the region.
+  double remainder(std::span<const int> region) const;
+
  private:
+  SmoothParts parts_;
   Mask free_;
+  /// Per smooth part, the number of its unclaimed samples.
+  std::vector<int> open_;
 };
 
 }  // namespace quadrille

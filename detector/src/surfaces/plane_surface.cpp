@@ -55,7 +55,8 @@ std::vector<Surface> weighed_planes(const SurfaceSamples& samples,
   const SampleBuckets buckets(samples);
   std::vector<Surface> surfaces;
   for (const PlaneRegion& plane : planes) {
-    weigh({samples, buckets, context}, &surfaces.emplace_back(plane_surface(samples, plane)));
+    weigh({samples, buckets, context, nullptr},
+          &surfaces.emplace_back(plane_surface(samples, plane)));
   }
   return surfaces;
 }

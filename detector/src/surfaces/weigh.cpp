@@ -9,6 +9,7 @@ namespace quadrille {
 Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, const Quadric& Q,
                       const CanonicalForm& form, const Mask& free) {
   Evidence evidence = collect_evidence(from.samples, region, Q, free);
+  if (from.claims) evidence.remainder = from.claims->remainder(region);
   add_intruders(from.samples, from.buckets, region, Q, &evidence);
   evidence.uprightness = uprightness(form, from.context.up);
   evidence.see_through = see_through(from.context, from.samples, region, Q, form);

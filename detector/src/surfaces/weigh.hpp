@@ -6,6 +6,7 @@
 #include "quadrille/detector/quadric.hpp"
 #include "samples/sample_buckets.hpp"
 #include "samples/surface_samples.hpp"
+#include "surfaces/claims.hpp"
 #include "surfaces/evidence/scene_context.hpp"
 #include "surfaces/surface.hpp"
 
@@ -16,6 +17,8 @@ struct EvidenceSource {
   const SurfaceSamples& samples;
   const SampleBuckets& buckets;
   const SceneContext& context;
+  /// The samples of accepted surfaces; null to weigh as if nothing else had been found.
+  const Claims* claims;
 };
 
 /// Collects all evidence for a quadric whose inliers are the region, which must not be empty.

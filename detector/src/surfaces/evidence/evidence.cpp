@@ -1,5 +1,6 @@
 #include "surfaces/evidence/evidence.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +9,7 @@
 #include "samples/plane_sums.hpp"
 #include "samples/region.hpp"
 #include "surfaces/evidence/neighbour_sums.hpp"
+#include "surfaces/evidence/smooth_parts.hpp"
 #include "surfaces/evidence/two_planes.hpp"
 
 namespace quadrille {
@@ -15,8 +17,6 @@ namespace {
 
 // Number of neighbours of a sample that has them on all sides.
 constexpr int kAllNeighbours = 8;
-// Least cosine between the normals of a smoothly continuing surface (30°).
-constexpr float kMinSmoothCosine = 0.87f;
 // Added to sums of squared distances [m²], so that their ratio exists even for exact fits.
 constexpr double kMinSquare = 1e-12;
 
@@ -62,6 +62,19 @@ void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
   e->open_border = open / n;
   e->depth_edge = edge / n;
   e->interior = interior / n;
+}
+
+double thickness_of(const SurfaceSamples& samples, std::span<const int> region,
+                    const Normalisation& local) {
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+  for (const int i : region) {
+    const Eigen::Vector3d x = (samples.raw[i].cast<double>() - local.centre) / local.scale;
+    square += x * x.transpose();
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+  eigen.computeDirect(square, Eigen::EigenvaluesOnly);
+  const Eigen::Vector3d v = eigen.eigenvalues();
+  return std::sqrt(std::max(0.0, v[0]) / v[2]);
 }
 
 /// Sum of squared distances from the best plane [m²].
@@ -133,11 +146,13 @@ Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> re
     square += static_cast<double>(d * d);
     inside[i] = 1;
   }
+  const Normalisation local = normalisation_of(samples, region);
   e.log_count = std::log(n);
-  e.size = normalisation_of(samples, region).scale;
+  e.size = local.scale;
   for (const int i : region) e.sigma += samples.sigma[i] / n, e.cell += samples.cell[i] / n;
   e.common_noise = samples.common_noise;
   e.spread = normal_spread(samples, region);
+  e.thickness = thickness_of(samples, region, local);
   e.two_planes = std::log((two_planes_rss(samples, region) + kMinSquare * n) / square);
   e.one_plane = std::log((one_plane_rss(samples, region) + kMinSquare * n) / square);
   compare_neighbours(samples, region, inside, distance, square / n, &e);

@@ -27,6 +27,8 @@ struct Evidence {
   double open_border = 0.0, depth_edge = 0.0;
   /// Share of the samples whose eight neighbours all lie within the region.
   double interior = 0.0;
+  /// Standard deviation of the positions across the region, divided by that along it.
+  double thickness = 0.0;
   /// Root mean square distance from the middle, and mean edge of a cell [m].
   double size = 0.0, cell = 0.0;
   /// log(rss of the best two planes / rss of the quadric). The edge of a box is itself a rank-2
@@ -50,6 +52,9 @@ struct Evidence {
   /// and behind it, per sample of the region. Nothing is seen through a real surface. See
   /// intruders.hpp.
   double in_front = 0.0, behind = 0.0;
+  /// Number of open samples that the region leaves over in the smooth parts in which it lies, per
+  /// sample of the region. A true surface explains an object as a whole. See claims.hpp.
+  double remainder = 0.0;
   /// |cosine| between axis and up direction; see upright.hpp.
   double uprightness = 1.0;
   /// Share of the rays that should meet the quadric but see something behind it; see
@@ -61,8 +66,8 @@ struct Evidence {
 /// Evidence::spread. The region must not be empty.
 double normal_spread(const SurfaceSamples& samples, std::span<const int> region);
 
-/// Collects the evidence for a quadric whose inliers are the region, except for
-/// intruders, uprightness and what is seen through it.
+/// Collects the evidence for a quadric whose inliers are the region, except for that from its
+/// surroundings: intruders, remainder, uprightness and what is seen through it.
 /// @param region  not empty
 /// @param free    samples that belong to no other surface
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,

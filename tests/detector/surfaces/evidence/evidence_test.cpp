@@ -62,7 +62,7 @@ TEST_CASE("a smooth border at which another surface begins speaks against none",
         Approx(0.5 * alone).epsilon(0.05));
 }
 
-TEST_CASE("border and edge are those of the closed form", "[evidence]") {
+TEST_CASE("border, edge and thickness are those of the closed form", "[evidence]") {
   const SurfaceSamples samples = cylinder_grid(21, 30, kPipeRadius, 0.004, 0.0, 1);
   const Evidence whole = collect_evidence(samples, all_of(samples), cylinder_quadric());
   CHECK(whole.open_border == 0.0);
@@ -74,6 +74,11 @@ TEST_CASE("border and edge are those of the closed form", "[evidence]") {
     if (i / 21 < 20) lower.push_back(i);
   }
   CHECK(collect_evidence(samples, lower, cylinder_quadric()).open_border == Approx(1.0 / 20.0));
+  // Angles fill ±1 evenly: R cos a is the depth, and the length is along.
+  const double a = 10 * 0.004 / kPipeRadius, c = std::sin(a) / a;
+  const double across = kPipeRadius * std::sqrt(0.5 + 0.25 * std::sin(2 * a) / a - c * c);
+  const double along = 30 * 0.004 / std::sqrt(12.0);
+  CHECK(whole.thickness == Approx(across / along).epsilon(0.1));
 }
 
 TEST_CASE("two planes explain a box edge, but not a cylinder", "[evidence]") {
