@@ -10,7 +10,7 @@ namespace quadrille {
 
 /// Nothing to grasp is this far away [m], but in coordinates given in millimetres most things are.
 inline constexpr double kFarthest = 50.0;
-/// Fewer points than this make no surface.
+/// Least number of points that can make a surface.
 inline constexpr std::size_t kMinPoints = 50;
 
 /// Step between points of which about ten thousand, spread evenly over a cloud, are looked at.

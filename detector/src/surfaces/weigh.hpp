@@ -12,7 +12,7 @@
 
 namespace quadrille {
 
-/// Where the evidence for surfaces comes from.
+/// The data from which the evidence for surfaces is collected.
 struct EvidenceSource {
   const SurfaceSamples& samples;
   const SampleBuckets& buckets;

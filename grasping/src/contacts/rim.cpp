@@ -19,9 +19,9 @@ constexpr double kReachToPadWidth = 18.0 / 35.0;
 constexpr std::array<double, 2> kBites = {0.0045, 0.0065};
 constexpr std::array<double, 2> kMaxBitesToReach = {1.0 / 2.0, 13.0 / 18.0};
 constexpr int kAround = 36;
-// Fewer points than this at a contact could be noise, and the deviation from them counts as no
-// smaller than this [m].
+// Least number of points at a contact; fewer could be noise.
 constexpr int kMinNear = 8;
+// Least deviation of the wall from these points [m].
 constexpr double kMinStd = 0.0005;
 
 Eigen::Vector3d middle(const ContactLine& line) {
@@ -70,7 +70,8 @@ ContactLine rim_line(const Shell& shell, double angle, double bite, const Grippe
   return line;
 }
 
-/// A point of the wall, and how far it lies beside the range where the wall may be [m].
+/// A point that may belong to the wall, and its distance from the range where the wall may be [m];
+/// 0 within.
 using WallPoint = std::pair<Eigen::Vector3d, double>;
 
 /// Returns the points of the wall that count for any of the lines.

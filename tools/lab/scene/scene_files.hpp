@@ -19,7 +19,7 @@ std::optional<std::string> find_truth(const std::string& ply_path);
 /// (x_C = R x_S + t), dims, box (in S) and what the camera saw of it.
 nlohmann::ordered_json truth_json(const Scene& scene);
 
-/// Read parts of a ground truth as truth_json() writes them.
+/// These functions read parts of a ground truth as truth_json() writes them.
 /// @throws nlohmann::json::exception if they are something else
 Eigen::Vector3d vector_of(const nlohmann::ordered_json& json);
 Eigen::Isometry3d pose_of(const nlohmann::ordered_json& json);

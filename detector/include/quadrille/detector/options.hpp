@@ -34,10 +34,10 @@ struct DetectorOptions {
     v(o.threads, {"threads", "", 1, 256, "Threads to use; never changes the result."});
     v(o.only,
       {"only",
-       "Find only these types; empty means all. Where they are the sphere alone, `quadrille "
-       "detect` takes the defaults that `quadrille config --only sphere` prints: the "
-       "paper's type-specific search. Where grasps are to be planned all types are found "
-       "all the same, and these are reported."});
+       "Find only these types; empty means all. If only spheres are sought, `quadrille detect` "
+       "uses the defaults that `quadrille config --only sphere` prints: the paper's "
+       "type-specific search. A plan needs all types, so then all are found, and only these "
+       "are reported."});
     v(o.report, {"report",
                  "Report only these types; empty means all. The others are found too, and the "
                  "planner keeps clear of them, but they are not shown and not grasped."});

@@ -11,7 +11,7 @@ namespace quadrille {
 
 /// No depth camera has less noise [m]; less is rounding, or a generated cloud without noise.
 inline constexpr float kMinSigma = 1e-4f;
-/// Fewer residuals have no meaningful quantile.
+/// Least number of residuals for which a quantile is meaningful.
 inline constexpr std::size_t kMinResiduals = 8;
 
 /// Noise of cell means around the true surface, which grows with depth: sigma(z) = factor ·

@@ -48,7 +48,7 @@ ConfidenceTerms confidence_terms(const Evidence& e, int dof, double log_prior) {
 
 double confidence(const ConfidenceTerms& terms, SurfaceKind kind) {
   static_assert(kTermRanges.size() == kConfidenceTerms.size());
-  // The last value stands for no term.
+  // The last value is 1, by which a weight without a second term is multiplied.
   std::array<double, kConfidenceTerms.size() + 1> x{};
   x.back() = 1.0;
   for (std::size_t k = 0; k < terms.size(); ++k) {

@@ -53,8 +53,8 @@ struct VouchedPart {
   /// Distance from Q beyond which a point does not lie on it [m].
   double off;
 
-  /// Cosine between the seen side's normal and the ray back to the sensor at x; 0 outside the part
-  /// or if the other side is met.
+  /// Cosine between the seen side's normal and the ray back to the sensor at x; 0 if x lies outside
+  /// the measured part of the surface, or if the ray meets the side that was not seen.
   double cosine_at(const Eigen::Vector3d& x, const Eigen::Vector3d& ray) const {
     // This is false also for NaN.
     if (!((x - centre).squaredNorm() < reach * reach)) return 0.0;

@@ -66,8 +66,8 @@ class PosedClouds {
   std::int64_t poses() const { return poses_received_; }
   /// Number of clouds that got no pose.
   std::int64_t poseless() const;
-  /// Returns these clouds by reason, one entry for each that occurred: "no_pose", "old_pose",
-  /// "late_pose".
+  /// Returns the number of clouds that got no pose by reason: "no_pose", "old_pose", "late_pose".
+  /// Reasons that did not occur are left out.
   std::vector<count_t> count_poseless() const;
   /// Returns oddities in the poses of a whole log with this many clouds; empty if there are none. A
   /// log without poses is not reported here, but with the other channels.
