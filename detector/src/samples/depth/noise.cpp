@@ -245,6 +245,7 @@ std::vector<NoiseModel> measure_noise(std::span<const DepthCells> levels,
     }
   }
   std::vector<NoiseModel> models;
+  models.reserve(depth_residual.size());
   for (auto& list : depth_residual) models.push_back(fit_growth(std::move(list), options.quantile));
   return models;
 }

@@ -29,6 +29,8 @@ struct ConfidenceWeight {
   /// Indices of the terms; kConfidenceTerms.size() for none.
   std::size_t first, second;
 
+  // A number alone is the constant of a model.
+  // NOLINTNEXTLINE(google-explicit-constructor)
   constexpr ConfidenceWeight(double value) : ConfidenceWeight("", "", value) {}
   constexpr ConfidenceWeight(std::string_view term, double value)
       : ConfidenceWeight(term, "", value) {}

@@ -125,7 +125,8 @@ double see_through(const SceneContext& context, const SurfaceSamples& samples,
   int through = 0, all = 0;
   for (int j = window.first_j; j <= window.last_j; j += window.stride) {
     for (int i = window.first_i; i <= window.last_i; i += window.stride) {
-      const float w = sight.w[static_cast<std::size_t>(j * sight.width + i)];
+      const float w = sight.w[static_cast<std::size_t>(j) * static_cast<std::size_t>(sight.width) +
+                              static_cast<std::size_t>(i)];
       if (w == 0.0f) continue;
       const Eigen::Vector3d ray(sight.corner.x() + (i + 0.5) * sight.step,
                                 sight.corner.y() + (j + 0.5) * sight.step, 1.0);
