@@ -28,10 +28,11 @@ Eigen::MatrixXd distances_of(const std::vector<Eigen::Matrix4d>& hypotheses, dou
 std::vector<std::vector<int>> cluster_hypotheses(const std::vector<Eigen::Matrix4d>& hypotheses,
                                                  double tau, double max_distance) {
   std::vector<std::vector<int>> clusters;
+  clusters.reserve(hypotheses.size());
   for (int i = 0; i < static_cast<int>(hypotheses.size()); ++i) clusters.push_back({i});
   Eigen::MatrixXd distances = distances_of(hypotheses, tau);
   while (clusters.size() > 1) {
-    Eigen::Index kept, gone;
+    Eigen::Index kept = 0, gone = 0;
     if (!(distances.minCoeff(&kept, &gone) <= max_distance)) break;
     if (kept > gone) std::swap(kept, gone);
     std::vector<int>&into = clusters[static_cast<std::size_t>(kept)],

@@ -16,9 +16,6 @@
 namespace quadrille {
 namespace {
 
-// Assumed error of the samples' normals [rad].
-constexpr double kNormalNoise = 0.05;
-
 template <std::size_t kPoints>
 std::array<OrientedPoint, kPoints> draw_points(const Voters& voters, RandomStream& random) {
   std::array<OrientedPoint, kPoints> points;
@@ -35,9 +32,9 @@ std::optional<Pencil> draw_pencil(GradientLengths lengths, const Voters& voters,
     basis[i] = voters.points.at(k);
     samples[i] = voters.samples[static_cast<std::size_t>(k)];
   }
-  const std::optional<Pencil> pencil = lengths == GradientLengths::kSolved
-                                           ? make_scaled_pencil(basis, kScaleSoftness)
-                                           : make_pencil(basis);
+  std::optional<Pencil> pencil = lengths == GradientLengths::kSolved
+                                     ? make_scaled_pencil(basis, kScaleSoftness)
+                                     : make_pencil(basis);
   if (!pencil || inconsistency(basis) > kMaxInconsistency) return std::nullopt;
   if (seen && !seen->insert(samples)) return std::nullopt;
   return pencil;

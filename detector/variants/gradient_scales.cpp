@@ -61,6 +61,13 @@ Eigen::Vector3d soft_scales(const std::array<Pair, 3>& pairs, double softness) {
   return sums.inverse() * Eigen::Vector3d::Constant(prior);
 }
 
+/// Returns the basis with its normals scaled to the lengths α.
+std::array<OrientedPoint, 3> with_lengths(std::array<OrientedPoint, 3> basis,
+                                          const std::array<double, 3>& lengths) {
+  for (std::size_t i = 0; i < 3; ++i) basis[i].n *= lengths[i];
+  return basis;
+}
+
 }  // namespace
 
 std::optional<std::array<double, 3>> gradient_scales(const std::array<OrientedPoint, 3>& basis,
@@ -73,12 +80,6 @@ std::optional<std::array<double, 3>> gradient_scales(const std::array<OrientedPo
   if (!(alpha.minCoeff() > least)) return std::nullopt;
   const double mean = alpha.mean();
   return std::array<double, 3>{alpha[0] / mean, alpha[1] / mean, alpha[2] / mean};
-}
-
-std::array<OrientedPoint, 3> with_lengths(std::array<OrientedPoint, 3> basis,
-                                          const std::array<double, 3>& lengths) {
-  for (std::size_t i = 0; i < 3; ++i) basis[i].n *= lengths[i];
-  return basis;
 }
 
 std::optional<Pencil> make_scaled_pencil(const std::array<OrientedPoint, 3>& basis, double softness,

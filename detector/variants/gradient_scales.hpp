@@ -31,10 +31,6 @@ std::optional<std::array<double, 3>> gradient_scales(const std::array<OrientedPo
 /// needs the fewest bases (experiment `basis`).
 inline constexpr double kScaleSoftness = 0.2;
 
-/// Returns the basis with its normals scaled to the lengths α.
-std::array<OrientedPoint, 3> with_lengths(std::array<OrientedPoint, 3> basis,
-                                          const std::array<double, 3>& lengths);
-
 /// Makes the pencil of three points with unit normals: `make_pencil` with the lengths above.
 /// @return nullopt if either has no result
 std::optional<Pencil> make_scaled_pencil(const std::array<OrientedPoint, 3>& basis, double softness,

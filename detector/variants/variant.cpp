@@ -25,6 +25,7 @@ Hypothesis best_of(const std::vector<Hypothesis>& all) {
 /// "Hypotheses aggregation").
 Hypothesis best_of_clusters(const std::vector<Hypothesis>& all, const ClusterOptions& options) {
   std::vector<Eigen::Matrix4d> quadrics;
+  quadrics.reserve(all.size());
   for (const Hypothesis& hypothesis : all) quadrics.push_back(hypothesis.Q);
   Hypothesis best;
   int most = 0;
@@ -66,7 +67,7 @@ Propose propose_variant(const Variant& variant, int bases, TripletSet* seen) {
 DetectionResult detect_variant(const CloudView& cloud, const DetectorOptions& options,
                                const Variant& variant) {
   return detect_with(
-      [&](const SampleTree& tree, int level, std::vector<char> open, const DetectorOptions& used) {
+      [&](const SampleTree& tree, int level, Mask open, const DetectorOptions& used) {
         TripletSet seen;
         std::vector<Candidate> candidates = find_candidates(
             tree, level, std::move(open), used,

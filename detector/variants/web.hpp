@@ -32,6 +32,9 @@ struct Web {
 /// @return nullopt if the points coincide, or if no quadric has both normals on one side
 std::optional<Web> make_web(const std::array<OrientedPoint, 2>& basis, double softness);
 
+/// Assumed standard deviation of the direction of a noisy point's normal [rad], for make_web().
+inline constexpr double kNormalNoise = 0.05;
+
 /// The line λ = origin + s direction.
 struct WebLine {
   Eigen::Vector3d origin, direction;

@@ -112,7 +112,10 @@ class LineCounts {
     return std::all_of(cell.begin(), cell.end(), [&](int k) { return k > 0 && k < cells_ - 1; });
   }
   std::size_t index(const Cell& cell) const {
-    return static_cast<std::size_t>((cell[2] * cells_ + cell[1]) * cells_ + cell[0]);
+    const auto edge = static_cast<std::size_t>(cells_);
+    const std::array at = {static_cast<std::size_t>(cell[0]), static_cast<std::size_t>(cell[1]),
+                           static_cast<std::size_t>(cell[2])};
+    return (at[2] * edge + at[1]) * edge + at[0];
   }
   template <class Visit>
   void for_inner(const Cell& low, const Cell& high, const Visit& visit) {

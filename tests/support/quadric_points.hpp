@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "fit/geometric_fit.hpp"
@@ -53,6 +55,20 @@ OrientedPoints<Scalar> to_oriented_points(const std::vector<OrientedPoint>& list
 
 inline OrientedPointsf to_fit_points(const std::vector<OrientedPoint>& points) {
   return to_oriented_points<float>(points);
+}
+
+/// Mean |distance| of the points from a quadric, and mean cosine between its gradients and the
+/// normals.
+inline std::pair<double, double> mean_agreement(const Eigen::Matrix4d& matrix,
+                                                const OrientedPointsf& points) {
+  const Quadric Q(matrix);
+  double distance = 0, cosine = 0;
+  for (Eigen::Index i = 0; i < points.size(); ++i) {
+    distance += std::abs(Q.distance(points.at(i).x));
+    cosine += Q.gradient(points.at(i).x).normalized().dot(points.at(i).n);
+  }
+  const double n = static_cast<double>(points.size());
+  return {distance / n, cosine / n};
 }
 
 /// A quadric of a family and where its points are taken.

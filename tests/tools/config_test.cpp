@@ -217,7 +217,7 @@ TEST_CASE("a search for spheres alone starts from the preset, and a file stands 
   DetectorOptions both;
   both.only = {QuadricType::kSphere, QuadricType::kCone};
   CHECK(toml_of(options_of("only = [\"sphere\", \"cone\"]\n")) == toml_of(both));
-  // What is printed is read back as it was.
+  // The printed settings are read back unchanged.
   CHECK(toml_of(options_of(toml_of(sphere_preset()))) == toml_of(sphere_preset()));
 }
 

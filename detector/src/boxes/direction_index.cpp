@@ -109,7 +109,7 @@ std::vector<Eigen::Vector3d> DirectionIndex::points_towards(
 std::vector<Eigen::Vector3d> DirectionIndex::points_in(const Eigen::Vector2i& low,
                                                        const Eigen::Vector2i& high) const {
   const auto row_of = [&](const Buckets& level, int row) {
-    const auto at = level.first.begin() + row * kTiles;
+    const auto at = level.first.begin() + std::ptrdiff_t{row} * kTiles;
     return std::span(level.list).subspan(at[low.x()], at[high.x() + 1] - at[low.x()]);
   };
   const auto is_enough = [&](const Buckets& level) {

@@ -230,8 +230,8 @@ std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) 
   for (Piece& piece : pieces) {
     // If a plane has several pieces, each has a plane of its own, and the common plane is only
     // their mean.
-    const auto own = pieces.size() > 1 ? refitted(piece, patch, sight) : std::nullopt;
-    faces.push_back(own ? *own : std::move(piece.face));
+    auto own = pieces.size() > 1 ? refitted(piece, patch, sight) : std::nullopt;
+    faces.push_back(std::move(own ? *own : piece.face));
     faces.back().id = plane.id;
     faces.back().score = plane.score;
   }

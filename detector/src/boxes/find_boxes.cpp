@@ -41,6 +41,7 @@ class BoxMaker {
   std::vector<Box> make() {
     for (const std::vector<int>& group : group_faces(faces_)) {
       std::vector<const Face*> faces;
+      faces.reserve(group.size());
       for (const int i : group) faces.push_back(&faces_[i]);
       add(faces);
     }
@@ -105,6 +106,7 @@ std::vector<Box> find_boxes(const CloudView& given, const std::vector<Detection>
   if (!some.empty()) shift = shift_to_origin(middle_of(some));
   if (shift.isZero(0.0)) return BoxMaker(cloud, detections).make();
   std::vector<Detection> shifted;
+  shifted.reserve(detections.size());
   for (const Detection& d : detections) shifted.push_back(translated(d, shift));
   std::vector<Box> boxes = BoxMaker(translated(cloud, shift), shifted).make();
   for (Box& box : boxes) box.X_CB.pretranslate(-shift);

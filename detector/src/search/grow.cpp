@@ -41,7 +41,7 @@ bool refit(const SurfaceSamples& samples, const GrowOptions& options, bool selec
 }  // namespace
 
 std::optional<Candidate> grow(const SurfaceSamples& samples, const Quadric& hypothesis,
-                              std::span<const int> start, const std::vector<char>& free,
+                              std::span<const int> start, const Mask& free,
                               const InlierTest& inlier, const GrowOptions& options) {
   Candidate candidate;
   candidate.Q = hypothesis;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/mask.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/region.hpp"
@@ -17,10 +18,10 @@ namespace quadrille {
 /// patch would mislead the growth, and keeps the family until the region's size has changed
 /// considerably.
 /// @param start  samples to begin with
-/// @param free   per sample, zero to leave it out
+/// @param free   samples that it may grow over
 /// @return nullopt if the region becomes too small or has no fit
 std::optional<Candidate> grow(const SurfaceSamples& samples, const Quadric& hypothesis,
-                              std::span<const int> start, const std::vector<char>& free,
+                              std::span<const int> start, const Mask& free,
                               const InlierTest& inlier, const GrowOptions& options);
 
 }  // namespace quadrille

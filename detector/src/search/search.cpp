@@ -21,7 +21,7 @@ constexpr double kMinHeightLimits = 2.0, kMinHeight = 0.1;
 
 /// Samples within a ball that are connected to the seed.
 std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float radius,
-                               const std::vector<char>& free, std::vector<int>* stamp, int mark) {
+                               const Mask& free, std::vector<int>* stamp, int mark) {
   (*stamp)[seed] = mark;
   return flood(samples, {seed}, [&](int j, int) {
     if ((*stamp)[j] == mark || !free[j]) return false;
@@ -32,7 +32,7 @@ std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float ra
 
 class Searcher {
  public:
-  Searcher(const SurfaceSamples& samples, std::vector<char> open, const SearchOptions& options,
+  Searcher(const SurfaceSamples& samples, Mask open, const SearchOptions& options,
            const InlierTest& inlier, std::uint64_t seed, Propose propose)
       : samples_(samples),
         options_(options),
@@ -123,16 +123,16 @@ class Searcher {
   const std::uint64_t seed_;
   const Propose propose_;
   /// Samples that may support a candidate.
-  std::vector<char> free_;
+  Mask free_;
   /// Samples that no candidate explains yet and on which no attempt has failed.
-  std::vector<char> open_;
+  Mask open_;
   std::vector<int> stamp_;
   int mark_ = 0;
 };
 
 }  // namespace
 
-std::vector<Candidate> search(const SurfaceSamples& samples, std::vector<char> open,
+std::vector<Candidate> search(const SurfaceSamples& samples, Mask open,
                               const SearchOptions& options, const InlierTest& inlier,
                               std::uint64_t seed, Propose given) {
   if (!given) {

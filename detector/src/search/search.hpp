@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/mask.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/region.hpp"
 #include "samples/surface_samples.hpp"
@@ -14,9 +15,9 @@ namespace quadrille {
 /// Searches for quadrics by RANSAC (paper, section 4). Seeds are drawn from the samples that
 /// nothing explains yet, and the hypothesis that a seed's neighbourhood proposes is grown and
 /// refitted.
-/// @param open     per sample, zero to leave it out
+/// @param open     samples to search
 /// @param propose  empty for the way that the options select
-std::vector<Candidate> search(const SurfaceSamples& samples, std::vector<char> open,
+std::vector<Candidate> search(const SurfaceSamples& samples, Mask open,
                               const SearchOptions& options, const InlierTest& inlier,
                               std::uint64_t seed, Propose propose = {});
 

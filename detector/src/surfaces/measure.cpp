@@ -105,7 +105,7 @@ void settle_frame(const Surface& surface, const SurfaceSamples& samples, const E
 /// are equal areas on a sphere, and nearly so on other round surfaces.
 double share_seen(const std::vector<Eigen::Vector3d>& points, const Eigen::AlignedBox3d& box,
                   QuadricType type) {
-  std::array<bool, kBinsAround * kBinsAlong> seen{};
+  std::array<bool, std::size_t{kBinsAround} * kBinsAlong> seen{};
   const bool flat = is_flat(type);
   const auto bin = [](double x, double low, double high, int bins) {
     const double share = std::clamp((x - low) / std::max(1e-9, high - low), 0.0, 1.0);
@@ -117,7 +117,7 @@ double share_seen(const std::vector<Eigen::Vector3d>& points, const Eigen::Align
     const int around =
         flat ? bin(p.x(), box.min().x(), box.max().x(), kBinsAround)
              : bin(std::atan2(p.y(), p.x()), -std::numbers::pi, std::numbers::pi, kBinsAround);
-    seen[static_cast<std::size_t>(along * kBinsAround + around)] = true;
+    seen[static_cast<std::size_t>(along) * kBinsAround + static_cast<std::size_t>(around)] = true;
   }
   return static_cast<double>(std::count(seen.begin(), seen.end(), true)) /
          (kBinsAround * kBinsAlong);

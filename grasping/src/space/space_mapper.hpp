@@ -17,9 +17,8 @@ namespace quadrille {
 class SpaceMapper {
  public:
   /// The region and the resolution are those of OccupancyGrid, with the same errors.
-  /// @param boxes_C  free space is sought only in blocks that meet one of these boxes, to save
-  /// time;
-  ///   all other blocks stay unknown, except for voxels that contain points. No boxes: everywhere.
+  /// @param boxes_C  to save time, free space is sought only in blocks that meet one of these
+  ///   boxes; all others stay unknown, except for voxels that contain points. No boxes: everywhere.
   SpaceMapper(const Eigen::AlignedBox3d& region, double resolution,
               std::vector<Eigen::AlignedBox3d> boxes_C = {})
       : grid_(region, resolution), boxes_C_(std::move(boxes_C)) {}

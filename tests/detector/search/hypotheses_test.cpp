@@ -11,25 +11,13 @@ using namespace quadrille::test;
 
 namespace {
 
-/// Mean |distance| of the points, and mean cosine between gradients and normals.
-std::pair<double, double> agreement(const Eigen::Matrix4d& matrix, const OrientedPointsf& points) {
-  const Quadric Q(matrix);
-  double distance = 0, cosine = 0;
-  for (Eigen::Index i = 0; i < points.size(); ++i) {
-    distance += std::abs(Q.distance(points.at(i).x));
-    cosine += Q.gradient(points.at(i).x).normalized().dot(points.at(i).n);
-  }
-  const double n = static_cast<double>(points.size());
-  return {distance / n, cosine / n};
-}
-
 /// The best of some draws.
 std::pair<double, double> best_of(BasisKind kind, int draws, const OrientedPointsf& points,
                                   RandomStream& random) {
   std::pair<double, double> best(1e9, 0.0);
   for (int k = 0; k < draws; ++k) {
     for (const Eigen::Matrix4d& Q : draw_hypotheses(kind, points, VoteOptions(), random)) {
-      best = std::min(best, agreement(Q, points));
+      best = std::min(best, mean_agreement(Q, points));
     }
   }
   return best;

@@ -18,19 +18,6 @@ Voters voters_of(const OrientedPointsf& points) {
   return voters;
 }
 
-/// Mean |distance| of the points, and mean cosine between gradients and normals.
-std::pair<double, double> mean_agreement(const Eigen::Matrix4d& matrix,
-                                         const OrientedPointsf& points) {
-  const Quadric Q(matrix);
-  double distance = 0, cosine = 0;
-  for (Eigen::Index i = 0; i < points.size(); ++i) {
-    distance += std::abs(Q.distance(points.at(i).x));
-    cosine += Q.gradient(points.at(i).x).normalized().dot(points.at(i).n);
-  }
-  const double n = static_cast<double>(points.size());
-  return {distance / n, cosine / n};
-}
-
 /// The best of some draws.
 std::pair<double, double> best_drawn(VariantBasis basis, int draws, const Voters& voters,
                                      RandomStream& random) {
@@ -96,14 +83,14 @@ TEST_CASE("known bases are refused, and no other changes", "[variants][triplets]
   };
   const int without = draw_many(nullptr);
   CHECK(without > 1000);
-  // Of 12 points there are 220 triplets.
+  // Twelve points form 220 triplets.
   const int with = draw_many(&seen);
   CHECK(with > 50);
   CHECK(with <= 220);
   CHECK(seen.size() <= 220);
   CHECK(static_cast<int>(seen.size() + seen.repeats()) >= without);
   CHECK(draw_many(&seen) == 0);
-  // The same points as other samples are other bases.
+  // A basis is known by its samples, so the same points under other numbers are drawn anew.
   for (int& sample : voters.samples) sample += 1000;
   CHECK(draw_many(&seen) == with);
 }

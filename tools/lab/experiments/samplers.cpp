@@ -12,8 +12,6 @@
 namespace quadrille::experiments {
 namespace {
 
-// The value is that of draw_variant.cpp.
-constexpr double kNormalNoise = 0.05;
 // Least distance of voters, and of a fourth point, from the plane of the three basis points.
 constexpr double kMinHeight = 0.1;
 
