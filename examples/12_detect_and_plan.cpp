@@ -50,9 +50,9 @@ quadrille::PointCloud can_on_table() {
 
 int main() {
   const quadrille::PointCloud cloud = can_on_table();
-  const quadrille::DetectionResult found = quadrille::detect_quadrics(cloud);
-  const quadrille::GraspPlan plan =
-      quadrille::plan_grasps(cloud, found.detections, quadrille::franka_hand());
+  const quadrille::DetectionResult found = quadrille::detect(cloud);
+  const quadrille::GraspPlan plan = quadrille::plan_grasps(
+      cloud, found.detections, quadrille::franka_hand(), {}, {}, {}, found.boxes);
 
   std::cout << std::fixed << std::setprecision(3);
   for (const quadrille::Detection& detection : found.detections) {

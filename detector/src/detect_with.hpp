@@ -7,6 +7,6 @@ namespace quadrille {
 
 /// detect() with another way to search a level.
 DetectionResult detect_with(const FindCandidates& find, const CloudView& cloud,
-                            const DetectorOptions& options, const QuadricsReady& ready = {});
+                            const DetectorOptions& options);
 
 }  // namespace quadrille

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "base/stage_clock.hpp"
+#include "boxes/find_boxes.hpp"
+#include "boxes/flat_patches.hpp"
 #include "cloud/cloud_check.hpp"
 #include "cloud/far_cloud.hpp"
 #include "detect_with.hpp"
@@ -112,6 +114,7 @@ std::vector<Detection> ranked(std::vector<Detection> detections,
 /// Result of all stages on a cloud.
 struct Findings {
   std::vector<Detection> detections;
+  std::vector<Box> boxes;
   std::size_t points_used = 0;
 };
 
@@ -152,6 +155,12 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options,
   findings.detections = ranked(std::move(measured.detections), options.report);
   findings.points_used = count_points(*pyramid);
   clock.end("measure");
+
+  Mask unexplained;
+  for (const int cell : tree.finest().source) unexplained.push_back(measured.owner[cell] < 0);
+  findings.boxes = find_boxes(cloud, findings.detections,
+                              find_flat_patches(tree.finest(), options.planes, unexplained));
+  clock.end("boxes");
   return findings;
 }
 
@@ -164,6 +173,7 @@ Findings find_anywhere(const CloudView& cloud, const Eigen::Vector3d& centre,
   if (shift.isZero(0.0)) return find_all(cloud, options, find, clock);
   Findings findings = find_all(translated(cloud, shift), options, find, clock);
   for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
+  for (Box& box : findings.boxes) box.X_CB.pretranslate(-shift);
   return findings;
 }
 
@@ -184,9 +194,9 @@ DetectorOptions settled(DetectorOptions options, const CloudView& cloud) {
   return options;
 }
 
-DetectionResult detect_quadrics(const CloudView& cloud, const DetectorOptions& given,
-                                const FindCandidates& find, const CloudCheck& check,
-                                StageClock& clock) {
+DetectionResult detect_checked(const CloudView& cloud, const DetectorOptions& given,
+                               const FindCandidates& find, const CloudCheck& check,
+                               StageClock& clock) {
   given.check();
   DetectionResult result;
   result.points_finite = check.range.near;
@@ -195,6 +205,7 @@ DetectionResult detect_quadrics(const CloudView& cloud, const DetectorOptions& g
   const DetectorOptions options = settled(given, cloud);
   Findings found = find_anywhere(cloud, check.centre, options, find, clock);
   result.detections = std::move(found.detections);
+  result.boxes = std::move(found.boxes);
   result.points_used = found.points_used;
   const std::string doubt = contradict_viewpoint(cloud, result.detections);
   if (!doubt.empty()) result.warnings.push_back(doubt);
@@ -204,31 +215,15 @@ DetectionResult detect_quadrics(const CloudView& cloud, const DetectorOptions& g
 
 }  // namespace
 
-DetectionResult detect_quadrics(const CloudView& given, const DetectorOptions& options) {
-  StageClock clock;
-  const CloudCheck check = check_cloud(given);
-  DetectionResult result = detect_quadrics(check.range.kept(given), options, {}, check, clock);
-  result.timings = clock.timings();
-  result.total_ms = clock.total_ms();
-  return result;
-}
-
-DetectionResult detect(const CloudView& cloud, const DetectorOptions& options,
-                       const QuadricsReady& ready) {
-  return detect_with({}, cloud, options, ready);
+DetectionResult detect(const CloudView& cloud, const DetectorOptions& options) {
+  return detect_with({}, cloud, options);
 }
 
 DetectionResult detect_with(const FindCandidates& find, const CloudView& given,
-                            const DetectorOptions& options, const QuadricsReady& ready) {
+                            const DetectorOptions& options) {
   StageClock clock;
   const CloudCheck check = check_cloud(given);
-  const CloudView cloud = check.range.kept(given);
-  DetectionResult result = detect_quadrics(cloud, options, find, check, clock);
-  if (ready) ready(result);
-  if (check.usable) {
-    result.boxes = find_boxes(cloud, result.detections);
-    clock.end("boxes");
-  }
+  DetectionResult result = detect_checked(check.range.kept(given), options, find, check, clock);
   result.timings = clock.timings();
   result.total_ms = clock.total_ms();
   return result;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "scene/answer_query.hpp"
 #include "scene/make_scene_parts.hpp"
@@ -17,10 +18,12 @@ double deadline_of(const GraspQuery& query, const PlanOptions& options) {
 
 GraspScene::GraspScene(const PointCloud& cloud, const std::vector<Detection>& detections,
                        const Gripper& gripper, const PlanOptions& options,
-                       const std::vector<PointCloud>& further) {
+                       const std::vector<PointCloud>& further,
+                       std::optional<std::vector<Box>> boxes) {
   gripper.check();
   options.check();
-  parts_ = make_scene_parts(cloud, detections, gripper, options, further, options.deadline_ms);
+  parts_ = make_scene_parts(cloud, detections, gripper, options, further, std::move(boxes),
+                            options.deadline_ms);
 }
 
 GraspScene::GraspScene(GraspScene&&) noexcept = default;
@@ -52,10 +55,12 @@ GraspPlan GraspScene::plan_from_start(const GraspQuery& query) const {
 
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
                       const Gripper& gripper, const PlanOptions& options,
-                      const std::vector<PointCloud>& further, const GraspQuery& query) {
+                      const std::vector<PointCloud>& further, const GraspQuery& query,
+                      std::optional<std::vector<Box>> boxes) {
   PlanOptions timed = options;
   timed.deadline_ms = deadline_of(query, options);
-  return GraspScene(cloud, detections, gripper, timed, further).plan_from_start(query);
+  return GraspScene(cloud, detections, gripper, timed, further, std::move(boxes))
+      .plan_from_start(query);
 }
 
 }  // namespace quadrille

@@ -156,7 +156,6 @@ TEST_CASE("pixels with codes for missing ones change no bit of the findings",
     const DetectionResult result = detect(coded);
     CHECK(numbers(result) == numbers(truth));
     CHECK(result.points_finite == truth.points_finite);
-    CHECK(numbers(detect_quadrics(coded)) == numbers(truth));
     CHECK(result.warnings.size() == (std::isfinite(code) ? 1 : 0));
     CHECK(warns(result, "farther than 1 km") == std::isfinite(code));
     // Likewise for those who call parts of it.

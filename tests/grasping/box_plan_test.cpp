@@ -28,7 +28,7 @@ struct BoxScene {
     found = detect(cloud);
   }
   GraspPlan plan(const PlanOptions& options = {}) const {
-    return plan_grasps(cloud, found.detections, franka_hand(), options);
+    return plan_grasps(cloud, found.detections, franka_hand(), options, {}, {}, found.boxes);
   }
 };
 

@@ -164,7 +164,7 @@ GraspScene scene_of(const Points& points, const DetectionResult& result, const G
   const PointCloud cloud = cloud_of(view);
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps.
-  return {cloud, bus::as_received(result.detections), gripper, options};
+  return {cloud, bus::as_received(result.detections), gripper, options, {}, result.boxes};
 }
 
 void bind_scene(py::module_& module) {

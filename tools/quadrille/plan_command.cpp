@@ -186,7 +186,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
                 const InputCloud& input, Tracking* tracking, PlanOutput* output) {
   io::RunInfo info = setup.info;
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
-  DetectionResult found = detect_quadrics(input.cloud, setup.detector.options);
+  DetectionResult found = detect(input.cloud, setup.detector.options);
   tracking->add_to(input, path, &found.detections);
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps to the last bit.
@@ -194,7 +194,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   const GraspQuery query = moved(arguments.query.query(), input.X_CK.inverse());
   const std::vector<PointCloud> views =
       read_views(arguments.views, input.X_CK.inverse(), &info.warnings);
-  const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, views);
+  const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, views, found.boxes);
   const GraspPlan planned = asked.plan_from_start(query);
   found.boxes = planned.boxes;
   // All detections were obstacles, but only those that were asked for are shown.

@@ -72,10 +72,15 @@ Planned plan_on(const std::string& path, const physics::TrueScene& truth,
                 const TryArguments& arguments, const Job& job) {
   auto [input, warnings] = read_single_cloud(path);
   print_warnings(path, warnings);
-  std::vector<Detection> detections =
-      arguments.exact ? truth.detections
-                      : bus::as_received(detect_quadrics(input.cloud, job.detector).detections);
-  GraspPlan plan = plan_grasps(input.cloud, detections, job.gripper, job.plan);
+  std::vector<Detection> detections = truth.detections;
+  std::optional<std::vector<Box>> boxes;
+  if (!arguments.exact) {
+    DetectionResult found = detect(input.cloud, job.detector);
+    detections = bus::as_received(found.detections);
+    boxes = std::move(found.boxes);
+  }
+  GraspPlan plan =
+      plan_grasps(input.cloud, detections, job.gripper, job.plan, {}, {}, std::move(boxes));
   return {std::move(input), std::move(detections), std::move(plan)};
 }
 
@@ -102,8 +107,8 @@ void report_on(const Planned& planned, bool from_file, std::vector<std::string> 
   const auto still = Eigen::Isometry3d::Identity();
   view::Scene scene = view::scene_of_result(cloud, found, still);
   scene.outcomes = std::move(outcomes);
-  view::add_plan(GraspScene(cloud, found.detections, job.gripper, job.plan), {}, planned.plan,
-                 job.gripper, job.plan.unknown, still, {}, &scene);
+  view::add_plan(GraspScene(cloud, found.detections, job.gripper, job.plan, {}, found.boxes), {},
+                 planned.plan, job.gripper, job.plan.unknown, still, {}, &scene);
   report->add(planned.input, std::move(scene));
 }
 

@@ -10,6 +10,7 @@
 #include "base/quantile.hpp"
 #include "boxes/connected_pieces.hpp"
 #include "cloud/some_points.hpp"
+#include "samples/height_fit.hpp"
 
 namespace quadrille {
 namespace {
@@ -18,6 +19,11 @@ namespace {
 constexpr double kMinTolerance = 0.002;
 // Share of the points that reach() cuts off at either end.
 constexpr double kTrimmed = 0.01;
+// The normal of a face that was not detected as a plane turns across it by no more than this [rad].
+// Worn boxes bulge; the strip of a cylinder that passes for a plane turns by .7 or more.
+constexpr double kMaxTurn = 0.5;
+// A face is fitted at most so often to the points that its last fit explains.
+constexpr int kMaxRefits = 6;
 // This many points suffice for reach().
 constexpr std::size_t kMaxReachPoints = 2000;
 
@@ -39,30 +45,6 @@ FacePatch patch_of(const Detection& plane) {
     patch.X_CP.linear().col(1) *= -1.0;
     patch.X_CP.linear().col(2) *= -1.0;
   }
-  return patch;
-}
-
-/// The least-squares plane of some points, whose normal and axes are turned nearly as those of
-/// another patch.
-FacePatch patch_of(const std::vector<Eigen::Vector3d>& points, const FacePatch& like) {
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  for (const Eigen::Vector3d& p : points) mean += p;
-  mean /= static_cast<double>(points.size());
-  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
-  for (const Eigen::Vector3d& p : points) S += (p - mean) * (p - mean).transpose();
-  Eigen::Vector3d n = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S).eigenvectors().col(0);
-  if (n.dot(like.X_CP.linear().col(2)) < 0.0) n = -n;
-  const Eigen::Vector3d y = n.cross(like.X_CP.linear().col(0)).normalized();
-  FacePatch patch;
-  patch.X_CP.linear() << y.cross(n), y, n;
-  Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& p : points) {
-    box.extend(Eigen::Vector3d(patch.X_CP.linear().transpose() * p));
-  }
-  Eigen::Vector3d middle = box.center();
-  middle.z() = n.dot(mean);
-  patch.X_CP.translation() = patch.X_CP.linear() * middle;
-  patch.half = 0.5 * box.sizes().head<2>();
   return patch;
 }
 
@@ -111,6 +93,29 @@ void set_middle(Face& face) {
 }
 
 }  // namespace
+
+FacePatch patch_around(const std::vector<Eigen::Vector3d>& points,
+                       const Eigen::Vector3d& towards_C) {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& p : points) mean += p;
+  mean /= static_cast<double>(points.size());
+  Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
+  for (const Eigen::Vector3d& p : points) S += (p - mean) * (p - mean).transpose();
+  Eigen::Vector3d n = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S).eigenvectors().col(0);
+  if (n.dot(towards_C) < 0.0) n = -n;
+  FacePatch patch;
+  const Eigen::Vector3d x = n.unitOrthogonal();
+  patch.X_CP.linear() << x, n.cross(x), n;
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& p : points) {
+    box.extend(Eigen::Vector3d(patch.X_CP.linear().transpose() * p));
+  }
+  Eigen::Vector3d middle = box.center();
+  middle.z() = n.dot(mean);
+  patch.X_CP.translation() = patch.X_CP.linear() * middle;
+  patch.half = 0.5 * box.sizes().head<2>();
+  return patch;
+}
 
 Eigen::Vector3d outward_normal(const Detection& plane) {
   const Eigen::Vector3d z_C = plane.X_CQ.linear().col(2);
@@ -207,12 +212,45 @@ std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma
   return pieces;
 }
 
-/// The largest piece of the patch that is fitted to a piece's own points.
-std::optional<Face> refitted(const Piece& piece, const FacePatch& patch,
-                             const DirectionIndex& sight) {
-  std::vector<Piece> pieces = pieces_of(patch_of(piece.measured_C, patch), {}, sight);
-  if (pieces.empty()) return std::nullopt;
-  return std::move(pieces.front().face);
+/// How far the normal turns across a piece of surface [rad], by a quadratic fit to its points:
+/// nearly 0 on a flat face, about 1 on the strip of a cylinder that is thin enough to pass for a
+/// plane.
+double turn_across(const Piece& piece) {
+  const Eigen::Vector3d n = piece.face.n_C, e1 = n.unitOrthogonal(), e2 = n.cross(e1);
+  HeightFit fit;
+  std::vector<Eigen::Vector2d> places;
+  for (const Eigen::Vector3d& p : piece.measured_C) {
+    const Eigen::Vector3d x = p - piece.face.middle_C;
+    places.emplace_back(x.dot(e1), x.dot(e2));
+    fit.add(places.back().x(), places.back().y(), piece.face.height(p));
+  }
+  const HeightFit::Vector6 a = fit.factor().solve(fit.b);
+  Eigen::Matrix2d H;
+  H << 2 * a[3], a[4], a[4], 2 * a[5];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(H);
+  double turn = 0.0;
+  for (int k = 0; k < 2; ++k) {
+    std::vector<double> x;
+    x.reserve(places.size());
+    for (const Eigen::Vector2d& place : places) x.push_back(eigen.eigenvectors().col(k).dot(place));
+    const double low = quantile(x, kTrimmed), width = quantile(x, 1.0 - kTrimmed) - low;
+    turn = std::max(turn, std::abs(eigen.eigenvalues()[k]) * width);
+  }
+  return turn;
+}
+
+/// The largest piece of the patch that is fitted to a piece's own points, again and again as long
+/// as the piece grows.
+std::optional<Piece> refitted(Piece piece, const FacePatch& patch, const DirectionIndex& sight) {
+  const Eigen::Vector3d towards_C = patch.X_CP.linear().col(2);
+  std::optional<Piece> best;
+  for (int round = 0; round < kMaxRefits; ++round) {
+    std::vector<Piece> pieces = pieces_of(patch_around(piece.measured_C, towards_C), {}, sight);
+    if (pieces.empty()) break;
+    if (best && pieces.front().measured_C.size() <= best->measured_C.size()) break;
+    best = piece = std::move(pieces.front());
+  }
+  return best;
 }
 
 }  // namespace
@@ -220,7 +258,9 @@ std::optional<Face> refitted(const Piece& piece, const FacePatch& patch,
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
   const std::vector<Piece> pieces = pieces_of(patch, sigma, sight);
   if (pieces.empty()) return std::nullopt;
-  return refitted(pieces.front(), patch, sight);
+  std::optional<Piece> piece = refitted(pieces.front(), patch, sight);
+  if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
+  return std::move(piece->face);
 }
 
 std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) {
@@ -231,7 +271,7 @@ std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) 
     // If a plane has several pieces, each has a plane of its own, and the common plane is only
     // their mean.
     auto own = pieces.size() > 1 ? refitted(piece, patch, sight) : std::nullopt;
-    faces.push_back(std::move(own ? *own : piece.face));
+    faces.push_back(std::move(own ? own->face : piece.face));
     faces.back().id = plane.id;
     faces.back().score = plane.score;
   }

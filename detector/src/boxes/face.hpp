@@ -79,6 +79,18 @@ struct FacePatch {
 /// @param sigma  noise of the points along the patch's normal [m]
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight);
 
+/// The least-squares plane of some points and the rectangle around them.
+/// @param towards_C  direction to which the normal points
+FacePatch patch_around(const std::vector<Eigen::Vector3d>& points_C,
+                       const Eigen::Vector3d& towards_C);
+
+/// A flat patch of a surface that was not detected as a plane, with the noise of its points along
+/// the normal [m].
+struct FlatPatch {
+  FacePatch patch;
+  double sigma = 0.0;
+};
+
 /// The connected pieces of a plane with their points, the largest first. One plane may hold faces
 /// of several boxes of the same height.
 std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight);

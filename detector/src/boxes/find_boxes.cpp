@@ -1,3 +1,5 @@
+#include "boxes/find_boxes.hpp"
+
 #include <algorithm>
 #include <limits>
 #include <list>
@@ -28,13 +30,18 @@ bool is_sound(const Detection& plane) {
 /// only.
 class BoxMaker {
  public:
-  BoxMaker(const CloudView& cloud, const std::vector<Detection>& detections) : sight_(cloud) {
+  BoxMaker(const CloudView& cloud, const std::vector<Detection>& detections,
+           const std::vector<FlatPatch>& patches)
+      : sight_(cloud) {
     for (const Detection& d : detections) {
       last_id_ = std::max(last_id_, d.id);
       if (d.type != QuadricType::kPlane || !is_sound(d)) continue;
       planes_.push_back(&d);
       if (d.extent_Q.sizes().maxCoeff() > kMaxSide) continue;
       for (Face& face : faces_of(d, sight_)) faces_.push_back(std::move(face));
+    }
+    for (const FlatPatch& flat : patches) {
+      if (auto face = face_at(flat.patch, flat.sigma, sight_)) faces_.push_back(std::move(*face));
     }
   }
 
@@ -98,17 +105,22 @@ class BoxMaker {
 
 }  // namespace
 
+std::vector<Box> find_boxes(const CloudView& cloud, const std::vector<Detection>& detections,
+                            const std::vector<FlatPatch>& patches) {
+  return BoxMaker(cloud, detections, patches).make();
+}
+
 std::vector<Box> find_boxes(const CloudView& given, const std::vector<Detection>& detections) {
   const RangeCheck range = check_range(given);
   const CloudView cloud = range.kept(given);
   const std::vector<Eigen::Vector3d> some = some_of(cloud.points);
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   if (!some.empty()) shift = shift_to_origin(middle_of(some));
-  if (shift.isZero(0.0)) return BoxMaker(cloud, detections).make();
+  if (shift.isZero(0.0)) return find_boxes(cloud, detections, {});
   std::vector<Detection> shifted;
   shifted.reserve(detections.size());
   for (const Detection& d : detections) shifted.push_back(translated(d, shift));
-  std::vector<Box> boxes = BoxMaker(translated(cloud, shift), shifted).make();
+  std::vector<Box> boxes = find_boxes(translated(cloud, shift), shifted, {});
   for (Box& box : boxes) box.X_CB.pretranslate(-shift);
   return boxes;
 }

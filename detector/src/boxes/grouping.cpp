@@ -33,8 +33,8 @@ bool share_edge(const Face& a, const Face& b) { return ends_at(a, b) && ends_at(
 std::vector<std::vector<int>> group_faces(const std::vector<Face>& faces) {
   const int size = static_cast<int>(faces.size());
   const auto together = [&](int i, int k) {
-    return faces[i].id != faces[k].id && are_near(faces[i], faces[k]) &&
-           at_right_angles(faces[i], faces[k]) && share_edge(faces[i], faces[k]);
+    return are_near(faces[i], faces[k]) && at_right_angles(faces[i], faces[k]) &&
+           share_edge(faces[i], faces[k]);
   };
   std::vector<std::vector<int>> twos, threes;
   for (int i = 0; i < size; ++i) {

@@ -21,6 +21,9 @@ constexpr double kCorner = 0.12;
 // several things, to a curved or thin one, or to a step that noise feigns.
 constexpr double kMaxDoubt = 0.1;
 
+// Least share of the points in a box with an undetected face that lie on the faces.
+constexpr double kMinOnFaces = 0.85;
+
 double uniform_std(double width) { return width / std::sqrt(12.0); }
 
 /// True if a face fills its side of the box.
@@ -63,6 +66,28 @@ bool nothing_within(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A) {
          draft.max_strays();
 }
 
+bool all_detected(const BoxDraft& draft) {
+  return std::all_of(draft.faces.begin(), draft.faces.end(),
+                     [](const Face* face) { return face->id != 0; });
+}
+
+/// True if most of the points in the box lie on its faces, and few on edges that are rounded. On a
+/// round body they lie between two faces that only touch it.
+bool on_faces(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A) {
+  const double tolerance = draft.max_tolerance();
+  const Eigen::Vector3d margin = Eigen::Vector3d::Constant(tolerance);
+  const Eigen::AlignedBox3d around_A(box_A.min() - margin, box_A.max() + margin);
+  int in_box = 0, on = 0;
+  for (const Eigen::Vector3d& p_C : draft.around_C) {
+    if (!around_A.contains(draft.R_CA.transpose() * p_C)) continue;
+    ++in_box;
+    on += std::any_of(draft.faces.begin(), draft.faces.end(), [&](const Face* face) {
+      return std::abs(face->height(p_C)) <= face->tolerance();
+    });
+  }
+  return on > kMinOnFaces * in_box;
+}
+
 bool is_solid(const BoxDraft& draft, const BoxEnds& ends) {
   const Eigen::AlignedBox3d box_A = seen_part(ends);
   const Eigen::Vector3d size = box_A.sizes();
@@ -73,7 +98,8 @@ bool is_solid(const BoxDraft& draft, const BoxEnds& ends) {
     const double doubt = std::hypot(ends[axis][0].std, ends[axis][1].std);
     if (doubt > kMaxDoubt * size[axis]) return false;
   }
-  return all_filled(draft, box_A) && (alone || nothing_within(draft, box_A));
+  return all_filled(draft, box_A) && (alone || (nothing_within(draft, box_A) &&
+                                                (all_detected(draft) || on_faces(draft, box_A))));
 }
 
 /// True if the outline of a single face was seen all around and a plane parallel to it lies below:

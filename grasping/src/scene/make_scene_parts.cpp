@@ -42,9 +42,10 @@ class SceneMaker {
     for (const PointCloud& view : further) further_.push_back(&kept(view));
   }
 
-  void make() {
+  void make(std::optional<std::vector<Box>> boxes) {
     drop_surplus();
-    stage("boxes", [&] { parts_.boxes = find_boxes(cloud_, detections_); });
+    stage("boxes",
+          [&] { parts_.boxes = boxes ? std::move(*boxes) : find_boxes(cloud_, detections_); });
     stage("shapes", [&] { make_shapes(); });
     if (cloud_.points.empty()) warn("the cloud is empty");
     const PlanOptions& options = parts_.options;
@@ -255,13 +256,14 @@ class SceneMaker {
 
 std::unique_ptr<const SceneParts> make_scene_parts(
     const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
-    const PlanOptions& options, const std::vector<PointCloud>& further, double deadline_ms) {
+    const PlanOptions& options, const std::vector<PointCloud>& further,
+    std::optional<std::vector<Box>> boxes, double deadline_ms) {
   auto parts = std::make_unique<SceneParts>();
   parts->gripper = gripper;
   parts->options = options;
   parts->viewpoint_C = cloud.viewpoint;
   parts->reach = hand_reach(gripper, options.approach);
-  SceneMaker(cloud, detections, further, deadline_ms, *parts).make();
+  SceneMaker(cloud, detections, further, deadline_ms, *parts).make(std::move(boxes));
   return parts;
 }
 

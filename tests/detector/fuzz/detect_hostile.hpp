@@ -56,14 +56,13 @@ inline DetectionResult detect_hostile(Choices& choices) {
   if (choices.one_in(8)) options = sphere_preset();
   options.seed = seed;
   if (choices.one_in(8)) options.sampling.relative_cell = 0.01;
-  const bool twice = choices.one_in(8), without_boxes = choices.one_in(8);
+  const bool twice = choices.one_in(8);
   const PointCloud cloud = hostile_cloud(choices);
-  DetectionResult result = without_boxes ? detect_quadrics(cloud, options) : detect(cloud, options);
+  DetectionResult result = detect(cloud, options);
   demand_sound(result);
   if (twice) {
     options.threads = 2;
-    demand(same(result, without_boxes ? detect_quadrics(cloud, options) : detect(cloud, options)),
-           "the number of threads changes nothing");
+    demand(same(result, detect(cloud, options)), "the number of threads changes nothing");
   }
   Tracker tracker;
   for (const int utime : {0, 30000}) {

@@ -128,7 +128,7 @@ void check_detector(const std::string& log, bool hostile) {
   expect_equal(status.failed, 0, "detections failed");
   expect_equal(status.published + status.superseded, kClouds, "clouds published or superseded");
   expect_equal(status.missing, 0, "clouds missing");
-  for (const char* stage : {"wait", "detect", "quadrics", "boxes"}) {
+  for (const char* stage : {"wait", "detect", "quadrics"}) {
     check_stage(status.stages, stage, status.published);
   }
   check_stage(status.stages, "decode", kClouds);

@@ -87,10 +87,11 @@ ObjectCounts count_objects(const physics::TrueScene& truth, const Gripper& gripp
 }  // namespace
 
 SceneRecord study_scene(const StudyInput& input, const StudyOptions& options) {
-  const std::vector<Detection> found =
-      bus::as_received(detect_quadrics(input.cloud, options.detector).detections);
-  const GraspPlan plan =
-      moved(plan_grasps(input.cloud, found, options.gripper, options.plan), input.X_CK);
+  DetectionResult result = detect(input.cloud, options.detector);
+  const std::vector<Detection> found = bus::as_received(result.detections);
+  const GraspPlan plan = moved(plan_grasps(input.cloud, found, options.gripper, options.plan, {},
+                                           {}, std::move(result.boxes)),
+                               input.X_CK);
   const std::vector<Detection> detections = moved(found, input.X_CK);
   SceneRecord record;
   record.points = input.cloud.points.size();

@@ -105,26 +105,18 @@ std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
 
 /// Detects and tracks in a cloud and returns the result in the frame of the results. The result is
 /// empty if that needs a pose which is not known.
-/// @param ready  receives the result before boxes are searched for
 DetectionResult DetectorNode::detect_placed(const std::string& channel,
                                             const bus::CloudMessage& cloud, const CameraPose& pose,
-                                            const Placement& placement,
-                                            const QuadricsReady& ready) {
+                                            const Placement& placement) {
   if (!placement.lack.empty()) {
     DetectionResult nothing;
     nothing.warnings = {"the camera's pose is not known: " + placement.lack};
-    ready(nothing);
     return nothing;
   }
   const PointCloud cloud_K = in_camera_frame(cloud.cloud, placement, settings_.frames);
-  std::vector<Detection> placed;
-  DetectionResult result = detect(cloud_K, settings_.detector, [&](DetectionResult found) {
-    if (pose.X_WK) track(channel, cloud, *pose.X_WK, &found.detections);
-    found.detections = moved(std::move(found.detections), placement.X_RK);
-    ready(found);
-    placed = std::move(found.detections);
-  });
-  result.detections = std::move(placed);
+  DetectionResult result = detect(cloud_K, settings_.detector);
+  if (pose.X_WK) track(channel, cloud, *pose.X_WK, &result.detections);
+  result.detections = moved(std::move(result.detections), placement.X_RK);
   result.boxes = moved(std::move(result.boxes), placement.X_RK);
   return result;
 }
@@ -146,15 +138,12 @@ void DetectorNode::detect_and_publish(const std::string& channel, const bus::Clo
   const TimePoint start = std::chrono::steady_clock::now();
   const Placement placement = place(settings_.frames, pose);
   const std::string& frame = placement.frame_of_results(cloud.cloud.frame);
-  double detect_ms = 0.0, latency = 0.0;
-  const DetectionResult result =
-      detect_placed(channel, cloud, pose, placement, [&](const DetectionResult& found) {
-        detect_ms = bus::ms_since(start);
-        publish_quadrics(channel, cloud, frame, found);
-        latency = bus::ms_since(received);
-      });
+  const DetectionResult result = detect_placed(channel, cloud, pose, placement);
+  const double detect_ms = bus::ms_since(start);
+  // The planner plans as soon as it has the quadrics, so what else it needs comes first.
   publish_boxes(channel, cloud, frame, result);
-  const double boxes_ms = bus::ms_since(received) - latency;
+  publish_quadrics(channel, cloud, frame, result);
+  const double latency = bus::ms_since(received);
   if (viewer_ && placement.lack.empty()) show(cloud, placement, result);
   log_debug(fmt::format("cloud {}: {} of {} points, {} quadrics, {} boxes, {:.1f} ms", cloud.utime,
                         result.points_used, cloud.cloud.read, result.detections.size(),
@@ -166,10 +155,8 @@ void DetectorNode::detect_and_publish(const std::string& channel, const bus::Clo
   stages_.add("wait", std::chrono::duration<double, std::milli>(start - received).count());
   stages_.add("detect", detect_ms);
   stages_.add("quadrics", latency);
-  stages_.add("boxes", boxes_ms);
 }
 
-/// Publishes the quadrics before the boxes, because the planner waits for them.
 void DetectorNode::publish_quadrics(const std::string& channel, const bus::CloudMessage& cloud,
                                     const std::string& frame, const DetectionResult& result) {
   quadrics_t message = bus::to_message(cloud, result);

@@ -46,8 +46,7 @@ class DetectorNode : public Node {
   void track(const std::string& channel, const bus::CloudMessage& cloud,
              const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
   DetectionResult detect_placed(const std::string& channel, const bus::CloudMessage& cloud,
-                                const CameraPose& pose, const Placement& placement,
-                                const QuadricsReady& ready);
+                                const CameraPose& pose, const Placement& placement);
   void detect_and_publish(const std::string& channel, const bus::CloudMessage& cloud,
                           const CameraPose& pose, TimePoint received);
   void publish_quadrics(const std::string& channel, const bus::CloudMessage& cloud,
@@ -75,7 +74,7 @@ class DetectorNode : public Node {
   SequenceGaps gaps_;
   Refusals refusals_;
   CloudChannels cloud_channels_;
-  Stages stages_{{"decode", "wait", "detect", "quadrics", "boxes"}};
+  Stages stages_{{"decode", "wait", "detect", "quadrics"}};
   Rate received_rate_, published_rate_;
 };
 

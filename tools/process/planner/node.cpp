@@ -58,6 +58,7 @@ std::optional<Job> PlannerNode::receive(const std::string& channel,
                                         std::span<const std::byte> bytes) {
   if (channel == settings_.cloud_channel) return receive_cloud(channel, bytes);
   if (channel == settings_.quadrics_channel) return receive_quadrics(channel, bytes);
+  if (channel == settings_.boxes_channel) receive_boxes(channel, bytes);
   if (channel == settings_.request_channel) return receive_request(channel, bytes);
   if (channel == settings_.pose_channel) {
     const std::lock_guard lock(mutex_);
@@ -116,6 +117,14 @@ std::optional<Job> PlannerNode::pair_quadrics(const bus::QuadricsMessage& quadri
   return job;
 }
 
+void PlannerNode::receive_boxes(const std::string& channel, std::span<const std::byte> bytes) {
+  auto decoded = bus::decode_boxes(bytes);
+  const std::lock_guard lock(mutex_);
+  counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
+  auto boxes = refused_boxes_.accept(channel, std::move(decoded));
+  if (boxes) boxes_.add(*std::move(boxes));
+}
+
 std::optional<Job> PlannerNode::receive_request(const std::string& channel,
                                                 std::span<const std::byte> bytes) {
   auto decoded = bus::decode_request(bytes);
@@ -131,6 +140,7 @@ std::optional<Job> PlannerNode::receive_request(const std::string& channel,
 
 std::optional<Job> PlannerNode::make_job(std::optional<CloudAndQuadrics> found) {
   if (!found) return std::nullopt;
+  found->boxes = boxes_.take(found->quadrics);
   auto pair = std::make_shared<const CloudAndQuadrics>(std::move(*found));
   recent_.add(pair);
   if (settings_.on_request) return std::nullopt;

@@ -14,6 +14,7 @@
 #include "process/planner/messages.hpp"
 #include "process/planner/pair_planner.hpp"
 #include "process/planner/pairing.hpp"
+#include "process/planner/recent_boxes.hpp"
 #include "process/planner/recent_pairs.hpp"
 #include "process/planner/settings.hpp"
 #include "process/runtime/limited_log.hpp"
@@ -48,6 +49,7 @@ class PlannerNode : public Node {
 
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_quadrics(const std::string& channel, std::span<const std::byte> bytes);
+  void receive_boxes(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_request(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> pair_quadrics(const bus::QuadricsMessage& quadrics);
   std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
@@ -68,12 +70,13 @@ class PlannerNode : public Node {
 
   mutable std::mutex mutex_;
   Pairing pairing_;
+  RecentBoxes boxes_;
   RecentPairs recent_;
   planner_status_t counts_{};
   std::int64_t grasps_ = 0;
   PosedClouds posed_clouds_;
   std::int64_t requests_ = 0, unmet_ = 0;
-  Refusals refused_clouds_, refused_quadrics_, refused_poses_, refused_requests_;
+  Refusals refused_clouds_, refused_quadrics_, refused_boxes_, refused_poses_, refused_requests_;
   LimitedLog unpaired_log_;
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};

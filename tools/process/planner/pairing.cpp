@@ -129,7 +129,7 @@ std::vector<count_t> Pairing::count_unpaired() const {
 
 CloudAndQuadrics Pairing::take_pair(std::size_t cloud, bus::QuadricsMessage quadrics) {
   CloudAndQuadrics pair{clouds_[cloud].cloud, clouds_[cloud].placement, std::move(quadrics),
-                        std::chrono::steady_clock::now()};
+                        std::nullopt, std::chrono::steady_clock::now()};
   for (std::size_t i = 0; i <= cloud; ++i) {
     bytes_ -= memory_of(*clouds_.front().cloud);
     clouds_.pop_front();

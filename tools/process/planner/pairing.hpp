@@ -25,6 +25,8 @@ struct CloudAndQuadrics {
   /// Poses of the cloud and of the results.
   Placement placement;
   bus::QuadricsMessage quadrics;
+  /// The boxes that were found with the quadrics; nullopt if the detector sent none.
+  std::optional<std::vector<Box>> boxes;
   /// Arrival time of the later of the two.
   std::chrono::steady_clock::time_point at;
 };

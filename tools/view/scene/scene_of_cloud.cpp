@@ -11,11 +11,11 @@ namespace quadrille::view {
 
 Scene scene_of_cloud(const PointCloud& cloud, const Eigen::Isometry3d& X_CK,
                      const PlanSetup& setup) {
-  DetectionResult found = detect_quadrics(cloud, setup.detector);
+  DetectionResult found = detect(cloud, setup.detector);
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps.
   found.detections = bus::as_received(found.detections);
-  const GraspScene asked(cloud, found.detections, setup.gripper, setup.plan);
+  const GraspScene asked(cloud, found.detections, setup.gripper, setup.plan, {}, found.boxes);
   GraspPlan plan = asked.plan(setup.query);
   found.boxes = plan.boxes;
   Scene scene = scene_of_result(cloud, found, X_CK);

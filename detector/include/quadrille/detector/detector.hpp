@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "quadrille/detector/detection.hpp"
@@ -10,24 +9,15 @@
 
 namespace quadrille {
 
-/// Receives the result before boxes are sought: complete except for boxes and times.
-using QuadricsReady = std::function<void(const DetectionResult& found)>;
-
 /// Detects the quadrics of one cloud by the method of Birdal et al., CVPR 2018.
 ///
 /// Equal clouds, options and seeds give equal bits for any thread count.
-/// @param ready  called once as soon as the quadrics are known, before boxes are sought; may be
-///   empty
 /// @throws std::invalid_argument if an option is out of range (the message names the field)
-QUADRILLE_EXPORT DetectionResult detect(const CloudView& cloud, const DetectorOptions& options = {},
-                                        const QuadricsReady& ready = {});
+QUADRILLE_EXPORT DetectionResult detect(const CloudView& cloud,
+                                        const DetectorOptions& options = {});
 
-/// Detects without boxes, for callers that seek boxes later in their own selection of the
-/// detections, like the planner.
-QUADRILLE_EXPORT DetectionResult detect_quadrics(const CloudView& cloud,
-                                                 const DetectorOptions& options = {});
-
-/// Makes boxes from the planes among the detections of a cloud.
+/// Makes boxes from the planes among the detections of a cloud. detect() also makes boxes whose
+/// faces are too small to be detected; this is for those who have only the detections.
 ///
 /// Two or three planes are faces of one box if they meet at right angles, within 9°, in a common
 /// convex edge. Faces that were not detected are sought in the cloud. A

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,8 @@ class GraspScene {
   /// the scene says so.
   QUADRILLE_EXPORT GraspScene(const PointCloud& cloud, const std::vector<Detection>& detections,
                               const Gripper& gripper, const PlanOptions& options = {},
-                              const std::vector<PointCloud>& further = {});
+                              const std::vector<PointCloud>& further = {},
+                              std::optional<std::vector<Box>> boxes = {});
   QUADRILLE_EXPORT GraspScene(GraspScene&&) noexcept;
   QUADRILLE_EXPORT GraspScene& operator=(GraspScene&&) noexcept;
   QUADRILLE_EXPORT ~GraspScene();

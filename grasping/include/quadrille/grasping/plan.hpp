@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,11 +51,14 @@ struct GraspPlan {
 /// @param further  more views of the same static scene, in the same frame C, each with its own
 ///                 viewpoint; free and occupied space of all views is merged
 /// @param query  which grasps are wanted; to ask more than once, use GraspScene
+/// @param boxes  the boxes that were found in the cloud together with the detections, see
+///               DetectionResult::boxes; if not given, they are sought among the detected planes
 /// @throws std::invalid_argument if gripper, options or query are out of range
 QUADRILLE_EXPORT GraspPlan plan_grasps(const PointCloud& cloud,
                                        const std::vector<Detection>& detections,
                                        const Gripper& gripper, const PlanOptions& options = {},
                                        const std::vector<PointCloud>& further = {},
-                                       const GraspQuery& query = {});
+                                       const GraspQuery& query = {},
+                                       std::optional<std::vector<Box>> boxes = {});
 
 }  // namespace quadrille

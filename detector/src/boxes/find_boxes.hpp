@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "boxes/face.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/point_cloud.hpp"
+
+namespace quadrille {
+
+/// Makes boxes from the planes among the detections of a cloud near the origin, and from flat
+/// patches of its surfaces that are too small to be detected as planes; see the public
+/// find_boxes().
+std::vector<Box> find_boxes(const CloudView& cloud, const std::vector<Detection>& detections,
+                            const std::vector<FlatPatch>& patches);
+
+}  // namespace quadrille

@@ -1,0 +1,33 @@
+#include "boxes/flat_patches.hpp"
+
+#include "planes/planes.hpp"
+#include "surfaces/surface.hpp"
+
+namespace quadrille {
+namespace {
+
+// Least number of samples of a patch, which are enough for a plane and its noise.
+constexpr int kMinSamples = 12;
+// A patch may bend this much [m], since its samples average over rounded edges. Whether it is flat
+// is judged later by its points.
+constexpr double kMinRadius = 0.05;
+
+}  // namespace
+
+std::vector<FlatPatch> find_flat_patches(const SurfaceSamples& samples, const PlaneOptions& options,
+                                         const Mask& free) {
+  PlaneOptions lax = options;
+  lax.min_samples = kMinSamples;
+  lax.min_radius = kMinRadius;
+  lax.min_proven_radius = 0.0;
+  std::vector<FlatPatch> patches;
+  for (const PlaneRegion& plane : find_planes(samples, lax, free)) {
+    std::vector<Eigen::Vector3d> points_C;
+    for (const int i : plane.samples) points_C.push_back(samples.raw[i].cast<double>());
+    patches.push_back(
+        {patch_around(points_C, plane.plane.head<3>()), mean_sigma(samples, plane.samples)});
+  }
+  return patches;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,31 @@
+#include "process/planner/recent_boxes.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace quadrille {
+namespace {
+
+// As many as clouds are kept while they wait for their quadrics.
+constexpr std::size_t kMaxMessages = 32;
+
+}  // namespace
+
+void RecentBoxes::add(bus::BoxesMessage boxes) {
+  messages_.push_back(std::move(boxes));
+  if (messages_.size() > kMaxMessages) messages_.pop_front();
+}
+
+std::optional<std::vector<Box>> RecentBoxes::take(const bus::QuadricsMessage& quadrics) {
+  const auto found = std::find_if(messages_.begin(), messages_.end(), [&](const auto& boxes) {
+    return boxes.utime == quadrics.utime && boxes.seq == quadrics.seq &&
+           boxes.frame == quadrics.frame;
+  });
+  if (found == messages_.end()) return std::nullopt;
+  std::vector<Box> boxes = std::move(found->boxes);
+  messages_.erase(messages_.begin(), found + 1);
+  return boxes;
+}
+
+}  // namespace quadrille
