@@ -20,9 +20,10 @@ struct Uncertainty {
 /// the variance of their mean noise, and from it, through the derivatives by the family's
 /// parameters, that of q and of the dimensions.
 ///
-/// V has three parts. Independent noise is averaged over all points. Noise waves are averaged over
-/// blocks longer than they are. Larger deviations, such as a bent depth image or a flaw of the
-/// body, are followed by the fit like the surface itself and hardly averaged at all.
+/// Noise that each sample has of its own is averaged over all samples. Noise that neighbours share
+/// is not averaged at all: the waves of depth sensors are as long as the bodies that they show, and
+/// so are other errors, such as a bent depth image or a flaw of the body. Hence V is the variance
+/// of the residuals times 1 / N + c, where c is the correlation of neighbours beyond chance.
 /// @param form  canonical form of the surface's fit, in its local coordinates
 Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples,
                            const CanonicalForm& form);
