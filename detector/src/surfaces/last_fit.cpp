@@ -21,8 +21,8 @@ constexpr float kMinCosine = 0.26f;
 Eigen::Matrix3f onto_surface(const Eigen::Vector3f& n, const Eigen::Vector3f& ray) {
   const Eigen::Matrix3f across = Eigen::Matrix3f::Identity() - ray * ray.transpose();
   const float cosine = n.dot(ray);
-  const float steepest = std::copysign(std::max(std::abs(cosine), kMinCosine), cosine);
-  return across - ray * (n - cosine * ray).transpose() / steepest;
+  const float bounded = std::copysign(std::max(std::abs(cosine), kMinCosine), cosine);
+  return across - ray * (n - cosine * ray).transpose() / bounded;
 }
 
 /// The samples of a surface in its local coordinates, moved by what averaging over cells took off.

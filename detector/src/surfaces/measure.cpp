@@ -131,11 +131,12 @@ bool has_length(QuadricType type) {
   return type == QuadricType::kCylinder || type == QuadricType::kEllipticCylinder;
 }
 
-/// Difference between the lengths along z that two trims leave, each without its own share: how far
-/// a few samples reach beyond the many.
+/// Length along z by which a few samples reach beyond the many: what one trim leaves more than the
+/// deeper one, each without its own share.
 double raggedness(const std::vector<Eigen::Vector3d>& points, double length) {
   const double deep = trimmed_box(points, kDeepTrimmedShare).sizes().z();
-  return std::abs(length / (1.0 - 2.0 * kTrimmedShare) - deep / (1.0 - 2.0 * kDeepTrimmedShare));
+  return std::max(0.0,
+                  length / (1.0 - 2.0 * kTrimmedShare) - deep / (1.0 - 2.0 * kDeepTrimmedShare));
 }
 
 /// The length of a cylinder. It is a guess if something hides an end.
