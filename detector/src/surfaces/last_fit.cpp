@@ -1,6 +1,5 @@
 #include "surfaces/last_fit.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -13,17 +12,9 @@ namespace {
 // Number of steps of the fit, which starts near its end.
 constexpr int kIterations = 4;
 // Least cosine between the normal and the line of sight: 75°, the steepest that neighbouring cells
-// continue each other; see continuous_step().
+// continue each other; see continuous_step(). Steeper cells lie at the outline, where they are
+// partly filled and mixed with what lies behind.
 constexpr float kMinCosine = 0.26f;
-
-/// The map of a point's offset from its cell's mean to the surface with normal n, along the line of
-/// sight.
-Eigen::Matrix3f onto_surface(const Eigen::Vector3f& n, const Eigen::Vector3f& ray) {
-  const Eigen::Matrix3f across = Eigen::Matrix3f::Identity() - ray * ray.transpose();
-  const float cosine = n.dot(ray);
-  const float bounded = std::copysign(std::max(std::abs(cosine), kMinCosine), cosine);
-  return across - ray * (n - cosine * ray).transpose() / bounded;
-}
 
 /// The samples of a surface in its local coordinates, moved by what averaging over cells took off.
 OrientedPointsf points_on(const Surface& surface, const SurfaceSamples& samples,
@@ -33,18 +24,24 @@ OrientedPointsf points_on(const Surface& surface, const SurfaceSamples& samples,
   const Eigen::Matrix4f Q = surface.fit.posed.matrix().cast<float>();
   const Eigen::Vector3f eye = sight.X_VC.inverse().translation();
   const float square = static_cast<float>(surface.local.scale * surface.local.scale);
+  Eigen::Index kept = 0;
   for (int k = 0; k < size; ++k) {
     const int i = surface.region[k];
-    const Eigen::Vector3f h = (Q * points.points.col(k).homogeneous()).head<3>();
+    const Eigen::Vector3f x = points.points.col(k);
+    const Eigen::Vector3f h = (Q * x.homogeneous()).head<3>();
     const float slope = h.norm();
-    if (!(slope > 0.0f)) continue;
     const Eigen::Vector3f n = h / slope;
-    const Eigen::Matrix3f T =
-        onto_surface(n, sight.w.empty() ? n : (samples.raw[i] - eye).normalized());
+    const Eigen::Vector3f ray = sight.w.empty() ? n : (samples.raw[i] - eye).normalized();
+    const float cosine = n.dot(ray);
+    if (!(std::abs(cosine) >= kMinCosine)) continue;
+    // The map of a point's offset from its cell's mean to the surface, along the line of sight.
+    const Eigen::Matrix3f T = Eigen::Matrix3f::Identity() - ray * n.transpose() / cosine;
     const Eigen::Matrix3f S = T * scatter[samples.source[i]] * T.transpose() / square;
-    points.points.col(k) += Q.topLeftCorner<3, 3>().cwiseProduct(S).sum() / (2.0f * slope) * n;
+    const float off = Q.topLeftCorner<3, 3>().cwiseProduct(S).sum() / (2.0f * slope);
+    points.points.col(kept) = x + off * n;
+    points.normals.col(kept++) = points.normals.col(k).eval();
   }
-  return points;
+  return points.first(kept);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 namespace quadrille {
 
-/// Refits a curved surface to all its samples, each moved to where the surface runs through its
-/// cell.
+/// Refits a curved surface to all its samples but those at its outline, each moved to where the
+/// surface runs through its cell.
 ///
 /// The mean m of the points in a cell lies on the hollow side of the surface. If S is the
 /// covariance of the points along the surface, the mean of f = xᵀQx over them is f(m) + tr(Q₃ S),

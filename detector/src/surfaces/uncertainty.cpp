@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "fit/family_spec.hpp"
+#include "surfaces/evidence/effective_share.hpp"
 
 namespace quadrille {
 namespace {
@@ -42,20 +43,18 @@ Information information_of(const Surface& surface, const SurfaceSamples& samples
   return {fit.family, fit.information, static_cast<double>(fit.points)};
 }
 
-/// Share of the noise's variance that neighbouring samples have in common, 0 to 1: the part of
-/// their residuals' correlation that exceeds chance. Among N samples there are about 4 N pairs of
-/// neighbours, whose correlation varies by 1 / √(4 N) if there is none; twice that counts as
-/// chance.
-double shared_noise(const Surface& surface) {
-  const double chance = 1.0 / std::sqrt(static_cast<double>(surface.region.size()));
-  return std::max(0.0, surface.evidence.correlation - chance);
-}
-
 /// Variance of the mean of the noise [squared unit of the fit].
 double variance_of_mean(const Surface& surface) {
   const double n = surface.fit.points;
   const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
-  return surface.fit.rss / n * (1.0 / free + shared_noise(surface));
+  const double variance = surface.fit.rss / n;
+  const double correlation = surface.evidence.correlation;
+  const double averaged = variance / (free * effective_share(correlation));
+  // The correlation of N samples with about 4 N pairs of neighbours varies by 1 / √(4 N) if there
+  // is none; twice that counts as chance.
+  if (correlation < 1.0 / std::sqrt(static_cast<double>(surface.region.size()))) return averaged;
+  const double noise = std::pow(surface.evidence.sigma / surface.local.scale, 2);
+  return averaged + std::max(0.0, variance - noise);
 }
 
 /// Derivative of a function of the fit by the family's parameters, by finite differences.

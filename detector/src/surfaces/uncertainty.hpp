@@ -20,10 +20,10 @@ struct Uncertainty {
 /// the variance of their mean noise, and from it, through the derivatives by the family's
 /// parameters, that of q and of the dimensions.
 ///
-/// Noise that each sample has of its own is averaged over all samples. Noise that neighbours share
-/// is not averaged at all: the waves of depth sensors are as long as the bodies that they show, and
-/// so are other errors, such as a bent depth image or a flaw of the body. Hence V is the variance
-/// of the residuals times 1 / N + c, where c is the correlation of neighbours beyond chance.
+/// V has two parts. Noise is averaged over the samples, over fewer where neighbours share it; see
+/// effective_share(). What the residuals exceed the measured noise by is not averaged at all: waves
+/// longer than the patches in which noise is measured, a bent depth image or a flaw of the body are
+/// followed by the fit like the surface itself.
 /// @param form  canonical form of the surface's fit, in its local coordinates
 Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples,
                            const CanonicalForm& form);
