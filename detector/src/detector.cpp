@@ -16,8 +16,10 @@
 #include "planes/plane_claims.hpp"
 #include "planes/planes.hpp"
 #include "quadrille/detector/cloud_checks.hpp"
+#include "samples/cell_scatter.hpp"
 #include "samples/sample_tree.hpp"
 #include "surfaces/find_surfaces.hpp"
+#include "surfaces/last_fit.hpp"
 #include "surfaces/measure.hpp"
 #include "surfaces/plane_surface.hpp"
 #include "surfaces/point_rms.hpp"
@@ -56,14 +58,21 @@ struct Measured {
   std::vector<int> owner;
 };
 
-void measure_surfaces(const Aggregation& aggregation, const FlatParts& flat,
-                      const SurfaceSamples& finest, const SceneContext& context,
-                      const Eigen::Vector3d& viewpoint, Measured* measured) {
+void measure_surfaces(const CloudView& cloud, const CellPyramid& pyramid,
+                      const Aggregation& aggregation, const FlatParts& flat,
+                      const SurfaceSamples& finest, const Sight& sight, Measured* measured) {
+  std::vector<Surface> surfaces;
   for (const Surface& surface : aggregation.surfaces()) {
     if (is_flat(surface) && is_part_of(surface, finest, flat.planes, flat.coarse)) continue;
-    const int index = static_cast<int>(measured->detections.size());
-    for (const int i : surface.region) measured->owner[finest.source[i]] = index;
-    measured->detections.push_back(measure(surface, finest, viewpoint, context.sight));
+    for (const int i : surface.region) {
+      measured->owner[finest.source[i]] = static_cast<int>(surfaces.size());
+    }
+    surfaces.push_back(surface);
+  }
+  const std::vector<Eigen::Matrix3f> scatter = scatter_in_cells(cloud, pyramid, measured->owner);
+  for (Surface& surface : surfaces) {
+    surface = last_fit(std::move(surface), finest, scatter, sight);
+    measured->detections.push_back(measure(surface, finest, cloud.viewpoint, sight));
   }
 }
 
@@ -143,7 +152,7 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options,
   const SceneContext context = {normal_of_largest(flat.planes), pyramid->sight()};
   const Aggregation aggregation = find_surfaces(tree, context, options, clock, {}, find);
   Measured measured{{}, std::vector<int>(flat.plane_of_cell.size(), -1)};
-  measure_surfaces(aggregation, flat, tree.finest(), context, cloud.viewpoint, &measured);
+  measure_surfaces(cloud, *pyramid, aggregation, flat, tree.finest(), context.sight, &measured);
   if (lets_pass(options.only, QuadricType::kPlane)) {
     measure_planes(flat, context, options.aggregate.min_plane_confidence, cloud.viewpoint,
                    &measured);

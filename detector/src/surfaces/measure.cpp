@@ -16,13 +16,16 @@
 namespace quadrille {
 namespace {
 
-// Share of the samples cut off at each end of the extent, so that stray samples do not stretch it.
-constexpr double kTrimmedShare = 0.004;
+// Share of the samples cut off at each end of the extent, so that stray samples do not stretch it;
+// and a larger one, at which the extent is the same but for the share itself if the ends are sharp.
+constexpr double kTrimmedShare = 0.004, kDeepTrimmedShare = 0.02;
 // Number of bins around the axis and along it; a bin that holds a sample counts as seen.
 constexpr int kBinsAround = 24, kBinsAlong = 8;
-// The last cells at an edge are mixed with what lies behind, or lost. kLostCells is how much longer
-// a cylinder is than its samples show, kEdgeCells the standard deviation of that [cells].
-constexpr double kLostCells = 1.5, kEdgeCells = 1.5;
+// A cylinder is longer than its samples show. Each end is half a cell beyond the middle of its last
+// cell, and samples within two deviations of the noise from the plane that closes it, such as a cap
+// or the table, count as that plane's. Standard deviation of the sum, as a share of it, in scenes
+// with exact truth.
+constexpr double kLostCells = 1.0, kLostSigmas = 4.0, kLostStd = 0.5;
 // Standard deviation of a side of a plane's patch [cells].
 constexpr double kPatchEdgeCells = 3.0;
 // Factor on the score if a dimension is a guess, since the surface is then only partly right.
@@ -38,10 +41,11 @@ std::vector<Eigen::Vector3d> canonical_points(const Surface& surface, const Surf
   return points;
 }
 
-Eigen::AlignedBox3d trimmed_box(const std::vector<Eigen::Vector3d>& points) {
+Eigen::AlignedBox3d trimmed_box(const std::vector<Eigen::Vector3d>& points,
+                                double share = kTrimmedShare) {
   Eigen::Vector3d low, high;
   std::vector<double> x(points.size());
-  const auto trim = static_cast<std::size_t>(kTrimmedShare * static_cast<double>(points.size()));
+  const auto trim = static_cast<std::size_t>(share * static_cast<double>(points.size()));
   for (int axis = 0; axis < 3; ++axis) {
     for (std::size_t k = 0; k < points.size(); ++k) x[k] = points[k][axis];
     low[axis] = nth_smallest(x, trim);
@@ -127,12 +131,28 @@ bool has_length(QuadricType type) {
   return type == QuadricType::kCylinder || type == QuadricType::kEllipticCylinder;
 }
 
+/// Length along z by which a few samples reach beyond the many: what one trim leaves more than the
+/// deeper one, each without its own share.
+double raggedness(const std::vector<Eigen::Vector3d>& points, double length) {
+  const double deep = trimmed_box(points, kDeepTrimmedShare).sizes().z();
+  return std::max(0.0,
+                  length / (1.0 - 2.0 * kTrimmedShare) - deep / (1.0 - 2.0 * kDeepTrimmedShare));
+}
+
 /// The length of a cylinder. It is a guess if something hides an end.
+///
+/// Sensors that correlate neighbouring cells by matching windows or filters blur edges over as
+/// many: a cell and its neighbours on both sides by the share of the correlation.
 Dimension length_of(const Detection& d, const Surface& surface, const SurfaceSamples& samples,
-                    double cell, const Sight& sight) {
+                    const std::vector<Eigen::Vector3d>& points, const Sight& sight) {
+  const Evidence& e = surface.evidence;
+  const double seen = d.extent_Q.sizes().z();
+  const double lost = kLostCells * e.cell + kLostSigmas * e.sigma;
+  const double blur = 1.0 + 2.0 * std::max(0.0, e.correlation);
   const bool open = hides_an_end(sight, samples, surface.region, d.X_CQ, d.extent_Q);
-  return {"length", d.extent_Q.sizes().z() + kLostCells * cell,
-          open ? std::numeric_limits<double>::infinity() : kEdgeCells * cell};
+  return {"length", seen + lost,
+          open ? std::numeric_limits<double>::infinity()
+               : std::hypot(kLostStd * lost * blur, raggedness(points, seen))};
 }
 
 }  // namespace
@@ -172,7 +192,7 @@ Detection measure(const Surface& surface, const SurfaceSamples& samples, const E
   if (guessed) d.score *= kGuessFactor;
   d.covariance = std::move(uncertainty.covariance);
   if (has_length(d.type)) {
-    d.dimensions.push_back(length_of(d, surface, samples, cell, sight));
+    d.dimensions.push_back(length_of(d, surface, samples, points, sight));
   } else if (d.type == QuadricType::kPlane) {
     const Eigen::Vector3d size = d.extent_Q.sizes();
     const double edge = kPatchEdgeCells * cell;

@@ -3,28 +3,16 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 #include <vector>
 
 #include "fit/family_spec.hpp"
+#include "surfaces/evidence/effective_share.hpp"
 
 namespace quadrille {
 namespace {
 
-// Edge of the blocks over which noise waves are averaged, in the unit of the fit. This constant and
-// the next three were fitted to the errors of 2,000 dimensions in scenes with exact truth:
-// generated ones, and simulated stereo, structured light and time of flight.
-constexpr double kBlock = 0.6;
-// Standard deviation of the mean of noise that neighbours share, in rms residuals: for residuals no
-// larger than the measured noise, and for larger ones, which are a shape of their own that the fit
-// follows.
-constexpr double kSharedShare = 0.105, kFlawShare = 0.467;
-// Rate at which noise counts as shared, as a function of the correlation of neighbouring residuals
-// in excess of that by chance.
-constexpr double kCorrelationRate = 80.0, kChanceCorrelation = 0.033;
 // Prior standard deviation, as a share, of the differences between an ellipsoid's semi-axes and
 // those of the simplest form that explains the samples, which is published.
 constexpr double kRoundnessStd = 0.12;
@@ -55,43 +43,18 @@ Information information_of(const Surface& surface, const SurfaceSamples& samples
   return {fit.family, fit.information, static_cast<double>(fit.points)};
 }
 
-/// Variance of the mean residual from the means of blocks, which are independent for noise waves
-/// shorter than a block [squared unit of the fit].
-double variance_by_blocks(const Surface& surface, const SurfaceSamples& samples) {
-  const Eigen::Matrix4d Q = surface.fit.posed.matrix();
-  std::vector<std::pair<std::array<int, 3>, double>> residuals;
-  residuals.reserve(surface.region.size());
-  for (const int i : surface.region) {
-    const Eigen::Vector3d x =
-        (samples.raw[i].cast<double>() - surface.local.centre) / surface.local.scale;
-    const Eigen::Vector4d g = Q * x.homogeneous();
-    const double distance = x.homogeneous().dot(g) / (2.0 * g.head<3>().norm());
-    const Eigen::Vector3i block = (x / kBlock).array().floor().cast<int>();
-    residuals.push_back({{block.x(), block.y(), block.z()}, distance});
-  }
-  std::sort(residuals.begin(), residuals.end());
-  double square = 0.0, sum = 0.0;
-  for (std::size_t k = 0; k < residuals.size(); ++k) {
-    sum += residuals[k].second;
-    const bool last = k + 1 == residuals.size() || residuals[k + 1].first != residuals[k].first;
-    if (last) square += sum * sum, sum = 0.0;
-  }
-  const double n = static_cast<double>(residuals.size());
-  return square / (n * n);
-}
-
-/// Degree to which neighbours share the noise, 0 to 1.
-double shared_noise(const Evidence& evidence) {
-  return -std::expm1(-kCorrelationRate * std::max(0.0, evidence.correlation - kChanceCorrelation));
-}
-
 /// Variance of the mean of the noise [squared unit of the fit].
-double variance_of_mean(const Surface& surface, const SurfaceSamples& samples) {
+double variance_of_mean(const Surface& surface) {
   const double n = surface.fit.points;
   const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
-  const double share = surface.evidence.residual > 1.0 ? kFlawShare : kSharedShare;
-  const double shared = shared_noise(surface.evidence) * share * share;
-  return surface.fit.rss / n * (1.0 / free + shared) + variance_by_blocks(surface, samples);
+  const double variance = surface.fit.rss / n;
+  const double correlation = surface.evidence.correlation;
+  const double averaged = variance / (free * effective_share(correlation));
+  // The correlation of N samples with about 4 N pairs of neighbours varies by 1 / √(4 N) if there
+  // is none; twice that counts as chance.
+  if (correlation < 1.0 / std::sqrt(static_cast<double>(surface.region.size()))) return averaged;
+  const double noise = std::pow(surface.evidence.sigma / surface.local.scale, 2);
+  return averaged + std::max(0.0, variance - noise);
 }
 
 /// Derivative of a function of the fit by the family's parameters, by finite differences.
@@ -145,7 +108,7 @@ Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples
   // Smaller eigenvalues consist of rounding errors only.
   const double min_known =
       std::numeric_limits<double>::epsilon() * eigen.eigenvalues().tail<1>()[0];
-  const double variance = variance_of_mean(surface, samples) * information.points;
+  const double variance = variance_of_mean(surface) * information.points;
   const Eigen::VectorXd variances =
       eigen.eigenvalues().unaryExpr([&](double l) { return l > min_known ? variance / l : 0.0; });
   const Eigen::MatrixXd& V = eigen.eigenvectors();

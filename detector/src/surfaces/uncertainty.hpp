@@ -20,9 +20,10 @@ struct Uncertainty {
 /// the variance of their mean noise, and from it, through the derivatives by the family's
 /// parameters, that of q and of the dimensions.
 ///
-/// V has three parts. Independent noise is averaged over all points. Noise waves are averaged over
-/// blocks longer than they are. Larger deviations, such as a bent depth image or a flaw of the
-/// body, are followed by the fit like the surface itself and hardly averaged at all.
+/// V has two parts. Noise is averaged over the samples, over fewer where neighbours share it; see
+/// effective_share(). What the residuals exceed the measured noise by is not averaged at all: waves
+/// longer than the patches in which noise is measured, a bent depth image or a flaw of the body are
+/// followed by the fit like the surface itself.
 /// @param form  canonical form of the surface's fit, in its local coordinates
 Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples,
                            const CanonicalForm& form);

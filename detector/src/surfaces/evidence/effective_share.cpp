@@ -16,6 +16,12 @@ constexpr double kMaxCorrelation = 0.98;
 
 }  // namespace
 
+double effective_share(double correlation) {
+  const double rho = std::clamp(correlation, 0.0, kMaxCorrelation);
+  const double ratio = (1 - rho) / (1 + rho);
+  return ratio * ratio;
+}
+
 double effective_share(const SurfaceSamples& samples, std::span<const int> region,
                        const Quadric& quadric) {
   const Eigen::Matrix4f Q = quadric.normalized().matrix().cast<float>();
@@ -30,9 +36,7 @@ double effective_share(const SurfaceSamples& samples, std::span<const int> regio
   const NeighbourSums sums = sum_neighbours(samples, region, inside, residual);
   if (sums.pairs == 0 || !(square > 0)) return 1.0;
   const double variance = square / static_cast<double>(region.size());
-  const double rho = std::clamp(sums.product / (sums.pairs * variance), 0.0, kMaxCorrelation);
-  const double ratio = (1 - rho) / (1 + rho);
-  return ratio * ratio;
+  return effective_share(sums.product / (sums.pairs * variance));
 }
 
 }  // namespace quadrille

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "samples/sight.hpp"
+#include "surfaces/surface.hpp"
+
+namespace quadrille {
+
+/// Refits a curved surface to all its samples but those at its outline, each moved to where the
+/// surface runs through its cell.
+///
+/// The mean m of the points in a cell lies on the hollow side of the surface. If S is the
+/// covariance of the points along the surface, the mean of f = xᵀQx over them is f(m) + tr(Q₃ S),
+/// with Q₃ the quadratic part of Q. It is zero if the points lie on the surface, so that m is tr(Q₃
+/// S) / |∇f| off.
+/// @param scatter  covariance of the points in each finest cell [m²]; see scatter_in_cells()
+/// @param sight    view whose depth noise does not count as scatter; without cells, the noise is
+///   taken to lie along the normals
+/// @return the surface unchanged if it is a plane or if the refit is of another type
+Surface last_fit(Surface surface, const SurfaceSamples& samples,
+                 const std::vector<Eigen::Matrix3f>& scatter, const Sight& sight);
+
+}  // namespace quadrille
