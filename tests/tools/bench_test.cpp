@@ -92,6 +92,24 @@ TEST_CASE("the benchmark tells at which stage surfaces are lost, and writes no f
   }
 }
 
+TEST_CASE("the benchmark tells how many surfaces all runs on a cloud find", "[command][bench]") {
+  const test::TempFolder folder;
+  const std::string cloud = folder.path("a.ply");
+  REQUIRE(run_quadrille("scene --family easy --seed 1000 " + cloud).code == 0);
+  const Run run = run_quadrille("bench --stability " + cloud + " " + cloud);
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  CHECK(contains(run.out, "| cloud | varied | in all / in any | share | of one type |"));
+  CHECK(contains(run.out, "a.ply | seed |"));
+  CHECK(contains(run.out, "a.ply | shift |"));
+  CHECK(contains(run.out, "| total | shift |"));
+  const Run without = run_quadrille("bench --stability");
+  CHECK(without.code == 2);
+  CHECK(contains(without.err, "requires"));
+  CHECK(run_quadrille("bench --stability --stages " + cloud).code == 2);
+  test::check_failure(run_quadrille("bench --stability " + folder.path("b.ply")), "b.ply");
+}
+
 TEST_CASE("what the benchmark cannot use ends with one line", "[command][bench][hostile]") {
   const test::TempFolder folder;
   const std::string cloud = folder.path("a.ply");

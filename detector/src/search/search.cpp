@@ -33,7 +33,7 @@ std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float ra
 class Searcher {
  public:
   Searcher(const SurfaceSamples& samples, Mask open, const SearchOptions& options,
-           const InlierTest& inlier, std::uint64_t seed, Propose propose)
+           const InlierTest& inlier, std::uint64_t seed, Propose propose, int covers)
       : samples_(samples),
         options_(options),
         inlier_(inlier),
@@ -41,6 +41,7 @@ class Searcher {
         propose_(std::move(propose)),
         free_(open),
         open_(std::move(open)),
+        missing_(static_cast<std::size_t>(samples.size()), covers),
         stamp_(static_cast<std::size_t>(samples.size()), 0) {}
 
   std::vector<Candidate> run() {
@@ -58,7 +59,9 @@ class Searcher {
       }
       open_[seed] = 0;
       for (Candidate& candidate : grown) {
-        for (const int i : candidate.region) open_[i] = 0;
+        for (const int i : candidate.region) {
+          if (--missing_[i] <= 0) open_[i] = 0;
+        }
         candidates.push_back(std::move(candidate));
       }
     }
@@ -124,8 +127,10 @@ class Searcher {
   const Propose propose_;
   /// Samples that may support a candidate.
   Mask free_;
-  /// Samples that no candidate explains yet and on which no attempt has failed.
+  /// Samples that too few candidates explain yet and on which no attempt has failed.
   Mask open_;
+  /// Per sample, the number of candidates that must still explain it.
+  std::vector<int> missing_;
   std::vector<int> stamp_;
   int mark_ = 0;
 };
@@ -134,13 +139,13 @@ class Searcher {
 
 std::vector<Candidate> search(const SurfaceSamples& samples, Mask open,
                               const SearchOptions& options, const InlierTest& inlier,
-                              std::uint64_t seed, Propose given) {
+                              std::uint64_t seed, Propose given, int covers) {
   if (!given) {
     given = [&options](const Voters& voters, RandomStream& random) {
       return propose(voters, options.basis, options.bases, random);
     };
   }
-  return Searcher(samples, std::move(open), options, inlier, seed, std::move(given)).run();
+  return Searcher(samples, std::move(open), options, inlier, seed, std::move(given), covers).run();
 }
 
 }  // namespace quadrille

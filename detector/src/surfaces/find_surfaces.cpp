@@ -9,6 +9,12 @@
 namespace quadrille {
 namespace {
 
+// Number of candidates that explain a sample of the coarsest level before it is no longer a seed.
+// Chance decides whether a candidate becomes a good surface. The coarsest level has the fewest
+// samples, so several candidates cost little there, and those that are refused are offered again on
+// the finer levels.
+constexpr int kCoarsestCovers = 3;
+
 /// Marks the samples of a level of which accepted surfaces hold less than half.
 Mask open_samples(const SampleTree& tree, int level, const Mask& free) {
   Mask open(static_cast<std::size_t>(tree.level(level).size()));
@@ -41,7 +47,8 @@ std::vector<Candidate> find_candidates(const SampleTree& tree, int level, Mask o
                                        const DetectorOptions& options, Propose propose) {
   std::vector<Candidate> candidates =
       search(tree.level(level), std::move(open), options.search, options.inlier,
-             options.seed + static_cast<std::uint64_t>(level), std::move(propose));
+             options.seed + static_cast<std::uint64_t>(level), std::move(propose),
+             level == kLevels - 1 ? kCoarsestCovers : 1);
   for (Candidate& c : candidates) c = on_finest(std::move(c), tree, level, options.inlier);
   return candidates;
 }

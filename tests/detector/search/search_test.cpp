@@ -1,5 +1,6 @@
 #include "search/search.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -57,6 +58,20 @@ TEST_CASE("a seed decides all, and nothing else does", "[search][determinism]") 
     CHECK(once[k].Q.matrix() == again[k].Q.matrix());
     CHECK(once[k].region == again[k].region);
   }
+}
+
+TEST_CASE("several candidates explain a sample if that is asked", "[search]") {
+  const SurfaceSamples samples = cylinder_grid(24, 40, 0.04, 0.004, 0.0005, 3);
+  const std::vector<char> open(static_cast<std::size_t>(samples.size()), 1);
+  const auto once = search(samples, open, {}, {}, 1);
+  const auto thrice = search(samples, open, {}, {}, 1, {}, 3);
+  CHECK(thrice.size() > once.size());
+  std::vector<int> covers(open.size(), 0);
+  for (const Candidate& candidate : thrice) {
+    for (const int i : candidate.region) ++covers[static_cast<std::size_t>(i)];
+  }
+  const auto covered = std::count_if(covers.begin(), covers.end(), [](int n) { return n >= 3; });
+  CHECK(static_cast<double>(covered) > 0.9 * samples.size());
 }
 
 TEST_CASE("without open samples or surfaces there are no candidates", "[search][degenerate]") {

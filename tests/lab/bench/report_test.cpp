@@ -53,6 +53,20 @@ TEST_CASE("the table of stages has its counts in the order of the stages", "[ben
         std::string::npos);
 }
 
+TEST_CASE("the table of stability has a row for seeds and shifts of each cloud, and the total",
+          "[bench][report]") {
+  Stability cloud;
+  cloud.cloud = "a.ply";
+  cloud.seeds.in_any = 4, cloud.seeds.in_all = 3, cloud.seeds.same_type = 2;
+  cloud.seeds.sure_in_any = 2, cloud.seeds.sure_in_all = 1;
+  const std::string one = to_markdown(to_table(std::vector{cloud}));
+  CHECK(one.find("| a.ply | seed | 3 / 4 | 0.75 | 0.67 | 1 / 2 | 0.50 |") != std::string::npos);
+  CHECK(one.find("| a.ply | shift | 0 / 0 | - | - | 0 / 0 | - |") != std::string::npos);
+  CHECK(one.find("total") == std::string::npos);
+  const std::string two = to_markdown(to_table(std::vector{cloud, cloud}));
+  CHECK(two.find("| total | seed | 6 / 8 | 0.75 | 0.67 | 2 / 4 | 0.50 |") != std::string::npos);
+}
+
 TEST_CASE("who also finds what is not counted has no precision", "[bench][report]") {
   const auto json = to_json({row_of("all", "sphere", true)})[0];
   CHECK(json["precision"].is_null());

@@ -22,6 +22,21 @@ std::string percent(double share) {
 
 std::string counted_name(const Row& row) { return row.counted.empty() ? "all" : row.counted; }
 
+/// The share in two digits; a dash of nothing.
+std::string share_of(int part, int whole) {
+  return whole > 0 ? fmt::format("{:.2f}", static_cast<double>(part) / whole) : "-";
+}
+
+void add_rows(const Stability& cloud, Table* table) {
+  for (const auto& [varied, counts] :
+       {std::pair{"seed", cloud.seeds}, std::pair{"shift", cloud.shifts}}) {
+    table->add({cloud.cloud, varied, fmt::format("{} / {}", counts.in_all, counts.in_any),
+                share_of(counts.in_all, counts.in_any), share_of(counts.same_type, counts.in_all),
+                fmt::format("{} / {}", counts.sure_in_all, counts.sure_in_any),
+                share_of(counts.sure_in_all, counts.sure_in_any)});
+  }
+}
+
 ordered_json number(double value) {
   if (!std::isfinite(value)) return nullptr;
   return value;
@@ -61,6 +76,21 @@ Table to_table(const std::vector<StageCounts>& families) {
     }
     table.add(std::move(row));
   }
+  return table;
+}
+
+Table to_table(const std::vector<Stability>& clouds) {
+  Table table{"",
+              {"cloud", "varied", "in all / in any", "share", "of one type", "sure in all / in any",
+               "share of sure"},
+              {}};
+  Stability total{"total", {}, {}};
+  for (const Stability& cloud : clouds) {
+    add_rows(cloud, &table);
+    total.seeds += cloud.seeds;
+    total.shifts += cloud.shifts;
+  }
+  if (clouds.size() > 1) add_rows(total, &table);
   return table;
 }
 

@@ -17,6 +17,7 @@
 #include "cli/seed_option.hpp"
 #include "lab/bench/bench.hpp"
 #include "lab/bench/report.hpp"
+#include "lab/bench/stability.hpp"
 #include "lab/bench/stages.hpp"
 #include "lab/commands/output_folder.hpp"
 
@@ -28,7 +29,7 @@ namespace fs = std::filesystem;
 struct BenchArguments {
   std::vector<std::string> families = {"easy", "medium", "hard"}, contenders;
   std::string out = ".";
-  bool list = false, stages = false;
+  bool list = false, stages = false, stability = false;
   bench::FrameOptions frames;
 };
 
@@ -87,6 +88,15 @@ void print_stages(const bench::FrameOptions& frames) {
   print(to_markdown(bench::to_table(families)));
 }
 
+void print_stability(const std::vector<std::string>& clouds) {
+  std::vector<bench::Stability> list;
+  {
+    ProgressLine line;
+    list = bench::measure_stability(clouds, {}, [&](double share) { line.show(share); });
+  }
+  print(to_markdown(bench::to_table(list)));
+}
+
 void compare(BenchArguments arguments) {
   const std::vector<bench::Contender> contenders = chosen(arguments.contenders);
   for (const bench::Contender& contender : contenders) {
@@ -115,6 +125,7 @@ void run(BenchArguments arguments) {
   for (const std::string& name : arguments.families) {
     arguments.frames.families.push_back(families().at(name));
   }
+  if (arguments.stability) return print_stability(arguments.frames.clouds);
   if (arguments.stages) return print_stages(arguments.frames);
   compare(std::move(arguments));
 }
@@ -158,12 +169,22 @@ void add_bench_command(CLI::App& app) {
   CLI::Option* const out =
       command->add_option("--out", arguments->out, "Folder for bench.md, .csv, .json and .svg")
           ->type_name("FOLDER");
+  CLI::Option* const stages =
+      command
+          ->add_flag("--stages", arguments->stages,
+                     "Only print at which stage the detector loses surfaces")
+          ->excludes(contenders)
+          ->excludes(list)
+          ->excludes(out);
   command
-      ->add_flag("--stages", arguments->stages,
-                 "Only print at which stage the detector loses surfaces")
+      ->add_flag("--stability", arguments->stability,
+                 "Only print which curved surfaces of each CLOUD, which needs no truth, the "
+                 "detector finds with each of 8 seeds and of 8 shifts by pixels")
+      ->needs(clouds)
       ->excludes(contenders)
       ->excludes(list)
-      ->excludes(out);
+      ->excludes(out)
+      ->excludes(stages);
   command->callback([arguments] { run(*arguments); });
 }
 

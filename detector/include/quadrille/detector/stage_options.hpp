@@ -122,7 +122,7 @@ struct GrowOptions {
   std::vector<Family> families = {Family::kPlane, Family::kSphere, Family::kCylinder, Family::kCone,
                                   Family::kRevolution};
   int min_samples = 25;
-  int rounds = 5;
+  int rounds = 12;
   int fit_points = 128;
 
   template <class Options, class Visitor>
