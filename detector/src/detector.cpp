@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/stage_clock.hpp"
+#include "bodies/find_bodies.hpp"
 #include "boxes/find_boxes.hpp"
 #include "boxes/flat_patches.hpp"
 #include "cloud/cloud_check.hpp"
@@ -104,8 +105,9 @@ void set_rms_of_points(const CloudView& cloud, const CellPyramid& pyramid, Measu
 }
 
 /// Sorts detections by score and then by size, those to report first, and numbers them.
+/// @param ids  receives for each detection, by its id before, the new id
 std::vector<Detection> ranked(std::vector<Detection> detections,
-                              const std::vector<QuadricType>& report) {
+                              const std::vector<QuadricType>& report, std::vector<int>* ids) {
   std::stable_sort(detections.begin(), detections.end(),
                    [](const Detection& a, const Detection& b) {
                      return a.score != b.score ? a.score > b.score : a.inliers > b.inliers;
@@ -114,9 +116,10 @@ std::vector<Detection> ranked(std::vector<Detection> detections,
       std::stable_partition(detections.begin(), detections.end(),
                             [&](const Detection& d) { return lets_pass(report, d.type); });
   int id = 0;
-  for (auto d = detections.begin(); d != others; ++d) d->id = ++id;
+  const auto number = [&](Detection& d, int next) { d.id = (*ids)[d.id] = next; };
+  for (auto d = detections.begin(); d != others; ++d) number(*d, ++id);
   id = 0;
-  for (auto d = others; d != detections.end(); ++d) d->id = --id;
+  for (auto d = others; d != detections.end(); ++d) number(*d, --id);
   return detections;
 }
 
@@ -124,6 +127,7 @@ std::vector<Detection> ranked(std::vector<Detection> detections,
 struct Findings {
   std::vector<Detection> detections;
   std::vector<Box> boxes;
+  std::vector<SceneBody> bodies;
   std::size_t points_used = 0;
 };
 
@@ -158,18 +162,33 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options,
                    &measured);
   }
   set_rms_of_points(cloud, *pyramid, &measured);
+  for (std::size_t k = 0; k < measured.detections.size(); ++k) {
+    measured.detections[k].id = static_cast<int>(k);
+  }
+  std::vector<int> ids(measured.detections.size(), 0);
   std::erase_if(measured.detections,
                 [&](const Detection& d) { return !lets_pass(options.only, d.type); });
   Findings findings;
-  findings.detections = ranked(std::move(measured.detections), options.report);
+  findings.detections = ranked(std::move(measured.detections), options.report, &ids);
   findings.points_used = count_points(*pyramid);
   clock.end("measure");
 
+  std::vector<int> owner;
   Mask unexplained;
-  for (const int cell : tree.finest().source) unexplained.push_back(measured.owner[cell] < 0);
-  findings.boxes = find_boxes(cloud, findings.detections,
-                              find_flat_patches(tree.finest(), options.planes, unexplained));
+  for (const int cell : tree.finest().source) {
+    const int k = measured.owner[cell];
+    owner.push_back(k < 0 ? 0 : ids[k]);
+    unexplained.push_back(k < 0);
+  }
+  std::vector<FlatPatch> patches;
+  if (lets_pass(options.only, QuadricType::kPlane) &&
+      lets_pass(options.report, QuadricType::kPlane)) {
+    patches = find_flat_patches(tree.finest(), options.planes, unexplained);
+  }
+  findings.boxes = find_boxes(cloud, findings.detections, patches);
   clock.end("boxes");
+  findings.bodies = find_bodies({findings.detections, findings.boxes, tree.finest(), owner});
+  clock.end("bodies");
   return findings;
 }
 
@@ -183,6 +202,7 @@ Findings find_anywhere(const CloudView& cloud, const Eigen::Vector3d& centre,
   Findings findings = find_all(translated(cloud, shift), options, find, clock);
   for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
   for (Box& box : findings.boxes) box.X_CB.pretranslate(-shift);
+  for (SceneBody& body : findings.bodies) body.X_CB.pretranslate(-shift);
   return findings;
 }
 
@@ -215,6 +235,7 @@ DetectionResult detect_checked(const CloudView& cloud, const DetectorOptions& gi
   Findings found = find_anywhere(cloud, check.centre, options, find, clock);
   result.detections = std::move(found.detections);
   result.boxes = std::move(found.boxes);
+  result.bodies = std::move(found.bodies);
   result.points_used = found.points_used;
   const std::string doubt = contradict_viewpoint(cloud, result.detections);
   if (!doubt.empty()) result.warnings.push_back(doubt);

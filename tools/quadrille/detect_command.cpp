@@ -63,6 +63,7 @@ void run(const DetectArguments& arguments) {
     DetectionResult result = found;
     result.detections = moved(std::move(result.detections), input.X_CK);
     result.boxes = moved(std::move(result.boxes), input.X_CK);
+    result.bodies = moved(std::move(result.bodies), input.X_CK);
     const io::RunInfo whole = with_warnings(with_warnings(info, input.warnings), result.warnings);
     json.write(io::detect_json(input.info, whole, result));
     if (!json.owns_stdout()) {

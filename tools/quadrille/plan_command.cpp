@@ -203,6 +203,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   DetectionResult result = found;
   result.detections = moved(std::move(result.detections), input.X_CK);
   result.boxes = moved(std::move(result.boxes), input.X_CK);
+  result.bodies = moved(std::move(result.bodies), input.X_CK);
   put_out(arguments, setup, input, std::move(info), result, moved(planned, input.X_CK), output);
   if (output->pictures.wanted()) {
     arguments.picture.write(output->pictures.next(path),

@@ -21,6 +21,8 @@ constexpr double kCorner = 0.12;
 // several things, to a curved or thin one, or to a step that noise feigns.
 constexpr double kMaxDoubt = 0.1;
 
+// Score of a box of which no face was detected.
+constexpr double kUndetectedScore = 0.5;
 // Least share of the points in a box with an undetected face that lie on the faces.
 constexpr double kMinOnFaces = 0.85;
 
@@ -119,6 +121,7 @@ void add_faces(const BoxDraft& draft, Box& box) {
     return a->points_C.size() > b->points_C.size();
   });
   std::erase_if(faces, [](const Face* face) { return face->id == 0; });
+  if (faces.empty()) box.score = kUndetectedScore;
   for (const Face* face : faces) {
     box.faces.push_back(face->id);
     box.score += face->score / static_cast<double>(faces.size());

@@ -58,6 +58,24 @@ Json to_json(const std::vector<Box>& boxes) {
   return array;
 }
 
+Json to_json(const SceneBody& body) {
+  return {{"id", body.id},
+          {"kind", to_string(body.kind)},
+          {"parts", body.parts},
+          {"pose", to_json(body.X_CB)},
+          {"size", array_of(body.size)},
+          {"std", array_of(body.std)},
+          {"seen", body.seen},
+          {"standing_on", body.standing_on ? Json(*body.standing_on) : Json()},
+          {"points", body.points}};
+}
+
+Json to_json(const std::vector<SceneBody>& bodies) {
+  Json array = Json::array();
+  for (const SceneBody& body : bodies) array.push_back(to_json(body));
+  return array;
+}
+
 Json to_json(const std::vector<Detection>& detections) {
   Json array = Json::array();
   for (const Detection& detection : detections) array.push_back(to_json(detection));
@@ -100,6 +118,7 @@ Json detect_json(const InputInfo& input, const RunInfo& run, const DetectionResu
   json["timings"] = timings;
   json["detections"] = to_json(result.detections);
   json["boxes"] = to_json(result.boxes);
+  json["bodies"] = to_json(result.bodies);
   return json;
 }
 

@@ -38,6 +38,9 @@ Json to_json(const Detection& detection);
 /// ("inner") and the greatest possible extent ("outer").
 Json to_json(const Box& box);
 
+/// Returns bodies, in their order; an infinite deviation becomes null.
+Json to_json(const std::vector<SceneBody>& bodies);
+
 /// Returns boxes, in their order.
 Json to_json(const std::vector<Box>& boxes);
 

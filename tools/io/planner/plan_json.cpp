@@ -74,6 +74,7 @@ Json plan_json(const InputInfo& input, const RunInfo& run, const DetectionResult
   Json json = begin_json(input, run);
   json["detections"] = to_json(result.detections);
   json["boxes"] = to_json(result.boxes);
+  json["bodies"] = to_json(result.bodies);
   json["timings"] = timings;
   json["grasps"] = grasps;
   json["rejected"] = plan.rejected;

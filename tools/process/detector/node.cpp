@@ -8,6 +8,7 @@
 #include "process/runtime/logging.hpp"
 #include "process/runtime/status/process_info.hpp"
 #include "process/runtime/watch/other_senders.hpp"
+#include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -118,6 +119,7 @@ DetectionResult DetectorNode::detect_placed(const std::string& channel,
   if (pose.X_WK) track(channel, cloud, *pose.X_WK, &result.detections);
   result.detections = moved(std::move(result.detections), placement.X_RK);
   result.boxes = moved(std::move(result.boxes), placement.X_RK);
+  result.bodies = moved(std::move(result.bodies), placement.X_RK);
   return result;
 }
 
@@ -141,7 +143,7 @@ void DetectorNode::detect_and_publish(const std::string& channel, const bus::Clo
   const DetectionResult result = detect_placed(channel, cloud, pose, placement);
   const double detect_ms = bus::ms_since(start);
   // The planner plans as soon as it has the quadrics, so what else it needs comes first.
-  publish_boxes(channel, cloud, frame, result);
+  publish_bodies(channel, cloud, frame, result);
   publish_quadrics(channel, cloud, frame, result);
   const double latency = bus::ms_since(received);
   if (viewer_ && placement.lack.empty()) show(cloud, placement, result);
@@ -170,14 +172,17 @@ void DetectorNode::publish_quadrics(const std::string& channel, const bus::Cloud
   detections_ += static_cast<std::int64_t>(result.detections.size());
 }
 
-void DetectorNode::publish_boxes(const std::string& channel, const bus::CloudMessage& cloud,
-                                 const std::string& frame, const DetectionResult& result) {
-  boxes_t message = bus::to_message(cloud, result.boxes);
-  message.frame = frame;
-  const auto bytes = bus::encode(message);
-  publish_(cloud_channels_.results_channel(settings_.boxes_channel, channel), bytes);
+/// Publishes the boxes and the bodies, of which boxes are a part.
+void DetectorNode::publish_bodies(const std::string& channel, const bus::CloudMessage& cloud,
+                                  const std::string& frame, const DetectionResult& result) {
+  boxes_t boxes = bus::to_message(cloud, result.boxes);
+  bodies_t bodies = bus::to_message(cloud, result.bodies);
+  boxes.frame = bodies.frame = frame;
+  const auto box_bytes = bus::encode(boxes), body_bytes = bus::encode(bodies);
+  publish_(cloud_channels_.results_channel(settings_.boxes_channel, channel), box_bytes);
+  publish_(cloud_channels_.results_channel(settings_.bodies_channel, channel), body_bytes);
   const std::lock_guard lock(mutex_);
-  counts_.published_bytes += static_cast<std::int64_t>(bytes.size());
+  counts_.published_bytes += static_cast<std::int64_t>(box_bytes.size() + body_bytes.size());
 }
 
 }  // namespace quadrille

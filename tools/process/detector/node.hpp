@@ -51,8 +51,8 @@ class DetectorNode : public Node {
                           const CameraPose& pose, TimePoint received);
   void publish_quadrics(const std::string& channel, const bus::CloudMessage& cloud,
                         const std::string& frame, const DetectionResult& result);
-  void publish_boxes(const std::string& channel, const bus::CloudMessage& cloud,
-                     const std::string& frame, const DetectionResult& result);
+  void publish_bodies(const std::string& channel, const bus::CloudMessage& cloud,
+                      const std::string& frame, const DetectionResult& result);
   void show(const bus::CloudMessage& cloud, const Placement& placement,
             const DetectionResult& result);
   void fill_counts(detector_status_t* status);

@@ -20,6 +20,7 @@ struct DetectorSettings {
   std::string in_channel = "POINT_CLOUD";
   std::string out_channel = "QUADRICS";
   std::string boxes_channel = "BOXES";
+  std::string bodies_channel = "BODIES";
   std::string status_channel = "QUADRILLE_DETECTOR_STATUS";
   /// Channel of the camera's poses; empty for a camera at rest.
   std::string pose_channel;
@@ -40,6 +41,7 @@ struct DetectorSettings {
     visit(Way::kIn, "--in-channel", settings.in_channel, "clouds");
     visit(Way::kOut, "--out-channel", settings.out_channel, "quadrics");
     visit(Way::kOut, "--boxes-channel", settings.boxes_channel, "boxes");
+    visit(Way::kOut, "--bodies-channel", settings.bodies_channel, "bodies");
     visit(Way::kOut, "--status-channel", settings.status_channel, "status");
     visit(Way::kIn, "--pose-channel", settings.pose_channel,
           "camera's poses (bot_core.pose_t) in a fixed frame");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "quadrille/detector/body.hpp"
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/detector/point_cloud.hpp"
@@ -13,13 +14,13 @@
 
 namespace quadrille {
 
-/// A box of which one, two or three faces were detected as planes.
+/// A box of which one, two or three faces were seen.
 struct Box {
   /// Number of the box, which continues the ids of the detections.
   int id = 0;
   /// Ids of the detections that are faces of the box, those with more points first.
   std::vector<int> faces;
-  /// Mean confidence of the faces, 0 to 1.
+  /// Mean confidence of the detected faces, 0 to 1; one half if none was detected.
   double score = 0.0;
   /// Pose of frame B: the origin is the middle of the box, the longest side runs along x and the
   /// shortest along z; x and z point to the sensor's side.
@@ -114,8 +115,11 @@ struct StageTime {
 struct DetectionResult {
   /// Detections, best score first; those that were not asked for come last.
   std::vector<Detection> detections;
-  /// Boxes whose faces are planes among the detections, the most certain first.
+  /// Boxes with their faces among the detections, the most certain first. A box of small faces may
+  /// have none of them.
   std::vector<Box> boxes;
+  /// The things of the scene, to which the detections and boxes belong, in the order of their ids.
+  std::vector<SceneBody> bodies;
   /// Number of finite points within kMaxRange, and of those among them that went into surface
   /// samples.
   std::size_t points_finite = 0, points_used = 0;

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "quadrille/detector/eigen_layout.hpp"
+#include "quadrille/detector/export.hpp"
+
+namespace quadrille {
+
+/// What a body was recognised by.
+enum class BodyKind {
+  kSingle,      ///< one detection that belongs to no other body
+  kRevolution,  ///< surfaces that share an axis, with the lids at their ends
+  kBox,         ///< a box; see Box
+  kLump,        ///< connected points above a support that no detection explains
+};
+
+/// Returns the kind as messages and JSON name it: "single", "revolution", "box" or "lump".
+QUADRILLE_EXPORT std::string_view to_string(BodyKind kind);
+
+/// One thing of the scene, in a cloud with frame C.
+struct SceneBody {
+  /// That of its box or of its first part; lumps continue the ids of detections and boxes. So a
+  /// number names one thing among detections, boxes and bodies.
+  int id = 0;
+  BodyKind kind = BodyKind::kSingle;
+  /// Ids of the detections that are parts of the body, those with more points first; none for
+  /// lumps.
+  std::vector<int> parts;
+  /// Pose of frame B. The origin is the middle of the body. z runs along the axis of a body of
+  /// revolution and away from the support of a lump; for boxes see Box.
+  Eigen::Isometry3d X_CB = Eigen::Isometry3d::Identity();
+  /// Sizes along x, y, z, and their standard deviations, infinite for a size that the view leaves
+  /// open [m].
+  Eigen::Vector3d size = Eigen::Vector3d::Zero(), std = Eigen::Vector3d::Zero();
+  /// True if the size along the axis was seen. Otherwise the hidden part is a guess, or left out.
+  std::array<bool, 3> seen = {false, false, false};
+  /// Id of the plane on which the body stands; none if it leans, hangs or its foot is hidden.
+  std::optional<int> standing_on;
+  /// Number of cloud points on the body, with those of what is connected to it, such as a handle.
+  int points = 0;
+};
+
+/// Transforms bodies from frame C to frame F.
+QUADRILLE_EXPORT std::vector<SceneBody> moved(std::vector<SceneBody> bodies,
+                                              const Eigen::Isometry3d& X_FC);
+
+}  // namespace quadrille

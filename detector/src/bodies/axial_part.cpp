@@ -1,0 +1,95 @@
+#include "bodies/axial_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "boxes/face.hpp"
+
+namespace quadrille {
+namespace {
+
+// Distance between two axes that are one, as a share of the larger radius, and the noise that is
+// allowed in addition [m].
+constexpr double kMaxOffsetShare = 0.125, kMaxOffsetNoise = 0.003;
+// Gap along the axis between parts of one body, as a share of the larger radius. The detector
+// leaves out narrow shoulders and rims.
+constexpr double kMaxGapShare = 0.6;
+// A lid is at most this much larger than the part that it closes.
+constexpr double kMaxLidShare = 1.25;
+// Two semi-axes are equal if they differ by no more than this share.
+constexpr double kMaxUnequal = 0.1;
+
+bool equal(double a, double b) { return std::abs(a - b) <= kMaxUnequal * std::max(a, b); }
+
+/// True if the quadric's canonical frame has an axis of revolution along z.
+bool is_revolved(const Detection& d) {
+  switch (d.type) {
+    case QuadricType::kCylinder:
+    case QuadricType::kCone:
+      return true;
+    case QuadricType::kEllipsoid:
+    case QuadricType::kEllipticCone:
+    case QuadricType::kEllipticCylinder:
+    case QuadricType::kEllipticParaboloid:
+    case QuadricType::kHyperboloidOneSheet:
+    case QuadricType::kHyperboloidTwoSheets:
+      return equal(d.dimension(0), d.dimension(1));
+    default:
+      return false;
+  }
+}
+
+/// Distance of a point from a part's axis.
+double off_axis(const AxialPart& part, const Eigen::Vector3d& p_C) {
+  const Eigen::Vector3d x = p_C - part.middle_C;
+  return (x - part.axis_C.dot(x) * part.axis_C).norm();
+}
+
+}  // namespace
+
+std::optional<AxialPart> axial_part(const Detection& d) {
+  if (d.extent_Q.isEmpty()) return std::nullopt;
+  AxialPart part;
+  part.detection = &d;
+  if (d.type == QuadricType::kSphere) {
+    part.middle_C = d.X_CQ.translation();
+    part.radius = part.half_length = d.dimension(0);
+    return part;
+  }
+  if (!is_revolved(d)) return std::nullopt;
+  const Eigen::AlignedBox3d& box = d.extent_Q;
+  part.axis_C = d.X_CQ.linear().col(2);
+  part.middle_C = d.X_CQ * Eigen::Vector3d(0.0, 0.0, box.center().z());
+  part.radius = std::max(box.min().head<2>().cwiseAbs().maxCoeff(),
+                         box.max().head<2>().cwiseAbs().maxCoeff());
+  part.half_length = 0.5 * box.sizes().z();
+  return part;
+}
+
+bool share_axis(const AxialPart& a, const AxialPart& b) {
+  const double radius = std::max(a.radius, b.radius);
+  const double offset = kMaxOffsetShare * radius + kMaxOffsetNoise;
+  const bool a_is_sphere = a.axis_C.isZero(), b_is_sphere = b.axis_C.isZero();
+  if (a_is_sphere && b_is_sphere) return (a.middle_C - b.middle_C).norm() < offset;
+  const AxialPart& with_axis = a_is_sphere ? b : a;
+  const AxialPart& other = a_is_sphere ? a : b;
+  if (off_axis(with_axis, other.middle_C) > offset) return false;
+  const bool parallel = std::abs(a.axis_C.dot(b.axis_C)) > std::cos(kMaxSkew);
+  if (!a_is_sphere && !b_is_sphere && !parallel) return false;
+  const double along = std::abs(with_axis.axis_C.dot(other.middle_C - with_axis.middle_C));
+  return along - a.half_length - b.half_length < kMaxGapShare * radius;
+}
+
+bool is_lid(const Detection& plane, const AxialPart& part) {
+  if (part.axis_C.isZero()) return false;
+  if (std::abs(outward_normal(plane).dot(part.axis_C)) < std::cos(kMaxSkew)) return false;
+  Eigen::Vector3d middle_Q = plane.extent_Q.center();
+  middle_Q.z() = 0.0;
+  const Eigen::Vector3d middle_C = plane.X_CQ * middle_Q;
+  if (off_axis(part, middle_C) > part.radius) return false;
+  if (plane.extent_Q.sizes().head<2>().maxCoeff() > kMaxLidShare * 2.0 * part.radius) return false;
+  const double along = std::abs(part.axis_C.dot(middle_C - part.middle_C));
+  return std::abs(along - part.half_length) < kMaxGapShare * part.radius;
+}
+
+}  // namespace quadrille

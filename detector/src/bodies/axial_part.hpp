@@ -1,0 +1,33 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+
+#include "quadrille/detector/detection.hpp"
+
+namespace quadrille {
+
+/// A detection that may be a part of a body of revolution.
+struct AxialPart {
+  const Detection* detection = nullptr;
+  /// A point of the axis in the middle of the seen part, and the axis's unit direction; zero for
+  /// spheres, through whose centre any axis runs.
+  Eigen::Vector3d middle_C = Eigen::Vector3d::Zero(), axis_C = Eigen::Vector3d::Zero();
+  /// Largest distance of the seen part from the axis, and half of its length along the axis [m].
+  double radius = 0.0, half_length = 0.0;
+};
+
+/// The detection as a part of a body of revolution; nullopt for planes and for types or dimensions
+/// without such an axis.
+std::optional<AxialPart> axial_part(const Detection& detection);
+
+/// True if two parts share an axis and follow each other along it, such as the body and the neck of
+/// a bottle, or lie around each other, such as the walls of a mug. Their axes are parallel within
+/// 9° and no farther apart than an eighth of the larger radius.
+bool share_axis(const AxialPart& a, const AxialPart& b);
+
+/// True if a plane is a lid or a bottom of a part: at right angles to its axis, near its end and no
+/// larger than it.
+bool is_lid(const Detection& plane, const AxialPart& part);
+
+}  // namespace quadrille

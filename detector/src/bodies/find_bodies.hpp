@@ -1,0 +1,27 @@
+#pragma once
+
+#include <vector>
+
+#include "quadrille/detector/body.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "samples/surface_samples.hpp"
+
+namespace quadrille {
+
+/// What a cloud near the origin was found to contain.
+struct BodySources {
+  const std::vector<Detection>& detections;
+  const std::vector<Box>& boxes;
+  /// Samples beside the large planes, and for each the id of the detection on which it lies, 0 for
+  /// none.
+  const SurfaceSamples& samples;
+  const std::vector<int>& owner;
+};
+
+/// Groups what was found into bodies: boxes with their faces, surfaces that share an axis with
+/// their lids, other curved surfaces and small planes alone, and lumps of points above a support
+/// that nothing explains. Points that are connected to a body with more points, such as those of a
+/// handle, count as its own. Bodies come in the order of their ids.
+std::vector<SceneBody> find_bodies(const BodySources& found);
+
+}  // namespace quadrille

@@ -1,0 +1,86 @@
+#include "bodies/lumps.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "boxes/box_axes.hpp"
+#include "boxes/face.hpp"
+#include "samples/flood.hpp"
+
+namespace quadrille {
+namespace {
+
+// A lump has at least so many samples: fewer may be noise, or points mixed from two surfaces.
+constexpr std::size_t kMinSamples = 20;
+
+}  // namespace
+
+Mask open_samples(const SurfaceSamples& samples, const std::vector<int>& owner,
+                  const std::vector<Box>& boxes) {
+  Mask open(owner.size());
+  for (std::size_t i = 0; i < owner.size(); ++i) open[i] = owner[i] == 0;
+  for (const Box& box : boxes) {
+    const Eigen::Vector3d margin = Eigen::Vector3d::Constant(kRounding);
+    const Eigen::AlignedBox3d around_B(box.outer_B.min() - margin, box.outer_B.max() + margin);
+    const Eigen::Isometry3d X_BC = box.X_CB.inverse();
+    for (std::size_t i = 0; i < owner.size(); ++i) {
+      if (open[i] && around_B.contains(X_BC * samples.raw[i].cast<double>())) open[i] = 0;
+    }
+  }
+  return open;
+}
+
+std::vector<std::vector<int>> open_pieces(const SurfaceSamples& samples, Mask open) {
+  std::vector<std::vector<int>> pieces;
+  for (int seed = 0; seed < samples.size(); ++seed) {
+    if (!open[seed]) continue;
+    open[seed] = 0;
+    pieces.push_back(flood(samples, {seed}, [&](int j, int) {
+      const bool joins = open[j] != 0;
+      open[j] = 0;
+      return joins;
+    }));
+  }
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  return pieces;
+}
+
+std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vector<int>& piece,
+                                 const std::vector<Support>& supports) {
+  if (piece.size() < kMinSamples) return std::nullopt;
+  Face outline;
+  for (const int i : piece) outline.points_C.push_back(samples.raw[i].cast<double>());
+  for (const Eigen::Vector3d& p : outline.points_C) {
+    outline.middle_C += p / static_cast<double>(piece.size());
+  }
+  const Support* support = support_below(supports, outline.middle_C);
+  if (support == nullptr) return std::nullopt;
+  outline.n_C = support->n_C;
+  const Eigen::Matrix3d R_CA = box_axes({&outline});
+  Eigen::AlignedBox3d box_A;
+  for (const Eigen::Vector3d& p : outline.points_C) {
+    box_A.extend(Eigen::Vector3d(R_CA.transpose() * p));
+  }
+  if (box_A.max().x() - support->offset < 2.0 * kRounding) return std::nullopt;
+
+  SceneBody body;
+  body.kind = BodyKind::kLump;
+  const double foot = box_A.min().x() - support->offset;
+  if (foot < kMaxFootGap) {
+    body.standing_on = support->id;
+    box_A.min().x() = support->offset;
+    body.seen[2] = true;
+  }
+  // From the axes (up, u, v) to (u, v, up), which keeps their handedness.
+  body.X_CB.linear() << R_CA.col(1), R_CA.col(2), R_CA.col(0);
+  body.X_CB.translation() = R_CA * box_A.center();
+  const Eigen::Vector3d size_A = box_A.sizes();
+  body.size = {size_A.y(), size_A.z(), size_A.x()};
+  // Its hidden side is not seen, so only the height above its support is known, up to a cell.
+  body.std.setConstant(std::numeric_limits<double>::infinity());
+  if (body.seen[2]) body.std.z() = samples.cell[piece.front()];
+  return body;
+}
+
+}  // namespace quadrille

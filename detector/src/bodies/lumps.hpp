@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/mask.hpp"
+#include "bodies/support.hpp"
+#include "quadrille/detector/body.hpp"
+#include "samples/surface_samples.hpp"
+
+namespace quadrille {
+
+/// Samples that lie on no detection and in no box.
+/// @param owner  for each sample the id of the detection on which it lies, 0 for none
+Mask open_samples(const SurfaceSamples& samples, const std::vector<int>& owner,
+                  const std::vector<Box>& boxes);
+
+/// The connected pieces of some samples, the largest first.
+std::vector<std::vector<int>> open_pieces(const SurfaceSamples& samples, Mask open);
+
+/// A piece of samples as a body above a support, with the smallest upright box around it; nullopt
+/// if there is no support below, or too little rises from it. Its id and number of points stay
+/// unset.
+std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vector<int>& piece,
+                                 const std::vector<Support>& supports);
+
+}  // namespace quadrille

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "quadrille/detector/detection.hpp"
+
+namespace quadrille {
+
+/// Distance from a support within which a body stands on it [m]: the foot is rounded, or the sensor
+/// mixes it with the support.
+inline constexpr double kMaxFootGap = 0.02;
+
+/// A plane on which bodies may stand.
+struct Support {
+  int id = 0;
+  /// Unit normal towards the sensor, and offset of the plane n·x = offset [m].
+  Eigen::Vector3d n_C = Eigen::Vector3d::UnitZ();
+  double offset = 0.0;
+  Eigen::Isometry3d X_QC = Eigen::Isometry3d::Identity();
+  Eigen::AlignedBox2d bounds_Q;
+
+  double height(const Eigen::Vector3d& p_C) const { return n_C.dot(p_C) - offset; }
+  /// True if a place is on the sensor's side of the plane and over the part that was seen, or
+  /// within a tenth of its size beside it.
+  bool is_below(const Eigen::Vector3d& p_C) const;
+};
+
+/// The planes among the detections that are no parts of bodies, the largest first.
+/// @param parts  ids of the detections that are parts of bodies
+std::vector<Support> supports_of(const std::vector<Detection>& detections,
+                                 const std::vector<int>& parts);
+
+/// The support nearest below a place; nullptr if there is none.
+const Support* support_below(const std::vector<Support>& supports, const Eigen::Vector3d& p_C);
+
+/// The support on which something stands that occupies these places: the nearest below their
+/// middle, if the lowest of them is on it. Nullopt if there is none.
+std::optional<int> standing_on(const std::vector<Support>& supports,
+                               std::span<const Eigen::Vector3d> places_C);
+
+}  // namespace quadrille

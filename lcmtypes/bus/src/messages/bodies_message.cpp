@@ -1,0 +1,99 @@
+#include "quadrille/bus/bodies_message.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "messages/decode_checked.hpp"
+
+namespace quadrille::bus {
+namespace {
+
+/// Size of a body without parts: four integers, the kind, 13 doubles and three flags.
+constexpr std::size_t kMinBodyBytes = 4 * 4 + 1 + 13 * 8 + 3;
+
+/// A deviation may be infinite.
+void check_deviation(double std) {
+  if (!(std >= 0.0)) refuse(RejectReason::kBadValue, "std " + std::to_string(std));
+}
+
+void check_body(ByteReader& reader) {
+  reader.read_int32("id");
+  const int kind = reader.read_int8("kind");
+  if (kind < body_t::SINGLE || kind > body_t::LUMP) {
+    refuse(RejectReason::kBadValue, "kind " + std::to_string(kind));
+  }
+  reader.skip_array("parts", sizeof(std::int32_t));
+  reader.skip_finite("position", 3);
+  reader.skip_unit("quaternion", 4);
+  reader.skip_finite("size", 3);
+  for (int i = 0; i < 3; ++i) check_deviation(reader.read_double("std"));
+  for (int i = 0; i < 3; ++i) reader.read_int8("seen");
+  reader.read_int32("standing_on");
+  reader.read_int32("points");
+}
+
+void check_bodies(ByteReader& reader) {
+  reader.read_int64("utime");
+  reader.read_int32("seq");
+  reader.read_string("frame", kMaxFrameBytes);
+  const std::int32_t bodies = reader.read_count("num_bodies", kMinBodyBytes);
+  if (static_cast<std::size_t>(bodies) > kMaxQuadrics) {
+    refuse(RejectReason::kTooLarge, std::to_string(bodies) + " bodies");
+  }
+  for (std::int32_t i = 0; i < bodies; ++i) check_body(reader);
+}
+
+SceneBody to_body(const body_t& m) {
+  SceneBody body;
+  body.id = m.id;
+  body.kind = static_cast<BodyKind>(m.kind);
+  body.parts.assign(m.parts.begin(), m.parts.end());
+  body.X_CB = from_message(m.pose);
+  body.size = Eigen::Vector3d(m.size);
+  body.std = Eigen::Vector3d(m.std);
+  for (int i = 0; i < 3; ++i) body.seen[i] = m.seen[i] != 0;
+  if (m.standing_on != 0) body.standing_on = m.standing_on;
+  body.points = m.points;
+  return body;
+}
+
+BodiesMessage from_bodies(bodies_t m) {
+  BodiesMessage message{m.utime, m.seq, std::move(m.frame), {}};
+  for (const body_t& body : m.bodies) message.bodies.push_back(to_body(body));
+  return message;
+}
+
+}  // namespace
+
+body_t to_message(const SceneBody& body) {
+  static_assert(static_cast<int>(BodyKind::kLump) == body_t::LUMP);
+  body_t m;
+  m.id = body.id;
+  m.kind = static_cast<std::int8_t>(body.kind);
+  m.parts.assign(body.parts.begin(), body.parts.end());
+  m.num_parts = static_cast<std::int32_t>(m.parts.size());
+  m.pose = to_message(body.X_CB);
+  std::copy_n(body.size.data(), 3, m.size);
+  std::copy_n(body.std.data(), 3, m.std);
+  for (int i = 0; i < 3; ++i) m.seen[i] = body.seen[i];
+  m.standing_on = body.standing_on.value_or(0);
+  m.points = body.points;
+  return m;
+}
+
+bodies_t to_message(const CloudMessage& cloud, const std::vector<SceneBody>& bodies) {
+  bodies_t m;
+  m.utime = cloud.utime;
+  m.seq = cloud.seq;
+  m.frame = cloud.cloud.frame;
+  for (const SceneBody& body : bodies) m.bodies.push_back(to_message(body));
+  m.num_bodies = static_cast<std::int32_t>(m.bodies.size());
+  return m;
+}
+
+Decoded<BodiesMessage> decode_bodies(std::span<const std::byte> bytes, std::size_t max_bytes) {
+  return decode_checked<bodies_t, BodiesMessage>(bytes, max_bytes, check_bodies, from_bodies);
+}
+
+}  // namespace quadrille::bus
