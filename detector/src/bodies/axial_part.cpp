@@ -39,6 +39,23 @@ bool is_revolved(const Detection& d) {
   }
 }
 
+/// Largest distance of the seen part from the axis z of the canonical frame [m].
+double largest_radius(const Detection& d) {
+  const Eigen::AlignedBox3d& box = d.extent_Q;
+  double largest = 0.0;
+  for (const double z : {box.min().z(), box.center().z(), box.max().z()}) {
+    const auto crossings =
+        d.Q_C.crossings(d.X_CQ * Eigen::Vector3d(0.0, 0.0, z), d.X_CQ.linear().col(0));
+    for (const double r : crossings) {
+      if (std::isfinite(r)) largest = std::max(largest, std::abs(r));
+    }
+  }
+  // Beyond the tip of a body nothing crosses; its points are all that is known of it.
+  const double seen = std::max(box.min().head<2>().cwiseAbs().maxCoeff(),
+                               box.max().head<2>().cwiseAbs().maxCoeff());
+  return std::max(largest, seen);
+}
+
 /// Distance of a point from a part's axis.
 double off_axis(const AxialPart& part, const Eigen::Vector3d& p_C) {
   const Eigen::Vector3d x = p_C - part.middle_C;
@@ -60,8 +77,7 @@ std::optional<AxialPart> axial_part(const Detection& d) {
   const Eigen::AlignedBox3d& box = d.extent_Q;
   part.axis_C = d.X_CQ.linear().col(2);
   part.middle_C = d.X_CQ * Eigen::Vector3d(0.0, 0.0, box.center().z());
-  part.radius = std::max(box.min().head<2>().cwiseAbs().maxCoeff(),
-                         box.max().head<2>().cwiseAbs().maxCoeff());
+  part.radius = largest_radius(d);
   part.half_length = 0.5 * box.sizes().z();
   return part;
 }

@@ -146,7 +146,7 @@ class BodyMaker {
       high = std::max(high, at + part->half_length);
       if (part->radius > radius) {
         radius = part->radius;
-        body.std.head<2>().setConstant(2.0 * radius_std(*part->detection));
+        body.std.head<2>().setConstant(2.0 * radius_std(*part));
       }
       body.parts.push_back(part->detection->id);
     }
@@ -159,22 +159,37 @@ class BodyMaker {
     }
     body.X_CB.translation() = main.middle_C + 0.5 * (low + high) * z_C;
     body.size = {2.0 * radius, 2.0 * radius, high - low};
-    body.seen = {true, true, std::isfinite(length_std(*main.detection))};
-    body.std.z() = length_std(*main.detection);
+    body.seen[0] = body.seen[1] = std::isfinite(body.std.x());
+    set_length(&body, has_lid_at(body, -1.0) && has_lid_at(body, 1.0));
     return body;
   }
 
-  static double radius_std(const Detection& d) {
-    return d.dimensions.empty() ? std::numeric_limits<double>::infinity() : d.dimensions[0].std;
+  /// True if a lid closes the lower (−1) or upper (1) end of a body.
+  bool has_lid_at(const SceneBody& body, double side) const {
+    const Eigen::Vector3d end_C = body.X_CB * Eigen::Vector3d(0.0, 0.0, 0.5 * side * body.size.z());
+    return std::any_of(body.parts.begin(), body.parts.end(), [&](int id) {
+      const Detection* part = detection(id);
+      return part != nullptr && part->type == QuadricType::kPlane &&
+             std::abs(part->Q_C.distance(end_C)) < kMaxFootGap;
+    });
   }
 
-  /// Standard deviation of the length along z: that of the dimension "length" or, if the type has
-  /// none, the size of a cell that the ends cannot be told from.
-  static double length_std(const Detection& d) {
-    for (const Dimension& dimension : d.dimensions) {
-      if (dimension.name == "length") return dimension.std;
+  /// Says whether the length of a body is known. What lies beyond the ends of its parts may belong
+  /// to it too, unless lids or a support close it.
+  static void set_length(SceneBody* body, bool closed) {
+    body->seen[2] = closed;
+    body->std.z() =
+        closed ? kMaxFootGap / std::sqrt(12.0) : std::numeric_limits<double>::infinity();
+  }
+
+  /// Standard deviation of a part's radius: in proportion to that of its first dimension, which is
+  /// a radius, a semi-axis or the angle of a cone [m].
+  static double radius_std(const AxialPart& part) {
+    const std::vector<Dimension>& dimensions = part.detection->dimensions;
+    if (dimensions.empty() || !(dimensions[0].value > 0.0)) {
+      return std::numeric_limits<double>::infinity();
     }
-    return kMaxFootGap / std::sqrt(12.0);
+    return part.radius * dimensions[0].std / dimensions[0].value;
   }
 
   void add_single(const Detection& d) {
@@ -207,8 +222,8 @@ class BodyMaker {
       body.parts = {d.id};
       body.X_CB = d.X_CQ * Eigen::Translation3d(d.extent_Q.center());
       body.size = d.extent_Q.sizes();
-      body.std << d.dimensions[0].std, d.dimensions[1].std, std::numeric_limits<double>::infinity();
-      body.seen = {std::isfinite(body.std.x()), std::isfinite(body.std.y()), false};
+      // Other things may hide its ends.
+      body.std.setConstant(std::numeric_limits<double>::infinity());
       add(std::move(body));
     }
   }
@@ -227,6 +242,7 @@ class BodyMaker {
     const double foot = support->height(body->X_CB.translation()) - 0.5 * body->size.z();
     body->size.z() += foot;
     body->X_CB.translation() -= 0.5 * foot * z_C;
+    set_length(body, has_lid_at(*body, 1.0));
   }
 
   /// Gives the unexplained points that are connected to a larger body to it, and makes lumps of the

@@ -11,7 +11,7 @@ namespace quadrille {
 namespace {
 
 // A lump has at least so many samples: fewer may be noise, or points mixed from two surfaces.
-constexpr std::size_t kMinSamples = 20;
+constexpr std::size_t kMinSamples = 40;
 
 }  // namespace
 
@@ -62,7 +62,10 @@ std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vecto
   for (const Eigen::Vector3d& p : outline.points_C) {
     box_A.extend(Eigen::Vector3d(R_CA.transpose() * p));
   }
-  if (box_A.max().x() - support->offset < 2.0 * kRounding) return std::nullopt;
+  // Depth edges leave sheets of points that are mixed from two surfaces.
+  const bool flat = box_A.max().x() - support->offset < 2.0 * kRounding;
+  const bool thin = box_A.sizes().tail<2>().minCoeff() < kRounding;
+  if (flat || thin) return std::nullopt;
 
   SceneBody body;
   body.kind = BodyKind::kLump;

@@ -1,6 +1,7 @@
 #include "boxes/find_boxes.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <list>
 #include <optional>
@@ -41,6 +42,7 @@ class BoxMaker {
       for (Face& face : faces_of(d, sight_)) faces_.push_back(std::move(face));
     }
     for (const FlatPatch& flat : patches) {
+      if (is_known(flat.patch)) continue;
       if (auto face = face_at(flat.patch, flat.sigma, sight_)) faces_.push_back(std::move(*face));
     }
   }
@@ -53,12 +55,23 @@ class BoxMaker {
       add(faces);
     }
     for (const Face& face : faces_) {
-      if (is_free(&face) && is_rectangular(face, sight_)) add({&face});
+      const bool detected = face.id != 0;
+      if (detected && is_free(&face) && is_rectangular(face, sight_)) add({&face});
     }
     return std::move(boxes_);
   }
 
  private:
+  /// True if a face lies along the patch, as if the patch continued it behind a small step.
+  bool is_known(const FacePatch& patch) const {
+    const Eigen::Vector3d middle_C = patch.X_CP.translation();
+    return std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
+      return face.n_C.dot(patch.X_CP.linear().col(2)) > std::cos(2.0 * kMaxSkew) &&
+             std::abs(face.height(middle_C)) < kRounding &&
+             (middle_C - face.middle_C).norm() < face.radius;
+    });
+  }
+
   /// False for a face whose middle lies on a box: it is a second fit of one of the box's own faces.
   bool is_free(const Face* face) const {
     return std::none_of(boxes_.begin(), boxes_.end(), [&](const Box& box) {

@@ -11,6 +11,9 @@ constexpr int kMinSamples = 12;
 // A patch may bend this much [m], since its samples average over rounded edges. Whether it is flat
 // is judged later by its points.
 constexpr double kMinRadius = 0.05;
+// At most so many patches are looked at, the largest, so that clutter takes no more time than
+// boxes.
+constexpr std::size_t kMaxPatches = 16;
 
 }  // namespace
 
@@ -21,7 +24,9 @@ std::vector<FlatPatch> find_flat_patches(const SurfaceSamples& samples, const Pl
   lax.min_radius = kMinRadius;
   lax.min_proven_radius = 0.0;
   std::vector<FlatPatch> patches;
-  for (const PlaneRegion& plane : find_planes(samples, lax, free)) {
+  std::vector<PlaneRegion> planes = find_planes(samples, lax, free);
+  if (planes.size() > kMaxPatches) planes.resize(kMaxPatches);
+  for (const PlaneRegion& plane : planes) {
     std::vector<Eigen::Vector3d> points_C;
     for (const int i : plane.samples) points_C.push_back(samples.raw[i].cast<double>());
     patches.push_back(
