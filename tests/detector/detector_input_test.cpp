@@ -106,33 +106,6 @@ TEST_CASE("a cloud far from the origin of its frame gives the same findings ther
   }
 }
 
-TEST_CASE("the quadrics are handed over before boxes are looked for", "[detector]") {
-  for (const float far : {0.0f, 1000.0f}) {
-    PointCloud cloud = table_cloud();
-    for (Eigen::Vector3f& p : cloud.points) p.x() += far;
-    cloud.viewpoint.x() = far;
-    std::vector<DetectionResult> early;
-    const DetectionResult result =
-        detect(cloud, {}, [&](const DetectionResult& found) { early.push_back(found); });
-    REQUIRE(early.size() == 1);
-    CHECK(early[0].boxes.empty());
-    CHECK_FALSE(result.boxes.empty());
-    CHECK(early[0].warnings == result.warnings);
-    CHECK(early[0].points_used == result.points_used);
-    REQUIRE(early[0].detections.size() == result.detections.size());
-    for (std::size_t i = 0; i < result.detections.size(); ++i) {
-      CHECK(early[0].detections[i].Q_C.coefficients() == result.detections[i].Q_C.coefficients());
-      CHECK(early[0].detections[i].id == result.detections[i].id);
-    }
-  }
-  int calls = 0;
-  detect({}, {}, [&](const DetectionResult& found) {
-    ++calls;
-    CHECK(found.detections.empty());
-  });
-  CHECK(calls == 1);
-}
-
 TEST_CASE("one point far from all others changes no finding", "[detector][hostile]") {
   for (const float far : {1e3f, 1e19f, 3e38f}) {
     PointCloud cloud = table_cloud();

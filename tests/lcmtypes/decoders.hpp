@@ -36,6 +36,7 @@ inline std::vector<Decoder> all_decoders() {
   const auto cloud_bytes = [](bus::CloudFormat format) {
     return bus::encode_cloud(make_cloud(), format);
   };
+  const auto bodies = encode(bus::to_message(make_cloud(), make_bodies()));
   const auto boxes = encode(bus::to_message(make_cloud(), make_boxes()));
   return {
       {"drake cloud", cloud_bytes(bus::CloudFormat::kDrake), cloud, 3},
@@ -45,6 +46,7 @@ inline std::vector<Decoder> all_decoders() {
       {"quadrics", make_quadrics_bytes(),
        [](Bytes b) { return refusal_in(bus::decode_quadrics(b)); }, 16},
       {"boxes", boxes, [](Bytes b) { return refusal_in(bus::decode_boxes(b)); }, 16},
+      {"bodies", bodies, [](Bytes b) { return refusal_in(bus::decode_bodies(b)); }, 16},
       {"grasps", encode(make_grasps()), [](Bytes b) { return refusal_in(bus::decode_grasps(b)); },
        16},
       {"request", encode(make_request()),

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/encode.hpp"
@@ -128,6 +129,28 @@ inline std::vector<Box> make_boxes() {
   other.id = 10;
   other.faces = {4};
   return {box, other};
+}
+
+/// A box and a lump.
+inline std::vector<SceneBody> make_bodies() {
+  SceneBody box;
+  box.id = 9;
+  box.kind = BodyKind::kBox;
+  box.parts = {3, 7};
+  box.X_CB = make_result().detections[0].X_CQ;
+  box.size = {0.3, 0.2, 0.1};
+  box.std = {0.001, 0.002, std::numeric_limits<double>::infinity()};
+  box.seen = {true, true, false};
+  box.standing_on = 1;
+  box.points = 4321;
+  SceneBody lump;
+  lump.id = 11;
+  lump.kind = BodyKind::kLump;
+  lump.X_CB = box.X_CB;
+  lump.size = {0.03, 0.02, 0.04};
+  lump.std.setConstant(std::numeric_limits<double>::infinity());
+  lump.points = 77;
+  return {box, lump};
 }
 
 inline grasps_t make_grasps() {

@@ -102,7 +102,7 @@ void bind_detection(py::module_& module) {
 }
 
 void bind_box(py::module_& module) {
-  py::class_<Box>(module, "Box", "A box whose faces are detected planes.")
+  py::class_<Box>(module, "Box", "A box, of which one to three faces were seen.")
       .def_readonly("id", &Box::id, "Continues the ids of the detections.")
       .def_readonly("faces", &Box::faces, "Ids of the detections that are its faces.")
       .def_readonly("score", &Box::score, "Confidence, 0 to 1.")
@@ -125,6 +125,31 @@ void bind_box(py::module_& module) {
       .def("__repr__", [](const Box& box) { return "<Box " + std::to_string(box.id) + ">"; });
 }
 
+void bind_body(py::module_& module) {
+  py::class_<SceneBody>(module, "Body",
+                        "A thing of the scene, made of detections or a lump of points.")
+      .def_readonly("id", &SceneBody::id, "That of its box or first part; lumps continue them.")
+      .def_property_readonly(
+          "kind", [](const SceneBody& body) { return std::string(to_string(body.kind)); },
+          "\"single\", \"revolution\", \"box\" or \"lump\".")
+      .def_readonly("parts", &SceneBody::parts, "Ids of the detections that are its parts.")
+      .def_property_readonly(
+          "X_CB", [](const SceneBody& body) { return matrix_of(body.X_CB); },
+          "Pose of the body's frame B, (4, 4) [m]: origin at its middle, z along its axis.")
+      .def_property_readonly(
+          "size", [](const SceneBody& body) { return body.size; },
+          "Sizes along x, y, z of B, (3,) [m].")
+      .def_property_readonly(
+          "deviations", [](const SceneBody& body) { return body.std; },
+          "Standard deviations of the sizes, (3,) [m]; infinite if the view leaves one open.")
+      .def_readonly("seen", &SceneBody::seen, "Whether each size was seen.")
+      .def_readonly("standing_on", &SceneBody::standing_on, "Id of the plane, or None.")
+      .def_readonly("points", &SceneBody::points, "Number of cloud points on it.")
+      .def("__repr__", [](const SceneBody& body) {
+        return "<Body " + std::to_string(body.id) + " " + std::string(to_string(body.kind)) + ">";
+      });
+}
+
 /// Returns the findings that were asked for.
 template <class Found>
 std::vector<Found> reported(const std::vector<Found>& all) {
@@ -142,6 +167,7 @@ void bind_result(py::module_& module) {
           "Best score first.")
       .def_property_readonly(
           "boxes", [](const DetectionResult& r) { return reported(r.boxes); }, "The surest first.")
+      .def_readonly("bodies", &DetectionResult::bodies, "The things of the scene, by their ids.")
       .def_readonly("points_finite", &DetectionResult::points_finite, "Points that are no NaN.")
       .def_readonly("points_used", &DetectionResult::points_used, "Those that samples are made of.")
       .def_property_readonly(
@@ -202,6 +228,7 @@ py::tuple read_cloud_file(const std::filesystem::path& path) {
 void bind_detector(py::module_& module) {
   bind_detection(module);
   bind_box(module);
+  bind_body(module);
   bind_result(module);
   bind_tracker(module);
   module.def("detect", &detect_in, py::arg("points"), py::arg("viewpoint"), py::arg("settings"),

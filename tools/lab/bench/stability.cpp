@@ -124,10 +124,10 @@ std::vector<Stability> measure_stability(const std::vector<std::string>& clouds,
     DetectorOptions seeded = options;
     for (int k = 0; k < kStabilityRuns; ++k) {
       seeded.seed = static_cast<std::uint64_t>(1 + k);
-      seeds.push_back(detect_quadrics(cloud, seeded).detections);
+      seeds.push_back(detect(cloud, seeded).detections);
       seeded.seed = 1;
       shifts.push_back(k == 0 ? seeds.front()
-                              : detect_quadrics(shifted(cloud, k, options), seeded).detections);
+                              : detect(shifted(cloud, k, options), seeded).detections);
       progress(++done / static_cast<double>(kStabilityRuns * clouds.size()));
     }
     list.push_back({path, count_stable(seeds), count_stable(shifts)});

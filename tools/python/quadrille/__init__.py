@@ -26,12 +26,12 @@ from typing import Union as _Union
 from numpy.typing import ArrayLike as _ArrayLike
 
 from . import _core
-from ._core import (Box, Detection, FileError, Grasp, GraspQuery, Gripper, Plan, Result,
+from ._core import (Body, Box, Detection, FileError, Grasp, GraspQuery, Gripper, Plan, Result,
                     __version__, conventions, grippers, read_cloud)
 from ._lcmtypes import *
 
-__all__ = ["Box", "Detection", "FileError", "Grasp", "GraspQuery", "GraspScene", "Gripper", "Plan",
-           "Result", "Tracker", "conventions", "detect", "grippers", "plan", "read_cloud"]
+__all__ = ["Body", "Box", "Detection", "FileError", "Grasp", "GraspQuery", "GraspScene", "Gripper",
+           "Plan", "Result", "Tracker", "conventions", "detect", "grippers", "plan", "read_cloud"]
 
 _Path = _Union[str, "_os.PathLike[str]"]
 _Config = _Union[None, _Path, _Mapping[str, _Any]]

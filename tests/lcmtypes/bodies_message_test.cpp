@@ -1,0 +1,47 @@
+#include "quadrille/bus/bodies_message.hpp"
+
+#include <limits>
+
+#include "decoders.hpp"
+#include "samples.hpp"
+#include "support/catch.hpp"
+
+namespace quadrille::bus {
+namespace {
+
+TEST_CASE("bodies survive their message", "[bus][bodies]") {
+  const std::vector<SceneBody> sent = test::make_bodies();
+  const auto decoded = decode_bodies(encode(to_message(test::make_cloud(), sent)));
+  REQUIRE(std::holds_alternative<BodiesMessage>(decoded));
+  const auto& got = std::get<BodiesMessage>(decoded);
+  CHECK(got.utime == 1234567);
+  CHECK(got.seq == 42);
+  CHECK(got.frame == "camera");
+  REQUIRE(got.bodies.size() == sent.size());
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    const SceneBody &a = sent[i], &b = got.bodies[i];
+    CHECK(b.id == a.id);
+    CHECK(b.kind == a.kind);
+    CHECK(b.parts == a.parts);
+    CHECK(b.X_CB.isApprox(a.X_CB, 1e-14));
+    CHECK(b.size == a.size);
+    CHECK(b.std == a.std);
+    CHECK(b.seen == a.seen);
+    CHECK(b.standing_on == a.standing_on);
+    CHECK(b.points == a.points);
+  }
+}
+
+TEST_CASE("bodies with values without meaning are refused", "[bus][bodies][hostile]") {
+  const bodies_t valid = to_message(test::make_cloud(), test::make_bodies());
+  bodies_t kind = valid, nan = valid, infinite = valid;
+  kind.bodies[0].kind = 4;
+  nan.bodies[1].std[0] = std::numeric_limits<double>::quiet_NaN();
+  infinite.bodies[0].size[1] = std::numeric_limits<double>::infinity();
+  for (const bodies_t& bad : {kind, nan, infinite}) {
+    CHECK(test::refusal_in(decode_bodies(encode(bad))) == RejectReason::kBadValue);
+  }
+}
+
+}  // namespace
+}  // namespace quadrille::bus
