@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -123,6 +124,9 @@ std::vector<Detection> ranked(std::vector<Detection> detections,
   return detections;
 }
 
+/// Owner of samples on surfaces of types that are not asked for.
+constexpr int kNotAsked = std::numeric_limits<int>::min();
+
 /// Result of all stages on a cloud.
 struct Findings {
   std::vector<Detection> detections;
@@ -177,7 +181,8 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options,
   Mask unexplained;
   for (const int cell : tree.finest().source) {
     const int k = measured.owner[cell];
-    owner.push_back(k < 0 ? 0 : ids[k]);
+    // What lies on a surface that was not asked for is no lump.
+    owner.push_back(k < 0 ? 0 : ids[k] == 0 ? kNotAsked : ids[k]);
     unexplained.push_back(k < 0);
   }
   std::vector<FlatPatch> patches;

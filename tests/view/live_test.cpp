@@ -50,8 +50,12 @@ view::Bytes quadrics_bytes(std::int64_t utime, int id) {
   return shared(bus::encode(bus::to_message(cloud_at(utime), result)));
 }
 
-view::Bytes boxes_bytes(std::int64_t utime) {
-  return shared(bus::encode(bus::to_message(cloud_at(utime), std::vector<Box>{})));
+view::Bytes boxes_bytes(std::int64_t utime, int id) {
+  Box box;
+  box.id = id;
+  box.size.setConstant(0.1);
+  box.inner_B = box.outer_B = {Eigen::Vector3d::Constant(-0.05), Eigen::Vector3d::Constant(0.05)};
+  return shared(bus::encode(bus::to_message(cloud_at(utime), std::vector<Box>{box})));
 }
 
 view::Bytes grasps_bytes(std::int64_t utime, int target, int track, std::int64_t request = 0) {
@@ -88,15 +92,18 @@ TEST_CASE("quadrics are shown with their own cloud, not with the newest", "[view
   CHECK(view::live_scene(messages, find_gripper).cloud.points[0].x() == 0.3f);
 }
 
-TEST_CASE("quadrics wait for their boxes", "[view][live]") {
+TEST_CASE("quadrics are shown with their own boxes", "[view][live]") {
   view::LatestMessages messages;
   messages.clouds = {cloud_bytes(100, 0.1f), cloud_bytes(200, 0.2f)};
-  messages.quadrics_before = quadrics_bytes(100, 1);
+  messages.quadrics = quadrics_bytes(100, 1);
+  messages.boxes_before = boxes_bytes(100, 5);
+  messages.boxes = boxes_bytes(200, 6);
+  REQUIRE(view::live_scene(messages, find_gripper).boxes.size() == 1);
+  CHECK(view::live_scene(messages, find_gripper).boxes[0].id == 5);
   messages.quadrics = quadrics_bytes(200, 2);
-  messages.boxes = boxes_bytes(100);
-  CHECK(view::live_scene(messages, find_gripper).detections.at(0).id == 1);
-  messages.boxes = boxes_bytes(200);
-  CHECK(view::live_scene(messages, find_gripper).detections.at(0).id == 2);
+  CHECK(view::live_scene(messages, find_gripper).boxes.at(0).id == 6);
+  messages.quadrics = quadrics_bytes(300, 3);
+  CHECK(view::live_scene(messages, find_gripper).boxes.empty());
 }
 
 TEST_CASE("grasps of an earlier cloud are shown on the surface of their track", "[view][live]") {
@@ -131,7 +138,7 @@ TEST_CASE("damaged messages are left out", "[view][live][hostile]") {
   view::LatestMessages messages;
   const view::Bytes noise = shared(std::vector<std::byte>(300, std::byte{0xff}));
   messages.clouds = {noise};
-  messages.quadrics = messages.quadrics_before = messages.boxes = messages.grasps = noise;
+  messages.quadrics = messages.boxes_before = messages.boxes = messages.grasps = noise;
   messages.occupancy = messages.detector_status = messages.planner_status = noise;
   const view::Scene scene = view::live_scene(messages, find_gripper);
   CHECK(scene.detections.empty());

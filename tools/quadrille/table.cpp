@@ -14,7 +14,8 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
   std::string text = fmt::format(
       "{}: {} points, {} finite, {} used; read {:.1f} ms, detect {:.1f} ms\n", input.input,
       input.points_read, result.points_finite, result.points_used, input.read_ms, result.total_ms);
-  if (result.detections.empty()) return text + paint.bad("  no quadrics found") + "\n";
+  const bool nothing = result.detections.empty() && result.boxes.empty() && result.bodies.empty();
+  if (nothing) return text + paint.bad("  no quadrics found") + "\n";
   const bool tracked = std::any_of(result.detections.begin(), result.detections.end(),
                                    [](const Detection& detection) { return detection.track > 0; });
   text += paint.head(fmt::format("  {:>3}  {}{:<22} {:>5} {:>8} {:>7} {:>5}  {:^23}  {}", "id",

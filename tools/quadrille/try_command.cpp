@@ -21,6 +21,7 @@
 #include "io/planner/config.hpp"
 #include "lab/physics/attempts.hpp"
 #include "lab/physics/plan_file.hpp"
+#include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/command_report.hpp"
 #include "quadrille/detector/detector.hpp"
@@ -77,7 +78,7 @@ Planned plan_on(const std::string& path, const physics::TrueScene& truth,
   if (!arguments.exact) {
     DetectionResult found = detect(input.cloud, job.detector);
     detections = bus::as_received(found.detections);
-    boxes = std::move(found.boxes);
+    boxes = bus::as_received(std::move(found.boxes));
   }
   GraspPlan plan =
       plan_grasps(input.cloud, detections, job.gripper, job.plan, {}, {}, std::move(boxes));

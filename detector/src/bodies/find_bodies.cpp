@@ -50,6 +50,7 @@ class BodyMaker {
   explicit BodyMaker(const BodySources& found) : found_(found) {}
 
   std::vector<SceneBody> make() {
+    for (const Detection& d : found_.detections) last_id_ = std::max(last_id_, d.id);
     for (const Box& box : found_.boxes) add_box(box);
     add_revolved();
     for (const Detection& d : found_.detections) {
@@ -59,7 +60,7 @@ class BodyMaker {
     supports_ = supports_of(found_.detections, parts_);
     for (SceneBody& body : bodies_) {
       body.standing_on = standing_on(supports_, corners_C(body));
-      if (body.standing_on && body.kind == BodyKind::kRevolution) stand(&body);
+      if (body.standing_on && is_long(body)) stand(&body);
     }
     add_lumps();
     std::stable_sort(bodies_.begin(), bodies_.end(),
@@ -79,7 +80,6 @@ class BodyMaker {
       if (const Detection* d = detection(id)) body.points += d->inliers;
     }
     parts_.insert(parts_.end(), body.parts.begin(), body.parts.end());
-    last_id_ = std::max(last_id_, body.id);
     bodies_.push_back(std::move(body));
   }
 
@@ -161,6 +161,10 @@ class BodyMaker {
     body.size = {2.0 * radius, 2.0 * radius, high - low};
     body.seen[0] = body.seen[1] = std::isfinite(body.std.x());
     set_length(&body, has_lid_at(body, -1.0) && has_lid_at(body, 1.0));
+    if (main.axis_C.isZero()) {
+      body.std.z() = body.std.x();
+      body.seen[2] = body.seen[0];
+    }
     return body;
   }
 
@@ -170,7 +174,7 @@ class BodyMaker {
     return std::any_of(body.parts.begin(), body.parts.end(), [&](int id) {
       const Detection* part = detection(id);
       return part != nullptr && part->type == QuadricType::kPlane &&
-             std::abs(part->Q_C.distance(end_C)) < kMaxFootGap;
+             std::abs(part->Q_C.distance(end_C)) < std::min(kMaxFootGap, 0.5 * body.size.z());
     });
   }
 
@@ -210,9 +214,11 @@ class BodyMaker {
   /// Planes that are too small for a table or a wall, above a support, such as a face of a box
   /// whose other faces are hidden.
   void add_small_planes() {
-    const std::vector<Support> supports = supports_of(found_.detections, parts_);
     for (const Detection& d : found_.detections) {
       if (d.type != QuadricType::kPlane || !is_reported(d) || contains(parts_, d.id)) continue;
+      std::vector<int> others = parts_;
+      others.push_back(d.id);
+      const std::vector<Support> supports = supports_of(found_.detections, others);
       if (d.extent_Q.sizes().maxCoeff() > 0.5 * kMaxSide) continue;
       const Eigen::Vector3d middle_C = d.X_CQ * Eigen::Vector3d(d.extent_Q.center());
       const Support* support = support_below(supports, middle_C);
@@ -226,6 +232,13 @@ class BodyMaker {
       body.std.setConstant(std::numeric_limits<double>::infinity());
       add(std::move(body));
     }
+  }
+
+  /// True if a body has an axis, unlike a ball, and is no box.
+  bool is_long(const SceneBody& body) const {
+    if (body.kind == BodyKind::kBox) return false;
+    const auto part = body.parts.empty() ? std::nullopt : axial_part(*detection(body.id));
+    return part && !part->axis_C.isZero();
   }
 
   /// Turns the axis of a standing body away from its support, and lets it reach down to it.

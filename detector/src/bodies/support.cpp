@@ -54,12 +54,17 @@ std::optional<int> standing_on(const std::vector<Support>& supports,
   if (places_C.empty()) return std::nullopt;
   Eigen::Vector3d middle_C = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : places_C) middle_C += p / static_cast<double>(places_C.size());
-  const Support* support = support_below(supports, middle_C);
-  if (support == nullptr) return std::nullopt;
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& p : places_C) lowest = std::min(lowest, support->height(p));
-  if (std::abs(lowest) > kMaxFootGap) return std::nullopt;
-  return support->id;
+  std::optional<int> nearest;
+  double least = kMaxFootGap;
+  for (const Support& support : supports) {
+    if (!support.is_below(middle_C)) continue;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector3d& p : places_C) lowest = std::min(lowest, support.height(p));
+    if (std::abs(lowest) > least) continue;
+    least = std::abs(lowest);
+    nearest = support.id;
+  }
+  return nearest;
 }
 
 }  // namespace quadrille

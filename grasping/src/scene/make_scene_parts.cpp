@@ -29,6 +29,13 @@ ShapeOwner owner_of(const Box& box) {
   return {box.id, box.X_CB.translation(), box.size.maxCoeff()};
 }
 
+/// Boxes may come from messages, so their fields are checked.
+bool is_sound(const Box& box) {
+  const bool sized = box.size.allFinite() && box.size.minCoeff() > 0.0 && !box.inner_B.isEmpty() &&
+                     !box.outer_B.isEmpty();
+  return sized && box.X_CB.matrix().allFinite() && box.X_CB.linear().isUnitary(1e-3);
+}
+
 /// Makes the parts of a scene, stage by stage.
 class SceneMaker {
  public:
@@ -44,8 +51,10 @@ class SceneMaker {
 
   void make(std::optional<std::vector<Box>> boxes) {
     drop_surplus();
-    stage("boxes",
-          [&] { parts_.boxes = boxes ? std::move(*boxes) : find_boxes(cloud_, detections_); });
+    stage("boxes", [&] {
+      parts_.boxes = boxes ? std::move(*boxes) : find_boxes(cloud_, detections_);
+      std::erase_if(parts_.boxes, [](const Box& box) { return !is_sound(box); });
+    });
     stage("shapes", [&] { make_shapes(); });
     if (cloud_.points.empty()) warn("the cloud is empty");
     const PlanOptions& options = parts_.options;

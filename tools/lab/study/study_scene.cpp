@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
@@ -90,7 +91,7 @@ SceneRecord study_scene(const StudyInput& input, const StudyOptions& options) {
   DetectionResult result = detect(input.cloud, options.detector);
   const std::vector<Detection> found = bus::as_received(result.detections);
   const GraspPlan plan = moved(plan_grasps(input.cloud, found, options.gripper, options.plan, {},
-                                           {}, std::move(result.boxes)),
+                                           {}, bus::as_received(std::move(result.boxes))),
                                input.X_CK);
   const std::vector<Detection> detections = moved(found, input.X_CK);
   SceneRecord record;

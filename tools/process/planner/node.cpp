@@ -36,7 +36,9 @@ std::vector<InChannel> PlannerNode::in_channels() const {
   PlannerSettings::visit_channels(
       settings_, [&](Way way, const char* option, const std::string& name, const char*) {
         if (way != Way::kIn || name.empty()) return;
-        const bool expected = &name != &settings_.request_channel || settings_.on_request;
+        // Without boxes the planner seeks them itself.
+        const bool expected = &name != &settings_.boxes_channel &&
+                              (&name != &settings_.request_channel || settings_.on_request);
         channels.push_back({option, name, expected});
       });
   return channels;
@@ -58,7 +60,10 @@ std::optional<Job> PlannerNode::receive(const std::string& channel,
                                         std::span<const std::byte> bytes) {
   if (channel == settings_.cloud_channel) return receive_cloud(channel, bytes);
   if (channel == settings_.quadrics_channel) return receive_quadrics(channel, bytes);
-  if (channel == settings_.boxes_channel) receive_boxes(channel, bytes);
+  if (channel == settings_.boxes_channel) {
+    receive_boxes(channel, bytes);
+    return std::nullopt;
+  }
   if (channel == settings_.request_channel) return receive_request(channel, bytes);
   if (channel == settings_.pose_channel) {
     const std::lock_guard lock(mutex_);
@@ -101,14 +106,17 @@ std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
   const auto quadrics = refused_quadrics_.accept(channel, std::move(decoded));
   if (!quadrics) return std::nullopt;
   ++counts_.decoded_quadrics;
+  const auto boxes = boxes_.take(*quadrics);
   const bool waits = posed_clouds_.follow(
-      quadrics->utime, [this, quadrics](const CameraPose&) { return pair_quadrics(*quadrics); });
-  return waits ? std::nullopt : pair_quadrics(*quadrics);
+      quadrics->utime,
+      [this, quadrics, boxes](const CameraPose&) { return pair_quadrics(*quadrics, boxes); });
+  return waits ? std::nullopt : pair_quadrics(*quadrics, boxes);
 }
 
-/// Pairs quadrics with their cloud. The mutex must be held.
-std::optional<Job> PlannerNode::pair_quadrics(const bus::QuadricsMessage& quadrics) {
-  auto job = make_job(pairing_.add(quadrics));
+/// Pairs quadrics and their boxes with their cloud. The mutex must be held.
+std::optional<Job> PlannerNode::pair_quadrics(const bus::QuadricsMessage& quadrics,
+                                              const std::optional<std::vector<Box>>& boxes) {
+  auto job = make_job(pairing_.add(quadrics, boxes));
   if (const auto given_up = pairing_.take_given_up()) {
     unpaired_log_.warning(fmt::format("{}: the quadrics of cloud {} are not planned on: {}",
                                       settings_.quadrics_channel, given_up->utime,
@@ -140,7 +148,6 @@ std::optional<Job> PlannerNode::receive_request(const std::string& channel,
 
 std::optional<Job> PlannerNode::make_job(std::optional<CloudAndQuadrics> found) {
   if (!found) return std::nullopt;
-  found->boxes = boxes_.take(found->quadrics);
   auto pair = std::make_shared<const CloudAndQuadrics>(std::move(*found));
   recent_.add(pair);
   if (settings_.on_request) return std::nullopt;

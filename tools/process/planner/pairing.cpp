@@ -81,13 +81,15 @@ std::optional<CloudAndQuadrics> Pairing::add(bus::CloudMessage cloud, Placement 
   const auto found = find_cloud(waiting_->quadrics);
   const auto* const index = std::get_if<std::size_t>(&found);
   if (index == nullptr) return std::nullopt;
-  return take_pair(*index, std::exchange(waiting_, std::nullopt)->quadrics);
+  Waiting found_for = *std::exchange(waiting_, std::nullopt);
+  return take_pair(*index, std::move(found_for.quadrics), std::move(found_for.boxes));
 }
 
-std::optional<CloudAndQuadrics> Pairing::add(bus::QuadricsMessage quadrics) {
+std::optional<CloudAndQuadrics> Pairing::add(bus::QuadricsMessage quadrics,
+                                             std::optional<std::vector<Box>> boxes) {
   const auto found = find_cloud(quadrics);
   if (const auto* index = std::get_if<std::size_t>(&found)) {
-    return take_pair(*index, std::move(quadrics));
+    return take_pair(*index, std::move(quadrics), std::move(boxes));
   }
   const Unpaired why = std::get<Unpaired>(found);
   // No later cloud can resolve this.
@@ -96,7 +98,7 @@ std::optional<CloudAndQuadrics> Pairing::add(bus::QuadricsMessage quadrics) {
     return std::nullopt;
   }
   if (waiting_) give_up(waiting_->quadrics.utime, waiting_->why);
-  waiting_ = {std::move(quadrics), why};
+  waiting_ = {std::move(quadrics), std::move(boxes), why};
   return std::nullopt;
 }
 
@@ -127,9 +129,10 @@ std::vector<count_t> Pairing::count_unpaired() const {
   return counts;
 }
 
-CloudAndQuadrics Pairing::take_pair(std::size_t cloud, bus::QuadricsMessage quadrics) {
+CloudAndQuadrics Pairing::take_pair(std::size_t cloud, bus::QuadricsMessage quadrics,
+                                    std::optional<std::vector<Box>> boxes) {
   CloudAndQuadrics pair{clouds_[cloud].cloud, clouds_[cloud].placement, std::move(quadrics),
-                        std::nullopt, std::chrono::steady_clock::now()};
+                        std::move(boxes), std::chrono::steady_clock::now()};
   for (std::size_t i = 0; i <= cloud; ++i) {
     bytes_ -= memory_of(*clouds_.front().cloud);
     clouds_.pop_front();

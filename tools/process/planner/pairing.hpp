@@ -27,7 +27,7 @@ struct CloudAndQuadrics {
   bus::QuadricsMessage quadrics;
   /// The boxes that were found with the quadrics; nullopt if the detector sent none.
   std::optional<std::vector<Box>> boxes;
-  /// Arrival time of the later of the two.
+  /// Arrival time of the cloud or of the quadrics, whichever came later.
   std::chrono::steady_clock::time_point at;
 };
 
@@ -56,9 +56,11 @@ class Pairing {
   /// @return the pair if the cloud's quadrics came before it
   std::optional<CloudAndQuadrics> add(bus::CloudMessage cloud, Placement placement = {});
 
+  /// @param boxes  the boxes that came with the quadrics
   /// @return the pair if the cloud of the quadrics is there; this cloud and older ones are then
   /// forgotten
-  std::optional<CloudAndQuadrics> add(bus::QuadricsMessage quadrics);
+  std::optional<CloudAndQuadrics> add(bus::QuadricsMessage quadrics,
+                                      std::optional<std::vector<Box>> boxes = {});
 
   std::int64_t paired() const { return paired_; }
   /// Number of quadrics whose cloud has not come.
@@ -82,10 +84,12 @@ class Pairing {
   };
   struct Waiting {
     bus::QuadricsMessage quadrics;
+    std::optional<std::vector<Box>> boxes;
     Unpaired why;
   };
   std::variant<std::size_t, Unpaired> find_cloud(const bus::QuadricsMessage& quadrics) const;
-  CloudAndQuadrics take_pair(std::size_t cloud, bus::QuadricsMessage quadrics);
+  CloudAndQuadrics take_pair(std::size_t cloud, bus::QuadricsMessage quadrics,
+                             std::optional<std::vector<Box>> boxes);
   void give_up(std::int64_t utime, Unpaired why);
   void forget_old();
 

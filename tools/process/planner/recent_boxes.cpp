@@ -18,13 +18,13 @@ void RecentBoxes::add(bus::BoxesMessage boxes) {
 }
 
 std::optional<std::vector<Box>> RecentBoxes::take(const bus::QuadricsMessage& quadrics) {
-  const auto found = std::find_if(messages_.begin(), messages_.end(), [&](const auto& boxes) {
+  const auto found = std::find_if(messages_.rbegin(), messages_.rend(), [&](const auto& boxes) {
     return boxes.utime == quadrics.utime && boxes.seq == quadrics.seq &&
            boxes.frame == quadrics.frame;
   });
-  if (found == messages_.end()) return std::nullopt;
+  if (found == messages_.rend()) return std::nullopt;
   std::vector<Box> boxes = std::move(found->boxes);
-  messages_.erase(messages_.begin(), found + 1);
+  messages_.erase(messages_.begin(), found.base());
   return boxes;
 }
 

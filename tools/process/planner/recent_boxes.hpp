@@ -15,8 +15,9 @@ class RecentBoxes {
  public:
   void add(bus::BoxesMessage boxes);
 
-  /// Takes the boxes with the utime, seq and frame of the quadrics, and forgets older ones; nullopt
-  /// if they have not come, as with a detector that sends none.
+  /// Takes the newest boxes with the utime, seq and frame of the quadrics, and forgets older ones;
+  /// nullopt if they have not come, as with a detector that sends none. To be called as soon as the
+  /// quadrics have come, since senders that do not tell the time give all clouds the same stamps.
   std::optional<std::vector<Box>> take(const bus::QuadricsMessage& quadrics);
 
  private:

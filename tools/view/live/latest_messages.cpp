@@ -44,21 +44,18 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
   Bytes copy = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
   const std::lock_guard lock(mutex_);
   if (is_cloud) keep_cloud(std::move(copy));
-  if (channel == channels_.quadrics) latest_.quadrics_before = latest_.quadrics;
+  if (channel == channels_.boxes) latest_.boxes_before = latest_.boxes;
   for (const auto& [name, slot] : slots) {
     if (!is_cloud && name == channel) std::swap(latest_.*slot, copy);
   }
   if (channel == channels_.quadrics) quadrics_came_ = now;
-  if (channel == channels_.boxes) boxes_came_ = now;
   // Status messages are not part of a scene.
   const bool is_status =
       channel == channels_.detector_status || channel == channels_.planner_status;
   if (is_status) return;
-  // Quadrics wait for their boxes, and clouds for their quadrics, if such messages have come
-  // recently.
-  const auto last = is_cloud ? quadrics_came_ : boxes_came_;
-  const bool waits = is_cloud || channel == channels_.quadrics;
-  has_news_ = has_news_ || !waits || now - last > kQuadricsTime;
+  // Clouds and boxes wait for their quadrics, if such messages have come recently.
+  const bool waits = is_cloud || channel == channels_.boxes;
+  has_news_ = has_news_ || !waits || now - quadrics_came_ > kQuadricsTime;
   news_.notify_one();
 }
 

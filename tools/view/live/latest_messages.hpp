@@ -26,8 +26,8 @@ using Bytes = std::shared_ptr<const std::vector<std::byte>>;
 /// cloud.
 struct LatestMessages {
   std::deque<Bytes> clouds;
-  /// The quadrics before the newest, used until the boxes of the newest have come.
-  Bytes quadrics_before;
+  /// The boxes before the newest, used until the quadrics of the newest have come.
+  Bytes boxes_before;
   Bytes quadrics, boxes, grasps, occupancy, detector_status, planner_status;
 };
 
@@ -65,7 +65,7 @@ class MessageKeeper {
   LatestMessages latest_;
   std::size_t cloud_bytes_ = 0;
   bool has_news_ = false;
-  Clock::time_point watched_until_{}, quadrics_came_{}, boxes_came_{}, plan_came_{};
+  Clock::time_point watched_until_{}, quadrics_came_{}, plan_came_{};
 };
 
 }  // namespace quadrille::view

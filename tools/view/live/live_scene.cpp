@@ -98,14 +98,15 @@ void add_grasps(const grasps_t& message, const FindGripper& find_gripper, std::s
   scene->warnings.insert(scene->warnings.end(), message.warnings.begin(), message.warnings.end());
 }
 
-/// Returns the newest quadrics, or the ones before them as long as the newest have no boxes yet.
-std::optional<bus::QuadricsMessage> find_quadrics(const LatestMessages& messages,
-                                                  const std::optional<bus::BoxesMessage>& boxes) {
-  const auto decode = [](const auto& b) { return bus::decode_quadrics(b); };
-  auto newest = read<bus::QuadricsMessage>(messages.quadrics, decode);
-  if (!newest || !boxes || boxes->utime == newest->utime) return newest;
-  auto before = read<bus::QuadricsMessage>(messages.quadrics_before, decode);
-  return before && before->utime == boxes->utime ? before : newest;
+/// Returns the boxes of the quadrics: the newest, or the ones before them if the quadrics of the
+/// newest have not come yet.
+std::optional<bus::BoxesMessage> find_boxes(const LatestMessages& messages,
+                                            const bus::QuadricsMessage& quadrics) {
+  for (const Bytes& bytes : {messages.boxes, messages.boxes_before}) {
+    auto boxes = read<bus::BoxesMessage>(bytes, [](const auto& b) { return bus::decode_boxes(b); });
+    if (boxes && boxes->utime == quadrics.utime && boxes->seq == quadrics.seq) return boxes;
+  }
+  return std::nullopt;
 }
 
 void add_quadrics(bus::QuadricsMessage message, const std::optional<bus::BoxesMessage>& boxes,
@@ -114,7 +115,7 @@ void add_quadrics(bus::QuadricsMessage message, const std::optional<bus::BoxesMe
   scene->seq = message.seq;
   scene->detections = std::move(message.detections);
   std::erase_if(scene->detections, [](const Detection& d) { return !is_reported(d); });
-  if (!boxes || boxes->utime != message.utime || boxes->seq != message.seq) return;
+  if (!boxes) return;
   std::copy_if(boxes->boxes.begin(), boxes->boxes.end(), std::back_inserter(scene->boxes),
                [](const Box& box) { return is_reported(box); });
 }
@@ -141,12 +142,14 @@ Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper
                  const PackLimits& limits) {
   Scene scene;
   scene.name = "live";
-  const auto boxes =
-      read<bus::BoxesMessage>(messages.boxes, [](const auto& b) { return bus::decode_boxes(b); });
-  auto quadrics = find_quadrics(messages, boxes);
+  auto quadrics = read<bus::QuadricsMessage>(messages.quadrics,
+                                             [](const auto& b) { return bus::decode_quadrics(b); });
   add_cloud(find_cloud(messages.clouds, quadrics), quadrics, &scene);
   const std::string frame = scene.cloud.frame;
-  if (quadrics) add_quadrics(std::move(*quadrics), boxes, &scene);
+  if (quadrics) {
+    const auto boxes = find_boxes(messages, *quadrics);
+    add_quadrics(std::move(*quadrics), boxes, &scene);
+  }
   const auto grasps = read_grasps(messages.grasps);
   if (grasps && grasps->frame == frame) add_grasps(*grasps, find_gripper, limits.grasps, &scene);
   const auto map =

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
@@ -15,7 +16,8 @@ Scene scene_of_cloud(const PointCloud& cloud, const Eigen::Isometry3d& X_CK,
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps.
   found.detections = bus::as_received(found.detections);
-  const GraspScene asked(cloud, found.detections, setup.gripper, setup.plan, {}, found.boxes);
+  const GraspScene asked(cloud, found.detections, setup.gripper, setup.plan, {},
+                         bus::as_received(found.boxes));
   GraspPlan plan = asked.plan(setup.query);
   found.boxes = plan.boxes;
   Scene scene = scene_of_result(cloud, found, X_CK);

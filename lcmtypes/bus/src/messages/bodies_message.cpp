@@ -30,7 +30,7 @@ void check_body(ByteReader& reader) {
   for (int i = 0; i < 3; ++i) check_deviation(reader.read_double("std"));
   for (int i = 0; i < 3; ++i) reader.read_int8("seen");
   reader.read_int32("standing_on");
-  reader.read_int32("points");
+  if (reader.read_int32("points") < 0) refuse(RejectReason::kBadValue, "points");
 }
 
 void check_bodies(ByteReader& reader) {
