@@ -54,7 +54,7 @@ check_plan() {
 
 # Results that a log holds already are not mixed with new ones.
 check_mixed_results() {
-  local held="on QUADRICS (6; --out-channel), BOXES (6; --boxes-channel), QUADRILLE_DETECTOR_STATUS"
+  local held="on QUADRICS (6; --out-channel), BOXES (6; --boxes-channel), BODIES (6; --bodies-channel), QUADRILLE_DETECTOR_STATUS"
   cp "$work/grasps.lcm" "$work/kept.lcm"
   expect_exit 1 "$held" "$detector" --in-log "$work/quadrics.lcm" --out-log "$work/kept.lcm" --copy-input
   cmp "$work/grasps.lcm" "$work/kept.lcm" || fail "a refused replay has touched its output"
@@ -62,7 +62,7 @@ check_mixed_results() {
     "$detector" --in-log "$work/quadrics.lcm" --out-log "$work/o.lcm"
   expect_exit 0 "clouds in: 6" \
     "$detector" --in-log "$work/quadrics.lcm" --out-log "$work/o.lcm" --copy-input \
-    --out-channel Q2 --boxes-channel B2 --status-channel S2
+    --out-channel Q2 --boxes-channel B2 --bodies-channel N2 --status-channel S2
   "$planner" --in-log "$work/quadrics.lcm" --out-log "$work/planned.lcm" --copy-input 2>/dev/null
   expect_exit 1 "on GRASPS (6; --grasps-channel), COLLISION_SHAPES (6; --shapes-channel)" \
     "$planner" --in-log "$work/planned.lcm" --out-log "$work/o.lcm" --copy-input

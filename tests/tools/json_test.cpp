@@ -54,7 +54,7 @@ TEST_CASE("the JSON of a detection has the promised keys, types and digits", "[j
   const io::Json json =
       io::Json::parse(io::detect_json({"a.ply", "cam", 12, 0.5, {1, 2, 3}}, run, result).dump());
   CHECK(keys_of(json) == Keys{"input", "version", "seed", "settings", "frame", "viewpoint",
-                              "warnings", "points", "timings", "detections", "boxes"});
+                              "warnings", "points", "timings", "detections", "boxes", "bodies"});
   CHECK(json["seed"] == 7);
   CHECK(json["settings"] == io::Json({{"planes.sigmas", 2.5}}));
   CHECK(json["warnings"] == io::Json({"The lens is dirty."}));
@@ -133,7 +133,7 @@ TEST_CASE("the JSON of a plan has the promised keys, and its total spans both ha
   run.gripper = "claw";
   const io::Json json = io::plan_json({"a.ply", "cam", 12, 0.5}, run, result, plan);
   CHECK(keys_of(json) == Keys{"input", "version", "seed", "settings", "gripper", "frame",
-                              "viewpoint", "warnings", "detections", "boxes", "timings", "grasps",
+                              "viewpoint", "warnings", "detections", "boxes", "bodies", "timings", "grasps",
                               "rejected", "shapes"});
   CHECK(json["gripper"] == "claw");
   CHECK(json["timings"]["total_ms"] == 120.0);

@@ -24,8 +24,8 @@ BoxEnd plane_end(const BoxDraft& draft, const Face& face, int axis, int upper) {
   return {median(heights), std::hypot(kPlaneStd, noise), true};
 }
 
-/// An end from the outlines of the faces that lie along the axis: the farthest of those that were
-/// seen, or of all if none was.
+/// An end from the outlines of the faces that lie along the axis. Two outlines that were seen are
+/// averaged; otherwise the farther one counts.
 BoxEnd outline_end(const BoxDraft& draft, int axis, int upper) {
   std::vector<FaceEdge> edges;
   for (int i = 0; i < static_cast<int>(draft.faces.size()); ++i) {
@@ -37,11 +37,12 @@ BoxEnd outline_end(const BoxDraft& draft, int axis, int upper) {
   if (edges.empty()) return {-plane_end(draft, *draft.faces[0], axis, !upper).at, 0.0, false};
   const bool seen = std::any_of(edges.begin(), edges.end(), [](const auto& e) { return e.seen; });
   if (seen) std::erase_if(edges, [](const FaceEdge& e) { return !e.seen; });
-  // Where edges are rounded, a face that is seen obliquely shows less of the end than another.
-  const auto farthest = std::max_element(
-      edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) { return a.at < b.at; });
-  const double apart = 0.5 * (edges.front().at - edges.back().at);
-  return {farthest->at, seen ? std::hypot(farthest->std, apart) : farthest->std, seen};
+  const FaceEdge& a = edges.front();
+  const FaceEdge& b = edges.back();
+  if (!seen) return {std::max(a.at, b.at), a.at > b.at ? a.std : b.std, false};
+  const double wa = 1.0 / (a.std * a.std), wb = 1.0 / (b.std * b.std);
+  const double std = edges.size() > 1 ? 1.0 / std::sqrt(wa + wb) : a.std;
+  return {(wa * a.at + wb * b.at) / (wa + wb), std::hypot(std, 0.5 * (a.at - b.at)), true};
 }
 
 /// Finds the plane that stops an end from moving outward, given the end's position and the seen
@@ -67,7 +68,7 @@ BoxEnd rested(const BoxDraft& draft, const std::vector<const Detection*>& planes
   const PlaneStop stop = stop_from(draft, planes, end.at, axis, upper, draft.skin());
   if (!stop.parallel || std::abs(stop.distance) > draft.skin()) return end;
   end.at += stop.distance;
-  end.rests = end.seen = true;
+  end.rests = true;
   end.std = std::max(kPlaneStd, 0.5 * draft.max_tolerance() / 3.0);
   return end;
 }
@@ -75,7 +76,8 @@ BoxEnd rested(const BoxDraft& draft, const std::vector<const Detection*>& planes
 BoxEnd find_end(const BoxDraft& draft, const std::vector<const Detection*>& planes, int axis,
                 int upper) {
   if (const Face* face = draft.face_on(axis, upper)) return plane_end(draft, *face, axis, upper);
-  return rested(draft, planes, outline_end(draft, axis, upper), axis, upper);
+  const BoxEnd end = outline_end(draft, axis, upper);
+  return end.seen ? rested(draft, planes, end, axis, upper) : end;
 }
 
 /// How far an end may move outward before the box would hide points that were seen [m].

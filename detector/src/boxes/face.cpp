@@ -94,18 +94,17 @@ void set_middle(Face& face) {
 
 }  // namespace
 
-FacePatch patch_around(const std::vector<Eigen::Vector3d>& points,
-                       const Eigen::Vector3d& towards_C) {
+FacePatch patch_around(const std::vector<Eigen::Vector3d>& points, const Eigen::Matrix3d& R_CL) {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : points) mean += p;
   mean /= static_cast<double>(points.size());
   Eigen::Matrix3d S = Eigen::Matrix3d::Zero();
   for (const Eigen::Vector3d& p : points) S += (p - mean) * (p - mean).transpose();
   Eigen::Vector3d n = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(S).eigenvectors().col(0);
-  if (n.dot(towards_C) < 0.0) n = -n;
+  if (n.dot(R_CL.col(2)) < 0.0) n = -n;
   FacePatch patch;
-  const Eigen::Vector3d x = n.unitOrthogonal();
-  patch.X_CP.linear() << x, n.cross(x), n;
+  const Eigen::Vector3d y = n.cross(R_CL.col(0)).normalized();
+  patch.X_CP.linear() << y.cross(n), y, n;
   Eigen::AlignedBox3d box;
   for (const Eigen::Vector3d& p : points) {
     box.extend(Eigen::Vector3d(patch.X_CP.linear().transpose() * p));
@@ -241,11 +240,13 @@ double turn_across(const Piece& piece) {
 
 /// The largest piece of the patch that is fitted to a piece's own points, again and again as long
 /// as the piece grows.
-std::optional<Piece> refitted(Piece piece, const FacePatch& patch, const DirectionIndex& sight) {
-  const Eigen::Vector3d towards_C = patch.X_CP.linear().col(2);
+/// @param rounds  number of fits at most
+std::optional<Piece> refitted(Piece piece, const FacePatch& patch, const DirectionIndex& sight,
+                              int rounds) {
   std::optional<Piece> best;
-  for (int round = 0; round < kMaxRefits; ++round) {
-    std::vector<Piece> pieces = pieces_of(patch_around(piece.measured_C, towards_C), {}, sight);
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<Piece> pieces =
+        pieces_of(patch_around(piece.measured_C, patch.X_CP.linear()), {}, sight);
     if (pieces.empty()) break;
     if (best && pieces.front().measured_C.size() <= best->measured_C.size()) break;
     best = piece = std::move(pieces.front());
@@ -258,7 +259,7 @@ std::optional<Piece> refitted(Piece piece, const FacePatch& patch, const Directi
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
   const std::vector<Piece> pieces = pieces_of(patch, sigma, sight);
   if (pieces.empty()) return std::nullopt;
-  std::optional<Piece> piece = refitted(pieces.front(), patch, sight);
+  std::optional<Piece> piece = refitted(pieces.front(), patch, sight, kMaxRefits);
   if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
   return std::move(piece->face);
 }
@@ -270,7 +271,7 @@ std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) 
   for (Piece& piece : pieces) {
     // If a plane has several pieces, each has a plane of its own, and the common plane is only
     // their mean.
-    auto own = pieces.size() > 1 ? refitted(piece, patch, sight) : std::nullopt;
+    auto own = pieces.size() > 1 ? refitted(piece, patch, sight, 1) : std::nullopt;
     faces.push_back(std::move(own ? own->face : piece.face));
     faces.back().id = plane.id;
     faces.back().score = plane.score;

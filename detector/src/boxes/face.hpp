@@ -33,9 +33,11 @@ Eigen::Vector3d outward_normal(const Detection& plane);
 
 /// A connected piece of a plane, which may be a face of a box.
 struct Face {
-  /// Id and confidence of the plane's detection.
+  /// Id and confidence of the plane's detection; 0 if it was not detected.
   int id = 0;
   double score = 0.0;
+  /// True if the face was found only as a flat patch among other samples.
+  bool is_patch = false;
   /// Outward unit normal, and offset of the plane n·x = offset [m].
   Eigen::Vector3d n_C = Eigen::Vector3d::UnitZ();
   double offset = 0.0;
@@ -80,9 +82,8 @@ struct FacePatch {
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight);
 
 /// The least-squares plane of some points and the rectangle around them.
-/// @param towards_C  direction to which the normal points
-FacePatch patch_around(const std::vector<Eigen::Vector3d>& points_C,
-                       const Eigen::Vector3d& towards_C);
+/// @param R_CL  axes of a frame whose x and z are nearly those of the patch
+FacePatch patch_around(const std::vector<Eigen::Vector3d>& points_C, const Eigen::Matrix3d& R_CL);
 
 /// A flat patch of a surface that was not detected as a plane, with the noise of its points along
 /// the normal [m].

@@ -4,9 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
-#include <utility>
 
 #include "base/quantile.hpp"
 
@@ -15,19 +13,19 @@ namespace {
 
 // An edge counts as seen if at least this share of the rows see it.
 constexpr double kMinSeenShare = 0.3;
-// A surface that leaves a face is seen at 14° or more: its points lie no farther beyond the edge
-// than this many times their distance from the face's plane.
+// A point beside a row touches the row's end if it is no farther from it than this many times their
+// distance within the plane (true of a table that is seen at 14° or more), plus the edge's
+// rounding.
 constexpr double kMaxSlant = 4.0;
 // A surface that leaves a face is fitted to points in this many bands of height, each as wide as
 // the tolerance and with at least this many points.
 constexpr std::size_t kLeavingBands = 3;
 constexpr int kMinBandPoints = 8;
-// One in this many points of a surface that bends back from a face counts as its deepest.
-constexpr std::size_t kDeepest = 5;
 
 /// A line of points that runs towards an edge.
 struct Row {
   double end = -std::numeric_limits<double>::infinity();
+  Eigen::Vector3d last_C = Eigen::Vector3d::Zero();
   /// Distance to the nearest point beyond the end, and whether it shows that the face ends there.
   double beside = kAround;
   bool seen = false;
@@ -46,7 +44,10 @@ class Rows {
     for (const Eigen::Vector3d& p : face.points_C) {
       if (Row* row = at(p)) {
         const double end = out_C_.dot(p);
-        row->end = std::max(row->end, end);
+        if (end > row->end) {
+          row->end = end;
+          row->last_C = p;
+        }
       }
     }
   }
@@ -73,8 +74,13 @@ void look_beside(const Face& face, const Eigen::Vector3d& out_C,
     if (!row || row->empty()) continue;
     const double beyond = out_C.dot(seen.on_C) - row->end;
     if (!(beyond > 0.0 && beyond < row->beside)) continue;
+    const bool behind = seen.height < -face.tolerance();
+    // A point in the plane beyond the end is no sign of an end.
+    const bool touches =
+        seen.height > face.tolerance() &&
+        (seen.p_C - row->last_C).norm() < kMaxSlant * beyond + face.tolerance() + kRounding;
     row->beside = beyond;
-    row->seen = seen.height < -face.tolerance();
+    row->seen = behind || touches;
   }
 }
 
@@ -104,38 +110,6 @@ std::optional<double> meeting_of(const Face& face, const Eigen::Vector3d& out_C,
   // At the height of the tolerance the surface must pass near the end of the rows.
   if (!(line.y() > 0.0) || std::abs(line.sum()) > 2.0 * face.pitch) return std::nullopt;
   return end + line.x();
-}
-
-/// Outermost position of the surface that bends back from a face at its edge, such as the rounded
-/// edge of a box or its next face: the mean position of the deepest of its points, which lie
-/// outermost. Nullopt if there is no such surface, as at a sharp outline.
-std::optional<double> turn_of(const Face& face, const Eigen::Vector3d& out_C, double pitch,
-                              const std::vector<SeenThrough>& around, Rows& rows) {
-  std::map<const Row*, std::vector<std::pair<double, double>>> behind;
-  for (const SeenThrough& seen : around) {
-    if (seen.height > -face.tolerance() || seen.height < -kAround) continue;
-    const double place = out_C.dot(seen.p_C);
-    const Row* row = rows.at(seen.p_C);
-    if (!row || row->empty() || !row->seen || place < row->end - pitch) continue;
-    behind[row].emplace_back(place, -seen.height);
-  }
-  const double gap = kGapPitches * pitch + face.tolerance();
-  std::vector<std::pair<double, double>> turning;
-  for (auto& [row, points] : behind) {
-    std::sort(points.begin(), points.end());
-    double reached = row->end;
-    for (const auto& [place, depth] : points) {
-      if (place > reached + gap) break;
-      reached = std::max(reached, place);
-      turning.emplace_back(depth, place);
-    }
-  }
-  if (static_cast<int>(turning.size()) < kMinBandPoints) return std::nullopt;
-  std::sort(turning.rbegin(), turning.rend());
-  turning.resize(std::max<std::size_t>(kMinBandPoints, turning.size() / kDeepest));
-  double sum = 0.0;
-  for (const auto& [depth, place] : turning) sum += place;
-  return sum / static_cast<double>(turning.size());
 }
 
 double deviation(std::vector<double> values, double middle) {
@@ -183,10 +157,6 @@ FaceEdge edge_of(const Face& face, const Eigen::Vector3d& out_C,
   const double spread = deviation(rows_that_tell, end);
   edge.std = std::hypot(0.5 * pitch, spread / std::sqrt(double(rows_that_tell.size())));
   if (!sight.single()) return edge;
-  if (const auto turn = edge.seen ? turn_of(face, out_C, pitch, around, rows) : std::nullopt) {
-    edge.at = std::max(edge.at, *turn);
-    return edge;
-  }
   const auto meeting = meeting_of(face, out_C, end, around, rows);
   if (meeting && *meeting < edge.at) {
     edge.std = std::hypot(edge.std, edge.at - *meeting);

@@ -25,8 +25,8 @@ std::vector<SeenThrough> look_through(const Face& face,
 struct FaceEdge {
   /// Distance from the origin of C along the direction of the side, and its standard deviation [m].
   double at = 0.0, std = 0.0;
-  /// True if the sensor saw the face end there: what it saw beside the edge lies behind the face.
-  /// False if something in front hides the rest or the image ends; the face then
+  /// True if the sensor saw the face end there: what it saw beside the edge lies behind the face or
+  /// touches it. False if something in front hides the rest or the image ends; the face then
   /// reaches at least to `at`.
   bool seen = false;
 };

@@ -43,7 +43,10 @@ class BoxMaker {
     }
     for (const FlatPatch& flat : patches) {
       if (is_known(flat.patch)) continue;
-      if (auto face = face_at(flat.patch, flat.sigma, sight_)) faces_.push_back(std::move(*face));
+      auto face = face_at(flat.patch, flat.sigma, sight_);
+      if (!face) continue;
+      face->is_patch = true;
+      faces_.push_back(std::move(*face));
     }
   }
 

@@ -29,8 +29,10 @@ std::vector<FlatPatch> find_flat_patches(const SurfaceSamples& samples, const Pl
   for (const PlaneRegion& plane : planes) {
     std::vector<Eigen::Vector3d> points_C;
     for (const int i : plane.samples) points_C.push_back(samples.raw[i].cast<double>());
-    patches.push_back(
-        {patch_around(points_C, plane.plane.head<3>()), mean_sigma(samples, plane.samples)});
+    const Eigen::Vector3d n = plane.plane.head<3>(), x = n.unitOrthogonal();
+    Eigen::Matrix3d R_CL;
+    R_CL << x, n.cross(x), n;
+    patches.push_back({patch_around(points_C, R_CL), mean_sigma(samples, plane.samples)});
   }
   return patches;
 }

@@ -23,7 +23,7 @@ constexpr double kMaxDoubt = 0.1;
 
 // Score of a box of which no face was detected.
 constexpr double kUndetectedScore = 0.5;
-// Least share of the points in a box with an undetected face that lie on the faces.
+// Least share of the points in a box that lie on its faces, if one of these is only a patch.
 constexpr double kMinOnFaces = 0.85;
 
 double uniform_std(double width) { return width / std::sqrt(12.0); }
@@ -68,9 +68,9 @@ bool nothing_within(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A) {
          draft.max_strays();
 }
 
-bool all_detected(const BoxDraft& draft) {
-  return std::all_of(draft.faces.begin(), draft.faces.end(),
-                     [](const Face* face) { return face->id != 0; });
+bool has_patch(const BoxDraft& draft) {
+  return std::any_of(draft.faces.begin(), draft.faces.end(),
+                     [](const Face* face) { return face->is_patch; });
 }
 
 /// True if most of the points in the box lie on its faces, and few on edges that are rounded. On a
@@ -100,8 +100,8 @@ bool is_solid(const BoxDraft& draft, const BoxEnds& ends) {
     const double doubt = std::hypot(ends[axis][0].std, ends[axis][1].std);
     if (doubt > kMaxDoubt * size[axis]) return false;
   }
-  return all_filled(draft, box_A) && (alone || (nothing_within(draft, box_A) &&
-                                                (all_detected(draft) || on_faces(draft, box_A))));
+  return all_filled(draft, box_A) &&
+         (alone || (nothing_within(draft, box_A) && (!has_patch(draft) || on_faces(draft, box_A))));
 }
 
 /// True if the outline of a single face was seen all around and a plane parallel to it lies below:
