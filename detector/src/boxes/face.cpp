@@ -259,8 +259,17 @@ std::optional<Piece> refitted(Piece piece, const FacePatch& patch, const Directi
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
   const std::vector<Piece> pieces = pieces_of(patch, sigma, sight);
   if (pieces.empty()) return std::nullopt;
-  std::optional<Piece> piece = refitted(pieces.front(), patch, sight, kMaxRefits);
+  std::optional<Piece> piece = refitted(pieces.front(), patch, sight, 1);
+  if (!piece) return std::nullopt;
+  return std::move(piece->face);
+}
+
+std::optional<Face> face_of(const FlatPatch& flat, const DirectionIndex& sight) {
+  const std::vector<Piece> pieces = pieces_of(flat.patch, flat.sigma, sight);
+  if (pieces.empty()) return std::nullopt;
+  std::optional<Piece> piece = refitted(pieces.front(), flat.patch, sight, kMaxRefits);
   if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
+  piece->face.is_patch = true;
   return std::move(piece->face);
 }
 

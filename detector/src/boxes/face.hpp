@@ -92,6 +92,10 @@ struct FlatPatch {
   double sigma = 0.0;
 };
 
+/// The largest connected piece of flat surface at a patch, which has grown as far as its plane
+/// explains points; nullopt if there is none, or if it bends.
+std::optional<Face> face_of(const FlatPatch& flat, const DirectionIndex& sight);
+
 /// The connected pieces of a plane with their points, the largest first. One plane may hold faces
 /// of several boxes of the same height.
 std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight);

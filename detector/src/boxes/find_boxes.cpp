@@ -43,10 +43,7 @@ class BoxMaker {
     }
     for (const FlatPatch& flat : patches) {
       if (is_known(flat.patch)) continue;
-      auto face = face_at(flat.patch, flat.sigma, sight_);
-      if (!face) continue;
-      face->is_patch = true;
-      faces_.push_back(std::move(*face));
+      if (auto face = face_of(flat, sight_)) faces_.push_back(std::move(*face));
     }
   }
 
