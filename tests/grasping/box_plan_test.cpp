@@ -66,7 +66,8 @@ TEST_CASE("the planner takes the detector's boxes, however far the cloud is from
   for (Eigen::Vector3f& p : cloud.points) p += shift.cast<float>();
   cloud.viewpoint += shift;
   const DetectionResult found = detect(cloud);
-  const GraspPlan plan = plan_grasps(cloud, found.detections, franka_hand(), {}, {}, {}, found.boxes);
+  const GraspPlan plan =
+      plan_grasps(cloud, found.detections, franka_hand(), {}, {}, {}, found.boxes);
   REQUIRE(found.boxes.size() == 1);
   REQUIRE(plan.boxes.size() == 1);
   const Box &a = found.boxes[0], &b = plan.boxes[0];

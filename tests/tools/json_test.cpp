@@ -133,8 +133,8 @@ TEST_CASE("the JSON of a plan has the promised keys, and its total spans both ha
   run.gripper = "claw";
   const io::Json json = io::plan_json({"a.ply", "cam", 12, 0.5}, run, result, plan);
   CHECK(keys_of(json) == Keys{"input", "version", "seed", "settings", "gripper", "frame",
-                              "viewpoint", "warnings", "detections", "boxes", "bodies", "timings", "grasps",
-                              "rejected", "shapes"});
+                              "viewpoint", "warnings", "detections", "boxes", "bodies", "timings",
+                              "grasps", "rejected", "shapes"});
   CHECK(json["gripper"] == "claw");
   CHECK(json["timings"]["total_ms"] == 120.0);
   CHECK(keys_of(json["grasps"][0]) ==
