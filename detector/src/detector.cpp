@@ -181,7 +181,8 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options,
   Mask unexplained;
   for (const int cell : tree.finest().source) {
     const int k = measured.owner[cell];
-    // What lies on a surface that was not asked for is no lump.
+    // Samples on a surface of a type that was not asked for are explained by it, so they must not
+    // become a lump.
     owner.push_back(k < 0 ? 0 : ids[k] == 0 ? kNotAsked : ids[k]);
     unexplained.push_back(k < 0);
   }

@@ -128,7 +128,7 @@ void bind_box(py::module_& module) {
 void bind_body(py::module_& module) {
   py::class_<SceneBody>(module, "Body",
                         "A thing of the scene, made of detections or a lump of points.")
-      .def_readonly("id", &SceneBody::id, "That of its box or first part; lumps continue them.")
+      .def_readonly("id", &SceneBody::id, "That of its box or main part; lumps continue them.")
       .def_property_readonly(
           "kind", [](const SceneBody& body) { return std::string(to_string(body.kind)); },
           "\"single\", \"revolution\", \"box\" or \"lump\".")

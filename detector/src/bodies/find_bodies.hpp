@@ -8,12 +8,12 @@
 
 namespace quadrille {
 
-/// What a cloud near the origin was found to contain.
+/// The input of find_bodies(): all that was found in one cloud, which lies near the origin.
 struct BodySources {
   const std::vector<Detection>& detections;
   const std::vector<Box>& boxes;
-  /// Samples beside the large planes, and for each the id of the detection on which it lies, 0 for
-  /// none.
+  /// Samples beside the large planes, and for each the id of the detection on which it lies. It
+  /// is 0 if there is none, and negative if the detection was not asked for.
   const SurfaceSamples& samples;
   const std::vector<int>& owner;
 };

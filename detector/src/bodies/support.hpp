@@ -35,8 +35,9 @@ std::vector<Support> supports_of(const std::vector<Detection>& detections,
 /// The support nearest below a place; nullptr if there is none.
 const Support* support_below(const std::vector<Support>& supports, const Eigen::Vector3d& p_C);
 
-/// The support on which something stands that occupies these places: the nearest below their
-/// middle, if the lowest of them is on it. Nullopt if there is none.
+/// The support on which something stands that occupies these places. It lies below their middle,
+/// and the lowest of them is on it; if there are several, the one nearest to the lowest place.
+/// Nullopt if there is none.
 std::optional<int> standing_on(const std::vector<Support>& supports,
                                std::span<const Eigen::Vector3d> places_C);
 

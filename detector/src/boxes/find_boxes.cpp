@@ -62,7 +62,7 @@ class BoxMaker {
   }
 
  private:
-  /// True if a face lies along the patch, as if the patch continued it behind a small step.
+  /// True if a face that was found before already covers the middle of the patch.
   bool is_known(const FacePatch& patch) const {
     const Eigen::Vector3d middle_C = patch.X_CP.translation();
     return std::any_of(faces_.begin(), faces_.end(), [&](const Face& face) {
@@ -94,18 +94,18 @@ class BoxMaker {
     boxes_.push_back(std::move(*box));
   }
 
-  /// A box completed with faces that were not detected; nullopt if there are none or they make no
-  /// box.
+  /// A box completed with faces that are not among the given ones; nullopt if there are none or
+  /// they make no box.
   std::optional<Box> completed_box(std::vector<const Face*> faces,
                                    const std::vector<const Detection*>& others) const {
-    const std::size_t detected = faces.size();
+    const std::size_t given = faces.size();
     std::list<Face> missing;  // The list keeps pointers to its elements valid.
     while (faces.size() < 3) {
       std::optional<Face> face = find_missing_face(faces, box_axes(faces), sight_);
       if (!face) break;
       faces.push_back(&missing.emplace_back(std::move(*face)));
     }
-    if (faces.size() == detected) return std::nullopt;
+    if (faces.size() == given) return std::nullopt;
     return measure_box(faces, others, sight_);
   }
 

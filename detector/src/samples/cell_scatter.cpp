@@ -13,7 +13,7 @@ constexpr std::size_t kPoints = 50'000;
 std::vector<Eigen::Matrix3f> scatter_in_cells(const CloudView& cloud, const CellPyramid& pyramid,
                                               const std::vector<int>& owner) {
   std::vector<Eigen::Matrix3f> scatter(owner.size(), Eigen::Matrix3f::Zero());
-  // An odd step does not meet the same columns of an image in each row.
+  // An odd step meets other columns in each row of most images, whose width is even.
   const std::size_t step = cloud.points.size() / kPoints | 1;
   for (std::size_t k = 0; k < cloud.points.size(); k += step) {
     const int cell = pyramid.cell_of(cloud.points[k]);

@@ -7,7 +7,7 @@
 namespace quadrille {
 namespace {
 
-// As many as clouds are kept while they wait for their quadrics.
+// Pairing keeps 32 clouds until their quadrics come, so boxes of older clouds are of no use.
 constexpr std::size_t kMaxMessages = 32;
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace quadrille {
 
-/// What a body was recognised by.
+/// Kinds of bodies, which tell how a body was found.
 enum class BodyKind {
   kSingle,      ///< one detection that belongs to no other body
   kRevolution,  ///< surfaces that share an axis, with the lids at their ends
@@ -24,8 +24,8 @@ QUADRILLE_EXPORT std::string_view to_string(BodyKind kind);
 
 /// One thing of the scene, in a cloud with frame C.
 struct SceneBody {
-  /// That of its box or of its first part; lumps continue the ids of detections and boxes. So a
-  /// number names one thing among detections, boxes and bodies.
+  /// The id of its box, or of the part whose axis and frame it has. The ids of lumps continue those
+  /// of detections and boxes. So a number names one thing among detections, boxes and bodies.
   int id = 0;
   BodyKind kind = BodyKind::kSingle;
   /// Ids of the detections that are parts of the body, those with more points first; none for
@@ -37,9 +37,11 @@ struct SceneBody {
   /// Sizes along x, y, z, and their standard deviations, infinite for a size that the view leaves
   /// open [m].
   Eigen::Vector3d size = Eigen::Vector3d::Zero(), std = Eigen::Vector3d::Zero();
-  /// True if the size along the axis was seen. Otherwise the hidden part is a guess, or left out.
+  /// True for each of x, y, z along which the size was seen. Otherwise the size is a guess, or that
+  /// of the seen part alone.
   std::array<bool, 3> seen = {false, false, false};
-  /// Id of the plane on which the body stands; none if it leans, hangs or its foot is hidden.
+  /// Id of the plane on which the body stands, negative if that plane was not asked for; none if
+  /// the body leans, hangs or its foot is hidden.
   std::optional<int> standing_on;
   /// Number of cloud points on the body, with those of what is connected to it, such as a handle.
   int points = 0;
