@@ -9,7 +9,7 @@
 namespace quadrille {
 
 /// Makes boxes from the planes among the detections of a cloud near the origin, and from flat
-/// patches of its surfaces that are too small to be detected as planes; see the public
+/// patches of the cloud that are too small to be detected as planes; see the public
 /// find_boxes().
 std::vector<Box> find_boxes(const CloudView& cloud, const std::vector<Detection>& detections,
                             const std::vector<FlatPatch>& patches);

@@ -8,8 +8,8 @@ namespace {
 
 // Least number of samples of a patch, which are enough for a plane and its noise.
 constexpr int kMinSamples = 12;
-// Least radius to which a patch may bend [m]. It is small, since its samples average over rounded edges. Whether it is flat
-// is judged later by its points.
+// Least radius to which a patch may bend [m]. It is small, since its samples average over rounded
+// edges. Whether it is flat is judged later by its points.
 constexpr double kMinRadius = 0.05;
 // At most so many patches are looked at, the largest, so that clutter takes no more time than
 // boxes.

@@ -28,8 +28,8 @@ struct SceneBody {
   /// of detections and boxes. So a number names one thing among detections, boxes and bodies.
   int id = 0;
   BodyKind kind = BodyKind::kSingle;
-  /// Ids of the detections that are parts of the body, those with more points first; none for
-  /// lumps.
+  /// Ids of the detections that are parts of the body: those with more points first, and lids last.
+  /// None for lumps, nor for boxes of which no face was detected.
   std::vector<int> parts;
   /// Pose of frame B. The origin is the middle of the body. z runs along the axis of a body of
   /// revolution and away from the support of a lump; for boxes see Box.
