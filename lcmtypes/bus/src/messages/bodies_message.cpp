@@ -34,14 +34,7 @@ void check_body(ByteReader& reader) {
 }
 
 void check_bodies(ByteReader& reader) {
-  reader.read_int64("utime");
-  reader.read_int32("seq");
-  reader.read_string("frame", kMaxFrameBytes);
-  const std::int32_t bodies = reader.read_count("num_bodies", kMinBodyBytes);
-  if (static_cast<std::size_t>(bodies) > kMaxQuadrics) {
-    refuse(RejectReason::kTooLarge, std::to_string(bodies) + " bodies");
-  }
-  for (std::int32_t i = 0; i < bodies; ++i) check_body(reader);
+  check_stamped_list(reader, "num_bodies", kMinBodyBytes, check_body);
 }
 
 SceneBody to_body(const body_t& m) {
@@ -83,10 +76,7 @@ body_t to_message(const SceneBody& body) {
 }
 
 bodies_t to_message(const CloudMessage& cloud, const std::vector<SceneBody>& bodies) {
-  bodies_t m;
-  m.utime = cloud.utime;
-  m.seq = cloud.seq;
-  m.frame = cloud.cloud.frame;
+  auto m = stamped_as<bodies_t>(cloud);
   for (const SceneBody& body : bodies) m.bodies.push_back(to_message(body));
   m.num_bodies = static_cast<std::int32_t>(m.bodies.size());
   return m;

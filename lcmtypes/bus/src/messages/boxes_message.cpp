@@ -24,14 +24,7 @@ void check_box(ByteReader& reader) {
 }
 
 void check_boxes(ByteReader& reader) {
-  reader.read_int64("utime");
-  reader.read_int32("seq");
-  reader.read_string("frame", kMaxFrameBytes);
-  const std::int32_t boxes = reader.read_count("num_boxes", kMinBoxBytes);
-  if (static_cast<std::size_t>(boxes) > kMaxQuadrics) {
-    refuse(RejectReason::kTooLarge, std::to_string(boxes) + " boxes");
-  }
-  for (std::int32_t i = 0; i < boxes; ++i) check_box(reader);
+  check_stamped_list(reader, "num_boxes", kMinBoxBytes, check_box);
 }
 
 Eigen::AlignedBox3d bounds_of(const double (&min)[3], const double (&max)[3]) {
@@ -80,10 +73,7 @@ box_t to_message(const Box& box) {
 }
 
 boxes_t to_message(const CloudMessage& cloud, const std::vector<Box>& boxes) {
-  boxes_t m;
-  m.utime = cloud.utime;
-  m.seq = cloud.seq;
-  m.frame = cloud.cloud.frame;
+  auto m = stamped_as<boxes_t>(cloud);
   for (const Box& box : boxes) m.boxes.push_back(to_message(box));
   m.num_boxes = static_cast<std::int32_t>(m.boxes.size());
   return m;
