@@ -19,7 +19,7 @@ void check_deviation(double std) {
 
 void check_body(ByteReader& reader) {
   reader.read_int32("id");
-  const int kind = reader.read_int8("kind");
+  const std::int8_t kind = reader.read_int8("kind");
   if (kind < body_t::SINGLE || kind > body_t::LUMP) {
     refuse(RejectReason::kBadValue, "kind " + std::to_string(kind));
   }
