@@ -125,7 +125,7 @@ TEST_CASE("a visit reaches each setting", "[options]") {
   auto& [noise_radius, quantile, patches] = noise;
   auto& [p1, p2, p3, p4, p5] = planes;
   auto& [i1, i2, i3] = inlier;
-  auto& [basis, radii, s1, s2, s3, grow] = search;
+  auto& [basis, radii, s1, s2, s3, s4, grow] = search;
   auto& [grow_families, g1, g2, g3] = grow;
   auto& [families, a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13, a14, a15] = aggregate;
   const std::set<const void*> fields = {&seed,
@@ -152,6 +152,7 @@ TEST_CASE("a visit reaches each setting", "[options]") {
                                         &s1,
                                         &s2,
                                         &s3,
+                                        &s4,
                                         &grow_families,
                                         &g1,
                                         &g2,

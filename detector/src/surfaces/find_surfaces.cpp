@@ -1,10 +1,14 @@
 #include "surfaces/find_surfaces.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "planes/planes.hpp"
 #include "samples/inliers.hpp"
+#include "search/axes/axis_votes.hpp"
+#include "search/axes/coaxial.hpp"
 #include "search/search.hpp"
+#include "surfaces/evidence/upright.hpp"
 
 namespace quadrille {
 namespace {
@@ -41,6 +45,25 @@ Candidate on_finest(Candidate candidate, const SampleTree& tree, int level, Inli
   return candidate;
 }
 
+/// Candidates about the axes on which things may stand. The wide samples suffice to vote; necks and
+/// rims need the finest to be found.
+std::vector<Candidate> standing_candidates(const SampleTree& tree, const Eigen::Vector3d& up,
+                                           const DetectorOptions& options) {
+  const std::vector<Axis> axes = vote_for_axes(tree.level(1), {}, up, options.search.axes);
+  return coaxial_candidates(tree.finest(), {}, axes, options.inlier, options.aggregate.min_samples);
+}
+
+/// Axes of accepted surfaces, which may lie or lean.
+std::vector<Axis> axes_of(const std::vector<Surface>& surfaces) {
+  std::vector<Axis> axes;
+  for (const Surface& surface : surfaces) {
+    const CanonicalForm form = form_of(surface);
+    if (is_flat(surface) || !has_axis(form.type)) continue;
+    axes.push_back({form.X.translation(), form.X.linear().col(2)});
+  }
+  return axes;
+}
+
 }  // namespace
 
 std::vector<Candidate> find_candidates(const SampleTree& tree, int level, Mask open,
@@ -56,6 +79,7 @@ std::vector<Candidate> find_candidates(const SampleTree& tree, int level, Mask o
 Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
                           const DetectorOptions& options, StageClock& clock, TrialObserver observer,
                           const FindCandidates& find) {
+  const std::optional<Eigen::Vector3d> up = context.up;
   Aggregation aggregation(tree.finest(), options.aggregate, options.inlier, std::move(context),
                           std::move(observer));
   for (int level = kLevels - 1; level >= 0; --level) {
@@ -63,9 +87,22 @@ Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
     std::vector<Candidate> candidates =
         find ? find(tree, level, std::move(open), options)
              : find_candidates(tree, level, std::move(open), options);
+    if (level == kLevels - 1 && up && !find) {
+      for (Candidate& c : standing_candidates(tree, *up, options)) {
+        candidates.push_back(std::move(c));
+      }
+    }
     clock.end("search");
     aggregation.offer(std::move(candidates),
                       level > 0 ? SearchLevel::kCoarse : SearchLevel::kFinest);
+    clock.end("aggregate");
+  }
+  // The small pieces of a body share the axis of a larger one.
+  if (!find && options.search.axes > 0) {
+    aggregation.offer(
+        coaxial_candidates(tree.finest(), aggregation.free(), axes_of(aggregation.surfaces()),
+                           options.inlier, options.aggregate.min_samples),
+        SearchLevel::kFinest);
     clock.end("aggregate");
   }
   // The faces of boxes and the caps of cans have too few coarse samples for the first search for

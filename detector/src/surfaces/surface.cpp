@@ -16,6 +16,12 @@ constexpr double kMinLengthSigmas = 3.0, kMinAngle = 0.02;
 
 }  // namespace
 
+CanonicalForm form_of(const Surface& surface) {
+  CanonicalForm form = canonical_form(surface.fit.posed);
+  form.X.translation() = surface.local.centre + surface.local.scale * form.X.translation();
+  return form;
+}
+
 double mean_sigma(const SurfaceSamples& samples, std::span<const int> region) {
   double sum = 0;
   for (const int i : region) sum += samples.sigma[i];

@@ -31,6 +31,10 @@ struct Surface {
 /// True if the surface is a plane.
 inline bool is_flat(const Surface& surface) { return surface.fit.family == Family::kPlane; }
 
+/// Canonical form of a surface's quadric, with its pose in frame C. Its dimensions are in the unit
+/// of the local coordinates.
+CanonicalForm form_of(const Surface& surface);
+
 /// Mean standard deviation along the normals of the samples of a region, which must not be empty
 /// [m].
 double mean_sigma(const SurfaceSamples& samples, std::span<const int> region);

@@ -1,10 +1,20 @@
 #include "surfaces/weigh.hpp"
 
+#include "surfaces/evidence/axis_neighbours.hpp"
 #include "surfaces/evidence/intruders.hpp"
 #include "surfaces/evidence/see_through.hpp"
 #include "surfaces/evidence/upright.hpp"
 
 namespace quadrille {
+namespace {
+
+/// The quadric's axis; for a type without one, the upright line through its centre.
+Axis axis_of(const CanonicalForm& form, const std::optional<Eigen::Vector3d>& up) {
+  const bool upright = up && !has_axis(form.type);
+  return {form.X.translation(), upright ? *up : Eigen::Vector3d(form.X.linear().col(2))};
+}
+
+}  // namespace
 
 Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, const Quadric& Q,
                       const CanonicalForm& form, const Mask& free) {
@@ -13,12 +23,15 @@ Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, c
   add_intruders(from.samples, from.buckets, region, Q, &evidence);
   evidence.uprightness = uprightness(form, from.context.up);
   evidence.see_through = see_through(from.context, from.samples, region, Q, form);
+  const AxisNeighbours about =
+      axis_neighbours(from.samples, from.buckets, region, axis_of(form, from.context.up));
+  evidence.meet_axis = about.meet;
+  evidence.miss_axis = about.miss;
   return evidence;
 }
 
 void weigh(const EvidenceSource& from, Surface* surface, const Mask& free) {
-  const CanonicalForm form = canonical_form(surface->fit.posed);
-  surface->evidence = all_evidence(from, surface->region, surface->Q, form, free);
+  surface->evidence = all_evidence(from, surface->region, surface->Q, form_of(*surface), free);
   surface->confidence =
       confidence(terms_of(*surface), is_flat(*surface) ? SurfaceKind::kFlat : SurfaceKind::kCurved);
 }

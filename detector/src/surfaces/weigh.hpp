@@ -22,8 +22,8 @@ struct EvidenceSource {
 };
 
 /// Collects all evidence for a quadric whose inliers are the region, which must not be empty.
-/// @param form    canonical form of the quadric in frame C, or in coordinates shifted and scaled
-///   against it
+/// @param form    canonical form of the quadric, with its pose in frame C; its dimensions are not
+/// used
 /// @param free    samples that belong to no other surface
 Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, const Quadric& Q,
                       const CanonicalForm& form, const Mask& free = {});

@@ -143,6 +143,7 @@ struct SearchOptions {
   int bases = 5;
   int voters = 100;
   double min_support = 0.5;
+  int axes = 30;
   GrowOptions grow;
 
   template <class Options, class Visitor>
@@ -154,6 +155,10 @@ struct SearchOptions {
     v(o.voters, {"search.voters", "", 16, 100000, "Voters per basis at most."});
     v(o.min_support, {"search.min_support", "", 0.0, 1.0,
                       "Share of a neighbourhood that a hypothesis must explain."});
+    v(o.axes, {"search.axes", "", 0, 10000,
+               "Axes at most, square to the largest plane, for which normal lines vote and about "
+               "which surfaces are sought without random bases. Later they are sought about the "
+               "axes of accepted surfaces too; 0 for neither."});
     GrowOptions::visit(o.grow, v);
   }
 };

@@ -42,6 +42,8 @@ ConfidenceTerms confidence_terms(const Evidence& e, int dof, double log_prior) {
           std::log(kNone + e.remainder),
           e.uprightness,
           e.see_through,
+          std::log(kNone + e.meet_axis),
+          std::log(kNone + e.miss_axis),
           static_cast<double>(dof),
           log_prior};
 }

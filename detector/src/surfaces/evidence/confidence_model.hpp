@@ -12,7 +12,8 @@ inline constexpr auto kConfidenceTerms = std::to_array<std::string_view>({
     "log_count",    "spread",        "smooth_border", "open_border", "depth_edge", "interior",
     "thickness",    "log_size",      "log_cell",      "two_planes",  "one_plane",  "log_sigma",
     "common_noise", "log_residual",  "log_roughness", "correlation", "convexity",  "log_in_front",
-    "log_behind",   "log_remainder", "uprightness",   "see_through", "dof",        "log_prior",
+    "log_behind",   "log_remainder", "uprightness",   "see_through", "log_meet",   "log_miss",
+    "dof",          "log_prior",
 });
 
 /// Values of the terms.

@@ -60,6 +60,9 @@ struct Evidence {
   /// Share of the rays that should meet the quadric but see something behind it; see
   /// see_through.hpp.
   double see_through = 0.0;
+  /// Number of samples about the axis whose normal lines meet it, and of those whose lines miss it,
+  /// per sample of the region; see axis_neighbours.hpp.
+  double meet_axis = 0.0, miss_axis = 0.0;
 };
 
 /// Angle between the samples' normals and their mean, 90th percentile [rad], as in
