@@ -87,7 +87,7 @@ Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
     std::vector<Candidate> candidates =
         find ? find(tree, level, std::move(open), options)
              : find_candidates(tree, level, std::move(open), options);
-    if (level == kLevels - 1 && up && !find) {
+    if (level == kLevels - 1 && up) {
       for (Candidate& c : standing_candidates(tree, *up, options)) {
         candidates.push_back(std::move(c));
       }
@@ -98,7 +98,7 @@ Aggregation find_surfaces(const SampleTree& tree, SceneContext context,
     clock.end("aggregate");
   }
   // The small pieces of a body share the axis of a larger one.
-  if (!find && options.search.axes > 0) {
+  if (options.search.axes > 0) {
     aggregation.offer(
         coaxial_candidates(tree.finest(), aggregation.free(), axes_of(aggregation.surfaces()),
                            options.inlier, options.aggregate.min_samples),

@@ -35,6 +35,7 @@ TEST_CASE("the stage that asks too much loses all surfaces", "[bench][stages]") 
   DetectorOptions options;
   SECTION("the search") {
     options.search.grow.min_samples = 1'000'000;
+    options.search.axes = 0;
     const StageCounts counts = follow_stages(frame, options);
     CHECK(counts.no_hypothesis == counts.wanted);
   }
