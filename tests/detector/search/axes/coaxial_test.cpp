@@ -99,7 +99,7 @@ TEST_CASE("the wall survives noise and as many outliers; nothing is made of outl
   CHECK(candidates_of(outliers, X_CB).empty());
 }
 
-TEST_CASE("samples that are not free, flat lids and a far axis give no candidate",
+TEST_CASE("samples that are not free and flat lids give no candidate, and a wrong axis small ones",
           "[search][axes]") {
   const Eigen::Isometry3d X_CB = some_pose();
   const SurfaceSamples samples = bottle(X_CB, 0.0, 0.0);
