@@ -172,7 +172,7 @@ struct AggregateOptions {
   int min_samples = 30;
   int min_plane_samples = 60;
   double min_first_look = 0.05;
-  double min_confidence = 0.55;
+  double min_confidence = 0.6;
   double min_plane_confidence = 0.5;
   double min_confidence_early = 0.8;
   double max_residual_early = 1.3;
