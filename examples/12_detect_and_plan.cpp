@@ -52,7 +52,7 @@ int main() {
   const quadrille::PointCloud cloud = can_on_table();
   const quadrille::DetectionResult found = quadrille::detect(cloud);
   const quadrille::GraspPlan plan = quadrille::plan_grasps(
-      cloud, found.detections, quadrille::franka_hand(), {}, {}, {}, found.boxes);
+      cloud, found.detections, quadrille::franka_hand(), {}, {}, {}, found.boxes, found.bodies);
 
   std::cout << std::fixed << std::setprecision(3);
   for (const quadrille::Detection& detection : found.detections) {

@@ -36,6 +36,8 @@ std::string_view to_string(Refusal refusal) {
       return "unknown";
     case Refusal::kClearance:
       return "clearance";
+    case Refusal::kScore:
+      return "score";
     case Refusal::kSurplus:
       return "surplus";
     case Refusal::kDeadline:

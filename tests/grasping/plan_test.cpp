@@ -202,6 +202,7 @@ TEST_CASE("options out of range are refused by name", "[plan]") {
       {"baseline", [](PlanOptions& o) { o.baseline = -0.1; }},
       {"min_wall", [](PlanOptions& o) { o.min_wall = 0.02; }},
       {"max_wall", [](PlanOptions& o) { o.max_wall = 1.0; }},
+      {"min_score", [](PlanOptions& o) { o.min_score = 1.1; }},
       {"max_grasps", [](PlanOptions& o) { o.max_grasps = 0; }},
       {"max_detections", [](PlanOptions& o) { o.max_detections = 0; }},
       {"deadline_ms", [](PlanOptions& o) { o.deadline_ms = -1.0; }}};
@@ -217,10 +218,10 @@ TEST_CASE("a visit reaches each option of the planner", "[plan]") {
   // A new field stops these lines from compiling until it is listed here, and visited.
   PlanOptions options;
   auto& [unknown, types, resolution, friction, approach, pad_margin, baseline, min_wall, max_wall,
-         clear_above, max_grasps, max_detections, deadline_ms] = options;
+         clear_above, min_score, max_grasps, max_detections, deadline_ms] = options;
   const std::set<const void*> fields = {
-      &unknown,  &types,    &resolution,  &friction,   &approach,       &pad_margin, &baseline,
-      &min_wall, &max_wall, &clear_above, &max_grasps, &max_detections, &deadline_ms};
+      &unknown,  &types,    &resolution,  &friction,  &approach,   &pad_margin,     &baseline,
+      &min_wall, &max_wall, &clear_above, &min_score, &max_grasps, &max_detections, &deadline_ms};
   std::set<const void*> visited;
   PlanOptions::visit(options, [&](auto& field, const Setting&) { visited.insert(&field); });
   CHECK(visited == fields);

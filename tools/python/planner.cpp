@@ -5,6 +5,7 @@
 #include "io/planner/gripper_file.hpp"
 #include "python/arrays.hpp"
 #include "python/module.hpp"
+#include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/grasping/conventions.hpp"
@@ -166,7 +167,8 @@ GraspScene scene_of(const Points& points, const DetectionResult& result, const G
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps.
   return {cloud, bus::as_received(result.detections), gripper, options,
-          {},    bus::as_received(result.boxes)};
+          {},    bus::as_received(result.boxes),
+          bus::as_received(result.bodies)};
 }
 
 void bind_scene(py::module_& module) {

@@ -26,6 +26,7 @@
 #include "io/planner/plan_json.hpp"
 #include "io/run_info.hpp"
 #include "picture/picture.hpp"
+#include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/command_report.hpp"
@@ -196,7 +197,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   const std::vector<PointCloud> views =
       read_views(arguments.views, input.X_CK.inverse(), &info.warnings);
   const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, views,
-                         bus::as_received(found.boxes));
+                         bus::as_received(found.boxes), bus::as_received(found.bodies));
   const GraspPlan planned = asked.plan_from_start(query);
   found.boxes = planned.boxes;
   // All detections were obstacles, but only those that were asked for are shown.

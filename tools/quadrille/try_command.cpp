@@ -21,6 +21,7 @@
 #include "io/planner/config.hpp"
 #include "lab/physics/attempts.hpp"
 #include "lab/physics/plan_file.hpp"
+#include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/command_report.hpp"
@@ -66,6 +67,7 @@ struct Planned {
   InputCloud input;
   /// The detections; those of a plan from a file have only id and quadric.
   std::vector<Detection> detections;
+  std::vector<SceneBody> bodies;
   GraspPlan plan;
 };
 
@@ -75,14 +77,16 @@ Planned plan_on(const std::string& path, const physics::TrueScene& truth,
   print_warnings(path, warnings);
   std::vector<Detection> detections = truth.detections;
   std::optional<std::vector<Box>> boxes;
+  std::vector<SceneBody> bodies;
   if (!arguments.exact) {
     DetectionResult found = detect(input.cloud, job.detector);
     detections = bus::as_received(found.detections);
     boxes = bus::as_received(std::move(found.boxes));
+    bodies = bus::as_received(std::move(found.bodies));
   }
   GraspPlan plan =
-      plan_grasps(input.cloud, detections, job.gripper, job.plan, {}, {}, std::move(boxes));
-  return {std::move(input), std::move(detections), std::move(plan)};
+      plan_grasps(input.cloud, detections, job.gripper, job.plan, {}, {}, std::move(boxes), bodies);
+  return {std::move(input), std::move(detections), std::move(bodies), std::move(plan)};
 }
 
 /// Returns the outcome of each grasp; empty for those that were not tried.
@@ -108,8 +112,9 @@ void report_on(const Planned& planned, bool from_file, std::vector<std::string> 
   const auto still = Eigen::Isometry3d::Identity();
   view::Scene scene = view::scene_of_result(cloud, found, still);
   scene.outcomes = std::move(outcomes);
-  view::add_plan(GraspScene(cloud, found.detections, job.gripper, job.plan, {}, found.boxes), {},
-                 planned.plan, job.gripper, job.plan.unknown, still, {}, &scene);
+  view::add_plan(GraspScene(cloud, found.detections, job.gripper, job.plan, {}, found.boxes,
+                            planned.bodies),
+                 {}, planned.plan, job.gripper, job.plan.unknown, still, {}, &scene);
   report->add(planned.input, std::move(scene));
 }
 

@@ -12,6 +12,15 @@ namespace {
 
 // A lump has at least so many samples: fewer may be noise, or points mixed from two surfaces.
 constexpr std::size_t kMinSamples = 40;
+// A lump rises so many standard deviations above its support, beside the rounding: far off, noise
+// makes lumps of several.
+constexpr double kMinSigmas = 6.0;
+
+double largest_sigma(const SurfaceSamples& samples, const std::vector<int>& piece) {
+  double largest = 0.0;
+  for (const int i : piece) largest = std::max<double>(largest, samples.sigma[i]);
+  return largest;
+}
 
 }  // namespace
 
@@ -63,7 +72,8 @@ std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vecto
     box_A.extend(Eigen::Vector3d(R_CA.transpose() * p));
   }
   // Depth edges leave sheets of points that are mixed from two surfaces.
-  const bool flat = box_A.max().x() - support->offset < 2.0 * kRounding;
+  const double height = box_A.max().x() - support->offset;
+  const bool flat = height < 2.0 * kRounding + kMinSigmas * largest_sigma(samples, piece);
   const bool thin = box_A.sizes().tail<2>().minCoeff() < kRounding;
   if (flat || thin) return std::nullopt;
 

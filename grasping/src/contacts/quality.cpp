@@ -25,10 +25,4 @@ double grasp_epsilon(const ContactLine& line, const ContactModel& model) {
                   friction * k / std::sqrt(1.0 + k * k + friction * friction * k * k));
 }
 
-double grasp_score(const ScoreTerms& terms) {
-  const auto unit = [](double x) { return std::clamp(x, 0.0, 1.0); };
-  return 0.30 * unit(terms.friction) + 0.25 * unit(terms.clearance) + 0.20 * unit(terms.observed) +
-         0.15 * unit(terms.room) + 0.10 * unit(terms.central);
-}
-
 }  // namespace quadrille

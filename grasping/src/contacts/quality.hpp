@@ -27,23 +27,4 @@ struct ContactModel {
 /// not close.
 double grasp_epsilon(const ContactLine& line, const ContactModel& model);
 
-/// The terms by which grasps are ranked, each from 0 to 1.
-struct ScoreTerms {
-  /// Friction to spare, 1 − μ*/μ.
-  double friction = 0.0;
-  /// Clearance divided by 10 mm, at most 1.
-  double clearance = 0.0;
-  /// Share of the contacts beside which the surface was measured.
-  double observed = 0.0;
-  /// Room between each pad and the target on the way in, divided by 5 mm, at most 1.
-  double room = 0.0;
-  /// 1 at the target's centre, 0 at its far end: a grasp near the centre leaves the target's weight
-  /// a short lever.
-  double central = 0.0;
-};
-
-/// Returns the weighted mean of the terms: .30 friction, .25 clearance, .20 observed, .15 room, .10
-/// central.
-double grasp_score(const ScoreTerms& terms);
-
 }  // namespace quadrille

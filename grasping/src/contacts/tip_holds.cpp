@@ -80,7 +80,7 @@ std::vector<Eigen::Vector3d> closings(const Body& body, const Eigen::Vector3d& u
 }
 
 struct Rated {
-  TipHold hold;
+  Hold hold;
   int band;
   double prior;
 };
@@ -122,11 +122,11 @@ class Search {
   }
 
   /// Returns all holds, band by band, each band in the order of visit_in_passes().
-  std::vector<TipHold> ordered() {
+  std::vector<Hold> ordered() {
     std::stable_sort(rated_.begin(), rated_.end(), [](const Rated& a, const Rated& b) {
       return std::tuple(a.band, -a.prior) < std::tuple(b.band, -b.prior);
     });
-    std::vector<TipHold> holds;
+    std::vector<Hold> holds;
     for (auto first = rated_.begin(), last = first; first != rated_.end(); first = last) {
       last = std::find_if(first, rated_.end(),
                           [&](const Rated& other) { return other.band != first->band; });
@@ -206,7 +206,7 @@ class Search {
 
 }  // namespace
 
-std::vector<TipHold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
+std::vector<Hold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
                                const TipLimits& limits) {
   if (body.profile == Body::Profile::kBox) return {};
   Search search(body, gripper, limits);

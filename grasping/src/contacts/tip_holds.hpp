@@ -5,20 +5,11 @@
 
 #include "body/body.hpp"
 #include "contacts/candidates.hpp"
-#include "contacts/contact_line.hpp"
+#include "contacts/hold.hpp"
 #include "quadrille/grasping/gripper.hpp"
 #include "space/collision.hpp"
 
 namespace quadrille {
-
-/// Contacts that a hand finds from one place, and its approach.
-struct TipHold {
-  /// The contact line, whose centre is the origin of the grasp frame.
-  ContactLine line;
-  Eigen::Vector3d approach_C;
-  /// The friction coefficient that the hold needs; see PadMeeting [-].
-  double friction;
-};
 
 /// Limits of a search for holds by the tips.
 struct TipLimits {
@@ -37,7 +28,7 @@ struct TipLimits {
 /// holds are many and seldom as good as those across the middle of a body, so they are tried where
 /// those are blocked. The most promising come first, in passes of unlike ones, in the same order
 /// for the same input. Boxes have none.
-std::vector<TipHold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
+std::vector<Hold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
                                const TipLimits& limits);
 
 }  // namespace quadrille

@@ -72,7 +72,7 @@ class QueryPlanner {
     if (cut) ++refusals_[Refusal::kDeadline];
   }
 
-  /// Tries holds by the tips only if the target is held in no other way.
+  /// Tries holds by the tips, and then by the points, only if the target is held in no other way.
   /// @return whether the deadline ended the search early
   bool try_holds(const Target& target) {
     const auto task = [&](const CollisionScene& scene) {
@@ -95,6 +95,10 @@ class QueryPlanner {
       keep(grasps_at_rim(task(shell)));
     }
     if (solid && !held && !cut) keep(grasps_by_tips(task(*solid)));
+    if (!held && !cut) {
+      const TargetPoints points = points_about(target, parts_);
+      keep(grasps_by_points(task(point_scene(target, points, parts_)), points));
+    }
     return cut;
   }
 

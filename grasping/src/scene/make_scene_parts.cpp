@@ -49,7 +49,7 @@ class SceneMaker {
     for (const PointCloud& view : further) further_.push_back(&kept(view));
   }
 
-  void make(std::optional<std::vector<Box>> boxes) {
+  void make(std::optional<std::vector<Box>> boxes, const std::vector<SceneBody>& bodies) {
     drop_surplus();
     stage("boxes", [&] {
       parts_.boxes = boxes ? std::move(*boxes) : find_boxes(cloud_, detections_);
@@ -63,7 +63,7 @@ class SceneMaker {
     if (seen_so && !parts_.view->valid()) {
       warn("no point lies before the viewpoint: all space counts as unknown");
     }
-    if (seen_so) stage("targets", [&] { choose_targets(); });
+    if (seen_so) stage("targets", [&] { choose_targets(bodies); });
     if (deadline_.passed()) {
       drop_all_targets();
     } else {
@@ -161,10 +161,13 @@ class SceneMaker {
     return false;
   }
 
-  void choose_targets() {
+  void choose_targets(const std::vector<SceneBody>& bodies) {
     add(quadrille::choose_targets(cloud_, detections_, *parts_.view, parts_.gripper, parts_.options,
                                   half_));
     add(choose_boxes(cloud_, parts_.boxes, detections_, parts_.gripper, parts_.options, half_));
+    std::vector<Target> unshaped =
+        choose_unshaped(bodies, parts_.targets, detections_, parts_.options);
+    std::move(unshaped.begin(), unshaped.end(), std::back_inserter(parts_.targets));
     drop_far_targets();
   }
 
@@ -232,8 +235,11 @@ class SceneMaker {
     }
     SpaceMapper mapper(region, resolution, std::move(boxes));
     mapper.add(cloud_, *parts_.view);
+    keep_points(cloud_, *parts_.view, region);
     for (const PointCloud* cloud : further_) {
-      mapper.add(*cloud, DepthView(*cloud, parts_.options.baseline, parts_.options.resolution));
+      const DepthView view(*cloud, parts_.options.baseline, parts_.options.resolution);
+      mapper.add(*cloud, view);
+      keep_points(*cloud, view, region);
     }
     parts_.space = std::make_shared<OccupancyGrid>(
         std::move(mapper).take_cleared(*parts_.view, up_to_clear()));
@@ -241,6 +247,16 @@ class SceneMaker {
     const DepthView* view = parts_.view->valid() ? &*parts_.view : nullptr;
     parts_.map.emplace(*parts_.space, parts_.options.unknown != UnknownPolicy::kFree, view,
                        further_.empty());
+  }
+
+  void keep_points(const PointCloud& cloud, const DepthView& view,
+                   const Eigen::AlignedBox3d& region) {
+    const Eigen::AlignedBox3f near = region.cast<float>();
+    for (std::size_t n = 0; n < cloud.points.size(); ++n) {
+      if (near.contains(cloud.points[n]) && !view.stray()[n]) {
+        parts_.points.push_back(cloud.points[n]);
+      }
+    }
   }
 
   /// Returns the normal of the first support; zero if no space is to be cleared above it.
@@ -266,13 +282,14 @@ class SceneMaker {
 std::unique_ptr<const SceneParts> make_scene_parts(
     const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
     const PlanOptions& options, const std::vector<PointCloud>& further,
-    std::optional<std::vector<Box>> boxes, double deadline_ms) {
+    std::optional<std::vector<Box>> boxes, const std::vector<SceneBody>& bodies,
+    double deadline_ms) {
   auto parts = std::make_unique<SceneParts>();
   parts->gripper = gripper;
   parts->options = options;
   parts->viewpoint_C = cloud.viewpoint;
   parts->reach = hand_reach(gripper, options.approach);
-  SceneMaker(cloud, detections, further, deadline_ms, *parts).make(std::move(boxes));
+  SceneMaker(cloud, detections, further, deadline_ms, *parts).make(std::move(boxes), bodies);
   return parts;
 }
 

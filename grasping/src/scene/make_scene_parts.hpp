@@ -16,6 +16,7 @@ namespace quadrille {
 std::unique_ptr<const SceneParts> make_scene_parts(
     const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
     const PlanOptions& options, const std::vector<PointCloud>& further,
-    std::optional<std::vector<Box>> boxes, double deadline_ms);
+    std::optional<std::vector<Box>> boxes, const std::vector<SceneBody>& bodies,
+    double deadline_ms);
 
 }  // namespace quadrille

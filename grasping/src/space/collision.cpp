@@ -70,6 +70,16 @@ Hit voxel_hit(std::span<const OrientedBox> boxes, const ObstacleMap& map, double
   return Hit::kNone;
 }
 
+// The closing fingers touch the outermost points, so points this near to their surface are no
+// obstacles to them, whatever the rounding [m].
+constexpr double kTouch = 0.0003;
+
+bool touch(std::span<const OrientedBox> boxes, const ObstaclePoints& points, double margin) {
+  return std::any_of(boxes.begin(), boxes.end(), [&](const OrientedBox& box) {
+    return points.meet(box.inflated(margin));
+  });
+}
+
 /// Returns what `solid` or `closing` runs into first. `solid` must keep off everything, and keep a
 /// distance of `off_target` from the target, which `closing` may touch.
 std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
@@ -85,6 +95,9 @@ std::optional<Obstruction> first_obstruction(const CollisionScene& scene,
     const Hit hit = voxel_hit(boxes, scene.map, 0.0);
     if (hit == Hit::kOccupied) return Obstruction::kOccupied;
     if (hit == Hit::kUnknown) return Obstruction::kUnknown;
+  }
+  if (touch(solid, scene.points, scene.margin) || touch(closing, scene.points, -kTouch)) {
+    return Obstruction::kOccupied;
   }
   if (hits(solid, scene.target, off_target)) return Obstruction::kTarget;
   if (hits(solid, scene.neighbours, scene.margin)) return Obstruction::kNeighbour;

@@ -8,6 +8,7 @@
 #include "hand/hand.hpp"
 #include "quadrille/grasping/collision_shape.hpp"
 #include "space/obstacle_map.hpp"
+#include "space/obstacle_points.hpp"
 
 namespace quadrille {
 
@@ -33,7 +34,7 @@ enum class Obstruction {
   kSupport,    ///< a plane that the target stands on
   kTarget,     ///< the target itself, including its hidden side
   kNeighbour,  ///< the shape of another detection
-  kOccupied,   ///< a voxel with points
+  kOccupied,   ///< a voxel with points, or a point
   kUnknown,    ///< a voxel that was not observed
 };
 
@@ -44,6 +45,8 @@ struct CollisionScene {
   std::vector<CollisionShape> neighbours;
   /// The target's own body as convex pieces.
   std::vector<CollisionShape> target;
+  /// Measured points where the voxels gave way to the target.
+  ObstaclePoints points = {};
   /// Distance to keep from shapes and planes, which are known only as accurately as they were
   /// fitted [m].
   double margin = 0.002;

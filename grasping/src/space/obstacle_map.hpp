@@ -50,6 +50,11 @@ class ObstacleMap {
   template <class Keep>
   void carve(const Body& body, double margin, Keep&& keep);
 
+  /// Frees all voxels whose centre lies within `margin` [m] of one of the points, except those for
+  /// which keep(centre) holds.
+  template <class Keep>
+  void carve(const std::vector<Eigen::Vector3d>& points_C, double margin, Keep&& keep);
+
   /// Frees unknown voxels that the sensor of the view, which must have been given, could not see
   /// because the body stood in front of them.
   void clear_shadow(const Body& body, const Eigen::AlignedBox3d& region);
@@ -70,6 +75,8 @@ class ObstacleMap {
   using Range = std::pair<Eigen::Vector3i, Eigen::Vector3i>;
 
   Range voxels(const Eigen::AlignedBox3d& box) const;
+  template <class Frees>
+  void free(const Range& range, Frees&& frees);
   Eigen::Vector3d centre(int i, int j, int k) const {
     return corner_ + resolution_ * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
   }
@@ -93,19 +100,36 @@ class ObstacleMap {
   std::array<Level, kLevels> levels_;
 };
 
+/// Frees the voxels of a range for which frees(centre) holds. The pyramid over them stays as it is.
+template <class Frees>
+void ObstacleMap::free(const Range& range, Frees&& frees) {
+  each_cube(range.first, range.second.array() + 1, 1, [&](const Eigen::Vector3i& at) {
+    std::uint8_t& flags = levels_[0].flags[levels_[0].index(at.x(), at.y(), at.z())];
+    if (flags != 0 && frees(centre(at.x(), at.y(), at.z()))) flags = 0;
+  });
+}
+
 template <class Keep>
 void ObstacleMap::carve(const Body& body, double margin, Keep&& keep) {
   Eigen::AlignedBox3d box = body.bounds_C();
   box.min().array() -= margin;
   box.max().array() += margin;
   const Range range = voxels(box);
-  each_cube(range.first, range.second.array() + 1, 1, [&](const Eigen::Vector3i& at) {
-    std::uint8_t& flags = levels_[0].flags[levels_[0].index(at.x(), at.y(), at.z())];
-    if (flags == 0) return;
-    const Eigen::Vector3d c = centre(at.x(), at.y(), at.z());
-    if (body.contains(c, margin) && !keep(c)) flags = 0;
-  });
+  free(range, [&](const Eigen::Vector3d& c) { return body.contains(c, margin) && !keep(c); });
   refresh(range);
+}
+
+template <class Keep>
+void ObstacleMap::carve(const std::vector<Eigen::Vector3d>& points_C, double margin, Keep&& keep) {
+  Eigen::AlignedBox3d all;
+  for (const Eigen::Vector3d& p : points_C) {
+    const Eigen::AlignedBox3d near(p.array() - margin, p.array() + margin);
+    all.extend(near);
+    free(voxels(near), [&](const Eigen::Vector3d& c) {
+      return (c - p).squaredNorm() <= margin * margin && !keep(c);
+    });
+  }
+  if (!all.isEmpty()) refresh(voxels(all));
 }
 
 }  // namespace quadrille

@@ -1,8 +1,10 @@
 #include "targets/describe.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "contacts/quality.hpp"
+#include "contacts/success.hpp"
 #include "hand/hand.hpp"
 
 namespace quadrille {
@@ -10,6 +12,9 @@ namespace {
 
 // More clearance, or more room beside each pad, than this is no further advantage to a grasp [m].
 constexpr double kFullClearance = 0.01, kFullRoom = 0.005;
+// Points beside a contact that reach farther along the approach than this are no further advantage,
+// and distances from the sensor beyond this no further disadvantage [m].
+constexpr double kFullHeight = 0.02, kFullRange = 1.5;
 // A soft pad touches on a disc whose radius is about this share of the pad's shorter side.
 constexpr double kDiscToPad = 0.25;
 
@@ -35,6 +40,46 @@ double epsilon(const ContactLine& line, const TargetTask& task, double reach) {
   return grasp_epsilon(line, model);
 }
 
+/// Share of the space that the fingers fill and pass through while they close that was seen.
+double seen_share(const TargetTask& task, const Grasp& grasp) {
+  constexpr int kAlongX = 3, kAlongY = 5, kAlongZ = 5;
+  int seen = 0, all = 0;
+  for (const OrientedBox& finger :
+       common_fingers(task.parts.gripper, grasp.X_CG, grasp.preshape, grasp.width)) {
+    for (int n = 0; n < kAlongX * kAlongY * kAlongZ; ++n) {
+      const Eigen::Vector3d step((n % kAlongX + 0.5) / kAlongX,
+                                 (n / kAlongX % kAlongY + 0.5) / kAlongY,
+                                 (n / kAlongX / kAlongY + 0.5) / kAlongZ);
+      const Eigen::Vector3d p_B = (2.0 * step.array() - 1.0) * finger.half.array();
+      seen += task.parts.space->at(finger.p_CB + finger.R_CB * p_B) != Voxel::kUnknown;
+      ++all;
+    }
+  }
+  return static_cast<double>(seen) / all;
+}
+
+GraspTerms terms_of(const Attempt& attempt, const Grasp& grasp, const TargetTask& task) {
+  const ContactLine& line = attempt.line;
+  const Body& body = task.target.body;
+  const double reach = 0.5 * body.bounds_Q().sizes().maxCoeff();
+  const Eigen::Vector3d to_sensor = task.parts.viewpoint_C - body.centre_C();
+  GraspTerms terms;
+  terms.friction =
+      (1.0 - grasp.friction_needed / task.parts.options.friction) * attempt.straight;
+  terms.clearance = std::min(1.0, grasp.clearance / kFullClearance);
+  terms.room = std::min(1.0, 0.5 * (grasp.preshape - line.opening) / kFullRoom);
+  terms.central = std::max(0.0, 1.0 - (line.centre_C - body.centre_C()).norm() / reach);
+  terms.across = 1.0 - std::abs(line.closing_C.dot(to_sensor.normalized()));
+  terms.seen = seen_share(task, grasp);
+  terms.confidence = std::clamp(task.target.confidence, 0.0, 1.0);
+  terms.range = std::min(1.0, to_sensor.norm() / kFullRange);
+  terms.rim = grasp.kind == GraspKind::kRim ? 1.0 : 0.0;
+  terms.shape = attempt.evidence ? 0.0 : 1.0;
+  terms.inner = attempt.evidence ? attempt.evidence->inner : 1.0;
+  terms.height = attempt.evidence ? std::min(1.0, attempt.evidence->height / kFullHeight) : 1.0;
+  return terms;
+}
+
 }  // namespace
 
 Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) {
@@ -57,15 +102,8 @@ Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) 
   const int seen = observed(line.contacts_C[0], *task.parts.space) +
                    observed(line.contacts_C[1], *task.parts.space);
   grasp.unknown_contact = seen < 2;
-  ScoreTerms terms;
-  terms.friction = (1.0 - grasp.friction_needed / task.parts.options.friction) * attempt.straight;
-  terms.clearance = grasp.clearance / kFullClearance;
-  terms.observed = 0.5 * seen;
-  terms.room = 0.5 * (grasp.preshape - line.opening) / kFullRoom;
-  terms.central = 1.0 - (line.centre_C - target.body.centre_C()).norm() / reach;
-  // Full distrust of a detection, or a score that is NaN, halves the score of its grasps.
-  const double confidence = target.confidence > 0.0 ? std::min(target.confidence, 1.0) : 0.0;
-  grasp.score = grasp_score(terms) * (0.5 + 0.5 * confidence);
+  grasp.terms = terms_of(attempt, grasp, task);
+  grasp.score = success_probability(grasp.terms);
   return grasp;
 }
 

@@ -169,6 +169,10 @@ bool HandTrials::try_hand(const Attempt& attempt) {
         obstructed(Refusal::kClearance);
         continue;
       }
+      if (grasp.score < task_.parts.options.min_score) {
+        obstructed(Refusal::kScore);
+        return false;
+      }
       found_.grasps.push_back(std::move(grasp));
       return true;
     }

@@ -7,6 +7,7 @@
 
 #include "contacts/candidates.hpp"
 #include "contacts/contact_line.hpp"
+#include "contacts/hold.hpp"
 #include "targets/target_grasps.hpp"
 
 namespace quadrille {
@@ -32,6 +33,8 @@ struct Attempt {
   double friction = 0.0;
   /// 1 if the pads lie straight on a wall; less if they lie askew, where the wall's bend twists it.
   double straight = 1.0;
+  /// Set if the contacts follow from points rather than from a shape.
+  std::optional<ContactEvidence> evidence = {};
   /// True if the target may be wider than the line within the reach of the pads, which walls are
   /// not.
   bool may_bulge = true;

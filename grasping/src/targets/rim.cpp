@@ -32,7 +32,7 @@ void try_rim(const ContactLine& line, const Eigen::Vector3d& approach_C, const T
   const Eigen::Isometry3d X_CG = grasp_pose(line, approach_C, depth);
   if (!on_pads(line, X_CG, gripper)) return trials.refuse(Refusal::kFriction);
   trials.try_hand(
-      {line, X_CG, GraspKind::kRim, friction_needed(line), 1.0 - warp / max_warp, false});
+      {line, X_CG, GraspKind::kRim, friction_needed(line), 1.0 - warp / max_warp, {}, false});
 }
 
 }  // namespace

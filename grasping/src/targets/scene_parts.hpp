@@ -44,6 +44,8 @@ struct SceneParts {
   /// Owner of each shape.
   std::vector<ShapeOwner> owners;
   std::optional<DepthView> view;
+  /// The points of all views around the targets, without strays.
+  std::vector<Eigen::Vector3f> points;
   std::vector<Target> targets;
   /// Why other detections and boxes are not targets, by id: "is a plane".
   std::map<int, std::string> why_none;

@@ -19,12 +19,43 @@ constexpr double kMaxWidthToOpening = 1.5;
 // Larger hollows are not tableware [m].
 constexpr double kMaxShell = 0.4;
 
+// Things of unknown shape that are larger than this are furniture [m].
+constexpr double kMaxUnshaped = 0.4;
+// Half the least size of the box around a body: a single face has no thickness [m].
+constexpr double kMinHalf = 0.001;
+
 bool graspable(const Body& body, const Gripper& gripper) {
   return body.bounds_Q().sizes().minCoeff() < gripper.max_opening * kMaxWidthToOpening;
 }
 
-bool is_face(int id, const Box& box) {
-  return std::find(box.faces.begin(), box.faces.end(), id) != box.faces.end();
+bool contains(const std::vector<int>& list, int value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+bool is_wanted_type(QuadricType type, const PlanOptions& options) {
+  const std::vector<QuadricType>& types = options.targets;
+  return types.empty() || std::find(types.begin(), types.end(), type) != types.end();
+}
+
+bool is_face(int id, const Box& box) { return contains(box.faces, id); }
+
+/// Bodies may come from messages, so their fields are checked.
+bool is_sound(const SceneBody& body) {
+  return body.size.allFinite() && body.size.minCoeff() >= 0.0 && body.X_CB.matrix().allFinite() &&
+         body.X_CB.linear().isUnitary(1e-3);
+}
+
+/// Returns the box around the seen part of a body.
+Body box_around(const SceneBody& body) {
+  Body box;
+  box.profile = Body::Profile::kBox;
+  box.X_CQ = body.X_CB;
+  const Eigen::Vector3d half = (0.5 * body.size).cwiseMax(kMinHalf);
+  box.a = half.x();
+  box.b = half.y();
+  box.z_max = half.z();
+  box.z_min = -half.z();
+  return box;
 }
 
 /// Finds the wall of a hollow target, such as a cup, and the contact lines across its rim at which
@@ -44,9 +75,7 @@ int find_rim(const PointCloud& cloud, const DepthView& view, const Gripper& grip
 }  // namespace
 
 bool is_wanted(const Detection& detection, const PlanOptions& options) {
-  const std::vector<QuadricType>& types = options.targets;
-  return is_reported(detection) &&
-         (types.empty() || std::find(types.begin(), types.end(), detection.type) != types.end());
+  return is_reported(detection) && is_wanted_type(detection.type, options);
 }
 
 Eigen::Vector3d Target::up_C() const {
@@ -98,9 +127,12 @@ ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxe
     std::partition_copy(detections.begin(), detections.end(), std::back_inserter(faces),
                         std::back_inserter(others),
                         [&](const Detection& d) { return is_face(d.id, box); });
-    const bool wanted = std::any_of(faces.begin(), faces.end(), [&](const Detection& face) {
-      return is_wanted(face, options);
-    });
+    // A box may have been found without detected faces.
+    const bool wanted =
+        faces.empty() ? is_reported(box) && is_wanted_type(QuadricType::kPlane, options)
+                      : std::any_of(faces.begin(), faces.end(), [&](const Detection& face) {
+                          return is_wanted(face, options);
+                        });
     const Body body = make_body(box);
     if (deadline.passed()) {
       if (wanted) chosen.refuse(box.id, Refusal::kDeadline);
@@ -120,6 +152,30 @@ ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxe
     }
   }
   return chosen;
+}
+
+std::vector<Target> choose_unshaped(const std::vector<SceneBody>& bodies,
+                                    const std::vector<Target>& targets,
+                                    const std::vector<Detection>& detections,
+                                    const PlanOptions& options) {
+  std::vector<Target> unshaped;
+  for (const SceneBody& body : bodies) {
+    const auto is_body = [&](const Target& target) {
+      return target.id == body.id || contains(body.parts, target.id);
+    };
+    if (std::any_of(targets.begin(), targets.end(), is_body)) continue;
+    if (!is_sound(body) || body.size.maxCoeff() > kMaxUnshaped) continue;
+    std::vector<Detection> others;
+    std::copy_if(detections.begin(), detections.end(), std::back_inserter(others),
+                 [&](const Detection& d) { return !contains(body.parts, d.id); });
+    Target& target = unshaped.emplace_back();
+    target.id = body.id;
+    target.body = box_around(body);
+    target.supports = supports_of(target.body, others);
+    target.wanted = options.targets.empty();
+    target.solid = target.shaped = false;
+  }
+  return unshaped;
 }
 
 double hand_reach(const Gripper& gripper, double approach) {

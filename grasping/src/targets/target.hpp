@@ -9,6 +9,7 @@
 #include "body/body.hpp"
 #include "body/shell.hpp"
 #include "contacts/contact_line.hpp"
+#include "quadrille/detector/body.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/grasping/gripper.hpp"
@@ -47,6 +48,9 @@ struct Target {
   bool wanted = true;
   /// The box, if the target is one.
   std::optional<Box> box;
+  /// True if the shape of the target is known: a quadric or a box. Otherwise its body is merely the
+  /// box around its points.
+  bool shaped = true;
 
   /// Unit normal of the support; zero if it is not known.
   Eigen::Vector3d up_C() const;
@@ -73,6 +77,14 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
 ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxes,
                            const std::vector<Detection>& detections, const Gripper& gripper,
                            const PlanOptions& options, const Deadline& deadline);
+
+/// Returns a target for each body of unknown shape, such as a lump, and for each whose shape is none
+/// of the targets.
+/// @param targets  those with a shape
+std::vector<Target> choose_unshaped(const std::vector<SceneBody>& bodies,
+                                    const std::vector<Target>& targets,
+                                    const std::vector<Detection>& detections,
+                                    const PlanOptions& options);
 
 /// Returns how far the hand reaches from a target's surface, including its approach [m].
 double hand_reach(const Gripper& gripper, double approach);

@@ -9,6 +9,7 @@
 #include "space/collision.hpp"
 #include "targets/scene_parts.hpp"
 #include "targets/target.hpp"
+#include "targets/target_points.hpp"
 
 namespace quadrille {
 
@@ -36,6 +37,9 @@ TargetGrasps grasps_across(const TargetTask& task);
 /// Finds grasps by the tips, wherever they reach. The search takes longer, and is for targets that
 /// have no other grasp.
 TargetGrasps grasps_by_tips(const TargetTask& task);
+
+/// Finds grasps between the outermost points of a target, which needs no shape of it.
+TargetGrasps grasps_by_points(const TargetTask& task, const TargetPoints& points);
 
 /// Finds grasps across the wall of the target's shell, at the rim.
 TargetGrasps grasps_at_rim(const TargetTask& task);

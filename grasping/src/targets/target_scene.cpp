@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "body/pieces.hpp"
 
@@ -25,7 +26,7 @@ bool part_of(const ShapeOwner& other, const Body& body) {
 
 CollisionScene uncarved_scene(const Target& target, const SceneParts& parts) {
   const Eigen::AlignedBox3d region = around(target.body, parts.reach + kMaxClearance);
-  CollisionScene scene{parts.map->within(region), target.supports, {}, {}};
+  CollisionScene scene{parts.map->within(region), target.supports, {}, {}, {}};
   for (std::size_t n = 0; n < parts.shapes.size(); ++n) {
     const ShapeOwner& owner = parts.owners[n];
     const CollisionShape& shape = parts.shapes[n];
@@ -62,6 +63,20 @@ CollisionScene solid_scene(const Target& target, const SceneParts& parts) {
   CollisionScene scene = uncarved_scene(target, parts);
   scene.target = make_pieces(target.body);
   scene.map.carve(target.body, carve_margin(*parts.space, target),
+                  [&](const Eigen::Vector3d& p_C) { return holds_up(target, *parts.space, p_C); });
+  clear_shadow(target.body, parts, scene);
+  return scene;
+}
+
+CollisionScene point_scene(const Target& target, const TargetPoints& points,
+                           const SceneParts& parts) {
+  CollisionScene scene = uncarved_scene(target, parts);
+  std::vector<Eigen::Vector3d> own;
+  for (std::size_t i = 0; i < points.own.size(); ++i) {
+    if (points.own[i]) own.push_back(points.all.p_C[i]);
+  }
+  scene.points = ObstaclePoints(points.all.p_C);
+  scene.map.carve(own, carve_margin(*parts.space, target),
                   [&](const Eigen::Vector3d& p_C) { return holds_up(target, *parts.space, p_C); });
   clear_shadow(target.body, parts, scene);
   return scene;

@@ -3,6 +3,7 @@
 #include "space/collision.hpp"
 #include "targets/scene_parts.hpp"
 #include "targets/target.hpp"
+#include "targets/target_points.hpp"
 
 namespace quadrille {
 
@@ -13,5 +14,10 @@ CollisionScene solid_scene(const Target& target, const SceneParts& parts);
 /// Returns the obstacles for a hand that takes the target by its wall alone: the vessel's contents
 /// and its hidden bottom stay obstacles.
 CollisionScene shell_scene(const Target& target, const SceneParts& parts);
+
+/// Returns the obstacles for a hand that takes the target by its seen points. The voxels about the
+/// points are removed, and the points themselves are obstacles.
+CollisionScene point_scene(const Target& target, const TargetPoints& points,
+                           const SceneParts& parts);
 
 }  // namespace quadrille

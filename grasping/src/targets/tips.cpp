@@ -28,7 +28,7 @@ TargetGrasps grasps_by_tips(const TargetTask& task) {
   HandTrials trials(task, kMaxChecks, kMaxGrasps);
   const TipLimits limits{task.scene, task.parts.options.approach,
                          kFrictionShare * task.parts.options.friction};
-  for (const TipHold& hold :
+  for (const Hold& hold :
        tip_holds(task.target.body, task.parts.gripper, approach_space(task), limits)) {
     if (trials.done()) break;
     if (const auto why = unusable(hold.line, task)) {

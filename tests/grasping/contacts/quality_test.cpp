@@ -92,17 +92,3 @@ TEST_CASE("leaning normals lower the quality, to nothing where the grasp does no
   }
   CHECK(grasp_epsilon(line(0.04, std::atan(0.5) + 0.01, 0.0), model) == Approx(0.0).margin(1e-12));
 }
-
-TEST_CASE("a score rises with each term and stays within 0 and 1", "[quality]") {
-  CHECK(grasp_score({1, 1, 1, 1, 1}) == Approx(1.0));
-  CHECK(grasp_score({-5, -5, -5, -5, -5}) == 0.0);
-  CHECK(grasp_score({9, 9, 9, 9, 9}) == Approx(1.0));
-  const ScoreTerms middle{0.5, 0.5, 0.5, 0.5, 0.5};
-  for (double ScoreTerms::*term :
-       {&ScoreTerms::friction, &ScoreTerms::clearance, &ScoreTerms::observed, &ScoreTerms::room,
-        &ScoreTerms::central}) {
-    ScoreTerms better = middle;
-    better.*term = 0.6;
-    CHECK(grasp_score(better) > grasp_score(middle));
-  }
-}

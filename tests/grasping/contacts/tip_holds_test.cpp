@@ -85,7 +85,7 @@ TEST_CASE("holds by the tips touch the body, need no more friction than asked fo
       continue;
     }
     REQUIRE(holds.size() > 20);
-    for (const TipHold& hold : holds) {
+    for (const Hold& hold : holds) {
       REQUIRE(hold.friction <= 0.4);
       REQUIRE(hold.line.width <= franka_hand().max_opening);
       REQUIRE(hold.approach_C.dot(hold.line.closing_C) == Approx(0.0).margin(1e-9));
@@ -107,7 +107,7 @@ TEST_CASE("what needs little friction comes before what needs much", "[tips]") {
   const Body body = make_body(flat_ellipsoid()).value();
   const auto holds = tip_holds(body, franka_hand(), space_above(body), {only({}), 0.05, 0.5});
   REQUIRE(holds.size() > 100);
-  const auto band = [](const TipHold& hold) { return std::max(0.3, hold.friction); };
+  const auto band = [](const Hold& hold) { return std::max(0.3, hold.friction); };
   for (std::size_t n = 1; n < holds.size(); ++n) {
     REQUIRE(band(holds[n]) > band(holds[n - 1]) - 0.1 - 1e-9);
   }
@@ -120,7 +120,7 @@ TEST_CASE("no hold lies far below the plane that the body stands on", "[tips]") 
       tip_holds(body, franka_hand(), space_above(body), {only({table()}), 0.05, 0.5});
   REQUIRE_FALSE(above.empty());
   CHECK(above.size() < anywhere.size());
-  for (const TipHold& hold : above) {
+  for (const Hold& hold : above) {
     const Eigen::Vector3d tips_C =
         hold.line.centre_C + franka_hand().finger_front * hold.approach_C;
     CHECK(table().distance(tips_C) > -0.0051);
@@ -165,7 +165,7 @@ TEST_CASE("a body nearly as wide as the hand opens can be held by the tips", "[t
   const OccupancyGrid nothing(Eigen::AlignedBox3d(), 0.005);
   const CollisionScene scene{ObstacleMap(nothing, false), {table()}, {}, make_pieces(body)};
   int free = 0;
-  for (const TipHold& hold : tip_holds(body, hand, space_above(body), {scene, 0.05, 0.5})) {
+  for (const Hold& hold : tip_holds(body, hand, space_above(body), {scene, 0.05, 0.5})) {
     const Eigen::Isometry3d X_CG = grasp_pose(hold.line, hold.approach_C, 0.0);
     const SweptHand swept = sweep_hand(hand, X_CG, hand.max_opening, hold.line.width, 0.05);
     if (scene.palm_obstruction(swept.palm) || scene.finger_obstruction(swept)) continue;

@@ -12,7 +12,7 @@ struct Advice {
   std::string_view text;
 };
 
-constexpr std::array<Advice, 18> kAdvice = {{
+constexpr std::array<Advice, 19> kAdvice = {{
     {Refusal::kViewpoint,
      "the cloud cannot have been seen from its viewpoint; name where the sensor stood "
      "(--viewpoint, --camera-pose)"},
@@ -52,6 +52,9 @@ constexpr std::array<Advice, 18> kAdvice = {{
     {Refusal::kClearance,
      "most candidates come nearer to other things than was asked for; ask for less clearance "
      "(--min-clearance)"},
+    {Refusal::kScore,
+     "most candidates are too likely to fail; allow a lower score (--min-score), or try a closer "
+     "view"},
     {Refusal::kSurplus,
      "there are more quadrics than are planned on; set max_detections (under [planner] in --config "
      "FILE), or crop the cloud"},

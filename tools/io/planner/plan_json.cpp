@@ -8,6 +8,8 @@
 namespace quadrille::io {
 
 Json to_json(const Grasp& grasp) {
+  Json terms;
+  GraspTerms::visit(grasp.terms, [&](const char* name, double term) { terms[name] = term; });
   return {{"target", grasp.target},
           {"track", grasp.track},
           {"kind", word_of(grasp.kind)},
@@ -22,7 +24,8 @@ Json to_json(const Grasp& grasp) {
           {"friction_needed", grasp.friction_needed},
           {"epsilon", grasp.epsilon},
           {"clearance", grasp.clearance},
-          {"unknown_contact", grasp.unknown_contact}};
+          {"unknown_contact", grasp.unknown_contact},
+          {"terms", terms}};
 }
 
 Json to_json(const CollisionShape& shape) {

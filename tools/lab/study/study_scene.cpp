@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 
+#include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detection.hpp"
@@ -91,7 +92,8 @@ SceneRecord study_scene(const StudyInput& input, const StudyOptions& options) {
   DetectionResult result = detect(input.cloud, options.detector);
   const std::vector<Detection> found = bus::as_received(result.detections);
   const GraspPlan plan = moved(plan_grasps(input.cloud, found, options.gripper, options.plan, {},
-                                           {}, bus::as_received(std::move(result.boxes))),
+                                           {}, bus::as_received(std::move(result.boxes)),
+                                           bus::as_received(std::move(result.bodies))),
                                input.X_CK);
   const std::vector<Detection> detections = moved(found, input.X_CK);
   SceneRecord record;

@@ -36,8 +36,9 @@ std::vector<InChannel> PlannerNode::in_channels() const {
   PlannerSettings::visit_channels(
       settings_, [&](Way way, const char* option, const std::string& name, const char*) {
         if (way != Way::kIn || name.empty()) return;
-        // Without boxes the planner seeks them itself.
+        // Without boxes the planner seeks them itself, and without bodies it plans on quadrics.
         const bool expected = &name != &settings_.boxes_channel &&
+                              &name != &settings_.bodies_channel &&
                               (&name != &settings_.request_channel || settings_.on_request);
         channels.push_back({option, name, expected});
       });
@@ -62,6 +63,10 @@ std::optional<Job> PlannerNode::receive(const std::string& channel,
   if (channel == settings_.quadrics_channel) return receive_quadrics(channel, bytes);
   if (channel == settings_.boxes_channel) {
     receive_boxes(channel, bytes);
+    return std::nullopt;
+  }
+  if (channel == settings_.bodies_channel) {
+    receive_bodies(channel, bytes);
     return std::nullopt;
   }
   if (channel == settings_.request_channel) return receive_request(channel, bytes);
@@ -106,17 +111,19 @@ std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,
   const auto quadrics = refused_quadrics_.accept(channel, std::move(decoded));
   if (!quadrics) return std::nullopt;
   ++counts_.decoded_quadrics;
-  const auto boxes = boxes_.take(*quadrics);
+  OtherThings others;
+  if (auto boxes = boxes_.take(*quadrics)) others.boxes = std::move(boxes->boxes);
+  if (auto bodies = bodies_.take(*quadrics)) others.bodies = std::move(bodies->bodies);
   const bool waits = posed_clouds_.follow(
       quadrics->utime,
-      [this, quadrics, boxes](const CameraPose&) { return pair_quadrics(*quadrics, boxes); });
-  return waits ? std::nullopt : pair_quadrics(*quadrics, boxes);
+      [this, quadrics, others](const CameraPose&) { return pair_quadrics(*quadrics, others); });
+  return waits ? std::nullopt : pair_quadrics(*quadrics, others);
 }
 
-/// Pairs quadrics and their boxes with their cloud. The mutex must be held.
+/// Pairs quadrics, and what came with them, with their cloud. The mutex must be held.
 std::optional<Job> PlannerNode::pair_quadrics(const bus::QuadricsMessage& quadrics,
-                                              const std::optional<std::vector<Box>>& boxes) {
-  auto job = make_job(pairing_.add(quadrics, boxes));
+                                              const OtherThings& others) {
+  auto job = make_job(pairing_.add(quadrics, others));
   if (const auto given_up = pairing_.take_given_up()) {
     unpaired_log_.warning(fmt::format("{}: the quadrics of cloud {} are not planned on: {}",
                                       settings_.quadrics_channel, given_up->utime,
@@ -131,6 +138,14 @@ void PlannerNode::receive_boxes(const std::string& channel, std::span<const std:
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
   auto boxes = refused_boxes_.accept(channel, std::move(decoded));
   if (boxes) boxes_.add(*std::move(boxes));
+}
+
+void PlannerNode::receive_bodies(const std::string& channel, std::span<const std::byte> bytes) {
+  auto decoded = bus::decode_bodies(bytes);
+  const std::lock_guard lock(mutex_);
+  counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
+  auto bodies = refused_bodies_.accept(channel, std::move(decoded));
+  if (bodies) bodies_.add(*std::move(bodies));
 }
 
 std::optional<Job> PlannerNode::receive_request(const std::string& channel,

@@ -14,7 +14,7 @@
 #include "process/planner/messages.hpp"
 #include "process/planner/pair_planner.hpp"
 #include "process/planner/pairing.hpp"
-#include "process/planner/recent_boxes.hpp"
+#include "process/planner/recent_messages.hpp"
 #include "process/planner/recent_pairs.hpp"
 #include "process/planner/settings.hpp"
 #include "process/runtime/limited_log.hpp"
@@ -25,6 +25,8 @@
 #include "process/runtime/status/stages.hpp"
 #include "process/runtime/viewer.hpp"
 #include "process/runtime/watch/sequence_gaps.hpp"
+#include "quadrille/bus/bodies_message.hpp"
+#include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/request_message.hpp"
 #include "run/rate_limiter.hpp"
 
@@ -50,9 +52,10 @@ class PlannerNode : public Node {
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_quadrics(const std::string& channel, std::span<const std::byte> bytes);
   void receive_boxes(const std::string& channel, std::span<const std::byte> bytes);
+  void receive_bodies(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_request(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> pair_quadrics(const bus::QuadricsMessage& quadrics,
-                                   const std::optional<std::vector<Box>>& boxes);
+                                   const OtherThings& others);
   std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
   void plan_and_publish(const SharedPair& pair);
   void answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at);
@@ -71,13 +74,15 @@ class PlannerNode : public Node {
 
   mutable std::mutex mutex_;
   Pairing pairing_;
-  RecentBoxes boxes_;
+  RecentMessages<bus::BoxesMessage> boxes_;
+  RecentMessages<bus::BodiesMessage> bodies_;
   RecentPairs recent_;
   planner_status_t counts_{};
   std::int64_t grasps_ = 0;
   PosedClouds posed_clouds_;
   std::int64_t requests_ = 0, unmet_ = 0;
-  Refusals refused_clouds_, refused_quadrics_, refused_boxes_, refused_poses_, refused_requests_;
+  Refusals refused_clouds_, refused_quadrics_, refused_boxes_, refused_bodies_;
+  Refusals refused_poses_, refused_requests_;
   LimitedLog unpaired_log_;
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};

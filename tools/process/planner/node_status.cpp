@@ -82,6 +82,10 @@ std::vector<std::string> PlannerNode::find_oddities() const {
     oddities.push_back(fmt::format("{} of {} clouds have no quadrics and were not planned on",
                                    counts_.decoded_clouds - paired, counts_.decoded_clouds));
   }
+  if (refused_bodies_.counts().total() > 0) {
+    oddities.push_back(fmt::format("of the messages of bodies {}; nothing was planned on lumps",
+                                   describe(refused_bodies_.counts())));
+  }
   if (refused_boxes_.counts().total() > 0) {
     oddities.push_back(fmt::format("of the messages of boxes {}; their boxes were sought anew",
                                    describe(refused_boxes_.counts())));

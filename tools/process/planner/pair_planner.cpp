@@ -25,10 +25,11 @@ GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const GraspQuery& 
   options.deadline_ms = *query.deadline_ms;
   // Whatever throws from here on leaves no scene that a later query could take for another one.
   ready_ = nullptr;
-  std::optional<std::vector<Box>> boxes = pair->boxes;
+  std::optional<std::vector<Box>> boxes = pair->others.boxes;
   if (boxes) boxes = moved(std::move(*boxes), X_FK.inverse());
   scene_.emplace(cloud_K, moved(pair->quadrics.detections, X_FK.inverse()), settings_.gripper,
-                 options, std::vector<PointCloud>{}, std::move(boxes));
+                 options, std::vector<PointCloud>{}, std::move(boxes),
+                 moved(pair->others.bodies, X_FK.inverse()));
   GraspPlan plan = scene_->plan_from_start(query);
   // A scene that was cut short may lack targets, so the next query for this cloud makes a new one.
   if (!plan.cut) ready_ = pair;

@@ -82,14 +82,14 @@ std::optional<CloudAndQuadrics> Pairing::add(bus::CloudMessage cloud, Placement 
   const auto* const index = std::get_if<std::size_t>(&found);
   if (index == nullptr) return std::nullopt;
   Waiting found_for = *std::exchange(waiting_, std::nullopt);
-  return take_pair(*index, std::move(found_for.quadrics), std::move(found_for.boxes));
+  return take_pair(*index, std::move(found_for.quadrics), std::move(found_for.others));
 }
 
 std::optional<CloudAndQuadrics> Pairing::add(bus::QuadricsMessage quadrics,
-                                             std::optional<std::vector<Box>> boxes) {
+                                             OtherThings others) {
   const auto found = find_cloud(quadrics);
   if (const auto* index = std::get_if<std::size_t>(&found)) {
-    return take_pair(*index, std::move(quadrics), std::move(boxes));
+    return take_pair(*index, std::move(quadrics), std::move(others));
   }
   const Unpaired why = std::get<Unpaired>(found);
   // No later cloud can resolve this.
@@ -98,7 +98,7 @@ std::optional<CloudAndQuadrics> Pairing::add(bus::QuadricsMessage quadrics,
     return std::nullopt;
   }
   if (waiting_) give_up(waiting_->quadrics.utime, waiting_->why);
-  waiting_ = {std::move(quadrics), std::move(boxes), why};
+  waiting_ = {std::move(quadrics), std::move(others), why};
   return std::nullopt;
 }
 
@@ -130,9 +130,9 @@ std::vector<count_t> Pairing::count_unpaired() const {
 }
 
 CloudAndQuadrics Pairing::take_pair(std::size_t cloud, bus::QuadricsMessage quadrics,
-                                    std::optional<std::vector<Box>> boxes) {
+                                    OtherThings others) {
   CloudAndQuadrics pair{clouds_[cloud].cloud, clouds_[cloud].placement, std::move(quadrics),
-                        std::move(boxes), std::chrono::steady_clock::now()};
+                        std::move(others), std::chrono::steady_clock::now()};
   for (std::size_t i = 0; i <= cloud; ++i) {
     bytes_ -= memory_of(*clouds_.front().cloud);
     clouds_.pop_front();

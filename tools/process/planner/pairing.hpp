@@ -16,8 +16,16 @@
 #include "process/runtime/poses/camera_poses.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/detector/body.hpp"
 
 namespace quadrille {
+
+/// What the detector found in a cloud beside its quadrics.
+struct OtherThings {
+  /// Nullopt if the detector sent no boxes.
+  std::optional<std::vector<Box>> boxes;
+  std::vector<SceneBody> bodies;
+};
 
 /// A cloud and the quadrics that were found in it.
 struct CloudAndQuadrics {
@@ -25,8 +33,7 @@ struct CloudAndQuadrics {
   /// Poses of the cloud and of the results.
   Placement placement;
   bus::QuadricsMessage quadrics;
-  /// The boxes that were found with the quadrics; nullopt if the detector sent none.
-  std::optional<std::vector<Box>> boxes;
+  OtherThings others;
   /// Arrival time of the cloud or of the quadrics, whichever came later.
   std::chrono::steady_clock::time_point at;
 };
@@ -56,11 +63,11 @@ class Pairing {
   /// @return the pair if the cloud's quadrics came before it
   std::optional<CloudAndQuadrics> add(bus::CloudMessage cloud, Placement placement = {});
 
-  /// @param boxes  the boxes that came with the quadrics
+  /// @param others  what came with the quadrics
   /// @return the pair if the cloud of the quadrics is there; this cloud and older ones are then
   /// forgotten
   std::optional<CloudAndQuadrics> add(bus::QuadricsMessage quadrics,
-                                      std::optional<std::vector<Box>> boxes = {});
+                                      OtherThings others = {});
 
   std::int64_t paired() const { return paired_; }
   /// Number of quadrics whose cloud has not come.
@@ -84,12 +91,12 @@ class Pairing {
   };
   struct Waiting {
     bus::QuadricsMessage quadrics;
-    std::optional<std::vector<Box>> boxes;
+    OtherThings others;
     Unpaired why;
   };
   std::variant<std::size_t, Unpaired> find_cloud(const bus::QuadricsMessage& quadrics) const;
   CloudAndQuadrics take_pair(std::size_t cloud, bus::QuadricsMessage quadrics,
-                             std::optional<std::vector<Box>> boxes);
+                             OtherThings others);
   void give_up(std::int64_t utime, Unpaired why);
   void forget_old();
 

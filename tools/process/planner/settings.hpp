@@ -19,6 +19,7 @@ struct PlannerSettings {
   std::string cloud_channel = "POINT_CLOUD";
   std::string quadrics_channel = "QUADRICS";
   std::string boxes_channel = "BOXES";
+  std::string bodies_channel = "BODIES";
   std::string grasps_channel = "GRASPS";
   std::string request_channel = "GRASP_REQUEST";
   std::string shapes_channel = "COLLISION_SHAPES";
@@ -53,6 +54,8 @@ struct PlannerSettings {
     visit(Way::kIn, "--cloud-channel", settings.cloud_channel, "clouds");
     visit(Way::kIn, "--quadrics-channel", settings.quadrics_channel, "quadrics");
     visit(Way::kIn, "--boxes-channel", settings.boxes_channel, "boxes, sent before their quadrics");
+    visit(Way::kIn, "--bodies-channel", settings.bodies_channel,
+          "bodies, sent before their quadrics");
     visit(Way::kOut, "--grasps-channel", settings.grasps_channel, "grasps");
     visit(Way::kIn, "--request-channel", settings.request_channel,
           "requests (quadrille.grasp_request_t)");

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detector.hpp"
@@ -17,7 +18,7 @@ Scene scene_of_cloud(const PointCloud& cloud, const Eigen::Isometry3d& X_CK,
   // same grasps.
   found.detections = bus::as_received(found.detections);
   const GraspScene asked(cloud, found.detections, setup.gripper, setup.plan, {},
-                         bus::as_received(found.boxes));
+                         bus::as_received(found.boxes), bus::as_received(found.bodies));
   GraspPlan plan = asked.plan(setup.query);
   found.boxes = plan.boxes;
   Scene scene = scene_of_result(cloud, found, X_CK);

@@ -5,6 +5,7 @@
 
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/setting.hpp"
+#include "quadrille/grasping/grasp_terms.hpp"
 
 namespace quadrille {
 
@@ -30,7 +31,7 @@ struct Grasp {
   /// Id of the target's track; 0 if it has none.
   int track = 0;
   GraspKind kind = GraspKind::kAcross;
-  /// Rank from 0 to 1; the best grasp has the highest score.
+  /// Probability that the grasp succeeds.
   double score = 0.0;
   Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
   /// Distance between the contacts [m], and opening of the hand on its way in [m].
@@ -49,6 +50,8 @@ struct Grasp {
   double clearance = 0.0;
   /// True if a contact lies on a part of the target that was not observed.
   bool unknown_contact = false;
+  /// What the score follows from.
+  GraspTerms terms;
 
   /// Returns the pose X_CG from which the hand, opened to its preshape, moves straight to the
   /// grasp. The closed hand can retreat there as well. The whole path was checked, but not the held

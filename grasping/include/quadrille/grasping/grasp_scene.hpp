@@ -24,7 +24,8 @@ class GraspScene {
   QUADRILLE_EXPORT GraspScene(const PointCloud& cloud, const std::vector<Detection>& detections,
                               const Gripper& gripper, const PlanOptions& options = {},
                               const std::vector<PointCloud>& further = {},
-                              std::optional<std::vector<Box>> boxes = {});
+                              std::optional<std::vector<Box>> boxes = {},
+                              const std::vector<SceneBody>& bodies = {});
   QUADRILLE_EXPORT GraspScene(GraspScene&&) noexcept;
   QUADRILLE_EXPORT GraspScene& operator=(GraspScene&&) noexcept;
   QUADRILLE_EXPORT ~GraspScene();

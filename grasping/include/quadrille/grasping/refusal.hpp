@@ -25,6 +25,7 @@ enum class Refusal {
   kCollision,       ///< a hand that would enter occupied space or another detection
   kUnknown,         ///< a hand that would enter unobserved space
   kClearance,       ///< a hand that would come nearer to obstacles than requested
+  kScore,           ///< a grasp that is less likely to succeed than requested
   kSurplus,         ///< a detection beyond the largest number that is planned on
   kDeadline,        ///< a target that was not fully searched before the deadline
 };

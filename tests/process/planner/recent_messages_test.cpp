@@ -1,5 +1,6 @@
-#include "process/planner/recent_boxes.hpp"
+#include "process/planner/recent_messages.hpp"
 
+#include "quadrille/bus/boxes_message.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille {
@@ -20,14 +21,14 @@ bus::QuadricsMessage quadrics_at(std::int64_t utime, int seq = 0) {
 }
 
 TEST_CASE("quadrics get the boxes with their stamps, once", "[process][planner]") {
-  RecentBoxes recent;
+  RecentMessages<bus::BoxesMessage> recent;
   for (const int k : {1, 2, 3}) recent.add(boxes_of(100 * k, k));
   CHECK_FALSE(recent.take(quadrics_at(150)));
   CHECK_FALSE(recent.take(quadrics_at(200, 7)));
   const auto boxes = recent.take(quadrics_at(200));
   REQUIRE(boxes);
-  REQUIRE(boxes->size() == 1);
-  CHECK(boxes->front().id == 2);
+  REQUIRE(boxes->boxes.size() == 1);
+  CHECK(boxes->boxes.front().id == 2);
   CHECK_FALSE(recent.take(quadrics_at(200)));
   // Older boxes are forgotten, later ones are not.
   CHECK_FALSE(recent.take(quadrics_at(100)));
@@ -36,16 +37,16 @@ TEST_CASE("quadrics get the boxes with their stamps, once", "[process][planner]"
 
 TEST_CASE("of boxes with equal stamps the newest belong to the quadrics that come next",
           "[process][planner]") {
-  RecentBoxes recent;
+  RecentMessages<bus::BoxesMessage> recent;
   // The quadrics of the first were lost.
   recent.add(boxes_of(0, 1));
   recent.add(boxes_of(0, 2));
-  CHECK(recent.take(quadrics_at(0)).value().front().id == 2);
+  CHECK(recent.take(quadrics_at(0)).value().boxes.front().id == 2);
   CHECK_FALSE(recent.take(quadrics_at(0)));
 }
 
 TEST_CASE("boxes without quadrics are kept only for so many clouds", "[process][planner]") {
-  RecentBoxes recent;
+  RecentMessages<bus::BoxesMessage> recent;
   for (int k = 0; k < 100; ++k) recent.add(boxes_of(k, k));
   CHECK_FALSE(recent.take(quadrics_at(0)));
   CHECK(recent.take(quadrics_at(99)));

@@ -1,0 +1,51 @@
+#pragma once
+
+namespace quadrille {
+
+/// What is known of a grasp before it is tried, each from 0 to 1. The score of a grasp follows from
+/// these terms.
+struct GraspTerms {
+  /// Friction to spare: 1 − μ*/μ, less for pads that lie askew on a curved wall.
+  double friction = 0.0;
+  /// Clearance divided by 10 mm, at most 1.
+  double clearance = 0.0;
+  /// Room between each pad and the target on the way in, divided by 5 mm, at most 1.
+  double room = 0.0;
+  /// 1 at the target's centre, 0 at its far end: a grasp near the centre leaves the target's weight
+  /// a short lever.
+  double central = 0.0;
+  /// 1 if the hand closes across the line of sight, 0 if along it, where one contact is hidden.
+  double across = 0.0;
+  /// Share of the space that the fingers fill and pass through while they close that was seen.
+  double seen = 0.0;
+  /// Score of the detection or box; 1 for a target without a shape.
+  double confidence = 0.0;
+  /// Distance from the sensor divided by 1.5 m, at most 1: the noise of depth cameras grows with it.
+  double range = 0.0;
+  /// 1 for a grasp across a wall at its rim.
+  double rim = 0.0;
+  /// 1 for a grasp that follows from a shape, 0 for one between the outermost points.
+  double shape = 0.0;
+  /// Share of the contacts well within the pads' borders, and how far the points beside both
+  /// contacts reach along the approach, divided by 20 mm. Both are 1 for a shape.
+  double inner = 0.0, height = 0.0;
+
+  /// Calls v(name, term) for each term.
+  template <class Terms, class Visitor>
+  static void visit(Terms& t, Visitor&& v) {
+    v("friction", t.friction);
+    v("clearance", t.clearance);
+    v("room", t.room);
+    v("central", t.central);
+    v("across", t.across);
+    v("seen", t.seen);
+    v("confidence", t.confidence);
+    v("range", t.range);
+    v("rim", t.rim);
+    v("shape", t.shape);
+    v("inner", t.inner);
+    v("height", t.height);
+  }
+};
+
+}  // namespace quadrille

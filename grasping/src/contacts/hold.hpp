@@ -1,0 +1,31 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "contacts/contact_line.hpp"
+
+namespace quadrille {
+
+/// What measured points tell of both contacts of a hold.
+struct ContactEvidence {
+  /// Share of the contacts at which the side that the pad touches was seen.
+  double seen = 0.0;
+  /// Mean cosine between the pads' directions and the normals of the points next to them.
+  double facing = 0.0;
+  /// Share of the contacts that lie well within the borders of the pads.
+  double inner = 0.0;
+  /// How far the points next to each contact reach along the approach, the lesser of the two [m].
+  double height = 0.0;
+};
+
+/// Contacts that a hand finds from one place, and its approach.
+struct Hold {
+  /// The contact line, whose centre is the origin of the grasp frame.
+  ContactLine line;
+  Eigen::Vector3d approach_C;
+  /// The friction coefficient that the hold needs [-].
+  double friction = 0.0;
+  ContactEvidence evidence = {};
+};
+
+}  // namespace quadrille

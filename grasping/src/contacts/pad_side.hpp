@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+
+#include "quadrille/grasping/gripper.hpp"
+
+namespace quadrille {
+
+/// A measured point between the fingers.
+struct BetweenPads {
+  /// Position along the axes of G, from any origin [m].
+  Eigen::Vector3d p_G;
+  /// Unit normal along the axes of G; zero if it is not known.
+  Eigen::Vector3d n_G;
+  /// True if it belongs to the target.
+  bool own = false;
+};
+
+/// The side of some points that a pad touches.
+struct PadSide {
+  /// The contact: the mean of the points near the outermost one, moved out as far as it [m].
+  Eigen::Vector3d p_G;
+  /// Unit normal of the contact.
+  Eigen::Vector3d n_G;
+  /// True if points were seen that face the pad. Otherwise the side is hidden, and assumed to face
+  /// the pad.
+  bool seen = false;
+  /// True if the outermost point lies well within the borders of the pad. There a flat pad touches
+  /// a body at its outermost point, where the surface faces the pad.
+  bool inner = false;
+  /// Mean cosine between the pad's direction and the normals, where those turned away count as 0.
+  double facing = 0.0;
+  /// How far the points near the outermost one reach along the approach [m].
+  double height = 0.0;
+};
+
+/// Returns the side towards a pad of points sorted along the closing direction y. Nullopt if the
+/// side is hidden and nothing tells where it is: behind a surface that faces away from the pad, or
+/// below the tips.
+/// @param sign  1 for the pad at the last point, −1 for that at the first
+/// @param x  middle of the pad along x [m]
+/// @param tip  how far the tips reach along z [m]
+std::optional<PadSide> pad_side(std::span<const BetweenPads> points, double sign, double x,
+                                double tip, const Gripper& gripper);
+
+}  // namespace quadrille

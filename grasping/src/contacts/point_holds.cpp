@@ -1,0 +1,180 @@
+#include "contacts/point_holds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "contacts/directions.hpp"
+#include "contacts/hand_directions.hpp"
+#include "contacts/pad_side.hpp"
+#include "contacts/quality.hpp"
+
+namespace quadrille {
+namespace {
+
+// The hand is moved across the points in steps of half a finger. The tips reach so deep below the
+// highest point of the target between the fingers, in lengths of the fingers.
+constexpr double kStepToFinger = 0.5;
+constexpr double kDepthsToFinger[] = {0.75, 0.55, 0.4, 0.28, 0.16};
+// Fewer points between the fingers may be noise.
+constexpr std::size_t kMinBetween = 8;
+// Weights of what makes a hold promising beside contacts that face the pads: from above, deep,
+// near the middle; and against it: wide.
+constexpr double kAbove = 0.5, kDeep = 0.5, kAside = 0.5, kWide = 0.3;
+// More depth, or more distance from the middle, than this makes no difference [m]. A hold is wide
+// above this share of the opening.
+constexpr double kFullDepth = 0.03, kWideShare = 0.85;
+
+class PointHoldFinder {
+ public:
+  PointHoldFinder(const SurfacePoints& points, const std::vector<char>& own, const Gripper& gripper,
+                  const ApproachSpace& space, double max_friction)
+      : points_(points),
+        own_(own),
+        gripper_(gripper),
+        space_(space),
+        max_friction_(max_friction) {}
+
+  std::vector<Hold> find() {
+    std::vector<Eigen::Vector3d> normals;
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+      if (own_[i] && !points_.n_C[i].isZero()) normals.push_back(points_.n_C[i]);
+    }
+    for (const Eigen::Matrix3d& R_CG : hand_directions(std::move(normals), space_)) {
+      R_CG_ = R_CG;
+      sweep();
+    }
+    std::stable_sort(ranked_.begin(), ranked_.end(),
+                     [](const Ranked& a, const Ranked& b) { return a.rank > b.rank; });
+    std::vector<Hold> holds;
+    visit_in_passes(ranked_.begin(), ranked_.end(),
+                    [&](const Ranked& ranked) { holds.push_back(ranked.hold); });
+    return holds;
+  }
+
+ private:
+  struct Ranked {
+    Hold hold;
+    double rank;
+  };
+
+  /// Moves a hand of the present orientation across the points.
+  void sweep() {
+    const Eigen::Matrix3d R_GC = R_CG_.transpose();
+    std::vector<BetweenPads> all;
+    all.reserve(own_.size());
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+      all.push_back({R_GC * points_.p_C[i], R_GC * points_.n_C[i], own_[i] != 0});
+      if (!own_[i]) continue;
+      low = std::min(low, all.back().p_G.x());
+      high = std::max(high, all.back().p_G.x());
+    }
+    if (!(low <= high)) return;
+    std::stable_sort(all.begin(), all.end(), [](const BetweenPads& a, const BetweenPads& b) {
+      return a.p_G.x() < b.p_G.x();
+    });
+    const double half = 0.5 * gripper_.finger.x(), step = kStepToFinger * gripper_.finger.x();
+    const int steps = static_cast<int>((high - low) / step) + 1;
+    const double first = 0.5 * (low + high) - 0.5 * step * (steps - 1);
+    const auto at = [&](double x) {
+      return std::lower_bound(
+          all.begin(), all.end(), x,
+          [](const BetweenPads& point, double value) { return point.p_G.x() < value; });
+    };
+    for (int n = 0; n < steps; ++n) {
+      const double x = first + n * step;
+      lower(x, {at(x - half), at(x + half)});
+    }
+  }
+
+  /// Lowers the fingers on the points of a slice.
+  void lower(double x, std::vector<BetweenPads> slice) {
+    if (slice.size() < kMinBetween) return;
+    std::stable_sort(slice.begin(), slice.end(), [](const BetweenPads& a, const BetweenPads& b) {
+      return a.p_G.y() < b.p_G.y();
+    });
+    double top = std::numeric_limits<double>::infinity();
+    for (const BetweenPads& point : slice) {
+      if (point.own) top = std::min(top, point.p_G.z());
+    }
+    std::vector<BetweenPads> between;
+    for (const double share : kDepthsToFinger) {
+      const double tip = top + share * gripper_.finger.z();
+      between.clear();
+      std::copy_if(slice.begin(), slice.end(), std::back_inserter(between),
+                   [&](const BetweenPads& point) {
+                     return point.p_G.z() < tip && point.p_G.z() > tip - gripper_.finger.z();
+                   });
+      hold_runs(x, tip, between);
+    }
+  }
+
+  /// Holds each run of points in which there is no gap for a finger, and neighbouring runs together.
+  void hold_runs(double x, double tip, std::span<const BetweenPads> between) {
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < between.size(); ++i) {
+      if (i == 0 || between[i].p_G.y() - between[i - 1].p_G.y() > gripper_.finger.y()) {
+        starts.push_back(i);
+      }
+    }
+    starts.push_back(between.size());
+    for (std::size_t a = 0; a + 1 < starts.size(); ++a) {
+      for (std::size_t b = a + 1; b < starts.size(); ++b) {
+        hold(x, tip, between.subspan(starts[a], starts[b] - starts[a]));
+      }
+    }
+  }
+
+  void hold(double x, double tip, std::span<const BetweenPads> run) {
+    if (run.size() < kMinBetween || !(run.front().own || run.back().own)) return;
+    const double low = run.front().p_G.y(), high = run.back().p_G.y(), width = high - low;
+    if (width > gripper_.max_opening || width < gripper_.min_opening) return;
+    const std::optional<PadSide> left = pad_side(run, -1.0, x, tip, gripper_);
+    const std::optional<PadSide> right = pad_side(run, 1.0, x, tip, gripper_);
+    if (!left || !right || !(left->seen || right->seen)) return;
+    Hold found;
+    ContactLine& line = found.line;
+    line.closing_C = R_CG_.col(1);
+    line.centre_C = R_CG_ * Eigen::Vector3d(x, 0.5 * (low + high), tip - gripper_.finger_front);
+    line.contacts_C = {R_CG_ * right->p_G, R_CG_ * left->p_G};
+    line.normals_C = {R_CG_ * right->n_G, R_CG_ * left->n_G};
+    line.width = line.opening = width;
+    found.approach_C = R_CG_.col(2);
+    found.friction = friction_needed(line);
+    if (found.friction > max_friction_) return;
+    found.evidence = {0.5 * (left->seen + right->seen), 0.5 * (left->facing + right->facing),
+                      0.5 * (left->inner + right->inner), std::min(left->height, right->height)};
+    double top = tip;
+    for (const BetweenPads& point : run) top = std::min(top, point.p_G.z());
+    ranked_.push_back({found, rank(found, tip - top)});
+  }
+
+  double rank(const Hold& hold, double depth) const {
+    const double aside = std::abs(R_CG_.col(0).dot(hold.line.centre_C - space_.centre_C));
+    const bool wide = hold.line.width > kWideShare * gripper_.max_opening;
+    return 2.0 * hold.evidence.facing - kAbove * hold.approach_C.dot(space_.up_C) +
+           kDeep * std::min(1.0, depth / kFullDepth) - kAside * std::min(1.0, aside / kFullDepth) -
+           (wide ? kWide : 0.0);
+  }
+
+  const SurfacePoints& points_;
+  const std::vector<char>& own_;
+  const Gripper& gripper_;
+  const ApproachSpace& space_;
+  const double max_friction_;
+  Eigen::Matrix3d R_CG_;
+  std::vector<Ranked> ranked_;
+};
+
+}  // namespace
+
+std::vector<Hold> point_holds(const SurfacePoints& points, const std::vector<char>& own,
+                              const Gripper& gripper, const ApproachSpace& space,
+                              double max_friction) {
+  return PointHoldFinder(points, own, gripper, space, max_friction).find();
+}
+
+}  // namespace quadrille

@@ -1,0 +1,92 @@
+#include "contacts/surface_points.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace quadrille {
+namespace {
+
+// Normals are taken over the points within so many cells; fewer points than the second number give
+// none.
+constexpr double kReachInCells = 3.2;
+constexpr int kMinNeighbours = 6;
+
+using Key = std::array<int, 3>;
+
+Key key_of(const Eigen::Vector3d& p, double edge) {
+  const Eigen::Vector3i key = (p / edge).array().floor().cast<int>();
+  return {key.x(), key.y(), key.z()};
+}
+
+std::vector<Eigen::Vector3d> thinned(std::span<const Eigen::Vector3d> points, double cell) {
+  std::vector<std::pair<Key, Eigen::Vector3d>> keyed;
+  keyed.reserve(points.size());
+  for (const Eigen::Vector3d& p : points) keyed.emplace_back(key_of(p, cell), p);
+  std::stable_sort(keyed.begin(), keyed.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<Eigen::Vector3d> means;
+  for (auto first = keyed.begin(); first != keyed.end();) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    auto last = first;
+    for (; last != keyed.end() && last->first == first->first; ++last) sum += last->second;
+    means.emplace_back(sum / static_cast<double>(last - first));
+    first = last;
+  }
+  return means;
+}
+
+}  // namespace
+
+SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double cell,
+                             const Eigen::Vector3d& viewpoint_C) {
+  SurfacePoints surface;
+  surface.p_C = thinned(points_C, cell);
+  surface.n_C.assign(surface.p_C.size(), Eigen::Vector3d::Zero());
+  const double reach = kReachInCells * cell;
+  std::vector<double> rough;
+  std::map<Key, std::vector<int>> buckets;
+  for (std::size_t i = 0; i < surface.p_C.size(); ++i) {
+    buckets[key_of(surface.p_C[i], reach)].push_back(static_cast<int>(i));
+  }
+  for (const auto& [key, members] : buckets) {
+    std::vector<int> near;
+    for (int n = 0; n < 27; ++n) {
+      const auto bucket =
+          buckets.find({key[0] + n % 3 - 1, key[1] + n / 3 % 3 - 1, key[2] + n / 9 - 1});
+      if (bucket != buckets.end()) {
+        near.insert(near.end(), bucket->second.begin(), bucket->second.end());
+      }
+    }
+    for (const int i : members) {
+      const Eigen::Vector3d& p = surface.p_C[i];
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+      int count = 0;
+      for (const int j : near) {
+        const Eigen::Vector3d d = surface.p_C[j] - p;
+        if (d.squaredNorm() > reach * reach) continue;
+        sum += d;
+        squares += d * d.transpose();
+        ++count;
+      }
+      if (count < kMinNeighbours) continue;
+      const Eigen::Vector3d mean = sum / count;
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+      solver.computeDirect(squares / count - mean * mean.transpose());
+      rough.push_back(std::sqrt(std::max(0.0, solver.eigenvalues()[0])));
+      const Eigen::Vector3d n = solver.eigenvectors().col(0);
+      surface.n_C[i] = n.dot(viewpoint_C - p) < 0.0 ? Eigen::Vector3d(-n) : n;
+    }
+  }
+  if (!rough.empty()) {
+    const auto middle = rough.begin() + static_cast<std::ptrdiff_t>(rough.size() / 2);
+    std::nth_element(rough.begin(), middle, rough.end());
+    surface.roughness = *middle;
+  }
+  return surface;
+}
+
+}  // namespace quadrille

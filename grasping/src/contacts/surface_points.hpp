@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+namespace quadrille {
+
+/// Points of a surface, thinned to one for each small cell, with its normals.
+struct SurfacePoints {
+  /// Positions in frame C [m].
+  std::vector<Eigen::Vector3d> p_C;
+  /// Unit normals towards the sensor; zero where there are too few points for one.
+  std::vector<Eigen::Vector3d> n_C;
+  /// Median distance of the points around each of them from a plane through them [m]: noise, and
+  /// bends narrower than some cells.
+  double roughness = 0.0;
+};
+
+/// Thins points to the mean of those in each cell, and takes the normals from the neighbours of
+/// each mean by principal components. The order of the result depends on the positions alone.
+/// @param points_C  positions, in frame C [m]
+/// @param cell  edge of a cell [m]; normals are taken over some three cells around a point
+/// @param viewpoint_C  position of the sensor [m]
+SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double cell,
+                             const Eigen::Vector3d& viewpoint_C);
+
+}  // namespace quadrille

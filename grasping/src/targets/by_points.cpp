@@ -1,0 +1,35 @@
+// Finds grasps between the outermost points of a target, whatever its shape.
+#include <utility>
+#include <vector>
+
+#include "contacts/point_holds.hpp"
+#include "targets/hand_trials.hpp"
+
+namespace quadrille {
+namespace {
+
+// Limits on the effort per target, as for the other kinds of grasps.
+constexpr int kMaxChecks = 2000;
+constexpr std::size_t kMaxGrasps = 8;
+// Normals of points are known to some degrees, like those of fits.
+constexpr double kFrictionShare = 0.85;
+
+}  // namespace
+
+TargetGrasps grasps_by_points(const TargetTask& task, const TargetPoints& points) {
+  HandTrials trials(task, kMaxChecks, kMaxGrasps);
+  for (const Hold& hold :
+       point_holds(points.all, points.own, task.parts.gripper, approach_space(task),
+                   kFrictionShare * task.parts.options.friction)) {
+    if (trials.done()) break;
+    if (const auto why = misfit(hold.line, task)) {
+      trials.refuse(*why);
+      continue;
+    }
+    const Eigen::Isometry3d X_CG = grasp_pose(hold.line, hold.approach_C, 0.0);
+    trials.try_hand({hold.line, X_CG, GraspKind::kAcross, hold.friction, 1.0, hold.evidence});
+  }
+  return std::move(trials).take();
+}
+
+}  // namespace quadrille

@@ -1,0 +1,109 @@
+#include "contacts/point_holds.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "grasping/scenes.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+constexpr double kMaxFriction = 0.42;
+const Eigen::Vector3d kTowardsSky = Eigen::Vector3d(0, -1, -1).normalized();
+
+/// A sensor at the origin looks at things around (0, 0, 0.7), on a support that rises towards it.
+ApproachSpace space_around(const Eigen::Vector3d& centre) {
+  ApproachSpace space;
+  space.up_C = kTowardsSky;
+  space.view_C = -centre.normalized();
+  space.centre_C = centre;
+  space.axes_C << Eigen::Vector3d::UnitX(), kTowardsSky.cross(Eigen::Vector3d::UnitX()), kTowardsSky;
+  return space;
+}
+
+void add_ball(const Ball& ball, SurfacePoints* points) {
+  const int count = static_cast<int>(4.0 * std::numbers::pi * ball.radius * ball.radius / 6e-6);
+  for (int i = 0; i < count; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / count, t = 2.399963 * i, r = std::sqrt(1.0 - z * z);
+    const Eigen::Vector3d n(r * std::cos(t), r * std::sin(t), z);
+    const Eigen::Vector3d p = ball.p_C + ball.radius * n;
+    if (n.dot(p) > 0.0) continue;
+    points->p_C.push_back(p);
+    points->n_C.push_back(n);
+  }
+}
+
+std::vector<char> all_own(const SurfacePoints& points) {
+  return std::vector<char>(points.p_C.size(), 1);
+}
+
+}  // namespace
+
+TEST_CASE("a ball without a name is held across its width", "[contacts][points]") {
+  const Ball ball{Eigen::Vector3d(0.0, 0.0, 0.7), 0.03};
+  SurfacePoints points;
+  add_ball(ball, &points);
+  const auto holds =
+      point_holds(points, all_own(points), franka_hand(), space_around(ball.p_C), kMaxFriction);
+  REQUIRE(holds.size() > 20);
+  bool full = false;
+  for (const Hold& hold : holds) {
+    const ContactLine& line = hold.line;
+    CHECK(hold.friction <= kMaxFriction);
+    CHECK(hold.evidence.seen >= 0.5);
+    CHECK(line.width <= 2.0 * ball.radius + 1e-9);
+    CHECK(line.width ==
+          Approx((line.contacts_C[0] - line.contacts_C[1]).dot(line.closing_C)).margin(1e-9));
+    CHECK(std::abs(line.closing_C.dot(hold.approach_C)) < 1e-9);
+    full |= line.width > 2.0 * ball.radius - 0.002 && hold.evidence.seen == 1.0;
+  }
+  CHECK(full);
+}
+
+TEST_CASE("where nothing is the target's own, nothing is held", "[contacts][points]") {
+  SurfacePoints points;
+  add_ball({Eigen::Vector3d(0.0, 0.0, 0.7), 0.03}, &points);
+  const ApproachSpace space = space_around({0.0, 0.0, 0.7});
+  CHECK(point_holds(points, std::vector<char>(points.p_C.size(), 0), franka_hand(), space,
+                    kMaxFriction)
+            .empty());
+  CHECK(point_holds({}, {}, franka_hand(), space, kMaxFriction).empty());
+}
+
+TEST_CASE("things with room for a finger between them are held one by one, or both at once",
+          "[contacts][points]") {
+  const double radius = 0.012, apart = 0.05;
+  SurfacePoints points;
+  add_ball({Eigen::Vector3d(-0.5 * apart, 0.0, 0.7), radius}, &points);
+  const auto own = points.p_C.size();
+  add_ball({Eigen::Vector3d(0.5 * apart, 0.0, 0.7), radius}, &points);
+  std::vector<char> first(points.p_C.size(), 0);
+  std::fill_n(first.begin(), own, 1);
+  const auto holds = point_holds(points, first, franka_hand(),
+                                 space_around({-0.5 * apart, 0.0, 0.7}), kMaxFriction);
+  int alone = 0, together = 0;
+  for (const Hold& hold : holds) {
+    if (std::abs(hold.line.closing_C.x()) < 0.95) continue;
+    (hold.line.width < 2.0 * radius + 0.001 ? alone : together) += 1;
+    if (hold.line.width > 2.0 * radius + 0.001) CHECK(hold.line.width > apart);
+  }
+  CHECK(alone > 0);
+  CHECK(together > 0);
+}
+
+TEST_CASE("what is wider than the hand is not held", "[contacts][points]") {
+  const Ball ball{Eigen::Vector3d(0.0, 0.0, 0.7), 0.06};
+  SurfacePoints points;
+  add_ball(ball, &points);
+  Gripper small = franka_hand();
+  small.max_opening = 0.03;
+  for (const Hold& hold :
+       point_holds(points, all_own(points), small, space_around(ball.p_C), kMaxFriction)) {
+    CHECK(hold.line.width <= 0.03);
+  }
+}

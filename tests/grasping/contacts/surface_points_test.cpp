@@ -1,0 +1,73 @@
+#include "contacts/surface_points.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "grasping/scenes.hpp"
+#include "support/catch.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+constexpr double kCell = 0.0025;
+const Eigen::Vector3d kEye = Eigen::Vector3d::Zero();
+
+/// The half of a ball that faces the sensor, and points a millimetre apart.
+std::vector<Eigen::Vector3d> seen_half(const Ball& ball) {
+  std::vector<Eigen::Vector3d> points;
+  const int count = 12000;
+  for (int i = 0; i < count; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / count, t = 2.399963 * i, r = std::sqrt(1.0 - z * z);
+    const Eigen::Vector3d n(r * std::cos(t), r * std::sin(t), z);
+    const Eigen::Vector3d p = ball.p_C + ball.radius * n;
+    if (n.dot(kEye - p) > 0.0) points.push_back(p);
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("points are thinned to one for each cell, and their normals are those of the surface",
+          "[contacts][points]") {
+  const Ball ball{Eigen::Vector3d(0.02, -0.01, 0.7), 0.03};
+  const SurfacePoints surface = surface_points(seen_half(ball), kCell, kEye);
+  REQUIRE(surface.p_C.size() == surface.n_C.size());
+  REQUIRE(surface.p_C.size() > 500);
+  std::set<std::array<int, 3>> cells;
+  for (std::size_t i = 0; i < surface.p_C.size(); ++i) {
+    const Eigen::Vector3d& p = surface.p_C[i];
+    const Eigen::Vector3i cell = (p / kCell).array().floor().cast<int>();
+    CHECK(cells.insert({cell.x(), cell.y(), cell.z()}).second);
+    const Eigen::Vector3d outward = (p - ball.p_C).normalized();
+    CHECK((p - ball.p_C).norm() == Approx(ball.radius).margin(0.0003));
+    // Where neighbours are missing on one side, at the edge of what was seen, normals lean.
+    if (outward.dot((kEye - p).normalized()) < 0.4) continue;
+    CHECK(surface.n_C[i].dot(outward) > std::cos(0.08));
+  }
+}
+
+TEST_CASE("the order of the points does not matter beyond rounding", "[contacts][points]") {
+  std::vector<Eigen::Vector3d> points = seen_half({Eigen::Vector3d(0.0, 0.0, 0.6), 0.02});
+  const SurfacePoints one = surface_points(points, kCell, kEye);
+  std::reverse(points.begin(), points.end());
+  const SurfacePoints other = surface_points(points, kCell, kEye);
+  REQUIRE(one.p_C.size() == other.p_C.size());
+  for (std::size_t i = 0; i < one.p_C.size(); ++i) {
+    CHECK((one.p_C[i] - other.p_C[i]).norm() < 1e-12);
+    CHECK(one.n_C[i].dot(other.n_C[i]) > 1.0 - 1e-6);
+  }
+}
+
+TEST_CASE("points without neighbours have no normal", "[contacts][points]") {
+  const std::vector<Eigen::Vector3d> points = {
+      {0.0, 0.0, 0.5}, {0.03, 0.0, 0.5}, {0.0, 0.03, 0.5}};
+  const SurfacePoints surface = surface_points(points, kCell, kEye);
+  REQUIRE(surface.p_C.size() == 3);
+  for (const Eigen::Vector3d& n : surface.n_C) CHECK(n.isZero());
+  CHECK(surface_points({}, kCell, kEye).p_C.empty());
+}
