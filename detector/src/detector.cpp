@@ -193,7 +193,9 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options,
   }
   findings.boxes = find_boxes(cloud, findings.detections, patches);
   clock.end("boxes");
-  findings.bodies = find_bodies({findings.detections, findings.boxes, tree.finest(), owner});
+  const bool all_types = options.only.empty() && options.report.empty();
+  findings.bodies =
+      find_bodies({findings.detections, findings.boxes, tree.finest(), owner, all_types});
   clock.end("bodies");
   return findings;
 }

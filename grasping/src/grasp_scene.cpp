@@ -23,8 +23,8 @@ GraspScene::GraspScene(const PointCloud& cloud, const std::vector<Detection>& de
                        const std::vector<SceneBody>& bodies) {
   gripper.check();
   options.check();
-  parts_ = make_scene_parts(cloud, detections, gripper, options, further, std::move(boxes),
-                            bodies, options.deadline_ms);
+  parts_ = make_scene_parts(cloud, detections, gripper, options, further, std::move(boxes), bodies,
+                            options.deadline_ms);
 }
 
 GraspScene::GraspScene(GraspScene&&) noexcept = default;
@@ -57,12 +57,10 @@ GraspPlan GraspScene::plan_from_start(const GraspQuery& query) const {
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
                       const Gripper& gripper, const PlanOptions& options,
                       const std::vector<PointCloud>& further, const GraspQuery& query,
-                      std::optional<std::vector<Box>> boxes,
-                      const std::vector<SceneBody>& bodies) {
+                      std::optional<std::vector<Box>> boxes, const std::vector<SceneBody>& bodies) {
   PlanOptions timed = options;
   timed.deadline_ms = deadline_of(query, options);
-  return GraspScene(cloud, detections, gripper, timed, further, std::move(boxes),
-                    bodies)
+  return GraspScene(cloud, detections, gripper, timed, further, std::move(boxes), bodies)
       .plan_from_start(query);
 }
 

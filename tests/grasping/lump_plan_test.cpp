@@ -51,8 +51,8 @@ TEST_CASE("a body without a shape is held between its outermost points", "[plan]
         CHECK((contact - ball.p_C).norm() == Approx(ball.radius).margin(0.004));
       }
       // The opened fingers touch no part of the ball that was seen.
-      const SweptHand hand = sweep_hand(franka_hand(), grasp.X_CG, grasp.preshape, grasp.width,
-                                        grasp.approach);
+      const SweptHand hand =
+          sweep_hand(franka_hand(), grasp.X_CG, grasp.preshape, grasp.width, grasp.approach);
       for (const Eigen::Vector3d& p : skin(ball)) {
         if ((p - ball.p_C).dot(p) > 0.0) continue;
         CHECK_FALSE(hand.fingers[0].contains(p));
@@ -95,7 +95,8 @@ TEST_CASE("a grasp that is less likely to succeed than asked for is refused and 
 TEST_CASE("a neighbour is an obstacle to a hand that holds a body without a shape",
           "[plan][points]") {
   const Ball ball = ball_on_table(0.0, 0.0, 0.025), neighbour = ball_on_table(0.062, 0.0, 0.025);
-  const GraspPlan plan = plan_lumps({ball, neighbour}, {lump_of(ball)}, all_of(UnknownPolicy::kFree));
+  const GraspPlan plan =
+      plan_lumps({ball, neighbour}, {lump_of(ball)}, all_of(UnknownPolicy::kFree));
   REQUIRE_FALSE(plan.grasps.empty());
   for (const Grasp& grasp : plan.grasps) {
     const SweptHand hand =

@@ -137,9 +137,10 @@ TEST_CASE("the JSON of a plan has the promised keys, and its total spans both ha
                               "grasps", "rejected", "shapes"});
   CHECK(json["gripper"] == "claw");
   CHECK(json["timings"]["total_ms"] == 120.0);
-  CHECK(keys_of(json["grasps"][0]) ==
-        Keys{"target", "track", "kind", "score", "X_CG", "pregrasp", "retreat", "width", "preshape",
-             "contacts", "approach", "friction_needed", "epsilon", "clearance", "unknown_contact", "terms"});
+  CHECK(keys_of(json["grasps"][0]) == Keys{"target", "track", "kind", "score", "X_CG", "pregrasp",
+                                           "retreat", "width", "preshape", "contacts", "approach",
+                                           "friction_needed", "epsilon", "clearance",
+                                           "unknown_contact", "terms"});
   CHECK(keys_of(json["grasps"][0]["X_CG"]) == Keys{"position", "quaternion"});
   CHECK(json["grasps"][0]["contacts"] == io::Json({{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}));
   CHECK(json["grasps"][0]["unknown_contact"].is_boolean());

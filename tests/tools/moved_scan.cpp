@@ -65,7 +65,13 @@ std::size_t check_same_grasps(const json& in_K, const json& in_W, const Eigen::I
       CHECK(b[key].get<double>() == Approx(a[key].get<double>()).margin(kRounding));
     }
   }
-  CHECK(in_W["rejected"] == in_K["rejected"]);
+  // Rounding decides in which cell a point at a border is, and so changes a few of the holds
+  // between points that are tried.
+  constexpr double kShare = 0.02, kFew = 10.0;
+  for (const auto& [reason, count] : in_K["rejected"].items()) {
+    const double in_camera = count.get<double>();
+    CHECK(in_W["rejected"].value(reason, 0.0) == Approx(in_camera).epsilon(kShare).margin(kFew));
+  }
   return in_K["grasps"].size();
 }
 

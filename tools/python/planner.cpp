@@ -166,8 +166,12 @@ GraspScene scene_of(const Points& points, const DetectionResult& result, const G
   const PointCloud cloud = cloud_of(view);
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps.
-  return {cloud, bus::as_received(result.detections), gripper, options,
-          {},    bus::as_received(result.boxes),
+  return {cloud,
+          bus::as_received(result.detections),
+          gripper,
+          options,
+          {},
+          bus::as_received(result.boxes),
           bus::as_received(result.bodies)};
 }
 

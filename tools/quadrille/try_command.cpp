@@ -112,9 +112,9 @@ void report_on(const Planned& planned, bool from_file, std::vector<std::string> 
   const auto still = Eigen::Isometry3d::Identity();
   view::Scene scene = view::scene_of_result(cloud, found, still);
   scene.outcomes = std::move(outcomes);
-  view::add_plan(GraspScene(cloud, found.detections, job.gripper, job.plan, {}, found.boxes,
-                            planned.bodies),
-                 {}, planned.plan, job.gripper, job.plan.unknown, still, {}, &scene);
+  view::add_plan(
+      GraspScene(cloud, found.detections, job.gripper, job.plan, {}, found.boxes, planned.bodies),
+      {}, planned.plan, job.gripper, job.plan.unknown, still, {}, &scene);
   report->add(planned.input, std::move(scene));
 }
 

@@ -62,7 +62,7 @@ class BodyMaker {
       body.standing_on = standing_on(supports_, corners_C(body));
       if (body.standing_on && is_long(body)) stand(&body);
     }
-    add_lumps();
+    if (found_.all_types) add_lumps();
     std::stable_sort(bodies_.begin(), bodies_.end(),
                      [](const SceneBody& a, const SceneBody& b) { return a.id < b.id; });
     return std::move(bodies_);

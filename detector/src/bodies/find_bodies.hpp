@@ -16,6 +16,9 @@ struct BodySources {
   /// is 0 if there is none, and negative if the detection was not asked for.
   const SurfaceSamples& samples;
   const std::vector<int>& owner;
+  /// False if only some types were asked for: then what nothing explains is not asked for either,
+  /// and there are no lumps.
+  bool all_types = true;
 };
 
 /// Groups what was found into bodies: boxes with their faces, surfaces that share an axis with

@@ -8,44 +8,47 @@ namespace quadrille {
 namespace {
 
 // Contacts are measured over the points within this distance of the outermost one [m]. It is more
-// than the noise of a depth camera. The outermost place is the mean over the second distance.
-constexpr double kBand = 0.004, kOutermost = 0.0015;
+// than the noise of a depth camera.
+constexpr double kBand = 0.004;
 // A point faces the pad, or faces away from it, if its normal does with at least this cosine.
 constexpr double kTowards = 0.25;
 // A side is seen if at least this share of the points near the outermost one face the pad. Nothing
 // tells where a hidden side is if at least the second share face away from it.
 constexpr double kMinTowards = 0.2, kMinAway = 0.5;
-// A place this far from the border of a pad lies well within it [m].
-constexpr double kInside = 0.002;
+// The strip along the borders of a pad in which a slope would show, and how far the points in it
+// may lie outside of the others [m]: on a slope of 14° they lie as far.
+constexpr double kBorder = 0.004, kWidening = 0.001;
 
 }  // namespace
 
 std::optional<PadSide> pad_side(std::span<const BetweenPads> points, double sign, double x,
                                 double tip, const Gripper& gripper) {
   const double y = sign > 0.0 ? points.back().p_G.y() : points.front().p_G.y();
-  Eigen::Vector3d near = Eigen::Vector3d::Zero(), outermost = near, normals = near;
+  Eigen::Vector3d near = Eigen::Vector3d::Zero(), normals = near;
+  double within = std::numeric_limits<double>::infinity(), at_border = within;
   double top = tip, bottom = std::numeric_limits<double>::lowest();
-  int count = 0, outer = 0, towards = 0, away = 0;
+  int count = 0, towards = 0, away = 0;
   PadSide side;
   for (const BetweenPads& point : points) {
     const double behind = std::abs(point.p_G.y() - y);
+    const bool border = tip - point.p_G.z() < kBorder ||
+                        std::abs(point.p_G.x() - x) > 0.5 * gripper.finger.x() - kBorder;
+    (border ? at_border : within) = std::min(border ? at_border : within, behind);
     if (behind > kBand) continue;
     near += point.p_G, ++count;
     top = std::min(top, point.p_G.z());
     bottom = std::max(bottom, point.p_G.z());
-    if (behind < kOutermost) outermost += point.p_G, ++outer;
     const double cosine = sign * point.n_G.y();
     side.facing += std::max(0.0, cosine);
     away += cosine < -kTowards;
     if (cosine > kTowards) normals += point.n_G, ++towards;
   }
-  near /= count, outermost /= outer, side.facing /= count;
+  near /= count, side.facing /= count;
   side.height = bottom - top;
   side.p_G = {near.x(), y, near.z()};
   side.seen = towards > kMinTowards * count;
   if (!side.seen && away > kMinAway * count) return std::nullopt;
-  side.inner = tip - outermost.z() > kInside &&
-               std::abs(outermost.x() - x) < 0.5 * gripper.finger.x() - kInside;
+  side.inner = within - at_border < kWidening;
   const bool leans = side.seen && !side.inner;
   side.n_G = leans ? Eigen::Vector3d(normals.normalized())
                    : Eigen::Vector3d(sign * Eigen::Vector3d::UnitY());

@@ -27,8 +27,8 @@ struct PadSide {
   /// True if points were seen that face the pad. Otherwise the side is hidden, and assumed to face
   /// the pad.
   bool seen = false;
-  /// True if the outermost point lies well within the borders of the pad. There a flat pad touches
-  /// a body at its outermost point, where the surface faces the pad.
+  /// True if no point at the borders of the pad lies farther out than those within. Then the pad
+  /// touches the body at its outermost point, where the surface faces the pad.
   bool inner = false;
   /// Mean cosine between the pad's direction and the normals, where those turned away count as 0.
   double facing = 0.0;
@@ -37,8 +37,7 @@ struct PadSide {
 };
 
 /// Returns the side towards a pad of points sorted along the closing direction y. Nullopt if the
-/// side is hidden and nothing tells where it is: behind a surface that faces away from the pad, or
-/// below the tips.
+/// side is hidden and nothing tells where it is: behind a surface that faces away from the pad.
 /// @param sign  1 for the pad at the last point, −1 for that at the first
 /// @param x  middle of the pad along x [m]
 /// @param tip  how far the tips reach along z [m]

@@ -31,11 +31,7 @@ class PointHoldFinder {
  public:
   PointHoldFinder(const SurfacePoints& points, const std::vector<char>& own, const Gripper& gripper,
                   const ApproachSpace& space, double max_friction)
-      : points_(points),
-        own_(own),
-        gripper_(gripper),
-        space_(space),
-        max_friction_(max_friction) {}
+      : points_(points), own_(own), gripper_(gripper), space_(space), max_friction_(max_friction) {}
 
   std::vector<Hold> find() {
     std::vector<Eigen::Vector3d> normals;
@@ -112,7 +108,8 @@ class PointHoldFinder {
     }
   }
 
-  /// Holds each run of points in which there is no gap for a finger, and neighbouring runs together.
+  /// Holds each run of points in which there is no gap for a finger, and neighbouring runs
+  /// together.
   void hold_runs(double x, double tip, std::span<const BetweenPads> between) {
     std::vector<std::size_t> starts;
     for (std::size_t i = 0; i < between.size(); ++i) {

@@ -6,22 +6,22 @@
 namespace quadrille {
 
 /// The log odds of success of a grasp whose terms are all zero.
-inline constexpr double kSuccessBias = -5.079;
+inline constexpr double kSuccessBias = -7.868;
 
 /// What each of the GraspTerms adds to the log odds, in their order.
 inline constexpr std::array kSuccessWeights = {
-    0.8921,  // friction
-    1.000,  // clearance
-    0.6729,  // room
-    0.5822,  // central
-    0.3846,  // across
-    0.5386,  // seen
-    1.615,  // confidence
-    -2.645,  // range
-    1.169,  // rim
-    0.9664,  // shape
-    1.251,  // inner
-    1.915,  // height
+    1.014,   // friction
+    1.000,   // clearance
+    2.408,   // room
+    1.160,   // central
+    0.4863,  // across
+    1.626,   // seen
+    2.072,   // confidence
+    -1.643,  // range
+    1.053,   // rim
+    1.295,   // shape
+    0.9524,  // inner
+    0.9216,  // height
 };
 
 }  // namespace quadrille

@@ -207,7 +207,7 @@ class Search {
 }  // namespace
 
 std::vector<Hold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
-                               const TipLimits& limits) {
+                            const TipLimits& limits) {
   if (body.profile == Body::Profile::kBox) return {};
   Search search(body, gripper, limits);
   for (const Eigen::Vector3d& d : closings(body, space.up_C)) {

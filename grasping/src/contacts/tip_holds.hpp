@@ -29,6 +29,6 @@ struct TipLimits {
 /// those are blocked. The most promising come first, in passes of unlike ones, in the same order
 /// for the same input. Boxes have none.
 std::vector<Hold> tip_holds(const Body& body, const Gripper& gripper, const ApproachSpace& space,
-                               const TipLimits& limits);
+                            const TipLimits& limits);
 
 }  // namespace quadrille

@@ -75,9 +75,8 @@ Hit voxel_hit(std::span<const OrientedBox> boxes, const ObstacleMap& map, double
 constexpr double kTouch = 0.0003;
 
 bool touch(std::span<const OrientedBox> boxes, const ObstaclePoints& points, double margin) {
-  return std::any_of(boxes.begin(), boxes.end(), [&](const OrientedBox& box) {
-    return points.meet(box.inflated(margin));
-  });
+  return std::any_of(boxes.begin(), boxes.end(),
+                     [&](const OrientedBox& box) { return points.meet(box.inflated(margin)); });
 }
 
 /// Returns what `solid` or `closing` runs into first. `solid` must keep off everything, and keep a

@@ -64,8 +64,7 @@ GraspTerms terms_of(const Attempt& attempt, const Grasp& grasp, const TargetTask
   const double reach = 0.5 * body.bounds_Q().sizes().maxCoeff();
   const Eigen::Vector3d to_sensor = task.parts.viewpoint_C - body.centre_C();
   GraspTerms terms;
-  terms.friction =
-      (1.0 - grasp.friction_needed / task.parts.options.friction) * attempt.straight;
+  terms.friction = (1.0 - grasp.friction_needed / task.parts.options.friction) * attempt.straight;
   terms.clearance = std::min(1.0, grasp.clearance / kFullClearance);
   terms.room = std::min(1.0, 0.5 * (grasp.preshape - line.opening) / kFullRoom);
   terms.central = std::max(0.0, 1.0 - (line.centre_C - body.centre_C()).norm() / reach);

@@ -128,11 +128,11 @@ ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxe
                         std::back_inserter(others),
                         [&](const Detection& d) { return is_face(d.id, box); });
     // A box may have been found without detected faces.
-    const bool wanted =
-        faces.empty() ? is_reported(box) && is_wanted_type(QuadricType::kPlane, options)
-                      : std::any_of(faces.begin(), faces.end(), [&](const Detection& face) {
-                          return is_wanted(face, options);
-                        });
+    const bool wanted = faces.empty()
+                            ? is_reported(box) && is_wanted_type(QuadricType::kPlane, options)
+                            : std::any_of(faces.begin(), faces.end(), [&](const Detection& face) {
+                                return is_wanted(face, options);
+                              });
     const Body body = make_body(box);
     if (deadline.passed()) {
       if (wanted) chosen.refuse(box.id, Refusal::kDeadline);

@@ -78,8 +78,8 @@ ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxe
                            const std::vector<Detection>& detections, const Gripper& gripper,
                            const PlanOptions& options, const Deadline& deadline);
 
-/// Returns a target for each body of unknown shape, such as a lump, and for each whose shape is none
-/// of the targets.
+/// Returns a target for each body of unknown shape, such as a lump, and for each whose shape is
+/// none of the targets.
 /// @param targets  those with a shape
 std::vector<Target> choose_unshaped(const std::vector<SceneBody>& bodies,
                                     const std::vector<Target>& targets,

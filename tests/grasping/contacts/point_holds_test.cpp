@@ -22,7 +22,8 @@ ApproachSpace space_around(const Eigen::Vector3d& centre) {
   space.up_C = kTowardsSky;
   space.view_C = -centre.normalized();
   space.centre_C = centre;
-  space.axes_C << Eigen::Vector3d::UnitX(), kTowardsSky.cross(Eigen::Vector3d::UnitX()), kTowardsSky;
+  space.axes_C << Eigen::Vector3d::UnitX(), kTowardsSky.cross(Eigen::Vector3d::UnitX()),
+      kTowardsSky;
   return space;
 }
 

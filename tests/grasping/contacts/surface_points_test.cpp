@@ -64,8 +64,7 @@ TEST_CASE("the order of the points does not matter beyond rounding", "[contacts]
 }
 
 TEST_CASE("points without neighbours have no normal", "[contacts][points]") {
-  const std::vector<Eigen::Vector3d> points = {
-      {0.0, 0.0, 0.5}, {0.03, 0.0, 0.5}, {0.0, 0.03, 0.5}};
+  const std::vector<Eigen::Vector3d> points = {{0.0, 0.0, 0.5}, {0.03, 0.0, 0.5}, {0.0, 0.03, 0.5}};
   const SurfacePoints surface = surface_points(points, kCell, kEye);
   REQUIRE(surface.p_C.size() == 3);
   for (const Eigen::Vector3d& n : surface.n_C) CHECK(n.isZero());

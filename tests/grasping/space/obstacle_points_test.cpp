@@ -12,7 +12,8 @@ using namespace quadrille::test;
 
 TEST_CASE("points meet a box as one by one", "[space][points]") {
   std::mt19937 random(5);
-  const Eigen::AlignedBox3d region(Eigen::Vector3d(-0.1, -0.1, 0.6), Eigen::Vector3d(0.1, 0.1, 0.8));
+  const Eigen::AlignedBox3d region(Eigen::Vector3d(-0.1, -0.1, 0.6),
+                                   Eigen::Vector3d(0.1, 0.1, 0.8));
   for (const int count : {0, 1, 63, 64, 65, 300}) {
     std::vector<Eigen::Vector3d> points;
     for (int i = 0; i < count; ++i) points.push_back(random_point(random, region));
@@ -20,8 +21,8 @@ TEST_CASE("points meet a box as one by one", "[space][points]") {
     int met = 0;
     for (int n = 0; n < 300; ++n) {
       const OrientedBox box = random_box(random, region);
-      const bool meets = std::any_of(points.begin(), points.end(),
-                                     [&](const auto& p) { return box.contains(p); });
+      const bool meets =
+          std::any_of(points.begin(), points.end(), [&](const auto& p) { return box.contains(p); });
       CHECK(obstacles.meet(box) == meets);
       met += meets;
     }

@@ -33,15 +33,14 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
 
 std::vector<InChannel> PlannerNode::in_channels() const {
   std::vector<InChannel> channels;
-  PlannerSettings::visit_channels(
-      settings_, [&](Way way, const char* option, const std::string& name, const char*) {
-        if (way != Way::kIn || name.empty()) return;
-        // Without boxes the planner seeks them itself, and without bodies it plans on quadrics.
-        const bool expected = &name != &settings_.boxes_channel &&
-                              &name != &settings_.bodies_channel &&
-                              (&name != &settings_.request_channel || settings_.on_request);
-        channels.push_back({option, name, expected});
-      });
+  PlannerSettings::visit_channels(settings_, [&](Way way, const char* option,
+                                                 const std::string& name, const char*) {
+    if (way != Way::kIn || name.empty()) return;
+    // Without boxes the planner seeks them itself, and without bodies it plans on quadrics.
+    const bool expected = &name != &settings_.boxes_channel && &name != &settings_.bodies_channel &&
+                          (&name != &settings_.request_channel || settings_.on_request);
+    channels.push_back({option, name, expected});
+  });
   return channels;
 }
 

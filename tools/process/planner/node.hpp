@@ -54,8 +54,7 @@ class PlannerNode : public Node {
   void receive_boxes(const std::string& channel, std::span<const std::byte> bytes);
   void receive_bodies(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> receive_request(const std::string& channel, std::span<const std::byte> bytes);
-  std::optional<Job> pair_quadrics(const bus::QuadricsMessage& quadrics,
-                                   const OtherThings& others);
+  std::optional<Job> pair_quadrics(const bus::QuadricsMessage& quadrics, const OtherThings& others);
   std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
   void plan_and_publish(const SharedPair& pair);
   void answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at);

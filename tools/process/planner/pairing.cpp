@@ -85,8 +85,7 @@ std::optional<CloudAndQuadrics> Pairing::add(bus::CloudMessage cloud, Placement 
   return take_pair(*index, std::move(found_for.quadrics), std::move(found_for.others));
 }
 
-std::optional<CloudAndQuadrics> Pairing::add(bus::QuadricsMessage quadrics,
-                                             OtherThings others) {
+std::optional<CloudAndQuadrics> Pairing::add(bus::QuadricsMessage quadrics, OtherThings others) {
   const auto found = find_cloud(quadrics);
   if (const auto* index = std::get_if<std::size_t>(&found)) {
     return take_pair(*index, std::move(quadrics), std::move(others));

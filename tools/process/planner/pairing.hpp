@@ -66,8 +66,7 @@ class Pairing {
   /// @param others  what came with the quadrics
   /// @return the pair if the cloud of the quadrics is there; this cloud and older ones are then
   /// forgotten
-  std::optional<CloudAndQuadrics> add(bus::QuadricsMessage quadrics,
-                                      OtherThings others = {});
+  std::optional<CloudAndQuadrics> add(bus::QuadricsMessage quadrics, OtherThings others = {});
 
   std::int64_t paired() const { return paired_; }
   /// Number of quadrics whose cloud has not come.
@@ -95,8 +94,7 @@ class Pairing {
     Unpaired why;
   };
   std::variant<std::size_t, Unpaired> find_cloud(const bus::QuadricsMessage& quadrics) const;
-  CloudAndQuadrics take_pair(std::size_t cloud, bus::QuadricsMessage quadrics,
-                             OtherThings others);
+  CloudAndQuadrics take_pair(std::size_t cloud, bus::QuadricsMessage quadrics, OtherThings others);
   void give_up(std::int64_t utime, Unpaired why);
   void forget_old();
 

@@ -20,7 +20,8 @@ struct GraspTerms {
   double seen = 0.0;
   /// Score of the detection or box; 1 for a target without a shape.
   double confidence = 0.0;
-  /// Distance from the sensor divided by 1.5 m, at most 1: the noise of depth cameras grows with it.
+  /// Distance from the sensor divided by 1.5 m, at most 1: the noise of depth cameras grows with
+  /// it.
   double range = 0.0;
   /// 1 for a grasp across a wall at its rim.
   double rim = 0.0;

@@ -46,16 +46,17 @@ struct GraspPlan {
 ///
 /// Contacts follow in closed form from each quadric; for boxes (see find_boxes()) they lie across
 /// parallel faces. Targets that cannot be held this way, and bodies without a known shape, are held
-/// between their outermost points. The hand is swept along its approach and while it closes, and checked against
-/// the voxels, the planes and the shapes of all other detections; its opened fingers and palm are
-/// also checked against the target's own body. The result is deterministic unless a deadline ends
-/// the search early: then it holds the grasps found in time, and a warning.
+/// between their outermost points. The hand is swept along its approach and while it closes, and
+/// checked against the voxels, the planes and the shapes of all other detections; its opened
+/// fingers and palm are also checked against the target's own body. The result is deterministic
+/// unless a deadline ends the search early: then it holds the grasps found in time, and a warning.
 /// @param further  more views of the same static scene, in the same frame C, each with its own
 ///                 viewpoint; free and occupied space of all views is merged
 /// @param query  which grasps are wanted; to ask more than once, use GraspScene
 /// @param boxes  the boxes that were found in the cloud together with the detections, see
 ///               DetectionResult::boxes; if not given, they are sought among the detected planes
-/// @param bodies  the bodies that were found with the detections, see DetectionResult::bodies. Those
+/// @param bodies  the bodies that were found with the detections, see DetectionResult::bodies.
+/// Those
 ///                without a known shape, such as lumps, are targets too, and have their id.
 /// @throws std::invalid_argument if gripper, options or query are out of range
 QUADRILLE_EXPORT GraspPlan plan_grasps(const PointCloud& cloud,

@@ -74,8 +74,8 @@ struct PlanOptions {
                       "Whether space beside the image and at missing pixels counts as free where "
                       "it lies over space that was seen to be: what stands there would be seen "
                       "below. Not if things may hang down."});
-    v(o.min_score, {"planner.min_score", "", 0.0, 1.0,
-                    "Least score of a grasp, its probability to succeed."});
+    v(o.min_score,
+      {"planner.min_score", "", 0.0, 1.0, "Least score of a grasp, its probability to succeed."});
     v(o.max_grasps,
       {"planner.max_grasps", "", 1, std::numeric_limits<int>::max(), "Grasps to return at most."});
     v(o.max_detections,
