@@ -38,7 +38,7 @@ struct PlanOptions {
   double min_wall = 0.002;
   double max_wall = 0.008;
   bool clear_above = true;
-  double min_score = 0.4;
+  double min_score = 0.5;
   int max_grasps = 50;
   int max_detections = 256;
   double deadline_ms = 0.0;
