@@ -47,9 +47,8 @@ double seen_share(const TargetTask& task, const Grasp& grasp) {
   for (const OrientedBox& finger :
        common_fingers(task.parts.gripper, grasp.X_CG, grasp.preshape, grasp.width)) {
     for (int n = 0; n < kAlongX * kAlongY * kAlongZ; ++n) {
-      const Eigen::Vector3d step((n % kAlongX + 0.5) / kAlongX,
-                                 (n / kAlongX % kAlongY + 0.5) / kAlongY,
-                                 (n / kAlongX / kAlongY + 0.5) / kAlongZ);
+      const int i = n % kAlongX, j = n / kAlongX % kAlongY, k = n / (kAlongX * kAlongY);
+      const Eigen::Vector3d step((i + 0.5) / kAlongX, (j + 0.5) / kAlongY, (k + 0.5) / kAlongZ);
       const Eigen::Vector3d p_B = (2.0 * step.array() - 1.0) * finger.half.array();
       seen += task.parts.space->at(finger.p_CB + finger.R_CB * p_B) != Voxel::kUnknown;
       ++all;
