@@ -118,5 +118,5 @@ TEST_CASE("hostile bodies are no targets and do no harm", "[plan][points]") {
   bodies[2].size.setConstant(-1.0);
   bodies[3].X_CB.translation().setConstant(std::numeric_limits<double>::infinity());
   const GraspPlan plan = plan_lumps({ball}, bodies, all_of(UnknownPolicy::kFree));
-  for (const Grasp& grasp : plan.grasps) CHECK(grasp.X_CG.matrix().allFinite());
+  CHECK(plan.grasps.empty());
 }

@@ -6,13 +6,13 @@
 
 namespace quadrille {
 
-/// What measured points tell of both contacts of a hold.
+/// Evidence from measured points for the two contacts of a hold.
 struct ContactEvidence {
   /// Share of the contacts at which the side that the pad touches was seen.
   double seen = 0.0;
   /// Mean cosine between the pads' directions and the normals of the points next to them.
   double facing = 0.0;
-  /// Share of the contacts that lie well within the borders of the pads.
+  /// Share of the contacts that are PadSide::inner.
   double inner = 0.0;
   /// How far the points next to each contact reach along the approach, the lesser of the two [m].
   double height = 0.0;

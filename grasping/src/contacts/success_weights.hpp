@@ -8,7 +8,7 @@ namespace quadrille {
 /// The log odds of success of a grasp whose terms are all zero.
 inline constexpr double kSuccessBias = -7.868;
 
-/// What each of the GraspTerms adds to the log odds, in their order.
+/// The weights of the GraspTerms in the log odds of success, in the order of GraspTerms::visit().
 inline constexpr std::array kSuccessWeights = {
     1.014,   // friction
     1.000,   // clearance

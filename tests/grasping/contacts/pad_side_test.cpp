@@ -42,7 +42,7 @@ TEST_CASE("a side that was seen is told from a hidden one", "[contacts][points]"
   CHECK(seen->n_G.dot(kAlongY) == Approx(1.0));
   CHECK(seen->p_G.y() == Approx(0.02).margin(1e-9));
   CHECK(seen->facing > 0.6);
-  // Of the other side only the edge was seen.
+  // The sensor saw only the edge of the other side.
   const auto hidden = pad_side(points, -1.0, 0.0, 0.03, hand);
   REQUIRE(hidden);
   CHECK_FALSE(hidden->seen);

@@ -45,7 +45,7 @@ TEST_CASE("points are thinned to one for each cell, and their normals are those 
     CHECK(cells.insert({cell.x(), cell.y(), cell.z()}).second);
     const Eigen::Vector3d outward = (p - ball.p_C).normalized();
     CHECK((p - ball.p_C).norm() == Approx(ball.radius).margin(0.0003));
-    // Where neighbours are missing on one side, at the edge of what was seen, normals lean.
+    // Normals lean at the edge of the seen half, because neighbours are missing on one side.
     if (outward.dot((kEye - p).normalized()) < 0.4) continue;
     CHECK(surface.n_C[i].dot(outward) > std::cos(0.08));
   }

@@ -26,7 +26,7 @@ namespace quadrille {{
 /// The log odds of success of a grasp whose terms are all zero.
 inline constexpr double kSuccessBias = {bias:.4g};
 
-/// What each of the GraspTerms adds to the log odds, in their order.
+/// The weights of the GraspTerms in the log odds of success, in the order of GraspTerms::visit().
 inline constexpr std::array kSuccessWeights = {{
 {weights}
 }};

@@ -20,7 +20,7 @@
 
 namespace quadrille {
 
-/// What the detector found in a cloud beside its quadrics.
+/// The boxes and bodies that the detector found in a cloud, beside its quadrics.
 struct OtherThings {
   /// Nullopt if the detector sent no boxes.
   std::optional<std::vector<Box>> boxes;

@@ -50,7 +50,7 @@ struct Grasp {
   double clearance = 0.0;
   /// True if a contact lies on a part of the target that was not observed.
   bool unknown_contact = false;
-  /// What the score follows from.
+  /// The terms from which the score is computed.
   GraspTerms terms;
 
   /// Returns the pose X_CG from which the hand, opened to its preshape, moves straight to the

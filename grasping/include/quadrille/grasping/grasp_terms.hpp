@@ -2,8 +2,8 @@
 
 namespace quadrille {
 
-/// What is known of a grasp before it is tried, each from 0 to 1. The score of a grasp follows from
-/// these terms.
+/// The terms from which the score of a grasp is computed, each from 0 to 1. They are known before
+/// the grasp is tried.
 struct GraspTerms {
   /// Friction to spare: 1 − μ*/μ, less for pads that lie askew on a curved wall.
   double friction = 0.0;
@@ -27,8 +27,9 @@ struct GraspTerms {
   double rim = 0.0;
   /// 1 for a grasp that follows from a shape, 0 for one between the outermost points.
   double shape = 0.0;
-  /// Share of the contacts well within the pads' borders, and how far the points beside both
-  /// contacts reach along the approach, divided by 20 mm. Both are 1 for a shape.
+  /// Share of the contacts at which no point at the pad's borders lies farther out than those
+  /// within, and how far the points beside both contacts reach along the approach, divided by
+  /// 20 mm. Both are 1 for a shape.
   double inner = 0.0, height = 0.0;
 
   /// Calls v(name, term) for each term.

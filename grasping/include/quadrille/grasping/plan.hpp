@@ -55,9 +55,8 @@ struct GraspPlan {
 /// @param query  which grasps are wanted; to ask more than once, use GraspScene
 /// @param boxes  the boxes that were found in the cloud together with the detections, see
 ///               DetectionResult::boxes; if not given, they are sought among the detected planes
-/// @param bodies  the bodies that were found with the detections, see DetectionResult::bodies.
-/// Those
-///                without a known shape, such as lumps, are targets too, and have their id.
+/// @param bodies  the bodies that were found with the detections, see DetectionResult::bodies; a
+///                body without a known shape, such as a lump, is a target under its own id
 /// @throws std::invalid_argument if gripper, options or query are out of range
 QUADRILLE_EXPORT GraspPlan plan_grasps(const PointCloud& cloud,
                                        const std::vector<Detection>& detections,
