@@ -22,7 +22,7 @@ check_command_lines() {
     done
   done
   expect_exit 2 "the types are" "$detector" --only torus
-  expect_exit 2 "--unknown: 'x' is none of: obstacle, target-shadow, free; see" \
+  expect_exit 2 "--unknown: 'x' is none of: weighed, obstacle, target-shadow, free; see" \
     "$planner" --unknown x
   expect_exit 2 "'0' is none of" "$planner" --unknown 0
   expect_exit 2 "'A' is the channel of --in-channel too" \

@@ -55,8 +55,8 @@ TEST_CASE("no planned hand touches any true surface, seen or hidden", "[plan][co
                                    ball_on_table(-0.12, 0.02, 0.035),
                                    ball_on_table(0.03, 0.13, 0.02)};
   const Detection table = table_detection();
-  for (const UnknownPolicy policy :
-       {UnknownPolicy::kObstacle, UnknownPolicy::kTargetShadow, UnknownPolicy::kFree}) {
+  for (const UnknownPolicy policy : {UnknownPolicy::kWeighed, UnknownPolicy::kObstacle,
+                                     UnknownPolicy::kTargetShadow, UnknownPolicy::kFree}) {
     const GraspPlan plan = plan_balls(balls, with(policy));
     REQUIRE(plan.grasps.size() >= 4);
     for (const Grasp& g : plan.grasps) {

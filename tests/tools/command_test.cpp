@@ -250,7 +250,7 @@ TEST_CASE("an input that cannot be read does not lose the others", "[command][ho
 TEST_CASE("plan prints JSON with all parts for a cloud without objects", "[command]") {
   const TempFolder folder;
   const std::string cloud = folder.write("a.ply", ply_of({"1 2 3"}));
-  for (const char* policy : {"obstacle", "target-shadow", "free"}) {
+  for (const char* policy : {"weighed", "obstacle", "target-shadow", "free"}) {
     const Run run = run_quadrille("plan --gripper franka --json - --picture " +
                                   folder.path("p.png") + " --unknown " + policy + " " + cloud);
     INFO(run.err);

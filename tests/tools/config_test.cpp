@@ -109,7 +109,7 @@ TEST_CASE("a printed setting has its meaning, range, unit and default beside it"
                  "40\nmin_samples = 40\n"));
   CHECK(contains(text, "# 0.01 to 1.5708 rad; default 0.26\nangle = 0.25\n"));
   CHECK(contains(text, "# 0 to 1 m; default 0.05\napproach = 1.0\n"));
-  CHECK(contains(text, "# one of obstacle, target-shadow, free; default \"obstacle\"\n"));
+  CHECK(contains(text, "# one of weighed, obstacle, target-shadow, free; default \"weighed\"\n"));
   CHECK(contains(text, "\n# default true\nclear_above = true\n"));
   CHECK(contains(text, "\nradii = [5.0, 9.0, 15.0]\n"));
   CHECK(contains(text, "\n[search.grow]\n"));
@@ -239,7 +239,7 @@ TEST_CASE("a wrong configuration is refused with its key and its line or range",
       {"seed = 1\nseed = \n", "line 2"},
       {"[planner]\napproach = \"far\"\n", "must be a number"},
       {"[planner]\nmax_grasps = 1.5\n", "must be an integer"},
-      {"[planner]\nunknown = \"maybe\"\n", "one of obstacle, target-shadow, free"},
+      {"[planner]\nunknown = \"maybe\"\n", "one of weighed, obstacle, target-shadow, free"},
       {"[planner]\napproach = -1.0\n", "approach = -1: must lie between 0 and 1 m"},
       {"[planner]\nbaseline = 2\n", "planner.baseline = 2: must lie between"},
       {"[planner]\nbaseline = nan\n", "planner.baseline = nan: must lie"},

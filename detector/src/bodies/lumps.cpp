@@ -12,8 +12,8 @@ namespace {
 
 // A lump has at least so many samples: fewer may be noise, or points mixed from two surfaces.
 constexpr std::size_t kMinSamples = 40;
-// A lump rises so many standard deviations above its support, beside the rounding: far off, noise
-// makes lumps of several.
+// A lump must rise this many standard deviations of the noise above its support, beside the
+// rounding. Far from the sensor, noise alone makes bumps of several standard deviations.
 constexpr double kMinSigmas = 6.0;
 
 double largest_sigma(const SurfaceSamples& samples, const std::vector<int>& piece) {

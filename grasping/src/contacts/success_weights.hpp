@@ -16,6 +16,9 @@ inline constexpr std::array kSuccessWeights = {
     1.160,   // central
     0.4863,  // across
     1.626,   // seen
+    0.0,     // way
+    0.0,     // noise
+    0.0,     // doubt
     2.072,   // confidence
     -1.643,  // range
     1.053,   // rim

@@ -14,10 +14,15 @@ namespace {
 constexpr double kReachInCells = 3.2;
 constexpr int kMinNeighbours = 6;
 
+// Cells are shifted by this share of their size. Many sensors measure whole millimetres: without
+// the shift such points lie on the borders of cells, where rounding decides to which one they
+// belong.
+constexpr double kShift = 0.37;
+
 using Key = std::array<int, 3>;
 
 Key key_of(const Eigen::Vector3d& p, double edge) {
-  const Eigen::Vector3i key = (p / edge).array().floor().cast<int>();
+  const Eigen::Vector3i key = ((p / edge).array() + kShift).floor().cast<int>();
   return {key.x(), key.y(), key.z()};
 }
 

@@ -245,8 +245,11 @@ class SceneMaker {
         std::move(mapper).take_cleared(*parts_.view, up_to_clear()));
     if (parts_.targets.empty()) return;
     const DepthView* view = parts_.view->valid() ? &*parts_.view : nullptr;
-    parts_.map.emplace(*parts_.space, parts_.options.unknown != UnknownPolicy::kFree, view,
-                       further_.empty());
+    const UnknownPolicy unknown = parts_.options.unknown;
+    parts_.map.emplace(
+        *parts_.space,
+        unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow, view,
+        further_.empty());
   }
 
   void keep_points(const PointCloud& cloud, const DepthView& view,

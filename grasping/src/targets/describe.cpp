@@ -1,6 +1,7 @@
 #include "targets/describe.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "contacts/quality.hpp"
@@ -40,21 +41,20 @@ double epsilon(const ContactLine& line, const TargetTask& task, double reach) {
   return grasp_epsilon(line, model);
 }
 
-/// Share of the space that the fingers fill and pass through while they close that was seen.
-double seen_share(const TargetTask& task, const Grasp& grasp) {
+/// Returns the share of the boxes that was seen.
+template <std::size_t kCount>
+double seen_share(const std::array<OrientedBox, kCount>& boxes, const OccupancyGrid& space) {
   constexpr int kAlongX = 3, kAlongY = 5, kAlongZ = 5;
-  int seen = 0, all = 0;
-  for (const OrientedBox& finger :
-       common_fingers(task.parts.gripper, grasp.X_CG, grasp.preshape, grasp.width)) {
+  int seen = 0;
+  for (const OrientedBox& box : boxes) {
     for (int n = 0; n < kAlongX * kAlongY * kAlongZ; ++n) {
       const int i = n % kAlongX, j = n / kAlongX % kAlongY, k = n / (kAlongX * kAlongY);
       const Eigen::Vector3d step((i + 0.5) / kAlongX, (j + 0.5) / kAlongY, (k + 0.5) / kAlongZ);
-      const Eigen::Vector3d p_B = (2.0 * step.array() - 1.0) * finger.half.array();
-      seen += task.parts.space->at(finger.p_CB + finger.R_CB * p_B) != Voxel::kUnknown;
-      ++all;
+      const Eigen::Vector3d p_B = (2.0 * step.array() - 1.0) * box.half.array();
+      seen += space.at(box.p_CB + box.R_CB * p_B) != Voxel::kUnknown;
     }
   }
-  return static_cast<double>(seen) / all;
+  return static_cast<double>(seen) / (kCount * kAlongX * kAlongY * kAlongZ);
 }
 
 GraspTerms terms_of(const Attempt& attempt, const Grasp& grasp, const TargetTask& task) {
@@ -62,13 +62,24 @@ GraspTerms terms_of(const Attempt& attempt, const Grasp& grasp, const TargetTask
   const Body& body = task.target.body;
   const double reach = 0.5 * body.bounds_Q().sizes().maxCoeff();
   const Eigen::Vector3d to_sensor = task.parts.viewpoint_C - body.centre_C();
+  const OccupancyGrid& space = *task.parts.space;
   GraspTerms terms;
   terms.friction = (1.0 - grasp.friction_needed / task.parts.options.friction) * attempt.straight;
   terms.clearance = std::min(1.0, grasp.clearance / kFullClearance);
   terms.room = std::min(1.0, 0.5 * (grasp.preshape - line.opening) / kFullRoom);
   terms.central = std::max(0.0, 1.0 - (line.centre_C - body.centre_C()).norm() / reach);
   terms.across = 1.0 - std::abs(line.closing_C.dot(to_sensor.normalized()));
-  terms.seen = seen_share(task, grasp);
+  const Gripper& gripper = task.parts.gripper;
+  const SweptHand swept =
+      sweep_hand(gripper, grasp.X_CG, grasp.preshape, grasp.width, grasp.approach);
+  const auto& [left, right] = swept.fingers;
+  const bool weighs = task.parts.options.unknown != UnknownPolicy::kFree;
+  terms.seen =
+      !weighs ? 1.0
+              : seen_share(common_fingers(gripper, grasp.X_CG, grasp.preshape, grasp.width), space);
+  terms.way = seen_share(std::array{left, right, swept.palm}, space);
+  terms.noise = std::min(1.0, task.target.noise / 0.004);
+  terms.doubt = std::min(1.0, line.std / 0.004);
   terms.confidence = std::clamp(task.target.confidence, 0.0, 1.0);
   terms.range = std::min(1.0, to_sensor.norm() / kFullRange);
   terms.rim = grasp.kind == GraspKind::kRim ? 1.0 : 0.0;

@@ -173,7 +173,7 @@ std::vector<Target> choose_unshaped(const std::vector<SceneBody>& bodies,
     target.body = box_around(body);
     target.supports = supports_of(target.body, others);
     target.wanted = options.targets.empty();
-    target.solid = target.shaped = false;
+    target.solid = false;
   }
   return unshaped;
 }

@@ -41,16 +41,14 @@ struct Target {
   std::vector<ContactLine> rim;
   /// Number of lines across the wall at which it was not measured.
   int unmeasured = 0;
-  /// False if the target can be held only by its wall.
+  /// False if the target can be held only by its wall, or if its shape is not known: then its body
+  /// is merely the box around its points.
   bool solid = true;
   /// False if the target is not asked for. It is kept because, like all others, it tells which
   /// space matters and what things stand on.
   bool wanted = true;
   /// The box, if the target is one.
   std::optional<Box> box;
-  /// True if the shape of the target is known: a quadric or a box. Otherwise its body is merely the
-  /// box around its points.
-  bool shaped = true;
 
   /// Unit normal of the support; zero if it is not known.
   Eigen::Vector3d up_C() const;

@@ -76,6 +76,8 @@ CollisionScene point_scene(const Target& target, const TargetPoints& points,
     if (points.own[i]) own.push_back(points.all.p_C[i]);
   }
   scene.points = ObstaclePoints(points.all.p_C);
+  // Points show only the side towards the sensor; a shape tells of the other one.
+  if (target.solid) scene.target = make_pieces(target.body);
   scene.map.carve(own, carve_margin(*parts.space, target),
                   [&](const Eigen::Vector3d& p_C) { return holds_up(target, *parts.space, p_C); });
   clear_shadow(target.body, parts, scene);

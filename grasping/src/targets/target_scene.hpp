@@ -16,7 +16,8 @@ CollisionScene solid_scene(const Target& target, const SceneParts& parts);
 CollisionScene shell_scene(const Target& target, const SceneParts& parts);
 
 /// Returns the obstacles for a hand that takes the target by its seen points. The voxels about the
-/// points are removed, and the points themselves are obstacles.
+/// points are removed, and the points themselves are obstacles. If the target is known to be solid,
+/// its shape is one too, with its hidden side.
 CollisionScene point_scene(const Target& target, const TargetPoints& points,
                            const SceneParts& parts);
 

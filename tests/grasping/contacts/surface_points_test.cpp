@@ -41,7 +41,7 @@ TEST_CASE("points are thinned to one for each cell, and their normals are those 
   std::set<std::array<int, 3>> cells;
   for (std::size_t i = 0; i < surface.p_C.size(); ++i) {
     const Eigen::Vector3d& p = surface.p_C[i];
-    const Eigen::Vector3i cell = (p / kCell).array().floor().cast<int>();
+    const Eigen::Vector3i cell = ((p / kCell).array() + 0.37).floor().cast<int>();
     CHECK(cells.insert({cell.x(), cell.y(), cell.z()}).second);
     const Eigen::Vector3d outward = (p - ball.p_C).normalized();
     CHECK((p - ball.p_C).norm() == Approx(ball.radius).margin(0.0003));

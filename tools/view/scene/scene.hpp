@@ -35,7 +35,7 @@ struct Scene {
   std::string gripper_name;
   /// The gripper; without it the hand cannot be drawn.
   std::optional<Gripper> gripper;
-  UnknownPolicy unknown = UnknownPolicy::kObstacle;
+  UnknownPolicy unknown = UnknownPolicy::kWeighed;
   /// Refusals of all targets, and by target if known.
   Rejected rejected;
   std::map<int, Rejected> rejected_of;

@@ -12,13 +12,15 @@ namespace quadrille {
 
 /// How unobserved space is treated while the hand moves through it.
 enum class UnknownPolicy {
+  kWeighed,       ///< unknown space does not collide, but lowers the score of the grasp
   kObstacle,      ///< all unknown space collides
   kTargetShadow,  ///< unknown space behind the target itself is free, the rest collides
-  kFree,          ///< unknown space never collides
+  kFree,          ///< unknown space never collides and costs nothing
 };
 
 constexpr auto words_of(UnknownPolicy) {
-  return std::to_array<Word<UnknownPolicy>>({{"obstacle", UnknownPolicy::kObstacle},
+  return std::to_array<Word<UnknownPolicy>>({{"weighed", UnknownPolicy::kWeighed},
+                                             {"obstacle", UnknownPolicy::kObstacle},
                                              {"target-shadow", UnknownPolicy::kTargetShadow},
                                              {"free", UnknownPolicy::kFree}});
 }
@@ -28,7 +30,7 @@ struct PlanOptions {
   /// An hour, which is as good as no deadline [ms].
   static constexpr double kMaxDeadline = 3.6e6;
 
-  UnknownPolicy unknown = UnknownPolicy::kObstacle;
+  UnknownPolicy unknown = UnknownPolicy::kWeighed;
   std::vector<QuadricType> targets;
   double resolution = 0.005;
   double friction = 0.5;
@@ -48,8 +50,9 @@ struct PlanOptions {
   template <class Options, class Visitor>
   static void visit(Options& o, Visitor&& v) {
     v(o.unknown, {"planner.unknown",
-                  "What unobserved space counts as while the hand moves through it: all of it "
-                  "collides, all but what lies behind the target itself, or none."});
+                  "What unobserved space counts as while the hand moves through it: it lowers the "
+                  "score; all of it collides; all but what lies behind the target itself; or it "
+                  "costs nothing."});
     v(o.targets,
       {"planner.targets", "Grasp only these types; empty means all. The others stay in the way."});
     v(o.resolution, {"planner.resolution", "m", 0.0005, 0.1,
