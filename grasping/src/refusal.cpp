@@ -26,6 +26,8 @@ std::string_view to_string(Refusal refusal) {
       return "unreachable";
     case Refusal::kApproach:
       return "approach";
+    case Refusal::kReach:
+      return "reach";
     case Refusal::kSupport:
       return "support";
     case Refusal::kTarget:
@@ -38,6 +40,8 @@ std::string_view to_string(Refusal refusal) {
       return "clearance";
     case Refusal::kScore:
       return "score";
+    case Refusal::kCaller:
+      return "caller";
     case Refusal::kSurplus:
       return "surplus";
     case Refusal::kDeadline:

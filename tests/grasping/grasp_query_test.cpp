@@ -199,6 +199,25 @@ TEST_CASE("a query that is out of range names its field", "[query]") {
          q.region = Region{Eigen::Isometry3d::Identity(),
                            {Eigen::Vector3d(0, nan, 0), Eigen::Vector3d(1, 1, 1)}};
        }},
+      {"reach's base = ",
+       [](GraspQuery& q) {
+         q.reach = Reach{{0, 0, nan}, 0.0, 1.0};
+       }},
+      {"reach's least distance = ",
+       [](GraspQuery& q) {
+         q.reach = Reach{{0, 0, 0}, nan, 1.0};
+       }},
+      {"reach's greatest distance = ",
+       [](GraspQuery& q) {
+         q.reach = Reach{{0, 0, 0}, 2.0, 1.0};
+       }},
+      {"reach's greatest distance = ",
+       [](GraspQuery& q) {
+         q.reach = Reach{{0, 0, 0}, 0.0, 0.0};
+       }},
+      {"min_score = ", [](GraspQuery& q) { q.min_score = nan; }},
+      {"min_score = ", [](GraspQuery& q) { q.min_score = 1.01; }},
+      {"per_target = ", [](GraspQuery& q) { q.per_target = -1; }},
       {"max_grasps = ", [](GraspQuery& q) { q.max_grasps = 0; }},
       {"deadline_ms = ", [](GraspQuery& q) { q.deadline_ms = nan; }}};
   for (const auto& [field, spoil] : spoiled) {

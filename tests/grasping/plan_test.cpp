@@ -203,9 +203,24 @@ TEST_CASE("options out of range are refused by name", "[plan]") {
       {"min_wall", [](PlanOptions& o) { o.min_wall = 0.02; }},
       {"max_wall", [](PlanOptions& o) { o.max_wall = 1.0; }},
       {"min_score", [](PlanOptions& o) { o.min_score = 1.1; }},
+      {"per_target", [](PlanOptions& o) { o.per_target = -1; }},
       {"max_grasps", [](PlanOptions& o) { o.max_grasps = 0; }},
       {"max_detections", [](PlanOptions& o) { o.max_detections = 0; }},
-      {"deadline_ms", [](PlanOptions& o) { o.deadline_ms = -1.0; }}};
+      {"deadline_ms", [](PlanOptions& o) { o.deadline_ms = -1.0; }},
+      {"reach.base",
+       [](PlanOptions& o) {
+         o.reach.base = {0.0, std::nan(""), 0.0};
+       }},
+      {"reach.base has 2 numbers",
+       [](PlanOptions& o) {
+         o.reach.base = {0.0, 0.0};
+       }},
+      {"reach.min", [](PlanOptions& o) { o.reach.min = -1.0; }},
+      {"reach.min",
+       [](PlanOptions& o) {
+         o.reach = {{0.0, 0.0, 0.0}, 2.0, 1.0};
+       }},
+      {"reach.max", [](PlanOptions& o) { o.reach.max = std::nan(""); }}};
   for (const auto& [field, spoil] : spoiled) {
     PlanOptions options;
     spoil(options);
@@ -218,10 +233,13 @@ TEST_CASE("a visit reaches each option of the planner", "[plan]") {
   // A new field stops these lines from compiling until it is listed here, and visited.
   PlanOptions options;
   auto& [unknown, types, resolution, friction, approach, pad_margin, baseline, min_wall, max_wall,
-         clear_above, min_score, max_grasps, max_detections, deadline_ms] = options;
+         clear_above, min_score, per_target, max_grasps, max_detections, deadline_ms, reach] =
+      options;
+  auto& [base, min, max] = reach;
   const std::set<const void*> fields = {
-      &unknown,  &types,    &resolution,  &friction,  &approach,   &pad_margin,     &baseline,
-      &min_wall, &max_wall, &clear_above, &min_score, &max_grasps, &max_detections, &deadline_ms};
+      &unknown,    &types,          &resolution,  &friction,    &approach,  &pad_margin,
+      &baseline,   &min_wall,       &max_wall,    &clear_above, &min_score, &per_target,
+      &max_grasps, &max_detections, &deadline_ms, &base,        &min,       &max};
   std::set<const void*> visited;
   PlanOptions::visit(options, [&](auto& field, const Setting&) { visited.insert(&field); });
   CHECK(visited == fields);

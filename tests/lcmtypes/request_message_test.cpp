@@ -23,6 +23,11 @@ TEST_CASE("a request survives its message", "[bus][request]") {
   CHECK(got.targets == std::vector{3, 5});
   CHECK(got.types == std::vector<std::string>{"sphere", "cone"});
   CHECK(got.min_size == 0.25);
+  CHECK(got.has_reach == 1);
+  CHECK(got.reach_base[2] == -0.5);
+  CHECK(got.reach_max == 0.85);
+  CHECK(got.min_score == 0.75);
+  CHECK(got.per_target == 3);
   CHECK(got.max_grasps == 4);
   grasp_request_t plain{};
   CHECK(reason(encode(plain)) == RejectReason::kBadValue);

@@ -182,6 +182,11 @@ inline grasp_request_t make_request() {
   m.num_tracks = 1;
   m.types = {"sphere", "cone"};
   m.num_types = 2;
+  m.has_reach = 1;
+  m.reach_base[2] = -0.5;
+  m.reach_max = 0.85;
+  m.min_score = 0.75;
+  m.per_target = 3;
   m.max_grasps = 4;
   m.min_size = 0.25;
   return m;

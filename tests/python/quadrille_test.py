@@ -257,6 +257,33 @@ class Plan(unittest.TestCase):
         self.assertEqual(len(none), 0)
         self.assertIn("9999", " ".join(none.warnings))
 
+    def test_an_arm_says_what_it_reaches_and_accepts(self):
+        points, viewpoint = quadrille.read_cloud(SCAN)
+        found = quadrille.detect(points, viewpoint=viewpoint)
+        scene = quadrille.GraspScene(points, found, "franka", viewpoint=viewpoint)
+        plain = scene.plan(best=1000)
+        first = plain.grasps[0]
+        most = [sum(g.target == first.target for g in scene.plan(per_target=n, best=1000))
+                for n in (1, 3, 1000)]
+        self.assertEqual(most[:2], [1, 3])
+        self.assertGreater(most[2], 3)
+        base = first.X_CG[:3, 3]
+        for grasp in scene.plan(reach=(base, 0.0, 0.06)):
+            for pose in (grasp.X_CG, grasp.pregrasp):
+                self.assertLessEqual(np.linalg.norm(pose[:3, 3] - base), 0.06 + 1e-9)
+        self.assertGreater(scene.plan(reach=(base, 0.0, 0.01)).rejected["reach"], 0)
+        for grasp in scene.plan(min_score=first.score):
+            self.assertGreaterEqual(grasp.score, first.score)
+        asked = []
+        same = scene.plan(best=1000, accept=lambda grasp: asked.append(grasp.score) or True)
+        self.assertEqual(sorted(asked, reverse=True), [g.score for g in plain])
+        self.assertEqual([g.score for g in same], [g.score for g in plain])
+        none = scene.plan(accept=lambda grasp: False)
+        self.assertEqual(len(none), 0)
+        self.assertGreater(none.rejected["caller"], 0)
+        with self.assertRaisesRegex(ZeroDivisionError, "division"):
+            scene.plan(accept=lambda grasp: 1 / 0 > 0)
+
     def test_hands_have_the_poses_of_other_software(self):
         points, viewpoint = quadrille.read_cloud(SCAN)
         found = quadrille.detect(points, viewpoint=viewpoint)

@@ -64,6 +64,7 @@ io::Config odd_config() {
   config.detector.planes.min_radius = 1e-6;
   config.detector.aggregate.effective_size = 1e9;
   config.detector.search.radii = {1.0, 100.0};
+  config.planner.reach.base = {1.0, -2.5, 1.0 / 3.0};
   return config;
 }
 
@@ -239,6 +240,9 @@ TEST_CASE("a wrong configuration is refused with its key and its line or range",
       {"seed = 1\nseed = \n", "line 2"},
       {"[planner]\napproach = \"far\"\n", "must be a number"},
       {"[planner]\nmax_grasps = 1.5\n", "must be an integer"},
+      {"[planner.reach]\nbase = 1.0\n", "must be a list, each element a number"},
+      {"[planner.reach]\nbase = [1.0, 2.0]\n", "planner.reach.base has 2 numbers: must have 3"},
+      {"[planner.reach]\nmin = 2.0\nmax = 1.0\n", "planner.reach.min = 2: must not exceed"},
       {"[planner]\nunknown = \"maybe\"\n", "one of weighed, obstacle, target-shadow, free"},
       {"[planner]\napproach = -1.0\n", "approach = -1: must lie between 0 and 1 m"},
       {"[planner]\nbaseline = 2\n", "planner.baseline = 2: must lie between"},

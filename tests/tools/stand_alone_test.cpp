@@ -136,13 +136,52 @@ TEST_CASE("JSON has what was asked for, and nothing where all was", "[json][comm
   CHECK(asked.size() == 5);
 }
 
+TEST_CASE("the arm and the number of grasps of each target are settings of a plan",
+          "[json][command][query]") {
+  const TempFolder folder;
+  const std::string plan = "plan --gripper franka --json - " + table_in(folder);
+  const json all = object_of(plan + " --per-target 30 --best 1000");
+  CHECK(all["settings"]["planner.per_target"] == 30);
+  std::map<int, int> counts;
+  for (const json& grasp : all["grasps"]) ++counts[grasp["target"].get<int>()];
+  REQUIRE_FALSE(counts.empty());
+  int most = 0;
+  for (const auto& [target, count] : counts) most = std::max(most, count);
+  CHECK(most > 12);
+  CHECK(most <= 30);
+  // What was planned without an arm, and what lies within its reach.
+  const json p = all["grasps"][0]["X_CG"]["position"];
+  const std::string base = p[0].dump() + "," + p[1].dump() + "," + p[2].dump();
+  const json near = object_of(plan + " --reach=" + base + ",0,0.06");
+  CHECK(near["settings"]["planner.reach.max"] == 0.06);
+  CHECK(near["rejected"]["reach"] > 0);
+  REQUIRE_FALSE(near["grasps"].empty());
+  for (const json& grasp : near["grasps"]) {
+    for (const char* pose : {"X_CG", "pregrasp"}) {
+      double square = 0.0;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double off = grasp[pose]["position"][axis].get<double>() - p[axis].get<double>();
+        square += off * off;
+      }
+      CHECK(square <= 0.06 * 0.06 + 1e-12);
+    }
+  }
+  // The base stands still in the frame of the results if the camera has a pose in it.
+  const json moved = object_of(plan + " --camera-pose=0,0,0,1,0,0,0 --reach=" + base + ",0,0.06");
+  CHECK(moved["grasps"].size() == near["grasps"].size());
+  const json far = object_of(plan + " --reach=0,0,-50,0,1");
+  CHECK(far["grasps"].empty());
+  CHECK(far["rejected"]["reach"] > 0);
+}
+
 TEST_CASE("conditions that contradict each other are wrong usage", "[command][query]") {
   const TempFolder folder;
   const std::string plan = "plan --gripper franka " + table_in(folder);
   for (const std::string wrong :
        {"--min-size nan", "--min-size 0.5 --max-size 0.3", "--max-size -1", "--approach 0,0,0,10",
         "--approach 0,0,1,0", "--roi 1,1,1,0,0,0", "--near 1,2", "--best 0", "--target x",
-        "--min-clearance 0.5"}) {
+        "--min-clearance 0.5", "--per-target -1", "--reach 0,0,0,1", "--reach 0,0,0,2,1",
+        "--reach 0,0,0,0,nan"}) {
     CAPTURE(wrong);
     CHECK(run_quadrille(plan + " " + wrong).code == 2);
   }

@@ -1,5 +1,9 @@
+#include <pybind11/functional.h>
+
+#include <functional>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include "io/planner/config.hpp"
 #include "io/planner/gripper_file.hpp"
@@ -134,14 +138,20 @@ QuadricType type_of(const std::string& name) {
   throw std::invalid_argument("no type '" + name + "'; there are: " + known);
 }
 
+/// Position of the base, least and greatest distance.
+using PyReach = std::tuple<Eigen::Vector3d, double, double>;
+
 /// Makes a query from the keyword arguments of Python.
 GraspQuery query_of(const std::vector<int>& targets, const std::vector<int>& tracks,
                     const std::vector<std::string>& types,
                     const std::optional<Eigen::Vector3d>& near,
                     const std::optional<Eigen::Matrix<double, 2, 3>>& roi, double min_size,
                     double max_size, const std::optional<Eigen::Vector3d>& approach,
-                    double approach_angle, double min_clearance, const std::optional<int>& best,
-                    const std::optional<double>& deadline_ms) {
+                    double approach_angle, const std::optional<PyReach>& reach,
+                    double min_clearance, const std::optional<double>& min_score,
+                    const std::optional<int>& per_target, const std::optional<int>& best,
+                    const std::optional<double>& deadline_ms,
+                    const std::function<bool(const Grasp&)>& accept) {
   GraspQuery query;
   query.ids = targets;
   query.tracks = tracks;
@@ -151,9 +161,13 @@ GraspQuery query_of(const std::vector<int>& targets, const std::vector<int>& tra
   query.min_size = min_size;
   query.max_size = max_size;
   if (approach) query.approach = {approach->stableNormalized(), approach_angle};
+  if (reach) query.reach = {std::get<0>(*reach), std::get<1>(*reach), std::get<2>(*reach)};
   query.min_clearance = min_clearance;
+  query.min_score = min_score;
+  query.per_target = per_target;
   query.max_grasps = best;
   query.deadline_ms = deadline_ms;
+  query.accept = accept;
   return query;
 }
 
@@ -187,8 +201,10 @@ void bind_scene(py::module_& module) {
            py::arg("near") = py::none(), py::arg("roi") = py::none(), py::arg("min_size") = 0.0,
            py::arg("max_size") = std::numeric_limits<double>::infinity(),
            py::arg("approach") = py::none(), py::arg("approach_angle") = 0.5,
-           py::arg("min_clearance") = 0.0, py::arg("best") = py::none(),
-           py::arg("deadline_ms") = py::none());
+           py::arg("reach") = py::none(), py::arg("min_clearance") = 0.0,
+           py::arg("min_score") = py::none(), py::arg("per_target") = py::none(),
+           py::arg("best") = py::none(), py::arg("deadline_ms") = py::none(),
+           py::arg("accept") = py::none());
 }
 
 }  // namespace

@@ -193,7 +193,8 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);
-  const GraspQuery query = moved(arguments.query.query(), input.X_CK.inverse());
+  const GraspQuery query =
+      moved(completed(arguments.query.query(), setup.options), input.X_CK.inverse());
   const std::vector<PointCloud> views =
       read_views(arguments.views, input.X_CK.inverse(), &info.warnings);
   const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, views,

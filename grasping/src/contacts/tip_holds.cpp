@@ -109,7 +109,9 @@ class Search {
     Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
     X_CG.linear() << closing_C.cross(approach_C), closing_C, approach_C;
     const std::vector<Eigen::Vector3d> places_G = places(X_CG);
-    if (blocked(X_CG, places_G)) return;
+    if (places_G.empty()) return;
+    const Eigen::AlignedBox3d bounds_G = bounds(places_G);
+    if ((limits_.out && limits_.out(X_CG, bounds_G)) || blocked(X_CG, bounds_G)) return;
     PadMeetingFinder finder(body_, gripper_, closing_C, approach_C);
     for (const Eigen::Vector3d& p_G : places_G) {
       X_CG.translation() = X_CG.linear() * p_G;
@@ -170,13 +172,18 @@ class Search {
     return boxes_G;
   }
 
-  /// Returns true if the palm collides at all of these places, wherever along y they end up.
-  bool blocked(const Eigen::Isometry3d& X_CG, const std::vector<Eigen::Vector3d>& places_G) const {
-    Eigen::AlignedBox3d places;
-    for (const Eigen::Vector3d& p_G : places_G) places.extend(p_G);
-    places.min().y() = points_G_.row(1).minCoeff();
-    places.max().y() = points_G_.row(1).maxCoeff();
-    const auto palm = common_palm(gripper_, X_CG, places, limits_.approach);
+  /// Returns the bounds of these places, wherever along y they end up.
+  Eigen::AlignedBox3d bounds(const std::vector<Eigen::Vector3d>& places_G) const {
+    Eigen::AlignedBox3d bounds_G;
+    for (const Eigen::Vector3d& p_G : places_G) bounds_G.extend(p_G);
+    bounds_G.min().y() = points_G_.row(1).minCoeff();
+    bounds_G.max().y() = points_G_.row(1).maxCoeff();
+    return bounds_G;
+  }
+
+  /// Returns true if the palm collides at all places within these bounds.
+  bool blocked(const Eigen::Isometry3d& X_CG, const Eigen::AlignedBox3d& bounds_G) const {
+    const auto palm = common_palm(gripper_, X_CG, bounds_G, limits_.approach);
     return palm && limits_.scene.palm_obstruction(*palm);
   }
 

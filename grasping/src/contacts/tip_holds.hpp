@@ -1,6 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <functional>
 #include <vector>
 
 #include "body/body.hpp"
@@ -20,6 +21,9 @@ struct TipLimits {
   double approach = 0.0;
   /// Largest friction coefficient that a hold may need [-].
   double friction = 0.5;
+  /// If set, orientations are left out for which it returns true: it is given the orientation X_CG,
+  /// with its origin at that of C, and a box in its axes that holds all origins of G [m].
+  std::function<bool(const Eigen::Isometry3d& X_CG, const Eigen::AlignedBox3d& places_G)> out;
 };
 
 /// Returns holds by the finger tips wherever they reach: at an end, beside the widest part, or

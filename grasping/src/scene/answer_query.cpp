@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "hand/reachable_places.hpp"
 #include "targets/asked_for.hpp"
+#include "targets/spread.hpp"
 #include "targets/target_grasps.hpp"
 #include "targets/target_scene.hpp"
 
@@ -16,11 +18,17 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// A grasp, and after how many others of its target it is kept if there are too many.
+struct Kept {
+  Grasp grasp;
+  std::size_t rank = 0;
+};
+
 /// Answers one query.
 class QueryPlanner {
  public:
   QueryPlanner(const SceneParts& parts, const GraspQuery& query, const Deadline& deadline)
-      : parts_(parts), query_(query), deadline_(deadline) {}
+      : parts_(parts), query_(completed(query, parts.options)), deadline_(deadline) {}
 
   GraspPlan plan() {
     const Clock::time_point start = Clock::now();
@@ -68,38 +76,69 @@ class QueryPlanner {
   }
 
   void plan_target(const Target& target) {
-    const bool cut = deadline_.passed() || try_holds(target);
+    // No hand that holds the target is farther from it than this.
+    const Eigen::AlignedBox3d hands_C = around(target.body, parts_.reach);
+    if (query_.reach && !may_reach(*query_.reach, Eigen::Isometry3d::Identity(), hands_C)) {
+      ++refusals_[Refusal::kReach];
+      return;
+    }
+    std::vector<Grasp> grasps;
+    const bool cut = deadline_.passed() || try_holds(target, grasps);
     if (cut) ++refusals_[Refusal::kDeadline];
+    keep(grasps, target);
   }
 
-  /// Tries holds by the tips, and then by the points, only if the target is held in no other way.
+  /// Tries holds by the tips, and then by the points, only if the target is not held in another way
+  /// as often as is asked for; once at least.
+  /// @param grasps  receives the grasps
   /// @return whether the deadline ended the search early
-  bool try_holds(const Target& target) {
+  bool try_holds(const Target& target, std::vector<Grasp>& grasps) {
     const auto task = [&](const CollisionScene& scene) {
       return TargetTask{parts_, query_, deadline_, target, scene};
     };
-    bool held = false, cut = false;
-    const auto keep = [&](const TargetGrasps& found) {
-      plan_.grasps.insert(plan_.grasps.end(), found.grasps.begin(), found.grasps.end());
+    const std::size_t wanted = std::max(1, *query_.per_target);
+    bool cut = false;
+    const auto add = [&](const TargetGrasps& found) {
+      grasps.insert(grasps.end(), found.grasps.begin(), found.grasps.end());
       for (const auto& [why, number] : found.refusals) refusals_[why] += number;
-      held |= !found.grasps.empty();
       cut |= found.cut;
+    };
+    // A search that continues others must find what they did not.
+    const auto further = [&](const CollisionScene& scene) {
+      TargetTask next = task(scene);
+      next.others = grasps;
+      return next;
     };
     std::optional<CollisionScene> solid;
     if (target.solid) {
       solid = solid_scene(target, parts_);
-      keep(grasps_across(task(*solid)));
+      add(grasps_across(task(*solid)));
     }
     if (target.shell) {
       const CollisionScene shell = shell_scene(target, parts_);
-      keep(grasps_at_rim(task(shell)));
+      add(grasps_at_rim(task(shell)));
     }
-    if (solid && !held && !cut) keep(grasps_by_tips(task(*solid)));
-    if (!held && !cut) {
+    if (solid && grasps.size() < wanted && !cut) add(grasps_by_tips(further(*solid)));
+    if (grasps.size() < wanted && !cut) {
       const TargetPoints points = points_about(target, parts_);
-      keep(grasps_by_points(task(point_scene(target, points, parts_)), points));
+      add(grasps_by_points(further(point_scene(target, points, parts_)), points));
     }
     return cut;
+  }
+
+  /// Keeps the grasps of a target, or as many of them as are asked for.
+  void keep(const std::vector<Grasp>& grasps, const Target& target) {
+    const std::size_t count = *query_.per_target;
+    if (count > 0) {
+      const double reach = 0.5 * target.body.bounds_Q().sizes().maxCoeff();
+      std::size_t rank = 0;
+      for (Grasp& pick : spread(grasps, count, reach)) kept_.push_back({std::move(pick), rank++});
+      return;
+    }
+    const auto best = std::max_element(grasps.begin(), grasps.end(), has_less_score);
+    for (auto grasp = grasps.begin(); grasp != grasps.end(); ++grasp) {
+      kept_.push_back({*grasp, grasp == best ? 0u : 1u});
+    }
   }
 
   void warn_of_cut() {
@@ -112,24 +151,32 @@ class QueryPlanner {
   }
 
   /// Sorts the grasps, best first, and drops the surplus; each target keeps its best grasp before
-  /// any target keeps a second one.
+  /// any target keeps a second one. If a number of each target is asked for, each keeps its second
+  /// before any keeps a third, and so on.
   void select() {
-    const auto better = [](const Grasp& a, const Grasp& b) { return a.score > b.score; };
-    std::vector<Grasp>& grasps = plan_.grasps;
-    std::stable_sort(grasps.begin(), grasps.end(), better);
-    const int max_grasps = query_.max_grasps.value_or(parts_.options.max_grasps);
-    if (grasps.size() <= static_cast<std::size_t>(max_grasps)) return;
-    std::map<int, bool> seen;
-    std::stable_partition(grasps.begin(), grasps.end(), [&](const Grasp& grasp) {
-      return !std::exchange(seen[grasp.target], true);
-    });
-    grasps.resize(max_grasps);
-    std::stable_sort(grasps.begin(), grasps.end(), better);
+    const auto better = [](const Kept& a, const Kept& b) { return a.grasp.score > b.grasp.score; };
+    const auto earlier = [](const Kept& a, const Kept& b) { return a.rank < b.rank; };
+    std::stable_sort(kept_.begin(), kept_.end(), better);
+    const std::size_t found = kept_.size(), most = *query_.max_grasps;
+    if (found > most) {
+      std::stable_sort(kept_.begin(), kept_.end(), earlier);
+      kept_.resize(most);
+      std::stable_sort(kept_.begin(), kept_.end(), better);
+      if (*query_.per_target > 0) {
+        plan_.warnings.push_back("of " + std::to_string(found) + " grasps only " +
+                                 std::to_string(most) +
+                                 " are given; raise planner.max_grasps (--best)");
+      }
+    }
+    for (Kept& kept : kept_) plan_.grasps.push_back(std::move(kept.grasp));
   }
 
+  static bool has_less_score(const Grasp& a, const Grasp& b) { return a.score < b.score; }
+
   const SceneParts& parts_;
-  const GraspQuery& query_;
+  const GraspQuery query_;
   const Deadline& deadline_;
+  std::vector<Kept> kept_;
   GraspPlan plan_;
   RefusalCounts refusals_;
 };

@@ -7,7 +7,8 @@
 
 namespace quadrille {
 
-/// Returns the grasps that a query asks for, as far as they are found before the deadline.
+/// Returns the grasps that a query, completed() by the scene's options, asks for, as far as they
+/// are found before the deadline.
 GraspPlan answer_query(const SceneParts& parts, const GraspQuery& query, const Deadline& deadline);
 
 }  // namespace quadrille

@@ -17,7 +17,7 @@ namespace {
 // Limits on the effort per target. Candidates come best first, so higher limits would find little
 // more.
 constexpr int kMaxChecks = 4000;
-constexpr std::size_t kMaxGrasps = 12;
+constexpr std::size_t kUsualGrasps = 12;
 // A contact that is close to slipping in the model may slip in truth, since normals are known only
 // to a few degrees.
 constexpr double kFrictionShare = 0.85;
@@ -136,8 +136,10 @@ void try_chords(const ContactLine& line, const Eigen::Vector3d& approach_C, cons
 /// costs only one check.
 void try_across(const ContactLine& line, const Eigen::Vector3d& approach_C, const TargetTask& task,
                 HandTrials& trials) {
+  const Eigen::AlignedBox3d places_G = places(line, task.parts.gripper);
   if (trials.resembles_accepted(line, approach_C) ||
-      trials.palm_blocked(line, approach_C, places(line, task.parts.gripper))) {
+      trials.out_of_reach(grasp_pose(line, approach_C, 0.0), places_G) ||
+      trials.palm_blocked(line, approach_C, places_G)) {
     return;
   }
   if (min_opening(line, task.parts.options) <= task.parts.gripper.max_opening) {
@@ -153,7 +155,7 @@ void try_across(const ContactLine& line, const Eigen::Vector3d& approach_C, cons
 }  // namespace
 
 TargetGrasps grasps_across(const TargetTask& task) {
-  HandTrials trials(task, kMaxChecks, kMaxGrasps);
+  HandTrials trials(task, kMaxChecks, kUsualGrasps);
   const ApproachSpace space = approach_space(task);
   const std::vector<ContactLine> lines = usable_lines(task, space, trials);
   const SampledApproaches sampled = sample_approaches(lines, space);

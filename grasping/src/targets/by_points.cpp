@@ -10,14 +10,14 @@ namespace {
 
 // Limits on the effort per target, as for the other kinds of grasps.
 constexpr int kMaxChecks = 2000;
-constexpr std::size_t kMaxGrasps = 8;
+constexpr std::size_t kUsualGrasps = 8;
 // Normals of points are known to some degrees, like those of fits.
 constexpr double kFrictionShare = 0.85;
 
 }  // namespace
 
 TargetGrasps grasps_by_points(const TargetTask& task, const TargetPoints& points) {
-  HandTrials trials(task, kMaxChecks, kMaxGrasps);
+  HandTrials trials(task, kMaxChecks, kUsualGrasps);
   for (const Hold& hold :
        point_holds(points.all, points.own, task.parts.gripper, approach_space(task),
                    kFrictionShare * task.parts.options.friction)) {

@@ -8,6 +8,7 @@
 
 #include "contacts/closing.hpp"
 #include "hand/hand.hpp"
+#include "hand/reachable_places.hpp"
 #include "targets/describe.hpp"
 
 namespace quadrille {
@@ -32,6 +33,17 @@ constexpr double kMaxDepthShare = 0.4;
 
 Eigen::Vector3d middle(const std::array<Eigen::Vector3d, 2>& contacts_C) {
   return 0.5 * (contacts_C[0] + contacts_C[1]);
+}
+
+/// Returns true if a hold adds nothing to one of these grasps.
+bool resembles_one_of(const std::vector<Grasp>& grasps, const ContactLine& line,
+                      const Eigen::Vector3d& approach_C) {
+  const Eigen::Vector3d here = middle(line.contacts_C);
+  return std::any_of(grasps.begin(), grasps.end(), [&](const Grasp& other) {
+    return (middle(other.contacts_C) - here).norm() < kMinDistance &&
+           other.X_CG.linear().col(2).dot(approach_C) > kMaxTurnCosine &&
+           std::abs(other.X_CG.linear().col(1).dot(line.closing_C)) > kMaxTurnCosine;
+  });
 }
 
 Refusal refusal_of(Obstruction what) {
@@ -107,6 +119,11 @@ bool contradicted(const ContactLine& line, const OccupancyGrid& space) {
   return false;
 }
 
+HandTrials::HandTrials(const TargetTask& task, int max_checks, std::size_t usual_grasps)
+    : task_(task),
+      max_checks_(max_checks),
+      max_grasps_(std::max(usual_grasps, static_cast<std::size_t>(*task.query.per_target))) {}
+
 bool HandTrials::done() {
   if (checks_ >= max_checks_ || found_.grasps.size() >= max_grasps_) return true;
   found_.cut = task_.deadline.passed();
@@ -115,12 +132,15 @@ bool HandTrials::done() {
 
 bool HandTrials::resembles_accepted(const ContactLine& line,
                                     const Eigen::Vector3d& approach_C) const {
-  const Eigen::Vector3d here = middle(line.contacts_C);
-  return std::any_of(found_.grasps.begin(), found_.grasps.end(), [&](const Grasp& other) {
-    return (middle(other.contacts_C) - here).norm() < kMinDistance &&
-           other.X_CG.linear().col(2).dot(approach_C) > kMaxTurnCosine &&
-           std::abs(other.X_CG.linear().col(1).dot(line.closing_C)) > kMaxTurnCosine;
-  });
+  return resembles_one_of(found_.grasps, line, approach_C) ||
+         resembles_one_of(task_.others, line, approach_C);
+}
+
+bool HandTrials::out_of_reach(const Eigen::Isometry3d& X_CG, const Eigen::AlignedBox3d& places_G) {
+  const std::optional<Reach>& reach = task_.query.reach;
+  if (!reach || may_approach(*reach, X_CG, places_G, task_.parts.options.approach)) return false;
+  refuse(Refusal::kReach);
+  return true;
 }
 
 /// Counts a refusal. Collisions with planes do not count as effort, because they are tested first
@@ -144,6 +164,8 @@ bool HandTrials::try_hand(const Attempt& attempt) {
   const Gripper& gripper = task_.parts.gripper;
   const CollisionScene& scene = task_.scene;
   if (resembles_accepted(line, attempt.X_CG.linear().col(2))) return true;
+  const Eigen::Vector3d here_G = Eigen::Vector3d::Zero();
+  if (out_of_reach(attempt.X_CG, Eigen::AlignedBox3d(here_G))) return false;
   const auto swept = [&](double preshape) {
     return sweep_hand(gripper, attempt.X_CG, preshape, line.width, task_.parts.options.approach);
   };
@@ -169,8 +191,12 @@ bool HandTrials::try_hand(const Attempt& attempt) {
         obstructed(Refusal::kClearance);
         continue;
       }
-      if (grasp.score < task_.parts.options.min_score) {
+      if (grasp.score < *task_.query.min_score) {
         obstructed(Refusal::kScore);
+        return false;
+      }
+      if (task_.query.accept && !task_.query.accept(grasp)) {
+        obstructed(Refusal::kCaller);
         return false;
       }
       found_.grasps.push_back(std::move(grasp));

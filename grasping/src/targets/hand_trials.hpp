@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "contacts/candidates.hpp"
 #include "contacts/contact_line.hpp"
@@ -44,15 +45,18 @@ struct Attempt {
 class HandTrials {
  public:
   /// @param max_checks  number of collision checks after which the search ends
-  /// @param max_grasps  number of grasps with which the search ends
-  HandTrials(const TargetTask& task, int max_checks, std::size_t max_grasps)
-      : task_(task), max_checks_(max_checks), max_grasps_(max_grasps) {}
+  /// @param usual_grasps  number of grasps with which the search ends, unless the query asks for
+  ///                      more of each target
+  HandTrials(const TargetTask& task, int max_checks, std::size_t usual_grasps);
 
   /// Returns true once there are enough grasps, enough was tried, or the deadline has passed.
   bool done();
   void refuse(Refusal why, int count = 1) { found_.refusals[why] += count; }
   /// Returns true if a similar grasp was already accepted, so that this one would add nothing.
   bool resembles_accepted(const ContactLine& line, const Eigen::Vector3d& approach_C) const;
+  /// Returns true, and counts a refusal, if the arm cannot bring the hand to any of these places.
+  /// @param places_G  displacements of the hand from X_CG, in the axes of G [m]
+  bool out_of_reach(const Eigen::Isometry3d& X_CG, const Eigen::AlignedBox3d& places_G);
   /// Returns true, and counts a refusal, if the palm collides wherever within `places_G` the hand
   /// is displaced from a line.
   bool palm_blocked(const ContactLine& line, const Eigen::Vector3d& approach_C,

@@ -14,7 +14,7 @@ namespace {
 
 // Limits on the effort per target, as for grasps across a body.
 constexpr int kMaxChecks = 4000;
-constexpr std::size_t kMaxGrasps = 12;
+constexpr std::size_t kUsualGrasps = 12;
 // Walls with more warp under the pads turn in the hand. The limit is a share of a pad's reach: at
 // the corners this is 4° out of line, out of the 5° that a held object may turn.
 constexpr double kMaxWarpToReach = 1.0 / 15.0;
@@ -38,7 +38,7 @@ void try_rim(const ContactLine& line, const Eigen::Vector3d& approach_C, const T
 }  // namespace
 
 TargetGrasps grasps_at_rim(const TargetTask& task) {
-  HandTrials trials(task, kMaxChecks, kMaxGrasps);
+  HandTrials trials(task, kMaxChecks, kUsualGrasps);
   std::vector<ContactLine> lines = task.target.rim;
   std::erase_if(lines, [&](const ContactLine& line) {
     const std::optional<Refusal> why = misfit(line, task);

@@ -16,11 +16,15 @@ namespace quadrille {
 /// The inputs for planning the grasps of one target. Everything that it refers to must outlive it.
 struct TargetTask {
   const SceneParts& parts;
+  /// The query, completed() by the options.
   const GraspQuery& query;
   const Deadline& deadline;
   const Target& target;
   /// The obstacles around the target.
   const CollisionScene& scene;
+  /// The grasps that other searches found on the target, to which those of this search must be
+  /// unlike.
+  std::vector<Grasp> others = {};
 };
 
 /// The diverse grasps of one target that survive, in no particular order, and the refusals.
@@ -35,7 +39,7 @@ struct TargetGrasps {
 TargetGrasps grasps_across(const TargetTask& task);
 
 /// Finds grasps by the tips, wherever they reach. The search takes longer, and is for targets that
-/// have no other grasp.
+/// have no other grasp, or too few.
 TargetGrasps grasps_by_tips(const TargetTask& task);
 
 /// Finds grasps between the outermost points of a target, which needs no shape of it.

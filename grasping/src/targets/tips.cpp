@@ -11,10 +11,10 @@ namespace {
 // Holds by the tips use the normals at the exact contacts, so they need less reserve of friction
 // than contacts that the pads average over.
 constexpr double kFrictionShare = 0.9;
-// More collision checks than this found hardly any further hold, and no target needs more holds
-// than this.
+// More collision checks than this found hardly any further hold, and hardly any use of a target
+// needs more holds than this.
 constexpr int kMaxChecks = 4000;
-constexpr std::size_t kMaxGrasps = 8;
+constexpr std::size_t kUsualGrasps = 8;
 
 std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task) {
   if (const auto why = misfit(line, task)) return why;
@@ -25,9 +25,12 @@ std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task)
 }  // namespace
 
 TargetGrasps grasps_by_tips(const TargetTask& task) {
-  HandTrials trials(task, kMaxChecks, kMaxGrasps);
+  HandTrials trials(task, kMaxChecks, kUsualGrasps);
   const TipLimits limits{task.scene, task.parts.options.approach,
-                         kFrictionShare * task.parts.options.friction};
+                         kFrictionShare * task.parts.options.friction,
+                         [&](const Eigen::Isometry3d& X_CG, const Eigen::AlignedBox3d& places_G) {
+                           return trials.out_of_reach(X_CG, places_G);
+                         }};
   for (const Hold& hold :
        tip_holds(task.target.body, task.parts.gripper, approach_space(task), limits)) {
     if (trials.done()) break;

@@ -19,6 +19,11 @@ inline GraspQuery hostile_query(Choices& choices) {
   if (choices.one_in(4)) query.min_clearance = choices.hostile();
   if (choices.one_in(4)) query.approach = Cone{{0.0, 0.0, choices.hostile()}, choices.hostile()};
   if (choices.one_in(4)) {
+    query.reach = Reach{{choices.hostile(), 0.0, 1.0}, choices.hostile(), choices.hostile()};
+  }
+  if (choices.one_in(4)) query.min_score = choices.hostile();
+  if (choices.one_in(4)) query.per_target = static_cast<int>(choices.below(40));
+  if (choices.one_in(4)) {
     const Eigen::Vector3d half = Eigen::Vector3d::Constant(choices.hostile());
     query.region = Region{Eigen::Isometry3d::Identity(), {-half, half}};
   }

@@ -150,6 +150,70 @@ TEST_CASE("a request is answered with its id by what it asks for", "[process][re
   CHECK(status.unmet == 0);
 }
 
+TEST_CASE("a request may bring a number of grasps of each target, and a score",
+          "[process][request]") {
+  Asked asked("--on-request --per-target 2 --min-score 0");
+  asked.show(1000);
+  const auto most_of_one = [](const grasps_t& answer) {
+    std::map<int, int> counts;
+    int most = 0;
+    for (const grasp_t& grasp : answer.grasps) most = std::max(most, ++counts[grasp.target]);
+    return most;
+  };
+  CHECK(most_of_one(asked.ask(request_of(1))) == 2);
+  grasp_request_t request = request_of(2);
+  request.per_target = 5;
+  CHECK(most_of_one(asked.ask(request)) == 5);
+  request.request_id = 3;
+  request.min_score = asked.answers.back().grasps.front().score;
+  const grasps_t good = asked.ask(request);
+  REQUIRE_FALSE(good.grasps.empty());
+  for (const grasp_t& grasp : good.grasps) CHECK(grasp.score >= request.min_score);
+  request.min_score = 1.5;
+  CHECK(asked.ask(request).warnings.back() == "min_score = 1.5: must be 0 to 1");
+  request.min_score = 0.0;
+  request.per_target = -1;
+  CHECK(asked.ask(request).warnings.back() == "per_target = -1: must be 0 or more");
+}
+
+TEST_CASE("an arm's reach may be in any frame that is known, and wins over that of the settings",
+          "[process][request][reach]") {
+  const Eigen::Isometry3d X_WK =
+      Eigen::Translation3d(1.0, -0.5, 0.75) * Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5);
+  const Eigen::Vector3d p_K = a_sphere().X_CQ.translation(), p_W = X_WK * p_K;
+  const std::string pose = "--on-request --camera-pose=1,-0.5,0.75,0.5,0.5,-0.5,0.5 ";
+  // By the settings nothing is within reach.
+  Asked asked(pose + "--reach=9,9,9,0,1");
+  asked.show(1000);
+  const grasps_t none = asked.ask(request_of(1));
+  CHECK(none.grasps.empty());
+  CHECK(std::any_of(none.rejected.begin(), none.rejected.end(),
+                    [](const count_t& entry) { return entry.name == "reach"; }));
+  // No approach is longer than 10 cm, and nothing else is so near the sphere.
+  for (const std::string frame : {"", "eye", "camera", "world"}) {
+    CAPTURE(frame);
+    grasp_request_t request = request_of(1);
+    request.frame = frame;
+    request.has_reach = 1;
+    Eigen::Map<Eigen::Vector3d>(request.reach_base) = frame == "world" ? p_W : p_K;
+    request.reach_max = 0.1;
+    CHECK(targets_of(asked.ask(request)) == std::set{a_sphere().id});
+  }
+  // By these settings it is the sphere that is.
+  Asked near(pose + "--reach=" + std::to_string(p_W.x()) + "," + std::to_string(p_W.y()) + "," +
+             std::to_string(p_W.z()) + ",0,0.1");
+  near.show(1000);
+  CHECK(targets_of(near.ask(request_of(1))) == std::set{a_sphere().id});
+  // Without a fixed frame the settings are in the camera's.
+  Asked unplaced("--on-request --reach=" + std::to_string(p_K.x()) + "," + std::to_string(p_K.y()) +
+                 "," + std::to_string(p_K.z()) + ",0,0.1");
+  unplaced.show(1000);
+  CHECK(targets_of(unplaced.ask(request_of(1))) == std::set{a_sphere().id});
+  grasp_request_t request = request_of(9);
+  request.has_reach = 1;
+  CHECK(unplaced.ask(request).warnings.back().find("reach's greatest distance = 0: must be") == 0);
+}
+
 TEST_CASE("a request may bring a deadline of its own", "[process][request][deadline]") {
   Asked asked("--on-request");
   asked.show(1000);

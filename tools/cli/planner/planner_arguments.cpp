@@ -1,10 +1,16 @@
 #include "cli/planner/planner_arguments.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "cli/choice_option.hpp"
+#include "cli/number_list.hpp"
 #include "io/planner/gripper_file.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
 
@@ -24,6 +30,17 @@ std::string check_score(const std::string& text) {
   return is_between_0_and(1.0, text) ? "" : "must be 0 to 1";
 }
 
+ReachOptions reach_of(const std::string& list) {
+  const std::vector<double> v = numbers_of("--reach", list, 5, "X,Y,Z,MIN,MAX");
+  constexpr double kMax = ReachOptions::kMaxReach;
+  if (!(v[3] >= 0.0 && v[3] <= v[4] && v[4] > 0.0 && v[4] <= kMax)) {
+    throw CLI::ValidationError(
+        "--reach", fmt::format("'{}': MAX must be more than 0 and at most {:g} m, MIN 0 to MAX",
+                               printable(list), kMax));
+  }
+  return {{v[0], v[1], v[2]}, v[3], v[4]};
+}
+
 }  // namespace
 
 void PlannerArguments::add_to(CLI::App& app, const std::string& default_gripper) {
@@ -38,9 +55,18 @@ void PlannerArguments::add_to(CLI::App& app, const std::string& default_gripper)
   Choices<UnknownPolicy> policies;
   for (const auto& [word, policy] : words_of(UnknownPolicy{})) policies.emplace_back(word, policy);
   add_choice_option(app, "--unknown", unknown, policies, "What unobserved space counts as");
+  app.add_option_function<std::string>(
+         "--reach", [this](const std::string& list) { reach = reach_of(list); },
+         "Grasp only where the middle between the pads is this far from the arm's base at X,Y,Z, "
+         "also before the approach [m]")
+      ->type_name("X,Y,Z,MIN,MAX");
   app.add_option("--min-score", min_score, "Least probability of a grasp to succeed")
       ->check(check_score)
       ->type_name("P");
+  app.add_option("--per-target", per_target,
+                 "Seek so many unlike grasps of each target, and give no more; 0: a dozen or so")
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()))
+      ->type_name("N");
   app.add_option("--deadline-ms", deadline_ms,
                  "End a plan after so long with the grasps that it has, and say so; 0: never")
       ->check(check_deadline)
@@ -50,6 +76,8 @@ void PlannerArguments::add_to(CLI::App& app, const std::string& default_gripper)
 PlanOptions PlannerArguments::overrule(PlanOptions file) const {
   file.unknown = unknown.value_or(file.unknown);
   file.min_score = min_score.value_or(file.min_score);
+  file.per_target = per_target.value_or(file.per_target);
+  file.reach = reach.value_or(file.reach);
   file.deadline_ms = deadline_ms.value_or(file.deadline_ms);
   return file;
 }

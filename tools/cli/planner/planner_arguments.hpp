@@ -17,8 +17,11 @@ struct PlannerArguments {
   std::string gripper_name;
   std::optional<UnknownPolicy> unknown;
   std::optional<double> deadline_ms, min_score;
+  std::optional<int> per_target;
+  std::optional<ReachOptions> reach;
 
-  /// Adds --gripper, --unknown, --min-score and --deadline-ms; this object must outlive the app.
+  /// Adds --gripper, --unknown, --reach, --min-score, --per-target and --deadline-ms; this object
+  /// must outlive the app.
   /// @param default_gripper  if empty, --gripper is required
   void add_to(CLI::App& app, const std::string& default_gripper);
   /// Returns the settings of the file, overridden by those of the command line.

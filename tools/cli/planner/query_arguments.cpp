@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,13 @@ void add_length(CLI::App& app, const std::string& name, double& length, double m
 
 }  // namespace
 
+void add_approach_option(CLI::App& app, std::optional<Cone>& cone, const std::string& frame) {
+  app.add_option_function<std::string>(
+         "--approach", [&cone](const std::string& list) { cone = cone_of(list); },
+         "Come along this direction, to within an angle, in " + frame)
+      ->type_name("X,Y,Z,DEGREES");
+}
+
 void QueryArguments::add_to(CLI::App& app) {
   constexpr double kMaxLength = 100.0;
   app.add_option("--target", query_.ids, "Grasp only these quadrics or boxes, by their numbers")
@@ -84,10 +92,7 @@ void QueryArguments::add_to(CLI::App& app) {
              "Grasp only what has a longest side of so much at most");
   add_length(app, "--min-clearance", query_.min_clearance, GraspQuery::kMaxMinClearance,
              "Keep the hand so far from all but the target");
-  app.add_option_function<std::string>(
-         "--approach", [this](const std::string& list) { query_.approach = cone_of(list); },
-         "Come along this direction, to within an angle, in the frame of the results")
-      ->type_name("X,Y,Z,DEGREES");
+  add_approach_option(app, query_.approach, "the frame of the results");
   app.add_option("--best", query_.max_grasps, "Give so many grasps at most")
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "quadrille/grasping/grasp_query.hpp"
 
 namespace CLI {
@@ -7,6 +10,10 @@ class App;
 }
 
 namespace quadrille {
+
+/// Adds --approach, which sets a cone of directions; the cone must outlive the app.
+/// @param frame  the frame of the directions, for the description
+void add_approach_option(CLI::App& app, std::optional<Cone>& cone, const std::string& frame);
 
 /// The options that select grasps, in the frame of the results.
 class QueryArguments {

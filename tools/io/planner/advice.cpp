@@ -12,7 +12,7 @@ struct Advice {
   std::string_view text;
 };
 
-constexpr std::array<Advice, 19> kAdvice = {{
+constexpr std::array<Advice, 21> kAdvice = {{
     {Refusal::kViewpoint,
      "the cloud cannot have been seen from its viewpoint; name where the sensor stood "
      "(--viewpoint, --camera-pose)"},
@@ -49,12 +49,16 @@ constexpr std::array<Advice, 19> kAdvice = {{
      "(--gripper), or a shorter approach (under [planner] in --config FILE)"},
     {Refusal::kApproach,
      "most approaches lie outside the cone that was asked for; allow a wider one (--approach)"},
+    {Refusal::kReach,
+     "the arm does not reach most of the poses; move its base or the objects, or name what it "
+     "reaches (--reach)"},
     {Refusal::kClearance,
      "most candidates come nearer to other things than was asked for; ask for less clearance "
      "(--min-clearance)"},
     {Refusal::kScore,
      "most candidates are too likely to fail; allow a lower score (--min-score), or try a closer "
      "view"},
+    {Refusal::kCaller, "the program that asked refused most grasps itself"},
     {Refusal::kSurplus,
      "there are more quadrics than are planned on; set max_detections (under [planner] in --config "
      "FILE), or crop the cloud"},

@@ -60,6 +60,13 @@ Json to_json(const GraspQuery& query) {
     json["approach"] = {{"direction", array_of(query.approach->axis_C)},
                         {"angle", query.approach->half_angle}};
   }
+  if (query.reach) {
+    json["reach"] = {{"base", array_of(query.reach->base_C)},
+                     {"min", query.reach->min},
+                     {"max", query.reach->max}};
+  }
+  if (query.min_score) json["min_score"] = *query.min_score;
+  if (query.per_target) json["per_target"] = *query.per_target;
   if (query.max_grasps) json["best"] = *query.max_grasps;
   return json;
 }

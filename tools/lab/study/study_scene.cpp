@@ -91,8 +91,9 @@ ObjectCounts count_objects(const physics::TrueScene& truth, const Gripper& gripp
 SceneRecord study_scene(const StudyInput& input, const StudyOptions& options) {
   DetectionResult result = detect(input.cloud, options.detector);
   const std::vector<Detection> found = bus::as_received(result.detections);
+  const GraspQuery query = moved(completed({}, options.plan), input.X_CK.inverse());
   const GraspPlan plan = moved(plan_grasps(input.cloud, found, options.gripper, options.plan, {},
-                                           {}, bus::as_received(std::move(result.boxes)),
+                                           query, bus::as_received(std::move(result.boxes)),
                                            bus::as_received(std::move(result.bodies))),
                                input.X_CK);
   const std::vector<Detection> detections = moved(found, input.X_CK);

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/planner/query_arguments.hpp"
 #include "cli/types_option.hpp"
 #include "io/planner/config.hpp"
 
@@ -43,6 +44,8 @@ PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
   camera_.add_to(app, "--pose-channel");
   settings_.frames.add_to(app);
   planner_.add_to(app, "franka");
+  add_approach_option(app, settings_.approach,
+                      "the fixed frame of the camera's poses, else in the camera's");
   add_types_option(app, "--report", report_, "Grasp only these types; the others stay in the way");
   app.add_option("--config", config_, "Settings (TOML)")->type_name("FILE");
 }
@@ -57,6 +60,8 @@ PlannerSettings PlannerCommandLine::settings() const {
   settings.pose_age = config.track.pose_age;
   settings.pose_wait = config.track.pose_wait;
   settings.X_WK = camera_.X_WK;
+  settings.frames.conditions =
+      settings.has_fixed_frame() && (settings.approach || settings.plan.reach.max > 0.0);
   settings.process.check();
   PlannerSettings::visit_channels(settings, [&](Way, const char*, std::string& name, const char*) {
     name = settings.process.prefixed(name);

@@ -11,6 +11,23 @@
 #include "quadrille/grasping/rigid_motion.hpp"
 
 namespace quadrille {
+namespace {
+
+/// Returns the query with the directions and the reach of the settings, unless it has its own.
+/// @param query  query in the camera's frame
+GraspQuery with_conditions(GraspQuery query, const PlannerSettings& settings,
+                           const Placement& placement) {
+  GraspQuery given;
+  given.approach = settings.approach;
+  given = completed(std::move(given), settings.plan);
+  if (placement.X_WK) given = moved(std::move(given), placement.X_WK->inverse());
+  if (!query.approach) query.approach = given.approach;
+  if (!query.reach) query.reach = given.reach;
+  return query;
+}
+
+}  // namespace
+
 /// Plans on a pair in the camera's frame. The scene is made unless it is that of the last call.
 GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const GraspQuery& query) {
   if (pair == ready_) return scene_->plan(query);
@@ -37,7 +54,7 @@ GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const GraspQuery& 
 }
 
 GraspPlan PairPlanner::plan(const SharedPair& pair, const GraspQuery& query) {
-  GraspQuery timed = query;
+  GraspQuery timed = with_conditions(query, settings_, pair->placement);
   timed.deadline_ms = query.deadline_ms.value_or(settings_.plan.deadline_ms);
   GraspPlan plan = plan_in_camera(pair, timed);
   if (plan.cut) {

@@ -58,6 +58,10 @@ Cone cone_of(const grasp_request_t& request) {
   return {axis.normalized(), request.approach_angle};
 }
 
+Reach reach_of(const grasp_request_t& request) {
+  return {Eigen::Vector3d(request.reach_base), request.reach_min, request.reach_max};
+}
+
 QuadricType type_of(const std::string& name) {
   const auto type = quadric_type_from_string(name);
   if (!type) throw std::invalid_argument(fmt::format("types: '{}' is no type", printable(name)));
@@ -80,7 +84,10 @@ GraspQuery query_of(const grasp_request_t& request, const Placement& placement,
   query.min_size = request.min_size;
   if (request.max_size != 0.0) query.max_size = request.max_size;
   if (request.has_approach) query.approach = cone_of(request);
+  if (request.has_reach) query.reach = reach_of(request);
   query.min_clearance = request.min_clearance;
+  if (request.min_score != 0.0) query.min_score = request.min_score;
+  if (request.per_target != 0) query.per_target = request.per_target;
   if (request.max_grasps != 0) query.max_grasps = request.max_grasps;
   if (request.deadline_ms != 0.0) query.deadline_ms = request.deadline_ms;
   query.check();

@@ -8,6 +8,7 @@
 #include "process/runtime/poses/cloud_frame.hpp"
 #include "process/runtime/viewer.hpp"
 #include "quadrille/detector/tracker.hpp"
+#include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/gripper.hpp"
 #include "quadrille/grasping/plan.hpp"
 
@@ -45,7 +46,14 @@ struct PlannerSettings {
   /// Plans only on request.
   bool on_request = false;
   Gripper gripper;
+  /// The directions of approach, and in `plan` the reach, hold for each plan unless a request names
+  /// others. They are in the fixed frame W of the camera's poses, or, if there are none, in the
+  /// camera's frame.
+  std::optional<Cone> approach;
   PlanOptions plan;
+
+  /// Returns true if the camera's pose in W is given, or comes on a channel.
+  bool has_fixed_frame() const { return X_WK || !pose_channel.empty(); }
 
   /// Lists each channel: the direction of its messages, the option that names it, its name, and its
   /// content.

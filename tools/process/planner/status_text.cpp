@@ -1,5 +1,7 @@
 #include "process/planner/status_text.hpp"
 
+#include <fmt/format.h>
+
 #include "io/planner/gripper_file.hpp"
 #include "process/runtime/status/exposition.hpp"
 #include "process/runtime/status/process_info.hpp"
@@ -10,6 +12,11 @@ std::string hash_of(const PlannerSettings& settings) {
   SettingsText text;
   text.add_all(settings.plan);
   text.add("gripper", io::to_toml(settings.gripper));
+  if (settings.approach) {
+    const Eigen::Vector3d& axis = settings.approach->axis_C;
+    text.add("approach", fmt::format("{},{},{},{}", axis.x(), axis.y(), axis.z(),
+                                     settings.approach->half_angle));
+  }
   text.add("on_request", settings.on_request ? "true" : "false");
   text.add("pose_age", io::toml_of(settings.pose_age));
   text.add("pose_wait", io::toml_of(settings.pose_wait));

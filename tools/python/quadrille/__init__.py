@@ -111,10 +111,17 @@ class GraspScene:
         roi            only targets whose centre lies between these two corners, least first [m]
         min_size, max_size          bounds on the longest side of a target [m]
         approach, approach_angle    direction of approach, and the largest angle to it [rad]
+        reach          (base, least, greatest): the position of an arm's base, and bounds on the
+                       distance of a grasp's origin from it, also before the approach [m]
         min_clearance  least distance of the hand from everything but its target [m]
+        min_score      least probability of a grasp to succeed
+        per_target     largest number of grasps of each target, unlike in place and direction; 0: a
+                       dozen or so
         best           largest number of grasps
         deadline_ms    time after which the plan ends with the grasps found so far and a warning;
                        0: never
+        accept         function that is called with each Grasp that has passed all other checks,
+                       and returns whether it counts; its exceptions end the plan
         """
         return self._scene.plan(GraspQuery(**query))
 

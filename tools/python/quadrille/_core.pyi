@@ -1,7 +1,7 @@
 """The C++ part of quadrille; import quadrille instead. help() explains meanings and units."""
 
 from os import PathLike
-from typing import Dict, Iterator, List, Optional, Sequence, Tuple, Union, overload
+from typing import Callable, Dict, Iterator, List, Optional, Sequence, Tuple, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -204,9 +204,13 @@ class GraspQuery:
         max_size: float = ...,
         approach: Optional[ArrayLike] = ...,
         approach_angle: float = ...,
+        reach: Optional[Tuple[ArrayLike, float, float]] = ...,
         min_clearance: float = ...,
+        min_score: Optional[float] = ...,
+        per_target: Optional[int] = ...,
         best: Optional[int] = ...,
         deadline_ms: Optional[float] = ...,
+        accept: Optional[Callable[[Grasp], bool]] = ...,
     ) -> None: ...
 
 class GraspScene:

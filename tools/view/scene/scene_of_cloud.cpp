@@ -19,11 +19,12 @@ Scene scene_of_cloud(const PointCloud& cloud, const Eigen::Isometry3d& X_CK,
   found.detections = bus::as_received(found.detections);
   const GraspScene asked(cloud, found.detections, setup.gripper, setup.plan, {},
                          bus::as_received(found.boxes), bus::as_received(found.bodies));
-  GraspPlan plan = asked.plan(setup.query);
+  const GraspQuery query = moved(completed(setup.query, setup.plan), X_CK.inverse());
+  GraspPlan plan = asked.plan(query);
   found.boxes = plan.boxes;
   Scene scene = scene_of_result(cloud, found, X_CK);
-  add_plan(asked, setup.query, std::move(plan), setup.gripper, setup.plan.unknown, X_CK,
-           setup.limits, &scene);
+  add_plan(asked, query, std::move(plan), setup.gripper, setup.plan.unknown, X_CK, setup.limits,
+           &scene);
   return scene;
 }
 

@@ -11,6 +11,7 @@ struct PlanSetup {
   DetectorOptions detector;
   PlanOptions plan;
   Gripper gripper;
+  /// The query, in the frame C of the scene.
   GraspQuery query;
   PackLimits limits;
 };

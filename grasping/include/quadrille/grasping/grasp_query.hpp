@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <optional>
@@ -10,6 +11,9 @@
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/detector/quadric.hpp"
+#include "quadrille/grasping/grasp.hpp"
+#include "quadrille/grasping/plan_options.hpp"
+#include "quadrille/grasping/reach.hpp"
 
 namespace quadrille {
 
@@ -34,9 +38,9 @@ struct Cone {
 };
 
 /// Selects which of all possible grasps are wanted. Objects that are not selected remain obstacles.
-/// All conditions must hold at once; the default asks for everything. The conditions on approach
-/// and clearance also guide the search, which may therefore find grasps that a plain search does
-/// not.
+/// All conditions must hold at once; the default asks for everything. The conditions on approach,
+/// reach and clearance, and accept, also guide the search, which may therefore find grasps that a
+/// plain search does not.
 struct GraspQuery {
   static constexpr double kMaxMinClearance = 0.03;
 
@@ -52,14 +56,27 @@ struct GraspQuery {
   std::optional<Eigen::Vector3d> near_C;
   /// Directions from which the hand may approach.
   std::optional<Cone> approach;
+  /// What the arm can reach; overrides PlanOptions::reach.
+  std::optional<Reach> reach;
   /// Least distance between the hand and everything but its target, on the way in and at the grasp
   /// [m]. At most kMaxMinClearance, because larger clearances are not measured.
   double min_clearance = 0.0;
+  /// Least score of a grasp, 0 to 1; overrides PlanOptions::min_score.
+  std::optional<double> min_score;
+  /// Largest number of grasps of each target, see PlanOptions::per_target, which it overrides.
+  std::optional<int> per_target;
   /// Largest number of grasps to return; overrides PlanOptions::max_grasps.
   std::optional<int> max_grasps;
   /// Time after which the plan ends with the grasps found so far [ms]; overrides
   /// PlanOptions::deadline_ms. 0 means no deadline.
   std::optional<double> deadline_ms;
+  /// If set, it is called for each grasp that has passed all other checks, before the grasp counts
+  /// towards any number of grasps; false refuses the grasp (Refusal::kCaller), and the search goes
+  /// on. A motion planner can say here which poses the arm can take. The grasp is in the frame of
+  /// the query. The calls come one after the other, from the thread that called plan(), in an order
+  /// that is always the same for the same input, and their time counts towards the deadline. An
+  /// exception ends the plan and passes through it.
+  std::function<bool(const Grasp&)> accept;
 
   /// Returns true if the query asks for some targets only.
   QUADRILLE_EXPORT bool selects() const;
@@ -68,7 +85,12 @@ struct GraspQuery {
   QUADRILLE_EXPORT void check() const;
 };
 
-/// Transforms a query from frame C into frame F.
+/// Transforms a query from frame C into frame F. Its accept() still gets grasps in frame C.
 QUADRILLE_EXPORT GraspQuery moved(GraspQuery query, const Eigen::Isometry3d& X_FC);
+
+/// Sets what a query leaves open, and the options decide, as the options say: reach, score, numbers
+/// of grasps and deadline. The position of the arm's base must be in the frame of the query.
+/// @throws std::invalid_argument if the options are out of range
+QUADRILLE_EXPORT GraspQuery completed(GraspQuery query, const PlanOptions& options);
 
 }  // namespace quadrille

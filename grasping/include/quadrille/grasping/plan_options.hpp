@@ -25,6 +25,18 @@ constexpr auto words_of(UnknownPolicy) {
                                              {"free", UnknownPolicy::kFree}});
 }
 
+/// What the arm can reach, see Reach.
+struct ReachOptions {
+  /// Farther than any arm reaches [m].
+  static constexpr double kMaxReach = 100.0;
+  /// As far as a place on Earth lies from the origin of a map's projection [m].
+  static constexpr double kMaxPlace = 1e7;
+
+  std::vector<double> base = {0.0, 0.0, 0.0};
+  double min = 0.0;
+  double max = 0.0;
+};
+
 /// Options of the grasp planner.
 struct PlanOptions {
   /// An hour, which is as good as no deadline [ms].
@@ -41,9 +53,11 @@ struct PlanOptions {
   double max_wall = 0.008;
   bool clear_above = true;
   double min_score = 0.5;
+  int per_target = 0;
   int max_grasps = 50;
   int max_detections = 256;
   double deadline_ms = 0.0;
+  ReachOptions reach;
 
   /// Calls v(field, Setting) for each option, in the order of the configuration file. The Setting
   /// describes the field.
@@ -79,6 +93,10 @@ struct PlanOptions {
                       "below. Not if things may hang down."});
     v(o.min_score,
       {"planner.min_score", "", 0.0, 1.0, "Least score of a grasp, its probability to succeed."});
+    v(o.per_target,
+      {"planner.per_target", "", 0, std::numeric_limits<int>::max(),
+       "Grasps of each target at most, unlike in place and direction; the search goes on until "
+       "there are so many. 0: all of an ordinary search, which ends with a dozen of a kind."});
     v(o.max_grasps,
       {"planner.max_grasps", "", 1, std::numeric_limits<int>::max(), "Grasps to return at most."});
     v(o.max_detections,
@@ -90,6 +108,18 @@ struct PlanOptions {
        "Time after which a plan ends with the grasps that it has, and says so. 0: none, so that "
        "the same input always gives the same plan. On the bus the planner has 500 ms if nothing "
        "else is set."});
+    constexpr double kMaxPlace = ReachOptions::kMaxPlace, kMaxReach = ReachOptions::kMaxReach;
+    v(o.reach.base,
+      {"planner.reach.base", "m", -kMaxPlace, kMaxPlace,
+       "Where the arm's base stands: three numbers, in the frame of the results. For the planner "
+       "on the bus, in the fixed frame of the camera's poses if these come, else in the camera's "
+       "frame."});
+    v(o.reach.min,
+      {"planner.reach.min", "m", 0.0, kMaxReach,
+       "Least distance between the base and the middle between the pads, at the grasp and at the "
+       "start of the approach: nearer, the arm would be in its own way."});
+    v(o.reach.max, {"planner.reach.max", "m", 0.0, kMaxReach,
+                    "Greatest such distance, as far as the arm reaches. 0: any distance is good."});
   }
 
   /// @throws std::invalid_argument naming the field that is out of range

@@ -20,12 +20,14 @@ enum class Refusal {
   kContradicted,    ///< a contact line where free space was seen in place of the surface
   kUnreachable,     ///< an approach direction from behind or below
   kApproach,        ///< an approach direction outside the requested cone
+  kReach,           ///< a pose of the hand, or a target, outside what the arm reaches
   kSupport,         ///< a hand that would enter the plane that the target stands on
   kTarget,          ///< a hand that would enter the target itself
   kCollision,       ///< a hand that would enter occupied space or another detection
   kUnknown,         ///< a hand that would enter unobserved space
   kClearance,       ///< a hand that would come nearer to obstacles than requested
   kScore,           ///< a grasp that is less likely to succeed than requested
+  kCaller,          ///< a grasp that the caller refused, see GraspQuery::accept
   kSurplus,         ///< a detection beyond the largest number that is planned on
   kDeadline,        ///< a target that was not fully searched before the deadline
 };

@@ -7,8 +7,9 @@ namespace {
 
 constexpr std::size_t kMaxTypeBytes = 64;
 /// Size of the members after the types: flags and doubles of region, near, sizes, approach and
-/// clearance, a count, and the deadline.
-constexpr std::size_t kFixedBytes = (1 + 10 * 8) + (1 + 3 * 8) + 2 * 8 + (1 + 4 * 8) + 8 + 4 + 8;
+/// reach, clearance and score, two counts, and the deadline.
+constexpr std::size_t kFixedBytes =
+    (1 + 10 * 8) + (1 + 3 * 8) + 2 * 8 + (1 + 4 * 8) + (1 + 5 * 8) + 2 * 8 + 2 * 4 + 8;
 
 void check_request(ByteReader& reader) {
   reader.read_int64("utime");

@@ -30,10 +30,13 @@ struct CloudFrames {
   /// Frame of the results; if none is given, that of the clouds.
   std::optional<CloudFrame> results;
 
+  /// True if conditions on the results are given in the fixed frame.
+  bool conditions = false;
+
   CloudFrame of_results() const { return results.value_or(clouds); }
   /// Returns true if the results depend on the camera's pose.
   bool need_pose() const {
-    return clouds == CloudFrame::kWorld || of_results() == CloudFrame::kWorld;
+    return clouds == CloudFrame::kWorld || of_results() == CloudFrame::kWorld || conditions;
   }
 
   /// Adds --cloud-frame and --result-frame; this object must outlive the app.
