@@ -73,7 +73,7 @@ std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vecto
   }
   // Depth edges leave sheets of points that are mixed from two surfaces.
   const double height = box_A.max().x() - support->offset;
-  const bool flat = height < 2.0 * kRounding + kMinSigmas * largest_sigma(samples, piece);
+  const bool flat = height < kRounding + kMinSigmas * largest_sigma(samples, piece);
   const bool thin = box_A.sizes().tail<2>().minCoeff() < kRounding;
   if (flat || thin) return std::nullopt;
 

@@ -6,25 +6,21 @@
 namespace quadrille {
 
 /// The log odds of success of a grasp whose terms are all zero.
-inline constexpr double kSuccessBias = -7.868;
+inline constexpr double kSuccessBias = -10.91;
 
 /// The weights of the GraspTerms in the log odds of success, in the order of GraspTerms::visit().
 inline constexpr std::array kSuccessWeights = {
-    1.014,   // friction
-    1.000,   // clearance
-    2.408,   // room
-    1.160,   // central
-    0.4863,  // across
-    1.626,   // seen
-    0.0,     // way
-    0.0,     // noise
-    0.0,     // doubt
-    2.072,   // confidence
-    -1.643,  // range
-    1.053,   // rim
-    1.295,   // shape
-    0.9524,  // inner
-    0.9216,  // height
+    1.106,   // friction
+    0.5000,  // clearance
+    0.6828,  // room
+    0.5701,  // central
+    3.906,   // seen
+    3.932,   // confidence
+    -1.562,  // range
+    1.782,   // rim
+    0.4826,  // shape
+    1.636,   // inner
+    1.924,   // height
 };
 
 }  // namespace quadrille

@@ -2,9 +2,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <map>
+#include <utility>
+
+#include "contacts/point_buckets.hpp"
 
 namespace quadrille {
 namespace {
@@ -14,22 +15,10 @@ namespace {
 constexpr double kReachInCells = 3.2;
 constexpr int kMinNeighbours = 6;
 
-// Cells are shifted by this share of their size. Many sensors measure whole millimetres: without
-// the shift such points lie on the borders of cells, where rounding decides to which one they
-// belong.
-constexpr double kShift = 0.37;
-
-using Key = std::array<int, 3>;
-
-Key key_of(const Eigen::Vector3d& p, double edge) {
-  const Eigen::Vector3i key = ((p / edge).array() + kShift).floor().cast<int>();
-  return {key.x(), key.y(), key.z()};
-}
-
 std::vector<Eigen::Vector3d> thinned(std::span<const Eigen::Vector3d> points, double cell) {
-  std::vector<std::pair<Key, Eigen::Vector3d>> keyed;
+  std::vector<std::pair<PointBuckets::Key, Eigen::Vector3d>> keyed;
   keyed.reserve(points.size());
-  for (const Eigen::Vector3d& p : points) keyed.emplace_back(key_of(p, cell), p);
+  for (const Eigen::Vector3d& p : points) keyed.emplace_back(PointBuckets::key_of(p, cell), p);
   std::stable_sort(keyed.begin(), keyed.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Eigen::Vector3d> means;
@@ -52,19 +41,9 @@ SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double c
   surface.n_C.assign(surface.p_C.size(), Eigen::Vector3d::Zero());
   const double reach = kReachInCells * cell;
   std::vector<double> rough;
-  std::map<Key, std::vector<int>> buckets;
-  for (std::size_t i = 0; i < surface.p_C.size(); ++i) {
-    buckets[key_of(surface.p_C[i], reach)].push_back(static_cast<int>(i));
-  }
-  for (const auto& [key, members] : buckets) {
-    std::vector<int> near;
-    for (int n = 0; n < 27; ++n) {
-      const auto bucket =
-          buckets.find({key[0] + n % 3 - 1, key[1] + n / 3 % 3 - 1, key[2] + n / 9 - 1});
-      if (bucket != buckets.end()) {
-        near.insert(near.end(), bucket->second.begin(), bucket->second.end());
-      }
-    }
+  const PointBuckets buckets(surface.p_C, reach);
+  for (const auto& [key, members] : buckets.all()) {
+    const std::vector<int> near = buckets.near(key);
     for (const int i : members) {
       const Eigen::Vector3d& p = surface.p_C[i];
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();

@@ -68,18 +68,11 @@ GraspTerms terms_of(const Attempt& attempt, const Grasp& grasp, const TargetTask
   terms.clearance = std::min(1.0, grasp.clearance / kFullClearance);
   terms.room = std::min(1.0, 0.5 * (grasp.preshape - line.opening) / kFullRoom);
   terms.central = std::max(0.0, 1.0 - (line.centre_C - body.centre_C()).norm() / reach);
-  terms.across = 1.0 - std::abs(line.closing_C.dot(to_sensor.normalized()));
   const Gripper& gripper = task.parts.gripper;
-  const SweptHand swept =
-      sweep_hand(gripper, grasp.X_CG, grasp.preshape, grasp.width, grasp.approach);
-  const auto& [left, right] = swept.fingers;
   const bool weighs = task.parts.options.unknown != UnknownPolicy::kFree;
   terms.seen =
       !weighs ? 1.0
               : seen_share(common_fingers(gripper, grasp.X_CG, grasp.preshape, grasp.width), space);
-  terms.way = seen_share(std::array{left, right, swept.palm}, space);
-  terms.noise = std::min(1.0, task.target.noise / 0.004);
-  terms.doubt = std::min(1.0, line.std / 0.004);
   terms.confidence = std::clamp(task.target.confidence, 0.0, 1.0);
   terms.range = std::min(1.0, to_sensor.norm() / kFullRange);
   terms.rim = grasp.kind == GraspKind::kRim ? 1.0 : 0.0;

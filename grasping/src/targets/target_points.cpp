@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "contacts/point_buckets.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -9,8 +11,30 @@ namespace {
 constexpr double kCell = 0.0025;
 // Points up to this distance outside the box around a target belong to it [m].
 constexpr double kOwn = 0.005;
+// Points are connected if they lie no farther apart than this [m].
+constexpr double kApart = 0.0055;
 // Points up to this height above a support belong to the support [m].
 constexpr double kOnSupport = 0.006;
+
+/// Spreads the marks of own points to those connected with them that may be own.
+template <class MayBeOwn>
+void spread(const std::vector<Eigen::Vector3d>& points, MayBeOwn&& may_be_own,
+            std::vector<char>& own) {
+  const PointBuckets buckets(points, kApart);
+  std::vector<int> open;
+  for (std::size_t i = 0; i < own.size(); ++i) {
+    if (own[i]) open.push_back(static_cast<int>(i));
+  }
+  while (!open.empty()) {
+    const Eigen::Vector3d p = points[open.back()];
+    open.pop_back();
+    for (const int j : buckets.near(PointBuckets::key_of(p, kApart))) {
+      if (own[j] || (points[j] - p).norm() > kApart || !may_be_own(points[j])) continue;
+      own[j] = 1;
+      open.push_back(j);
+    }
+  }
+}
 
 }  // namespace
 
@@ -30,6 +54,12 @@ TargetPoints points_about(const Target& target, const SceneParts& parts) {
   }
   TargetPoints found{surface_points(points, kCell, parts.viewpoint_C), {}};
   for (const Eigen::Vector3d& p : found.all.p_C) found.own.push_back(target.body.contains(p, kOwn));
+  const auto of_no_other = [&](const Eigen::Vector3d& p_C) {
+    return std::none_of(parts.targets.begin(), parts.targets.end(), [&](const Target& other) {
+      return other.id != target.id && other.body.contains(p_C, kOwn);
+    });
+  };
+  spread(found.all.p_C, of_no_other, found.own);
   return found;
 }
 

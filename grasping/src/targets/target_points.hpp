@@ -11,7 +11,8 @@ namespace quadrille {
 /// The points about a target, without those of its supports.
 struct TargetPoints {
   SurfacePoints all;
-  /// For each point, nonzero if it lies in the box around the target.
+  /// For each point, nonzero if it lies in the target's body, or is connected to one that does by
+  /// points of no other target.
   std::vector<char> own;
 };
 TargetPoints points_about(const Target& target, const SceneParts& parts);

@@ -11,7 +11,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Grasp grasp_at(double x, double score, const Eigen::AngleAxisd& turn = {0.0, {0, 0, 1}}) {
+using Turn = Eigen::AngleAxisd;
+
+Grasp grasp_at(double x, double score, const Turn& turn = Turn::Identity()) {
   Grasp grasp;
   grasp.X_CG = Eigen::Translation3d(x, 0.0, 0.0) * turn;
   grasp.score = score;
@@ -38,14 +40,14 @@ TEST_CASE("grasps differ by place, approach and closing line, up to 1", "[spread
   CHECK(to(grasp_at(0.5, 1.0)) == 1.0);
   // About x both the approach and the closing line turn, about z the closing line alone, about y
   // the approach alone.
-  CHECK(to(grasp_at(0.0, 1.0, {kPi / 6, x})) == Approx(1.0 / 3.0));
-  CHECK(to(grasp_at(0.0, 1.0, {kPi / 6, z})) == Approx(1.0 / 3.0));
-  CHECK(to(grasp_at(0.0, 1.0, {kPi, Eigen::Vector3d::UnitY()})) == 1.0);
+  CHECK(to(grasp_at(0.0, 1.0, Turn(kPi / 6, x))) == Approx(1.0 / 3.0));
+  CHECK(to(grasp_at(0.0, 1.0, Turn(kPi / 6, z))) == Approx(1.0 / 3.0));
+  CHECK(to(grasp_at(0.0, 1.0, Turn(kPi, Eigen::Vector3d::UnitY()))) == 1.0);
   // The pads change places.
-  CHECK(to(grasp_at(0.0, 1.0, {kPi, z})) == Approx(0.0).margin(1e-12));
-  CHECK(to(grasp_at(0.0, 1.0, {5 * kPi / 6, z})) == Approx(1.0 / 3.0));
+  CHECK(to(grasp_at(0.0, 1.0, Turn(kPi, z))) == Approx(0.0).margin(1e-12));
+  CHECK(to(grasp_at(0.0, 1.0, Turn(5 * kPi / 6, z))) == Approx(1.0 / 3.0));
   // The larger one counts.
-  CHECK(to(grasp_at(0.02, 1.0, {kPi / 6, z})) == Approx(0.4));
+  CHECK(to(grasp_at(0.02, 1.0, Turn(kPi / 6, z))) == Approx(0.4));
 }
 
 TEST_CASE("the best grasp is picked first, and then what adds most to those picked", "[spread]") {

@@ -15,7 +15,7 @@ import sys
 import numpy as np
 
 RIDGE, FOLDS, MASS = 1.0, 6, 150
-GIVEN = {'clearance': 1.0}
+GIVEN = {'clearance': 0.5}
 HEADER = '''// Written by tools/lab/grasps/train_success.py.
 #pragma once
 

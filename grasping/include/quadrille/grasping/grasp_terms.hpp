@@ -14,17 +14,9 @@ struct GraspTerms {
   /// 1 at the target's centre, 0 at its far end: a grasp near the centre leaves the target's weight
   /// a short lever.
   double central = 0.0;
-  /// 1 if the hand closes across the line of sight, 0 if along it, where one contact is hidden.
-  double across = 0.0;
   /// Share of the space that the fingers fill and pass through while they close that was seen;
   /// 1 if unknown space costs nothing (UnknownPolicy::kFree).
   double seen = 0.0;
-  /// Share of the space that the hand passes through on its way in that was seen.
-  double way = 0.0;
-  /// Standard deviation of the target's points around its shape divided by 4 mm, at most 1.
-  double noise = 0.0;
-  /// Standard deviation of the distance between the contacts divided by 4 mm, at most 1.
-  double doubt = 0.0;
   /// Score of the detection or box; 1 for a target without a shape.
   double confidence = 0.0;
   /// Distance from the sensor divided by 1.5 m, at most 1: the noise of depth cameras grows with
@@ -46,11 +38,7 @@ struct GraspTerms {
     v("clearance", t.clearance);
     v("room", t.room);
     v("central", t.central);
-    v("across", t.across);
     v("seen", t.seen);
-    v("way", t.way);
-    v("noise", t.noise);
-    v("doubt", t.doubt);
     v("confidence", t.confidence);
     v("range", t.range);
     v("rim", t.rim);
