@@ -19,8 +19,9 @@ constexpr double kFullHeight = 0.02, kFullRange = 1.5;
 // A soft pad touches on a disc whose radius is about this share of the pad's shorter side.
 constexpr double kDiscToPad = 0.25;
 
-/// Returns true if the surface was measured next to a contact.
-bool observed(const Eigen::Vector3d& contact_C, const OccupancyGrid& space) {
+}  // namespace
+
+bool was_seen(const Eigen::Vector3d& contact_C, const OccupancyGrid& space) {
   const double step = space.resolution();
   for (int n = 0; n < 27; ++n) {
     const Eigen::Vector3i steps(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
@@ -29,6 +30,8 @@ bool observed(const Eigen::Vector3d& contact_C, const OccupancyGrid& space) {
   }
   return false;
 }
+
+namespace {
 
 /// Computes the quality ε with torques scaled by half the target's largest size; γ = 2/3 μ r for a
 /// disc of radius r.
@@ -101,9 +104,9 @@ Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) 
   grasp.epsilon = epsilon(line, task, reach);
   grasp.clearance = task.scene.clearance(
       sweep_hand(task.parts.gripper, grasp.X_CG, grasp.preshape, grasp.width, grasp.approach));
-  const int seen = observed(line.contacts_C[0], *task.parts.space) +
-                   observed(line.contacts_C[1], *task.parts.space);
-  grasp.unknown_contact = seen < 2;
+  const OccupancyGrid& space = *task.parts.space;
+  grasp.unknown_contact =
+      !was_seen(line.contacts_C[0], space) || !was_seen(line.contacts_C[1], space);
   grasp.terms = terms_of(attempt, grasp, task);
   grasp.score = success_probability(grasp.terms);
   return grasp;

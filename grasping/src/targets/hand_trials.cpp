@@ -24,8 +24,9 @@ constexpr double kSigmas = 2.0;
 // as wrong as its deviation allows.
 constexpr double kMaxDoubt = 0.004;
 // Extra opening on either side beyond what a hold needs, in 80ths of the largest opening: medium,
-// wide, then narrow. On the Franka Hand these are 7, 14 and 0 mm.
-constexpr int kRooms[] = {7, 14, 0};
+// wide, then narrow. On the Franka Hand these are 7, 14 and 0 mm. If a side is hidden, its place is
+// a guess, and the hand opens wide first.
+constexpr std::array kRooms = {7, 14, 0}, kRoomsIfHidden = {14, 7, 0};
 // A contact is contradicted if space is free at all of these depths below it, in voxels, but no
 // deeper than a share of the width.
 constexpr double kFreeDepths[] = {-0.5, 0.5, 1.5};
@@ -67,10 +68,12 @@ double pad_margin(const ContactLine& line, const PlanOptions& options) {
 
 /// Returns the openings of the hand to be tried, in this order [m].
 std::vector<double> preshapes(const ContactLine& line, const TargetTask& task) {
+  const OccupancyGrid& space = *task.parts.space;
+  const bool seen = was_seen(line.contacts_C[0], space) && was_seen(line.contacts_C[1], space);
   const double needed = min_opening(line, task.parts.options);
   const double unit = task.parts.gripper.max_opening / 80.0;
   std::vector<double> openings;
-  for (const int room : kRooms) {
+  for (const int room : seen ? kRooms : kRoomsIfHidden) {
     const double opening = std::min(needed + 2.0 * (unit * room), task.parts.gripper.max_opening);
     if (std::find(openings.begin(), openings.end(), opening) == openings.end()) {
       openings.push_back(opening);
