@@ -24,6 +24,8 @@ def row(scene, kind, grasp, good):
 
 def tried(kind, result, dump):
     result = json.loads(Path(result).read_text())
+    if result['planner_without_file']:
+        sys.exit('rows.py: %d plans are missing in %s; run its planner by hand' % (result['planner_without_file'], dump))
     for one in result['log']:
         for step in one['steps']:
             if 'attempt' not in step:
