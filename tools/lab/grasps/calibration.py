@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Prints how often grasps hold that a model gives a probability, over all and for each kind of scenes.
+"""Prints how often grasps hold beside the probability that the weights give them, in all and by kind of scenes.
 
     calibration.py success_weights.hpp ROWS.json…
 
@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-BINS, FEWEST = 10, 5  # a share is printed from so many grasps on
+BINS, FEWEST = 10, 5  # with fewer grasps, a bin counts for no gap and a kind has no share in it
 
 
 def probabilities(header, rows):
@@ -33,9 +33,11 @@ def wilson(good, n):
 
 
 def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
     rows = [row for path in sys.argv[2:] for row in json.loads(Path(path).read_text())]
     if not rows:
-        sys.exit(__doc__)
+        sys.exit('calibration.py: the rows have no grasps')
     p, good = probabilities(sys.argv[1], rows), np.array([row['good'] for row in rows])
     kind, bins = np.array([row['kind'] for row in rows]), np.minimum((BINS * p).astype(int), BINS - 1)
     print('probability   grasps  model   good   95 %')
@@ -48,7 +50,7 @@ def main():
         if m.sum() >= FEWEST:
             gaps.append(abs(p[m].mean() - good[m].mean()))
     loss = -np.log(np.where(good, p, 1 - p)).mean()
-    print('mean gap of %d bins %.3f, log loss %.3f of %d grasps\n' % (len(gaps), np.mean(gaps), loss, len(rows)))
+    print('mean gap of %d bins %.3f, log loss %.3f of %d grasps\n' % (len(gaps), np.mean(gaps or [np.nan]), loss, len(rows)))
     heads = '  '.join('%3.1f-' % (n / BINS) for n in range(BINS))
     print('%-32s grasps  model  good   good by probability, from\n%54s%s' % ('kind', '', heads))
     for k in sorted(set(kind)):
