@@ -7,13 +7,13 @@
 namespace quadrille {
 namespace {
 
-using Box = Eigen::AlignedBox3d;
+using Places = Eigen::AlignedBox3d;
 
 double between(std::mt19937& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
 }
 
-Eigen::Vector3d place_in(std::mt19937& random, const Box& box) {
+Eigen::Vector3d place_in(std::mt19937& random, const Places& box) {
   Eigen::Vector3d p;
   for (int axis = 0; axis < 3; ++axis) {
     p[axis] = between(random, box.min()[axis], box.max()[axis]);
@@ -21,12 +21,12 @@ Eigen::Vector3d place_in(std::mt19937& random, const Box& box) {
   return p;
 }
 
-const Box kAround(Eigen::Vector3d::Constant(-1.0), Eigen::Vector3d::Constant(1.0));
+const Places kAround(Eigen::Vector3d::Constant(-1.0), Eigen::Vector3d::Constant(1.0));
 
 struct Query {
   Reach reach;
   Eigen::Isometry3d X_CG = Eigen::Isometry3d::Identity();
-  Box places_G;
+  Places places_G;
 };
 
 /// @param size  largest size of the box of places [m]
@@ -40,7 +40,7 @@ Query random_query(std::mt19937& random, double size) {
                Eigen::AngleAxisd(between(random, 0.0, 3.0), axis);
   const Eigen::Vector3d corner = place_in(random, kAround);
   query.places_G =
-      Box(corner, corner + 0.5 * size * (place_in(random, kAround).array() + 1.0).matrix());
+      Places(corner, corner + 0.5 * size * (place_in(random, kAround).array() + 1.0).matrix());
   return query;
 }
 
