@@ -111,7 +111,8 @@ class Search {
     const std::vector<Eigen::Vector3d> places_G = places(X_CG);
     if (places_G.empty()) return;
     const Eigen::AlignedBox3d bounds_G = bounds(places_G);
-    if ((limits_.out && limits_.out(X_CG, bounds_G)) || blocked(X_CG, bounds_G)) return;
+    if (limits_.out_of_reach && limits_.out_of_reach(X_CG, bounds_G)) return;
+    if (blocked(X_CG, bounds_G)) return;
     PadMeetingFinder finder(body_, gripper_, closing_C, approach_C);
     for (const Eigen::Vector3d& p_G : places_G) {
       X_CG.translation() = X_CG.linear() * p_G;

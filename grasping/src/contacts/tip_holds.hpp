@@ -23,7 +23,8 @@ struct TipLimits {
   double friction = 0.5;
   /// If set, orientations are left out for which it returns true: it is given the orientation X_CG,
   /// with its origin at that of C, and a box in its axes that holds all origins of G [m].
-  std::function<bool(const Eigen::Isometry3d& X_CG, const Eigen::AlignedBox3d& places_G)> out = {};
+  std::function<bool(const Eigen::Isometry3d& X_CG, const Eigen::AlignedBox3d& places_G)>
+      out_of_reach = {};
 };
 
 /// Returns holds by the finger tips wherever they reach: at an end, beside the widest part, or

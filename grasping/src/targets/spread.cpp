@@ -33,10 +33,11 @@ std::vector<Grasp> spread(const std::vector<Grasp>& grasps, std::size_t count, d
   std::vector<Grasp> picks;
   while (picks.size() < std::min(count, grasps.size())) {
     std::size_t best = grasps.size();
-    double most = -1.0;
+    double most = 0.0;
     for (std::size_t n = 0; n < grasps.size(); ++n) {
       const double value = grasps[n].score * unlike[n];
-      if (!picked[n] && value > most) most = value, best = n;
+      const bool better = best == grasps.size() || value > most;
+      if (!picked[n] && better) most = value, best = n;
     }
     picked[best] = 1;
     picks.push_back(grasps[best]);
