@@ -150,6 +150,7 @@ TEST_CASE("other kinds of holds are tried if one kind gives too few", "[plan][pe
   CHECK(plan.grasps.size() > usual);
   const auto shaped = [](const Grasp& grasp) { return grasp.terms.shape == 1.0; };
   CHECK(std::any_of(plan.grasps.begin(), plan.grasps.end(), shaped));
+  std::map<GraspKind,int> kinds; for (const Grasp& g : plan.grasps) ++kinds[g.kind]; for (auto& [k,n] : kinds) WARN(int(k) << " " << n << " usual " << usual);
   CHECK_FALSE(std::all_of(plan.grasps.begin(), plan.grasps.end(), shaped));
   for (std::size_t i = 0; i < plan.grasps.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) CHECK_FALSE(alike(plan.grasps[i], plan.grasps[j]));

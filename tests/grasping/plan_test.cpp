@@ -81,6 +81,27 @@ TEST_CASE("a more permissive policy reaches all that a stricter one does", "[pla
   CHECK(free.size() == 3);
 }
 
+TEST_CASE("a weighed grasp through unknown space counts less than if that space were free",
+          "[plan][policy]") {
+  const std::vector<Ball> balls = {ball_on_table(0.0, 0.0, 0.03)};
+  PlanOptions weighed = with(UnknownPolicy::kWeighed), free = with(UnknownPolicy::kFree);
+  weighed.min_score = free.min_score = 0.0;
+  const GraspPlan careful = plan_balls(balls, weighed), bold = plan_balls(balls, free);
+  // The hands that pass are the same; their scores are not.
+  REQUIRE(careful.grasps.size() == bold.grasps.size());
+  bool lowered = false;
+  for (const Grasp& grasp : careful.grasps) {
+    const auto same = std::find_if(bold.grasps.begin(), bold.grasps.end(), [&](const Grasp& other) {
+      return other.X_CG.matrix() == grasp.X_CG.matrix();
+    });
+    REQUIRE(same != bold.grasps.end());
+    CHECK(same->terms.seen == 1.0);
+    CHECK((grasp.score < same->score) == (grasp.terms.seen < 1.0));
+    lowered |= grasp.terms.seen < 0.9;
+  }
+  CHECK(lowered);
+}
+
 TEST_CASE("the plan is the same each time, best first", "[plan][determinism]") {
   const std::vector<Ball> balls = {ball_on_table(0.0, 0.0, 0.03), ball_on_table(0.1, 0.0, 0.025)};
   const GraspPlan a = plan_balls(balls), b = plan_balls(balls);
@@ -150,10 +171,13 @@ TEST_CASE("a cap does not block the grasp of its own cylinder", "[plan]") {
 
 TEST_CASE("without a cloud all space is unknown and the answer says so", "[plan][hostile]") {
   const Detection ball = sphere_detection(ball_on_table(0.0, 0.0, 0.03));
-  const GraspPlan plan = plan_grasps({}, {ball}, franka_hand());
-  CHECK(plan.grasps.empty());
-  CHECK(plan.rejected.at("unknown") > 0);
-  CHECK_FALSE(plan.warnings.empty());
+  for (const auto& [policy, why] : {std::pair(UnknownPolicy::kWeighed, "score"),
+                                    std::pair(UnknownPolicy::kObstacle, "unknown")}) {
+    const GraspPlan plan = plan_grasps({}, {ball}, franka_hand(), with(policy));
+    CHECK(plan.grasps.empty());
+    CHECK(plan.rejected.at(why) > 0);
+    CHECK_FALSE(plan.warnings.empty());
+  }
   const GraspPlan free = plan_grasps({}, {ball}, franka_hand(), with(UnknownPolicy::kFree));
   CHECK_FALSE(free.grasps.empty());
   CHECK(free.grasps.front().unknown_contact);

@@ -40,7 +40,7 @@ TEST_CASE("a study of two scenes is the same in shards, resumed, and for any num
   const Run run = study("--scenes 2 --seed 3 --threads 1", whole);
   INFO(run.err);
   REQUIRE(run.code == 0);
-  CHECK(contains(run.out, "franka, unknown obstacle, tabletop (version "));
+  CHECK(contains(run.out, "franka, unknown weighed, tabletop (version "));
   CHECK(contains(run.out, "objects with a grasp"));
   CHECK(test::is_well_formed(content_of(folder.path("whole.svg"))));
   CHECK(rows_of(folder.path("whole.scenes.csv")).size() == 2);
@@ -75,7 +75,7 @@ TEST_CASE("a study with other settings than those of its table is refused in one
   const std::string before = content_of(csv);
   check_failure(study("--scenes 1 --seed 4", csv), "is scene 1 (tabletop 3) where this run has");
   check_failure(study("--scenes 1 --seed 3 --unknown free", csv),
-                "has unknown 'obstacle' where this run has 'free'");
+                "has unknown 'weighed' where this run has 'free'");
   check_failure(study("--scenes 1 --seed 3 --family easy", csv), "has family 'tabletop'");
   const std::string config = folder.write("c.toml", "[planner]\nresolution = 0.006\n");
   check_failure(study("--scenes 1 --seed 3 --config " + config, csv), "has other settings");

@@ -89,7 +89,7 @@ TEST_CASE("a wall around the target is in the way of every hand", "[plan][target
 
 TEST_CASE("unseen space is counted apart from what collides", "[plan][target]") {
   const Ball ball = ball_on_table(0.0, 0.0, 0.03);
-  PlanOptions options;
+  PlanOptions options = with(UnknownPolicy::kObstacle);
   options.clear_above = false;
   const GraspPlan careful = plan_balls({ball}, options);
   const GraspPlan bold = plan_balls({ball}, with(UnknownPolicy::kFree));
@@ -100,7 +100,7 @@ TEST_CASE("unseen space is counted apart from what collides", "[plan][target]") 
 
 TEST_CASE("a hand may come from beside the image, over space that was seen to be free", "[plan]") {
   const Ball ball = ball_on_table(0.0, 0.0, 0.03);
-  PlanOptions options;
+  PlanOptions options = with(UnknownPolicy::kObstacle);
   const auto refused = [&](bool clear_above) {
     options.clear_above = clear_above;
     const GraspPlan plan = plan_balls({ball}, options);

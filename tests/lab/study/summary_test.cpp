@@ -45,7 +45,7 @@ TEST_CASE("a summary counts what was counted by hand", "[study]") {
   const auto groups = summarise({table_of(folder, "a.csv", "franka", 0, 4)});
   REQUIRE(groups.size() == 1);
   const GroupSummary& group = groups.front();
-  CHECK(group.name == "franka, unknown obstacle, tabletop");
+  CHECK(group.name == "franka, unknown weighed, tabletop");
   CHECK(group.scenes == 4);
   CHECK(group.without_truth == 1);
   CHECK(group.grasps == 12);
@@ -78,7 +78,7 @@ TEST_CASE("tables of shards add up, and grippers stay apart", "[study]") {
   REQUIRE(two.size() == 2);
   CHECK(two[0].scenes == 4);
   CHECK(two[0].grasps == 12);
-  CHECK(two[1].name == "wsg50, unknown obstacle, tabletop");
+  CHECK(two[1].name == "wsg50, unknown weighed, tabletop");
   CHECK_THROWS_WITH(summarise({whole, a}), test::contains("scene 1 (tabletop 11) is in"));
   CHECK_THROWS_WITH(summarise({folder.path("none.csv")}), test::contains("none.scenes.csv"));
 }
@@ -88,7 +88,7 @@ TEST_CASE("the plot shows the share of first grasps from each score on", "[study
   const auto plots = score_plots(summarise({table_of(folder, "a.csv", "franka", 0, 4)}));
   REQUIRE(plots.size() == 2);
   REQUIRE(plots[1].lines.size() == 1);
-  CHECK(plots[1].lines.front().name == "franka, obstacle, tabletop");
+  CHECK(plots[1].lines.front().name == "franka, weighed, tabletop");
   for (const auto& [least, share] : plots[1].lines.front().points) {
     // The dropped ones have .4, the held ones .9.
     CHECK(share == (least <= 0.4 ? 50.0 : 100.0));
