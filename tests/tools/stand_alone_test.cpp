@@ -181,7 +181,7 @@ TEST_CASE("conditions that contradict each other are wrong usage", "[command][qu
        {"--min-size nan", "--min-size 0.5 --max-size 0.3", "--max-size -1", "--approach 0,0,0,10",
         "--approach 0,0,1,0", "--roi 1,1,1,0,0,0", "--near 1,2", "--best 0", "--target x",
         "--min-clearance 0.5", "--per-target -1", "--reach 0,0,0,1", "--reach 0,0,0,2,1",
-        "--reach 0,0,0,0,nan"}) {
+        "--reach 0,0,0,0,nan", "--reach=0,-1e9,0,0,1"}) {
     CAPTURE(wrong);
     CHECK(run_quadrille(plan + " " + wrong).code == 2);
   }

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "cli/choice_option.hpp"
@@ -32,11 +35,15 @@ std::string check_score(const std::string& text) {
 
 ReachOptions reach_of(const std::string& list) {
   const std::vector<double> v = numbers_of("--reach", list, 5, "X,Y,Z,MIN,MAX");
-  constexpr double kMax = ReachOptions::kMaxReach;
+  constexpr double kMax = ReachOptions::kMaxReach, kMaxPlace = ReachOptions::kMaxPlace;
+  const auto refuse = [&](const std::string& rule) {
+    throw CLI::ValidationError("--reach", fmt::format("'{}': {}", printable(list), rule));
+  };
+  if (!(std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}) <= kMaxPlace)) {
+    refuse(fmt::format("X, Y and Z must lie between -{0:g} and {0:g} m", kMaxPlace));
+  }
   if (!(v[3] >= 0.0 && v[3] <= v[4] && v[4] > 0.0 && v[4] <= kMax)) {
-    throw CLI::ValidationError(
-        "--reach", fmt::format("'{}': MAX must be more than 0 and at most {:g} m, MIN 0 to MAX",
-                               printable(list), kMax));
+    refuse(fmt::format("MAX must be more than 0 and at most {:g} m, MIN 0 to MAX", kMax));
   }
   return {{v[0], v[1], v[2]}, v[3], v[4]};
 }
