@@ -82,7 +82,6 @@ TEST_CASE("a target out of reach is refused before any hand is tried on it", "[q
   query.ids = {2};
   const GraspPlan none = with_arm().plan(query);
   CHECK(none.grasps.empty());
-  for (auto& [k, n] : none.rejected) WARN(k << " " << n);
   CHECK(none.rejected == std::map<std::string, int>{{"reach", 1}});
   query.reach->min = query.reach->max = 3.0;
   CHECK(with_arm().plan(query).rejected == std::map<std::string, int>{{"reach", 1}});
