@@ -26,7 +26,7 @@ void spread(const std::vector<Eigen::Vector3d>& points, MayBeOwn&& may_be_own,
     if (own[i]) open.push_back(static_cast<int>(i));
   }
   while (!open.empty()) {
-    const Eigen::Vector3d p = points[open.back()];
+    const Eigen::Vector3d& p = points[open.back()];
     open.pop_back();
     for (const int j : buckets.near(PointBuckets::key_of(p, kApart))) {
       if (own[j] || (points[j] - p).norm() > kApart || !may_be_own(points[j])) continue;
