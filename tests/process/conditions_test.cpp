@@ -105,7 +105,8 @@ TEST_CASE("without the pose that its conditions need no cloud is planned on",
   CHECK_FALSE(free.grasps().grasps.empty());
 }
 
-TEST_CASE("directions that are none are wrong usage of the planner", "[process][conditions]") {
+TEST_CASE("directions, reaches and numbers that are none are wrong usage of the planner",
+          "[process][conditions]") {
   for (const std::string wrong : {"--approach=0,0,0,20", "--approach=0,0,1", "--approach=0,0,1,0",
                                   "--reach=0,0,0,1", "--reach=0,0,0,2,1", "--reach=1e9,0,0,0,1",
                                   "--reach=0,0,0,0,0", "--reach=0,0,0,0,1000", "--per-target=-1"}) {
