@@ -1,4 +1,4 @@
-// What an arm adds to a query: its reach, and a caller who accepts or refuses each pose.
+// Queries that say how far an arm reaches, or bring a function that accepts or refuses each grasp.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>

@@ -110,6 +110,32 @@ TEST_CASE("a neighbour is an obstacle to a hand that holds a body without a shap
   }
 }
 
+TEST_CASE("points connected with a target belong to it, if they belong to no other target",
+          "[plan][points]") {
+  const Ball ball = ball_on_table(0.02, 0.01, 0.03);
+  // Of the ball only the top 15 mm are named.
+  const Eigen::Vector3d up = table_detection().X_CQ.linear().col(2);
+  SceneBody top = lump_of(ball), foot = lump_of(ball, 8);
+  top.size.z() = 0.015;
+  top.X_CB.translation() += 0.0225 * up;
+  foot.size.z() = 0.045;
+  foot.X_CB.translation() -= 0.0075 * up;
+  const auto widest = [](const GraspPlan& plan, int target) {
+    double width = 0.0;
+    for (const Grasp& grasp : plan.grasps) {
+      if (grasp.target == target) width = std::max(width, grasp.width);
+    }
+    return width;
+  };
+  const PlanOptions options = all_of(UnknownPolicy::kFree);
+  // The top alone is 52 mm wide, the ball 60 mm.
+  const double alone = widest(plan_lumps({ball}, {top}, options), 7);
+  const double beside = widest(plan_lumps({ball}, {top, foot}, options), 7);
+  INFO(alone << " and " << beside);
+  CHECK(alone > 0.05);
+  CHECK(beside < alone);
+}
+
 TEST_CASE("hostile bodies are no targets and do no harm", "[plan][points]") {
   const Ball ball = ball_on_table(0.02, 0.01, 0.03);
   std::vector<SceneBody> bodies(4, lump_of(ball));

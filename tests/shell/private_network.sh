@@ -6,6 +6,7 @@ url="udpm://239.255.76.67:7667?ttl=0"
 # fail TEXT: ends the script with the text and the last lines of the logs in `work`.
 fail() {
   printf '%s\n' "${0##*/}: $*" >&2
+  # There may be no folder or no log yet.
   tail -qn 2 "${work:-/nonexistent}"/*.log >&2 2>/dev/null || true
   exit 1
 }

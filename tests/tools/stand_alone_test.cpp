@@ -149,7 +149,7 @@ TEST_CASE("the arm and the number of grasps of each target are settings of a pla
   for (const auto& [target, count] : counts) most = std::max(most, count);
   CHECK(most > 12);
   CHECK(most <= 30);
-  // What was planned without an arm, and what lies within its reach.
+  // Plan without a reach first, to learn where the grasps lie.
   const json p = all["grasps"][0]["X_CG"]["position"];
   const std::string base = p[0].dump() + "," + p[1].dump() + "," + p[2].dump();
   const json near = object_of(plan + " --reach=" + base + ",0,0.06");

@@ -19,20 +19,6 @@ constexpr double kFullHeight = 0.02, kFullRange = 1.5;
 // A soft pad touches on a disc whose radius is about this share of the pad's shorter side.
 constexpr double kDiscToPad = 0.25;
 
-}  // namespace
-
-bool was_seen(const Eigen::Vector3d& contact_C, const OccupancyGrid& space) {
-  const double step = space.resolution();
-  for (int n = 0; n < 27; ++n) {
-    const Eigen::Vector3i steps(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-    const Eigen::Vector3d offset = steps.cast<double>();
-    if (space.at(contact_C + step * offset) == Voxel::kOccupied) return true;
-  }
-  return false;
-}
-
-namespace {
-
 /// Computes the quality ε with torques scaled by half the target's largest size; γ = 2/3 μ r for a
 /// disc of radius r.
 double epsilon(const ContactLine& line, const TargetTask& task, double reach) {
@@ -45,8 +31,7 @@ double epsilon(const ContactLine& line, const TargetTask& task, double reach) {
 }
 
 /// Returns the share of the boxes that was seen.
-template <std::size_t kCount>
-double seen_share(const std::array<OrientedBox, kCount>& boxes, const OccupancyGrid& space) {
+double seen_share(const std::array<OrientedBox, 2>& boxes, const OccupancyGrid& space) {
   constexpr int kAlongX = 3, kAlongY = 5, kAlongZ = 5;
   int seen = 0;
   for (const OrientedBox& box : boxes) {
@@ -57,7 +42,7 @@ double seen_share(const std::array<OrientedBox, kCount>& boxes, const OccupancyG
       seen += space.at(box.p_CB + box.R_CB * p_B) != Voxel::kUnknown;
     }
   }
-  return static_cast<double>(seen) / (kCount * kAlongX * kAlongY * kAlongZ);
+  return static_cast<double>(seen) / (2 * kAlongX * kAlongY * kAlongZ);
 }
 
 GraspTerms terms_of(const Attempt& attempt, const Grasp& grasp, const TargetTask& task) {
@@ -65,17 +50,14 @@ GraspTerms terms_of(const Attempt& attempt, const Grasp& grasp, const TargetTask
   const Body& body = task.target.body;
   const double reach = 0.5 * body.bounds_Q().sizes().maxCoeff();
   const Eigen::Vector3d to_sensor = task.parts.viewpoint_C - body.centre_C();
-  const OccupancyGrid& space = *task.parts.space;
   GraspTerms terms;
   terms.friction = (1.0 - grasp.friction_needed / task.parts.options.friction) * attempt.straight;
   terms.clearance = std::min(1.0, grasp.clearance / kFullClearance);
   terms.room = std::min(1.0, 0.5 * (grasp.preshape - line.opening) / kFullRoom);
   terms.central = std::max(0.0, 1.0 - (line.centre_C - body.centre_C()).norm() / reach);
-  const Gripper& gripper = task.parts.gripper;
-  const bool weighs = task.parts.options.unknown != UnknownPolicy::kFree;
-  terms.seen =
-      !weighs ? 1.0
-              : seen_share(common_fingers(gripper, grasp.X_CG, grasp.preshape, grasp.width), space);
+  const bool costs = task.parts.options.unknown != UnknownPolicy::kFree;
+  const auto fingers = common_fingers(task.parts.gripper, grasp.X_CG, grasp.preshape, grasp.width);
+  terms.seen = costs ? seen_share(fingers, *task.parts.space) : 1.0;
   terms.confidence = std::clamp(task.target.confidence, 0.0, 1.0);
   terms.range = std::min(1.0, to_sensor.norm() / kFullRange);
   terms.rim = grasp.kind == GraspKind::kRim ? 1.0 : 0.0;
@@ -86,6 +68,16 @@ GraspTerms terms_of(const Attempt& attempt, const Grasp& grasp, const TargetTask
 }
 
 }  // namespace
+
+bool was_seen(const Eigen::Vector3d& contact_C, const OccupancyGrid& space) {
+  const double step = space.resolution();
+  for (int n = 0; n < 27; ++n) {
+    const Eigen::Vector3i steps(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+    const Eigen::Vector3d offset = steps.cast<double>();
+    if (space.at(contact_C + step * offset) == Voxel::kOccupied) return true;
+  }
+  return false;
+}
 
 Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) {
   const ContactLine& line = attempt.line;

@@ -16,10 +16,10 @@ constexpr double kApart = 0.0055;
 // Points up to this height above a support belong to the support [m].
 constexpr double kOnSupport = 0.006;
 
-/// Spreads the marks of own points to those connected with them that may be own.
+/// Marks all points as own that are connected with own points and may be own.
 template <class MayBeOwn>
-void spread(const std::vector<Eigen::Vector3d>& points, MayBeOwn&& may_be_own,
-            std::vector<char>& own) {
+void mark_connected(const std::vector<Eigen::Vector3d>& points, MayBeOwn&& may_be_own,
+                    std::vector<char>& own) {
   const PointBuckets buckets(points, kApart);
   std::vector<int> open;
   for (std::size_t i = 0; i < own.size(); ++i) {
@@ -59,7 +59,7 @@ TargetPoints points_about(const Target& target, const SceneParts& parts) {
       return other.id != target.id && other.body.contains(p_C, kOwn);
     });
   };
-  spread(found.all.p_C, of_no_other, found.own);
+  mark_connected(found.all.p_C, of_no_other, found.own);
   return found;
 }
 

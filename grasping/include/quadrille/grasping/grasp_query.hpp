@@ -56,7 +56,7 @@ struct GraspQuery {
   std::optional<Eigen::Vector3d> near_C;
   /// Directions from which the hand may approach.
   std::optional<Cone> approach;
-  /// What the arm can reach; overrides PlanOptions::reach.
+  /// Only grasps to which the arm can bring the hand; overrides PlanOptions::reach.
   std::optional<Reach> reach;
   /// Least distance between the hand and everything but its target, on the way in and at the grasp
   /// [m]. At most kMaxMinClearance, because larger clearances are not measured.

@@ -25,11 +25,12 @@ constexpr auto words_of(UnknownPolicy) {
                                              {"free", UnknownPolicy::kFree}});
 }
 
-/// What the arm can reach, see Reach.
+/// Where the arm stands and how far it reaches, as settings; a Reach has the same values in frame
+/// C.
 struct ReachOptions {
   /// Farther than any arm reaches [m].
   static constexpr double kMaxReach = 100.0;
-  /// As far as a place on Earth lies from the origin of a map's projection [m].
+  /// Coordinates of a base may be as large as those of maps of the Earth [m].
   static constexpr double kMaxPlace = 1e7;
 
   std::vector<double> base = {0.0, 0.0, 0.0};

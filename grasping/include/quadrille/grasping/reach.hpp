@@ -7,8 +7,9 @@
 
 namespace quadrille {
 
-/// What an arm can reach: the shell between two spheres about its base. The origin of the grasp
-/// frame G lies in it both at the grasp and at the pre-grasp.
+/// The places to which an arm can bring the hand: those between a least and a greatest distance
+/// from its base. The origin of the grasp frame G must be such a place at the grasp and at the
+/// pre-grasp.
 struct Reach {
   /// Position of the base in frame C [m].
   Eigen::Vector3d base_C = Eigen::Vector3d::Zero();

@@ -1,0 +1,127 @@
+// What a request may ask of the grasps: places, reach, numbers, a deadline.
+#include <algorithm>
+#include <map>
+
+#include "process/planner/asked_planner.hpp"
+
+namespace quadrille {
+namespace {
+
+using namespace test;
+
+TEST_CASE("a request may bring a number of grasps of each target, and a score",
+          "[process][request]") {
+  Asked asked("--on-request --per-target 2 --min-score 0");
+  asked.show(1000);
+  const auto most_of_one = [](const grasps_t& answer) {
+    std::map<int, int> counts;
+    int most = 0;
+    for (const grasp_t& grasp : answer.grasps) most = std::max(most, ++counts[grasp.target]);
+    return most;
+  };
+  CHECK(most_of_one(asked.ask(request_of(1))) == 2);
+  grasp_request_t request = request_of(2);
+  request.per_target = 5;
+  CHECK(most_of_one(asked.ask(request)) == 5);
+  request.request_id = 3;
+  request.min_score = asked.answers.back().grasps.front().score;
+  const grasps_t good = asked.ask(request);
+  REQUIRE_FALSE(good.grasps.empty());
+  for (const grasp_t& grasp : good.grasps) CHECK(grasp.score >= request.min_score);
+  request.min_score = 1.5;
+  CHECK(asked.ask(request).warnings.back() == "min_score = 1.5: must be 0 to 1");
+  request.min_score = 0.0;
+  request.per_target = -1;
+  CHECK(asked.ask(request).warnings.back() == "per_target = -1: must be 0 or more");
+}
+
+TEST_CASE("an arm's reach may be in any frame that is known, and wins over that of the settings",
+          "[process][request][reach]") {
+  const Eigen::Isometry3d X_WK =
+      Eigen::Translation3d(1.0, -0.5, 0.75) * Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5);
+  const Eigen::Vector3d p_K = a_sphere().X_CQ.translation(), p_W = X_WK * p_K;
+  const std::string pose = "--on-request --camera-pose=1,-0.5,0.75,0.5,0.5,-0.5,0.5 ";
+  // By the settings nothing is within reach.
+  Asked asked(pose + "--reach=9,9,9,0,1");
+  asked.show(1000);
+  const grasps_t none = asked.ask(request_of(1));
+  CHECK(none.grasps.empty());
+  CHECK(std::any_of(none.rejected.begin(), none.rejected.end(),
+                    [](const count_t& entry) { return entry.name == "reach"; }));
+  // No approach is longer than 10 cm, and nothing else is so near the sphere.
+  for (const std::string frame : {"", "eye", "camera", "world"}) {
+    CAPTURE(frame);
+    grasp_request_t request = request_of(1);
+    request.frame = frame;
+    request.has_reach = 1;
+    Eigen::Map<Eigen::Vector3d>(request.reach_base) = frame == "world" ? p_W : p_K;
+    request.reach_max = 0.1;
+    CHECK(targets_of(asked.ask(request)) == std::set{a_sphere().id});
+  }
+  // By these settings it is the sphere that is.
+  Asked near(pose + "--reach=" + std::to_string(p_W.x()) + "," + std::to_string(p_W.y()) + "," +
+             std::to_string(p_W.z()) + ",0,0.1");
+  near.show(1000);
+  CHECK(targets_of(near.ask(request_of(1))) == std::set{a_sphere().id});
+  // Without a fixed frame the settings are in the camera's.
+  Asked unplaced("--on-request --reach=" + std::to_string(p_K.x()) + "," + std::to_string(p_K.y()) +
+                 "," + std::to_string(p_K.z()) + ",0,0.1");
+  unplaced.show(1000);
+  CHECK(targets_of(unplaced.ask(request_of(1))) == std::set{a_sphere().id});
+  grasp_request_t request = request_of(9);
+  request.has_reach = 1;
+  CHECK(unplaced.ask(request).warnings.back().find("reach's greatest distance = 0: must be") == 0);
+}
+
+TEST_CASE("a request may bring a deadline of its own", "[process][request][deadline]") {
+  Asked asked("--on-request");
+  asked.show(1000);
+  grasp_request_t hasty = request_of(1);
+  hasty.deadline_ms = 1e-6;
+  const grasps_t cut = asked.ask(hasty);
+  CHECK(cut.grasps.empty());
+  CHECK(std::any_of(cut.rejected.begin(), cut.rejected.end(),
+                    [](const count_t& entry) { return entry.name == "deadline"; }));
+  CHECK(asked.status().cut == 1);
+  // The next one gets all, though the scene of the last one lacked its targets, and so does the one
+  // after it, on the scene that is kept: a deadline is for one request alone.
+  CHECK(targets_of(asked.ask(request_of(2))).size() >= 3);
+  hasty.request_id = 3;
+  CHECK(asked.ask(hasty).grasps.empty());
+  CHECK(targets_of(asked.ask(request_of(4))).size() >= 3);
+  CHECK(asked.status().cut == 2);
+}
+
+TEST_CASE("places in a request may be in any frame that is known", "[process][request]") {
+  const Eigen::Isometry3d X_WK =
+      Eigen::Translation3d(1.0, -0.5, 0.75) * Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5);
+  Asked asked("--on-request --camera-pose=1,-0.5,0.75,0.5,0.5,-0.5,0.5");
+  asked.show(1000);
+  const Eigen::Vector3d p_K = a_sphere().X_CQ.translation(), p_W = X_WK * p_K;
+  for (const std::string frame : {"", "eye", "camera", "world"}) {
+    CAPTURE(frame);
+    grasp_request_t request = request_of(1);
+    request.frame = frame;
+    request.has_near = 1;
+    Eigen::Map<Eigen::Vector3d>(request.near) = frame == "world" ? p_W : p_K;
+    CHECK(targets_of(asked.ask(request)) == std::set{a_sphere().id});
+    // A slim box about it, turned about its middle.
+    request.has_near = 0;
+    request.has_region = 1;
+    std::copy_n(request.near, 3, request.region.position);
+    const double q[] = {0.8, 0.0, 0.6, 0.0};
+    std::copy_n(q, 4, request.region.quaternion);
+    std::fill_n(request.region_size, 3, 0.01);
+    CHECK(targets_of(asked.ask(request)) == std::set{a_sphere().id});
+  }
+  Asked unplaced("--on-request");
+  unplaced.show(1000);
+  grasp_request_t request = request_of(1);
+  request.frame = "world";
+  CHECK(unplaced.ask(request).warnings.at(0).find("frame 'world' is not known: no pose") == 0);
+  request.frame = "moon";
+  CHECK(unplaced.ask(request).warnings.at(0).find("frame 'moon' is not known: name") == 0);
+}
+
+}  // namespace
+}  // namespace quadrille
