@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
 #include <utility>
@@ -58,6 +59,8 @@ bool has_larger_parallel(const std::vector<PlaneRegion>& planes, std::size_t k) 
 struct Measured {
   std::vector<Detection> detections;
   std::vector<int> owner;
+  /// For each plane, by the index of its detection, places on it [m].
+  std::map<int, std::vector<Eigen::Vector3d>> places;
 };
 
 void measure_surfaces(const CloudView& cloud, const CellPyramid& pyramid,
@@ -87,6 +90,9 @@ void measure_planes(const FlatParts& flat, const SceneContext& context, double m
     const bool doubtful = weighed[k].confidence < min_confidence;
     if (doubtful && has_larger_parallel(flat.planes, k)) continue;
     of_plane[k] = static_cast<int>(measured->detections.size());
+    for (const int i : flat.planes[k].samples) {
+      measured->places[of_plane[k]].push_back(flat.coarse.raw[i].cast<double>());
+    }
     measured->detections.push_back(measure(weighed[k], flat.coarse, viewpoint));
   }
   for (std::size_t c = 0; c < measured->owner.size(); ++c) {
@@ -159,7 +165,7 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options,
 
   const SceneContext context = {normal_of_largest(flat.planes), pyramid->sight()};
   const Aggregation aggregation = find_surfaces(tree, context, options, clock, {}, find);
-  Measured measured{{}, std::vector<int>(flat.plane_of_cell.size(), -1)};
+  Measured measured{{}, std::vector<int>(flat.plane_of_cell.size(), -1), {}};
   measure_surfaces(cloud, *pyramid, aggregation, flat, tree.finest(), context.sight, &measured);
   if (lets_pass(options.only, QuadricType::kPlane)) {
     measure_planes(flat, context, options.aggregate.min_plane_confidence, cloud.viewpoint,
@@ -194,8 +200,10 @@ Findings find_all(const CloudView& cloud, const DetectorOptions& options,
   findings.boxes = find_boxes(cloud, findings.detections, patches);
   clock.end("boxes");
   const bool all_types = options.only.empty() && options.report.empty();
+  PlacesOnPlanes places;
+  for (auto& [index, of_plane] : measured.places) places[ids[index]] = std::move(of_plane);
   findings.bodies =
-      find_bodies({findings.detections, findings.boxes, tree.finest(), owner, all_types});
+      find_bodies({findings.detections, findings.boxes, tree.finest(), owner, places, all_types});
   clock.end("bodies");
   return findings;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -57,7 +58,7 @@ class BodyMaker {
       if (is_reported(d) && d.type != QuadricType::kPlane && !contains(parts_, d.id)) add_single(d);
     }
     add_small_planes();
-    supports_ = supports_of(found_.detections, parts_);
+    supports_ = supports_of(found_.detections, parts_, found_.places_C);
     for (SceneBody& body : bodies_) {
       body.standing_on = standing_on(supports_, corners_C(body));
       if (body.standing_on && is_long(body)) stand(&body);
@@ -218,7 +219,7 @@ class BodyMaker {
       if (d.type != QuadricType::kPlane || !is_reported(d) || contains(parts_, d.id)) continue;
       std::vector<int> others = parts_;
       others.push_back(d.id);
-      const std::vector<Support> supports = supports_of(found_.detections, others);
+      const std::vector<Support> supports = supports_of(found_.detections, others, {});
       if (d.extent_Q.sizes().maxCoeff() > 0.5 * kMaxSide) continue;
       const Eigen::Vector3d middle_C = d.X_CQ * Eigen::Vector3d(d.extent_Q.center());
       const Support* support = support_below(supports, middle_C);
@@ -261,15 +262,17 @@ class BodyMaker {
   /// Gives the unexplained points that are connected to a larger body to it, and makes lumps of the
   /// others.
   void add_lumps() {
+    const std::vector<Support> level = level_supports();
     const Mask open = open_samples(found_.samples, found_.owner, found_.boxes);
     for (const std::vector<int>& piece : open_pieces(found_.samples, open)) {
       int points = 0;
       for (const int i : piece) points += found_.samples.count[i];
-      if (SceneBody* host = host_of(piece); host != nullptr && host->points > points) {
+      const std::map<int, int> contacts = contacts_of(piece);
+      if (SceneBody* host = host_of(contacts); host != nullptr && host->points > points) {
         host->points += points;
         continue;
       }
-      auto lump = lump_of(found_.samples, piece, supports_);
+      auto lump = lump_of(found_.samples, piece, level, contacts.empty());
       if (!lump) continue;
       lump->points = points;
       lump->id = ++last_id_;
@@ -277,15 +280,37 @@ class BodyMaker {
     }
   }
 
-  /// The body to which a piece of samples is connected by most neighbours; nullptr if there is
-  /// none.
-  SceneBody* host_of(const std::vector<int>& piece) {
+  /// The supports that are parallel to the one on which most bodies stand, or to the largest one:
+  /// nothing stands on walls.
+  std::vector<Support> level_supports() const {
+    if (supports_.empty()) return {};
+    std::map<int, int> standing;
+    for (const SceneBody& body : bodies_) {
+      if (body.standing_on) ++standing[*body.standing_on];
+    }
+    const Support* main = &supports_.front();
+    for (const Support& support : supports_) {
+      if (standing[support.id] > standing[main->id]) main = &support;
+    }
+    std::vector<Support> level;
+    std::copy_if(supports_.begin(), supports_.end(), std::back_inserter(level),
+                 [&](const Support& s) { return s.n_C.dot(main->n_C) > std::cos(kMaxSkew); });
+    return level;
+  }
+
+  /// The number of neighbours that a piece of samples has on each detection, by its id.
+  std::map<int, int> contacts_of(const std::vector<int>& piece) const {
     std::map<int, int> contacts;
     for (const int i : piece) {
       for (const int j : found_.samples.neighbours_of(i)) {
         if (found_.owner[j] > 0) ++contacts[found_.owner[j]];
       }
     }
+    return contacts;
+  }
+
+  /// The body that most of these contacts touch; nullptr if there is none.
+  SceneBody* host_of(const std::map<int, int>& contacts) {
     const auto most =
         std::max_element(contacts.begin(), contacts.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "bodies/support.hpp"
 #include "quadrille/detector/body.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "samples/surface_samples.hpp"
@@ -16,6 +17,8 @@ struct BodySources {
   /// is 0 if there is none, and negative if the detection was not asked for.
   const SurfaceSamples& samples;
   const std::vector<int>& owner;
+  /// Places on the planes among the detections.
+  const PlacesOnPlanes& places_C;
   /// False if only some types were asked for: then what nothing explains is not asked for either,
   /// and there are no lumps.
   bool all_types = true;

@@ -15,6 +15,9 @@ constexpr std::size_t kMinSamples = 40;
 // A lump must rise this many standard deviations of the noise above its support, beside the
 // rounding. Far from the sensor, noise alone makes bumps of several standard deviations.
 constexpr double kMinSigmas = 6.0;
+// The middle of a lump lies at least so far inside the outline of its support [m]. It is more than
+// the ten pixels by which stereo cameras misplace edges, a metre away.
+constexpr double kMinInside = 0.03;
 
 double largest_sigma(const SurfaceSamples& samples, const std::vector<int>& piece) {
   double largest = 0.0;
@@ -56,7 +59,7 @@ std::vector<std::vector<int>> open_pieces(const SurfaceSamples& samples, Mask op
 }
 
 std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vector<int>& piece,
-                                 const std::vector<Support>& supports) {
+                                 const std::vector<Support>& supports, bool alone) {
   if (piece.size() < kMinSamples) return std::nullopt;
   Face outline;
   for (const int i : piece) outline.points_C.push_back(samples.raw[i].cast<double>());
@@ -65,6 +68,8 @@ std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vecto
   }
   const Support* support = support_below(supports, outline.middle_C);
   if (support == nullptr) return std::nullopt;
+  // Sensors see edges of the support wider than they are, and matter in the air beside them.
+  if (support->inside(outline.middle_C) < kMinInside) return std::nullopt;
   outline.n_C = support->n_C;
   const Eigen::Matrix3d R_CA = box_axes({&outline});
   Eigen::AlignedBox3d box_A;
@@ -80,6 +85,8 @@ std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vecto
   SceneBody body;
   body.kind = BodyKind::kLump;
   const double foot = box_A.min().x() - support->offset;
+  // Things do not float, though what stands before them may hide their feet.
+  if (foot >= kMaxFootGap && alone) return std::nullopt;
   if (foot < kMaxFootGap) {
     body.standing_on = support->id;
     box_A.min().x() = support->offset;

@@ -19,9 +19,11 @@ Mask open_samples(const SurfaceSamples& samples, const std::vector<int>& owner,
 std::vector<std::vector<int>> open_pieces(const SurfaceSamples& samples, Mask open);
 
 /// A piece of samples as a body above a support, with the smallest upright box around it; nullopt
-/// if there is no support below, or too little rises from it. Its id and number of points stay
+/// if it does not stand on a support, or too little rises from it. Its id and number of points stay
 /// unset.
+/// @param alone  true if no surface that was found touches the piece, so that none can hide its
+///               foot
 std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vector<int>& piece,
-                                 const std::vector<Support>& supports);
+                                 const std::vector<Support>& supports, bool alone);
 
 }  // namespace quadrille

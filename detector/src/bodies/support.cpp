@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/convex_hull.hpp"
 #include "boxes/face.hpp"
 
 namespace quadrille {
@@ -16,8 +17,19 @@ bool Support::is_below(const Eigen::Vector3d& p_C) const {
   return height(p_C) > 0.0 && around.contains(Eigen::Vector2d(p_Q.head<2>()));
 }
 
+double Support::inside(const Eigen::Vector3d& p_C) const {
+  const Eigen::Vector2d p_Q = (X_QC * p_C).head<2>();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < outline_Q.size(); ++k) {
+    const Eigen::Vector2d side = outline_Q[(k + 1) % outline_Q.size()] - outline_Q[k];
+    const Eigen::Vector2d inwards = Eigen::Vector2d(-side.y(), side.x()).normalized();
+    least = std::min(least, inwards.dot(p_Q - outline_Q[k]));
+  }
+  return least;
+}
+
 std::vector<Support> supports_of(const std::vector<Detection>& detections,
-                                 const std::vector<int>& parts) {
+                                 const std::vector<int>& parts, const PlacesOnPlanes& places_C) {
   std::vector<const Detection*> planes;
   for (const Detection& d : detections) {
     const bool is_part = std::find(parts.begin(), parts.end(), d.id) != parts.end();
@@ -33,6 +45,13 @@ std::vector<Support> supports_of(const std::vector<Detection>& detections,
     support.offset = support.n_C.dot(plane->X_CQ.translation());
     support.X_QC = plane->X_CQ.inverse();
     support.bounds_Q = {plane->extent_Q.min().head<2>(), plane->extent_Q.max().head<2>()};
+    if (const auto places = places_C.find(plane->id); places != places_C.end()) {
+      std::vector<Eigen::Vector2d> places_Q;
+      for (const Eigen::Vector3d& p : places->second) {
+        places_Q.emplace_back((support.X_QC * p).head<2>());
+      }
+      support.outline_Q = convex_hull(std::move(places_Q));
+    }
     supports.push_back(support);
   }
   return supports;

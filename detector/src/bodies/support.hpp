@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -12,6 +13,9 @@ namespace quadrille {
 /// mixes it with the support.
 inline constexpr double kMaxFootGap = 0.02;
 
+/// Places on planes, by the ids of the planes [m].
+using PlacesOnPlanes = std::map<int, std::vector<Eigen::Vector3d>>;
+
 /// A plane on which bodies may stand.
 struct Support {
   int id = 0;
@@ -20,17 +24,23 @@ struct Support {
   double offset = 0.0;
   Eigen::Isometry3d X_QC = Eigen::Isometry3d::Identity();
   Eigen::AlignedBox2d bounds_Q;
+  /// Corners of the convex hull of the plane's points, counterclockwise in Q [m].
+  std::vector<Eigen::Vector2d> outline_Q;
 
   double height(const Eigen::Vector3d& p_C) const { return n_C.dot(p_C) - offset; }
   /// True if a place is on the sensor's side of the plane and over the part that was seen, or
   /// within a tenth of its size beside it.
   bool is_below(const Eigen::Vector3d& p_C) const;
+  /// Distance of a place from the edge of the part that was seen, along the plane; negative outside
+  /// of that part [m].
+  double inside(const Eigen::Vector3d& p_C) const;
 };
 
 /// The planes among the detections that are no parts of bodies, the largest first.
 /// @param parts  ids of the detections that are parts of bodies
+/// @param places_C  places on the planes, by id
 std::vector<Support> supports_of(const std::vector<Detection>& detections,
-                                 const std::vector<int>& parts);
+                                 const std::vector<int>& parts, const PlacesOnPlanes& places_C);
 
 /// The support nearest below a place; nullptr if there is none.
 const Support* support_below(const std::vector<Support>& supports, const Eigen::Vector3d& p_C);

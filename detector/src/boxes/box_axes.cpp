@@ -5,33 +5,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "base/convex_hull.hpp"
+
 namespace quadrille {
 namespace {
-
-double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
-  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
-}
-
-/// Corners of the convex hull (monotone chain). There are at least three unless all points lie on a
-/// line.
-std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
-  std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
-  });
-  std::vector<Eigen::Vector2d> hull;
-  for (int side = 0; side < 2; ++side) {
-    const std::size_t first = hull.size();
-    for (const Eigen::Vector2d& p : points) {
-      while (hull.size() >= first + 2 && turn(hull[hull.size() - 2], hull.back(), p) <= 0.0) {
-        hull.pop_back();
-      }
-      hull.push_back(p);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
 
 /// Direction of a side of the smallest rectangle around a hull.
 Eigen::Vector2d smallest_rectangle(const std::vector<Eigen::Vector2d>& hull) {

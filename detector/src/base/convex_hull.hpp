@@ -1,0 +1,12 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+namespace quadrille {
+
+/// Corners of the convex hull, counterclockwise (monotone chain). There are at least three unless
+/// all points lie on a line.
+std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points);
+
+}  // namespace quadrille

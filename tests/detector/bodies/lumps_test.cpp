@@ -1,0 +1,86 @@
+#include "bodies/lumps.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include "bodies/support.hpp"
+#include "support/catch.hpp"
+
+namespace quadrille {
+namespace {
+
+/// A square table of 0.6 m at z = 0, seen from above.
+std::vector<Support> table() {
+  Support support;
+  support.id = 4;
+  support.n_C = Eigen::Vector3d::UnitZ();
+  support.bounds_Q = {Eigen::Vector2d(-0.3, -0.3), Eigen::Vector2d(0.3, 0.3)};
+  support.outline_Q = {{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}};
+  return {support};
+}
+
+/// The upper half of a ball whose middle is at (x, y), in cells of 3 mm, and `foot` above the
+/// table.
+SurfaceSamples dome(double x, double y, double radius, double foot) {
+  SurfaceSamples samples;
+  for (int i = 0; i < 40; ++i) {
+    for (int j = 0; j < 10; ++j) {
+      const double along = 2.0 * M_PI * i / 40, up = 0.5 * M_PI * j / 10;
+      samples.raw.emplace_back(Eigen::Vector3d(x + radius * std::cos(along) * std::cos(up),
+                                               y + radius * std::sin(along) * std::cos(up),
+                                               foot + radius * std::sin(up))
+                                   .cast<float>());
+      samples.sigma.push_back(0.0005f);
+      samples.cell.push_back(0.003f);
+    }
+  }
+  return samples;
+}
+
+std::optional<SceneBody> lump(const SurfaceSamples& samples, bool alone = true) {
+  std::vector<int> piece(samples.raw.size());
+  std::iota(piece.begin(), piece.end(), 0);
+  return lump_of(samples, piece, table(), alone);
+}
+
+TEST_CASE("a lump is as large as its points, and reaches down to its support", "[bodies][lumps]") {
+  const auto body = lump(dome(0.1, -0.05, 0.04, 0.01));
+  REQUIRE(body);
+  CHECK(body->kind == BodyKind::kLump);
+  CHECK(body->standing_on == 4);
+  CHECK(body->size.x() == Approx(0.08).margin(0.001));
+  CHECK(body->size.y() == Approx(0.08).margin(0.001));
+  CHECK(body->size.z() == Approx(0.05).margin(0.001));
+  CHECK((body->X_CB.translation() - Eigen::Vector3d(0.1, -0.05, 0.025)).norm() < 0.001);
+  CHECK(body->seen == std::array<bool, 3>{false, false, true});
+}
+
+TEST_CASE("what does not rise above rounding and noise is no lump", "[bodies][lumps]") {
+  CHECK(lump(dome(0.0, 0.0, 0.012, 0.0)));
+  CHECK_FALSE(lump(dome(0.0, 0.0, 0.004, 0.0)));
+  SurfaceSamples noisy = dome(0.0, 0.0, 0.012, 0.0);
+  for (float& sigma : noisy.sigma) sigma = 0.002f;
+  CHECK_FALSE(lump(noisy));
+}
+
+TEST_CASE("there are no lumps at the edge of a support or beside it", "[bodies][lumps]") {
+  for (const double x : {0.28, 0.3, 0.34}) {
+    CAPTURE(x);
+    CHECK_FALSE(lump(dome(x, 0.0, 0.03, 0.0)));
+    CHECK_FALSE(lump(dome(0.0, -x, 0.03, 0.0)));
+  }
+  CHECK(lump(dome(0.26, 0.26, 0.03, 0.0)));
+}
+
+TEST_CASE("a lump floats only if a surface that touches it may hide its foot", "[bodies][lumps]") {
+  CHECK(lump(dome(0.0, 0.0, 0.03, 0.015)));
+  CHECK_FALSE(lump(dome(0.0, 0.0, 0.03, 0.1)));
+  const auto hidden = lump(dome(0.0, 0.0, 0.03, 0.1), false);
+  REQUIRE(hidden);
+  CHECK_FALSE(hidden->standing_on);
+  CHECK_FALSE(hidden->seen[2]);
+}
+
+}  // namespace
+}  // namespace quadrille
