@@ -12,12 +12,13 @@ namespace {
 // How far to either side a pad holds a wall, as a share of the pad's width: 9 mm on the Franka
 // Hand, whose pads are 17.5 mm wide.
 constexpr double kReachToPadWidth = 18.0 / 35.0;
-// Depth below the rim of the middle of what the pads cover [m]: enough to hold, and seen from
-// above. Wide pads that went deeper collided more often. Small pads go no deeper than a share of
-// their reach. The pads close along the wall's normal at that depth, since they would turn a bent
-// wall otherwise.
-constexpr std::array<double, 2> kBites = {0.0045, 0.0065};
-constexpr std::array<double, 2> kMaxBitesToReach = {1.0 / 2.0, 13.0 / 18.0};
+// Depths below the rim of the middle of what the pads cover [m], the deepest first. Stereo cameras
+// see rims some 10 mm too high, so that pads which hold less than that may close on nothing. Where
+// the deepest collides, a shallower one may not. Small pads go no deeper than a share of their
+// reach. The pads close along the wall's normal at that depth, since they would turn a bent wall
+// otherwise.
+constexpr std::array<double, 3> kBites = {0.013, 0.008, 0.0045};
+constexpr std::array<double, 3> kMaxBitesToReach = {13.0 / 9.0, 8.0 / 9.0, 1.0 / 2.0};
 constexpr int kAround = 36;
 // Least number of points at a contact; fewer could be noise.
 constexpr int kMinNear = 8;
@@ -79,7 +80,7 @@ std::vector<WallPoint> points_near(const std::vector<ContactLine>& lines, double
                                    const Shell& shell, const PointCloud& cloud) {
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
   const double lowest =
-      shell.body.z_max - std::min(kBites.back(), kMaxBitesToReach.back() * reach) - reach;
+      shell.body.z_max - std::min(kBites.front(), kMaxBitesToReach.front() * reach) - reach;
   Eigen::AlignedBox3d near;
   for (const ContactLine& line : lines) near.extend(middle(line));
   near.min().array() -= reach;

@@ -31,7 +31,7 @@ TEST_CASE("rim lines lie across the wall below the rim with room for its bend", 
     const Cup cup;
     const Shell shell = shell_of(cup, inner).value();
     const auto lines = rim_lines(shell, franka_hand());
-    REQUIRE(lines.size() == 72);
+    REQUIRE(lines.size() == 108);
     const double r = inner ? cup.radius - cup.wall : cup.radius;
     const double half = 0.5 * franka_hand().finger.x();
     for (const ContactLine& line : lines) {
