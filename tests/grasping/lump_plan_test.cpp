@@ -116,6 +116,7 @@ TEST_CASE("points connected with a target belong to it, if they belong to no oth
   // Of the ball only the top 15 mm are named.
   const Eigen::Vector3d up = table_detection().X_CQ.linear().col(2);
   SceneBody top = lump_of(ball), foot = lump_of(ball, 8);
+  top.kind = BodyKind::kSingle;
   top.size.z() = 0.015;
   top.X_CB.translation() += 0.0225 * up;
   foot.size.z() = 0.045;
@@ -134,6 +135,9 @@ TEST_CASE("points connected with a target belong to it, if they belong to no oth
   INFO(alone << " and " << beside);
   CHECK(alone > 0.05);
   CHECK(beside < alone);
+  // A lump has all points that are connected with it already.
+  top.kind = BodyKind::kLump;
+  CHECK(widest(plan_lumps({ball}, {top}, options), 7) < alone);
 }
 
 TEST_CASE("hostile bodies are no targets and do no harm", "[plan][points]") {

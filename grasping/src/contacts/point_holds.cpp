@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -14,9 +15,8 @@
 namespace quadrille {
 namespace {
 
-// The hand is moved across the points in steps of half a finger. The tips reach so deep below the
-// highest point of the target between the fingers, in lengths of the fingers.
-constexpr double kStepToFinger = 0.5;
+// The tips reach so deep below the highest point of the target between the fingers, in lengths of
+// the fingers.
 constexpr double kDepthsToFinger[] = {0.75, 0.55, 0.4, 0.28, 0.16};
 // Fewer points between the fingers may be noise.
 constexpr std::size_t kMinBetween = 8;
@@ -39,6 +39,7 @@ class PointHoldFinder {
       if (own_[i] && !points_.n_C[i].isZero()) normals.push_back(points_.n_C[i]);
     }
     for (const Eigen::Matrix3d& R_CG : hand_directions(std::move(normals), space_)) {
+      if (order_.empty() || R_CG.col(1) != R_CG_.col(1)) sort_along(R_CG.col(1));
       R_CG_ = R_CG;
       sweep();
     }
@@ -56,55 +57,60 @@ class PointHoldFinder {
     double rank;
   };
 
-  /// Moves a hand of the present orientation across the points.
-  void sweep() {
-    const Eigen::Matrix3d R_GC = R_CG_.transpose();
-    std::vector<BetweenPads> all;
-    all.reserve(own_.size());
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t i = 0; i < own_.size(); ++i) {
-      all.push_back({R_GC * points_.p_C[i], R_GC * points_.n_C[i], own_[i] != 0});
-      if (!own_[i]) continue;
-      low = std::min(low, all.back().p_G.x());
-      high = std::max(high, all.back().p_G.x());
-    }
-    if (!(low <= high)) return;
-    std::stable_sort(all.begin(), all.end(), [](const BetweenPads& a, const BetweenPads& b) {
-      return a.p_G.x() < b.p_G.x();
-    });
-    const double half = 0.5 * gripper_.finger.x(), step = kStepToFinger * gripper_.finger.x();
-    const int steps = static_cast<int>((high - low) / step) + 1;
-    const double first = 0.5 * (low + high) - 0.5 * step * (steps - 1);
-    const auto at = [&](double x) {
-      return std::lower_bound(
-          all.begin(), all.end(), x,
-          [](const BetweenPads& point, double value) { return point.p_G.x() < value; });
-    };
-    for (int n = 0; n < steps; ++n) {
-      const double x = first + n * step;
-      lower(x, {at(x - half), at(x + half)});
-    }
+  /// Sorts the points along a closing direction, which many orientations of the hand share.
+  void sort_along(const Eigen::Vector3d& closing_C) {
+    std::vector<double> along;
+    for (const Eigen::Vector3d& p : points_.p_C) along.push_back(closing_C.dot(p));
+    order_.resize(along.size());
+    std::iota(order_.begin(), order_.end(), std::size_t{0});
+    std::stable_sort(order_.begin(), order_.end(),
+                     [&](std::size_t a, std::size_t b) { return along[a] < along[b]; });
   }
 
-  /// Lowers the fingers on the points of a slice.
-  void lower(double x, std::vector<BetweenPads> slice) {
+  /// Moves a hand of the present orientation across the points, in steps of half a finger's width.
+  void sweep() {
+    const Eigen::Vector3d x_C = R_CG_.col(0);
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+      if (!own_[i]) continue;
+      const double x = x_C.dot(points_.p_C[i]);
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    if (!(low <= high)) return;
+    const double step = 0.5 * gripper_.finger.x();
+    const int steps = static_cast<int>((high - low) / step) + 1;
+    const double first = 0.5 * (low + high) - 0.5 * step * (steps - 1);
+    // The fingers cover two steps at each place, so each point is between them at two places.
+    if (slices_.size() < static_cast<std::size_t>(steps)) slices_.resize(steps);
+    for (std::vector<BetweenPads>& slice : slices_) slice.clear();
+    const Eigen::Matrix3d R_GC = R_CG_.transpose();
+    for (const std::size_t i : order_) {
+      const double place = std::floor((x_C.dot(points_.p_C[i]) - first) / step);
+      if (!(place >= -1.0 && place < steps)) continue;
+      const BetweenPads point{R_GC * points_.p_C[i], R_GC * points_.n_C[i], own_[i] != 0};
+      const int before = static_cast<int>(place);
+      if (before >= 0) slices_[static_cast<std::size_t>(before)].push_back(point);
+      if (before + 1 < steps) slices_[static_cast<std::size_t>(before) + 1].push_back(point);
+    }
+    for (int n = 0; n < steps; ++n) lower(first + n * step, slices_[static_cast<std::size_t>(n)]);
+  }
+
+  /// Lowers the fingers on the points of a slice, which are sorted along the closing direction.
+  void lower(double x, const std::vector<BetweenPads>& slice) {
     if (slice.size() < kMinBetween) return;
-    std::stable_sort(slice.begin(), slice.end(), [](const BetweenPads& a, const BetweenPads& b) {
-      return a.p_G.y() < b.p_G.y();
-    });
     double top = std::numeric_limits<double>::infinity();
     for (const BetweenPads& point : slice) {
       if (point.own) top = std::min(top, point.p_G.z());
     }
-    std::vector<BetweenPads> between;
     for (const double share : kDepthsToFinger) {
       const double tip = top + share * gripper_.finger.z();
-      between.clear();
-      std::copy_if(slice.begin(), slice.end(), std::back_inserter(between),
+      between_.clear();
+      std::copy_if(slice.begin(), slice.end(), std::back_inserter(between_),
                    [&](const BetweenPads& point) {
                      return point.p_G.z() < tip && point.p_G.z() > tip - gripper_.finger.z();
                    });
-      hold_runs(x, tip, between);
+      hold_runs(x, tip, between_);
     }
   }
 
@@ -162,7 +168,12 @@ class PointHoldFinder {
   const Gripper& gripper_;
   const ApproachSpace& space_;
   const double max_friction_;
-  Eigen::Matrix3d R_CG_;
+  Eigen::Matrix3d R_CG_ = Eigen::Matrix3d::Identity();
+  /// Indices of the points, sorted along the closing direction.
+  std::vector<std::size_t> order_;
+  /// The points between the fingers at each place; kept to reuse their memory.
+  std::vector<std::vector<BetweenPads>> slices_;
+  std::vector<BetweenPads> between_;
   std::vector<Ranked> ranked_;
 };
 

@@ -52,7 +52,7 @@ GraspTerms terms_of(const Attempt& attempt, const Grasp& grasp, const TargetTask
   const Eigen::Vector3d to_sensor = task.parts.viewpoint_C - body.centre_C();
   GraspTerms terms;
   terms.friction = (1.0 - grasp.friction_needed / task.parts.options.friction) * attempt.straight;
-  terms.clearance = std::min(1.0, grasp.clearance / kFullClearance);
+  terms.clearance = 1.0;
   terms.room = std::min(1.0, 0.5 * (grasp.preshape - line.opening) / kFullRoom);
   terms.central = std::max(0.0, 1.0 - (line.centre_C - body.centre_C()).norm() / reach);
   const bool costs = task.parts.options.unknown != UnknownPolicy::kFree;
@@ -94,14 +94,20 @@ Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) 
   grasp.approach = task.parts.options.approach;
   grasp.friction_needed = attempt.friction;
   grasp.epsilon = epsilon(line, task, reach);
-  grasp.clearance = task.scene.clearance(
-      sweep_hand(task.parts.gripper, grasp.X_CG, grasp.preshape, grasp.width, grasp.approach));
+  grasp.clearance = kMaxClearance;
   const OccupancyGrid& space = *task.parts.space;
   grasp.unknown_contact =
       !was_seen(line.contacts_C[0], space) || !was_seen(line.contacts_C[1], space);
   grasp.terms = terms_of(attempt, grasp, task);
   grasp.score = success_probability(grasp.terms);
   return grasp;
+}
+
+void measure_clearance(Grasp& grasp, const TargetTask& task) {
+  grasp.clearance = task.scene.clearance(
+      sweep_hand(task.parts.gripper, grasp.X_CG, grasp.preshape, grasp.width, grasp.approach));
+  grasp.terms.clearance = std::min(1.0, grasp.clearance / kFullClearance);
+  grasp.score = success_probability(grasp.terms);
 }
 
 }  // namespace quadrille

@@ -162,6 +162,18 @@ bool HandTrials::palm_blocked(const ContactLine& line, const Eigen::Vector3d& ap
   return what.has_value();
 }
 
+/// Returns why the query does not want a grasp; nullopt if it does. The clearance takes long to
+/// measure, and is measured only if the grasp may be wanted.
+std::optional<Refusal> HandTrials::unwanted(Grasp& grasp) const {
+  const GraspQuery& query = task_.query;
+  if (grasp.score < *query.min_score) return Refusal::kScore;
+  measure_clearance(grasp, task_);
+  if (grasp.clearance < query.min_clearance) return Refusal::kClearance;
+  if (grasp.score < *query.min_score) return Refusal::kScore;
+  if (query.accept && !query.accept(grasp)) return Refusal::kCaller;
+  return std::nullopt;
+}
+
 bool HandTrials::try_hand(const Attempt& attempt) {
   const ContactLine& line = attempt.line;
   const Gripper& gripper = task_.parts.gripper;
@@ -187,25 +199,19 @@ bool HandTrials::try_hand(const Attempt& attempt) {
   }
   for (const double preshape : preshapes(line, task_)) {
     const std::optional<Obstruction> what = scene.finger_obstruction(swept(preshape));
-    if (!stopped_by(what)) {
-      Grasp grasp = describe(attempt, preshape, task_);
-      if (grasp.clearance < task_.query.min_clearance) {
-        // A narrower opening may keep the required clearance.
-        obstructed(Refusal::kClearance);
-        continue;
-      }
-      if (grasp.score < *task_.query.min_score) {
-        obstructed(Refusal::kScore);
-        return false;
-      }
-      if (task_.query.accept && !task_.query.accept(grasp)) {
-        obstructed(Refusal::kCaller);
-        return false;
-      }
+    if (stopped_by(what)) {
+      if (*what == Obstruction::kSupport) return false;  // no other opening would help
+      continue;
+    }
+    Grasp grasp = describe(attempt, preshape, task_);
+    const std::optional<Refusal> why = unwanted(grasp);
+    if (!why) {
       found_.grasps.push_back(std::move(grasp));
       return true;
     }
-    if (*what == Obstruction::kSupport) return false;  // no other opening would help
+    obstructed(*why);
+    // A narrower opening may keep the required clearance.
+    if (*why != Refusal::kClearance) return false;
   }
   return false;
 }

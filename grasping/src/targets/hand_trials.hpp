@@ -67,6 +67,7 @@ class HandTrials {
 
  private:
   void obstructed(Refusal why);
+  std::optional<Refusal> unwanted(Grasp& grasp) const;
 
   const TargetTask& task_;
   int max_checks_;

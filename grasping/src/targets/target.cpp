@@ -174,6 +174,7 @@ std::vector<Target> choose_unshaped(const std::vector<SceneBody>& bodies,
     target.supports = supports_of(target.body, others);
     target.wanted = options.targets.empty();
     target.solid = false;
+    target.whole = body.kind == BodyKind::kLump;
   }
   return unshaped;
 }

@@ -54,6 +54,7 @@ TargetPoints points_about(const Target& target, const SceneParts& parts) {
   }
   TargetPoints found{surface_points(points, kCell, parts.viewpoint_C), {}};
   for (const Eigen::Vector3d& p : found.all.p_C) found.own.push_back(target.body.contains(p, kOwn));
+  if (target.whole) return found;
   const auto of_no_other = [&](const Eigen::Vector3d& p_C) {
     return std::none_of(parts.targets.begin(), parts.targets.end(), [&](const Target& other) {
       return other.id != target.id && other.body.contains(p_C, kOwn);
