@@ -50,4 +50,9 @@ std::string_view to_string(Refusal refusal) {
   return "deadline";
 }
 
+std::optional<Refusal> furthest(const RefusalCounts& refusals) {
+  if (refusals.empty()) return std::nullopt;
+  return refusals.rbegin()->first;
+}
+
 }  // namespace quadrille

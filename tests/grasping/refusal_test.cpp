@@ -16,3 +16,9 @@ TEST_CASE("every refusal has a name of its own", "[plan][refusal]") {
   }
   CHECK(names.size() == 21);
 }
+
+TEST_CASE("the candidates that got furthest were refused by the last check", "[plan][refusal]") {
+  CHECK_FALSE(furthest({}));
+  CHECK(furthest({{Refusal::kCollision, 1}, {Refusal::kWidth, 900}}) == Refusal::kCollision);
+  CHECK(furthest({{Refusal::kScore, 1}, {Refusal::kCollision, 50}}) == Refusal::kScore);
+}

@@ -16,6 +16,11 @@ TEST_CASE("grasps survive their message", "[bus][grasps]") {
   CHECK(got.grasps[1].target == 3);
   CHECK(got.grasps[1].width == 0.05);
   CHECK(got.rejected[0].count == 9);
+  REQUIRE(got.targets.size() == 2);
+  CHECK(got.targets[0].num_grasps == 2);
+  CHECK(got.targets[1].target == 5);
+  CHECK(got.targets[1].furthest == "width");
+  CHECK(got.targets[1].rejected[0].name == "width");
   CHECK(got.warnings == std::vector<std::string>{"few points"});
 }
 

@@ -166,6 +166,14 @@ inline grasps_t make_grasps() {
   m.num_grasps = 2;
   m.rejected = {{"width", 9}};
   m.num_rejected = 1;
+  m.targets.resize(2);
+  m.targets[0].target = 3;
+  m.targets[0].num_grasps = 2;
+  m.targets[1].target = 5;
+  m.targets[1].furthest = "width";
+  m.targets[1].rejected = {{"width", 9}};
+  m.targets[1].num_rejected = 1;
+  m.num_targets = 2;
   m.warnings = {"few points"};
   m.num_warnings = 1;
   return m;

@@ -281,6 +281,11 @@ class Plan(unittest.TestCase):
         none = scene.plan(accept=lambda grasp: False)
         self.assertEqual(len(none), 0)
         self.assertGreater(none.rejected["caller"], 0)
+        for outcome in none.targets:
+            self.assertEqual(outcome.grasps, 0)
+            self.assertEqual(sum(outcome.rejected.values()) > 0, outcome.furthest is not None)
+        self.assertIn(first.target, [t.target for t in none.targets if t.furthest == "caller"])
+        self.assertIn((first.target, True), [(t.target, t.grasps > 0) for t in plain.targets])
         with self.assertRaisesRegex(ZeroDivisionError, "division"):
             scene.plan(accept=lambda grasp: 1 / 0 > 0)
 

@@ -124,6 +124,7 @@ TEST_CASE("the JSON of a plan has the promised keys, and its total spans both ha
   grasp.contacts_C = {Eigen::Vector3d(1, 2, 3), Eigen::Vector3d(4, 5, 6)};
   plan.grasps = {grasp};
   plan.rejected = {{"width", 2}, {"collision", 5}};
+  plan.targets = {{3, 1, {}}, {4, 0, {{Refusal::kCollision, 5}, {Refusal::kWidth, 2}}}};
   CollisionShape shape;
   shape.target = 3;
   shape.kind = "cylinder";
@@ -134,7 +135,7 @@ TEST_CASE("the JSON of a plan has the promised keys, and its total spans both ha
   const io::Json json = io::plan_json({"a.ply", "cam", 12, 0.5}, run, result, plan);
   CHECK(keys_of(json) == Keys{"input", "version", "seed", "settings", "gripper", "frame",
                               "viewpoint", "warnings", "detections", "boxes", "bodies", "timings",
-                              "grasps", "rejected", "shapes"});
+                              "grasps", "rejected", "targets", "shapes"});
   CHECK(json["gripper"] == "claw");
   CHECK(json["timings"]["total_ms"] == 120.0);
   CHECK(keys_of(json["grasps"][0]) == Keys{"target", "track", "kind", "score", "X_CG", "pregrasp",
@@ -145,7 +146,17 @@ TEST_CASE("the JSON of a plan has the promised keys, and its total spans both ha
   CHECK(json["grasps"][0]["contacts"] == io::Json({{1.0, 2.0, 3.0}, {4.0, 5.0, 6.0}}));
   CHECK(json["grasps"][0]["unknown_contact"].is_boolean());
   CHECK(json["rejected"] == io::Json({{"collision", 5}, {"width", 2}}));
+  CHECK(
+      json["targets"][0] ==
+      io::Json({{"target", 3}, {"grasps", 1}, {"rejected", io::Json::object()}, {"furthest", {}}}));
+  CHECK(json["targets"][1] == io::Json({{"target", 4},
+                                        {"grasps", 0},
+                                        {"rejected", {{"width", 2}, {"collision", 5}}},
+                                        {"furthest", "collision"}}));
   CHECK(json["shapes"][0]["kind"] == "cylinder");
+  CHECK(io::to_json({Remedy{4, "--gripper wsg50", 3, 0.75}}) ==
+        io::Json::array(
+            {{{"target", 4}, {"change", "--gripper wsg50"}, {"grasps", 3}, {"score", 0.75}}}));
 }
 
 TEST_CASE("labels name a detection with units", "[json]") {

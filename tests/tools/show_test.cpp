@@ -42,6 +42,12 @@ std::vector<std::byte> grasps_message(std::int32_t count) {
   m.rejected.resize(1);
   m.rejected[0].name = "width";
   m.rejected[0].count = 9;
+  if (count == 0) {
+    m.num_targets = 1;
+    m.targets.resize(1);
+    m.targets[0].target = 4;
+    m.targets[0].furthest = "width";
+  }
   return bus::encode(m);
 }
 
@@ -71,10 +77,10 @@ TEST_CASE("what was published into a log is shown, whatever the channel", "[comm
   CHECK(test::lines_of(two.out) == 2 + 1 + 2);
 }
 
-TEST_CASE("where no grasp was published the refusals are shown", "[command][show]") {
+TEST_CASE("of a target without grasps the main reason is shown", "[command][show]") {
   const test::TempFolder folder;
   const Run run = run_quadrille("show " + write_log(folder, {grasps_message(0)}));
-  CHECK(contains(run.out, "grasps: 0\n      9 refused: width\n"));
+  CHECK(contains(run.out, "grasps: 0\n      no grasp on 4: width\n"));
 }
 
 TEST_CASE("a log without quadrics and grasps, or with damaged ones, is told",

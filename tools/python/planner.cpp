@@ -2,7 +2,9 @@
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
+#include <string>
 #include <tuple>
 
 #include "io/planner/config.hpp"
@@ -112,9 +114,30 @@ void bind_grasp(py::module_& module) {
 }
 
 void bind_plan(py::module_& module) {
+  py::class_<TargetOutcome>(module, "TargetOutcome", "What became of one target.")
+      .def_readonly("target", &TargetOutcome::target, "Id of the detection, box or body.")
+      .def_readonly("grasps", &TargetOutcome::grasps, "Number of grasps that were found.")
+      .def_property_readonly(
+          "rejected",
+          [](const TargetOutcome& outcome) {
+            std::map<std::string, int> counts;
+            for (const auto& [why, count] : outcome.refusals) counts.emplace(to_string(why), count);
+            return counts;
+          },
+          "How many of its candidates were refused, by reason.")
+      .def_property_readonly(
+          "furthest",
+          [](const TargetOutcome& outcome) -> std::optional<std::string> {
+            if (const auto why = furthest(outcome.refusals)) return std::string(to_string(*why));
+            return std::nullopt;
+          },
+          "The reason that refused the candidates which passed most checks; None if there is "
+          "none.");
   py::class_<GraspPlan>(module, "Plan", "What was planned on a cloud: a sequence of its grasps.")
       .def_readonly("grasps", &GraspPlan::grasps, "Best first.")
       .def_readonly("rejected", &GraspPlan::rejected, "How much was refused, by reason.")
+      .def_readonly("targets", &GraspPlan::targets,
+                    "What became of each target that was asked for.")
       .def_readonly("boxes", &GraspPlan::boxes, "Boxes among the detections, which may be targets.")
       .def_property_readonly(
           "timings", [](const GraspPlan& p) { return dict_of(p.timings); }, "By stage [ms].")

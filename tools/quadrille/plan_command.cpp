@@ -34,6 +34,7 @@
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/grasping/conventions.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
+#include "quadrille/grasping/remedies.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/picture_option.hpp"
@@ -53,6 +54,7 @@ struct PlanArguments {
   InputArguments input;
   QueryArguments query;
   std::optional<HandConvention> convention;
+  bool advise = false;
 };
 
 Choices<HandConvention> conventions() {
@@ -162,7 +164,7 @@ struct PlanOutput {
 /// @param info  information about the run, with the warnings so far
 void put_out(const PlanArguments& arguments, const PlanSetup& setup, const InputCloud& input,
              io::RunInfo info, const DetectionResult& result, const GraspPlan& plan,
-             PlanOutput* output) {
+             const std::optional<std::vector<Remedy>>& remedies, PlanOutput* output) {
   for (const auto& warnings : {result.warnings, without(plan.warnings, result.warnings)}) {
     info.warnings.insert(info.warnings.end(), warnings.begin(), warnings.end());
     print_warnings(input.info.input, warnings);
@@ -173,12 +175,13 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
   const bool is_found = !result.detections.empty() || !plan.warnings.empty();
   io::Json object = io::plan_json(input.info, info, result, plan);
   object["query"] = io::to_json(arguments.query.query());
+  if (remedies) object["remedies"] = io::to_json(*remedies);
   if (arguments.convention) add_hands(plan, setup.gripper, *arguments.convention, &object);
   output->json.write(object);
   if (!output->json.owns_stdout()) {
     const Paint paint = Paint::of_stdout();
     print(detection_table(input.info, result, paint) +
-          grasp_table(is_found ? plan : nothing, setup.options.unknown, paint));
+          grasp_table(is_found ? plan : nothing, setup.options.unknown, remedies, paint));
   }
   // The plan's warnings say why there is none.
   if (output->map && plan.space) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
@@ -197,9 +200,16 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
       moved(completed(arguments.query.query(), setup.options), input.X_CK.inverse());
   const std::vector<PointCloud> views =
       read_views(arguments.views, input.X_CK.inverse(), &info.warnings);
-  const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, views,
-                         bus::as_received(found.boxes), bus::as_received(found.bodies));
+  const std::vector<Box> boxes = bus::as_received(found.boxes);
+  const std::vector<SceneBody> bodies = bus::as_received(found.bodies);
+  const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, views, boxes,
+                         bodies);
   const GraspPlan planned = asked.plan_from_start(query);
+  std::optional<std::vector<Remedy>> remedies;
+  if (arguments.advise) {
+    remedies = find_remedies(planned, input.cloud, detections, setup.gripper, setup.options, views,
+                             query, boxes, bodies);
+  }
   found.boxes = planned.boxes;
   // All detections were obstacles, but only those that were asked for are shown.
   std::erase_if(found.detections, [](const Detection& d) { return !is_reported(d); });
@@ -208,7 +218,8 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   result.detections = moved(std::move(result.detections), input.X_CK);
   result.boxes = moved(std::move(result.boxes), input.X_CK);
   result.bodies = moved(std::move(result.bodies), input.X_CK);
-  put_out(arguments, setup, input, std::move(info), result, moved(planned, input.X_CK), output);
+  put_out(arguments, setup, input, std::move(info), result, moved(planned, input.X_CK), remedies,
+          output);
   if (output->pictures.wanted()) {
     arguments.picture.write(output->pictures.next(path),
                             {input.info.input, input.cloud, found, &planned, &setup.gripper});
@@ -268,6 +279,8 @@ void add_plan_command(CLI::App& app) {
   arguments->planner.add_to(*command, "");
   command->add_option("--json", arguments->json, "Write JSON, an object a line; - is stdout")
       ->type_name("FILE|-");
+  command->add_flag("--advise", arguments->advise,
+                    "Try other settings and hands where there is no grasp, and say what gives one");
   command->add_option("--view", arguments->views, "More views of the same scene, in its frame")
       ->type_name("CLOUD");
   command->add_option("--map", arguments->map, "Write free and occupied space as an OctoMap")

@@ -52,9 +52,11 @@ std::string published_table(const std::string& channel, const grasps_t& message,
   }
   for (const std::string& warning : message.warnings)
     text += "      " + printable(warning, kMaxLine) + "\n";
-  if (!message.grasps.empty()) return text;
-  for (const count_t& refused : message.rejected) {
-    text += fmt::format("      {} refused: {}\n", refused.count, printable(refused.name));
+  for (const target_outcome_t& target : message.targets) {
+    if (target.num_grasps > 0) continue;
+    text += fmt::format(
+        "      no grasp on {}: {}\n", target.target,
+        target.furthest.empty() ? "no way to hold it was found" : printable(target.furthest));
   }
   return text;
 }

@@ -8,6 +8,24 @@
 #include "io/planner/advice.hpp"
 
 namespace quadrille {
+namespace {
+
+/// Says why a target has no grasp, and what would give it one, if that was tried.
+std::string lines_of(const TargetOutcome& outcome, UnknownPolicy unknown,
+                     const std::optional<std::vector<Remedy>>& remedies) {
+  std::string text =
+      fmt::format("  no grasp on {}: {}\n", outcome.target, explain_no_grasp(outcome, unknown));
+  if (!remedies) return text;
+  std::string tried;
+  for (const Remedy& remedy : *remedies) {
+    if (remedy.target != outcome.target) continue;
+    tried += fmt::format("    {}: {} grasp{}, the best with a score of {:.2f}\n", remedy.change,
+                         remedy.grasps, remedy.grasps == 1 ? "" : "s", remedy.score);
+  }
+  return text + (tried.empty() ? "    no other hand or setting that was tried gives one\n" : tried);
+}
+
+}  // namespace
 
 std::string detection_table(const io::InputInfo& input, const DetectionResult& result,
                             const Paint& paint) {
@@ -48,10 +66,16 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
   return text;
 }
 
-std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown, const Paint& paint) {
+std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown,
+                        const std::optional<std::vector<Remedy>>& remedies, const Paint& paint) {
   std::string text;
   if (plan.grasps.empty()) {
-    text = paint.bad("  no grasps found") + "\n  " + explain_no_grasps(plan, unknown) + "\n";
+    text = paint.bad("  no grasps found") + "\n";
+    if (plan.targets.empty()) {
+      text += "  nothing that could be grasped was found, or asked for; ";
+      text += plan.warnings.empty() ? "try a closer view, or one that shows more of the objects\n"
+                                    : "see the warnings\n";
+    }
   } else {
     text = paint.head(fmt::format("  {:>5} {:>6} {:<6} {:>5} {:>8} {:>8} {:>8} {:>7}        {}",
                                   "grasp", "target", "kind", "score", "width/mm", "friction",
@@ -67,6 +91,9 @@ std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown, const Pain
         ++number, g.target, word_of(g.kind), g.score, 1000.0 * g.width, g.friction_needed,
         g.epsilon, 1000.0 * g.clearance, p.x(), p.y(), p.z(),
         g.unknown_contact ? "  touches an unseen part" : "");
+  }
+  for (const TargetOutcome& outcome : plan.targets) {
+    if (outcome.grasps == 0) text += lines_of(outcome, unknown, remedies);
   }
   if (plan.rejected.empty()) return text;
   std::string reasons;

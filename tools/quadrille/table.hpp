@@ -1,11 +1,14 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/paint.hpp"
 #include "io/json/json.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/plan.hpp"
+#include "quadrille/grasping/remedies.hpp"
 
 namespace quadrille {
 
@@ -14,7 +17,9 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
                             const Paint& paint);
 
 /// Returns a readable table of the grasps of one cloud, one per line, with what was refused and
-/// why; if there are none, also with advice.
-std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown, const Paint& paint);
+/// why. Lines follow on each target without a grasp: why it has none, and what would give it one.
+/// @param remedies  nullopt if none were sought
+std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown,
+                        const std::optional<std::vector<Remedy>>& remedies, const Paint& paint);
 
 }  // namespace quadrille

@@ -70,10 +70,13 @@ Gripper robotiq_2f140() {
   return hand;
 }
 
+std::vector<Gripper> built_in_grippers() {
+  return {franka_hand(), robotiq_2f140(), robotiq_2f85(), schunk_wsg50()};
+}
+
 Gripper gripper_by_name(const std::string& name) {
   std::string known;
-  for (const auto& make : {franka_hand, robotiq_2f140, robotiq_2f85, schunk_wsg50}) {
-    Gripper hand = make();
+  for (const Gripper& hand : built_in_grippers()) {
     if (hand.name == name) return hand;
     known += (known.empty() ? "" : ", ") + hand.name;
   }

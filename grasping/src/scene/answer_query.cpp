@@ -42,14 +42,9 @@ class QueryPlanner {
       refusals_ = parts_.refusals;
     } else {
       for (const Target* target : asked) refusals_[Refusal::kUnmeasured] += target->unmeasured;
-      // A selected object may be among those for which there was no time.
-      refusals_[Refusal::kDeadline] +=
-          static_cast<int>(std::count_if(parts_.late.begin(), parts_.late.end(), [&](int id) {
-            const std::vector<int>& ids = query_.ids;
-            return ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end();
-          }));
       explain(asked);
     }
+    add_refused();
     for (const Target* target : asked) plan_target(*target);
     warn_of_cut();
     select();
@@ -75,24 +70,42 @@ class QueryPlanner {
     if (asked.empty() && !explained) warnings.push_back(why_none(query_, parts_.targets));
   }
 
+  /// Adds the outcome for detections and boxes that were refused as targets.
+  void add_refused() {
+    for (const auto& [id, why] : parts_.refused) {
+      const std::vector<int>& ids = query_.ids;
+      const bool named = std::find(ids.begin(), ids.end(), id) != ids.end();
+      if (query_.selects() && !named && !(ids.empty() && why == Refusal::kDeadline)) continue;
+      // A selected object may be among those for which there was no time.
+      if (query_.selects() && why == Refusal::kDeadline) ++refusals_[why];
+      plan_.targets.push_back({id, 0, {{why, 1}}});
+    }
+  }
+
   void plan_target(const Target& target) {
     // No hand that holds the target is farther from it than this.
     const Eigen::AlignedBox3d hands_C = around(target.body, parts_.reach);
-    if (query_.reach && !may_reach(*query_.reach, Eigen::Isometry3d::Identity(), hands_C)) {
-      ++refusals_[Refusal::kReach];
-      return;
-    }
+    RefusalCounts refusals;
     std::vector<Grasp> grasps;
-    const bool cut = deadline_.passed() || try_holds(target, grasps);
-    if (cut) ++refusals_[Refusal::kDeadline];
-    keep(grasps, target);
+    if (query_.reach && !may_reach(*query_.reach, Eigen::Isometry3d::Identity(), hands_C)) {
+      ++refusals[Refusal::kReach];
+    } else {
+      const bool cut = deadline_.passed() || try_holds(target, grasps, refusals);
+      if (cut) ++refusals[Refusal::kDeadline];
+      keep(grasps, target);
+    }
+    for (const auto& [why, number] : refusals) refusals_[why] += number;
+    if (target.unmeasured > 0) refusals[Refusal::kUnmeasured] += target.unmeasured;
+    std::erase_if(refusals, [](const auto& refusal) { return refusal.second == 0; });
+    plan_.targets.push_back({target.id, static_cast<int>(grasps.size()), std::move(refusals)});
   }
 
   /// Tries holds by the tips, and then by the points, only if the target is not held in another way
   /// as often as is asked for; once at least.
   /// @param grasps  receives the grasps
+  /// @param refusals  receives the refusals
   /// @return whether the deadline ended the search early
-  bool try_holds(const Target& target, std::vector<Grasp>& grasps) {
+  bool try_holds(const Target& target, std::vector<Grasp>& grasps, RefusalCounts& refusals) {
     const auto task = [&](const CollisionScene& scene) {
       return TargetTask{parts_, query_, deadline_, target, scene};
     };
@@ -100,7 +113,7 @@ class QueryPlanner {
     bool cut = false;
     const auto add = [&](const TargetGrasps& found) {
       grasps.insert(grasps.end(), found.grasps.begin(), found.grasps.end());
-      for (const auto& [why, number] : found.refusals) refusals_[why] += number;
+      for (const auto& [why, number] : found.refusals) refusals[why] += number;
       cut |= found.cut;
     };
     // A search that continues others must find what they did not.

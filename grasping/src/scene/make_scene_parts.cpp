@@ -210,7 +210,7 @@ class SceneMaker {
 
   void refuse(int id, Refusal why) {
     parts_.why_none[id] = "cannot be held: " + std::string(to_string(why));
-    if (why == Refusal::kDeadline) parts_.late.push_back(id);
+    parts_.refused.emplace(id, why);
   }
 
   /// The box of which a detection is a face; nullptr if there is none.

@@ -49,8 +49,8 @@ struct SceneParts {
   std::vector<Target> targets;
   /// Why other detections and boxes are not targets, by id: "is a plane".
   std::map<int, std::string> why_none;
-  /// Ids of the detections and boxes for which there was no time.
-  std::vector<int> late;
+  /// The detections and boxes among these that are to be grasped but were refused, by id.
+  std::map<int, Refusal> refused;
   RefusalCounts refusals;
   /// Null if there was no time to map it.
   std::shared_ptr<const OccupancyGrid> space;

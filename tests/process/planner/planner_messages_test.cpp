@@ -44,6 +44,7 @@ TEST_CASE("grasps keep all their fields in the message", "[planner][messages]") 
   GraspPlan plan;
   plan.grasps = {grasp};
   plan.rejected = {{"collision", 7}, {"width", 2}};
+  plan.targets = {{4, 0, {{Refusal::kWidth, 2}, {Refusal::kCollision, 7}}}, {6, 1, {}}};
   plan.warnings = {"no table"};
   PlannerSettings settings;
   settings.gripper.name = "franka";
@@ -55,6 +56,13 @@ TEST_CASE("grasps keep all their fields in the message", "[planner][messages]") 
   REQUIRE(got.rejected.size() == 2);
   CHECK(got.rejected[0].name == "collision");
   CHECK(got.rejected[0].count == 7);
+  REQUIRE(got.targets.size() == 2);
+  CHECK(got.targets[0].target == 4);
+  CHECK(got.targets[0].num_grasps == 0);
+  CHECK(got.targets[0].furthest == "collision");
+  CHECK(got.targets[0].rejected.size() == 2);
+  CHECK(got.targets[1].num_grasps == 1);
+  CHECK(got.targets[1].furthest.empty());
   REQUIRE(got.grasps.size() == 1);
   const grasp_t& m = got.grasps[0];
   CHECK(m.target == 3);

@@ -1,7 +1,10 @@
 #include "io/planner/advice.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace quadrille {
@@ -87,24 +90,13 @@ std::string advise(std::string_view reason, UnknownPolicy unknown) {
   return "";
 }
 
-std::string explain_no_grasps(const GraspPlan& plan, UnknownPolicy unknown) {
-  if (plan.cut) return advise(to_string(Refusal::kDeadline), unknown);
-  // Candidates refused for their clearance come first: they would have been grasps if less
-  // clearance had been required.
-  const auto near = plan.rejected.find(std::string(to_string(Refusal::kClearance)));
-  const auto main =
-      near != plan.rejected.end()
-          ? near
-          : std::max_element(plan.rejected.begin(), plan.rejected.end(),
-                             [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (main == plan.rejected.end() || main->second == 0) {
-    return plan.warnings.empty()
-               ? "nothing that could be grasped was found, or asked for; try a closer view, or one "
-                 "that shows more of the objects"
-               : "nothing that could be grasped was found, or asked for; see the warnings";
-  }
-  const std::string line = advise(main->first, unknown);
-  return line.empty() ? "most candidates are refused as '" + main->first + "'" : line;
+std::string explain_no_grasp(const TargetOutcome& outcome, UnknownPolicy unknown) {
+  const std::optional<Refusal> why = furthest(outcome.refusals);
+  if (!why) return "no way to hold it was found; try a closer view";
+  int all = 0;
+  for (const auto& [reason, count] : outcome.refusals) all += count;
+  return fmt::format("{} ({} of {} candidates, those that got furthest): {}", to_string(*why),
+                     outcome.refusals.at(*why), all, advise(to_string(*why), unknown));
 }
 
 }  // namespace quadrille

@@ -12,8 +12,8 @@ namespace quadrille {
 /// @param reason  name as in GraspPlan::rejected
 std::string advise(std::string_view reason, UnknownPolicy unknown);
 
-/// Returns one readable line on why a plan has no grasps: the main reason in plain words, and what
-/// to try. Reasons are weighed by the number of candidates that they ended.
-std::string explain_no_grasps(const GraspPlan& plan, UnknownPolicy unknown);
+/// Returns one readable line on why a target has no grasp: the reason that refused the candidates
+/// that got furthest, how many these were, and what to try.
+std::string explain_no_grasp(const TargetOutcome& outcome, UnknownPolicy unknown);
 
 }  // namespace quadrille

@@ -43,6 +43,26 @@ Json to_json(const CollisionShape& shape) {
   return json;
 }
 
+Json to_json(const TargetOutcome& outcome) {
+  Json rejected = Json::object();
+  for (const auto& [why, count] : outcome.refusals) rejected[std::string(to_string(why))] = count;
+  Json json = {{"target", outcome.target}, {"grasps", outcome.grasps}, {"rejected", rejected}};
+  const std::optional<Refusal> why = furthest(outcome.refusals);
+  json["furthest"] = why ? Json(to_string(*why)) : Json(nullptr);
+  return json;
+}
+
+Json to_json(const std::vector<Remedy>& remedies) {
+  Json list = Json::array();
+  for (const Remedy& remedy : remedies) {
+    list.push_back({{"target", remedy.target},
+                    {"change", remedy.change},
+                    {"grasps", remedy.grasps},
+                    {"score", remedy.score}});
+  }
+  return list;
+}
+
 Json to_json(const GraspQuery& query) {
   Json json = Json::object();
   if (!query.ids.empty()) json["target"] = query.ids;
@@ -78,9 +98,10 @@ Json plan_json(const InputInfo& input, const RunInfo& run, const DetectionResult
                   {"detect_ms", result.total_ms},
                   {"plan_ms", plan.total_ms}};
   add_stages(plan.timings, &timings);
-  Json grasps = Json::array(), shapes = Json::array();
+  Json grasps = Json::array(), shapes = Json::array(), targets = Json::array();
   for (const Grasp& grasp : plan.grasps) grasps.push_back(to_json(grasp));
   for (const CollisionShape& shape : plan.shapes) shapes.push_back(to_json(shape));
+  for (const TargetOutcome& outcome : plan.targets) targets.push_back(to_json(outcome));
   Json json = begin_json(input, run);
   json["detections"] = to_json(result.detections);
   json["boxes"] = to_json(result.boxes);
@@ -88,6 +109,7 @@ Json plan_json(const InputInfo& input, const RunInfo& run, const DetectionResult
   json["timings"] = timings;
   json["grasps"] = grasps;
   json["rejected"] = plan.rejected;
+  json["targets"] = targets;
   json["shapes"] = shapes;
   return json;
 }

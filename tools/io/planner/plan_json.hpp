@@ -1,7 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include "io/json/json.hpp"
 #include "quadrille/grasping/plan.hpp"
+#include "quadrille/grasping/remedies.hpp"
 
 namespace quadrille::io {
 
@@ -10,6 +13,12 @@ Json to_json(const Grasp& grasp);
 
 /// Returns one collision shape.
 Json to_json(const CollisionShape& shape);
+
+/// Returns what became of a target.
+Json to_json(const TargetOutcome& outcome);
+
+/// Returns the list of remedies.
+Json to_json(const std::vector<Remedy>& remedies);
 
 /// Returns the query: only the conditions that were given, in the frame of the results.
 Json to_json(const GraspQuery& query);

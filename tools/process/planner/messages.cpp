@@ -3,7 +3,9 @@
 #include <octomap/OcTree.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "io/planner/octree_bytes.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -23,6 +25,25 @@ Message make_stamped(const Stamp& stamp) {
 template <class Element>
 std::int32_t count(const std::vector<Element>& elements) {
   return static_cast<std::int32_t>(elements.size());
+}
+
+count_t make_count(std::string_view name, int number) {
+  count_t m;
+  m.name = name;
+  m.count = number;
+  return m;
+}
+
+target_outcome_t to_message(const TargetOutcome& outcome) {
+  target_outcome_t m;
+  m.target = outcome.target;
+  m.num_grasps = outcome.grasps;
+  if (const std::optional<Refusal> why = furthest(outcome.refusals)) m.furthest = to_string(*why);
+  for (const auto& [why, number] : outcome.refusals) {
+    m.rejected.push_back(make_count(to_string(why), number));
+  }
+  m.num_rejected = count(m.rejected);
+  return m;
 }
 
 }  // namespace
@@ -71,12 +92,11 @@ grasps_t make_grasps_message(const Stamp& stamp, const GraspPlan& plan,
   for (const Grasp& grasp : plan.grasps) m.grasps.push_back(to_message(grasp));
   m.num_grasps = count(m.grasps);
   for (const auto& [reason, number] : plan.rejected) {
-    count_t entry;
-    entry.name = reason;
-    entry.count = number;
-    m.rejected.push_back(entry);
+    m.rejected.push_back(make_count(reason, number));
   }
   m.num_rejected = count(m.rejected);
+  for (const TargetOutcome& outcome : plan.targets) m.targets.push_back(to_message(outcome));
+  m.num_targets = count(m.targets);
   m.warnings = plan.warnings;
   m.num_warnings = count(m.warnings);
   return m;

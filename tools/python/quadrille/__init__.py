@@ -27,11 +27,11 @@ from numpy.typing import ArrayLike as _ArrayLike
 
 from . import _core
 from ._core import (Body, Box, Detection, FileError, Grasp, GraspQuery, Gripper, Plan, Result,
-                    __version__, conventions, grippers, read_cloud)
+                    TargetOutcome, __version__, conventions, grippers, read_cloud)
 from ._lcmtypes import *
 
 __all__ = ["Body", "Box", "Detection", "FileError", "Grasp", "GraspQuery", "GraspScene", "Gripper",
-           "Plan", "Result", "Tracker", "conventions", "detect", "grippers", "plan", "read_cloud"]
+           "Plan", "Result", "TargetOutcome", "Tracker", "conventions", "detect", "grippers", "plan", "read_cloud"]
 
 _Path = _Union[str, "_os.PathLike[str]"]
 _Config = _Union[None, _Path, _Mapping[str, _Any]]

@@ -113,8 +113,8 @@ function graspTable(grasps, view, chooseGrasp) {
 
 function refusals(rejected, object) {
   if (!rejected || rejected.length === 0) return [];
-  const most = rejected[0].count;
-  const title = object ? `Why others were refused` : `Refused, of all targets`;
+  const most = Math.max(...rejected.map(({ count }) => count));
+  const title = object ? `Why others were refused, those that got furthest first` : `Refused, of all targets`;
   return [element("h2", { text: title }), ...rejected.map(({ reason, count, help }) => {
     const fill = element("i");
     fill.style.width = `${100 * count / most}%`;

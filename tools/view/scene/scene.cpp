@@ -14,6 +14,7 @@
 #include "io/planner/plan_json.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/setting.hpp"
+#include "quadrille/grasping/refusal.hpp"
 #include "view/scene/owners.hpp"
 #include "view/scene/pack.hpp"
 
@@ -53,13 +54,14 @@ Json lines_of(const Box& box) {
   return lines;
 }
 
-/// Lists the refusals, the most frequent reasons first, each with advice.
+/// Lists the refusals, each with advice. The reasons of the last checks come first, since they
+/// refused the candidates that got furthest.
 Json refusals_of(const Rejected& rejected, UnknownPolicy unknown) {
-  std::vector<std::pair<std::string, std::int64_t>> sorted(rejected.begin(), rejected.end());
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
   Json list = Json::array();
-  for (const auto& [reason, count] : sorted) {
+  for (int n = static_cast<int>(Refusal::kDeadline); n >= 0; --n) {
+    const auto found = rejected.find(std::string(to_string(static_cast<Refusal>(n))));
+    if (found == rejected.end()) continue;
+    const auto& [reason, count] = *found;
     list.push_back({{"reason", reason}, {"count", count}, {"help", advise(reason, unknown)}});
   }
   return list;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "quadrille/detector/detection.hpp"
@@ -10,30 +11,19 @@
 namespace quadrille::view {
 namespace {
 
-Rejected counts_of(const GraspPlan& plan) { return {plan.rejected.begin(), plan.rejected.end()}; }
-
-std::vector<int> ids_of(const Scene& scene) {
-  std::vector<int> ids;
-  for (const Detection& d : scene.detections) {
-    if (d.type != QuadricType::kPlane) ids.push_back(d.id);
-  }
-  for (const Box& box : scene.boxes) ids.push_back(box.id);
-  return ids;
-}
-
-/// Adds the refusals of each object, and its grasps if those of other objects had displaced all of
+/// Adds the refusals of each target, and its grasps if those of other targets had displaced all of
 /// them from the list.
-void ask_for_each(const GraspScene& asked, GraspQuery query, const std::vector<int>& ids,
-                  GraspPlan* plan, Scene* scene) {
+void add_targets(const GraspScene& asked, GraspQuery query, GraspPlan* plan, Scene* scene) {
   constexpr int kMaxGrasps = 20;
   std::set<int> listed;
   for (const Grasp& grasp : plan->grasps) listed.insert(grasp.target);
   query.max_grasps = kMaxGrasps;
-  for (const int id : ids) {
-    query.ids = {id};
-    GraspPlan own = asked.plan(query);
-    scene->rejected_of[id] = counts_of(own);
-    if (listed.contains(id)) continue;
+  for (const TargetOutcome& outcome : plan->targets) {
+    Rejected& rejected = scene->rejected_of[outcome.target];
+    for (const auto& [why, count] : outcome.refusals) rejected[std::string(to_string(why))] = count;
+    if (outcome.grasps == 0 || listed.contains(outcome.target)) continue;
+    query.ids = {outcome.target};
+    const GraspPlan own = asked.plan(query);
     plan->grasps.insert(plan->grasps.end(), own.grasps.begin(), own.grasps.end());
   }
 }
@@ -65,8 +55,8 @@ void add_plan(const GraspScene& asked, const GraspQuery& query, GraspPlan plan,
   scene->gripper = gripper;
   scene->gripper_name = gripper.name;
   scene->unknown = unknown;
-  scene->rejected = counts_of(plan);
-  ask_for_each(asked, query, ids_of(*scene), &plan, scene);
+  scene->rejected = {plan.rejected.begin(), plan.rejected.end()};
+  add_targets(asked, query, &plan, scene);
   for (const Grasp& grasp : plan.grasps) scene->grasps.push_back(moved(grasp, X_CK));
   scene->timings.push_back({"plan", plan.total_ms});
   add_new(plan.warnings, &scene->warnings);

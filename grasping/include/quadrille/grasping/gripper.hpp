@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <string>
+#include <vector>
 
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
@@ -57,6 +58,9 @@ QUADRILLE_EXPORT Gripper schunk_wsg50();
 /// The Robotiq 2F-85 with its flat pads and the Robotiq 2F-140 with its large rubber pads.
 QUADRILLE_EXPORT Gripper robotiq_2f85();
 QUADRILLE_EXPORT Gripper robotiq_2f140();
+
+/// Returns all of these, in the order of their names.
+QUADRILLE_EXPORT std::vector<Gripper> built_in_grippers();
 
 /// Returns a built-in gripper by name ("franka", "robotiq_2f140", "robotiq_2f85", "wsg50").
 /// @throws std::invalid_argument listing the known names

@@ -20,6 +20,16 @@
 
 namespace quadrille {
 
+/// What became of one target, or of a detection or box that was refused as a target.
+struct TargetOutcome {
+  /// Id of the detection, box or body.
+  int target = 0;
+  /// Number of grasps that were found; a plan holds no more than its largest number of all.
+  int grasps = 0;
+  /// The refused candidates; for a detection that is no target, the one reason.
+  RefusalCounts refusals;
+};
+
 /// The result of planning grasps on one cloud and its quadrics.
 struct GraspPlan {
   /// The grasps, best first.
@@ -27,6 +37,8 @@ struct GraspPlan {
   /// Number of refused candidates by the name of the Refusal; reasons that did not occur are left
   /// out.
   std::map<std::string, int> rejected;
+  /// The outcome for each target that was asked for.
+  std::vector<TargetOutcome> targets;
   /// The boxes of which detected planes are faces; each box may be a target.
   std::vector<Box> boxes;
   /// The collision shapes of all boxes, and of all detections that have a shape and are not faces

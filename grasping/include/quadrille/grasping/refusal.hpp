@@ -1,13 +1,14 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include "quadrille/detector/export.hpp"
 
 namespace quadrille {
 
-/// Why the planner refused something.
+/// Why the planner refused something, in the order of its checks.
 enum class Refusal {
   kViewpoint,       ///< a detection in a cloud that contradicts its viewpoint
   kNoShape,         ///< a detection that bounds no solid
@@ -37,5 +38,9 @@ QUADRILLE_EXPORT std::string_view to_string(Refusal refusal);
 
 /// Number of refusals by reason.
 using RefusalCounts = std::map<Refusal, int>;
+
+/// Returns the reason that refused those that passed most checks; nullopt if nothing was refused.
+/// This reason decides, even if another one refused more.
+QUADRILLE_EXPORT std::optional<Refusal> furthest(const RefusalCounts& refusals);
 
 }  // namespace quadrille

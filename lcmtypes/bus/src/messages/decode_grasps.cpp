@@ -7,6 +7,16 @@ namespace {
 /// Size of a grasp: its target, track and kind, 34 doubles and a flag.
 constexpr std::size_t kGraspBytes = 4 + 4 + 1 + 34 * 8 + 1;
 
+/// Size of an outcome without refusals: two numbers, a string and the number of refusals.
+constexpr std::size_t kMinOutcomeBytes = 4 + 4 + kMinStringBytes + 4;
+
+void skip_outcome(ByteReader& reader) {
+  reader.read_int32("target");
+  reader.read_int32("num_grasps");
+  reader.skip_string("furthest");
+  reader.skip_counts("rejected");
+}
+
 void check_grasps(ByteReader& reader) {
   reader.read_int64("utime");
   reader.read_int64("request_id");
@@ -16,6 +26,7 @@ void check_grasps(ByteReader& reader) {
   reader.skip_string("unknown");
   reader.skip_array("grasps", kGraspBytes);
   reader.skip_counts("rejected");
+  reader.skip_list("targets", kMinOutcomeBytes, skip_outcome);
   reader.skip_strings("warnings");
 }
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "quadrille/detector/export.hpp"
+#include "quadrille/grasping/plan.hpp"
+
+namespace quadrille {
+
+/// A change of one setting with which a target has a grasp.
+struct Remedy {
+  /// Id of the detection, box or body.
+  int target = 0;
+  /// The change, as on the command line: "--gripper robotiq_2f85".
+  std::string change;
+  /// Number of grasps of the target after the change, and the score of the best one.
+  int grasps = 0;
+  double score = 0.0;
+};
+
+/// Plans again with one other setting at a time for the targets without a grasp, and returns what
+/// helped: a lower score, conditions of the query left out, unknown space as free, half the
+/// approach, other built-in hands. Each takes about as long as a plan.
+/// @param plan  the plan for the other parameters, which are those of plan_grasps()
+/// @throws std::invalid_argument if gripper, options or query are out of range
+QUADRILLE_EXPORT std::vector<Remedy> find_remedies(
+    const GraspPlan& plan, const PointCloud& cloud, const std::vector<Detection>& detections,
+    const Gripper& gripper, const PlanOptions& options = {},
+    const std::vector<PointCloud>& further = {}, const GraspQuery& query = {},
+    std::optional<std::vector<Box>> boxes = {}, const std::vector<SceneBody>& bodies = {});
+
+}  // namespace quadrille
