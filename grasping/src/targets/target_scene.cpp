@@ -1,7 +1,9 @@
 #include "targets/target_scene.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <vector>
 
 #include "body/pieces.hpp"
@@ -37,12 +39,48 @@ CollisionScene uncarved_scene(const Target& target, const SceneParts& parts) {
   return scene;
 }
 
+/// Returns how far from the target's surface a point may lie and still be explained by it [m].
+double explained_distance(const Target& target) {
+  return std::clamp(kCarveSigmas * target.noise, kMinCarveNoise, kMaxCarveNoise);
+}
+
 /// Returns the margin by which the body is grown for carving. The centre of a voxel that reaches
 /// into the target lies within half the voxel's diagonal, plus the noise of the points.
 double carve_margin(const OccupancyGrid& space, const Target& target) {
-  const double noise = std::clamp(kCarveSigmas * target.noise, kMinCarveNoise, kMaxCarveNoise);
-  return 0.5 * std::sqrt(3.0) * space.resolution() + noise;
+  return 0.5 * std::sqrt(3.0) * space.resolution() + explained_distance(target);
 }
+
+/// The voxels about a body that hold more points outside of it than in it or on its surface.
+class UnexplainedVoxels {
+ public:
+  UnexplainedVoxels(const Target& target, const SceneParts& parts)
+      : edge_(parts.space->resolution()) {
+    const double explained = explained_distance(target);
+    const Eigen::AlignedBox3f near =
+        around(target.body, carve_margin(*parts.space, target) + edge_).cast<float>();
+    for (const Eigen::Vector3f& p : parts.points) {
+      if (!near.contains(p)) continue;
+      const Eigen::Vector3d p_C = p.cast<double>();
+      outside_[key_of(p_C)] += target.body.contains(p_C, explained) ? -1 : 1;
+    }
+  }
+
+  bool contains(const Eigen::Vector3d& centre_C) const {
+    const auto found = outside_.find(key_of(centre_C));
+    return found != outside_.end() && found->second > 0;
+  }
+
+ private:
+  using Key = std::array<int, 3>;
+  Key key_of(const Eigen::Vector3d& p_C) const {
+    const Eigen::Vector3i key = (p_C / edge_).array().floor().cast<int>();
+    return {key.x(), key.y(), key.z()};
+  }
+
+  double edge_;
+  /// Number of points outside of the body, less that of the others.
+  std::map<Key, int> outside_;
+};
 
 /// Returns true for voxels of the plane that the target stands on.
 bool holds_up(const Target& target, const OccupancyGrid& space, const Eigen::Vector3d& p_C) {
@@ -62,8 +100,10 @@ void clear_shadow(const Body& body, const SceneParts& parts, CollisionScene& sce
 CollisionScene solid_scene(const Target& target, const SceneParts& parts) {
   CollisionScene scene = uncarved_scene(target, parts);
   scene.target = make_pieces(target.body);
-  scene.map.carve(target.body, carve_margin(*parts.space, target),
-                  [&](const Eigen::Vector3d& p_C) { return holds_up(target, *parts.space, p_C); });
+  const UnexplainedVoxels unexplained(target, parts);
+  scene.map.carve(target.body, carve_margin(*parts.space, target), [&](const Eigen::Vector3d& p_C) {
+    return unexplained.contains(p_C) || holds_up(target, *parts.space, p_C);
+  });
   clear_shadow(target.body, parts, scene);
   return scene;
 }

@@ -128,3 +128,39 @@ TEST_CASE("a further view frees what the first one did not see", "[plan]") {
   CHECK(count(two, Voxel::kUnknown) < count(one, Voxel::kUnknown));
   CHECK(count(two, Voxel::kOccupied) > count(one, Voxel::kOccupied));
 }
+
+TEST_CASE("points on a target that its surface does not explain are obstacles", "[plan][target]") {
+  const Ball ball = ball_on_table(0.02, 0.01, 0.03);
+  // Beads around the ball, which reach 6 mm beyond it: fingers that hold its sides would hit them.
+  std::vector<Ball> beads;
+  for (int k = 0; k < 54; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / 54;
+    const Eigen::Vector3d out(std::cos(angle), std::sin(angle), 0.0);
+    beads.push_back({ball.p_C + 0.034 * (table_detection().X_CQ.linear() * out), 0.002});
+  }
+  std::vector<Ball> all = beads;
+  all.push_back(ball);
+  const PointCloud plain = render({ball}), beaded = render(all);
+  std::vector<Eigen::Vector3d> seen;
+  for (const Eigen::Vector3f& p : beaded.points) {
+    const double distance = (p.cast<double>() - ball.p_C).norm();
+    if (distance > 0.033 && distance < 0.0361) seen.push_back(p.cast<double>());
+  }
+  REQUIRE(seen.size() > 30);
+  const auto hits_beads = [&](const Grasp& grasp) {
+    const Gripper hand = franka_hand();
+    return std::any_of(seen.begin(), seen.end(), [&](const Eigen::Vector3d& p_C) {
+      const Eigen::Vector3d p_G = grasp.X_CG.inverse() * p_C;
+      return std::abs(p_G.x()) < 0.5 * hand.finger.x() && std::abs(p_G.z()) < 0.5 * hand.pad.y() &&
+             std::abs(p_G.y()) > 0.5 * grasp.width && std::abs(p_G.y()) < 0.5 * grasp.preshape;
+    });
+  };
+  PlanOptions options = with(UnknownPolicy::kFree);
+  options.min_score = 0.0;
+  const auto hits = [&](const PointCloud& points) {
+    const GraspPlan plan = plan_grasps(points, detections_of({ball}), franka_hand(), options);
+    return std::count_if(plan.grasps.begin(), plan.grasps.end(), hits_beads);
+  };
+  CHECK(hits(plain) > 3);
+  CHECK(hits(beaded) == 0);
+}
