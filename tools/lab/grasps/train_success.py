@@ -5,8 +5,8 @@
 
 Each file holds a list of grasps, {"scene": str, "kind": str, "terms": {…}, "good": bool}: the terms as in the JSON of
 `quadrille plan --min-score 0`, and whether the grasp held. Scenes of one kind, such as those of one sensor and family,
-count alike, however many grasps they have. A ridge draws each weight towards zero. The weight of the clearance is not
-learned but given: robots err, which simulated hands do not. On the standard error the script prints what the model
+count alike, however many grasps they have. A ridge draws each weight towards zero. The weights of the clearance and of the
+room between pads and body are not learned but given: robots err, which simulated hands do not. On the standard error the script prints what the model
 gives for scenes that it was not trained on.
 """
 import json
@@ -15,7 +15,7 @@ import sys
 import numpy as np
 
 RIDGE, FOLDS, MASS = 1.0, 6, 150
-GIVEN = {'clearance': 0.5}
+GIVEN = {'clearance': 0.5, 'room': 0.5}
 HEADER = '''// Written by tools/lab/grasps/train_success.py.
 #pragma once
 
