@@ -57,6 +57,12 @@ class PointHoldFinder {
     double rank;
   };
 
+  /// A point by its index, and how far it lies along the approach.
+  struct InSlice {
+    double z;
+    std::size_t index;
+  };
+
   /// Sorts the points along a closing direction, which many orientations of the hand share.
   void sort_along(const Eigen::Vector3d& closing_C) {
     std::vector<double> along;
@@ -83,12 +89,12 @@ class PointHoldFinder {
     const double first = 0.5 * (low + high) - 0.5 * step * (steps - 1);
     // The fingers cover two steps at each place, so each point is between them at two places.
     if (slices_.size() < static_cast<std::size_t>(steps)) slices_.resize(steps);
-    for (std::vector<BetweenPads>& slice : slices_) slice.clear();
-    const Eigen::Matrix3d R_GC = R_CG_.transpose();
+    for (std::vector<InSlice>& slice : slices_) slice.clear();
+    const Eigen::Vector3d z_C = R_CG_.col(2);
     for (const std::size_t i : order_) {
       const double place = std::floor((x_C.dot(points_.p_C[i]) - first) / step);
       if (!(place >= -1.0 && place < steps)) continue;
-      const BetweenPads point{R_GC * points_.p_C[i], R_GC * points_.n_C[i], own_[i] != 0};
+      const InSlice point{z_C.dot(points_.p_C[i]), i};
       const int before = static_cast<int>(place);
       if (before >= 0) slices_[static_cast<std::size_t>(before)].push_back(point);
       if (before + 1 < steps) slices_[static_cast<std::size_t>(before) + 1].push_back(point);
@@ -97,18 +103,27 @@ class PointHoldFinder {
   }
 
   /// Lowers the fingers on the points of a slice, which are sorted along the closing direction.
-  void lower(double x, const std::vector<BetweenPads>& slice) {
+  void lower(double x, const std::vector<InSlice>& slice) {
     if (slice.size() < kMinBetween) return;
     double top = std::numeric_limits<double>::infinity();
-    for (const BetweenPads& point : slice) {
-      if (point.own) top = std::min(top, point.p_G.z());
+    for (const InSlice& point : slice) {
+      if (own_[point.index]) top = std::min(top, point.z);
+    }
+    const double finger = gripper_.finger.z();
+    const auto [least, most] =
+        std::minmax_element(std::begin(kDepthsToFinger), std::end(kDepthsToFinger));
+    const Eigen::Matrix3d R_GC = R_CG_.transpose();
+    reached_.clear();
+    for (const auto& [z, i] : slice) {
+      if (!(z < top + *most * finger && z > top + (*least - 1.0) * finger)) continue;
+      reached_.push_back({R_GC * points_.p_C[i], R_GC * points_.n_C[i], own_[i] != 0});
     }
     for (const double share : kDepthsToFinger) {
-      const double tip = top + share * gripper_.finger.z();
+      const double tip = top + share * finger;
       between_.clear();
-      std::copy_if(slice.begin(), slice.end(), std::back_inserter(between_),
+      std::copy_if(reached_.begin(), reached_.end(), std::back_inserter(between_),
                    [&](const BetweenPads& point) {
-                     return point.p_G.z() < tip && point.p_G.z() > tip - gripper_.finger.z();
+                     return point.p_G.z() < tip && point.p_G.z() > tip - finger;
                    });
       hold_runs(x, tip, between_);
     }
@@ -171,9 +186,11 @@ class PointHoldFinder {
   Eigen::Matrix3d R_CG_ = Eigen::Matrix3d::Identity();
   /// Indices of the points, sorted along the closing direction.
   std::vector<std::size_t> order_;
-  /// The points between the fingers at each place; kept to reuse their memory.
-  std::vector<std::vector<BetweenPads>> slices_;
-  std::vector<BetweenPads> between_;
+  // Kept to reuse their memory:
+  /// The points between the fingers' sides at each place.
+  std::vector<std::vector<InSlice>> slices_;
+  /// Those of them that the fingers reach at any depth, and at one.
+  std::vector<BetweenPads> reached_, between_;
   std::vector<Ranked> ranked_;
 };
 
