@@ -62,7 +62,12 @@ TEST_CASE("a plan without grasps says why and what to try", "[command]") {
       "0.01\npad = [0.02, 0.02]\npalm = [0.06, 0.2, 0.06]\nmax_force = 70\n");
   const Run narrow = run_quadrille("plan --gripper " + tiny + " " + scene);
   INFO(narrow.out << narrow.err);
-  CHECK(contains(narrow.out, "wider than the gripper's opening"));
+  CHECK(contains(narrow.out, "wider than the gripper opens"));
+  CHECK(contains(narrow.out, "\n  no grasp on 1: "));
+  CHECK_FALSE(contains(narrow.out, "    --gripper franka: "));
+  const Run advised = run_quadrille("plan --advise --target 1 --gripper " + tiny + " " + scene);
+  INFO(advised.out << advised.err);
+  CHECK(contains(advised.out, "    --gripper franka: "));
 }
 
 TEST_CASE("a plan gives the hand's pose in another convention beside the grasp's", "[command]") {
