@@ -1,4 +1,5 @@
-// What became of each target, and what would give grasps to those that have none.
+// The outcome that a plan tells of each target, and the changes that give grasps to targets
+// without.
 #include "quadrille/grasping/remedies.hpp"
 
 #include <algorithm>
@@ -79,6 +80,33 @@ TEST_CASE("only targets that were asked for have an outcome", "[plan][remedies]"
   REQUIRE(plan.targets.size() == 1);
   CHECK(plan.targets[0].target == 2);
   CHECK(plan.targets[0].grasps == 0);
+}
+
+TEST_CASE("a target that is refused by its shape and held by its points has one outcome",
+          "[plan][remedies]") {
+  const Ball ball = ball_on_table(0.0, 0.0, 0.03);
+  // The detector takes the ball for one that is too large for the hand, of which few points remain.
+  Detection large = sphere_detection({ball.p_C, 0.08}, 1);
+  SceneBody body;
+  body.id = 1;
+  body.X_CB.linear() = table_detection().X_CQ.linear();
+  body.X_CB.translation() = ball.p_C;
+  body.size.setConstant(2.0 * ball.radius);
+  PlanOptions options = with(UnknownPolicy::kFree);
+  options.min_score = 0.0;
+  const GraspPlan plan = plan_grasps(render({ball}), {table_detection(), large}, franka_hand(),
+                                     options, {}, {}, {}, {body});
+  REQUIRE(plan.targets.size() == 1);
+  CHECK(plan.targets[0].target == 1);
+  CHECK(plan.targets[0].grasps > 0);
+  CHECK(plan.targets[0].refusals.at(Refusal::kWidth) >= 1);
+}
+
+TEST_CASE("what is not to be grasped has no outcome", "[plan][remedies]") {
+  Asked asked = small_and_large();
+  asked.options.max_detections = 1;
+  asked.options.targets = {QuadricType::kCylinder};
+  CHECK(asked.plan().targets.empty());
 }
 
 TEST_CASE("a hand that opens wider is a remedy for what is too wide", "[plan][remedies]") {

@@ -189,7 +189,8 @@ class PointHoldFinder {
   // Kept to reuse their memory:
   /// The points between the fingers' sides at each place.
   std::vector<std::vector<InSlice>> slices_;
-  /// Those of them that the fingers reach at any depth, and at one.
+  /// Those points of a slice that the fingers reach at some depth, and those that they reach at the
+  /// depth that is being tried.
   std::vector<BetweenPads> reached_, between_;
   std::vector<Ranked> ranked_;
 };

@@ -70,9 +70,11 @@ class QueryPlanner {
     if (asked.empty() && !explained) warnings.push_back(why_none(query_, parts_.targets));
   }
 
-  /// Adds the outcome for detections and boxes that were refused as targets.
+  /// Adds the outcome for detections and boxes that were refused as targets, unless a body of
+  /// unknown shape with the same number is one.
   void add_refused() {
     for (const auto& [id, why] : parts_.refused) {
+      if (is_target(id)) continue;
       const std::vector<int>& ids = query_.ids;
       const bool named = std::find(ids.begin(), ids.end(), id) != ids.end();
       if (query_.selects() && !named && !(ids.empty() && why == Refusal::kDeadline)) continue;
@@ -80,6 +82,11 @@ class QueryPlanner {
       if (query_.selects() && why == Refusal::kDeadline) ++refusals_[why];
       plan_.targets.push_back({id, 0, {{why, 1}}});
     }
+  }
+
+  bool is_target(int id) const {
+    return std::any_of(parts_.targets.begin(), parts_.targets.end(),
+                       [&](const Target& target) { return target.id == id; });
   }
 
   void plan_target(const Target& target) {
@@ -96,6 +103,10 @@ class QueryPlanner {
     }
     for (const auto& [why, number] : refusals) refusals_[why] += number;
     if (target.unmeasured > 0) refusals[Refusal::kUnmeasured] += target.unmeasured;
+    // What cannot be held by its shape was refused, before it was tried by its points.
+    if (const auto found = parts_.refused.find(target.id); found != parts_.refused.end()) {
+      ++refusals[found->second];
+    }
     std::erase_if(refusals, [](const auto& refusal) { return refusal.second == 0; });
     plan_.targets.push_back({target.id, static_cast<int>(grasps.size()), std::move(refusals)});
   }

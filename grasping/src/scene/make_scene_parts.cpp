@@ -95,8 +95,7 @@ class SceneMaker {
     const auto surplus = order.begin() + static_cast<std::ptrdiff_t>(most);
     for (auto index = surplus; index != order.end(); ++index) {
       const Detection& d = detections_[*index];
-      if (is_wanted(d, parts_.options)) ++parts_.refusals[Refusal::kSurplus];
-      refuse(d.id, Refusal::kSurplus);
+      refuse(d.id, Refusal::kSurplus, is_wanted(d, parts_.options));
     }
     std::sort(order.begin(), surplus);
     std::vector<Detection> kept;
@@ -133,7 +132,6 @@ class SceneMaker {
         continue;
       }
       if (shapes.empty() || (d.type != QuadricType::kPlane && !make_body(d))) {
-        ++parts_.refusals[Refusal::kNoShape];
         refuse(d.id, Refusal::kNoShape);
       }
       if (shapes.empty()) {
@@ -155,7 +153,6 @@ class SceneMaker {
     if (doubts.empty()) return true;
     for (const Detection& d : detections_) {
       if (d.type == QuadricType::kPlane || !is_wanted(d, parts_.options)) continue;
-      ++parts_.refusals[Refusal::kViewpoint];
       refuse(d.id, Refusal::kViewpoint);
     }
     return false;
@@ -175,8 +172,7 @@ class SceneMaker {
   /// no time left to try them.
   void drop_all_targets() {
     for (const Target& target : parts_.targets) {
-      if (target.wanted) ++parts_.refusals[Refusal::kDeadline];
-      refuse(target.id, Refusal::kDeadline);
+      refuse(target.id, Refusal::kDeadline, target.wanted);
     }
     parts_.targets.clear();
     warn("the deadline passed before space was mapped: the plan has no map");
@@ -191,8 +187,7 @@ class SceneMaker {
         find_far_boxes(boxes, parts_.viewpoint_C, parts_.options.resolution);
     for (auto n = far.rbegin(); n != far.rend(); ++n) {
       const auto target = parts_.targets.begin() + static_cast<std::ptrdiff_t>(*n);
-      if (target->wanted) ++parts_.refusals[Refusal::kFar];
-      refuse(target->id, Refusal::kFar);
+      refuse(target->id, Refusal::kFar, target->wanted);
       parts_.targets.erase(target);
     }
     if (far.empty()) return;
@@ -205,11 +200,14 @@ class SceneMaker {
   void add(ChosenTargets chosen) {
     std::move(chosen.targets.begin(), chosen.targets.end(), std::back_inserter(parts_.targets));
     for (const auto& [id, why] : chosen.refused) refuse(id, why);
-    for (const auto& [why, number] : chosen.refusals) parts_.refusals[why] += number;
+    parts_.refusals[Refusal::kUnmeasured] += chosen.unmeasured;
   }
 
-  void refuse(int id, Refusal why) {
+  /// Refuses a detection or box as a target; only if it is wanted, this counts.
+  void refuse(int id, Refusal why, bool wanted = true) {
     parts_.why_none[id] = "cannot be held: " + std::string(to_string(why));
+    if (!wanted) return;
+    ++parts_.refusals[why];
     parts_.refused.emplace(id, why);
   }
 

@@ -16,11 +16,8 @@ namespace {
 // A slanted box, or a body of uncertain size, may in truth be narrower than its smallest size. A
 // target up to this many times as wide as the largest opening is therefore still tried.
 constexpr double kMaxWidthToOpening = 1.5;
-// Larger hollows are not tableware [m].
-constexpr double kMaxShell = 0.4;
-
-// Things of unknown shape that are larger than this are furniture [m].
-constexpr double kMaxUnshaped = 0.4;
+// Hollow things, and things of unknown shape, that are larger than this are furniture [m].
+constexpr double kMaxTableware = 0.4;
 // Half the least size of the box around a body: a single face has no thickness [m].
 constexpr double kMinHalf = 0.001;
 
@@ -63,7 +60,7 @@ Body box_around(const SceneBody& body) {
 /// @return number of contact lines at which no points did
 int find_rim(const PointCloud& cloud, const DepthView& view, const Gripper& gripper,
              const PlanOptions& options, bool inside, Target& target) {
-  if (target.body.bounds_Q().sizes().maxCoeff() > kMaxShell) return 0;
+  if (target.body.bounds_Q().sizes().maxCoeff() > kMaxTableware) return 0;
   target.shell = find_shell(target.body, inside, cloud, view, target.up_C(),
                             {options.min_wall, options.max_wall});
   if (!target.shell) return 0;
@@ -91,7 +88,7 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
     const std::optional<Body> body = make_body(d);
     if (!body) continue;
     if (deadline.passed()) {
-      if (is_wanted(d, options)) chosen.refuse(d.id, Refusal::kDeadline);
+      if (is_wanted(d, options)) chosen.refused.emplace(d.id, Refusal::kDeadline);
       continue;
     }
     Target target;
@@ -104,14 +101,14 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
     target.wanted = is_wanted(d, options);
     const bool inside = seen_from_inside(d, *body);
     target.unmeasured = find_rim(cloud, view, gripper, options, inside, target);
-    if (target.wanted) chosen.refusals[Refusal::kUnmeasured] += target.unmeasured;
+    if (target.wanted) chosen.unmeasured += target.unmeasured;
     // A body that was seen from inside is not solid: it can be held only by its wall.
     target.solid = !inside && graspable(*body, gripper);
     if (target.solid || target.shell) {
       target.noise = point_noise(d, cloud);
       chosen.targets.push_back(std::move(target));
     } else if (is_wanted(d, options)) {
-      chosen.refuse(d.id, inside ? Refusal::kSeenFromInside : Refusal::kWidth);
+      chosen.refused.emplace(d.id, inside ? Refusal::kSeenFromInside : Refusal::kWidth);
     }
   }
   return chosen;
@@ -135,7 +132,7 @@ ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxe
                               });
     const Body body = make_body(box);
     if (deadline.passed()) {
-      if (wanted) chosen.refuse(box.id, Refusal::kDeadline);
+      if (wanted) chosen.refused.emplace(box.id, Refusal::kDeadline);
     } else if (graspable(body, gripper)) {
       Target& target = chosen.targets.emplace_back();
       target.id = box.id;
@@ -148,7 +145,7 @@ ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxe
       target.wanted = wanted;
       target.box = box;
     } else if (wanted) {
-      chosen.refuse(box.id, Refusal::kWidth);
+      chosen.refused.emplace(box.id, Refusal::kWidth);
     }
   }
   return chosen;
@@ -164,7 +161,7 @@ std::vector<Target> choose_unshaped(const std::vector<SceneBody>& bodies,
       return target.id == body.id || contains(body.parts, target.id);
     };
     if (std::any_of(targets.begin(), targets.end(), is_body)) continue;
-    if (!is_sound(body) || body.size.maxCoeff() > kMaxUnshaped) continue;
+    if (!is_sound(body) || body.size.maxCoeff() > kMaxTableware) continue;
     std::vector<Detection> others;
     std::copy_if(detections.begin(), detections.end(), std::back_inserter(others),
                  [&](const Detection& d) { return !contains(body.parts, d.id); });

@@ -62,12 +62,8 @@ struct ChosenTargets {
   std::vector<Target> targets;
   /// Why other detections are not targets, by id.
   std::map<int, Refusal> refused;
-  RefusalCounts refusals;
-
-  void refuse(int id, Refusal why) {
-    ++refusals[why];
-    refused.emplace(id, why);
-  }
+  /// Number of lines across rims that were not measured.
+  int unmeasured = 0;
 };
 ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detection>& detections,
                              const DepthView& view, const Gripper& gripper,

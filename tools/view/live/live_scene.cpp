@@ -95,10 +95,11 @@ void add_grasps(const grasps_t& message, const FindGripper& find_gripper, std::s
     if (message.unknown == word) scene->unknown = policy;
   }
   for (const count_t& refused : message.rejected) scene->rejected[refused.name] = refused.count;
-  for (const target_outcome_t& target : message.targets) {
-    if (!same_cloud) break;
-    Rejected& rejected = scene->rejected_of[target.target];
-    for (const count_t& refused : target.rejected) rejected[refused.name] = refused.count;
+  if (same_cloud) {
+    for (const target_outcome_t& target : message.targets) {
+      Rejected& rejected = scene->rejected_of[target.target];
+      for (const count_t& refused : target.rejected) rejected[refused.name] = refused.count;
+    }
   }
   scene->warnings.insert(scene->warnings.end(), message.warnings.begin(), message.warnings.end());
 }

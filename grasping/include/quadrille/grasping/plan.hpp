@@ -20,7 +20,8 @@
 
 namespace quadrille {
 
-/// What became of one target, or of a detection or box that was refused as a target.
+/// How the search for grasps of one target ended. Detections and boxes that were refused as targets
+/// have one too.
 struct TargetOutcome {
   /// Id of the detection, box or body.
   int target = 0;

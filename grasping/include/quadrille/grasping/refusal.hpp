@@ -8,7 +8,8 @@
 
 namespace quadrille {
 
-/// Why the planner refused something, in the order of its checks.
+/// Why the planner refused something, in the order of its checks. The last two reasons are limits
+/// of the plan.
 enum class Refusal {
   kViewpoint,       ///< a detection in a cloud that contradicts its viewpoint
   kNoShape,         ///< a detection that bounds no solid
