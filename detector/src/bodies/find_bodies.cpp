@@ -6,9 +6,11 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "bodies/axial_part.hpp"
+#include "bodies/convex_pieces.hpp"
 #include "bodies/lumps.hpp"
 #include "bodies/support.hpp"
 #include "boxes/box_ends.hpp"
@@ -264,7 +266,7 @@ class BodyMaker {
   void add_lumps() {
     const std::vector<Support> level = level_supports();
     const Mask open = open_samples(found_.samples, found_.owner, found_.boxes);
-    for (const std::vector<int>& piece : open_pieces(found_.samples, open)) {
+    for (const std::vector<int>& piece : convex_pieces(found_.samples, open)) {
       int points = 0;
       for (const int i : piece) points += found_.samples.count[i];
       const std::map<int, int> contacts = contacts_of(piece);
@@ -272,7 +274,8 @@ class BodyMaker {
         host->points += points;
         continue;
       }
-      auto lump = lump_of(found_.samples, piece, level, contacts.empty());
+      const bool alone = contacts.empty() && !touches_others(piece, open);
+      auto lump = lump_of(found_.samples, piece, level, alone);
       if (!lump) continue;
       lump->points = points;
       lump->id = ++last_id_;
@@ -307,6 +310,17 @@ class BodyMaker {
       }
     }
     return contacts;
+  }
+
+  /// True if a piece of the open samples touches others of them.
+  bool touches_others(std::vector<int> piece, const Mask& open) const {
+    std::sort(piece.begin(), piece.end());
+    return std::any_of(piece.begin(), piece.end(), [&](int i) {
+      const std::span<const int> near = found_.samples.neighbours_of(i);
+      return std::any_of(near.begin(), near.end(), [&](int j) {
+        return open[j] && !std::binary_search(piece.begin(), piece.end(), j);
+      });
+    });
   }
 
   /// The body that most of these contacts touch; nullptr if there is none.

@@ -5,7 +5,6 @@
 
 #include "boxes/box_axes.hpp"
 #include "boxes/face.hpp"
-#include "samples/flood.hpp"
 
 namespace quadrille {
 namespace {
@@ -40,22 +39,6 @@ Mask open_samples(const SurfaceSamples& samples, const std::vector<int>& owner,
     }
   }
   return open;
-}
-
-std::vector<std::vector<int>> open_pieces(const SurfaceSamples& samples, Mask open) {
-  std::vector<std::vector<int>> pieces;
-  for (int seed = 0; seed < samples.size(); ++seed) {
-    if (!open[seed]) continue;
-    open[seed] = 0;
-    pieces.push_back(flood(samples, {seed}, [&](int j, int) {
-      const bool joins = open[j] != 0;
-      open[j] = 0;
-      return joins;
-    }));
-  }
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
-  return pieces;
 }
 
 std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vector<int>& piece,

@@ -15,14 +15,10 @@ namespace quadrille {
 Mask open_samples(const SurfaceSamples& samples, const std::vector<int>& owner,
                   const std::vector<Box>& boxes);
 
-/// The connected pieces of some samples, the largest first.
-std::vector<std::vector<int>> open_pieces(const SurfaceSamples& samples, Mask open);
-
 /// A piece of samples as a body above a support, with the smallest upright box around it; nullopt
 /// if it does not stand on a support, or too little rises from it. Its id and number of points stay
 /// unset.
-/// @param alone  true if no surface that was found touches the piece, so that none can hide its
-///               foot
+/// @param alone  true if nothing touches the piece, so that nothing can hide its foot
 std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vector<int>& piece,
                                  const std::vector<Support>& supports, bool alone);
 
