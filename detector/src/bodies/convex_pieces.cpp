@@ -32,6 +32,11 @@ double concavity(const SurfaceSamples& samples, const Mask& open, int i) {
   return count > 0 ? sum / count : 0.0;
 }
 
+void sort_by_size(std::vector<std::vector<int>>* pieces) {
+  std::stable_sort(pieces->begin(), pieces->end(),
+                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+}
+
 /// Takes a connected piece out of the open samples.
 std::vector<int> take_piece(const SurfaceSamples& samples, int seed, Mask* open) {
   (*open)[seed] = 0;
@@ -64,25 +69,31 @@ void grow(const SurfaceSamples& samples, std::vector<std::vector<int>>* pieces, 
 
 }  // namespace
 
-std::vector<std::vector<int>> convex_pieces(const SurfaceSamples& samples, const Mask& open) {
-  Mask convex(open.size(), 0), left = open;
-  for (int i = 0; i < samples.size(); ++i) {
-    convex[i] = open[i] && concavity(samples, open, i) <= kMaxConcavity;
-  }
+std::vector<std::vector<int>> connected_pieces(const SurfaceSamples& samples, Mask open) {
   std::vector<std::vector<int>> pieces;
   for (int seed = 0; seed < samples.size(); ++seed) {
+    if (open[seed]) pieces.push_back(take_piece(samples, seed, &open));
+  }
+  sort_by_size(&pieces);
+  return pieces;
+}
+
+std::vector<std::vector<int>> convex_pieces(const SurfaceSamples& samples,
+                                            const std::vector<int>& connected) {
+  Mask left(samples.size(), 0), convex = left;
+  for (const int i : connected) left[i] = 1;
+  for (const int i : connected) convex[i] = concavity(samples, left, i) <= kMaxConcavity;
+  std::vector<std::vector<int>> pieces;
+  for (const int seed : connected) {
     if (!convex[seed]) continue;
     std::vector<int> piece = take_piece(samples, seed, &convex);
     if (piece.size() < kMinSamples) continue;
     for (const int i : piece) left[i] = 0;
     pieces.push_back(std::move(piece));
   }
+  if (pieces.empty()) return {connected};
   grow(samples, &pieces, &left);
-  for (int seed = 0; seed < samples.size(); ++seed) {
-    if (left[seed]) pieces.push_back(take_piece(samples, seed, &left));
-  }
-  std::stable_sort(pieces.begin(), pieces.end(),
-                   [](const auto& a, const auto& b) { return a.size() > b.size(); });
+  sort_by_size(&pieces);
   return pieces;
 }
 

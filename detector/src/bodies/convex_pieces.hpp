@@ -7,11 +7,15 @@
 
 namespace quadrille {
 
-/// Divides samples into connected pieces, the largest first, and divides these where they are bent
-/// inwards: things that touch each other meet in a crease, while most things bulge (Stein et al.,
-/// "Object Partitioning using Local Convexity", CVPR 2014). Samples in a crease go to the nearest
-/// piece.
-/// @param open  the samples to be divided
-std::vector<std::vector<int>> convex_pieces(const SurfaceSamples& samples, const Mask& open);
+/// The connected pieces of some samples, the largest first.
+std::vector<std::vector<int>> connected_pieces(const SurfaceSamples& samples, Mask open);
+
+/// Divides samples where they are bent inwards: things that touch each other meet in a crease, while
+/// most things bulge (Stein et al., "Object Partitioning using Local Convexity", CVPR 2014). The
+/// samples in a crease go to the nearest piece.
+/// @param connected  the samples to be divided, which are connected
+/// @return the pieces, the largest first
+std::vector<std::vector<int>> convex_pieces(const SurfaceSamples& samples,
+                                            const std::vector<int>& connected);
 
 }  // namespace quadrille

@@ -6,7 +6,6 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <span>
 #include <utility>
 
 #include "bodies/axial_part.hpp"
@@ -266,21 +265,35 @@ class BodyMaker {
   void add_lumps() {
     const std::vector<Support> level = level_supports();
     const Mask open = open_samples(found_.samples, found_.owner, found_.boxes);
-    for (const std::vector<int>& piece : convex_pieces(found_.samples, open)) {
-      int points = 0;
-      for (const int i : piece) points += found_.samples.count[i];
-      const std::map<int, int> contacts = contacts_of(piece);
-      if (SceneBody* host = host_of(contacts); host != nullptr && host->points > points) {
-        host->points += points;
-        continue;
+    for (const std::vector<int>& connected : connected_pieces(found_.samples, open)) {
+      const std::map<int, int> contacts = contacts_of(connected);
+      if (joined_a_body(connected, contacts)) continue;
+      const Support* support = lump_support(found_.samples, connected, level, contacts.empty());
+      if (support == nullptr) continue;
+      for (const std::vector<int>& piece : convex_pieces(found_.samples, connected)) {
+        if (joined_a_body(piece, contacts_of(piece))) continue;
+        auto lump = lump_of(found_.samples, piece, *support);
+        if (!lump) continue;
+        lump->points = points_of(piece);
+        lump->id = ++last_id_;
+        bodies_.push_back(std::move(*lump));
       }
-      const bool alone = contacts.empty() && !touches_others(piece, open);
-      auto lump = lump_of(found_.samples, piece, level, alone);
-      if (!lump) continue;
-      lump->points = points;
-      lump->id = ++last_id_;
-      bodies_.push_back(std::move(*lump));
     }
+  }
+
+  int points_of(const std::vector<int>& piece) const {
+    int points = 0;
+    for (const int i : piece) points += found_.samples.count[i];
+    return points;
+  }
+
+  /// Gives a piece to the body that it touches, if that is larger.
+  bool joined_a_body(const std::vector<int>& piece, const std::map<int, int>& contacts) {
+    SceneBody* host = host_of(contacts);
+    const int points = points_of(piece);
+    if (host == nullptr || host->points <= points) return false;
+    host->points += points;
+    return true;
   }
 
   /// The supports that are parallel to the one on which most bodies stand, or to the largest one:
@@ -310,17 +323,6 @@ class BodyMaker {
       }
     }
     return contacts;
-  }
-
-  /// True if a piece of the open samples touches others of them.
-  bool touches_others(std::vector<int> piece, const Mask& open) const {
-    std::sort(piece.begin(), piece.end());
-    return std::any_of(piece.begin(), piece.end(), [&](int i) {
-      const std::span<const int> near = found_.samples.neighbours_of(i);
-      return std::any_of(near.begin(), near.end(), [&](int j) {
-        return open[j] && !std::binary_search(piece.begin(), piece.end(), j);
-      });
-    });
   }
 
   /// The body that most of these contacts touch; nullptr if there is none.

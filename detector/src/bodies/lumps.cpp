@@ -41,38 +41,48 @@ Mask open_samples(const SurfaceSamples& samples, const std::vector<int>& owner,
   return open;
 }
 
+const Support* lump_support(const SurfaceSamples& samples, const std::vector<int>& piece,
+                            const std::vector<Support>& supports, bool alone) {
+  Eigen::Vector3d middle_C = Eigen::Vector3d::Zero();
+  for (const int i : piece) {
+    middle_C += samples.raw[i].cast<double>() / static_cast<double>(piece.size());
+  }
+  const Support* support = support_below(supports, middle_C);
+  if (support == nullptr) return nullptr;
+  // Sensors see edges of the support wider than they are, and matter in the air beside them.
+  if (support->inside(middle_C) < kMinInside) return nullptr;
+  // Things do not float, though what stands before them may hide their feet.
+  const bool floats = std::all_of(piece.begin(), piece.end(), [&](int i) {
+    return support->height(samples.raw[i].cast<double>()) >= kMaxFootGap;
+  });
+  return alone && floats ? nullptr : support;
+}
+
 std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vector<int>& piece,
-                                 const std::vector<Support>& supports, bool alone) {
+                                 const Support& support) {
   if (piece.size() < kMinSamples) return std::nullopt;
   Face outline;
   for (const int i : piece) outline.points_C.push_back(samples.raw[i].cast<double>());
   for (const Eigen::Vector3d& p : outline.points_C) {
     outline.middle_C += p / static_cast<double>(piece.size());
   }
-  const Support* support = support_below(supports, outline.middle_C);
-  if (support == nullptr) return std::nullopt;
-  // Sensors see edges of the support wider than they are, and matter in the air beside them.
-  if (support->inside(outline.middle_C) < kMinInside) return std::nullopt;
-  outline.n_C = support->n_C;
+  outline.n_C = support.n_C;
   const Eigen::Matrix3d R_CA = box_axes({&outline});
   Eigen::AlignedBox3d box_A;
   for (const Eigen::Vector3d& p : outline.points_C) {
     box_A.extend(Eigen::Vector3d(R_CA.transpose() * p));
   }
   // Depth edges leave sheets of points that are mixed from two surfaces.
-  const double height = box_A.max().x() - support->offset;
+  const double height = box_A.max().x() - support.offset;
   const bool flat = height < kRounding + kMinSigmas * largest_sigma(samples, piece);
   const bool thin = box_A.sizes().tail<2>().minCoeff() < kRounding;
   if (flat || thin) return std::nullopt;
 
   SceneBody body;
   body.kind = BodyKind::kLump;
-  const double foot = box_A.min().x() - support->offset;
-  // Things do not float, though what stands before them may hide their feet.
-  if (foot >= kMaxFootGap && alone) return std::nullopt;
-  if (foot < kMaxFootGap) {
-    body.standing_on = support->id;
-    box_A.min().x() = support->offset;
+  if (box_A.min().x() - support.offset < kMaxFootGap) {
+    body.standing_on = support.id;
+    box_A.min().x() = support.offset;
     body.seen[2] = true;
   }
   // From the axes (up, u, v) to (u, v, up), which keeps their handedness.

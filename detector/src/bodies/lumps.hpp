@@ -15,11 +15,17 @@ namespace quadrille {
 Mask open_samples(const SurfaceSamples& samples, const std::vector<int>& owner,
                   const std::vector<Box>& boxes);
 
+/// The support above which a connected piece of samples may be one lump or several; nullptr if there
+/// is none.
+/// @param alone  true if no surface that was found touches the piece, so that none can hide its
+///               foot
+const Support* lump_support(const SurfaceSamples& samples, const std::vector<int>& piece,
+                            const std::vector<Support>& supports, bool alone);
+
 /// A piece of samples as a body above a support, with the smallest upright box around it; nullopt
-/// if it does not stand on a support, or too little rises from it. Its id and number of points stay
+/// if it is too small, or too little rises from the support. Its id and number of points stay
 /// unset.
-/// @param alone  true if nothing touches the piece, so that nothing can hide its foot
 std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vector<int>& piece,
-                                 const std::vector<Support>& supports, bool alone);
+                                 const Support& support);
 
 }  // namespace quadrille

@@ -148,7 +148,8 @@ double CollisionScene::clearance(const SweptHand& hand) const {
     for (const SupportPlane& plane : planes) {
       if (crosses(boxes, plane, r)) return true;
     }
-    return voxel_hit(boxes, map, r) != Hit::kNone || hits(boxes, neighbours, r);
+    return voxel_hit(boxes, map, r) != Hit::kNone || touch(boxes, other_points, r) ||
+           hits(boxes, neighbours, r);
   };
   double free = 0.0, hit = kMaxClearance;
   if (!blocked(hit)) return hit;

@@ -45,8 +45,10 @@ struct CollisionScene {
   std::vector<CollisionShape> neighbours;
   /// The target's own body as convex pieces.
   std::vector<CollisionShape> target;
-  /// Measured points where the voxels gave way to the target.
+  /// Measured points about the target, where voxels gave way to them.
   ObstaclePoints points = {};
+  /// Those of them that are not the target's.
+  ObstaclePoints other_points = {};
   /// Distance to keep from shapes and planes, which are known only as accurately as they were
   /// fitted [m].
   double margin = 0.002;

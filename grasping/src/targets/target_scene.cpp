@@ -111,14 +111,15 @@ CollisionScene solid_scene(const Target& target, const SceneParts& parts) {
 CollisionScene point_scene(const Target& target, const TargetPoints& points,
                            const SceneParts& parts) {
   CollisionScene scene = uncarved_scene(target, parts);
-  std::vector<Eigen::Vector3d> own;
+  std::vector<Eigen::Vector3d> others;
   for (std::size_t i = 0; i < points.own.size(); ++i) {
-    if (points.own[i]) own.push_back(points.all.p_C[i]);
+    if (!points.own[i]) others.push_back(points.all.p_C[i]);
   }
   scene.points = ObstaclePoints(points.all.p_C);
+  scene.other_points = ObstaclePoints(others);
   // Points show only the side towards the sensor; a shape tells of the other one.
   if (target.solid) scene.target = make_pieces(target.body);
-  scene.map.carve(own, carve_margin(*parts.space, target),
+  scene.map.carve(points.all.p_C, carve_margin(*parts.space, target),
                   [&](const Eigen::Vector3d& p_C) { return holds_up(target, *parts.space, p_C); });
   clear_shadow(target.body, parts, scene);
   return scene;

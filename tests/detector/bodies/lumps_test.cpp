@@ -11,7 +11,7 @@ namespace quadrille {
 namespace {
 
 /// A square table of 0.6 m at z = 0, seen from above.
-std::vector<Support> table() {
+std::vector<Support> square_table() {
   Support support;
   support.id = 4;
   support.n_C = Eigen::Vector3d::UnitZ();
@@ -41,7 +41,9 @@ SurfaceSamples dome(double x, double y, double radius, double foot) {
 std::optional<SceneBody> lump(const SurfaceSamples& samples, bool alone = true) {
   std::vector<int> piece(samples.raw.size());
   std::iota(piece.begin(), piece.end(), 0);
-  return lump_of(samples, piece, table(), alone);
+  const std::vector<Support> supports = square_table();
+  const Support* support = lump_support(samples, piece, supports, alone);
+  return support == nullptr ? std::nullopt : lump_of(samples, piece, *support);
 }
 
 TEST_CASE("a lump is as large as its points, and reaches down to its support", "[bodies][lumps]") {

@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kNoise = 0.001;
 
-PointCloud seen(const std::vector<test::Patch>& patches, double noise = kNoise) {
+PointCloud cloud_of(const std::vector<test::Patch>& patches, double noise = kNoise) {
   test::Camera camera{640, 480, 1.0 / 600.0, noise};
   return test::render(patches, camera);
 }
 
-void add(const std::vector<test::Patch>& some, std::vector<test::Patch>* all) {
+void append(const std::vector<test::Patch>& some, std::vector<test::Patch>* all) {
   all->insert(all->end(), some.begin(), some.end());
 }
 
@@ -63,8 +63,8 @@ TEST_CASE("boxes of all sizes and turns are found, as large as they are", "[boxe
     const Eigen::Vector3d size(between(0.06, 0.2), between(0.05, 0.15), between(0.04, 0.2));
     const Eigen::Isometry3d X_CB = X_CW * standing(size, between(-0.1, 0.1), 0.0, between(0, 3));
     std::vector<test::Patch> patches = {test::rectangle(X_CW, 1.5, 1.2)};
-    add(test::box(X_CB, size), &patches);
-    const PointCloud cloud = seen(patches);
+    append(test::box(X_CB, size), &patches);
+    const PointCloud cloud = cloud_of(patches);
     const DetectionResult result = detect(cloud);
     INFO("box " << k << " of " << size.transpose());
     REQUIRE(result.boxes.size() == 1);
@@ -87,10 +87,10 @@ TEST_CASE("no box is made of balls, cans, a table and a wall", "[boxes]") {
                           Eigen::Isometry3d(Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitX())),
                       3.0, 3.0),
       test::sphere(X_CW * test::translation(-0.2, 0, 0.06), 0.06)};
-  add(test::can(X_CW * test::translation(0.2, 0, 0.08), 0.045, 0.16), &patches);
-  add(test::can(X_CW * test::translation(0.0, 0.1, 0.03), 0.06, 0.06), &patches);
+  append(test::can(X_CW * test::translation(0.2, 0, 0.08), 0.045, 0.16), &patches);
+  append(test::can(X_CW * test::translation(0.0, 0.1, 0.03), 0.06, 0.06), &patches);
   for (const double noise : {0.0005, 0.001, 0.002}) {
-    CHECK(detect(seen(patches, noise)).boxes.empty());
+    CHECK(detect(cloud_of(patches, noise)).boxes.empty());
   }
 }
 
@@ -101,9 +101,9 @@ TEST_CASE("no box spans two boxes that stand side by side, one farther out", "[b
     const Eigen::Isometry3d X_CB = X_CW * standing(size, 0.0, 0.0, yaw);
     std::vector<test::Patch> patches = {test::rectangle(X_CW, 1.5, 1.2)};
     for (const int k : {-1, 0, 1}) {
-      add(test::box(X_CB * test::translation(0.06 * k, 0.02 * k, 0.0), size), &patches);
+      append(test::box(X_CB * test::translation(0.06 * k, 0.02 * k, 0.0), size), &patches);
     }
-    const std::vector<Box> boxes = detect(seen(patches)).boxes;
+    const std::vector<Box> boxes = detect(cloud_of(patches)).boxes;
     CHECK(!boxes.empty());
     for (const Box& box : boxes) CHECK(box.size.maxCoeff() < 0.105);
   }
@@ -113,7 +113,7 @@ TEST_CASE("the corner of a room is no box", "[boxes]") {
   const Eigen::Isometry3d X_CW = test::world_seen_from({0.7, 0.7, 0.6});
   const std::vector<test::Patch> walls = test::box(X_CW, {0.6, 0.6, 0.6});
   // The far faces of a hollow cube.
-  CHECK(detect(seen({walls[0], walls[2], walls[4]})).boxes.empty());
+  CHECK(detect(cloud_of({walls[0], walls[2], walls[4]})).boxes.empty());
 }
 
 TEST_CASE("what is open at the top is no solid", "[boxes]") {
@@ -122,7 +122,7 @@ TEST_CASE("what is open at the top is no solid", "[boxes]") {
   std::vector<test::Patch> patches = test::box(X_CB, {0.25, 0.2, 0.12});
   patches.pop_back();
   patches.push_back(test::rectangle(X_CW, 1.2, 1.0));
-  CHECK(detect(seen(patches)).boxes.empty());
+  CHECK(detect(cloud_of(patches)).boxes.empty());
 }
 
 TEST_CASE("of a box seen from straight above the height is bounded by what it stands on",
@@ -132,8 +132,8 @@ TEST_CASE("of a box seen from straight above the height is bounded by what it st
   const Eigen::Isometry3d X_CB =
       test::translation(0.01, -0.02, 0.8 - 0.5 * size.z()) *
       Eigen::Isometry3d(Eigen::AngleAxisd(0.4, Eigen::Vector3d::UnitZ()));
-  add(test::box(X_CB, size), &patches);
-  const DetectionResult result = detect(seen(patches));
+  append(test::box(X_CB, size), &patches);
+  const DetectionResult result = detect(cloud_of(patches));
   REQUIRE(result.boxes.size() == 1);
   const Box& box = result.boxes[0];
   CHECK(box.faces.size() == 1);
@@ -154,9 +154,9 @@ TEST_CASE("a side whose end is hidden is said to be unseen, and is within its bo
   // A tall thing near the camera, before the box's right end.
   const Eigen::Isometry3d X_CThing = X_CW * test::translation(0.09, -0.35, 0.2);
   std::vector<test::Patch> patches = {test::rectangle(X_CW, 2.0, 1.2)};
-  add(test::box(X_CB, size), &patches);
-  add(test::box(X_CThing, {0.08, 0.02, 0.4}), &patches);
-  const DetectionResult result = detect(seen(patches));
+  append(test::box(X_CB, size), &patches);
+  append(test::box(X_CThing, {0.08, 0.02, 0.4}), &patches);
+  const DetectionResult result = detect(cloud_of(patches));
   const auto is_long = [&](const Box& box) {
     return (box.X_CB.translation() - X_CB.translation()).norm() < 0.1;
   };
