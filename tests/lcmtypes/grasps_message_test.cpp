@@ -21,6 +21,10 @@ TEST_CASE("grasps survive their message", "[bus][grasps]") {
   CHECK(got.targets[1].target == 5);
   CHECK(got.targets[1].furthest == "width");
   CHECK(got.targets[1].rejected[0].name == "width");
+  REQUIRE(got.remedies.size() == 1);
+  CHECK(got.remedies[0].change == "--gripper wsg50");
+  CHECK(got.remedies[0].num_grasps == 4);
+  CHECK(got.remedies[0].score == 0.75);
   CHECK(got.warnings == std::vector<std::string>{"few points"});
 }
 

@@ -29,6 +29,7 @@ TEST_CASE("a request survives its message", "[bus][request]") {
   CHECK(got.min_score == 0.75);
   CHECK(got.per_target == 3);
   CHECK(got.max_grasps == 4);
+  CHECK(got.advise == 1);
   grasp_request_t plain{};
   CHECK(reason(encode(plain)) == RejectReason::kBadValue);
   plain.request_id = -1;

@@ -174,6 +174,12 @@ inline grasps_t make_grasps() {
   m.targets[1].rejected = {{"width", 9}};
   m.targets[1].num_rejected = 1;
   m.num_targets = 2;
+  m.remedies.resize(1);
+  m.remedies[0].target = 5;
+  m.remedies[0].change = "--gripper wsg50";
+  m.remedies[0].num_grasps = 4;
+  m.remedies[0].score = 0.75;
+  m.num_remedies = 1;
   m.warnings = {"few points"};
   m.num_warnings = 1;
   return m;
@@ -197,6 +203,7 @@ inline grasp_request_t make_request() {
   m.per_target = 3;
   m.max_grasps = 4;
   m.min_size = 0.25;
+  m.advise = 1;
   return m;
 }
 

@@ -286,6 +286,13 @@ class Plan(unittest.TestCase):
             self.assertEqual(sum(outcome.rejected.values()) > 0, outcome.furthest is not None)
         self.assertIn(first.target, [t.target for t in none.targets if t.furthest == "caller"])
         self.assertIn((first.target, True), [(t.target, t.grasps > 0) for t in plain.targets])
+        self.assertEqual(scene.plan(min_score=1.0).remedies, [])
+        remedies = scene.plan(min_score=1.0, advise=True).remedies
+        own = [r for r in remedies if r.target == first.target and r.change.startswith("--min-score")]
+        self.assertEqual(len(own), 1)
+        followed = scene.plan(targets=[first.target], min_score=float(own[0].change.split()[1]),
+                              best=1000)
+        self.assertEqual((len(followed), followed[0].score), (own[0].grasps, own[0].score))
         with self.assertRaisesRegex(ZeroDivisionError, "division"):
             scene.plan(accept=lambda grasp: 1 / 0 > 0)
 

@@ -72,6 +72,10 @@ view::Bytes grasps_bytes(std::int64_t utime, int target, int track, std::int64_t
   m.num_grasps = 1;
   m.rejected = {{"width", 5}};
   m.num_rejected = 1;
+  m.remedies.resize(1);
+  m.remedies[0].target = target;
+  m.remedies[0].change = "--gripper wsg50";
+  m.num_remedies = 1;
   return shared(bus::encode(m));
 }
 
@@ -117,6 +121,7 @@ TEST_CASE("grasps of an earlier cloud are shown on the surface of their track", 
   CHECK(scene.gripper.has_value());
   CHECK(scene.unknown == UnknownPolicy::kTargetShadow);
   CHECK(scene.rejected.at("width") == 5);
+  CHECK(scene.remedies.empty());
   messages.grasps = grasps_bytes(100, 3, 9);
   scene = view::live_scene(messages, find_gripper);
   CHECK(scene.grasps.at(0).target == 0);
@@ -181,5 +186,7 @@ TEST_CASE("a packed scene holds what it was made of", "[view][pack]") {
   CHECK(json["objects"][0]["lines"][0] == "radius 100.0 ± 1.0 mm");
   CHECK(json["grasps"][0]["target"] == 3);
   CHECK(json["rejected"][0]["reason"] == "width");
+  CHECK(json["remedies"][0]["target"] == 3);
+  CHECK(json["remedies"][0]["change"] == "--gripper wsg50");
   CHECK(json["rejected"][0]["help"].get<std::string>().find("--gripper") != std::string::npos);
 }

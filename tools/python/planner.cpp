@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "io/planner/config.hpp"
 #include "io/planner/gripper_file.hpp"
@@ -16,6 +17,7 @@
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/grasping/conventions.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
+#include "quadrille/grasping/remedies.hpp"
 
 namespace quadrille::python {
 namespace {
@@ -133,11 +135,20 @@ void bind_plan(py::module_& module) {
           },
           "The reason that refused the candidates which passed most checks; None if there is "
           "none.");
+  py::class_<Remedy>(module, "Remedy", "A change of one setting with which a target has a grasp.")
+      .def_readonly("target", &Remedy::target, "Id of the detection, box or body.")
+      .def_readonly("change", &Remedy::change,
+                    "The change, as on the command line: '--gripper robotiq_2f85'.")
+      .def_readonly("grasps", &Remedy::grasps, "Number of grasps of the target after the change.")
+      .def_readonly("score", &Remedy::score, "Score of the best of them.");
   py::class_<GraspPlan>(module, "Plan", "What was planned on a cloud: a sequence of its grasps.")
       .def_readonly("grasps", &GraspPlan::grasps, "Best first.")
       .def_readonly("rejected", &GraspPlan::rejected, "How much was refused, by reason.")
       .def_readonly("targets", &GraspPlan::targets,
                     "What became of each target that was asked for.")
+      .def_readonly("remedies", &GraspPlan::remedies,
+                    "What would give grasps to targets that have none, if find_remedies() was "
+                    "asked.")
       .def_readonly("boxes", &GraspPlan::boxes, "Boxes among the detections, which may be targets.")
       .def_property_readonly(
           "timings", [](const GraspPlan& p) { return dict_of(p.timings); }, "By stage [ms].")
@@ -194,30 +205,50 @@ GraspQuery query_of(const std::vector<int>& targets, const std::vector<int>& tra
   return query;
 }
 
-GraspScene scene_of(const Points& points, const DetectionResult& result, const Gripper& gripper,
-                    const Eigen::Vector3d& viewpoint, const std::string& settings,
-                    const std::string& source) {
+/// A scene with what it was made of, which remedies are sought with.
+struct PlannedScene {
+  PointCloud cloud;
+  std::vector<Detection> detections;
+  std::vector<Box> boxes;
+  std::vector<SceneBody> bodies;
+  Gripper gripper;
+  PlanOptions options;
+  GraspScene scene{cloud, detections, gripper, options, {}, boxes, bodies};
+
+  GraspPlan plan(const GraspQuery& query, bool advise) const {
+    GraspPlan plan = scene.plan(query);
+    if (advise) {
+      plan.remedies =
+          find_remedies(plan, cloud, detections, gripper, options, {}, query, boxes, bodies);
+    }
+    return plan;
+  }
+};
+
+PlannedScene scene_of(const Points& points, const DetectionResult& result, const Gripper& gripper,
+                      const Eigen::Vector3d& viewpoint, const std::string& settings,
+                      const std::string& source) {
   const PlanOptions options = io::parse_config(settings, source).planner;
   const CloudView view = view_of(points, viewpoint);
   const py::gil_scoped_release others_run;
-  const PointCloud cloud = cloud_of(view);
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps.
-  return {cloud,
+  return {cloud_of(view),
           bus::as_received(result.detections),
-          gripper,
-          options,
-          {},
           bus::as_received(result.boxes),
-          bus::as_received(result.bodies)};
+          bus::as_received(result.bodies),
+          gripper,
+          options};
 }
 
 void bind_scene(py::module_& module) {
-  py::class_<GraspScene>(module, "GraspScene", "See quadrille.GraspScene.")
+  py::class_<PlannedScene>(module, "GraspScene", "See quadrille.GraspScene.")
       .def(py::init(&scene_of), py::arg("points"), py::arg("result"), py::arg("gripper"),
            py::arg("viewpoint"), py::arg("settings"), py::arg("source"))
-      .def_property_readonly("timings", [](const GraspScene& s) { return dict_of(s.timings()); })
-      .def("plan", &GraspScene::plan, py::arg("query"), py::call_guard<py::gil_scoped_release>());
+      .def_property_readonly("timings",
+                             [](const PlannedScene& s) { return dict_of(s.scene.timings()); })
+      .def("plan", &PlannedScene::plan, py::arg("query"), py::arg("advise"),
+           py::call_guard<py::gil_scoped_release>());
   py::class_<GraspQuery>(module, "GraspQuery", "See quadrille.GraspScene.plan().")
       .def(py::init(&query_of), py::kw_only(), py::arg("targets") = std::vector<int>(),
            py::arg("tracks") = std::vector<int>(), py::arg("types") = std::vector<std::string>(),

@@ -164,7 +164,7 @@ struct PlanOutput {
 /// @param info  information about the run, with the warnings so far
 void put_out(const PlanArguments& arguments, const PlanSetup& setup, const InputCloud& input,
              io::RunInfo info, const DetectionResult& result, const GraspPlan& plan,
-             const std::optional<std::vector<Remedy>>& remedies, PlanOutput* output) {
+             PlanOutput* output) {
   for (const auto& warnings : {result.warnings, without(plan.warnings, result.warnings)}) {
     info.warnings.insert(info.warnings.end(), warnings.begin(), warnings.end());
     print_warnings(input.info.input, warnings);
@@ -175,13 +175,13 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
   const bool is_found = !result.detections.empty() || !plan.warnings.empty();
   io::Json object = io::plan_json(input.info, info, result, plan);
   object["query"] = io::to_json(arguments.query.query());
-  if (remedies) object["remedies"] = io::to_json(*remedies);
+  if (arguments.advise) object["remedies"] = io::to_json(plan.remedies);
   if (arguments.convention) add_hands(plan, setup.gripper, *arguments.convention, &object);
   output->json.write(object);
   if (!output->json.owns_stdout()) {
     const Paint paint = Paint::of_stdout();
     print(detection_table(input.info, result, paint) +
-          grasp_table(is_found ? plan : nothing, setup.options.unknown, remedies, paint));
+          grasp_table(is_found ? plan : nothing, setup.options.unknown, arguments.advise, paint));
   }
   // The plan's warnings say why there is none.
   if (output->map && plan.space) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
@@ -204,11 +204,10 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   const std::vector<SceneBody> bodies = bus::as_received(found.bodies);
   const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, views, boxes,
                          bodies);
-  const GraspPlan planned = asked.plan_from_start(query);
-  std::optional<std::vector<Remedy>> remedies;
+  GraspPlan planned = asked.plan_from_start(query);
   if (arguments.advise) {
-    remedies = find_remedies(planned, input.cloud, detections, setup.gripper, setup.options, views,
-                             query, boxes, bodies);
+    planned.remedies = find_remedies(planned, input.cloud, detections, setup.gripper, setup.options,
+                                     views, query, boxes, bodies);
   }
   found.boxes = planned.boxes;
   // All detections were obstacles, but only those that were asked for are shown.
@@ -218,8 +217,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   result.detections = moved(std::move(result.detections), input.X_CK);
   result.boxes = moved(std::move(result.boxes), input.X_CK);
   result.bodies = moved(std::move(result.bodies), input.X_CK);
-  put_out(arguments, setup, input, std::move(info), result, moved(planned, input.X_CK), remedies,
-          output);
+  put_out(arguments, setup, input, std::move(info), result, moved(planned, input.X_CK), output);
   if (output->pictures.wanted()) {
     arguments.picture.write(output->pictures.next(path),
                             {input.info.input, input.cloud, found, &planned, &setup.gripper});

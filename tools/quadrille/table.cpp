@@ -11,13 +11,13 @@ namespace quadrille {
 namespace {
 
 /// Says why a target has no grasp, and what would give it one, if that was tried.
-std::string lines_of(const TargetOutcome& outcome, UnknownPolicy unknown,
-                     const std::optional<std::vector<Remedy>>& remedies) {
+std::string lines_of(const TargetOutcome& outcome, const GraspPlan& plan, UnknownPolicy unknown,
+                     bool advised) {
   std::string text =
       fmt::format("  no grasp on {}: {}\n", outcome.target, explain_no_grasp(outcome, unknown));
-  if (!remedies) return text;
+  if (!advised) return text;
   std::string tried;
-  for (const Remedy& remedy : *remedies) {
+  for (const Remedy& remedy : plan.remedies) {
     if (remedy.target != outcome.target) continue;
     tried += fmt::format("    {}: {} grasp{}, the best with a score of {:.2f}\n", remedy.change,
                          remedy.grasps, remedy.grasps == 1 ? "" : "s", remedy.score);
@@ -66,8 +66,8 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
   return text;
 }
 
-std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown,
-                        const std::optional<std::vector<Remedy>>& remedies, const Paint& paint) {
+std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown, bool advised,
+                        const Paint& paint) {
   std::string text;
   if (plan.grasps.empty()) {
     text = paint.bad("  no grasps found") + "\n";
@@ -93,7 +93,7 @@ std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown,
         g.unknown_contact ? "  touches an unseen part" : "");
   }
   for (const TargetOutcome& outcome : plan.targets) {
-    if (outcome.grasps == 0) text += lines_of(outcome, unknown, remedies);
+    if (outcome.grasps == 0) text += lines_of(outcome, plan, unknown, advised);
   }
   if (plan.rejected.empty()) return text;
   std::string reasons;

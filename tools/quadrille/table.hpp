@@ -1,14 +1,11 @@
 #pragma once
 
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "cli/paint.hpp"
 #include "io/json/json.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/plan.hpp"
-#include "quadrille/grasping/remedies.hpp"
 
 namespace quadrille {
 
@@ -18,8 +15,8 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
 
 /// Returns a readable table of the grasps of one cloud, one per line, with what was refused and
 /// why. Lines follow on each target without a grasp: why it has none, and what would give it one.
-/// @param remedies  nullopt if none were sought
-std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown,
-                        const std::optional<std::vector<Remedy>>& remedies, const Paint& paint);
+/// @param advised  whether remedies were sought
+std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown, bool advised,
+                        const Paint& paint);
 
 }  // namespace quadrille

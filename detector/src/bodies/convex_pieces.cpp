@@ -9,9 +9,9 @@
 namespace quadrille {
 namespace {
 
-// Samples that are bent inwards more than this belong to a crease [1/m]. Where two things touch,
-// normals turn by 60° or so within three samples of 5 mm, and the inside of a mug bends by 30 in one
-// direction, which is 15 on average over all of them.
+// Samples that are bent inwards more than this belong to a crease [1/m]. Of values from 3 to 50,
+// those about 12 divide the things in simulated bins best. The insides of mugs and bowls are bent
+// as much; they stay with the rim around them.
 constexpr double kMaxConcavity = 12.0;
 // Fewer samples between creases are scraps, not pieces.
 constexpr std::size_t kMinSamples = 15;

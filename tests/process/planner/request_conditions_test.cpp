@@ -1,6 +1,7 @@
 // What a request may ask of the grasps: places, reach, numbers, a deadline.
 #include <algorithm>
 #include <map>
+#include <string>
 
 #include "process/planner/asked_planner.hpp"
 
@@ -33,6 +34,29 @@ TEST_CASE("a request may bring a number of grasps of each target, and a score",
   request.min_score = 0.0;
   request.per_target = -1;
   CHECK(asked.ask(request).warnings.back() == "per_target = -1: must be 0 or more");
+}
+
+TEST_CASE("a request may ask what would give grasps to targets that have none",
+          "[process][request][remedies]") {
+  Asked asked("--on-request");
+  asked.show(1000);
+  grasp_request_t request = request_of(1);
+  request.min_score = 1.0;
+  CHECK(asked.ask(request).remedies.empty());
+  request.advise = 1;
+  const grasps_t advised = asked.ask(request);
+  CHECK(advised.grasps.empty());
+  REQUIRE_FALSE(advised.remedies.empty());
+  const remedy_t& first = advised.remedies.front();
+  REQUIRE(first.change.starts_with("--min-score "));
+  // What was said holds.
+  request.targets = {first.target};
+  request.num_targets = 1;
+  request.min_score = std::stod(first.change.substr(12));
+  const grasps_t followed = asked.ask(request);
+  CHECK(followed.remedies.empty());
+  CHECK(followed.num_grasps == first.num_grasps);
+  CHECK(followed.grasps.front().score == Approx(first.score));
 }
 
 TEST_CASE("an arm's reach may be in any frame that is known, and wins over that of the settings",

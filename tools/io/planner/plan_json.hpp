@@ -4,7 +4,6 @@
 
 #include "io/json/json.hpp"
 #include "quadrille/grasping/plan.hpp"
-#include "quadrille/grasping/remedies.hpp"
 
 namespace quadrille::io {
 

@@ -46,6 +46,15 @@ target_outcome_t to_message(const TargetOutcome& outcome) {
   return m;
 }
 
+remedy_t to_message(const Remedy& remedy) {
+  remedy_t m;
+  m.target = remedy.target;
+  m.change = remedy.change;
+  m.num_grasps = remedy.grasps;
+  m.score = remedy.score;
+  return m;
+}
+
 }  // namespace
 
 grasp_t to_message(const Grasp& grasp) {
@@ -97,6 +106,8 @@ grasps_t make_grasps_message(const Stamp& stamp, const GraspPlan& plan,
   m.num_rejected = count(m.rejected);
   for (const TargetOutcome& outcome : plan.targets) m.targets.push_back(to_message(outcome));
   m.num_targets = count(m.targets);
+  for (const Remedy& remedy : plan.remedies) m.remedies.push_back(to_message(remedy));
+  m.num_remedies = count(m.remedies);
   m.warnings = plan.warnings;
   m.num_warnings = count(m.warnings);
   return m;

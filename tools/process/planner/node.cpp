@@ -248,7 +248,7 @@ void PlannerNode::answer(const grasp_request_t& request, std::chrono::steady_clo
   } catch (const std::invalid_argument& error) {
     return refuse(request, pair, error.what());
   }
-  publish_answer(request, pair, planner_.plan(pair, query));
+  publish_answer(request, pair, planner_.plan(pair, query, request.advise));
   log_debug(fmt::format("request {}: cloud {}, {:.1f} ms", request.request_id, pair->cloud->utime,
                         bus::ms_since(at)));
 }

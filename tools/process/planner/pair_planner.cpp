@@ -6,8 +6,10 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/grasping/remedies.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 
 namespace quadrille {
@@ -26,37 +28,55 @@ GraspQuery with_conditions(GraspQuery query, const PlannerSettings& settings,
   return query;
 }
 
+/// A cloud and what was found in it, in the camera's frame K.
+struct Things {
+  PointCloud cloud;
+  std::vector<Detection> detections;
+  std::optional<std::vector<Box>> boxes;
+  std::vector<SceneBody> bodies;
+};
+
+Things things_in_camera(const CloudAndQuadrics& pair, const PlannerSettings& settings) {
+  const Placement& placement = pair.placement;
+  const bool as_results = pair.quadrics.frame == placement.frame;
+  const Eigen::Isometry3d X_KF = (as_results ? placement.X_RK : placement.X_CK).inverse();
+  Things things{in_camera_frame(pair.cloud->cloud, placement, settings.frames),
+                moved(pair.quadrics.detections, X_KF), pair.others.boxes,
+                moved(pair.others.bodies, X_KF)};
+  if (things.boxes) things.boxes = moved(*std::move(things.boxes), X_KF);
+  if (!placement.lack.empty()) {
+    things.cloud.viewpoint.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  return things;
+}
+
 }  // namespace
 
 /// Plans on a pair in the camera's frame. The scene is made unless it is that of the last call.
-GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const GraspQuery& query) {
-  if (pair == ready_) return scene_->plan(query);
-  const Placement& placement = pair->placement;
-  PointCloud cloud_K = in_camera_frame(pair->cloud->cloud, placement, settings_.frames);
-  if (!placement.lack.empty()) {
-    cloud_K.viewpoint.setConstant(std::numeric_limits<double>::quiet_NaN());
-  }
-  const bool as_results = pair->quadrics.frame == placement.frame;
-  const Eigen::Isometry3d& X_FK = as_results ? placement.X_RK : placement.X_CK;
+GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const GraspQuery& query,
+                                      bool advise) {
+  if (pair == ready_ && !advise) return scene_->plan(query);
+  const Things things = things_in_camera(*pair, settings_);
   PlanOptions options = settings_.plan;
   options.deadline_ms = *query.deadline_ms;
   // Whatever throws from here on leaves no scene that a later query could take for another one.
   ready_ = nullptr;
-  std::optional<std::vector<Box>> boxes = pair->others.boxes;
-  if (boxes) boxes = moved(std::move(*boxes), X_FK.inverse());
-  scene_.emplace(cloud_K, moved(pair->quadrics.detections, X_FK.inverse()), settings_.gripper,
-                 options, std::vector<PointCloud>{}, std::move(boxes),
-                 moved(pair->others.bodies, X_FK.inverse()));
+  scene_.emplace(things.cloud, things.detections, settings_.gripper, options,
+                 std::vector<PointCloud>{}, things.boxes, things.bodies);
   GraspPlan plan = scene_->plan_from_start(query);
   // A scene that was cut short may lack targets, so the next query for this cloud makes a new one.
   if (!plan.cut) ready_ = pair;
+  if (advise) {
+    plan.remedies = find_remedies(plan, things.cloud, things.detections, settings_.gripper, options,
+                                  {}, query, things.boxes, things.bodies);
+  }
   return plan;
 }
 
-GraspPlan PairPlanner::plan(const SharedPair& pair, const GraspQuery& query) {
+GraspPlan PairPlanner::plan(const SharedPair& pair, const GraspQuery& query, bool advise) {
   GraspQuery timed = with_conditions(query, settings_, pair->placement);
   timed.deadline_ms = query.deadline_ms.value_or(settings_.plan.deadline_ms);
-  GraspPlan plan = plan_in_camera(pair, timed);
+  GraspPlan plan = plan_in_camera(pair, timed, advise);
   if (plan.cut) {
     ++cut_;
     cut_log_.warning(fmt::format(

@@ -25,14 +25,15 @@ class PairPlanner {
   /// Returns the plan in the frame of the results; it has no grasps if the camera's pose is not
   /// known.
   /// @param query  query in the camera's frame
-  GraspPlan plan(const SharedPair& pair, const GraspQuery& query);
+  /// @param advise  whether to seek remedies for targets without a grasp; see find_remedies()
+  GraspPlan plan(const SharedPair& pair, const GraspQuery& query, bool advise = false);
 
   /// Number of plans that the deadline cut short so far. For any thread.
   std::int64_t cut() const { return cut_; }
 
  private:
   /// @param query  with a deadline
-  GraspPlan plan_in_camera(const SharedPair& pair, const GraspQuery& query);
+  GraspPlan plan_in_camera(const SharedPair& pair, const GraspQuery& query, bool advise);
 
   const PlannerSettings& settings_;
   /// The last cloud, and its scene in the camera's frame.

@@ -26,12 +26,13 @@ from typing import Union as _Union
 from numpy.typing import ArrayLike as _ArrayLike
 
 from . import _core
-from ._core import (Body, Box, Detection, FileError, Grasp, GraspQuery, Gripper, Plan, Result,
-                    TargetOutcome, __version__, conventions, grippers, read_cloud)
+from ._core import (Body, Box, Detection, FileError, Grasp, GraspQuery, Gripper, Plan, Remedy,
+                    Result, TargetOutcome, __version__, conventions, grippers, read_cloud)
 from ._lcmtypes import *
 
 __all__ = ["Body", "Box", "Detection", "FileError", "Grasp", "GraspQuery", "GraspScene", "Gripper",
-           "Plan", "Result", "TargetOutcome", "Tracker", "conventions", "detect", "grippers", "plan", "read_cloud"]
+           "Plan", "Remedy", "Result", "TargetOutcome", "Tracker", "conventions", "detect", "grippers",
+           "plan", "read_cloud"]
 
 _Path = _Union[str, "_os.PathLike[str]"]
 _Config = _Union[None, _Path, _Mapping[str, _Any]]
@@ -101,7 +102,7 @@ class GraspScene:
         """Time of each stage [ms]."""
         return self._scene.timings
 
-    def plan(self, **query: _Any) -> Plan:
+    def plan(self, *, advise: bool = False, **query: _Any) -> Plan:
         """Returns the grasps that match a query, as a Plan, best first.
 
         targets        ids of detections and boxes
@@ -122,15 +123,18 @@ class GraspScene:
                        0: never
         accept         function that is called with each Grasp that has passed all other checks,
                        and returns whether it counts; its exceptions end the plan
+        advise         also seeks what would give grasps to targets that have none, as
+                       Plan.remedies; takes about as long as ten plans
         """
-        return self._scene.plan(GraspQuery(**query))
+        return self._scene.plan(GraspQuery(**query), advise)
 
 
 def plan(points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
-         viewpoint: _ArrayLike = _ORIGIN, config: _Config = None, **query: _Any) -> Plan:
-    """Plans grasps on what detect() found in these points: GraspScene(…).plan(**query)."""
+         viewpoint: _ArrayLike = _ORIGIN, config: _Config = None, advise: bool = False,
+         **query: _Any) -> Plan:
+    """Plans grasps on what detect() found in these points: GraspScene(…).plan(advise=advise, **query)."""
     scene = GraspScene(points, result, gripper, viewpoint=viewpoint, config=config)
-    return scene.plan(**query)
+    return scene.plan(advise=advise, **query)
 
 
 class Tracker:

@@ -26,6 +26,7 @@ grasp_request_t request_of(const Question& question, std::int64_t number) {
   request.utime = bus::wall_clock_utime();
   request.request_id = number;
   request.min_clearance = question.min_clearance;
+  request.advise = true;
   if (question.track > 0) {
     request.tracks = {question.track};
     request.num_tracks = 1;

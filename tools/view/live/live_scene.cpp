@@ -100,6 +100,9 @@ void add_grasps(const grasps_t& message, const FindGripper& find_gripper, std::s
       Rejected& rejected = scene->rejected_of[target.target];
       for (const count_t& refused : target.rejected) rejected[refused.name] = refused.count;
     }
+    for (const remedy_t& m : message.remedies) {
+      scene->remedies.push_back({m.target, m.change, m.num_grasps, m.score});
+    }
   }
   scene->warnings.insert(scene->warnings.end(), message.warnings.begin(), message.warnings.end());
 }

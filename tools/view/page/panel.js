@@ -74,6 +74,7 @@ export function fillDetail(scene, view, chooseGrasp, askParts) {
     for (const warning of (object && object.answered) || []) parts.push(element("div", { class: "warning", text: warning }));
     parts.push(grasps.length ? graspTable(grasps, view, chooseGrasp)
       : element("p", { text: isPlanned(scene, object) ? "No grasp was found." : "No grasps were planned here." }));
+    if (object) parts.push(...remediesOf(object, scene));
     parts.push(...refusals(object ? object.rejected : scene.rejected, object));
   }
   byId("detail").replaceChildren(...parts);
@@ -123,6 +124,15 @@ function refusals(rejected, object) {
       element("div", { class: "bar" }, [fill]),
       element("p", { text: help })]);
   })];
+}
+
+/// Lists the changes of a setting with which an object has grasps.
+function remediesOf(object, scene) {
+  const own = scene.remedies.filter((remedy) => remedy.target === object.id);
+  if (own.length === 0) return [];
+  return [element("h2", { text: "What gives it grasps" }), element("dl", { class: "remedies" },
+    own.flatMap(({ change, grasps, score }) => [element("dt", { text: change }),
+      element("dd", { text: `${grasps === 1 ? "1 grasp" : `${grasps} grasps`}, best score ${score.toFixed(2)}` })]))];
 }
 
 /// Shows rate, latency and losses of the processes.

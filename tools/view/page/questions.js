@@ -70,6 +70,8 @@ function addAnswer(scene, object, answer) {
   const grasps = answer.grasps.map((grasp) => ({ ...grasp, target: object.id }));
   scene.grasps = [...grasps, ...scene.grasps.filter((grasp) => grasp.target !== object.id)];
   object.rejected = answer.rejected;
+  scene.remedies = [...scene.remedies.filter((remedy) => remedy.target !== object.id),
+    ...answer.remedies.map((remedy) => ({ ...remedy, target: object.id }))];
   object.answered = answer.warnings;
   scene.gripper = answer.gripper || scene.gripper;
 }

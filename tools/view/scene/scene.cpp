@@ -166,6 +166,7 @@ Json objects_of(const Scene& scene, const PackLimits& limits, Arrays* arrays, Js
 Json plan_json(const Scene& scene, const PackLimits& limits) {
   return {{"grasps", grasps_of(scene, limits.grasps)},
           {"rejected", refusals_of(scene.rejected, scene.unknown)},
+          {"remedies", io::to_json(scene.remedies)},
           {"gripper_name", scene.gripper_name},
           {"gripper", scene.gripper ? gripper_of(*scene.gripper) : Json(nullptr)},
           {"unknown", word_of(scene.unknown)},

@@ -9,9 +9,7 @@
 #include "io/json/json.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
-#include "quadrille/grasping/grasp.hpp"
-#include "quadrille/grasping/gripper.hpp"
-#include "quadrille/grasping/plan_options.hpp"
+#include "quadrille/grasping/plan.hpp"
 #include "view/scene/voxel_layers.hpp"
 
 namespace quadrille::view {
@@ -39,6 +37,8 @@ struct Scene {
   /// Refusals of all targets, and by target if known.
   Rejected rejected;
   std::map<int, Rejected> rejected_of;
+  /// What would give grasps to targets that have none, if it was sought.
+  std::vector<Remedy> remedies;
   VoxelLayers voxels;
   std::vector<StageTime> timings;
   std::vector<std::string> warnings;

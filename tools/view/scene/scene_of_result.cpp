@@ -56,6 +56,7 @@ void add_plan(const GraspScene& asked, const GraspQuery& query, GraspPlan plan,
   scene->gripper_name = gripper.name;
   scene->unknown = unknown;
   scene->rejected = {plan.rejected.begin(), plan.rejected.end()};
+  scene->remedies = plan.remedies;
   add_targets(asked, query, &plan, scene);
   for (const Grasp& grasp : plan.grasps) scene->grasps.push_back(moved(grasp, X_CK));
   scene->timings.push_back({"plan", plan.total_ms});

@@ -31,6 +31,17 @@ struct TargetOutcome {
   RefusalCounts refusals;
 };
 
+/// A change of one setting with which a target has a grasp.
+struct Remedy {
+  /// Id of the detection, box or body.
+  int target = 0;
+  /// The change, as on the command line: "--gripper robotiq_2f85".
+  std::string change;
+  /// Number of grasps of the target after the change, and the score of the best one.
+  int grasps = 0;
+  double score = 0.0;
+};
+
 /// The result of planning grasps on one cloud and its quadrics.
 struct GraspPlan {
   /// The grasps, best first.
@@ -40,6 +51,8 @@ struct GraspPlan {
   std::map<std::string, int> rejected;
   /// The outcome for each target that was asked for.
   std::vector<TargetOutcome> targets;
+  /// What find_remedies() found, if it was asked.
+  std::vector<Remedy> remedies;
   /// The boxes of which detected planes are faces; each box may be a target.
   std::vector<Box> boxes;
   /// The collision shapes of all boxes, and of all detections that have a shape and are not faces

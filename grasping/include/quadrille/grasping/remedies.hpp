@@ -1,24 +1,12 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "quadrille/detector/export.hpp"
 #include "quadrille/grasping/plan.hpp"
 
 namespace quadrille {
-
-/// A change of one setting with which a target has a grasp.
-struct Remedy {
-  /// Id of the detection, box or body.
-  int target = 0;
-  /// The change, as on the command line: "--gripper robotiq_2f85".
-  std::string change;
-  /// Number of grasps of the target after the change, and the score of the best one.
-  int grasps = 0;
-  double score = 0.0;
-};
 
 /// Plans again with one other setting at a time for the targets without a grasp, and returns what
 /// helped: a lower score, conditions of the query left out, unknown space as free, half the

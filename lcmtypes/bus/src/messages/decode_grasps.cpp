@@ -10,11 +10,20 @@ constexpr std::size_t kGraspBytes = 4 + 4 + 1 + 34 * 8 + 1;
 /// Size of an outcome without refusals: two numbers, a string and the number of refusals.
 constexpr std::size_t kMinOutcomeBytes = 4 + 4 + kMinStringBytes + 4;
 
+/// Size of a remedy: two numbers, a string and the score.
+constexpr std::size_t kMinRemedyBytes = 4 + kMinStringBytes + 4 + 8;
+
 void skip_outcome(ByteReader& reader) {
   reader.read_int32("target");
   reader.read_int32("num_grasps");
   reader.skip_string("furthest");
   reader.skip_counts("rejected");
+}
+
+void skip_remedy(ByteReader& reader) {
+  reader.read_int32("target");
+  reader.skip_string("change");
+  reader.take(1, 4 + 8, "num_grasps to score");
 }
 
 void check_grasps(ByteReader& reader) {
@@ -27,6 +36,7 @@ void check_grasps(ByteReader& reader) {
   reader.skip_array("grasps", kGraspBytes);
   reader.skip_counts("rejected");
   reader.skip_list("targets", kMinOutcomeBytes, skip_outcome);
+  reader.skip_list("remedies", kMinRemedyBytes, skip_remedy);
   reader.skip_strings("warnings");
 }
 

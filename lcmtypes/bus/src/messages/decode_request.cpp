@@ -7,9 +7,9 @@ namespace {
 
 constexpr std::size_t kMaxTypeBytes = 64;
 /// Size of the members after the types: flags and doubles of region, near, sizes, approach and
-/// reach, clearance and score, two counts, and the deadline.
+/// reach, clearance and score, two counts, the deadline, and a flag.
 constexpr std::size_t kFixedBytes =
-    (1 + 10 * 8) + (1 + 3 * 8) + 2 * 8 + (1 + 4 * 8) + (1 + 5 * 8) + 2 * 8 + 2 * 4 + 8;
+    (1 + 10 * 8) + (1 + 3 * 8) + 2 * 8 + (1 + 4 * 8) + (1 + 5 * 8) + 2 * 8 + 2 * 4 + 8 + 1;
 
 void check_request(ByteReader& reader) {
   reader.read_int64("utime");
@@ -22,7 +22,7 @@ void check_request(ByteReader& reader) {
   reader.skip_array("tracks", sizeof(std::int32_t));
   reader.skip_list("types", kMinStringBytes,
                    [](ByteReader& types) { types.read_string("types", kMaxTypeBytes); });
-  reader.take(1, kFixedBytes, "region to deadline_ms");
+  reader.take(1, kFixedBytes, "region to advise");
 }
 
 }  // namespace
