@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "io/planner/gripper_file.hpp"
+#include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/encode.hpp"
@@ -58,6 +59,17 @@ view::Bytes boxes_bytes(std::int64_t utime, int id) {
   return shared(bus::encode(bus::to_message(cloud_at(utime), std::vector<Box>{box})));
 }
 
+/// The bodies of a cloud: a lump and a single surface.
+view::Bytes bodies_bytes(std::int64_t utime, int id) {
+  std::vector<SceneBody> bodies(2);
+  bodies[0].id = id;
+  bodies[0].kind = BodyKind::kLump;
+  bodies[0].size = {0.05, 0.04, 0.03};
+  bodies[0].points = 120;
+  bodies[1].id = id + 1;
+  return shared(bus::encode(bus::to_message(cloud_at(utime), bodies)));
+}
+
 view::Bytes grasps_bytes(std::int64_t utime, int target, int track, std::int64_t request = 0) {
   grasps_t m{};
   m.request_id = request;
@@ -96,7 +108,7 @@ TEST_CASE("quadrics are shown with their own cloud, not with the newest", "[view
   CHECK(view::live_scene(messages, find_gripper).cloud.points[0].x() == 0.3f);
 }
 
-TEST_CASE("quadrics are shown with their own boxes", "[view][live]") {
+TEST_CASE("quadrics are shown with their own boxes and lumps", "[view][live]") {
   view::LatestMessages messages;
   messages.clouds = {cloud_bytes(100, 0.1f), cloud_bytes(200, 0.2f)};
   messages.quadrics = quadrics_bytes(100, 1);
@@ -106,6 +118,12 @@ TEST_CASE("quadrics are shown with their own boxes", "[view][live]") {
   CHECK(view::live_scene(messages, find_gripper).boxes[0].id == 5);
   messages.quadrics = quadrics_bytes(200, 2);
   CHECK(view::live_scene(messages, find_gripper).boxes.at(0).id == 6);
+  CHECK(view::live_scene(messages, find_gripper).lumps.empty());
+  messages.bodies_before = bodies_bytes(200, 7);
+  messages.bodies = bodies_bytes(300, 8);
+  const view::Scene scene = view::live_scene(messages, find_gripper);
+  REQUIRE(scene.lumps.size() == 1);
+  CHECK(scene.lumps[0].id == 7);
   messages.quadrics = quadrics_bytes(300, 3);
   CHECK(view::live_scene(messages, find_gripper).boxes.empty());
 }
@@ -171,6 +189,7 @@ TEST_CASE("a packed scene holds what it was made of", "[view][pack]") {
   messages.clouds = {cloud_bytes(200, 0.2f)};
   messages.quadrics = quadrics_bytes(200, 3);
   messages.grasps = grasps_bytes(200, 3, 4);
+  messages.bodies = bodies_bytes(200, 7);
   const std::string pack = view::pack_scene(view::live_scene(messages, find_gripper));
   std::uint32_t size = 0;
   std::memcpy(&size, pack.data() + 4, sizeof size);
@@ -182,7 +201,10 @@ TEST_CASE("a packed scene holds what it was made of", "[view][pack]") {
   const double y =
       json["points"]["min"][1].get<double>() + steps[4] * json["points"]["step"][1].get<double>();
   CHECK(y == Approx(0.1).margin(1e-5));
-  CHECK(json["objects"].size() == 1);
+  REQUIRE(json["objects"].size() == 2);
+  CHECK(json["objects"][1]["type"] == "lump");
+  CHECK(json["objects"][1]["lines"][0] == "seen 50 x 40 x 30 mm");
+  CHECK(json["objects"][1]["size"][2] == 0.03);
   CHECK(json["objects"][0]["lines"][0] == "radius 100.0 ± 1.0 mm");
   CHECK(json["grasps"][0]["target"] == 3);
   CHECK(json["rejected"][0]["reason"] == "width");

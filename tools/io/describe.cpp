@@ -73,6 +73,11 @@ std::string describe_box(const Box& box) {
   return text;
 }
 
+std::string describe_lump(const SceneBody& lump) {
+  const Eigen::Vector3d size = 1000.0 * lump.size;
+  return fmt::format("seen {:.0f} x {:.0f} x {:.0f} mm", size.x(), size.y(), size.z());
+}
+
 std::string name_of(const Detection& detection) {
   std::string text = fmt::format("{} {}", detection.id, to_string(detection.type));
   std::replace(text.begin(), text.end(), '_', ' ');

@@ -5,6 +5,7 @@
 #include <map>
 #include <string>
 
+#include "quadrille/detector/body.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille::io {
@@ -25,6 +26,9 @@ std::string describe_dimensions(const Detection& detection);
 /// Returns size and faces of a box in one line: "148.2 x 113.9 x 72.0 mm, faces 3 5 8". A side that
 /// was not seen is given with its bounds: "60.0 (0.0 to 80.2)".
 std::string describe_box(const Box& box);
+
+/// Returns the size of what was seen of a lump: "seen 50 x 40 x 30 mm".
+std::string describe_lump(const SceneBody& lump);
 
 /// Returns a name for pictures: "1 elliptic cylinder".
 std::string name_of(const Detection& detection);

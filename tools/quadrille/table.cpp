@@ -56,12 +56,10 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
   }
   for (const SceneBody& body : result.bodies) {
     if (body.kind != BodyKind::kLump) continue;
-    const Eigen::Vector3d p = body.X_CB.translation(), size = 1000.0 * body.size;
-    text += fmt::format(
-        "  {:>3}  {}{:<28} {:>8} {:>13}  {:>7.3f} {:>7.3f} {:>7.3f}  "
-        "seen {:.0f} x {:.0f} x {:.0f} mm\n",
-        body.id, tracked ? "       " : "", "lump", body.points, "", p.x(), p.y(), p.z(), size.x(),
-        size.y(), size.z());
+    const Eigen::Vector3d p = body.X_CB.translation();
+    text += fmt::format("  {:>3}  {}{:<28} {:>8} {:>13}  {:>7.3f} {:>7.3f} {:>7.3f}  {}\n", body.id,
+                        tracked ? "       " : "", "lump", body.points, "", p.x(), p.y(), p.z(),
+                        io::describe_lump(body));
   }
   return text;
 }

@@ -213,6 +213,7 @@ void add_view_command(CLI::App& app) {
   add_channel_option(*command, "--cloud-channel", channels.cloud, "clouds");
   add_channel_option(*command, "--quadrics-channel", channels.quadrics, "quadrics");
   add_channel_option(*command, "--boxes-channel", channels.boxes, "boxes");
+  add_channel_option(*command, "--bodies-channel", channels.bodies, "bodies");
   add_channel_option(*command, "--grasps-channel", channels.grasps, "grasps");
   add_channel_option(*command, "--occupancy-channel", channels.occupancy, "occupancy");
   add_channel_option(*command, "--detector-status", channels.detector_status, "detector's status");

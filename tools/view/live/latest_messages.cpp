@@ -10,7 +10,7 @@ namespace {
 
 /// Time for which clouds are kept after a browser last looked.
 constexpr std::chrono::seconds kWatchTime{3};
-/// Time after quadrics, or boxes, during which more of them are expected.
+/// Time after quadrics during which more of them are expected.
 constexpr std::chrono::seconds kQuadricsTime{1};
 /// Time for which a plan of all objects takes precedence over answers to requests for some.
 constexpr std::chrono::seconds kPlanTime{3};
@@ -28,6 +28,7 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
   const std::pair<const std::string&, Bytes LatestMessages::*> slots[] = {
       {channels_.quadrics, &LatestMessages::quadrics},
       {channels_.boxes, &LatestMessages::boxes},
+      {channels_.bodies, &LatestMessages::bodies},
       {channels_.grasps, &LatestMessages::grasps},
       {channels_.occupancy, &LatestMessages::occupancy},
       {channels_.detector_status, &LatestMessages::detector_status},
@@ -45,6 +46,7 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
   const std::lock_guard lock(mutex_);
   if (is_cloud) keep_cloud(std::move(copy));
   if (channel == channels_.boxes) latest_.boxes_before = latest_.boxes;
+  if (channel == channels_.bodies) latest_.bodies_before = latest_.bodies;
   for (const auto& [name, slot] : slots) {
     if (!is_cloud && name == channel) std::swap(latest_.*slot, copy);
   }
@@ -53,8 +55,8 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
   const bool is_status =
       channel == channels_.detector_status || channel == channels_.planner_status;
   if (is_status) return;
-  // Clouds and boxes wait for their quadrics, if such messages have come recently.
-  const bool waits = is_cloud || channel == channels_.boxes;
+  // What comes before its quadrics waits for them, if such messages have come recently.
+  const bool waits = is_cloud || channel == channels_.boxes || channel == channels_.bodies;
   has_news_ = has_news_ || !waits || now - quadrics_came_ > kQuadricsTime;
   news_.notify_one();
 }

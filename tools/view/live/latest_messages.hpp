@@ -14,8 +14,9 @@ namespace quadrille::view {
 
 /// The channels of the messages that are shown, and of requests to the planner.
 struct LiveChannels {
-  std::string cloud = "POINT_CLOUD", quadrics = "QUADRICS", boxes = "BOXES", grasps = "GRASPS",
-              occupancy = "OCCUPANCY", detector_status = "QUADRILLE_DETECTOR_STATUS",
+  std::string cloud = "POINT_CLOUD", quadrics = "QUADRICS", boxes = "BOXES", bodies = "BODIES",
+              grasps = "GRASPS", occupancy = "OCCUPANCY",
+              detector_status = "QUADRILLE_DETECTOR_STATUS",
               planner_status = "QUADRILLE_PLANNER_STATUS", requests = "GRASP_REQUEST";
 };
 
@@ -26,9 +27,9 @@ using Bytes = std::shared_ptr<const std::vector<std::byte>>;
 /// cloud.
 struct LatestMessages {
   std::deque<Bytes> clouds;
-  /// The boxes before the newest, used until the quadrics of the newest have come.
-  Bytes boxes_before;
-  Bytes quadrics, boxes, grasps, occupancy, detector_status, planner_status;
+  /// The boxes and bodies before the newest, used until the quadrics of the newest have come.
+  Bytes boxes_before, bodies_before;
+  Bytes quadrics, boxes, bodies, grasps, occupancy, detector_status, planner_status;
 };
 
 /// Keeps messages from the bus until a browser looks at them. Taking a message never waits for

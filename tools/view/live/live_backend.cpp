@@ -35,8 +35,8 @@ LiveBackend::~LiveBackend() {
 
 void LiveBackend::subscribe() {
   const LiveChannels& c = keeper_.channels();
-  for (const std::string& channel :
-       {c.cloud, c.quadrics, c.boxes, c.grasps, c.occupancy, c.detector_status, c.planner_status}) {
+  for (const std::string& channel : {c.cloud, c.quadrics, c.boxes, c.bodies, c.grasps, c.occupancy,
+                                     c.detector_status, c.planner_status}) {
     connection_.subscribe(channel, [this](const std::string& name, std::span<const std::byte> b) {
       const bool is_answer = name == keeper_.channels().grasps && questions_.take(b);
       if (!is_answer) keeper_.take(name, b);

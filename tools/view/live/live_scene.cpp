@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/grasps_message.hpp"
@@ -107,26 +108,33 @@ void add_grasps(const grasps_t& message, const FindGripper& find_gripper, std::s
   scene->warnings.insert(scene->warnings.end(), message.warnings.begin(), message.warnings.end());
 }
 
-/// Returns the boxes of the quadrics: the newest, or the ones before them if the quadrics of the
-/// newest have not come yet.
-std::optional<bus::BoxesMessage> find_boxes(const LatestMessages& messages,
-                                            const bus::QuadricsMessage& quadrics) {
-  for (const Bytes& bytes : {messages.boxes, messages.boxes_before}) {
-    auto boxes = read<bus::BoxesMessage>(bytes, [](const auto& b) { return bus::decode_boxes(b); });
-    if (boxes && boxes->utime == quadrics.utime && boxes->seq == quadrics.seq) return boxes;
+/// Returns the boxes or bodies of the quadrics: the newest, or the ones before them if the quadrics
+/// of the newest have not come yet.
+template <class Message, class Decode>
+std::optional<Message> find_of(const bus::QuadricsMessage& quadrics, const Bytes& newest,
+                               const Bytes& before, Decode&& decode) {
+  for (const Bytes& bytes : {newest, before}) {
+    auto found = read<Message>(bytes, decode);
+    if (found && found->utime == quadrics.utime && found->seq == quadrics.seq) return found;
   }
   return std::nullopt;
 }
 
-void add_quadrics(bus::QuadricsMessage message, const std::optional<bus::BoxesMessage>& boxes,
-                  Scene* scene) {
+void add_quadrics(bus::QuadricsMessage message, const LatestMessages& messages, Scene* scene) {
+  const auto boxes = find_of<bus::BoxesMessage>(message, messages.boxes, messages.boxes_before,
+                                                [](const auto& b) { return bus::decode_boxes(b); });
+  if (boxes) {
+    std::copy_if(boxes->boxes.begin(), boxes->boxes.end(), std::back_inserter(scene->boxes),
+                 [](const Box& box) { return is_reported(box); });
+  }
+  const auto bodies =
+      find_of<bus::BodiesMessage>(message, messages.bodies, messages.bodies_before,
+                                  [](const auto& b) { return bus::decode_bodies(b); });
+  if (bodies) scene->lumps = lumps_of(bodies->bodies);
   scene->utime = message.utime;
   scene->seq = message.seq;
   scene->detections = std::move(message.detections);
   std::erase_if(scene->detections, [](const Detection& d) { return !is_reported(d); });
-  if (!boxes) return;
-  std::copy_if(boxes->boxes.begin(), boxes->boxes.end(), std::back_inserter(scene->boxes),
-               [](const Box& box) { return is_reported(box); });
 }
 
 /// Adds the cloud, unless it is in another frame than the quadrics; then only the quadrics are
@@ -155,10 +163,7 @@ Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper
                                              [](const auto& b) { return bus::decode_quadrics(b); });
   add_cloud(find_cloud(messages.clouds, quadrics), quadrics, &scene);
   const std::string frame = scene.cloud.frame;
-  if (quadrics) {
-    const auto boxes = find_boxes(messages, *quadrics);
-    add_quadrics(std::move(*quadrics), boxes, &scene);
-  }
+  if (quadrics) add_quadrics(std::move(*quadrics), messages, &scene);
   const auto grasps = read_grasps(messages.grasps);
   if (grasps && grasps->frame == frame) add_grasps(*grasps, find_gripper, limits.grasps, &scene);
   const auto map =

@@ -81,7 +81,7 @@ export function fillDetail(scene, view, chooseGrasp, askParts) {
 }
 
 function factsOf(object) {
-  const facts = [["certain", `${(100 * object.score).toFixed(0)} %`]];
+  const facts = object.score === undefined ? [] : [["certain", `${(100 * object.score).toFixed(0)} %`]];
   if (object.track) facts.push(["track", object.track]);
   for (const line of object.lines) {
     const [, name, value] = line.match(/^(\D*?) (\S*\d.*)$/) || ["", line, ""];

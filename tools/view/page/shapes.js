@@ -2,10 +2,13 @@
 /* global THREE */
 import { poseMatrix } from "./hand.js";
 
+/// Returns true for boxes and lumps, which are shown as the boxes around them.
+export const isBox = (object) => object.kind === "box" || object.kind === "lump";
+
 /// Returns the corners of an object's extent.
 export function cornersOf(object) {
   const X = poseMatrix(object.pose);
-  const half = object.kind === "box" ? object.size.map((side) => side / 2) : null;
+  const half = isBox(object) ? object.size.map((side) => side / 2) : null;
   const low = half ? half.map((h) => -h) : object.extent ? object.extent.min : [0, 0, 0];
   const high = half || (object.extent ? object.extent.max : [0, 0, 0]);
   const corners = [];

@@ -5,7 +5,7 @@ import { isPlane, objectColour, scoreColour } from "./colours.js";
 import { contactsOf, handAt, marksOf, poseMatrix } from "./hand.js";
 import { byId } from "./dom.js";
 import { coloursOf } from "./paint.js";
-import { cornersOf, meshGeometry, voxelMesh } from "./shapes.js";
+import { cornersOf, isBox, meshGeometry, voxelMesh } from "./shapes.js";
 
 const kClickSlack = 5;
 
@@ -127,7 +127,7 @@ export class World {
     this.lineMaterials = [];
     const faces = new Set(this.data.objects.flatMap((object) => object.faces || []));
     for (const object of this.data.objects) {
-      const layer = object.kind === "box" ? "boxes" : isPlane(object) ? "planes" : "quadrics";
+      const layer = isBox(object) ? "boxes" : isPlane(object) ? "planes" : "quadrics";
       if (!view.layers[layer] || (isPlane(object) && faces.has(object.id))) continue;
       const part = this.objectPart(object, object.id === view.chosen);
       if (!part) continue;
@@ -141,7 +141,7 @@ export class World {
   objectPart(object, chosen) {
     const part = new THREE.Group();
     part.applyMatrix(poseMatrix(object.pose));
-    const geometry = object.kind === "box" ? new THREE.BoxBufferGeometry(...object.size) : meshGeometry(object.mesh);
+    const geometry = isBox(object) ? new THREE.BoxBufferGeometry(...object.size) : meshGeometry(object.mesh);
     if (!geometry) return null;
     const colour = new THREE.Color(objectColour(object));
     const opacity = isPlane(object) ? (chosen ? 0.35 : 0.1) : chosen ? 0.75 : 0.42;
@@ -153,7 +153,7 @@ export class World {
 
   rims(object, geometry, colour, linewidth) {
     const ends = [];
-    if (object.kind === "box") ends.push(...new THREE.EdgesGeometry(geometry).attributes.position.array);
+    if (isBox(object)) ends.push(...new THREE.EdgesGeometry(geometry).attributes.position.array);
     else for (const i of object.mesh.rims) ends.push(...object.mesh.vertices.subarray(3 * i, 3 * i + 3));
     const material = this.lineMaterial({ linewidth, transparent: true, opacity: isPlane(object) ? 0.7 : 0.95 });
     material.color = colour;

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "io/describe.hpp"
 #include "io/json/json.hpp"
 #include "io/json/json_parts.hpp"
 #include "io/planner/advice.hpp"
@@ -122,7 +123,7 @@ Json voxels_of(const VoxelLayers& layers, Arrays* arrays) {
           {"unknown", arrays->add(flattened(layers.unknown))}};
 }
 
-/// Adds the fields that quadrics and boxes have in common.
+/// Adds the fields that quadrics, boxes and lumps have in common.
 void add_common(const Scene& scene, int id, Json* object) {
   const auto found = scene.rejected_of.find(id);
   if (found != scene.rejected_of.end()) {
@@ -158,10 +159,25 @@ Json objects_of(const Scene& scene, const PackLimits& limits, Arrays* arrays, Js
     add_common(scene, box.id, &object);
     objects.push_back(object);
   }
+  for (const SceneBody& lump : scene.lumps) {
+    if (objects.size() >= limits.objects) break;
+    Json object = io::to_json(lump);
+    object["type"] = "lump";
+    object["lines"] = {io::describe_lump(lump), fmt::format("points {}", lump.points)};
+    add_common(scene, lump.id, &object);
+    objects.push_back(object);
+  }
   return objects;
 }
 
 }  // namespace
+
+std::vector<SceneBody> lumps_of(const std::vector<SceneBody>& bodies) {
+  std::vector<SceneBody> lumps;
+  std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(lumps),
+               [](const SceneBody& body) { return body.kind == BodyKind::kLump; });
+  return lumps;
+}
 
 Json plan_json(const Scene& scene, const PackLimits& limits) {
   return {{"grasps", grasps_of(scene, limits.grasps)},

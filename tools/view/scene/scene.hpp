@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/json/json.hpp"
+#include "quadrille/detector/body.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/grasping/plan.hpp"
@@ -26,6 +27,8 @@ struct Scene {
   PointCloud cloud;
   std::vector<Detection> detections;
   std::vector<Box> boxes;
+  /// The bodies of unknown shape.
+  std::vector<SceneBody> lumps;
   /// The grasps, best first.
   std::vector<Grasp> grasps;
   /// Outcome of the trial of each grasp; empty if none was tried.
@@ -43,6 +46,9 @@ struct Scene {
   std::vector<StageTime> timings;
   std::vector<std::string> warnings;
 };
+
+/// Returns those of the bodies that are lumps.
+std::vector<SceneBody> lumps_of(const std::vector<SceneBody>& bodies);
 
 /// Limits of how much of a scene is shown.
 struct PackLimits {

@@ -47,6 +47,10 @@ void add_rows(const Scene& scene, ReportTable* objects, ReportTable* grasps) {
                              fmt::format("{:.2f}", box.score), io::describe_box(box),
                              place(box.X_CB.translation())});
   }
+  for (const SceneBody& lump : scene.lumps) {
+    objects->rows.push_back({scene.name, fmt::format("{}", lump.id), "lump", "",
+                             io::describe_lump(lump), place(lump.X_CB.translation())});
+  }
   for (std::size_t n = 0; n < std::min(scene.grasps.size(), kMaxGrasps); ++n) {
     const Grasp& g = scene.grasps[n];
     grasps->rows.push_back({scene.name, fmt::format("{}", n + 1), fmt::format("{}", g.target),
