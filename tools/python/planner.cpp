@@ -1,6 +1,7 @@
 #include <pybind11/functional.h>
 
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <optional>
@@ -54,6 +55,7 @@ void bind_gripper(py::module_& module) {
 
 std::vector<std::string> conventions() {
   std::vector<std::string> names;
+  names.reserve(std::size(kHandConventions));
   for (const HandConvention convention : kHandConventions) {
     names.emplace_back(to_string(convention));
   }
