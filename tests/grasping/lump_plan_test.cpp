@@ -143,7 +143,7 @@ TEST_CASE("points connected with a target belong to it, if they belong to no oth
   // is the mean of all points within 4 mm. Alone, the ball is held at its equator.
   CHECK(alone < 0.0345);
   CHECK(beside > 0.0355);
-  // A lump has all points that are connected with it already.
+  // Points beside a lump belong to what touches it.
   top.kind = BodyKind::kLump;
   CHECK(lowest(plan_lumps({ball}, {top}, options)) > 0.0355);
 }

@@ -14,7 +14,7 @@ namespace {
 // as much; they stay with the rim around them.
 constexpr double kMaxConcavity = 12.0;
 // Fewer samples between creases are scraps, not pieces.
-constexpr std::size_t kMinSamples = 15;
+constexpr std::size_t kMinPiece = 15;
 
 /// Returns how much the surface at a sample bends inwards: the mean, over the open neighbours, of
 /// the curvature towards them where it is concave [1/m].
@@ -87,7 +87,7 @@ std::vector<std::vector<int>> convex_pieces(const SurfaceSamples& samples,
   for (const int seed : connected) {
     if (!convex[seed]) continue;
     std::vector<int> piece = take_piece(samples, seed, &convex);
-    if (piece.size() < kMinSamples) continue;
+    if (piece.size() < kMinPiece) continue;
     for (const int i : piece) left[i] = 0;
     pieces.push_back(std::move(piece));
   }

@@ -43,6 +43,7 @@ Mask open_samples(const SurfaceSamples& samples, const std::vector<int>& owner,
 
 const Support* lump_support(const SurfaceSamples& samples, const std::vector<int>& piece,
                             const std::vector<Support>& supports, bool alone) {
+  if (piece.size() < kMinSamples) return nullptr;
   Eigen::Vector3d middle_C = Eigen::Vector3d::Zero();
   for (const int i : piece) {
     middle_C += samples.raw[i].cast<double>() / static_cast<double>(piece.size());

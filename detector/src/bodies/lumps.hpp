@@ -15,8 +15,8 @@ namespace quadrille {
 Mask open_samples(const SurfaceSamples& samples, const std::vector<int>& owner,
                   const std::vector<Box>& boxes);
 
-/// The support above which a connected piece of samples may be one lump or several; nullptr if
-/// there is none.
+/// The support above which a connected piece of samples may be one lump or several; nullptr if it
+/// is too small, or there is none.
 /// @param alone  true if no surface that was found touches the piece, so that none can hide its
 ///               foot
 const Support* lump_support(const SurfaceSamples& samples, const std::vector<int>& piece,

@@ -44,7 +44,8 @@ struct Target {
   /// False if the target can be held only by its wall, or if its shape is not known: then its body
   /// is merely the box around its points.
   bool solid = true;
-  /// True for a lump, whose box holds all points that are connected with it.
+  /// True for a lump, whose box holds all of its points: others that are connected with them belong
+  /// to what touches it.
   bool whole = false;
   /// False if the target is not asked for. It is kept because, like all others, it tells which
   /// space matters and what things stand on.
