@@ -102,7 +102,7 @@ TEST_CASE("a neighbour is an obstacle to a hand that holds a body without a shap
     const SweptHand hand =
         sweep_hand(franka_hand(), grasp.X_CG, grasp.preshape, grasp.width, grasp.approach);
     for (const Eigen::Vector3d& p : skin(neighbour)) {
-      // What is hidden, or seen at less than 6°, has no points.
+      // The camera measures no points on hidden sides, nor on what it sees at less than 6°.
       if ((p - neighbour.p_C).normalized().dot(p.normalized()) > -0.1) continue;
       CHECK_FALSE(hand.fingers[0].contains(p));
       CHECK_FALSE(hand.fingers[1].contains(p));

@@ -8,9 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "bodies/add_lumps.hpp"
 #include "bodies/axial_part.hpp"
-#include "bodies/convex_pieces.hpp"
-#include "bodies/lumps.hpp"
 #include "bodies/support.hpp"
 #include "boxes/box_ends.hpp"
 #include "boxes/face.hpp"
@@ -64,7 +63,7 @@ class BodyMaker {
       body.standing_on = standing_on(supports_, corners_C(body));
       if (body.standing_on && is_long(body)) stand(&body);
     }
-    if (found_.all_types) add_lumps();
+    if (found_.all_types) add_lumps(found_, supports_, last_id_, &bodies_);
     std::stable_sort(bodies_.begin(), bodies_.end(),
                      [](const SceneBody& a, const SceneBody& b) { return a.id < b.id; });
     return std::move(bodies_);
@@ -258,83 +257,6 @@ class BodyMaker {
     body->size.z() += foot;
     body->X_CB.translation() -= 0.5 * foot * z_C;
     set_length(body, has_lid_at(*body, 1.0));
-  }
-
-  /// Gives the unexplained points that are connected to a larger body to it, and makes lumps of the
-  /// others.
-  void add_lumps() {
-    const std::vector<Support> level = level_supports();
-    const Mask open = open_samples(found_.samples, found_.owner, found_.boxes);
-    for (const std::vector<int>& connected : connected_pieces(found_.samples, open)) {
-      const std::map<int, int> contacts = contacts_of(connected);
-      if (joined_a_body(connected, contacts)) continue;
-      const Support* support = lump_support(found_.samples, connected, level, contacts.empty());
-      if (support == nullptr) continue;
-      for (const std::vector<int>& piece : convex_pieces(found_.samples, connected)) {
-        if (joined_a_body(piece, contacts_of(piece))) continue;
-        auto lump = lump_of(found_.samples, piece, *support);
-        if (!lump) continue;
-        lump->points = points_of(piece);
-        lump->id = ++last_id_;
-        bodies_.push_back(std::move(*lump));
-      }
-    }
-  }
-
-  int points_of(const std::vector<int>& piece) const {
-    int points = 0;
-    for (const int i : piece) points += found_.samples.count[i];
-    return points;
-  }
-
-  /// Gives a piece to the body that it touches, if that is larger.
-  bool joined_a_body(const std::vector<int>& piece, const std::map<int, int>& contacts) {
-    SceneBody* host = host_of(contacts);
-    const int points = points_of(piece);
-    if (host == nullptr || host->points <= points) return false;
-    host->points += points;
-    return true;
-  }
-
-  /// The supports that are parallel to the one on which most bodies stand, or to the largest one:
-  /// nothing stands on walls.
-  std::vector<Support> level_supports() const {
-    if (supports_.empty()) return {};
-    std::map<int, int> standing;
-    for (const SceneBody& body : bodies_) {
-      if (body.standing_on) ++standing[*body.standing_on];
-    }
-    const Support* main = &supports_.front();
-    for (const Support& support : supports_) {
-      if (standing[support.id] > standing[main->id]) main = &support;
-    }
-    std::vector<Support> level;
-    std::copy_if(supports_.begin(), supports_.end(), std::back_inserter(level),
-                 [&](const Support& s) { return s.n_C.dot(main->n_C) > std::cos(kMaxSkew); });
-    return level;
-  }
-
-  /// The number of neighbours that a piece of samples has on each detection, by its id.
-  std::map<int, int> contacts_of(const std::vector<int>& piece) const {
-    std::map<int, int> contacts;
-    for (const int i : piece) {
-      for (const int j : found_.samples.neighbours_of(i)) {
-        if (found_.owner[j] > 0) ++contacts[found_.owner[j]];
-      }
-    }
-    return contacts;
-  }
-
-  /// The body that most of these contacts touch; nullptr if there is none.
-  SceneBody* host_of(const std::map<int, int>& contacts) {
-    const auto most =
-        std::max_element(contacts.begin(), contacts.end(),
-                         [](const auto& a, const auto& b) { return a.second < b.second; });
-    if (most == contacts.end()) return nullptr;
-    const auto host = std::find_if(bodies_.begin(), bodies_.end(), [&](const SceneBody& body) {
-      return contains(body.parts, most->first);
-    });
-    return host == bodies_.end() ? nullptr : &*host;
   }
 
   const BodySources& found_;

@@ -103,7 +103,8 @@ class QueryPlanner {
     }
     for (const auto& [why, number] : refusals) refusals_[why] += number;
     if (target.unmeasured > 0) refusals[Refusal::kUnmeasured] += target.unmeasured;
-    // What cannot be held by its shape was refused, before it was tried by its points.
+    // A detection that the hand cannot hold by its shape was refused as a target. Its points were
+    // tried all the same, so this refusal belongs to the same outcome.
     if (const auto found = parts_.refused.find(target.id); found != parts_.refused.end()) {
       ++refusals[found->second];
     }

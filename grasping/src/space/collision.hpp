@@ -47,7 +47,7 @@ struct CollisionScene {
   std::vector<CollisionShape> target;
   /// Measured points about the target, where voxels gave way to them.
   ObstaclePoints points = {};
-  /// Those of them that are not the target's.
+  /// The measured points about the target that belong to other things.
   ObstaclePoints other_points = {};
   /// Distance to keep from shapes and planes, which are known only as accurately as they were
   /// fitted [m].

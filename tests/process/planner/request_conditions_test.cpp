@@ -49,7 +49,7 @@ TEST_CASE("a request may ask what would give grasps to targets that have none",
   REQUIRE_FALSE(advised.remedies.empty());
   const remedy_t& first = advised.remedies.front();
   REQUIRE(first.change.starts_with("--min-score "));
-  // What was said holds.
+  // With the score that the remedy names there are as many grasps as it says.
   request.targets = {first.target};
   request.num_targets = 1;
   request.min_score = std::stod(first.change.substr(12));

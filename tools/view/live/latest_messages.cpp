@@ -55,7 +55,8 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
   const bool is_status =
       channel == channels_.detector_status || channel == channels_.planner_status;
   if (is_status) return;
-  // What comes before its quadrics waits for them, if such messages have come recently.
+  // Clouds, boxes and bodies come before their quadrics. They make no scene until these have come,
+  // if quadrics have come recently.
   const bool waits = is_cloud || channel == channels_.boxes || channel == channels_.bodies;
   has_news_ = has_news_ || !waits || now - quadrics_came_ > kQuadricsTime;
   news_.notify_one();

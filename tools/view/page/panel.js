@@ -130,7 +130,7 @@ function refusals(rejected, object) {
 function remediesOf(object, scene) {
   const own = scene.remedies.filter((remedy) => remedy.target === object.id);
   if (own.length === 0) return [];
-  return [element("h2", { text: "What gives it grasps" }), element("dl", { class: "remedies" },
+  return [element("h2", { text: "What gives it grasps" }), element("dl", {},
     own.flatMap(({ change, grasps, score }) => [element("dt", { text: change }),
       element("dd", { text: `${grasps === 1 ? "1 grasp" : `${grasps} grasps`}, best score ${score.toFixed(2)}` })]))];
 }

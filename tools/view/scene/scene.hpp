@@ -40,7 +40,7 @@ struct Scene {
   /// Refusals of all targets, and by target if known.
   Rejected rejected;
   std::map<int, Rejected> rejected_of;
-  /// What would give grasps to targets that have none, if it was sought.
+  /// Changes of a setting that give grasps to targets without one; empty if none were sought.
   std::vector<Remedy> remedies;
   VoxelLayers voxels;
   std::vector<StageTime> timings;

@@ -51,7 +51,8 @@ struct GraspPlan {
   std::map<std::string, int> rejected;
   /// The outcome for each target that was asked for.
   std::vector<TargetOutcome> targets;
-  /// What find_remedies() found, if it was asked.
+  /// Changes that would give grasps to targets without one. A plan leaves them empty; callers of
+  /// find_remedies() may keep its answer here.
   std::vector<Remedy> remedies;
   /// The boxes of which detected planes are faces; each box may be a target.
   std::vector<Box> boxes;
