@@ -1,5 +1,8 @@
 #include "contacts/point_buckets.hpp"
 
+#include <algorithm>
+#include <utility>
+
 namespace quadrille {
 namespace {
 
@@ -11,9 +14,20 @@ constexpr double kShift = 0.37;
 }  // namespace
 
 PointBuckets::PointBuckets(std::span<const Eigen::Vector3d> points_C, double edge) {
-  for (std::size_t i = 0; i < points_C.size(); ++i) {
-    buckets_[key_of(points_C[i], edge)].push_back(static_cast<int>(i));
+  std::vector<std::pair<Key, int>> keyed;
+  keyed.reserve(points_C.size());
+  for (const Eigen::Vector3d& p : points_C) {
+    keyed.emplace_back(key_of(p, edge), static_cast<int>(keyed.size()));
   }
+  std::sort(keyed.begin(), keyed.end());
+  for (const auto& [key, i] : keyed) {
+    if (keys_.empty() || key != keys_.back()) {
+      keys_.push_back(key);
+      first_.push_back(points_.size());
+    }
+    points_.push_back(i);
+  }
+  first_.push_back(points_.size());
 }
 
 PointBuckets::Key PointBuckets::key_of(const Eigen::Vector3d& p_C, double edge) {
@@ -22,12 +36,18 @@ PointBuckets::Key PointBuckets::key_of(const Eigen::Vector3d& p_C, double edge) 
 }
 
 std::vector<int> PointBuckets::near(const Key& key) const {
+  const auto begin_of = [&](std::vector<Key>::const_iterator cube) {
+    return static_cast<std::ptrdiff_t>(first_[static_cast<std::size_t>(cube - keys_.begin())]);
+  };
   std::vector<int> points;
-  for (int n = 0; n < 27; ++n) {
-    const auto bucket =
-        buckets_.find({key[0] + n % 3 - 1, key[1] + n / 3 % 3 - 1, key[2] + n / 9 - 1});
-    if (bucket == buckets_.end()) continue;
-    points.insert(points.end(), bucket->second.begin(), bucket->second.end());
+  for (int n = 0; n < 9; ++n) {
+    const int x = key[0] + n / 3 - 1, y = key[1] + n % 3 - 1;
+    // The three cubes of a row along z lie side by side.
+    const auto low = std::lower_bound(keys_.begin(), keys_.end(), Key{x, y, key[2] - 1});
+    const auto high = std::find_if(low, keys_.end(), [&](const Key& other) {
+      return other > Key{x, y, key[2] + 1};
+    });
+    points.insert(points.end(), points_.begin() + begin_of(low), points_.begin() + begin_of(high));
   }
   return points;
 }

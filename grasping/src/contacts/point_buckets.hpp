@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <map>
 #include <span>
 #include <vector>
 
@@ -20,15 +19,22 @@ class PointBuckets {
   /// Returns the cube of edge `edge` [m] that holds a point.
   static Key key_of(const Eigen::Vector3d& p_C, double edge);
 
-  /// The indices of the points of each cube that holds any.
-  const std::map<Key, std::vector<int>>& all() const { return buckets_; }
+  /// The cubes that hold points, in ascending order.
+  const std::vector<Key>& keys() const { return keys_; }
+  /// The indices of the points in the n-th of these cubes, in ascending order.
+  std::span<const int> members(std::size_t n) const {
+    return std::span(points_).subspan(first_[n], first_[n + 1] - first_[n]);
+  }
 
   /// Returns the indices of the points in a cube and its 26 neighbours: all points that are nearer
   /// than an edge to any place in the cube, and some farther ones.
   std::vector<int> near(const Key& key) const;
 
  private:
-  std::map<Key, std::vector<int>> buckets_;
+  std::vector<Key> keys_;
+  /// Indices of the points, those of a cube side by side, and where those of each cube begin.
+  std::vector<int> points_;
+  std::vector<std::size_t> first_;
 };
 
 }  // namespace quadrille

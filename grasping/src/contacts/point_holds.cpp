@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "contacts/directions.hpp"
 #include "contacts/hand_directions.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 // The tips reach so deep below the highest point of the target between the fingers, in lengths of
 // the fingers.
-constexpr double kDepthsToFinger[] = {0.75, 0.55, 0.4, 0.28, 0.16};
+constexpr float kDepthsToFinger[] = {0.75f, 0.55f, 0.4f, 0.28f, 0.16f};
 // Fewer points between the fingers may be noise.
 constexpr std::size_t kMinBetween = 8;
 // Weights of what makes a hold promising beside contacts that face the pads: from above, deep,
@@ -26,6 +27,9 @@ constexpr double kAbove = 0.5, kDeep = 0.5, kAside = 0.5, kWide = 0.3;
 // More depth, or more distance from the middle, than this makes no difference [m]. A hold is wide
 // above this share of the opening.
 constexpr double kFullDepth = 0.03, kWideShare = 0.85;
+// Points are sorted in units of this length [m]; there are fewer points than the second number.
+constexpr double kUnit = 1e-8;
+constexpr std::int64_t kIndices = std::int64_t{1} << 26;
 
 class PointHoldFinder {
  public:
@@ -57,32 +61,48 @@ class PointHoldFinder {
     double rank;
   };
 
-  /// A point by its index, and how far it lies along the approach.
+  /// A point by its index, and how far it lies along the closing direction and the approach [m].
   struct InSlice {
-    double z;
-    std::size_t index;
+    float y, z;
+    std::uint32_t index;
   };
 
-  /// Sorts the points along a closing direction, which many orientations of the hand share.
+  /// Points without a gap between them: the first and the last one, and how many they are.
+  struct Run {
+    std::size_t first, last, count;
+  };
+
+  /// Returns how far the target's own points reach along a direction; low > high if there are none.
+  std::pair<double, double> range_of_own(const Eigen::Vector3d& d_C) const {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (std::size_t i = 0; i < own_.size(); ++i) {
+      if (!own_[i]) continue;
+      const double x = d_C.dot(points_.p_C[i]);
+      low = std::min(low, x);
+      high = std::max(high, x);
+    }
+    return {low, high};
+  }
+
+  /// Sorts the points along a closing direction, which many orientations of the hand share. Whole
+  /// numbers, of 10 nm and the index, are sorted three times faster than pairs.
   void sort_along(const Eigen::Vector3d& closing_C) {
-    std::vector<double> along;
-    for (const Eigen::Vector3d& p : points_.p_C) along.push_back(closing_C.dot(p));
-    order_.resize(along.size());
-    std::iota(order_.begin(), order_.end(), std::size_t{0});
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::size_t a, std::size_t b) { return along[a] < along[b]; });
+    order_.clear();
+    // No hold spans more than the opening; one gap beyond it tells where a run is too wide.
+    const double reach = gripper_.max_opening + gripper_.finger.y();
+    const auto [low, high] = range_of_own(closing_C);
+    for (std::size_t i = 0; i < points_.p_C.size(); ++i) {
+      const double y = closing_C.dot(points_.p_C[i]);
+      if (!(y > low - reach && y < high + reach)) continue;
+      order_.push_back(std::llround(y / kUnit) * kIndices + static_cast<std::int64_t>(i));
+    }
+    std::sort(order_.begin(), order_.end());
   }
 
   /// Moves a hand of the present orientation across the points, in steps of half a finger's width.
   void sweep() {
     const Eigen::Vector3d x_C = R_CG_.col(0);
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t i = 0; i < own_.size(); ++i) {
-      if (!own_[i]) continue;
-      const double x = x_C.dot(points_.p_C[i]);
-      low = std::min(low, x);
-      high = std::max(high, x);
-    }
+    const auto [low, high] = range_of_own(x_C);
     if (!(low <= high)) return;
     const double step = 0.5 * gripper_.finger.x();
     const int steps = static_cast<int>((high - low) / step) + 1;
@@ -91,11 +111,14 @@ class PointHoldFinder {
     if (slices_.size() < static_cast<std::size_t>(steps)) slices_.resize(steps);
     for (std::vector<InSlice>& slice : slices_) slice.clear();
     const Eigen::Vector3d z_C = R_CG_.col(2);
-    for (const std::size_t i : order_) {
-      const double place = std::floor((x_C.dot(points_.p_C[i]) - first) / step);
+    for (const std::int64_t key : order_) {
+      const auto i = static_cast<std::uint32_t>(key & (kIndices - 1));
+      const Eigen::Vector3d& p_C = points_.p_C[i];
+      const double place = (x_C.dot(p_C) - first) / step;
       if (!(place >= -1.0 && place < steps)) continue;
-      const InSlice point{z_C.dot(points_.p_C[i]), i};
-      const int before = static_cast<int>(place);
+      const InSlice point{static_cast<float>(R_CG_.col(1).dot(p_C)),
+                          static_cast<float>(z_C.dot(p_C)), i};
+      const int before = static_cast<int>(place + 1.0) - 1;
       if (before >= 0) slices_[static_cast<std::size_t>(before)].push_back(point);
       if (before + 1 < steps) slices_[static_cast<std::size_t>(before) + 1].push_back(point);
     }
@@ -105,51 +128,71 @@ class PointHoldFinder {
   /// Lowers the fingers on the points of a slice, which are sorted along the closing direction.
   void lower(double x, const std::vector<InSlice>& slice) {
     if (slice.size() < kMinBetween) return;
-    double top = std::numeric_limits<double>::infinity();
+    float top = std::numeric_limits<float>::infinity();
     for (const InSlice& point : slice) {
       if (own_[point.index]) top = std::min(top, point.z);
     }
-    const double finger = gripper_.finger.z();
+    const auto finger = static_cast<float>(gripper_.finger.z());
     const auto [least, most] =
         std::minmax_element(std::begin(kDepthsToFinger), std::end(kDepthsToFinger));
-    const Eigen::Matrix3d R_GC = R_CG_.transpose();
+    const float lowest = top + *most * finger, highest = top + (*least - 1.0f) * finger;
     reached_.clear();
-    for (const auto& [z, i] : slice) {
-      if (!(z < top + *most * finger && z > top + (*least - 1.0) * finger)) continue;
-      reached_.push_back({R_GC * points_.p_C[i], R_GC * points_.n_C[i], own_[i] != 0});
+    for (const InSlice& point : slice) {
+      if (point.z < lowest && point.z > highest) reached_.push_back(point);
     }
-    for (const double share : kDepthsToFinger) {
-      const double tip = top + share * finger;
-      between_.clear();
-      std::copy_if(reached_.begin(), reached_.end(), std::back_inserter(between_),
-                   [&](const BetweenPads& point) {
-                     return point.p_G.z() < tip && point.p_G.z() > tip - finger;
-                   });
-      hold_runs(x, tip, between_);
+    for (const float share : kDepthsToFinger) {
+      tip_ = top + share * finger;
+      root_ = tip_ - finger;
+      hold_runs(x);
     }
   }
+
+  bool reached_by_fingers(const InSlice& point) const { return point.z < tip_ && point.z > root_; }
 
   /// Holds each run of points in which there is no gap for a finger, and neighbouring runs
   /// together.
-  void hold_runs(double x, double tip, std::span<const BetweenPads> between) {
-    std::vector<std::size_t> starts;
-    for (std::size_t i = 0; i < between.size(); ++i) {
-      if (i == 0 || between[i].p_G.y() - between[i - 1].p_G.y() > gripper_.finger.y()) {
-        starts.push_back(i);
+  void hold_runs(double x) {
+    const auto gap = static_cast<float>(gripper_.finger.y());
+    runs_.clear();
+    for (std::size_t k = 0; k < reached_.size(); ++k) {
+      if (!reached_by_fingers(reached_[k])) continue;
+      if (runs_.empty() || reached_[k].y - reached_[runs_.back().last].y > gap) {
+        runs_.push_back({k, k, 0});
       }
+      runs_.back().last = k;
+      ++runs_.back().count;
     }
-    starts.push_back(between.size());
-    for (std::size_t a = 0; a + 1 < starts.size(); ++a) {
-      for (std::size_t b = a + 1; b < starts.size(); ++b) {
-        hold(x, tip, between.subspan(starts[a], starts[b] - starts[a]));
+    for (std::size_t a = 0; a < runs_.size(); ++a) {
+      Run run{runs_[a].first, 0, 0};
+      for (std::size_t b = a; b < runs_.size(); ++b) {
+        run.last = runs_[b].last;
+        run.count += runs_[b].count;
+        if (may_hold(run)) hold(x, tip_, in_hand(run));
       }
     }
   }
 
+  bool may_hold(const Run& run) const {
+    const InSlice &first = reached_[run.first], &last = reached_[run.last];
+    const double width = last.y - first.y;
+    return run.count >= kMinBetween && (own_[first.index] || own_[last.index]) &&
+           width <= gripper_.max_opening && width >= gripper_.min_opening;
+  }
+
+  /// Returns the points of a run in the frame of the hand.
+  std::span<const BetweenPads> in_hand(const Run& run) {
+    const Eigen::Matrix3d R_GC = R_CG_.transpose();
+    between_.clear();
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      if (!reached_by_fingers(reached_[k])) continue;
+      const std::size_t i = reached_[k].index;
+      between_.push_back({R_GC * points_.p_C[i], R_GC * points_.n_C[i], own_[i] != 0});
+    }
+    return between_;
+  }
+
   void hold(double x, double tip, std::span<const BetweenPads> run) {
-    if (run.size() < kMinBetween || !(run.front().own || run.back().own)) return;
     const double low = run.front().p_G.y(), high = run.back().p_G.y(), width = high - low;
-    if (width > gripper_.max_opening || width < gripper_.min_opening) return;
     const std::optional<PadSide> left = pad_side(run, -1.0, x, tip, gripper_);
     const std::optional<PadSide> right = pad_side(run, 1.0, x, tip, gripper_);
     if (!left || !right || !(left->seen || right->seen)) return;
@@ -184,14 +227,21 @@ class PointHoldFinder {
   const ApproachSpace& space_;
   const double max_friction_;
   Eigen::Matrix3d R_CG_ = Eigen::Matrix3d::Identity();
-  /// Indices of the points, sorted along the closing direction.
-  std::vector<std::size_t> order_;
+  /// How far the points lie along the closing direction, in units, times kIndices, plus the index
+  /// of the point; sorted.
+  std::vector<std::int64_t> order_;
+  /// How far the tips and the roots of the fingers reach along the approach, at the depth that is
+  /// being tried [m].
+  float tip_ = 0.0f, root_ = 0.0f;
   // Kept to reuse their memory:
   /// The points between the fingers' sides at each place.
   std::vector<std::vector<InSlice>> slices_;
-  /// Those points of a slice that the fingers reach at some depth, and those that they reach at the
-  /// depth that is being tried.
-  std::vector<BetweenPads> reached_, between_;
+  /// Those points of a slice that the fingers reach at some depth, and their runs at the depth that
+  /// is being tried.
+  std::vector<InSlice> reached_;
+  std::vector<Run> runs_;
+  /// The points of one run.
+  std::vector<BetweenPads> between_;
   std::vector<Ranked> ranked_;
 };
 

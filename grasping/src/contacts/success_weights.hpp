@@ -6,21 +6,21 @@
 namespace quadrille {
 
 /// The log odds of success of a grasp whose terms are all zero.
-inline constexpr double kSuccessBias = -8.617;
+inline constexpr double kSuccessBias = -8.339;
 
 /// The weights of the GraspTerms in the log odds of success, in the order of GraspTerms::visit().
 inline constexpr std::array kSuccessWeights = {
-    1.192,   // friction
+    1.170,   // friction
     0.5000,  // clearance
     0.5000,  // room
-    0.2792,  // central
-    3.547,   // seen
-    2.648,   // confidence
-    -2.427,  // range
-    0.7253,  // rim
-    0.5188,  // shape
-    1.604,   // inner
-    2.214,   // height
+    0.5041,  // central
+    3.476,   // seen
+    3.086,   // confidence
+    -2.422,  // range
+    0.9023,  // rim
+    0.9708,  // shape
+    1.034,   // inner
+    1.552,   // height
 };
 
 }  // namespace quadrille

@@ -42,9 +42,9 @@ SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double c
   const double reach = kReachInCells * cell;
   std::vector<double> rough;
   const PointBuckets buckets(surface.p_C, reach);
-  for (const auto& [key, members] : buckets.all()) {
-    const std::vector<int> near = buckets.near(key);
-    for (const int i : members) {
+  for (std::size_t n = 0; n < buckets.keys().size(); ++n) {
+    const std::vector<int> near = buckets.near(buckets.keys()[n]);
+    for (const int i : buckets.members(n)) {
       const Eigen::Vector3d& p = surface.p_C[i];
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();

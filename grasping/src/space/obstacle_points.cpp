@@ -32,6 +32,8 @@ bool ObstaclePoints::meet(const OrientedBox& box) const {
       } else {
         inside = inside && offset.abs() <= half[axis];
       }
+      // Most points are far away, and one axis shows it.
+      if (!inside.any()) break;
     }
     if (inside.any()) return true;
   }
