@@ -21,8 +21,8 @@ constexpr double kBorder = 0.004, kWidening = 0.001;
 
 }  // namespace
 
-std::optional<PadSide> pad_side(std::span<const BetweenPads> points, double sign, double x,
-                                double tip, const Gripper& gripper) {
+PadSide pad_side(std::span<const BetweenPads> points, double sign, double x, double tip,
+                 const Gripper& gripper) {
   const double y = sign > 0.0 ? points.back().p_G.y() : points.front().p_G.y();
   Eigen::Vector3d near = Eigen::Vector3d::Zero(), normals = near;
   double within = std::numeric_limits<double>::infinity(), at_border = within;
@@ -47,7 +47,7 @@ std::optional<PadSide> pad_side(std::span<const BetweenPads> points, double sign
   side.height = bottom - top;
   side.p_G = {near.x(), y, near.z()};
   side.seen = towards > kMinTowards * count;
-  if (!side.seen && away > kMinAway * count) return std::nullopt;
+  side.behind = !side.seen && away > kMinAway * count;
   side.inner = within - at_border < kWidening;
   const bool leans = side.seen && !side.inner;
   side.n_G = leans ? Eigen::Vector3d(normals.normalized())

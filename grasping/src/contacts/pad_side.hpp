@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <span>
 
 #include "quadrille/grasping/gripper.hpp"
@@ -27,6 +26,8 @@ struct PadSide {
   /// True if points were seen that face the pad. Otherwise the side is hidden, and assumed to face
   /// the pad.
   bool seen = false;
+  /// True if nothing tells where the hidden side is: behind a surface that faces away from the pad.
+  bool behind = false;
   /// True if no point at the borders of the pad lies farther out than those within. Then the pad
   /// touches the body at its outermost point, where the surface faces the pad.
   bool inner = false;
@@ -36,12 +37,11 @@ struct PadSide {
   double height = 0.0;
 };
 
-/// Returns the side towards a pad of points sorted along the closing direction y. Nullopt if the
-/// side is hidden and nothing tells where it is: behind a surface that faces away from the pad.
+/// Returns the side towards a pad of points, at least one, sorted along the closing direction y.
 /// @param sign  1 for the pad at the last point, −1 for that at the first
 /// @param x  middle of the pad along x [m]
 /// @param tip  how far the tips reach along z [m]
-std::optional<PadSide> pad_side(std::span<const BetweenPads> points, double sign, double x,
-                                double tip, const Gripper& gripper);
+PadSide pad_side(std::span<const BetweenPads> points, double sign, double x, double tip,
+                 const Gripper& gripper);
 
 }  // namespace quadrille

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -27,6 +26,13 @@ constexpr double kAbove = 0.5, kDeep = 0.5, kAside = 0.5, kWide = 0.3;
 // More depth, or more distance from the middle, than this makes no difference [m]. A hold is wide
 // above this share of the opening.
 constexpr double kFullDepth = 0.03, kWideShare = 0.85;
+// Behind a thin wall space must be free down to the tips, as far from the wall as a finger is
+// thick, at these places across the finger, in widths of it.
+constexpr double kAcrossFinger[] = {-0.4, 0.0, 0.4};
+// A thin wall goes on straight for so far below the tips: there most points next to the wall lie no
+// farther than this beside what is held [m]. At the edges of solids sensors smear points into the
+// air, but below these the surface bends away.
+constexpr double kGoesOn = 0.012, kStraight = 0.002, kShareOfWall = 0.8;
 // Points are sorted in units of this length [m]; there are fewer points than the second number.
 constexpr double kUnit = 1e-8;
 constexpr std::int64_t kIndices = std::int64_t{1} << 26;
@@ -34,8 +40,13 @@ constexpr std::int64_t kIndices = std::int64_t{1} << 26;
 class PointHoldFinder {
  public:
   PointHoldFinder(const SurfacePoints& points, const std::vector<char>& own, const Gripper& gripper,
-                  const ApproachSpace& space, double max_friction)
-      : points_(points), own_(own), gripper_(gripper), space_(space), max_friction_(max_friction) {}
+                  const ApproachSpace& space, const ThinWalls& walls, double max_friction)
+      : points_(points),
+        own_(own),
+        gripper_(gripper),
+        space_(space),
+        walls_(walls),
+        max_friction_(max_friction) {}
 
   std::vector<Hold> find() {
     std::vector<Eigen::Vector3d> normals;
@@ -192,25 +203,58 @@ class PointHoldFinder {
   }
 
   void hold(double x, double tip, std::span<const BetweenPads> run) {
-    const double low = run.front().p_G.y(), high = run.back().p_G.y(), width = high - low;
-    const std::optional<PadSide> left = pad_side(run, -1.0, x, tip, gripper_);
-    const std::optional<PadSide> right = pad_side(run, 1.0, x, tip, gripper_);
-    if (!left || !right || !(left->seen || right->seen)) return;
+    PadSide left = pad_side(run, -1.0, x, tip, gripper_);
+    PadSide right = pad_side(run, 1.0, x, tip, gripper_);
+    if (!left.seen && !right.seen) return;
+    double top = tip;
+    for (const BetweenPads& point : run) top = std::min(top, point.p_G.z());
+    const bool behind = left.behind || right.behind;
+    double width = right.p_G.y() - left.p_G.y(), opening = width;
+    if (behind) {
+      if (!is_thin_wall(x, tip, left, right)) return;
+      const double more = std::max(0.0, walls_.min - width);
+      PadSide& hidden = left.behind ? left : right;
+      hidden.p_G.y() += left.behind ? -more : more;
+      hidden.inner = false;  // nothing of it was measured
+      width += more, opening = walls_.max;
+    }
     Hold found;
     ContactLine& line = found.line;
     line.closing_C = R_CG_.col(1);
-    line.centre_C = R_CG_ * Eigen::Vector3d(x, 0.5 * (low + high), tip - gripper_.finger_front);
-    line.contacts_C = {R_CG_ * right->p_G, R_CG_ * left->p_G};
-    line.normals_C = {R_CG_ * right->n_G, R_CG_ * left->n_G};
-    line.width = line.opening = width;
+    line.centre_C = R_CG_ * Eigen::Vector3d(x, 0.5 * (left.p_G.y() + right.p_G.y()),
+                                            tip - gripper_.finger_front);
+    line.contacts_C = {R_CG_ * right.p_G, R_CG_ * left.p_G};
+    line.normals_C = {R_CG_ * right.n_G, R_CG_ * left.n_G};
+    line.width = width, line.opening = opening;
     found.approach_C = R_CG_.col(2);
     found.friction = friction_needed(line);
     if (found.friction > max_friction_) return;
-    found.evidence = {0.5 * (left->seen + right->seen), 0.5 * (left->facing + right->facing),
-                      0.5 * (left->inner + right->inner), std::min(left->height, right->height)};
-    double top = tip;
-    for (const BetweenPads& point : run) top = std::min(top, point.p_G.z());
+    found.evidence = {0.5 * (left.seen + right.seen), 0.5 * (left.facing + right.facing),
+                      0.5 * (left.inner + right.inner), std::min(left.height, right.height)};
     ranked_.push_back({found, rank(found, tip - top)});
+  }
+
+  /// Returns true if the points between two sides, of which one is hidden behind the other, are the
+  /// rim of a thin wall: the sensor saw past the rim to the place of the finger behind the wall.
+  bool is_thin_wall(double x, double tip, const PadSide& left, const PadSide& right) const {
+    const double low = left.p_G.y(), high = right.p_G.y();
+    if (high - low > walls_.max || !goes_on(tip, low, high)) return false;
+    const double beside = left.behind ? low - gripper_.finger.y() : high + gripper_.finger.y();
+    return std::all_of(std::begin(kAcrossFinger), std::end(kAcrossFinger), [&](double share) {
+      return walls_.is_free(R_CG_ * Eigen::Vector3d(x + share * gripper_.finger.x(), beside, tip));
+    });
+  }
+
+  /// Returns true if the points of a wall go on straight below the tips.
+  bool goes_on(double tip, double low, double high) const {
+    std::size_t all = 0, straight = 0;
+    for (const InSlice& point : reached_) {
+      const double beside = std::max(low - point.y, point.y - high);
+      if (point.z < tip || point.z > tip + kGoesOn || beside > gripper_.finger.y()) continue;
+      ++all;
+      straight += beside < kStraight;
+    }
+    return straight >= kMinBetween && straight >= kShareOfWall * all;
   }
 
   double rank(const Hold& hold, double depth) const {
@@ -225,6 +269,7 @@ class PointHoldFinder {
   const std::vector<char>& own_;
   const Gripper& gripper_;
   const ApproachSpace& space_;
+  const ThinWalls& walls_;
   const double max_friction_;
   Eigen::Matrix3d R_CG_ = Eigen::Matrix3d::Identity();
   /// How far the points lie along the closing direction, in units, times kIndices, plus the index
@@ -249,8 +294,8 @@ class PointHoldFinder {
 
 std::vector<Hold> point_holds(const SurfacePoints& points, const std::vector<char>& own,
                               const Gripper& gripper, const ApproachSpace& space,
-                              double max_friction) {
-  return PointHoldFinder(points, own, gripper, space, max_friction).find();
+                              const ThinWalls& walls, double max_friction) {
+  return PointHoldFinder(points, own, gripper, space, walls, max_friction).find();
 }
 
 }  // namespace quadrille

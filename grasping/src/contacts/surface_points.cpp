@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "contacts/point_buckets.hpp"
@@ -40,7 +39,6 @@ SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double c
   surface.p_C = thinned(points_C, cell);
   surface.n_C.assign(surface.p_C.size(), Eigen::Vector3d::Zero());
   const double reach = kReachInCells * cell;
-  std::vector<double> rough;
   const PointBuckets buckets(surface.p_C, reach);
   for (std::size_t n = 0; n < buckets.keys().size(); ++n) {
     const std::vector<int> near = buckets.near(buckets.keys()[n]);
@@ -60,15 +58,9 @@ SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double c
       const Eigen::Vector3d mean = sum / count;
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
       solver.computeDirect(squares / count - mean * mean.transpose());
-      rough.push_back(std::sqrt(std::max(0.0, solver.eigenvalues()[0])));
       const Eigen::Vector3d n = solver.eigenvectors().col(0);
       surface.n_C[i] = n.dot(viewpoint_C - p) < 0.0 ? Eigen::Vector3d(-n) : n;
     }
-  }
-  if (!rough.empty()) {
-    const auto middle = rough.begin() + static_cast<std::ptrdiff_t>(rough.size() / 2);
-    std::nth_element(rough.begin(), middle, rough.end());
-    surface.roughness = *middle;
   }
   return surface;
 }

@@ -12,9 +12,6 @@ struct SurfacePoints {
   std::vector<Eigen::Vector3d> p_C;
   /// Unit normals towards the sensor; zero where there are too few points for one.
   std::vector<Eigen::Vector3d> n_C;
-  /// Median distance of the points around each of them from a plane through them [m]: noise, and
-  /// bends narrower than some cells.
-  double roughness = 0.0;
 };
 
 /// Thins points to the mean of those in each cell, and takes the normals from the neighbours of

@@ -13,14 +13,20 @@ constexpr int kMaxChecks = 2000;
 constexpr std::size_t kUsualGrasps = 8;
 // Normals of points are known to some degrees, like those of fits.
 constexpr double kFrictionShare = 0.85;
+// Half size of the spot that must be seen to be free beside a thin wall [m].
+constexpr double kFreeSpot = 0.001;
 
 }  // namespace
 
 TargetGrasps grasps_by_points(const TargetTask& task, const TargetPoints& points) {
   HandTrials trials(task, kMaxChecks, kUsualGrasps);
+  const PlanOptions& options = task.parts.options;
+  const ThinWalls walls{options.min_wall, options.max_wall, [&](const Eigen::Vector3d& p_C) {
+                          return task.parts.view->sees_past(p_C, kFreeSpot);
+                        }};
   for (const Hold& hold :
-       point_holds(points.all, points.own, task.parts.gripper, approach_space(task),
-                   kFrictionShare * task.parts.options.friction)) {
+       point_holds(points.all, points.own, task.parts.gripper, approach_space(task), walls,
+                   kFrictionShare * options.friction)) {
     if (trials.done()) break;
     if (const auto why = misfit(hold.line, task)) {
       trials.refuse(*why);

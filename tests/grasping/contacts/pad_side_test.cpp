@@ -37,18 +37,18 @@ TEST_CASE("a side that was seen is told from a hidden one", "[contacts][points]"
   const Gripper hand = franka_hand();
   const auto points = box_from_above(0.02);
   const auto seen = pad_side(points, 1.0, 0.0, 0.03, hand);
-  REQUIRE(seen);
-  CHECK(seen->seen);
-  CHECK(seen->n_G.dot(kAlongY) == Approx(1.0));
-  CHECK(seen->p_G.y() == Approx(0.02).margin(1e-9));
-  CHECK(seen->facing > 0.6);
+  CHECK(seen.seen);
+  CHECK_FALSE(seen.behind);
+  CHECK(seen.n_G.dot(kAlongY) == Approx(1.0));
+  CHECK(seen.p_G.y() == Approx(0.02).margin(1e-9));
+  CHECK(seen.facing > 0.6);
   // The sensor saw only the edge of the other side.
   const auto hidden = pad_side(points, -1.0, 0.0, 0.03, hand);
-  REQUIRE(hidden);
-  CHECK_FALSE(hidden->seen);
-  CHECK(hidden->n_G.dot(-kAlongY) == Approx(1.0));
-  CHECK(hidden->p_G.y() == Approx(-0.02).margin(1e-9));
-  CHECK(hidden->facing == Approx(0.0).margin(1e-12));
+  CHECK_FALSE(hidden.seen);
+  CHECK_FALSE(hidden.behind);
+  CHECK(hidden.n_G.dot(-kAlongY) == Approx(1.0));
+  CHECK(hidden.p_G.y() == Approx(-0.02).margin(1e-9));
+  CHECK(hidden.facing == Approx(0.0).margin(1e-12));
 }
 
 TEST_CASE("nothing tells where a side behind a seen face is", "[contacts][points]") {
@@ -56,8 +56,8 @@ TEST_CASE("nothing tells where a side behind a seen face is", "[contacts][points
   for (double x = -0.008; x <= 0.008; x += kStep) {
     for (double z = 0.0; z < 0.03; z += kStep) wall.push_back({{x, 0.01, z}, kAlongY, true});
   }
-  CHECK(pad_side(wall, 1.0, 0.0, 0.03, franka_hand()));
-  CHECK_FALSE(pad_side(wall, -1.0, 0.0, 0.03, franka_hand()));
+  CHECK_FALSE(pad_side(wall, 1.0, 0.0, 0.03, franka_hand()).behind);
+  CHECK(pad_side(wall, -1.0, 0.0, 0.03, franka_hand()).behind);
 }
 
 TEST_CASE("a slope is leaning unless its outermost point lies within the pad",
@@ -81,13 +81,11 @@ TEST_CASE("a slope is leaning unless its outermost point lies within the pad",
     return pad_side(sorted(above), 1.0, 0.0, tip, franka_hand());
   };
   const auto deep = to(0.012), shallow = to(-radius * std::sqrt(0.5));
-  REQUIRE(deep);
-  CHECK(deep->inner);
-  CHECK(deep->n_G.dot(kAlongY) == Approx(1.0));
-  REQUIRE(shallow);
-  CHECK(shallow->seen);
-  CHECK_FALSE(shallow->inner);
-  const double lean = std::acos(shallow->n_G.dot(kAlongY));
+  CHECK(deep.inner);
+  CHECK(deep.n_G.dot(kAlongY) == Approx(1.0));
+  CHECK(shallow.seen);
+  CHECK_FALSE(shallow.inner);
+  const double lean = std::acos(shallow.n_G.dot(kAlongY));
   CHECK(lean > 0.6);
   CHECK(lean < 1.1);
 }

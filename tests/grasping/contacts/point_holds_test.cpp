@@ -50,7 +50,7 @@ TEST_CASE("a ball without a name is held across its width", "[contacts][points]"
   SurfacePoints points;
   add_ball(ball, &points);
   const auto holds =
-      point_holds(points, all_own(points), franka_hand(), space_around(ball.p_C), kMaxFriction);
+      point_holds(points, all_own(points), franka_hand(), space_around(ball.p_C), {}, kMaxFriction);
   REQUIRE(holds.size() > 20);
   bool full = false;
   for (const Hold& hold : holds) {
@@ -70,10 +70,10 @@ TEST_CASE("where nothing is the target's own, nothing is held", "[contacts][poin
   SurfacePoints points;
   add_ball({Eigen::Vector3d(0.0, 0.0, 0.7), 0.03}, &points);
   const ApproachSpace space = space_around({0.0, 0.0, 0.7});
-  CHECK(point_holds(points, std::vector<char>(points.p_C.size(), 0), franka_hand(), space,
+  CHECK(point_holds(points, std::vector<char>(points.p_C.size(), 0), franka_hand(), space, {},
                     kMaxFriction)
             .empty());
-  CHECK(point_holds({}, {}, franka_hand(), space, kMaxFriction).empty());
+  CHECK(point_holds({}, {}, franka_hand(), space, {}, kMaxFriction).empty());
 }
 
 TEST_CASE("things with room for a finger between them are held one by one, or both at once",
@@ -86,7 +86,7 @@ TEST_CASE("things with room for a finger between them are held one by one, or bo
   std::vector<char> first(points.p_C.size(), 0);
   std::fill_n(first.begin(), own, 1);
   const auto holds = point_holds(points, first, franka_hand(),
-                                 space_around({-0.5 * apart, 0.0, 0.7}), kMaxFriction);
+                                 space_around({-0.5 * apart, 0.0, 0.7}), {}, kMaxFriction);
   int alone = 0, together = 0;
   for (const Hold& hold : holds) {
     if (std::abs(hold.line.closing_C.x()) < 0.95) continue;
@@ -104,7 +104,56 @@ TEST_CASE("what is wider than the hand is not held", "[contacts][points]") {
   Gripper small = franka_hand();
   small.max_opening = 0.03;
   for (const Hold& hold :
-       point_holds(points, all_own(points), small, space_around(ball.p_C), kMaxFriction)) {
+       point_holds(points, all_own(points), small, space_around(ball.p_C), {}, kMaxFriction)) {
     CHECK(hold.line.width <= 0.03);
   }
+}
+
+namespace {
+
+/// One side of a wall 3 mm thick that faces the sensor and stands up to a height, with its upper
+/// edge; below the first 10 mm it leans by the given slope, as a solid does below its edge.
+SurfacePoints wall_seen_in_front(double slope) {
+  SurfacePoints points;
+  const Eigen::Vector3d n = -Eigen::Vector3d::UnitZ().cross(kTowardsSky).cross(kTowardsSky);
+  const Eigen::Vector3d outwards = -n.normalized(), top(0.0, 0.0, 0.7);
+  for (double x = -0.03; x <= 0.03; x += 0.0025) {
+    for (double h = 0.0; h < 0.04; h += 0.0025) {
+      const double out = slope * std::max(0.0, h - 0.01);
+      points.p_C.push_back(top + Eigen::Vector3d(x, 0.0, 0.0) - h * kTowardsSky + out * outwards);
+      points.n_C.push_back(outwards);
+    }
+    points.p_C.push_back(top + Eigen::Vector3d(x, 0.0, 0.0) - 0.003 * outwards);
+    points.n_C.push_back(kTowardsSky);
+  }
+  return points;
+}
+
+/// The number of holds across the wall from above.
+int thin_holds(const SurfacePoints& points, bool free_behind) {
+  const Eigen::Vector3d outwards = points.n_C.front();
+  const ThinWalls walls{0.002, 0.008, [&](const Eigen::Vector3d&) { return free_behind; }};
+  const auto holds = point_holds(points, all_own(points), franka_hand(),
+                                 space_around({0.0, 0.0, 0.7}), walls, kMaxFriction);
+  int count = 0;
+  for (const Hold& hold : holds) {
+    const bool from_above = hold.approach_C.dot(kTowardsSky) < -0.9;
+    const bool across = std::abs(hold.line.closing_C.dot(outwards)) > 0.9;
+    if (!from_above || !across || hold.line.width > 0.008) continue;
+    CHECK(hold.line.opening >= hold.line.width);
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a wall seen on one side is held if space behind its rim was seen to be free",
+          "[contacts][points]") {
+  CHECK(thin_holds(wall_seen_in_front(0.0), true) > 0);
+  CHECK(thin_holds(wall_seen_in_front(0.0), false) == 0);
+}
+
+TEST_CASE("the edge of a surface that bends away below it is no thin wall", "[contacts][points]") {
+  CHECK(thin_holds(wall_seen_in_front(2.0), true) == 0);
 }
