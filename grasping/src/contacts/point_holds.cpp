@@ -238,7 +238,7 @@ class PointHoldFinder {
   /// rim of a thin wall: the sensor saw past the rim to the place of the finger behind the wall.
   bool is_thin_wall(double x, double tip, const PadSide& left, const PadSide& right) const {
     const double low = left.p_G.y(), high = right.p_G.y();
-    if (high - low > walls_.max || !goes_on(tip, low, high)) return false;
+    if (high - low >= walls_.max || !goes_on(tip, low, high)) return false;
     const double beside = left.behind ? low - gripper_.finger.y() : high + gripper_.finger.y();
     return std::all_of(std::begin(kAcrossFinger), std::end(kAcrossFinger), [&](double share) {
       return walls_.is_free(R_CG_ * Eigen::Vector3d(x + share * gripper_.finger.x(), beside, tip));
