@@ -55,6 +55,11 @@ void GraspQuery::check() const {
                   region->box_R.max().allFinite() && !region->box_R.isEmpty())) {
     refuse("region", "a box", "finite in position and size, its least corner first");
   }
+  for (const CollisionShape& shape : obstacles) {
+    if (!shape.geometry || !shape.X_CS.matrix().allFinite()) {
+      refuse("obstacles", shape.kind, "shapes at a pose, made by with_geometry()");
+    }
+  }
   if (approach) check_approach(*approach);
   if (reach) check_reach(*reach);
   if (min_score && !(*min_score >= 0.0 && *min_score <= 1.0)) {
@@ -72,6 +77,7 @@ GraspQuery moved(GraspQuery query, const Eigen::Isometry3d& X_FC) {
   if (query.near_C) query.near_C = X_FC * *query.near_C;
   if (query.approach) query.approach->axis_C = X_FC.linear() * query.approach->axis_C;
   if (query.reach) query.reach->base_C = X_FC * query.reach->base_C;
+  for (CollisionShape& shape : query.obstacles) shape = moved(std::move(shape), X_FC);
   if (query.accept) {
     query.accept = [accept = std::move(query.accept), X_CF = X_FC.inverse()](const Grasp& grasp) {
       return accept(moved(grasp, X_CF));

@@ -26,6 +26,8 @@ struct Hold {
   /// The friction coefficient that the hold needs [-].
   double friction = 0.0;
   ContactEvidence evidence = {};
+  /// True if one contact lies on the hidden side of a thin wall, of which the thickness is a guess.
+  bool guessed = false;
 };
 
 }  // namespace quadrille

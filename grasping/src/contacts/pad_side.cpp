@@ -30,11 +30,11 @@ PadSide pad_side(std::span<const BetweenPads> points, double sign, double x, dou
   int count = 0, towards = 0, away = 0;
   PadSide side;
   for (const BetweenPads& point : points) {
-    const double behind = std::abs(point.p_G.y() - y);
+    const double inward = std::abs(point.p_G.y() - y);
     const bool border = tip - point.p_G.z() < kBorder ||
                         std::abs(point.p_G.x() - x) > 0.5 * gripper.finger.x() - kBorder;
-    (border ? at_border : within) = std::min(border ? at_border : within, behind);
-    if (behind > kBand) continue;
+    (border ? at_border : within) = std::min(border ? at_border : within, inward);
+    if (inward > kBand) continue;
     near += point.p_G, ++count;
     top = std::min(top, point.p_G.z());
     bottom = std::max(bottom, point.p_G.z());

@@ -26,15 +26,16 @@ constexpr double kAbove = 0.5, kDeep = 0.5, kAside = 0.5, kWide = 0.3;
 // More depth, or more distance from the middle, than this makes no difference [m]. A hold is wide
 // above this share of the opening.
 constexpr double kFullDepth = 0.03, kWideShare = 0.85;
-// Behind a thin wall space must be free down to the tips, as far from the wall as a finger is
-// thick, at these places across the finger, in widths of it.
+// Behind a thin wall space must be free at the depth of the tips, as far from the wall as a finger
+// is thick, at these places across the finger, in widths of it.
 constexpr double kAcrossFinger[] = {-0.4, 0.0, 0.4};
 // A thin wall goes on straight for so far below the tips: there most points next to the wall lie no
 // farther than this beside what is held [m]. At the edges of solids sensors smear points into the
 // air, but below these the surface bends away.
 constexpr double kGoesOn = 0.012, kStraight = 0.002, kShareOfWall = 0.8;
-// Points are sorted in units of this length [m]; there are fewer points than the second number.
-constexpr double kUnit = 1e-8;
+// A key to sort by holds a length in units of kUnit [m] and the index of a point below kIndices.
+// Points farther from the target than kFarthest [m] are of no interest.
+constexpr double kUnit = 1e-8, kFarthest = 100.0;
 constexpr std::int64_t kIndices = std::int64_t{1} << 26;
 
 class PointHoldFinder {
@@ -46,7 +47,9 @@ class PointHoldFinder {
         gripper_(gripper),
         space_(space),
         walls_(walls),
-        max_friction_(max_friction) {}
+        max_friction_(max_friction) {
+    for (const Eigen::Vector3d& p_C : points.p_C) offsets_C_.push_back(p_C - space.centre_C);
+  }
 
   std::vector<Hold> find() {
     std::vector<Eigen::Vector3d> normals;
@@ -72,7 +75,8 @@ class PointHoldFinder {
     double rank;
   };
 
-  /// A point by its index, and how far it lies along the closing direction and the approach [m].
+  /// A point by its index, and how far it lies along the closing direction and the approach, from
+  /// the target's centre on [m].
   struct InSlice {
     float y, z;
     std::uint32_t index;
@@ -88,24 +92,25 @@ class PointHoldFinder {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (std::size_t i = 0; i < own_.size(); ++i) {
       if (!own_[i]) continue;
-      const double x = d_C.dot(points_.p_C[i]);
+      const double x = d_C.dot(offsets_C_[i]);
       low = std::min(low, x);
       high = std::max(high, x);
     }
     return {low, high};
   }
 
-  /// Sorts the points along a closing direction, which many orientations of the hand share. Whole
-  /// numbers, of 10 nm and the index, are sorted three times faster than pairs.
+  /// Sorts the points along a closing direction, which many orientations of the hand share. One
+  /// whole number as a key is sorted three times faster than a pair of a length and an index.
   void sort_along(const Eigen::Vector3d& closing_C) {
     order_.clear();
     // No hold spans more than the opening; one gap beyond it tells where a run is too wide.
     const double reach = gripper_.max_opening + gripper_.finger.y();
     const auto [low, high] = range_of_own(closing_C);
-    for (std::size_t i = 0; i < points_.p_C.size(); ++i) {
-      const double y = closing_C.dot(points_.p_C[i]);
-      if (!(y > low - reach && y < high + reach)) continue;
-      order_.push_back(std::llround(y / kUnit) * kIndices + static_cast<std::int64_t>(i));
+    const auto count = std::min<std::int64_t>(kIndices, std::ssize(offsets_C_));
+    for (std::int64_t i = 0; i < count; ++i) {
+      const double y = closing_C.dot(offsets_C_[static_cast<std::size_t>(i)]);
+      if (!(y > low - reach && y < high + reach && std::abs(y) < kFarthest)) continue;
+      order_.push_back(std::llround(y / kUnit) * kIndices + i);
     }
     std::sort(order_.begin(), order_.end());
   }
@@ -124,7 +129,7 @@ class PointHoldFinder {
     const Eigen::Vector3d z_C = R_CG_.col(2);
     for (const std::int64_t key : order_) {
       const auto i = static_cast<std::uint32_t>(key & (kIndices - 1));
-      const Eigen::Vector3d& p_C = points_.p_C[i];
+      const Eigen::Vector3d& p_C = offsets_C_[i];
       const double place = (x_C.dot(p_C) - first) / step;
       if (!(place >= -1.0 && place < steps)) continue;
       const InSlice point{static_cast<float>(R_CG_.col(1).dot(p_C)),
@@ -146,7 +151,8 @@ class PointHoldFinder {
     const auto finger = static_cast<float>(gripper_.finger.z());
     const auto [least, most] =
         std::minmax_element(std::begin(kDepthsToFinger), std::end(kDepthsToFinger));
-    const float lowest = top + *most * finger, highest = top + (*least - 1.0f) * finger;
+    const float lowest = top + *most * finger + static_cast<float>(kGoesOn),
+                highest = top + (*least - 1.0f) * finger;
     reached_.clear();
     for (const InSlice& point : slice) {
       if (point.z < lowest && point.z > highest) reached_.push_back(point);
@@ -185,9 +191,8 @@ class PointHoldFinder {
 
   bool may_hold(const Run& run) const {
     const InSlice &first = reached_[run.first], &last = reached_[run.last];
-    const double width = last.y - first.y;
     return run.count >= kMinBetween && (own_[first.index] || own_[last.index]) &&
-           width <= gripper_.max_opening && width >= gripper_.min_opening;
+           last.y - first.y <= gripper_.max_opening;
   }
 
   /// Returns the points of a run in the frame of the hand.
@@ -197,7 +202,7 @@ class PointHoldFinder {
     for (std::size_t k = run.first; k <= run.last; ++k) {
       if (!reached_by_fingers(reached_[k])) continue;
       const std::size_t i = reached_[k].index;
-      between_.push_back({R_GC * points_.p_C[i], R_GC * points_.n_C[i], own_[i] != 0});
+      between_.push_back({R_GC * offsets_C_[i], R_GC * points_.n_C[i], own_[i] != 0});
     }
     return between_;
   }
@@ -215,20 +220,22 @@ class PointHoldFinder {
       const double more = std::max(0.0, walls_.min - width);
       PadSide& hidden = left.behind ? left : right;
       hidden.p_G.y() += left.behind ? -more : more;
-      hidden.inner = false;  // nothing of it was measured
+      // Nothing of the hidden side was measured.
+      hidden.inner = false;
       width += more, opening = walls_.max;
     }
     Hold found;
     ContactLine& line = found.line;
     line.closing_C = R_CG_.col(1);
-    line.centre_C = R_CG_ * Eigen::Vector3d(x, 0.5 * (left.p_G.y() + right.p_G.y()),
-                                            tip - gripper_.finger_front);
-    line.contacts_C = {R_CG_ * right.p_G, R_CG_ * left.p_G};
+    line.centre_C =
+        in_cloud({x, 0.5 * (left.p_G.y() + right.p_G.y()), tip - gripper_.finger_front});
+    line.contacts_C = {in_cloud(right.p_G), in_cloud(left.p_G)};
     line.normals_C = {R_CG_ * right.n_G, R_CG_ * left.n_G};
     line.width = width, line.opening = opening;
     found.approach_C = R_CG_.col(2);
     found.friction = friction_needed(line);
     if (found.friction > max_friction_) return;
+    found.guessed = behind;
     found.evidence = {0.5 * (left.seen + right.seen), 0.5 * (left.facing + right.facing),
                       0.5 * (left.inner + right.inner), std::min(left.height, right.height)};
     ranked_.push_back({found, rank(found, tip - top)});
@@ -241,8 +248,13 @@ class PointHoldFinder {
     if (high - low >= walls_.max || !goes_on(tip, low, high)) return false;
     const double beside = left.behind ? low - gripper_.finger.y() : high + gripper_.finger.y();
     return std::all_of(std::begin(kAcrossFinger), std::end(kAcrossFinger), [&](double share) {
-      return walls_.is_free(R_CG_ * Eigen::Vector3d(x + share * gripper_.finger.x(), beside, tip));
+      return walls_.is_free(in_cloud({x + share * gripper_.finger.x(), beside, tip}));
     });
+  }
+
+  /// Returns the point in C that lies at an offset from the target's centre along the axes of G.
+  Eigen::Vector3d in_cloud(const Eigen::Vector3d& offset_G) const {
+    return space_.centre_C + R_CG_ * offset_G;
   }
 
   /// Returns true if the points of a wall go on straight below the tips.
@@ -271,6 +283,8 @@ class PointHoldFinder {
   const ApproachSpace& space_;
   const ThinWalls& walls_;
   const double max_friction_;
+  /// The points, from the target's centre on.
+  std::vector<Eigen::Vector3d> offsets_C_;
   Eigen::Matrix3d R_CG_ = Eigen::Matrix3d::Identity();
   /// How far the points lie along the closing direction, in units, times kIndices, plus the index
   /// of the point; sorted.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -136,19 +137,29 @@ class QueryPlanner {
     };
     std::optional<CollisionScene> solid;
     if (target.solid) {
-      solid = solid_scene(target, parts_);
+      solid = with_obstacles(solid_scene(target, parts_), target);
       add(grasps_across(task(*solid)));
     }
     if (target.shell) {
-      const CollisionScene shell = shell_scene(target, parts_);
+      const CollisionScene shell = with_obstacles(shell_scene(target, parts_), target);
       add(grasps_at_rim(task(shell)));
     }
     if (solid && grasps.size() < wanted && !cut) add(grasps_by_tips(further(*solid)));
     if (grasps.size() < wanted && !cut) {
       const TargetPoints points = points_about(target, parts_);
-      add(grasps_by_points(further(point_scene(target, points, parts_)), points));
+      const CollisionScene scene = with_obstacles(point_scene(target, points, parts_), target);
+      add(grasps_by_points(further(scene), points));
     }
     return cut;
+  }
+
+  /// Adds the obstacles of the query that a hand at the target may meet.
+  CollisionScene with_obstacles(CollisionScene scene, const Target& target) const {
+    const Eigen::AlignedBox3d hands_C = around(target.body, parts_.reach + kMaxClearance);
+    std::copy_if(query_.obstacles.begin(), query_.obstacles.end(),
+                 std::back_inserter(scene.neighbours),
+                 [&](const CollisionShape& shape) { return may_reach(shape, hands_C); });
+    return scene;
   }
 
   /// Keeps the grasps of a target, or as many of them as are asked for.

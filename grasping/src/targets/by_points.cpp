@@ -33,7 +33,11 @@ TargetGrasps grasps_by_points(const TargetTask& task, const TargetPoints& points
       continue;
     }
     const Eigen::Isometry3d X_CG = grasp_pose(hold.line, hold.approach_C, 0.0);
-    trials.try_hand({hold.line, X_CG, GraspKind::kAcross, hold.friction, 1.0, hold.evidence});
+    trials.try_hand({.line = hold.line,
+                     .X_CG = X_CG,
+                     .friction = hold.friction,
+                     .evidence = hold.evidence,
+                     .guessed = hold.guessed});
   }
   return std::move(trials).take();
 }

@@ -96,8 +96,8 @@ Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) 
   grasp.epsilon = epsilon(line, task, reach);
   grasp.clearance = kMaxClearance;
   const OccupancyGrid& space = *task.parts.space;
-  grasp.unknown_contact =
-      !was_seen(line.contacts_C[0], space) || !was_seen(line.contacts_C[1], space);
+  grasp.unknown_contact = attempt.guessed || !was_seen(line.contacts_C[0], space) ||
+                          !was_seen(line.contacts_C[1], space);
   grasp.terms = terms_of(attempt, grasp, task);
   grasp.score = success_probability(grasp.terms);
   return grasp;

@@ -39,6 +39,8 @@ struct Attempt {
   /// True if the target may be wider than the line within the reach of the pads, which walls are
   /// not.
   bool may_bulge = true;
+  /// True if the place of a contact is a guess.
+  bool guessed = false;
 };
 
 /// Tries hands on one target, one after the other, and keeps those that nothing obstructs.

@@ -132,7 +132,11 @@ SurfacePoints wall_seen_in_front(double slope) {
 /// The number of holds across the wall from above.
 int thin_holds(const SurfacePoints& points, bool free_behind) {
   const Eigen::Vector3d outwards = points.n_C.front();
-  const ThinWalls walls{0.002, 0.008, [&](const Eigen::Vector3d&) { return free_behind; }};
+  // What is free is behind the wall, on the other side than the one that was seen.
+  const Eigen::Vector3d top(0.0, 0.0, 0.7);
+  const ThinWalls walls{0.005, 0.008, [&](const Eigen::Vector3d& p) {
+                          return free_behind && (p - top).dot(outwards) < -0.003;
+                        }};
   const auto holds = point_holds(points, all_own(points), franka_hand(),
                                  space_around({0.0, 0.0, 0.7}), walls, kMaxFriction);
   int count = 0;
@@ -140,7 +144,13 @@ int thin_holds(const SurfacePoints& points, bool free_behind) {
     const bool from_above = hold.approach_C.dot(kTowardsSky) < -0.9;
     const bool across = std::abs(hold.line.closing_C.dot(outwards)) > 0.9;
     if (!from_above || !across || hold.line.width > 0.008) continue;
-    CHECK(hold.line.opening >= hold.line.width);
+    CHECK(hold.guessed);
+    CHECK(hold.line.opening == Approx(0.008));
+    // Only the hidden side was moved to make the wall as thick as the thinnest one.
+    CHECK(hold.line.width == Approx(0.005));
+    const auto& contacts = hold.line.contacts_C;
+    CHECK(std::max((contacts[0] - top).dot(outwards), (contacts[1] - top).dot(outwards)) ==
+          Approx(0.0).margin(1e-6));
     ++count;
   }
   return count;

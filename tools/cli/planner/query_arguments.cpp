@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "cli/number_list.hpp"
+#include "io/file_bytes.hpp"
+#include "io/planner/obstacles_file.hpp"
 #include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
@@ -66,6 +68,21 @@ void add_approach_option(CLI::App& app, std::optional<Cone>& cone, const std::st
       ->type_name("X,Y,Z,DEGREES");
 }
 
+void add_obstacles_option(CLI::App& app, std::vector<CollisionShape>& obstacles,
+                          const std::string& frame) {
+  app.add_option_function<std::string>(
+         "--obstacles",
+         [&obstacles](const std::string& path) {
+           try {
+             obstacles = io::read_obstacles(path);
+           } catch (const io::FileError& error) {
+             throw CLI::ValidationError("--obstacles", error.what());
+           }
+         },
+         "Keep the hand off these shapes too (JSON, as `plan --json` writes shapes), in " + frame)
+      ->type_name("FILE");
+}
+
 void QueryArguments::add_to(CLI::App& app) {
   constexpr double kMaxLength = 100.0;
   app.add_option("--target", query_.ids, "Grasp only these quadrics or boxes, by their numbers")
@@ -93,6 +110,7 @@ void QueryArguments::add_to(CLI::App& app) {
   add_length(app, "--min-clearance", query_.min_clearance, GraspQuery::kMaxMinClearance,
              "Keep the hand so far from all but the target");
   add_approach_option(app, query_.approach, "the frame of the results");
+  add_obstacles_option(app, query_.obstacles, "the frame of the results");
   app.add_option("--best", query_.max_grasps, "Give so many grasps at most")
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));

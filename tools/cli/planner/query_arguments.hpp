@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "quadrille/grasping/grasp_query.hpp"
 
@@ -15,10 +16,16 @@ namespace quadrille {
 /// @param frame  the frame of the directions, for the description
 void add_approach_option(CLI::App& app, std::optional<Cone>& cone, const std::string& frame);
 
+/// Adds --obstacles, a file that is read into shapes; they must outlive the app.
+/// @param frame  the frame of the shapes, for the description
+void add_obstacles_option(CLI::App& app, std::vector<CollisionShape>& obstacles,
+                          const std::string& frame);
+
 /// The options that select grasps, in the frame of the results.
 class QueryArguments {
  public:
-  /// Adds --target, --near, --roi, --min-size, --max-size, --min-clearance, --approach and --best;
+  /// Adds --target, --near, --roi, --min-size, --max-size, --min-clearance, --approach,
+  /// --obstacles and --best;
   /// this object must outlive the app.
   void add_to(CLI::App& app);
   /// Returns the query.

@@ -67,6 +67,12 @@ Json to_json(const GraspQuery& query) {
   Json json = Json::object();
   if (!query.ids.empty()) json["target"] = query.ids;
   if (!query.tracks.empty()) json["tracks"] = query.tracks;
+  if (!query.obstacles.empty()) {
+    json["obstacles"] = Json::array();
+    for (const CollisionShape& shape : query.obstacles) {
+      json["obstacles"].push_back(to_json(shape));
+    }
+  }
   if (query.near_C) json["near"] = array_of(*query.near_C);
   if (query.region) {
     json["roi"] = {{"pose", to_json(query.region->X_CR)},

@@ -46,6 +46,8 @@ PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
   planner_.add_to(app, "franka");
   add_approach_option(app, settings_.approach,
                       "the fixed frame of the camera's poses, else in the camera's");
+  add_obstacles_option(app, settings_.obstacles,
+                       "the fixed frame of the camera's poses, else in the camera's");
   add_types_option(app, "--report", report_, "Grasp only these types; the others stay in the way");
   app.add_option("--config", config_, "Settings (TOML)")->type_name("FILE");
 }
@@ -61,7 +63,8 @@ PlannerSettings PlannerCommandLine::settings() const {
   settings.pose_wait = config.track.pose_wait;
   settings.X_WK = camera_.X_WK;
   settings.frames.conditions =
-      settings.has_fixed_frame() && (settings.approach || settings.plan.reach.max > 0.0);
+      settings.has_fixed_frame() &&
+      (settings.approach || settings.plan.reach.max > 0.0 || !settings.obstacles.empty());
   settings.process.check();
   PlannerSettings::visit_channels(settings, [&](Way, const char*, std::string& name, const char*) {
     name = settings.process.prefixed(name);

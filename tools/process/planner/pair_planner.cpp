@@ -15,16 +15,19 @@
 namespace quadrille {
 namespace {
 
-/// Returns the query with the directions and the reach of the settings, unless it has its own.
+/// Returns the query with the obstacles of the settings, and their directions and reach unless it
+/// has its own.
 /// @param query  query in the camera's frame
 GraspQuery with_conditions(GraspQuery query, const PlannerSettings& settings,
                            const Placement& placement) {
   GraspQuery given;
   given.approach = settings.approach;
+  given.obstacles = settings.obstacles;
   given = completed(std::move(given), settings.plan);
   if (placement.X_WK) given = moved(std::move(given), placement.X_WK->inverse());
   if (!query.approach) query.approach = given.approach;
   if (!query.reach) query.reach = given.reach;
+  query.obstacles = std::move(given.obstacles);
   return query;
 }
 

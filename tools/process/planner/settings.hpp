@@ -50,6 +50,8 @@ struct PlannerSettings {
   /// others. They are in the fixed frame W of the camera's poses, or, if there are none, in the
   /// camera's frame.
   std::optional<Cone> approach;
+  /// Shapes that the hand must not touch, for each plan, in the same frame.
+  std::vector<CollisionShape> obstacles;
   PlanOptions plan;
 
   /// Returns true if the camera's pose in W is given, or comes on a channel.

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "io/planner/gripper_file.hpp"
+#include "io/planner/plan_json.hpp"
 #include "process/runtime/status/exposition.hpp"
 #include "process/runtime/status/process_info.hpp"
 
@@ -16,6 +19,9 @@ std::string hash_of(const PlannerSettings& settings) {
     const Eigen::Vector3d& axis = settings.approach->axis_C;
     text.add("approach", fmt::format("{},{},{},{}", axis.x(), axis.y(), axis.z(),
                                      settings.approach->half_angle));
+  }
+  for (const CollisionShape& shape : settings.obstacles) {
+    text.add("obstacle", io::to_json(shape).dump());
   }
   text.add("on_request", settings.on_request ? "true" : "false");
   text.add("pose_age", io::toml_of(settings.pose_age));

@@ -11,6 +11,7 @@
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/detector/quadric.hpp"
+#include "quadrille/grasping/collision_shape.hpp"
 #include "quadrille/grasping/grasp.hpp"
 #include "quadrille/grasping/plan_options.hpp"
 #include "quadrille/grasping/reach.hpp"
@@ -58,6 +59,9 @@ struct GraspQuery {
   std::optional<Cone> approach;
   /// Only grasps to which the arm can bring the hand; overrides PlanOptions::reach.
   std::optional<Reach> reach;
+  /// Shapes that the hand must not touch, besides what the cloud shows: of the robot, of a fence,
+  /// of what the camera does not see. Their target is ignored.
+  std::vector<CollisionShape> obstacles;
   /// Least distance between the hand and everything but its target, on the way in and at the grasp
   /// [m]. At most kMaxMinClearance, because larger clearances are not measured.
   double min_clearance = 0.0;
