@@ -11,7 +11,7 @@
 namespace quadrille {
 namespace {
 
-constexpr double kLength = 0.2, kWidth = 0.14, kHeight = 0.06, kWall = 0.003;
+constexpr double kTrayLength = 0.2, kTrayWidth = 0.14, kTrayHeight = 0.06, kTrayWall = 0.003;
 
 /// A part of the tray: a box around the origin of its frame.
 struct Slab {
@@ -27,12 +27,15 @@ struct Slab {
 /// A tray on a table that a camera sees from above at 45°.
 struct Tray {
   Eigen::Isometry3d X_CW = test::world_seen_from({0.0, -0.45, 0.45});
-  std::array<Slab, 5> slabs = {
-      slab({0, 0, 0.5 * kWall}, {kLength, kWidth, kWall}),
-      slab({0.5 * (kLength - kWall), 0, 0.5 * kHeight}, {kWall, kWidth, kHeight}),
-      slab({-0.5 * (kLength - kWall), 0, 0.5 * kHeight}, {kWall, kWidth, kHeight}),
-      slab({0, 0.5 * (kWidth - kWall), 0.5 * kHeight}, {kLength, kWall, kHeight}),
-      slab({0, -0.5 * (kWidth - kWall), 0.5 * kHeight}, {kLength, kWall, kHeight})};
+  std::array<Slab, 5> slabs = {slab({0, 0, 0.5 * kTrayWall}, {kTrayLength, kTrayWidth, kTrayWall}),
+                               slab({0.5 * (kTrayLength - kTrayWall), 0, 0.5 * kTrayHeight},
+                                    {kTrayWall, kTrayWidth, kTrayHeight}),
+                               slab({-0.5 * (kTrayLength - kTrayWall), 0, 0.5 * kTrayHeight},
+                                    {kTrayWall, kTrayWidth, kTrayHeight}),
+                               slab({0, 0.5 * (kTrayWidth - kTrayWall), 0.5 * kTrayHeight},
+                                    {kTrayLength, kTrayWall, kTrayHeight}),
+                               slab({0, -0.5 * (kTrayWidth - kTrayWall), 0.5 * kTrayHeight},
+                                    {kTrayLength, kTrayWall, kTrayHeight})};
 
   Slab slab(const Eigen::Vector3d& middle_W, const Eigen::Vector3d& size) const {
     return {X_CW * Eigen::Isometry3d(Eigen::Translation3d(middle_W)), size};
