@@ -1,3 +1,5 @@
+// The figures that pages quote. What takes many minutes is tagged [.], so that only .ci/run --full
+// runs it.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,16 +1,10 @@
 // The geometry of shapes that users give.
-#include <fcl/geometry/shape/box.h>
-#include <fcl/geometry/shape/cone.h>
-#include <fcl/geometry/shape/convex.h>
-#include <fcl/geometry/shape/cylinder.h>
-#include <fcl/geometry/shape/ellipsoid.h>
-#include <fcl/geometry/shape/sphere.h>
-
 #include <algorithm>
-#include <memory>
+#include <map>
 #include <stdexcept>
 #include <string>
 
+#include "body/geometry.hpp"
 #include "quadrille/grasping/shape.hpp"
 
 namespace quadrille {
@@ -18,32 +12,34 @@ namespace {
 
 // No obstacle is larger [m].
 constexpr double kMaxSize = 1e3;
-// A solid with flat faces has at least so many vertices and faces.
-constexpr std::size_t kMinVertices = 4;
-constexpr int kMinFaces = 4;
-// Least deviation from a rotation that is refused.
-constexpr double kMaxSkew = 1e-3;
+// A solid with flat faces has at least so many of them, and so many vertices.
+constexpr std::size_t kMinFaces = 4;
 
 [[noreturn]] void refuse(const CollisionShape& shape, const std::string& why) {
   throw std::invalid_argument("shape of kind \"" + shape.kind + "\": " + why);
 }
 
-/// Checks the dimensions, and that there are so many.
-const double* dimensions_of(const CollisionShape& shape, std::size_t count) {
+void check_dimensions(const CollisionShape& shape) {
+  const std::map<std::string, std::size_t> counts = {
+      {"sphere", 1}, {"ellipsoid", 3}, {"cylinder", 2}, {"cone", 2}, {"box", 3}};
+  const auto count = counts.find(shape.kind);
+  if (count == counts.end()) {
+    refuse(shape, "must be sphere, ellipsoid, cylinder, cone, box or convex");
+  }
   const bool good = std::all_of(shape.dimensions.begin(), shape.dimensions.end(),
                                 [](double size) { return size > 0.0 && size <= kMaxSize; });
-  if (shape.dimensions.size() != count || !good) {
-    refuse(shape, "dimensions must be " + std::to_string(count) + " sizes of more than 0 m");
+  if (shape.dimensions.size() != count->second || !good) {
+    refuse(shape, "dimensions must be " + std::to_string(count->second) +
+                      " sizes of more than 0 m and at most 1000 m");
   }
-  return shape.dimensions.data();
 }
 
-/// Returns the number of the faces, each given as the number of its corners and their indices.
-int checked_faces(const CollisionShape& shape) {
+/// Checks the faces, each given as the number of its corners and their indices.
+void check_faces(const CollisionShape& shape) {
   const auto size = static_cast<int>(shape.faces.size());
   const auto vertices = static_cast<int>(shape.vertices_S.size());
-  int count = 0, at = 0;
-  for (; at < size; ++count) {
+  std::size_t count = 0;
+  for (int at = 0; at < size; ++count) {
     const int corners = shape.faces[at];
     if (corners < 3 || corners >= size - at) {
       refuse(shape, "each face must be the number of its corners, at least 3, and their indices");
@@ -54,53 +50,31 @@ int checked_faces(const CollisionShape& shape) {
     }
     at += 1 + corners;
   }
-  return count;
+  if (shape.vertices_S.size() < kMinFaces || count < kMinFaces) {
+    refuse(shape, "needs the vertices and faces of a solid");
+  }
 }
 
-std::shared_ptr<fcl::CollisionGeometryd> convex(const CollisionShape& shape) {
+void check_vertices(const CollisionShape& shape) {
   const bool good =
       std::all_of(shape.vertices_S.begin(), shape.vertices_S.end(),
                   [](const Eigen::Vector3d& v) { return (v.array().abs() <= kMaxSize).all(); });
-  if (!good) refuse(shape, "vertices must be finite, in metres");
-  const int faces = checked_faces(shape);
-  if (shape.vertices_S.size() < kMinVertices || faces < kMinFaces) {
-    refuse(shape, "needs the vertices and faces of a solid");
-  }
-  return std::make_shared<fcl::Convexd>(
-      std::make_shared<const std::vector<Eigen::Vector3d>>(shape.vertices_S), faces,
-      std::make_shared<const std::vector<int>>(shape.faces));
-}
-
-std::shared_ptr<fcl::CollisionGeometryd> geometry_of(const CollisionShape& shape) {
-  if (shape.kind == "sphere") return std::make_shared<fcl::Sphered>(dimensions_of(shape, 1)[0]);
-  if (shape.kind == "cylinder") {
-    const double* d = dimensions_of(shape, 2);
-    return std::make_shared<fcl::Cylinderd>(d[0], d[1]);
-  }
-  if (shape.kind == "cone") {
-    const double* d = dimensions_of(shape, 2);
-    return std::make_shared<fcl::Coned>(d[0], d[1]);
-  }
-  if (shape.kind == "ellipsoid") {
-    const double* d = dimensions_of(shape, 3);
-    return std::make_shared<fcl::Ellipsoidd>(d[0], d[1], d[2]);
-  }
-  if (shape.kind == "box") {
-    const double* d = dimensions_of(shape, 3);
-    return std::make_shared<fcl::Boxd>(d[0], d[1], d[2]);
-  }
-  if (shape.kind == "convex") return convex(shape);
-  refuse(shape, "must be sphere, ellipsoid, cylinder, cone, box or convex");
+  if (!good) refuse(shape, "vertices must lie within 1000 m");
 }
 
 }  // namespace
 
 CollisionShape with_geometry(CollisionShape shape) {
-  if (!shape.X_CS.matrix().allFinite() || !shape.X_CS.linear().isUnitary(kMaxSkew)) {
+  if (!shape.X_CS.matrix().allFinite() || !shape.X_CS.linear().isUnitary(1e-3)) {
     refuse(shape, "the pose must be a finite, rigid motion");
   }
-  shape.geometry = geometry_of(shape);
-  shape.geometry->computeLocalAABB();
+  if (shape.kind == "convex") {
+    check_vertices(shape);
+    check_faces(shape);
+  } else {
+    check_dimensions(shape);
+  }
+  set_geometry(shape);
   return shape;
 }
 

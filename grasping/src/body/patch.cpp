@@ -1,12 +1,11 @@
 #include "body/patch.hpp"
 
-#include <fcl/geometry/shape/box.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "body/geometry.hpp"
 #include "body/polyhedron.hpp"
 
 namespace quadrille {
@@ -222,7 +221,7 @@ CollisionShape make_box(const Eigen::Isometry3d& X_CQ, const Eigen::AlignedBox3d
   shape.X_CS.translation() = X_CQ * Eigen::Vector3d(box_Q.center());
   const Eigen::Vector3d sides = box_Q.sizes();
   shape.dimensions = {sides.x(), sides.y(), sides.z()};
-  shape.geometry = std::make_shared<fcl::Boxd>(sides);
+  set_geometry(shape);
   return shape;
 }
 

@@ -1,12 +1,12 @@
 #include "body/polyhedron.hpp"
 
-#include <fcl/geometry/shape/convex.h>
-
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
 #include <utility>
+
+#include "body/geometry.hpp"
 
 namespace quadrille {
 namespace {
@@ -17,16 +17,13 @@ void push_face(std::vector<int>& faces, std::initializer_list<int> corners) {
 }
 
 CollisionShape convex(const Eigen::Isometry3d& X_CS, std::vector<Eigen::Vector3d> vertices_S,
-                      std::vector<int> faces, int face_count) {
+                      std::vector<int> faces) {
   CollisionShape shape;
   shape.kind = "convex";
   shape.X_CS = X_CS;
   shape.vertices_S = std::move(vertices_S);
   shape.faces = std::move(faces);
-  shape.geometry = std::make_shared<fcl::Convexd>(
-      std::make_shared<const std::vector<Eigen::Vector3d>>(shape.vertices_S), face_count,
-      std::make_shared<const std::vector<int>>(shape.faces));
-  shape.geometry->computeLocalAABB();
+  set_geometry(shape);
   return shape;
 }
 
@@ -63,7 +60,7 @@ CollisionShape make_rings(const Body& body, const std::vector<Ring>& rings) {
   }
   Eigen::Isometry3d X_CS = body.X_CQ;
   X_CS.translation() = body.X_CQ * Eigen::Vector3d(0, 0, middle);
-  CollisionShape shape = convex(X_CS, std::move(vertices_S), std::move(faces), 2 * last + 2);
+  CollisionShape shape = convex(X_CS, std::move(vertices_S), std::move(faces));
   shape.excess = excess;
   return shape;
 }
@@ -74,7 +71,7 @@ CollisionShape make_block(const std::array<Eigen::Vector3d, 8>& corners_S,
                                  {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
   std::vector<int> faces;
   for (const auto& face : kFaces) push_face(faces, {face[0], face[1], face[2]});
-  return convex(X_CS, {corners_S.begin(), corners_S.end()}, std::move(faces), 12);
+  return convex(X_CS, {corners_S.begin(), corners_S.end()}, std::move(faces));
 }
 
 }  // namespace quadrille

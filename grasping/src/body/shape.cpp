@@ -1,15 +1,11 @@
 #include "quadrille/grasping/shape.hpp"
 
-#include <fcl/geometry/shape/cone.h>
-#include <fcl/geometry/shape/cylinder.h>
-#include <fcl/geometry/shape/ellipsoid.h>
-#include <fcl/geometry/shape/sphere.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
+#include "body/geometry.hpp"
 #include "body/patch.hpp"
 #include "body/pieces.hpp"
 #include "body/polyhedron.hpp"
@@ -37,19 +33,18 @@ CollisionShape round_shape(const Body& body) {
   if (body.a == body.b && body.b == body.c) {
     shape = placed("sphere", body, 0.0);
     shape.dimensions = {body.a};
-    shape.geometry = std::make_shared<fcl::Sphered>(body.a);
   } else {
     shape = placed("ellipsoid", body, 0.0);
     shape.dimensions = {body.a, body.b, body.c};
-    shape.geometry = std::make_shared<fcl::Ellipsoidd>(body.a, body.b, body.c);
   }
+  set_geometry(shape);
   return shape;
 }
 
 CollisionShape cylinder_shape(const Body& body) {
   CollisionShape shape = placed("cylinder", body, 0.5 * (body.z_min + body.z_max));
   shape.dimensions = {body.a, body.z_max - body.z_min};
-  shape.geometry = std::make_shared<fcl::Cylinderd>(body.a, body.z_max - body.z_min);
+  set_geometry(shape);
   return shape;
 }
 
@@ -60,7 +55,7 @@ CollisionShape cone_shape(const Body& body) {
   if (body.z_max > 0.0)
     shape.X_CS.rotate(Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX()));
   shape.dimensions = {body.a * length, length};
-  shape.geometry = std::make_shared<fcl::Coned>(body.a * length, length);
+  set_geometry(shape);
   return shape;
 }
 
@@ -138,10 +133,7 @@ CollisionShape convex_shape(const Body& body) {
 std::vector<CollisionShape> make_shapes(const Detection& detection) {
   const std::optional<Body> body = make_body(detection);
   std::vector<CollisionShape> shapes = body ? make_pieces(*body) : make_patch(detection);
-  for (CollisionShape& shape : shapes) {
-    shape.target = detection.id;
-    shape.geometry->computeLocalAABB();
-  }
+  for (CollisionShape& shape : shapes) shape.target = detection.id;
   return shapes;
 }
 
@@ -153,7 +145,6 @@ CollisionShape make_shape(const Box& box) {
   shape.excess = std::max((box.inner_B.min() - likely_B.min()).maxCoeff(),
                           (likely_B.max() - box.inner_B.max()).maxCoeff());
   shape.excess = std::max(shape.excess, 0.0);
-  shape.geometry->computeLocalAABB();
   return shape;
 }
 
@@ -161,10 +152,7 @@ std::vector<CollisionShape> make_pieces(const Body& body) {
   std::vector<CollisionShape> pieces = body.profile == Profile::kHyperbola
                                            ? waisted(body)
                                            : std::vector<CollisionShape>{convex_shape(body)};
-  for (CollisionShape& piece : pieces) {
-    piece.excess += body.beyond;
-    piece.geometry->computeLocalAABB();
-  }
+  for (CollisionShape& piece : pieces) piece.excess += body.beyond;
   return pieces;
 }
 

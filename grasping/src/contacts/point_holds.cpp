@@ -295,8 +295,8 @@ class PointHoldFinder {
   // Kept to reuse their memory:
   /// The points between the fingers' sides at each place.
   std::vector<std::vector<InSlice>> slices_;
-  /// Those points of a slice that the fingers reach at some depth, and their runs at the depth that
-  /// is being tried.
+  /// The points of one slice that the fingers reach at any depth, and those just below; and the
+  /// runs of the points that they reach at the depth that is being tried.
   std::vector<InSlice> reached_;
   std::vector<Run> runs_;
   /// The points of one run.

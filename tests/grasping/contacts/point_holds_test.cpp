@@ -113,12 +113,12 @@ namespace {
 
 /// One side of a wall 3 mm thick that faces the sensor and stands up to a height, with its upper
 /// edge; below the first 10 mm it leans by the given slope, as a solid does below its edge.
-SurfacePoints wall_seen_in_front(double slope) {
+SurfacePoints wall_seen_in_front(double slope, double height = 0.04) {
   SurfacePoints points;
   const Eigen::Vector3d n = -Eigen::Vector3d::UnitZ().cross(kTowardsSky).cross(kTowardsSky);
   const Eigen::Vector3d outwards = -n.normalized(), top(0.0, 0.0, 0.7);
   for (double x = -0.03; x <= 0.03; x += 0.0025) {
-    for (double h = 0.0; h < 0.04; h += 0.0025) {
+    for (double h = 0.0; h < height; h += 0.0025) {
       const double out = slope * std::max(0.0, h - 0.01);
       points.p_C.push_back(top + Eigen::Vector3d(x, 0.0, 0.0) - h * kTowardsSky + out * outwards);
       points.n_C.push_back(outwards);
@@ -130,9 +130,10 @@ SurfacePoints wall_seen_in_front(double slope) {
 }
 
 /// The number of holds across the wall from above.
-int thin_holds(const SurfacePoints& points, bool free_behind) {
+/// @param reach  the least depth of the tips below the upper edge [m]
+int thin_holds(const SurfacePoints& points, bool free_behind, double reach = 0.0) {
   const Eigen::Vector3d outwards = points.n_C.front();
-  // What is free is behind the wall, on the other side than the one that was seen.
+  // Only space behind the wall is free: on the side that the sensor did not see.
   const Eigen::Vector3d top(0.0, 0.0, 0.7);
   const ThinWalls walls{0.005, 0.008, [&](const Eigen::Vector3d& p) {
                           return free_behind && (p - top).dot(outwards) < -0.003;
@@ -143,7 +144,9 @@ int thin_holds(const SurfacePoints& points, bool free_behind) {
   for (const Hold& hold : holds) {
     const bool from_above = hold.approach_C.dot(kTowardsSky) < -0.9;
     const bool across = std::abs(hold.line.closing_C.dot(outwards)) > 0.9;
-    if (!from_above || !across || hold.line.width > 0.008) continue;
+    const Eigen::Vector3d tips = hold.line.centre_C + franka_hand().finger_front * hold.approach_C;
+    const bool deep = (top - tips).dot(kTowardsSky) > reach;
+    if (!from_above || !across || !deep || hold.line.width > 0.008) continue;
     CHECK(hold.guessed);
     CHECK(hold.line.opening == Approx(0.008));
     // Only the hidden side was moved to make the wall as thick as the thinnest one.
@@ -162,6 +165,10 @@ TEST_CASE("a wall seen on one side is held if space behind its rim was seen to b
           "[contacts][points]") {
   CHECK(thin_holds(wall_seen_in_front(0.0), true) > 0);
   CHECK(thin_holds(wall_seen_in_front(0.0), false) == 0);
+}
+
+TEST_CASE("a high wall is held deep", "[contacts][points]") {
+  CHECK(thin_holds(wall_seen_in_front(0.0, 0.07), true, 0.7 * franka_hand().finger.z()) > 0);
 }
 
 TEST_CASE("the edge of a surface that bends away below it is no thin wall", "[contacts][points]") {

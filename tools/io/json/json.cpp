@@ -1,5 +1,9 @@
 #include "io/json/json.hpp"
 
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
 #include "io/json/json_parts.hpp"
 #include "io/run_info.hpp"
 #include "quadrille/detector/detection.hpp"
@@ -17,6 +21,20 @@ Json extent_of(const Eigen::AlignedBox3d& box) {
 Json to_json(const Eigen::Isometry3d& X) {
   const Eigen::Quaterniond R = rotation_of(X);
   return {{"position", array_of(X.translation())}, {"quaternion", {R.w(), R.x(), R.y(), R.z()}}};
+}
+
+Eigen::Isometry3d pose_of(const Json& json) {
+  const auto p = json.at("position").get<std::array<double, 3>>();
+  const auto q = json.at("quaternion").get<std::array<double, 4>>();
+  const Eigen::Quaterniond R(q[0], q[1], q[2], q[3]);
+  // It may miss unit length by rounding to a few digits.
+  if (!(std::abs(R.norm() - 1.0) < 1e-3)) {
+    throw std::invalid_argument("a quaternion w, x, y, z must have length 1");
+  }
+  Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+  X.linear() = R.normalized().toRotationMatrix();
+  X.translation() = Eigen::Vector3d(p.data());
+  return X;
 }
 
 Json to_json(const Detection& detection) {

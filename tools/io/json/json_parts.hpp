@@ -1,6 +1,6 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <exception>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -18,6 +18,10 @@ Json array_of(const Vector& v) {
   for (Eigen::Index i = 0; i < v.size(); ++i) array.push_back(v[i]);
   return array;
 }
+
+/// Reads a pose as to_json() writes it.
+/// @throws std::exception if it is none
+Eigen::Isometry3d pose_of(const Json& json);
 
 /// Returns the keys that begin each object: the input, the run's settings, and the frame.
 Json begin_json(const InputInfo& input, const RunInfo& run);

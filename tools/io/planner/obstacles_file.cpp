@@ -1,9 +1,8 @@
 #include "io/planner/obstacles_file.hpp"
 
 #include <array>
-#include <cmath>
+#include <exception>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string_view>
 
 #include "io/file_bytes.hpp"
@@ -13,9 +12,6 @@
 namespace quadrille::io {
 namespace {
 
-// A quaternion may miss unit length by rounding to a few digits.
-constexpr double kUnitNorm = 1e-3;
-
 Eigen::Vector3d vector_of(const Json& json) {
   return Eigen::Vector3d(json.get<std::array<double, 3>>().data());
 }
@@ -23,13 +19,7 @@ Eigen::Vector3d vector_of(const Json& json) {
 CollisionShape shape_of(const Json& json) {
   CollisionShape shape;
   shape.kind = json.at("kind");
-  const auto q = json.at("pose").at("quaternion").get<std::array<double, 4>>();
-  const Eigen::Quaterniond R(q[0], q[1], q[2], q[3]);
-  if (!(std::abs(R.norm() - 1.0) < kUnitNorm)) {
-    throw std::invalid_argument("the quaternion w, x, y, z must have length 1");
-  }
-  shape.X_CS.linear() = R.normalized().toRotationMatrix();
-  shape.X_CS.translation() = vector_of(json.at("pose").at("position"));
+  shape.X_CS = pose_of(json.at("pose"));
   if (shape.kind == "convex") {
     for (const Json& vertex : json.at("vertices")) shape.vertices_S.push_back(vector_of(vertex));
     shape.faces = json.at("faces").get<std::vector<int>>();

@@ -1,7 +1,6 @@
 #include "lab/physics/plan_file.hpp"
 
 #include <array>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
@@ -12,7 +11,7 @@
 namespace quadrille::physics {
 namespace {
 
-using nlohmann::json;
+using json = io::Json;
 
 Grasp grasp_of(const json& object) {
   Grasp grasp;
@@ -20,12 +19,7 @@ Grasp grasp_of(const json& object) {
   grasp.score = object.at("score");
   grasp.width = object.at("width");
   grasp.preshape = object.at("preshape");
-  const auto p = object.at("X_CG").at("position").get<std::array<double, 3>>();
-  const auto q = object.at("X_CG").at("quaternion").get<std::array<double, 4>>();
-  const Eigen::Quaterniond R(q[0], q[1], q[2], q[3]);
-  if (!(std::abs(R.norm() - 1.0) < 1e-3)) throw std::runtime_error("a quaternion is not of norm 1");
-  grasp.X_CG.linear() = R.normalized().toRotationMatrix();
-  grasp.X_CG.translation() = Eigen::Vector3d(p[0], p[1], p[2]);
+  grasp.X_CG = io::pose_of(object.at("X_CG"));
   if (!grasp.X_CG.matrix().allFinite() || !(grasp.preshape >= 0.0 && grasp.preshape < 1.0)) {
     throw std::runtime_error("a grasp is not finite");
   }

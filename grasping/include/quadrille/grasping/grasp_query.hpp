@@ -60,7 +60,7 @@ struct GraspQuery {
   /// Only grasps to which the arm can bring the hand; overrides PlanOptions::reach.
   std::optional<Reach> reach;
   /// Shapes that the hand must not touch, besides what the cloud shows: of the robot, of a fence,
-  /// of what the camera does not see. Their target is ignored.
+  /// of what the camera does not see. Made by with_geometry(); the field `target` is ignored.
   std::vector<CollisionShape> obstacles;
   /// Least distance between the hand and everything but its target, on the way in and at the grasp
   /// [m]. At most kMaxMinClearance, because larger clearances are not measured.
