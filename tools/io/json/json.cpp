@@ -29,7 +29,7 @@ Eigen::Isometry3d pose_of(const Json& json) {
   const Eigen::Quaterniond R(q[0], q[1], q[2], q[3]);
   // It may miss unit length by rounding to a few digits.
   if (!(std::abs(R.norm() - 1.0) < 1e-3)) {
-    throw std::invalid_argument("a quaternion w, x, y, z must have length 1");
+    throw std::invalid_argument("a quaternion w, x, y, z must have length 1 (its norm)");
   }
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
   X.linear() = R.normalized().toRotationMatrix();
