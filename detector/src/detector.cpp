@@ -1,221 +1,54 @@
 #include "quadrille/detector/detector.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
 #include <memory>
+#include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/stage_clock.hpp"
-#include "bodies/find_bodies.hpp"
-#include "boxes/find_boxes.hpp"
-#include "boxes/flat_patches.hpp"
 #include "cloud/cloud_check.hpp"
 #include "cloud/far_cloud.hpp"
 #include "detect_with.hpp"
-#include "planes/plane_claims.hpp"
-#include "planes/planes.hpp"
 #include "quadrille/detector/cloud_checks.hpp"
-#include "samples/cell_scatter.hpp"
-#include "samples/sample_tree.hpp"
-#include "surfaces/find_surfaces.hpp"
-#include "surfaces/last_fit.hpp"
-#include "surfaces/measure.hpp"
-#include "surfaces/plane_surface.hpp"
-#include "surfaces/point_rms.hpp"
+#include "views/align.hpp"
+#include "views/findings.hpp"
+#include "views/joined_samples.hpp"
+#include "views/scene.hpp"
+#include "views/seen_through.hpp"
+#include "views/view_search.hpp"
 
 namespace quadrille {
 namespace {
 
-/// True if the list of types is empty or contains this type.
-bool lets_pass(const std::vector<QuadricType>& types, QuadricType type) {
-  return types.empty() || std::find(types.begin(), types.end(), type) != types.end();
-}
-
-/// The planes, the samples on which they were found, and for each finest cell its plane, −1 for
-/// none.
-struct FlatParts {
-  SurfaceSamples coarse;
-  std::vector<PlaneRegion> planes;
-  std::vector<int> plane_of_cell;
-};
-
-/// True if a plane may be a piece that sensor waves have cut off a larger plane: one of the planes
-/// before it, which are larger, is parallel to it within 20°.
-bool has_larger_parallel(const std::vector<PlaneRegion>& planes, std::size_t k) {
-  constexpr double kMinCosine = 0.94;
-  return std::any_of(planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(k),
-                     [&](const PlaneRegion& larger) {
-                       return std::abs(larger.plane.head<3>().dot(planes[k].plane.head<3>())) >
-                              kMinCosine;
-                     });
-}
-
-/// The detections, and for each finest cell the index of the detection on which it lies, −1 for
-/// none.
-struct Measured {
-  std::vector<Detection> detections;
-  std::vector<int> owner;
-  /// For each plane, by the index of its detection, places on it [m].
-  std::map<int, std::vector<Eigen::Vector3d>> places;
-};
-
-void measure_surfaces(const CloudView& cloud, const CellPyramid& pyramid,
-                      const Aggregation& aggregation, const FlatParts& flat,
-                      const SurfaceSamples& finest, const Sight& sight, Measured* measured) {
-  std::vector<Surface> surfaces;
-  for (const Surface& surface : aggregation.surfaces()) {
-    if (is_flat(surface) && is_part_of(surface, finest, flat.planes, flat.coarse)) continue;
-    for (const int i : surface.region) {
-      measured->owner[finest.source[i]] = static_cast<int>(surfaces.size());
-    }
-    surfaces.push_back(surface);
-  }
-  const std::vector<Eigen::Matrix3f> scatter = scatter_in_cells(cloud, pyramid, measured->owner);
-  for (Surface& surface : surfaces) {
-    surface = last_fit(std::move(surface), finest, scatter, sight);
-    measured->detections.push_back(measure(surface, finest, cloud.viewpoint, sight));
-  }
-}
-
-/// Measures the planes, and gives them those of their cells that no surface has.
-void measure_planes(const FlatParts& flat, const SceneContext& context, double min_confidence,
-                    const Eigen::Vector3d& viewpoint, Measured* measured) {
-  const std::vector<Surface> weighed = weighed_planes(flat.coarse, flat.planes, context);
-  std::vector<int> of_plane(flat.planes.size(), -1);
-  for (std::size_t k = 0; k < flat.planes.size(); ++k) {
-    const bool doubtful = weighed[k].confidence < min_confidence;
-    if (doubtful && has_larger_parallel(flat.planes, k)) continue;
-    of_plane[k] = static_cast<int>(measured->detections.size());
-    for (const int i : flat.planes[k].samples) {
-      measured->places[of_plane[k]].push_back(flat.coarse.raw[i].cast<double>());
-    }
-    measured->detections.push_back(measure(weighed[k], flat.coarse, viewpoint));
-  }
-  for (std::size_t c = 0; c < measured->owner.size(); ++c) {
-    const int plane = flat.plane_of_cell[c];
-    if (measured->owner[c] < 0 && plane >= 0) measured->owner[c] = of_plane[plane];
-  }
-}
-
-/// Replaces the rms of the samples by the rms of the points.
-void set_rms_of_points(const CloudView& cloud, const CellPyramid& pyramid, Measured* measured) {
-  std::vector<Quadric> quadrics;
-  for (const Detection& d : measured->detections) quadrics.push_back(d.Q_C);
-  const std::vector<double> rms = rms_of_points(cloud, pyramid, measured->owner, quadrics);
-  for (std::size_t k = 0; k < rms.size(); ++k) {
-    if (std::isfinite(rms[k])) measured->detections[k].rms = rms[k];
-  }
-}
-
-/// Sorts detections by score and then by size, those to report first, and numbers them.
-/// @param ids  receives for each detection, by its id before, the new id
-std::vector<Detection> ranked(std::vector<Detection> detections,
-                              const std::vector<QuadricType>& report, std::vector<int>* ids) {
-  std::stable_sort(detections.begin(), detections.end(),
-                   [](const Detection& a, const Detection& b) {
-                     return a.score != b.score ? a.score > b.score : a.inliers > b.inliers;
-                   });
-  const auto others =
-      std::stable_partition(detections.begin(), detections.end(),
-                            [&](const Detection& d) { return lets_pass(report, d.type); });
-  int id = 0;
-  const auto number = [&](Detection& d, int next) { d.id = (*ids)[d.id] = next; };
-  for (auto d = detections.begin(); d != others; ++d) number(*d, ++id);
-  id = 0;
-  for (auto d = others; d != detections.end(); ++d) number(*d, --id);
-  return detections;
-}
-
-/// Owner of samples on surfaces of types that are not asked for.
-constexpr int kNotAsked = std::numeric_limits<int>::min();
-
-/// Result of all stages on a cloud.
-struct Findings {
-  std::vector<Detection> detections;
-  std::vector<Box> boxes;
-  std::vector<SceneBody> bodies;
-  std::size_t points_used = 0;
-};
-
-std::size_t count_points(const CellPyramid& pyramid) {
-  std::size_t count = 0;
-  for (int c = 0; c < pyramid.size(0); ++c) count += static_cast<std::size_t>(pyramid.count(c));
-  return count;
-}
-
-/// Runs all stages on a cloud near the origin.
-Findings find_all(const CloudView& cloud, const DetectorOptions& options,
+/// Runs all stages on views near the origin.
+Findings find_all(std::span<const CloudView> clouds, const DetectorOptions& options,
                   const FindCandidates& find, StageClock& clock) {
-  const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
-  clock.end("cells");
-  if (!pyramid) return {};
-
-  FlatParts flat{pyramid->coarse_samples(), {}, {}};
-  flat.planes = find_planes(flat.coarse, options.planes);
-  flat.plane_of_cell = planes_of_cells(*pyramid, flat.coarse, flat.planes, options.planes.sigmas);
-  clock.end("planes");
-
-  const SampleTree tree(*pyramid,
-                        pyramid->samples(cells_off_planes(flat.plane_of_cell), options.threads));
-  clock.end("samples");
-
-  const SceneContext context = {normal_of_largest(flat.planes), pyramid->sight()};
-  const Aggregation aggregation = find_surfaces(tree, context, options, clock, {}, find);
-  Measured measured{{}, std::vector<int>(flat.plane_of_cell.size(), -1), {}};
-  measure_surfaces(cloud, *pyramid, aggregation, flat, tree.finest(), context.sight, &measured);
-  if (lets_pass(options.only, QuadricType::kPlane)) {
-    measure_planes(flat, context, options.aggregate.min_plane_confidence, cloud.viewpoint,
-                   &measured);
+  std::vector<ViewSearch> views;
+  for (const CloudView& cloud : clouds) {
+    if (auto view = search_view(cloud, options, find, clock)) views.push_back(std::move(*view));
   }
-  set_rms_of_points(cloud, *pyramid, &measured);
-  for (std::size_t k = 0; k < measured.detections.size(); ++k) {
-    measured.detections[k].id = static_cast<int>(k);
-  }
-  std::vector<int> ids(measured.detections.size(), 0);
-  std::erase_if(measured.detections,
-                [&](const Detection& d) { return !lets_pass(options.only, d.type); });
-  Findings findings;
-  findings.detections = ranked(std::move(measured.detections), options.report, &ids);
-  findings.points_used = count_points(*pyramid);
-  clock.end("measure");
-
-  std::vector<int> owner;
-  Mask unexplained;
-  for (const int cell : tree.finest().source) {
-    const int k = measured.owner[cell];
-    // Samples on a surface of a type that was not asked for are explained by it, so they must not
-    // become a lump.
-    owner.push_back(k < 0 ? 0 : ids[k] == 0 ? kNotAsked : ids[k]);
-    unexplained.push_back(k < 0);
-  }
-  std::vector<FlatPatch> patches;
-  if (lets_pass(options.only, QuadricType::kPlane) &&
-      lets_pass(options.report, QuadricType::kPlane)) {
-    patches = find_flat_patches(tree.finest(), options.planes, unexplained);
-  }
-  findings.boxes = find_boxes(cloud, findings.detections, patches);
-  clock.end("boxes");
-  const bool all_types = options.only.empty() && options.report.empty();
-  PlacesOnPlanes places;
-  for (auto& [index, of_plane] : measured.places) places[ids[index]] = std::move(of_plane);
-  findings.bodies =
-      find_bodies({findings.detections, findings.boxes, tree.finest(), owner, places, all_types});
-  clock.end("bodies");
-  return findings;
+  if (views.empty()) return {};
+  const Scene scene = join_views(std::move(views), options);
+  if (clouds.size() > 1) clock.end("join");
+  return measure_scene(scene, options, clock);
 }
 
-/// Runs all stages on a cloud anywhere. One far from the origin is shifted first, since its
+/// Runs all stages on views anywhere. Those far from the origin are shifted first, since their
 /// coordinates leave few digits for the shape.
-Findings find_anywhere(const CloudView& cloud, const Eigen::Vector3d& centre,
+Findings find_anywhere(std::span<const CloudView> clouds, const Eigen::Vector3d& centre,
                        const DetectorOptions& options, const FindCandidates& find,
                        StageClock& clock) {
   const Eigen::Vector3d shift = shift_to_origin(centre);
-  if (shift.isZero(0.0)) return find_all(cloud, options, find, clock);
-  Findings findings = find_all(translated(cloud, shift), options, find, clock);
+  if (shift.isZero(0.0)) return find_all(clouds, options, find, clock);
+  std::vector<PointCloud> near;
+  for (const CloudView& cloud : clouds) near.push_back(translated(cloud, shift));
+  Findings findings =
+      find_all(std::vector<CloudView>(near.begin(), near.end()), options, find, clock);
   for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
   for (Box& box : findings.boxes) box.X_CB.pretranslate(-shift);
   for (SceneBody& body : findings.bodies) body.X_CB.pretranslate(-shift);
@@ -239,24 +72,110 @@ DetectorOptions settled(DetectorOptions options, const CloudView& cloud) {
   return options;
 }
 
-DetectionResult detect_checked(const CloudView& cloud, const DetectorOptions& given,
-                               const FindCandidates& find, const CloudCheck& check,
+/// The views in which surfaces can be found.
+struct UsableViews {
+  std::vector<CloudView> clouds;
+  /// Middle of the first of them [m].
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+};
+
+/// Says which of several views a warning is about.
+std::string of_view(std::size_t view, std::size_t views, const std::string& warning) {
+  return views == 1 ? warning : "view " + std::to_string(view + 1) + ": " + warning;
+}
+
+/// Chooses the views with usable points, and notes what the checks say.
+UsableViews usable_views(std::span<const CloudView> given, std::span<const CloudCheck> checks,
+                         DetectionResult* result) {
+  UsableViews usable;
+  for (std::size_t v = 0; v < given.size(); ++v) {
+    result->points_finite += checks[v].range.near;
+    for (const std::string& warning : checks[v].warnings) {
+      result->warnings.push_back(of_view(v, given.size(), warning));
+    }
+    if (!checks[v].usable) continue;
+    if (usable.clouds.empty()) usable.centre = checks[v].centre;
+    usable.clouds.push_back(checks[v].range.kept(given[v]));
+  }
+  return usable;
+}
+
+DetectionResult detect_checked(const UsableViews& views, const DetectorOptions& given,
+                               const FindCandidates& find, DetectionResult result,
                                StageClock& clock) {
-  given.check();
-  DetectionResult result;
-  result.points_finite = check.range.near;
-  result.warnings = check.warnings;
-  if (!check.usable) return result;
-  const DetectorOptions options = settled(given, cloud);
-  Findings found = find_anywhere(cloud, check.centre, options, find, clock);
+  if (views.clouds.empty()) return result;
+  const DetectorOptions options = settled(given, views.clouds.front());
+  Findings found = find_anywhere(views.clouds, views.centre, options, find, clock);
   result.detections = std::move(found.detections);
   result.boxes = std::move(found.boxes);
   result.bodies = std::move(found.bodies);
   result.points_used = found.points_used;
-  const std::string doubt = contradict_viewpoint(cloud, result.detections);
-  if (!doubt.empty()) result.warnings.push_back(doubt);
+  for (std::size_t v = 0; v < views.clouds.size(); ++v) {
+    const std::string doubt = contradict_viewpoint(views.clouds[v], result.detections);
+    if (!doubt.empty()) result.warnings.push_back(of_view(v, views.clouds.size(), doubt));
+  }
   clock.end("viewpoint");
   return result;
+}
+
+DetectionResult detect_all(const FindCandidates& find, std::span<const CloudView> given,
+                           const DetectorOptions& options) {
+  StageClock clock;
+  options.check();
+  std::vector<CloudCheck> checks;
+  for (const CloudView& cloud : given) checks.push_back(check_cloud(cloud));
+  DetectionResult result;
+  const UsableViews views = usable_views(given, checks, &result);
+  result = detect_checked(views, options, find, std::move(result), clock);
+  result.timings = clock.timings();
+  result.total_ms = clock.total_ms();
+  return result;
+}
+
+/// A view's depths, and the samples on which it is aligned with others.
+struct CoarseView {
+  Sight sight;
+  SurfaceSamples samples;
+};
+
+/// Returns nullopt if the cloud is too small.
+std::optional<CoarseView> coarse_view(const CloudView& given, const DetectorOptions& options) {
+  const CloudCheck check = check_cloud(given);
+  if (!check.usable) return std::nullopt;
+  const CloudView cloud = check.range.kept(given);
+  const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
+  if (!pyramid) return std::nullopt;
+  return CoarseView{pyramid->sight(), pyramid->coarse_samples()};
+}
+
+/// Drops the marked points of a cloud; those of an organised one become NaN.
+void drop(const Mask& dropped, PointCloud* cloud) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < cloud->points.size(); ++k) {
+    if (cloud->organised()) {
+      if (dropped[k]) {
+        cloud->points[k].setConstant(std::numeric_limits<float>::quiet_NaN());
+      }
+    } else if (!dropped[k]) {
+      if (cloud->coloured()) cloud->colours[kept] = cloud->colours[k];
+      cloud->points[kept++] = cloud->points[k];
+    }
+  }
+  if (cloud->organised()) return;
+  if (cloud->coloured()) cloud->colours.resize(kept);
+  cloud->points.resize(kept);
+}
+
+/// Drops the points of each view that another view sees through.
+void drop_seen_through(std::span<const std::optional<Sight>> sights,
+                       std::vector<PointCloud>* views) {
+  for (std::size_t v = 0; v < views->size(); ++v) {
+    std::vector<Sight> others;
+    for (std::size_t u = 0; u < sights.size(); ++u) {
+      if (u != v && sights[u]) others.push_back(*sights[u]);
+    }
+    drop(seen_through((*views)[v], others), &(*views)[v]);
+  }
 }
 
 }  // namespace
@@ -265,14 +184,42 @@ DetectionResult detect(const CloudView& cloud, const DetectorOptions& options) {
   return detect_with({}, cloud, options);
 }
 
-DetectionResult detect_with(const FindCandidates& find, const CloudView& given,
+DetectionResult detect_with(const FindCandidates& find, const CloudView& cloud,
                             const DetectorOptions& options) {
-  StageClock clock;
-  const CloudCheck check = check_cloud(given);
-  DetectionResult result = detect_checked(check.range.kept(given), options, find, check, clock);
-  result.timings = clock.timings();
-  result.total_ms = clock.total_ms();
-  return result;
+  return detect_all(find, {&cloud, 1}, options);
+}
+
+DetectionResult detect_views(std::span<const PointCloud> views, const DetectorOptions& options) {
+  if (views.empty()) throw std::invalid_argument("detect_views: there is no view");
+  return detect_all({}, std::vector<CloudView>(views.begin(), views.end()), options);
+}
+
+std::vector<Eigen::Isometry3d> align_views(std::vector<PointCloud>* views,
+                                           const DetectorOptions& given) {
+  given.check();
+  std::vector<Eigen::Isometry3d> motions(views->size(), Eigen::Isometry3d::Identity());
+  if (views->size() < 2) return motions;
+  const DetectorOptions options = settled(given, views->front());
+  std::vector<SurfaceSamples> aligned;
+  aligned.reserve(views->size());
+  std::vector<const SurfaceSamples*> before;
+  std::vector<std::optional<Sight>> sights(views->size());
+  for (std::size_t v = 0; v < views->size(); ++v) {
+    PointCloud& cloud = (*views)[v];
+    std::optional<CoarseView> view = coarse_view(cloud, options);
+    if (!view) continue;
+    if (!before.empty()) {
+      const std::vector<int> no_cells(before.size(), 0);
+      motions[v] = align(view->samples, cloud.viewpoint, joined_samples(before, no_cells, 0.0),
+                         options.views);
+      cloud = moved(std::move(cloud), motions[v]);
+      view->sight.X_VC = view->sight.X_VC * motions[v].inverse().cast<float>();
+    }
+    before.push_back(&aligned.emplace_back(moved(std::move(view->samples), motions[v])));
+    sights[v] = std::move(view->sight);
+  }
+  drop_seen_through(sights, views);
+  return motions;
 }
 
 }  // namespace quadrille

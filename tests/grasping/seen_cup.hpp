@@ -14,7 +14,7 @@ inline std::optional<Shell> shell_of(const Cup& cup, bool inner) {
   const PointCloud cloud = render(cup);
   const Detection d = wall_detection(cup, inner);
   const Body body = make_body(d).value();
-  return find_shell(body, seen_from_inside(d, body), cloud, DepthView(cloud), kUp, {});
+  return find_shell(body, seen_from_inside(d, body), cloud, std::vector{DepthView(cloud)}, kUp, {});
 }
 
 }  // namespace quadrille::test

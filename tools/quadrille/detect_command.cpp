@@ -17,6 +17,7 @@
 #include "quadrille/command_report.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/further_views.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
@@ -33,6 +34,7 @@ struct DetectArguments {
   bool track = false;
   DetectorArguments detector;
   InputArguments input;
+  ViewArguments views;
 };
 
 io::RunInfo run_info(const DetectorSetup& setup) {
@@ -50,6 +52,7 @@ io::RunInfo with_warnings(io::RunInfo run, const std::vector<std::string>& more)
 
 void run(const DetectArguments& arguments) {
   arguments.input.check(arguments.inputs);
+  arguments.views.check(arguments.inputs);
   io::Config settings = io::load_config(arguments.detector.config);
   const DetectorSetup setup = arguments.detector.overrule(settings);
   settings.detector = setup.options;
@@ -59,13 +62,15 @@ void run(const DetectArguments& arguments) {
   CommandReport report(arguments.report, arguments.inputs, settings);
   Tracking tracking(setup.track, arguments.track);
   const auto put_out = [&](const std::string& path, const InputCloud& input,
-                           const DetectionResult& found) {
+                           const SceneViews& views, const DetectionResult& found) {
     DetectionResult result = found;
     result.detections = moved(std::move(result.detections), input.X_CK);
     result.boxes = moved(std::move(result.boxes), input.X_CK);
     result.bodies = moved(std::move(result.bodies), input.X_CK);
     const io::RunInfo whole = with_warnings(with_warnings(info, input.warnings), result.warnings);
-    json.write(io::detect_json(input.info, whole, result));
+    io::Json object = io::detect_json(input.info, whole, result);
+    if (!views.corrections.empty()) object["views"] = views.corrections;
+    json.write(object);
     if (!json.owns_stdout()) {
       print(detection_table(input.info, result, Paint::of_stdout()));
     }
@@ -74,11 +79,15 @@ void run(const DetectArguments& arguments) {
     arguments.picture.write(pictures.next(path), {input.info.input, input.cloud, found});
   };
   const auto detect_and_put_out = [&](const std::string& path, const InputCloud& input) {
-    DetectionResult result = detect(input.cloud, setup.options);
+    std::vector<std::string> warnings;
+    const SceneViews views =
+        all_views(arguments.views, input.cloud, input.X_CK, setup.options, &warnings);
+    DetectionResult result = detect_views(views.clouds, setup.options);
+    result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
     tracking.add_to(input, path, &result.detections);
     std::erase_if(result.detections, [](const Detection& d) { return !is_reported(d); });
     std::erase_if(result.boxes, [](const Box& box) { return !is_reported(box); });
-    put_out(path, input, result);
+    put_out(path, input, views, result);
     if (report.wanted()) report.add(input, view::scene_of_result(input.cloud, result, input.X_CK));
   };
   const ReadingResult read = for_each_input(arguments.inputs, arguments.input, detect_and_put_out);
@@ -97,6 +106,7 @@ void add_detect_command(CLI::App& app) {
       ->type_name("FILE|-");
   command->add_flag("--track", arguments->track,
                     "Take files for successive views of a camera at rest; logs always are");
+  arguments->views.add_to(*command);
   arguments->input.add_to(*command);
   arguments->picture.add_to(*command, "the cloud and the quadrics");
   add_report_option(*command, arguments->report, "the clouds and the quadrics");

@@ -2,13 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -36,6 +34,7 @@
 #include "quadrille/grasping/grasp_scene.hpp"
 #include "quadrille/grasping/remedies.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
+#include "quadrille/further_views.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
@@ -48,7 +47,8 @@ namespace {
 struct PlanArguments {
   std::string json, map, report;
   PictureArguments picture;
-  std::vector<std::string> inputs, views;
+  std::vector<std::string> inputs;
+  ViewArguments views;
   DetectorArguments detector;
   PlannerArguments planner;
   InputArguments input;
@@ -74,37 +74,6 @@ void add_hands(const GraspPlan& plan, const Gripper& gripper, HandConvention con
     hand.update(io::to_json(hand_pose(convention, gripper, grasp.X_CG, grasp.width)));
     (*json)["grasps"][n]["X_CH"] = hand;
   }
-}
-
-// A view that is given twice, or is the input itself, adds nothing, and was probably meant to be
-// another file.
-void refuse_same(const std::string& input, const std::vector<std::string>& views) {
-  std::vector<std::string> seen = {input};
-  for (const std::string& path : views) {
-    for (const std::string& other : seen) {
-      std::error_code missing;  // ignored, since reading the file will report it
-      if (path == other || std::filesystem::equivalent(path, other, missing)) {
-        throw io::FileError(path, "", "is given twice; each --view must be another cloud");
-      }
-    }
-    seen.push_back(path);
-  }
-}
-
-/// Reads the other views, each with the viewpoint that its file names.
-/// @param X_KC  pose of their frame C in the working frame K
-/// @param warnings  receives warnings about the views
-std::vector<PointCloud> read_views(const std::vector<std::string>& paths,
-                                   const Eigen::Isometry3d& X_KC,
-                                   std::vector<std::string>* warnings) {
-  std::vector<PointCloud> views;
-  for (const std::string& path : paths) {
-    SingleCloud view = read_single_cloud(path);
-    print_warnings(path, view.warnings);
-    add_warnings(path, view.warnings, warnings);
-    views.push_back(moved(std::move(view.input.cloud), X_KC));
-  }
-  return views;
 }
 
 /// @param X_CK  pose of the map's frame K in the frame C in which it is written
@@ -163,8 +132,8 @@ struct PlanOutput {
 /// Writes and prints the detections and the plan, in the cloud's own frame.
 /// @param info  information about the run, with the warnings so far
 void put_out(const PlanArguments& arguments, const PlanSetup& setup, const InputCloud& input,
-             io::RunInfo info, const DetectionResult& result, const GraspPlan& plan,
-             PlanOutput* output) {
+             io::RunInfo info, const SceneViews& views, const DetectionResult& result,
+             const GraspPlan& plan, PlanOutput* output) {
   for (const auto& warnings : {result.warnings, without(plan.warnings, result.warnings)}) {
     info.warnings.insert(info.warnings.end(), warnings.begin(), warnings.end());
     print_warnings(input.info.input, warnings);
@@ -174,6 +143,7 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
   nothing.warnings = result.warnings;
   const bool is_found = !result.detections.empty() || !plan.warnings.empty();
   io::Json object = io::plan_json(input.info, info, result, plan);
+  if (!views.corrections.empty()) object["views"] = views.corrections;
   object["query"] = io::to_json(arguments.query.query());
   if (arguments.advise) object["remedies"] = io::to_json(plan.remedies);
   if (arguments.convention) add_hands(plan, setup.gripper, *arguments.convention, &object);
@@ -191,23 +161,24 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
                 const InputCloud& input, Tracking* tracking, PlanOutput* output) {
   io::RunInfo info = setup.info;
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
-  DetectionResult found = detect(input.cloud, setup.detector.options);
+  const SceneViews views =
+      all_views(arguments.views, input.cloud, input.X_CK, setup.detector.options, &info.warnings);
+  DetectionResult found = detect_views(views.clouds, setup.detector.options);
   tracking->add_to(input, path, &found.detections);
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);
   const GraspQuery query =
       moved(completed(arguments.query.query(), setup.options), input.X_CK.inverse());
-  const std::vector<PointCloud> views =
-      read_views(arguments.views, input.X_CK.inverse(), &info.warnings);
+  const std::vector<PointCloud> further(views.clouds.begin() + 1, views.clouds.end());
   const std::vector<Box> boxes = bus::as_received(found.boxes);
   const std::vector<SceneBody> bodies = bus::as_received(found.bodies);
-  const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, views, boxes,
+  const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, further, boxes,
                          bodies);
   GraspPlan planned = asked.plan_from_start(query);
   if (arguments.advise) {
     planned.remedies = find_remedies(planned, input.cloud, detections, setup.gripper, setup.options,
-                                     views, query, boxes, bodies);
+                                     further, query, boxes, bodies);
   }
   found.boxes = planned.boxes;
   // All detections were obstacles, but only those that were asked for are shown.
@@ -217,7 +188,8 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   result.detections = moved(std::move(result.detections), input.X_CK);
   result.boxes = moved(std::move(result.boxes), input.X_CK);
   result.bodies = moved(std::move(result.bodies), input.X_CK);
-  put_out(arguments, setup, input, std::move(info), result, moved(planned, input.X_CK), output);
+  put_out(arguments, setup, input, std::move(info), views, result, moved(planned, input.X_CK),
+          output);
   if (output->pictures.wanted()) {
     arguments.picture.write(output->pictures.next(path),
                             {input.info.input, input.cloud, found, &planned, &setup.gripper});
@@ -229,12 +201,11 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   output->report.add(input, std::move(scene));
 }
 
-/// Refuses several inputs if views or a map are given, since those belong to one scene.
+/// Refuses several inputs if a map is written, since it belongs to one scene.
 void check_single_scene(const PlanArguments& arguments) {
-  if (arguments.inputs.size() == 1) return;
-  const std::string option = !arguments.map.empty() ? "--map" : "--view";
-  if (arguments.map.empty() && arguments.views.empty()) return;
-  throw CLI::ValidationError(option, "takes a single INPUT; plan for one after the other");
+  arguments.views.check(arguments.inputs);
+  if (arguments.map.empty() || arguments.inputs.size() == 1) return;
+  throw CLI::ValidationError("--map", "takes a single INPUT; plan for one after the other");
 }
 
 void run(const PlanArguments& arguments) {
@@ -242,7 +213,6 @@ void run(const PlanArguments& arguments) {
   check_single_scene(arguments);
   const PlanSetup setup = setup_of(arguments);
   arguments.query.query();
-  refuse_same(arguments.inputs.front(), arguments.views);
   PlanOutput output{JsonLines(arguments.json),
                     PicturePaths(arguments.picture.path, may_be_several(arguments.inputs)),
                     {},
@@ -252,7 +222,7 @@ void run(const PlanArguments& arguments) {
   const auto visit = [&](const std::string& path, const InputCloud& input) {
     plan_cloud(arguments, setup, path, input, &tracking, &output);
   };
-  if (arguments.map.empty() && arguments.views.empty()) {
+  if (arguments.map.empty() && arguments.views.paths.empty()) {
     const ReadingResult read = for_each_input(arguments.inputs, arguments.input, visit);
     if (read.gave_anything()) {
       output.json.finish();
@@ -279,8 +249,7 @@ void add_plan_command(CLI::App& app) {
       ->type_name("FILE|-");
   command->add_flag("--advise", arguments->advise,
                     "Try other settings and hands where there is no grasp, and say what gives one");
-  command->add_option("--view", arguments->views, "More views of the same scene, in its frame")
-      ->type_name("CLOUD");
+  arguments->views.add_to(*command);
   command->add_option("--map", arguments->map, "Write free and occupied space as an OctoMap")
       ->type_name("FILE.bt");
   add_choice_option(*command, "--convention", arguments->convention, conventions(),

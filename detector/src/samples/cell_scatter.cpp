@@ -11,7 +11,7 @@ constexpr std::size_t kPoints = 50'000;
 }  // namespace
 
 std::vector<Eigen::Matrix3f> scatter_in_cells(const CloudView& cloud, const CellPyramid& pyramid,
-                                              const std::vector<int>& owner) {
+                                              std::span<const int> owner) {
   std::vector<Eigen::Matrix3f> scatter(owner.size(), Eigen::Matrix3f::Zero());
   // An odd step meets other columns in each row of most images, whose width is even.
   const std::size_t step = cloud.points.size() / kPoints | 1;

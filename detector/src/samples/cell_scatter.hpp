@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "quadrille/detector/point_cloud.hpp"
@@ -13,6 +14,6 @@ namespace quadrille {
 /// not, so that the estimate is rough for one cell and right on average over many.
 /// @param owner  for each finest cell, its owner; −1 for none
 std::vector<Eigen::Matrix3f> scatter_in_cells(const CloudView& cloud, const CellPyramid& pyramid,
-                                              const std::vector<int>& owner);
+                                              std::span<const int> owner);
 
 }  // namespace quadrille

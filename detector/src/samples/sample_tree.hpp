@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/buckets.hpp"
@@ -18,6 +19,7 @@ class SampleTree {
   std::span<const int> under(int l, int i) const { return under_[l][i]; }
   /// The finest samples with steadier normals: the mean of their own and their parent's.
   const SurfaceSamples& finest() const { return finest_; }
+  SurfaceSamples take_finest() && { return std::move(finest_); }
 
  private:
   std::vector<SurfaceSamples> levels_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -25,10 +26,15 @@ struct SurfaceSamples {
   std::vector<int> source;
   /// The neighbours of sample i are neighbours[first[i]] … neighbours[first[i + 1] - 1].
   std::vector<int> first, neighbours;
+  /// The view from which the sample was made; empty if there is only one.
+  std::vector<int> view;
+  /// Standard deviation of what the views may still be off against each other [m].
+  double view_shift = 0.0;
   /// Share of the finest samples' sigma that neighbours have in common; see common_share().
   double common_noise = 0.0;
 
   int size() const { return static_cast<int>(p.size()); }
+  std::size_t view_of(int i) const { return view.empty() ? 0 : static_cast<std::size_t>(view[i]); }
   std::span<const int> neighbours_of(int i) const {
     return {neighbours.data() + first[i], static_cast<std::size_t>(first[i + 1] - first[i])};
   }

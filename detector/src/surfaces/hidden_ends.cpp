@@ -1,5 +1,6 @@
 #include "surfaces/hidden_ends.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace quadrille {
@@ -25,28 +26,37 @@ Sighting look_at(const Sight& sight, const Eigen::Vector3d& p_V, double in_front
   return p_V.z() - 1.0 / w > in_front ? Sighting::kHidden : Sighting::kSeen;
 }
 
+/// True if a view sees no end of a surface there: of the samples near the end, most would be hidden
+/// if they lay beyond it.
+bool is_hidden(const Sight& sight, const SurfaceSamples& samples, std::span<const int> region,
+               const Eigen::Isometry3d& X_CQ, double end, double outwards) {
+  const Eigen::Isometry3d X_VQ = sight.X_VC.cast<double>() * X_CQ, X_QC = X_CQ.inverse();
+  int hidden = 0, seen = 0;
+  for (const int i : region) {
+    Eigen::Vector3d p_Q = X_QC * samples.raw[i].cast<double>();
+    const double reach = kEndCells * static_cast<double>(samples.cell[i]);
+    if (std::abs(p_Q.z() - end) > reach) continue;
+    p_Q.z() = end + outwards * reach;
+    const Sighting sighting =
+        look_at(sight, X_VQ * p_Q, kInFrontCells * static_cast<double>(samples.cell[i]));
+    hidden += sighting == Sighting::kHidden;
+    seen += sighting == Sighting::kSeen;
+  }
+  return hidden > seen;
+}
+
 }  // namespace
 
-bool hides_an_end(const Sight& sight, const SurfaceSamples& samples, std::span<const int> region,
-                  const Eigen::Isometry3d& X_CQ, const Eigen::AlignedBox3d& extent_Q) {
-  if (sight.w.empty()) return false;
-  const Eigen::Isometry3d X_VQ = sight.X_VC.cast<double>() * X_CQ, X_QC = X_CQ.inverse();
-  for (const double end : {extent_Q.min().z(), extent_Q.max().z()}) {
+bool hides_an_end(std::span<const Sight> sights, const SurfaceSamples& samples,
+                  std::span<const int> region, const Eigen::Isometry3d& X_CQ,
+                  const Eigen::AlignedBox3d& extent_Q) {
+  const auto is_open = [&](double end) {
     const double outwards = end < extent_Q.center().z() ? -1.0 : 1.0;
-    int hidden = 0, seen = 0;
-    for (const int i : region) {
-      Eigen::Vector3d p_Q = X_QC * samples.raw[i].cast<double>();
-      const double reach = kEndCells * static_cast<double>(samples.cell[i]);
-      if (std::abs(p_Q.z() - end) > reach) continue;
-      p_Q.z() = end + outwards * reach;
-      const Sighting sighting =
-          look_at(sight, X_VQ * p_Q, kInFrontCells * static_cast<double>(samples.cell[i]));
-      hidden += sighting == Sighting::kHidden;
-      seen += sighting == Sighting::kSeen;
-    }
-    if (hidden > seen) return true;
-  }
-  return false;
+    return !sights.empty() && std::all_of(sights.begin(), sights.end(), [&](const Sight& sight) {
+      return !sight.w.empty() && is_hidden(sight, samples, region, X_CQ, end, outwards);
+    });
+  };
+  return is_open(extent_Q.min().z()) || is_open(extent_Q.max().z());
 }
 
 }  // namespace quadrille

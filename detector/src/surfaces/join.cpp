@@ -39,7 +39,7 @@ std::optional<Surface> join(const Surface& a, const Surface& b, const SurfaceSam
   all.insert(all.end(), a.region.begin(), a.region.end());
   std::optional<Surface> joint = fit_surface(samples, std::move(all), options);
   if (!joint || is_flat(*joint) != is_flat(b) || is_thin(*joint, samples) ||
-      !(joint->rms < kMaxRmsGrowth * std::max(a.rms, b.rms)) ||
+      !(joint->rms < kMaxRmsGrowth * std::max({a.rms, b.rms, samples.view_shift})) ||
       !(bic_of(*joint, samples, a.effective_size + b.effective_size) <
         bic_of(a, samples, a.effective_size) + bic_of(b, samples, b.effective_size))) {
     return std::nullopt;

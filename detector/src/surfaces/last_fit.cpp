@@ -18,11 +18,12 @@ constexpr float kMinCosine = 0.26f;
 
 /// The samples of a surface in its local coordinates, moved by what averaging over cells took off.
 OrientedPointsf points_on(const Surface& surface, const SurfaceSamples& samples,
-                          const std::vector<Eigen::Matrix3f>& scatter, const Sight& sight) {
+                          const std::vector<Eigen::Matrix3f>& scatter, const std::vector<Sight>& sights) {
   const int size = static_cast<int>(surface.region.size());
   OrientedPointsf points = fit_points(samples, surface.region, surface.local, size);
   const Eigen::Matrix4f Q = surface.fit.posed.matrix().cast<float>();
-  const Eigen::Vector3f eye = sight.X_VC.inverse().translation();
+  std::vector<Eigen::Vector3f> eyes;
+  for (const Sight& sight : sights) eyes.push_back(sight.X_VC.inverse().translation());
   const float square = static_cast<float>(surface.local.scale * surface.local.scale);
   Eigen::Index kept = 0;
   for (int k = 0; k < size; ++k) {
@@ -31,7 +32,9 @@ OrientedPointsf points_on(const Surface& surface, const SurfaceSamples& samples,
     const Eigen::Vector3f h = (Q * x.homogeneous()).head<3>();
     const float slope = h.norm();
     const Eigen::Vector3f n = h / slope;
-    const Eigen::Vector3f ray = sight.w.empty() ? n : (samples.raw[i] - eye).normalized();
+    const std::size_t view = samples.view_of(i);
+    const bool sighted = view < sights.size() && !sights[view].w.empty();
+    const Eigen::Vector3f ray = sighted ? (samples.raw[i] - eyes[view]).normalized() : n;
     const float cosine = n.dot(ray);
     if (!(std::abs(cosine) >= kMinCosine)) continue;
     // The map of a point's offset from its cell's mean to the surface, along the line of sight.
@@ -47,9 +50,9 @@ OrientedPointsf points_on(const Surface& surface, const SurfaceSamples& samples,
 }  // namespace
 
 Surface last_fit(Surface surface, const SurfaceSamples& samples,
-                 const std::vector<Eigen::Matrix3f>& scatter, const Sight& sight) {
+                 const std::vector<Eigen::Matrix3f>& scatter, const std::vector<Sight>& sights) {
   if (is_flat(surface)) return surface;
-  const OrientedPointsf points = points_on(surface, samples, scatter, sight);
+  const OrientedPointsf points = points_on(surface, samples, scatter, sights);
   std::optional<FamilyFit> fit = refine(points, surface.fit.family, surface.fit.posed, kIterations);
   if (!fit || canonical_form(fit->posed).type != canonical_form(surface.fit.posed).type) {
     return surface;

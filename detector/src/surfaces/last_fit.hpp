@@ -16,10 +16,10 @@ namespace quadrille {
 /// with Q₃ the quadratic part of Q. It is zero if the points lie on the surface, so that m is tr(Q₃
 /// S) / |∇f| off.
 /// @param scatter  covariance of the points in each finest cell [m²]; see scatter_in_cells()
-/// @param sight    view whose depth noise does not count as scatter; without cells, the noise is
-///   taken to lie along the normals
+/// @param sights   the views, whose depth noise does not count as scatter; in a view without cells,
+///   the noise is taken to lie along the normals
 /// @return the surface unchanged if it is a plane or if the refit is of another type
 Surface last_fit(Surface surface, const SurfaceSamples& samples,
-                 const std::vector<Eigen::Matrix3f>& scatter, const Sight& sight);
+                 const std::vector<Eigen::Matrix3f>& scatter, const std::vector<Sight>& sights);
 
 }  // namespace quadrille

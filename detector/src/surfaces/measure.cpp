@@ -144,12 +144,12 @@ double raggedness(const std::vector<Eigen::Vector3d>& points, double length) {
 /// Sensors that correlate neighbouring cells by matching windows or filters blur edges over as
 /// many: a cell and its neighbours on both sides by the share of the correlation.
 Dimension length_of(const Detection& d, const Surface& surface, const SurfaceSamples& samples,
-                    const std::vector<Eigen::Vector3d>& points, const Sight& sight) {
+                    const std::vector<Eigen::Vector3d>& points, std::span<const Sight> sights) {
   const Evidence& e = surface.evidence;
   const double seen = d.extent_Q.sizes().z();
   const double lost = kLostCells * e.cell + kLostSigmas * e.sigma;
   const double blur = 1.0 + 2.0 * std::max(0.0, e.correlation);
-  const bool open = hides_an_end(sight, samples, surface.region, d.X_CQ, d.extent_Q);
+  const bool open = hides_an_end(sights, samples, surface.region, d.X_CQ, d.extent_Q);
   return {"length", seen + lost,
           open ? std::numeric_limits<double>::infinity()
                : std::hypot(kLostStd * lost * blur, raggedness(points, seen))};
@@ -158,7 +158,7 @@ Dimension length_of(const Detection& d, const Surface& surface, const SurfaceSam
 }  // namespace
 
 Detection measure(const Surface& surface, const SurfaceSamples& samples, const Eigen::Vector3d& eye,
-                  const Sight& sight) {
+                  std::span<const Sight> sights) {
   const CanonicalForm form = canonical_form(surface.fit.posed);
   Detection d;
   d.type = form.type;
@@ -192,7 +192,7 @@ Detection measure(const Surface& surface, const SurfaceSamples& samples, const E
   if (guessed) d.score *= kGuessFactor;
   d.covariance = std::move(uncertainty.covariance);
   if (has_length(d.type)) {
-    d.dimensions.push_back(length_of(d, surface, samples, points, sight));
+    d.dimensions.push_back(length_of(d, surface, samples, points, sights));
   } else if (d.type == QuadricType::kPlane) {
     const Eigen::Vector3d size = d.extent_Q.sizes();
     const double edge = kPatchEdgeCells * cell;

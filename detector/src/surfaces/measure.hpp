@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "quadrille/detector/detection.hpp"
 #include "samples/sight.hpp"
 #include "surfaces/surface.hpp"
@@ -11,9 +13,9 @@ namespace quadrille {
 ///
 /// Standard deviations are those of uncertainty_of(). The length of a cylinder is a guess if an
 /// occluder or the border of the image hides an end.
-/// @param eye    the viewpoint in frame C [m]
-/// @param sight  depths that the sensor saw; if empty, each end counts as seen
+/// @param eye     the viewpoint in frame C [m]
+/// @param sights  depths that the sensor saw in each view; without any, each end counts as seen
 Detection measure(const Surface& surface, const SurfaceSamples& samples, const Eigen::Vector3d& eye,
-                  const Sight& sight = {});
+                  std::span<const Sight> sights = {});
 
 }  // namespace quadrille

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <span>
 #include <vector>
 
 namespace quadrille {
@@ -103,7 +104,7 @@ bool cut_at_points(const PointCloud& cloud, Shell& shell) {
   return true;
 }
 
-bool open_at_top(const Shell& shell, const DepthView& view) {
+bool open_at_top(const Shell& shell, std::span<const DepthView> views) {
   const Body& body = shell.body;
   const double z = body.z_max - kBelowRim, s = body.scale(z);
   if (std::min(body.a, body.b) * body.scale(body.z_max) < kMinMouth) return false;
@@ -113,7 +114,7 @@ bool open_at_top(const Shell& shell, const DepthView& view) {
     for (int k = 0; k < 12; ++k, ++places) {
       const double t = 2.0 * kPi * k / 12;
       const Eigen::Vector3d p_Q(r * body.a * s * std::cos(t), r * body.b * s * std::sin(t), z);
-      seen += view.sees_past(body.X_CQ * p_Q, kLookHalfEdge);
+      seen += any_sees_past(views, body.X_CQ * p_Q, kLookHalfEdge);
     }
   }
   return seen >= kMinSeenShare * places;
@@ -122,23 +123,23 @@ bool open_at_top(const Shell& shell, const DepthView& view) {
 }  // namespace
 
 std::optional<Shell> find_shell(const Body& body, bool seen_inside, const PointCloud& cloud,
-                                const DepthView& view, const Eigen::Vector3d& up_C,
+                                std::span<const DepthView> views, const Eigen::Vector3d& up_C,
                                 const WallThickness& wall) {
-  if (body.profile == Profile::kBox || !view.valid()) return std::nullopt;
+  if (body.profile == Profile::kBox) return std::nullopt;
   if (body.profile == Profile::kEllipse) {
     if (up_C.norm() < 0.5) return std::nullopt;
     const std::optional<Body> standing = upright(body, up_C);
     if (!standing) return std::nullopt;
     Shell shell{*standing, seen_inside, wall};
-    if (!cut_at_points(cloud, shell) || !open_at_top(shell, view)) return std::nullopt;
+    if (!cut_at_points(cloud, shell) || !open_at_top(shell, views)) return std::nullopt;
     return shell;
   }
   Shell shell{body, seen_inside, wall};
-  if (!open_at_top(shell, view)) {
+  if (!open_at_top(shell, views)) {
     // The closed end of a paraboloid or hyperboloid sheet is a vertex, which is not a mouth.
     if (body.profile == Profile::kRoot || body.profile == Profile::kSheet) return std::nullopt;
     shell.body = turned(body);
-    if (!open_at_top(shell, view)) return std::nullopt;
+    if (!open_at_top(shell, views)) return std::nullopt;
   }
   raise_to_points(cloud, shell);
   return shell;

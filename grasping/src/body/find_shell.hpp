@@ -14,7 +14,7 @@ namespace quadrille {
 /// ellipsoid is cut where the points measured on it end, above the plane that it stands on.
 /// @param up_C  unit normal of the supporting plane; zero if none is known
 std::optional<Shell> find_shell(const Body& body, bool seen_inside, const PointCloud& cloud,
-                                const DepthView& view, const Eigen::Vector3d& up_C,
+                                std::span<const DepthView> views, const Eigen::Vector3d& up_C,
                                 const WallThickness& wall);
 
 }  // namespace quadrille

@@ -14,18 +14,26 @@ namespace {
 constexpr double kReachInCells = 3.2;
 constexpr int kMinNeighbours = 6;
 
-std::vector<Eigen::Vector3d> thinned(std::span<const Eigen::Vector3d> points, double cell) {
-  std::vector<std::pair<PointBuckets::Key, Eigen::Vector3d>> keyed;
+/// The mean of the points in each cell, and the eye that saw the first of them.
+struct Thinned {
+  std::vector<Eigen::Vector3d> points, eyes;
+};
+
+Thinned thinned(std::span<const Eigen::Vector3d> points, std::span<const Eigen::Vector3d> eyes,
+                double cell) {
+  std::vector<std::pair<PointBuckets::Key, std::size_t>> keyed;
   keyed.reserve(points.size());
-  for (const Eigen::Vector3d& p : points) keyed.emplace_back(PointBuckets::key_of(p, cell), p);
-  std::stable_sort(keyed.begin(), keyed.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::vector<Eigen::Vector3d> means;
+  for (const Eigen::Vector3d& p : points) {
+    keyed.emplace_back(PointBuckets::key_of(p, cell), keyed.size());
+  }
+  std::sort(keyed.begin(), keyed.end());
+  Thinned means;
   for (auto first = keyed.begin(); first != keyed.end();) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     auto last = first;
-    for (; last != keyed.end() && last->first == first->first; ++last) sum += last->second;
-    means.emplace_back(sum / static_cast<double>(last - first));
+    for (; last != keyed.end() && last->first == first->first; ++last) sum += points[last->second];
+    means.points.emplace_back(sum / static_cast<double>(last - first));
+    means.eyes.push_back(eyes[first->second]);
     first = last;
   }
   return means;
@@ -34,9 +42,10 @@ std::vector<Eigen::Vector3d> thinned(std::span<const Eigen::Vector3d> points, do
 }  // namespace
 
 SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double cell,
-                             const Eigen::Vector3d& viewpoint_C) {
+                             std::span<const Eigen::Vector3d> eyes_C) {
   SurfacePoints surface;
-  surface.p_C = thinned(points_C, cell);
+  Thinned means = thinned(points_C, eyes_C, cell);
+  surface.p_C = std::move(means.points);
   surface.n_C.assign(surface.p_C.size(), Eigen::Vector3d::Zero());
   const double reach = kReachInCells * cell;
   const PointBuckets buckets(surface.p_C, reach);
@@ -59,7 +68,7 @@ SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double c
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
       solver.computeDirect(squares / count - mean * mean.transpose());
       const Eigen::Vector3d n = solver.eigenvectors().col(0);
-      surface.n_C[i] = n.dot(viewpoint_C - p) < 0.0 ? Eigen::Vector3d(-n) : n;
+      surface.n_C[i] = n.dot(means.eyes[i] - p) < 0.0 ? Eigen::Vector3d(-n) : n;
     }
   }
   return surface;

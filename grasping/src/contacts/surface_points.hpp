@@ -18,8 +18,8 @@ struct SurfacePoints {
 /// each mean by principal components. The order of the result depends on the positions alone.
 /// @param points_C  positions, in frame C [m]
 /// @param cell  edge of a cell [m]; normals are taken over some three cells around a point
-/// @param viewpoint_C  position of the sensor [m]
+/// @param eyes_C  for each point, the position of the sensor that saw it [m]
 SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double cell,
-                             const Eigen::Vector3d& viewpoint_C);
+                             std::span<const Eigen::Vector3d> eyes_C);
 
 }  // namespace quadrille

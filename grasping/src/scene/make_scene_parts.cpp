@@ -6,6 +6,7 @@
 #include <iterator>
 #include <list>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "body/body.hpp"
@@ -47,6 +48,13 @@ class SceneMaker {
         parts_(parts),
         cloud_(kept(cloud)) {
     for (const PointCloud& view : further) further_.push_back(&kept(view));
+    if (further_.empty()) return;
+    all_ = cloud_;
+    for (const PointCloud* view : further_) {
+      all_.points.insert(all_.points.end(), view->points.begin(), view->points.end());
+    }
+    all_.width = all_.height = 0;
+    all_.colours.clear();
   }
 
   void make(std::optional<std::vector<Box>> boxes, const std::vector<SceneBody>& bodies) {
@@ -58,9 +66,15 @@ class SceneMaker {
     stage("shapes", [&] { make_shapes(); });
     if (cloud_.points.empty()) warn("the cloud is empty");
     const PlanOptions& options = parts_.options;
-    stage("view", [&] { parts_.view.emplace(cloud_, options.baseline, options.resolution); });
+    stage("view", [&] {
+      parts_.views.reserve(1 + further_.size());
+      parts_.views.emplace_back(cloud_, options.baseline, options.resolution);
+      for (const PointCloud* view : further_) {
+        parts_.views.emplace_back(*view, options.baseline, options.resolution);
+      }
+    });
     const bool seen_so = has_viewpoint();
-    if (seen_so && !parts_.view->valid()) {
+    if (seen_so && !parts_.views.front().valid()) {
       warn("no point lies before the viewpoint: all space counts as unknown");
     }
     if (seen_so) stage("targets", [&] { choose_targets(bodies); });
@@ -159,12 +173,13 @@ class SceneMaker {
   }
 
   void choose_targets(const std::vector<SceneBody>& bodies) {
-    add(quadrille::choose_targets(cloud_, detections_, *parts_.view, parts_.gripper, parts_.options,
-                                  half_));
-    add(choose_boxes(cloud_, parts_.boxes, detections_, parts_.gripper, parts_.options, half_));
+    add(quadrille::choose_targets(all_points(), detections_, parts_.views, parts_.gripper,
+                                  parts_.options, half_));
+    add(choose_boxes(all_points(), parts_.boxes, detections_, parts_.gripper, parts_.options, half_));
     std::vector<Target> unshaped =
         choose_unshaped(bodies, parts_.targets, detections_, parts_.options);
     std::move(unshaped.begin(), unshaped.end(), std::back_inserter(parts_.targets));
+    for (Target& target : parts_.targets) target.viewpoint_C = best_viewpoint(target);
     drop_far_targets();
   }
 
@@ -184,7 +199,7 @@ class SceneMaker {
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const Target& target : parts_.targets) boxes.push_back(around(target.body, parts_.reach));
     const std::vector<std::size_t> far =
-        find_far_boxes(boxes, parts_.viewpoint_C, parts_.options.resolution);
+        find_far_boxes(boxes, cloud_.viewpoint, parts_.options.resolution);
     for (auto n = far.rbegin(); n != far.rend(); ++n) {
       const auto target = parts_.targets.begin() + static_cast<std::ptrdiff_t>(*n);
       refuse(target->id, Refusal::kFar, target->wanted);
@@ -232,32 +247,54 @@ class SceneMaker {
       warn("the targets lie far apart: occupancy is mapped at a coarser resolution");
     }
     SpaceMapper mapper(region, resolution, std::move(boxes));
-    mapper.add(cloud_, *parts_.view);
-    keep_points(cloud_, *parts_.view, region);
-    for (const PointCloud* cloud : further_) {
-      const DepthView view(*cloud, parts_.options.baseline, parts_.options.resolution);
-      mapper.add(*cloud, view);
-      keep_points(*cloud, view, region);
+    for (std::size_t v = 0; v < parts_.views.size(); ++v) {
+      mapper.add(view_cloud(v), parts_.views[v]);
+      keep_points(v, region);
     }
     parts_.space = std::make_shared<OccupancyGrid>(
-        std::move(mapper).take_cleared(*parts_.view, up_to_clear()));
+        std::move(mapper).take_cleared(parts_.views.front(), up_to_clear()));
     if (parts_.targets.empty()) return;
-    const DepthView* view = parts_.view->valid() ? &*parts_.view : nullptr;
+    const bool sighted = parts_.views.front().valid();
     const UnknownPolicy unknown = parts_.options.unknown;
     parts_.map.emplace(
         *parts_.space,
-        unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow, view,
-        further_.empty());
+        unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow,
+        sighted ? std::span<const DepthView>(parts_.views) : std::span<const DepthView>());
   }
 
-  void keep_points(const PointCloud& cloud, const DepthView& view,
-                   const Eigen::AlignedBox3d& region) {
+  const PointCloud& view_cloud(std::size_t view) const {
+    return view == 0 ? cloud_ : *further_[view - 1];
+  }
+
+  /// The points of all views, with the viewpoint of the first.
+  const PointCloud& all_points() const { return further_.empty() ? cloud_ : all_; }
+
+  void keep_points(std::size_t view, const Eigen::AlignedBox3d& region) {
+    const PointCloud& cloud = view_cloud(view);
     const Eigen::AlignedBox3f near = region.cast<float>();
     for (std::size_t n = 0; n < cloud.points.size(); ++n) {
-      if (near.contains(cloud.points[n]) && !view.stray()[n]) {
-        parts_.points.push_back(cloud.points[n]);
+      if (near.contains(cloud.points[n]) && !parts_.views[view].stray()[n]) {
+        parts_.points.push_back({cloud.points[n], static_cast<int>(view)});
       }
     }
+  }
+
+  /// The viewpoint of the view with the most points in the box around a target.
+  Eigen::Vector3d best_viewpoint(const Target& target) const {
+    if (further_.empty()) return cloud_.viewpoint;
+    const Eigen::AlignedBox3f box = target.body.bounds_C().cast<float>();
+    std::size_t best = 0;
+    std::ptrdiff_t most = 0;
+    for (std::size_t v = 0; v < parts_.views.size(); ++v) {
+      const std::vector<Eigen::Vector3f>& points = view_cloud(v).points;
+      const auto count = std::count_if(points.begin(), points.end(),
+                                       [&](const auto& p) { return box.contains(p); });
+      if (count > most) {
+        most = count;
+        best = v;
+      }
+    }
+    return view_cloud(best).viewpoint;
   }
 
   /// Returns the normal of the first support; zero if no space is to be cleared above it.
@@ -265,7 +302,7 @@ class SceneMaker {
     const auto standing =
         std::find_if(parts_.targets.begin(), parts_.targets.end(),
                      [](const Target& target) { return !target.supports.empty(); });
-    const bool clears = parts_.options.clear_above && parts_.view->valid();
+    const bool clears = parts_.options.clear_above && parts_.views.front().valid();
     return clears && standing != parts_.targets.end() ? standing->up_C() : Eigen::Vector3d::Zero();
   }
 
@@ -276,6 +313,7 @@ class SceneMaker {
   std::list<RangeCheck> ranges_;
   const PointCloud& cloud_;
   std::vector<const PointCloud*> further_;
+  PointCloud all_;
 };
 
 }  // namespace
@@ -288,7 +326,6 @@ std::unique_ptr<const SceneParts> make_scene_parts(
   auto parts = std::make_unique<SceneParts>();
   parts->gripper = gripper;
   parts->options = options;
-  parts->viewpoint_C = cloud.viewpoint;
   parts->reach = hand_reach(gripper, options.approach);
   SceneMaker(cloud, detections, further, deadline_ms, *parts).make(std::move(boxes), bodies);
   return parts;

@@ -30,30 +30,37 @@ struct ObstacleMap::Cone {
 };
 
 void ObstacleMap::clear_shadow(const Body& body, const Eigen::AlignedBox3d& region) {
-  if (!view_ || levels_[0].flags.empty()) return;
+  if (views_.empty() || levels_[0].flags.empty()) return;
   constexpr int kEdge = OccupancyGrid::kBlock;
   const Range range = voxels(region);
   if ((range.second.array() < 0).any()) return;
   const Range blocks(kEdge * (range.first / kEdge), kEdge * (range.second / kEdge).array() + kEdge);
-  const Cone cone(*view_, body);
-  each_cube(blocks.first, blocks.second, kEdge, [&](const Eigen::Vector3i& first) {
-    const Eigen::Vector3d middle =
-        corner_ + resolution_ * (first.cast<double>().array() + 0.5 * kEdge).matrix();
-    if (cone.meets(middle, 0.5 * std::sqrt(3.0) * kEdge * resolution_))
-      clear_block(body, cone, first);
-  });
+  for (const DepthView& view : views_) clear_shadow(view, body, blocks);
   refresh({blocks.first, blocks.second.array() - 1});
 }
 
+void ObstacleMap::clear_shadow(const DepthView& view, const Body& body, const Range& blocks) {
+  constexpr int kEdge = OccupancyGrid::kBlock;
+  const Cone cone(view, body);
+  each_cube(blocks.first, blocks.second, kEdge, [&](const Eigen::Vector3i& first) {
+    const Eigen::Vector3d middle =
+        corner_ + resolution_ * (first.cast<double>().array() + 0.5 * kEdge).matrix();
+    if (cone.meets(middle, 0.5 * std::sqrt(3.0) * kEdge * resolution_)) {
+      clear_block(view, body, cone, first);
+    }
+  });
+}
+
 /// Clears one block of the top level, voxel by voxel.
-void ObstacleMap::clear_block(const Body& body, const Cone& cone, const Eigen::Vector3i& first) {
+void ObstacleMap::clear_block(const DepthView& view, const Body& body, const Cone& cone,
+                              const Eigen::Vector3i& first) {
   const auto on_target = [&](const Eigen::Vector3d& p_C) { return body.contains(p_C, kBodyNoise); };
   each_cube(first, first.array() + OccupancyGrid::kBlock, 1, [&](const Eigen::Vector3i& at) {
     std::uint8_t& flags = levels_[0].flags[levels_[0].index(at.x(), at.y(), at.z())];
     if (!(flags & kAnyUnknown)) return;
     const Eigen::Vector3d p_C = centre(at.x(), at.y(), at.z());
     if (!cone.meets(p_C, resolution_)) return;
-    if (view_->hidden_only_by(p_C, 0.5 * resolution_, on_target)) flags = 0;
+    if (view.hidden_only_by(p_C, 0.5 * resolution_, on_target)) flags = 0;
   });
 }
 

@@ -87,12 +87,11 @@ struct ObstacleMap::Query {
   }
 };
 
-ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks, const DepthView* view,
-                         bool sole_view)
+ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks,
+                         std::span<const DepthView> views)
     : resolution_(grid.resolution()),
       unknown_blocks_(unknown_blocks),
-      view_(view),
-      sole_view_(sole_view),
+      views_(views),
       corner_(grid.corner().cast<double>() * grid.resolution()) {
   levels_[0].size = grid.size();
   levels_[0].flags.resize(grid.states().size());
@@ -116,8 +115,7 @@ ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
   ObstacleMap map;
   map.resolution_ = resolution_;
   map.unknown_blocks_ = unknown_blocks_;
-  map.view_ = view_;
-  map.sole_view_ = sole_view_;
+  map.views_ = views_;
   const Eigen::Vector3i low = range.first / kEdge * kEdge;
   const Eigen::Vector3i size = ((range.second.array() + kEdge) / kEdge * kEdge).matrix() - low;
   map.corner_ = corner_ + resolution_ * low.cast<double>();
@@ -205,7 +203,8 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Ve
   if (gap.maxCoeff() > 0.0f) return 0;
   const Level& here = levels_[level];
   const std::uint8_t flags = here.flags[here.index(at.x(), at.y(), at.z())];
-  const bool refined = view_ != nullptr && flags & (kAnyUnknown | (sole_view_ ? kAnyOccupied : 0));
+  const int divided = kAnyUnknown | (views_.size() == 1 ? kAnyOccupied : 0);
+  const bool refined = !views_.empty() && flags & divided;
   if (level == 0 || (flags & kAll && !refined)) {
     const Eigen::Vector3d centre = corner_ + 2.0 * h * (at.cast<double>().array() + 0.5).matrix();
     if (!query.overlaps(centre, h)) return 0;
@@ -224,16 +223,25 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Ve
   return 0;
 }
 
-/// Returns true if the box overlaps an eighth of the cube that the view, to within a margin, did
-/// not see through. Such eighths are divided in turn, up to a depth. Cubes smaller than the spacing
-/// of the rays are not divided, since the view tells nothing about the space between its rays.
+/// Returns true if the box overlaps an eighth of the cube that no view, to within a margin, saw
+/// through. Such eighths are divided in turn, up to a depth. A view tells nothing about cubes
+/// smaller than the spacing of its rays.
 bool ObstacleMap::enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half,
                                 int depth, double margin) const {
   const double h = 0.5 * half;
-  if (depth == 0 || view_->spacing(view_->to_view(centre).z()) > 2.0 * h) return true;
+  if (depth == 0) return true;
+  const auto tells = [&](const DepthView& view) {
+    return !(view.spacing(view.to_view(centre).z()) > 2.0 * h);
+  };
+  if (std::none_of(views_.begin(), views_.end(), tells)) return true;
+  const auto seen_through = [&](const Eigen::Vector3d& eighth) {
+    return std::any_of(views_.begin(), views_.end(), [&](const DepthView& view) {
+      return tells(view) && view.sees_past(eighth, h + margin);
+    });
+  };
   for (unsigned n = 0; n < 8; ++n) {
     const Eigen::Vector3d eighth = centre + h * cube_corner(n);
-    if (query.overlaps(eighth, h) && !view_->sees_past(eighth, h + margin) &&
+    if (query.overlaps(eighth, h) && !seen_through(eighth) &&
         enters_hidden(query, eighth, h, depth - 1, margin)) {
       return true;
     }

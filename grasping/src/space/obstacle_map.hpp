@@ -26,16 +26,15 @@ enum class Hit : std::uint8_t { kNone, kOccupied, kUnknown };
 /// cannot see unknown space.
 class ObstacleMap {
  public:
-  /// If a view is given, the voxels that a box overlaps are divided, and the box passes the parts
-  /// that the view saw through: eighths of an occupied voxel, and eighths of those for an unknown
-  /// one. This matters at the edge of a shadow, where a whole voxel is unknown even if only a
+  /// If views are given, the voxels that a box overlaps are divided, and the box passes the parts
+  /// that a view saw through: eighths of an occupied voxel, and eighths of those for an unknown
+  /// one. Occupied voxels are divided only if there is one view, since the points of each view are
+  /// a little off for the others. This matters at the edge of a shadow, where a whole voxel is unknown even if only a
   /// little of it was hidden.
   /// @param unknown_blocks  if true, unknown voxels and all space outside the grid are obstacles
   ///   too
-  /// @param view  null for none; the view must outlive this map and its copies
-  /// @param sole_view  true if all points come from this view; otherwise occupied voxels stay whole
-  ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks, const DepthView* view = nullptr,
-              bool sole_view = false);
+  /// @param views  they must outlive this map and its copies
+  ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks, std::span<const DepthView> views = {});
 
   /// Copies the blocks of the map that the region meets, so that they can be carved at little cost.
   /// All space beyond them counts as outside.
@@ -55,8 +54,8 @@ class ObstacleMap {
   template <class Keep>
   void carve(const std::vector<Eigen::Vector3d>& points_C, double margin, Keep&& keep);
 
-  /// Frees unknown voxels that the sensor of the view, which must have been given, could not see
-  /// because the body stood in front of them.
+  /// Frees unknown voxels that the sensor of a view could not see because the body stood in front
+  /// of them.
   void clear_shadow(const Body& body, const Eigen::AlignedBox3d& region);
 
  private:
@@ -87,15 +86,16 @@ class ObstacleMap {
                        const Offset& offset) const;
   bool enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half, int depth,
                      double margin) const;
-  void clear_block(const Body& body, const Cone& cone, const Eigen::Vector3i& first);
+  void clear_shadow(const DepthView& view, const Body& body, const Range& blocks);
+  void clear_block(const DepthView& view, const Body& body, const Cone& cone,
+                   const Eigen::Vector3i& first);
   void refresh(const Range& range);
 
   ObstacleMap() = default;
 
   double resolution_ = 0.0;
   bool unknown_blocks_ = false;
-  const DepthView* view_ = nullptr;
-  bool sole_view_ = false;
+  std::span<const DepthView> views_;
   Eigen::Vector3d corner_;
   std::array<Level, kLevels> levels_;
 };

@@ -28,6 +28,13 @@ struct ShapeOwner {
   double size = 0.0;
 };
 
+/// A point of one of the views.
+struct ViewedPoint {
+  Eigen::Vector3f p_C;
+  /// Index of the view.
+  int view = 0;
+};
+
 /// A cloud prepared for grasp queries, with all that the queries need.
 struct SceneParts {
   SceneParts() = default;
@@ -36,16 +43,16 @@ struct SceneParts {
 
   Gripper gripper;
   PlanOptions options;
-  Eigen::Vector3d viewpoint_C;
   /// Distance that the hand reaches from a target's surface [m].
   double reach = 0.0;
   std::vector<Box> boxes;
   std::vector<CollisionShape> shapes;
   /// Owner of each shape.
   std::vector<ShapeOwner> owners;
-  std::optional<DepthView> view;
+  /// The views, the cloud's own first.
+  std::vector<DepthView> views;
   /// The points of all views around the targets, without strays.
-  std::vector<Eigen::Vector3f> points;
+  std::vector<ViewedPoint> points;
   std::vector<Target> targets;
   /// Why other detections and boxes are not targets, by id: "is a plane".
   std::map<int, std::string> why_none;
@@ -54,8 +61,8 @@ struct SceneParts {
   RefusalCounts refusals;
   /// Null if there was no time to map it.
   std::shared_ptr<const OccupancyGrid> space;
-  /// The voxels of that space, including the targets' own. The map refers to the view, so both must
-  /// keep their addresses.
+  /// The voxels of that space, including the targets' own. The map refers to the views, so both
+  /// must keep their addresses.
   std::optional<ObstacleMap> map;
   std::vector<std::string> warnings;
   std::vector<StageTime> timings;

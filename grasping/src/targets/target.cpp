@@ -58,10 +58,10 @@ Body box_around(const SceneBody& body) {
 /// Finds the wall of a hollow target, such as a cup, and the contact lines across its rim at which
 /// points measured the wall.
 /// @return number of contact lines at which no points did
-int find_rim(const PointCloud& cloud, const DepthView& view, const Gripper& gripper,
+int find_rim(const PointCloud& cloud, std::span<const DepthView> views, const Gripper& gripper,
              const PlanOptions& options, bool inside, Target& target) {
   if (target.body.bounds_Q().sizes().maxCoeff() > kMaxTableware) return 0;
-  target.shell = find_shell(target.body, inside, cloud, view, target.up_C(),
+  target.shell = find_shell(target.body, inside, cloud, views, target.up_C(),
                             {options.min_wall, options.max_wall});
   if (!target.shell) return 0;
   const std::vector<ContactLine> lines = rim_lines(*target.shell, gripper);
@@ -80,7 +80,7 @@ Eigen::Vector3d Target::up_C() const {
 }
 
 ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detection>& detections,
-                             const DepthView& view, const Gripper& gripper,
+                             std::span<const DepthView> views, const Gripper& gripper,
                              const PlanOptions& options, const Deadline& deadline) {
   ChosenTargets chosen;
   for (const Detection& d : detections) {
@@ -100,7 +100,7 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
     target.supports = supports_of(*body, detections);
     target.wanted = is_wanted(d, options);
     const bool inside = seen_from_inside(d, *body);
-    target.unmeasured = find_rim(cloud, view, gripper, options, inside, target);
+    target.unmeasured = find_rim(cloud, views, gripper, options, inside, target);
     if (target.wanted) chosen.unmeasured += target.unmeasured;
     // A body that was seen from inside is not solid: it can be held only by its wall.
     target.solid = !inside && graspable(*body, gripper);

@@ -36,6 +36,8 @@ struct Target {
   double noise = 0.0;
   /// The planes that the target stands on, the nearest first.
   std::vector<SupportPlane> supports;
+  /// The viewpoint of the view that shows most of the target [m].
+  Eigen::Vector3d viewpoint_C = Eigen::Vector3d::Zero();
   /// The wall, if the target is open at one end, and the lines across it at which it was measured.
   std::optional<Shell> shell;
   std::vector<ContactLine> rim;
@@ -67,7 +69,7 @@ struct ChosenTargets {
   int unmeasured = 0;
 };
 ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detection>& detections,
-                             const DepthView& view, const Gripper& gripper,
+                             std::span<const DepthView> views, const Gripper& gripper,
                              const PlanOptions& options, const Deadline& deadline);
 
 /// Chooses the boxes that the hand may hold across two parallel faces, and counts the refusals.

@@ -41,18 +41,19 @@ void mark_connected(const std::vector<Eigen::Vector3d>& points, MayBeOwn&& may_b
 TargetPoints points_about(const Target& target, const SceneParts& parts) {
   const Eigen::AlignedBox3d region = around(target.body, parts.gripper.max_opening);
   const Eigen::AlignedBox3f near = region.cast<float>();
-  std::vector<Eigen::Vector3d> points;
-  for (const Eigen::Vector3f& p : parts.points) {
-    if (!near.contains(p)) continue;
-    const Eigen::Vector3d p_C = p.cast<double>();
+  std::vector<Eigen::Vector3d> points, eyes;
+  for (const ViewedPoint& point : parts.points) {
+    if (!near.contains(point.p_C)) continue;
+    const Eigen::Vector3d p_C = point.p_C.cast<double>();
     const auto holds_up = [&](const SupportPlane& plane) {
       return plane.distance(p_C) < kOnSupport;
     };
     if (std::none_of(target.supports.begin(), target.supports.end(), holds_up)) {
       points.push_back(p_C);
+      eyes.push_back(parts.views[point.view].p_CV());
     }
   }
-  TargetPoints found{surface_points(points, kCell, parts.viewpoint_C), {}};
+  TargetPoints found{surface_points(points, kCell, eyes), {}};
   for (const Eigen::Vector3d& p : found.all.p_C) found.own.push_back(target.body.contains(p, kOwn));
   if (target.whole) return found;
   const auto of_no_other = [&](const Eigen::Vector3d& p_C) {

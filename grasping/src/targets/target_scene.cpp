@@ -14,6 +14,9 @@ namespace {
 // The target's points are carved up to this many of their standard deviations from its fitted
 // surface: at least the first distance, since fits are no more accurate, at most the second [m].
 constexpr double kCarveSigmas = 3.0, kMinCarveNoise = 0.002, kMaxCarveNoise = 0.01;
+// Of several views each is off a little, so that points of a target lie up to this far from its
+// surface [m].
+constexpr double kMinViewNoise = 0.005;
 // A detection is part of the target if its centre lies in the target's body grown by the first
 // value [m], and it is no larger than the body, to within a share of the body's size and a fixed
 // error [m].
@@ -40,14 +43,15 @@ CollisionScene uncarved_scene(const Target& target, const SceneParts& parts) {
 }
 
 /// Returns how far from the target's surface a point may lie and still be explained by it [m].
-double explained_distance(const Target& target) {
-  return std::clamp(kCarveSigmas * target.noise, kMinCarveNoise, kMaxCarveNoise);
+double explained_distance(const Target& target, const SceneParts& parts) {
+  const double own = std::clamp(kCarveSigmas * target.noise, kMinCarveNoise, kMaxCarveNoise);
+  return parts.views.size() > 1 ? std::max(own, kMinViewNoise) : own;
 }
 
 /// Returns the margin by which the body is grown for carving. The centre of a voxel that reaches
 /// into the target lies within half the voxel's diagonal, plus the noise of the points.
-double carve_margin(const OccupancyGrid& space, const Target& target) {
-  return 0.5 * std::sqrt(3.0) * space.resolution() + explained_distance(target);
+double carve_margin(const SceneParts& parts, const Target& target) {
+  return 0.5 * std::sqrt(3.0) * parts.space->resolution() + explained_distance(target, parts);
 }
 
 /// The voxels about a body that hold more points outside of it than in it or on its surface.
@@ -55,12 +59,12 @@ class UnexplainedVoxels {
  public:
   UnexplainedVoxels(const Target& target, const SceneParts& parts)
       : edge_(parts.space->resolution()) {
-    const double explained = explained_distance(target);
+    const double explained = explained_distance(target, parts);
     const Eigen::AlignedBox3f near =
-        around(target.body, carve_margin(*parts.space, target) + edge_).cast<float>();
-    for (const Eigen::Vector3f& p : parts.points) {
-      if (!near.contains(p)) continue;
-      const Eigen::Vector3d p_C = p.cast<double>();
+        around(target.body, carve_margin(parts, target) + edge_).cast<float>();
+    for (const ViewedPoint& point : parts.points) {
+      if (!near.contains(point.p_C)) continue;
+      const Eigen::Vector3d p_C = point.p_C.cast<double>();
       outside_[key_of(p_C)] += target.body.contains(p_C, explained) ? -1 : 1;
     }
   }
@@ -101,7 +105,7 @@ CollisionScene solid_scene(const Target& target, const SceneParts& parts) {
   CollisionScene scene = uncarved_scene(target, parts);
   scene.target = make_pieces(target.body);
   const UnexplainedVoxels unexplained(target, parts);
-  scene.map.carve(target.body, carve_margin(*parts.space, target), [&](const Eigen::Vector3d& p_C) {
+  scene.map.carve(target.body, carve_margin(parts, target), [&](const Eigen::Vector3d& p_C) {
     return unexplained.contains(p_C) || holds_up(target, *parts.space, p_C);
   });
   clear_shadow(target.body, parts, scene);
@@ -119,7 +123,7 @@ CollisionScene point_scene(const Target& target, const TargetPoints& points,
   scene.other_points = ObstaclePoints(others);
   // Points show only the side towards the sensor; a shape tells of the other one.
   if (target.solid) scene.target = make_pieces(target.body);
-  scene.map.carve(points.all.p_C, carve_margin(*parts.space, target),
+  scene.map.carve(points.all.p_C, carve_margin(parts, target),
                   [&](const Eigen::Vector3d& p_C) { return holds_up(target, *parts.space, p_C); });
   clear_shadow(target.body, parts, scene);
   return scene;
@@ -130,7 +134,7 @@ CollisionScene shell_scene(const Target& target, const SceneParts& parts) {
   const Shell& shell = *target.shell;
   scene.target = make_wall(shell);
   scene.end_doubt = scene.margin;  // find_shell() put the rim where the points end
-  const double margin = carve_margin(*parts.space, target);
+  const double margin = carve_margin(parts, target);
   scene.map.carve(shell.body, margin + shell.outer(), [&](const Eigen::Vector3d& p_C) {
     return !shell.in_wall(p_C, margin) || holds_up(target, *parts.space, p_C);
   });

@@ -158,4 +158,10 @@ int DepthView::nearer_end_of_gap(int u, int v) const {
   return best;
 }
 
+bool any_sees_past(std::span<const DepthView> views, const Eigen::Vector3d& centre_C, double half) {
+  return std::any_of(views.begin(), views.end(), [&](const DepthView& view) {
+    return view.valid() && view.sees_past(centre_C, half);
+  });
+}
+
 }  // namespace quadrille

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "quadrille/detector/pinhole.hpp"
@@ -100,5 +101,8 @@ class DepthView {
   DepthBounds bounds_;
   std::vector<std::uint8_t> stray_;
 };
+
+/// Returns true if one of the views sees past the cube; see DepthView::sees_past().
+bool any_sees_past(std::span<const DepthView> views, const Eigen::Vector3d& centre_C, double half);
 
 }  // namespace quadrille

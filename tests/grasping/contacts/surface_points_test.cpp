@@ -30,12 +30,17 @@ std::vector<Eigen::Vector3d> seen_half(const Ball& ball) {
   return points;
 }
 
+/// The surface points of points that one eye saw.
+SurfacePoints surface_points_of(const std::vector<Eigen::Vector3d>& points) {
+  return surface_points(points, kCell, std::vector<Eigen::Vector3d>(points.size(), kEye));
+}
+
 }  // namespace
 
 TEST_CASE("points are thinned to one for each cell, and their normals are those of the surface",
           "[contacts][points]") {
   const Ball ball{Eigen::Vector3d(0.02, -0.01, 0.7), 0.03};
-  const SurfacePoints surface = surface_points(seen_half(ball), kCell, kEye);
+  const SurfacePoints surface = surface_points_of(seen_half(ball));
   REQUIRE(surface.p_C.size() == surface.n_C.size());
   REQUIRE(surface.p_C.size() > 500);
   std::set<std::array<int, 3>> cells;
@@ -53,9 +58,9 @@ TEST_CASE("points are thinned to one for each cell, and their normals are those 
 
 TEST_CASE("the order of the points does not matter beyond rounding", "[contacts][points]") {
   std::vector<Eigen::Vector3d> points = seen_half({Eigen::Vector3d(0.0, 0.0, 0.6), 0.02});
-  const SurfacePoints one = surface_points(points, kCell, kEye);
+  const SurfacePoints one = surface_points_of(points);
   std::reverse(points.begin(), points.end());
-  const SurfacePoints other = surface_points(points, kCell, kEye);
+  const SurfacePoints other = surface_points_of(points);
   REQUIRE(one.p_C.size() == other.p_C.size());
   for (std::size_t i = 0; i < one.p_C.size(); ++i) {
     CHECK((one.p_C[i] - other.p_C[i]).norm() < 1e-12);
@@ -65,8 +70,8 @@ TEST_CASE("the order of the points does not matter beyond rounding", "[contacts]
 
 TEST_CASE("points without neighbours have no normal", "[contacts][points]") {
   const std::vector<Eigen::Vector3d> points = {{0.0, 0.0, 0.5}, {0.03, 0.0, 0.5}, {0.0, 0.03, 0.5}};
-  const SurfacePoints surface = surface_points(points, kCell, kEye);
+  const SurfacePoints surface = surface_points_of(points);
   REQUIRE(surface.p_C.size() == 3);
   for (const Eigen::Vector3d& n : surface.n_C) CHECK(n.isZero());
-  CHECK(surface_points({}, kCell, kEye).p_C.empty());
+  CHECK(surface_points_of({}).p_C.empty());
 }

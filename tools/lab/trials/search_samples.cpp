@@ -11,7 +11,7 @@ std::optional<SearchSamples> search_samples(const PointCloud& cloud,
   if (!pyramid) return std::nullopt;
   SearchSamples found{pyramid->coarse_samples(), {}, {}, nullptr};
   found.planes = find_planes(found.coarse, options.planes);
-  found.context = {normal_of_largest(found.planes), pyramid->sight()};
+  found.context = {normal_of_largest(found.planes), {pyramid->sight()}};
   const Mask keep = cells_off_planes(
       planes_of_cells(*pyramid, found.coarse, found.planes, options.planes.sigmas));
   found.tree = std::make_unique<SampleTree>(*pyramid, pyramid->samples(keep, options.threads));

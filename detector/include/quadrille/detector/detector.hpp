@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <span>
 #include <vector>
 
 #include "quadrille/detector/detection.hpp"
@@ -15,6 +17,30 @@ namespace quadrille {
 /// @throws std::invalid_argument if an option is out of range (the message names the field)
 QUADRILLE_EXPORT DetectionResult detect(const CloudView& cloud,
                                         const DetectorOptions& options = {});
+
+/// Detects the quadrics of one scene at rest in several clouds, all in the frame of the first, each
+/// with its own viewpoint. What one view found is refitted to what all views show of it, and judged
+/// by all of them. Views whose poses are known from the arm or a calibration are first brought onto
+/// each other by align_views().
+///
+/// Of a single cloud the result is that of detect(). Views without usable points are left out, with
+/// a warning.
+/// @param views  at least one
+/// @throws std::invalid_argument if there is no view, or an option is out of range
+QUADRILLE_EXPORT DetectionResult detect_views(std::span<const PointCloud> views,
+                                              const DetectorOptions& options = {});
+
+/// Prepares several views of a scene at rest for detect_views() and for the planner.
+///
+/// Each further view is brought onto the ones before by a small motion, which corrects the error of
+/// its pose. It is sought on what the views both see, within the errors that DetectorOptions::views
+/// says the poses have. Then the points that another view sees through are dropped: no surface is
+/// there. In an organised cloud they become NaN.
+/// @param views  clouds in one frame C, each with its own viewpoint
+/// @return the motion within C of each view; the identity for the first
+/// @throws std::invalid_argument if an option is out of range
+QUADRILLE_EXPORT std::vector<Eigen::Isometry3d> align_views(std::vector<PointCloud>* views,
+                                                            const DetectorOptions& options = {});
 
 /// Makes boxes from the planes among the detections of a cloud. detect() also makes boxes whose
 /// faces are too small to be detected; this is for those who have only the detections.

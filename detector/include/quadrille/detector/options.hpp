@@ -26,6 +26,7 @@ struct DetectorOptions {
   InlierTest inlier;
   SearchOptions search;
   AggregateOptions aggregate;
+  ViewOptions views;
 
   /// Calls v(field, Setting) for each option of each stage, in the order of the configuration file.
   template <class Options, class Visitor>
@@ -46,6 +47,7 @@ struct DetectorOptions {
     InlierTest::visit(o.inlier, v);
     SearchOptions::visit(o.search, v);
     AggregateOptions::visit(o.aggregate, v);
+    ViewOptions::visit(o.views, v);
   }
 
   /// @throws std::invalid_argument naming the field that is out of range

@@ -94,6 +94,21 @@ struct InlierTest {
   }
 };
 
+/// How well the poses of several views of one scene are known.
+struct ViewOptions {
+  double shift = 0.003;
+  double turn = 0.005;
+
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.shift, {"views.shift", "m", 0.0, 0.1,
+                "Standard deviation of the position of a further view's camera, as the robot knows "
+                "it. Views are brought onto each other within it; 0 trusts the poses."});
+    v(o.turn, {"views.turn", "rad", 0.0, 0.1,
+               "Standard deviation of the direction of that camera; 0 trusts the poses."});
+  }
+};
+
 /// Ways to draw hypotheses from a neighbourhood.
 enum class BasisKind {
   kThreePoints,  ///< three oriented points and a vote along their null space (paper, section 4)

@@ -112,17 +112,15 @@ Window window_about(const Sight& sight, const Eigen::Vector3d& p_V, double reach
   return w;
 }
 
-}  // namespace
-
-double see_through(const SceneContext& context, const SurfaceSamples& samples,
-                   std::span<const int> region, const Quadric& Q, const CanonicalForm& form) {
-  const Sight& sight = context.sight;
-  if (sight.w.empty()) return 0.0;
-  const VouchedPart part =
-      vouched_part(sight.X_VC.cast<double>(), samples, region, Q, form, context.up);
-  if (!(part.centre.z() > 0.0)) return 0.0;
-  const Window window = window_about(sight, part.centre, part.reach);
+/// Number of rays that should meet a quadric, and of those among them that see something behind it.
+struct RayCounts {
   int through = 0, all = 0;
+};
+
+RayCounts count_rays(const Sight& sight, const VouchedPart& part) {
+  RayCounts count;
+  if (!(part.centre.z() > 0.0)) return count;
+  const Window window = window_about(sight, part.centre, part.reach);
   for (int j = window.first_j; j <= window.last_j; j += window.stride) {
     for (int i = window.first_i; i <= window.last_i; i += window.stride) {
       const float w = sight.w[static_cast<std::size_t>(j) * static_cast<std::size_t>(sight.width) +
@@ -134,12 +132,27 @@ double see_through(const SceneContext& context, const SurfaceSamples& samples,
         if (!(z > 0.0)) continue;
         const double cosine = part.cosine_at(z * ray, ray);
         if (cosine < kMinCosine) continue;
-        ++all;
-        through += (1.0 / w - z) * ray.norm() * cosine > part.off;
+        ++count.all;
+        count.through += (1.0 / w - z) * ray.norm() * cosine > part.off;
       }
     }
   }
-  return all == 0 ? 0.0 : static_cast<double>(through) / all;
+  return count;
+}
+
+}  // namespace
+
+double see_through(const SceneContext& context, const SurfaceSamples& samples,
+                   std::span<const int> region, const Quadric& Q, const CanonicalForm& form) {
+  RayCounts sum;
+  for (const Sight& sight : context.sights) {
+    if (sight.w.empty()) continue;
+    const RayCounts count = count_rays(
+        sight, vouched_part(sight.X_VC.cast<double>(), samples, region, Q, form, context.up));
+    sum.through += count.through;
+    sum.all += count.all;
+  }
+  return sum.all == 0 ? 0.0 : static_cast<double>(sum.through) / sum.all;
 }
 
 }  // namespace quadrille

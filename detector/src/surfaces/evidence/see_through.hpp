@@ -8,7 +8,7 @@
 
 namespace quadrille {
 
-/// The share, 0 to 1, of the rays that should meet a quadric but see something behind it. The
+/// The share, 0 to 1, of the rays of all views that should meet a quadric but see something behind it. The
 /// quadric is tested all around its axis, as far along it as its region reaches. A ball fitted to a
 /// bump on something else, for example, would hide what is seen beside it. Spheres and ellipsoids
 /// are tested as far as their region reaches along the up direction, if that is known; quadrics

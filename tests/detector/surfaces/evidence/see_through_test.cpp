@@ -20,19 +20,20 @@ constexpr double kDistance = 1.0, kWall = 0.3;
 template <class Depth>
 SceneContext seen_from_x(Depth&& depth) {
   SceneContext s;
+  s.sights.resize(1);
   Eigen::Matrix3d R_CV;  // columns: u along y, v along z, into the scene along -x
   R_CV << 0, 0, -1, 1, 0, 0, 0, -1, 0;
   Eigen::Isometry3d X_CV = Eigen::Isometry3d::Identity();
   X_CV.linear() = R_CV;
   X_CV.translation() = Eigen::Vector3d(kDistance, 0, 0);
-  s.sight.X_VC = X_CV.inverse().cast<float>();
-  s.sight.step = 0.002f;
-  s.sight.width = s.sight.height = 120;
-  s.sight.corner = {-0.12f, -0.12f};
-  for (int j = 0; j < s.sight.height; ++j) {
-    for (int i = 0; i < s.sight.width; ++i) {
+  s.sights[0].X_VC = X_CV.inverse().cast<float>();
+  s.sights[0].step = 0.002f;
+  s.sights[0].width = s.sights[0].height = 120;
+  s.sights[0].corner = {-0.12f, -0.12f};
+  for (int j = 0; j < s.sights[0].height; ++j) {
+    for (int i = 0; i < s.sights[0].width; ++i) {
       const double u = -0.12 + (i + 0.5) * 0.002, v = -0.12 + (j + 0.5) * 0.002;
-      s.sight.w.push_back(static_cast<float>(1.0 / depth(u, v)));
+      s.sights[0].w.push_back(static_cast<float>(1.0 / depth(u, v)));
     }
   }
   return s;
@@ -59,16 +60,16 @@ template <class Range>
 SceneContext seen_past(double turn, Range&& range) {
   SceneContext s = seen_from_x([](double, double) { return 1.0; });
   const Eigen::AngleAxisd R_VC(turn, Eigen::Vector3d::UnitY());
-  s.sight.X_VC = (R_VC * s.sight.X_VC.cast<double>()).cast<float>();
-  s.sight.corner.x() += static_cast<float>(std::tan(turn));
-  s.sight.w.clear();
+  s.sights[0].X_VC = (R_VC * s.sights[0].X_VC.cast<double>()).cast<float>();
+  s.sights[0].corner.x() += static_cast<float>(std::tan(turn));
+  s.sights[0].w.clear();
   const Eigen::Vector3d to_origin = R_VC * Eigen::Vector3d::UnitZ();
-  for (int j = 0; j < s.sight.height; ++j) {
-    for (int i = 0; i < s.sight.width; ++i) {
-      const Eigen::Vector3d ray(s.sight.corner.x() + (i + 0.5) * 0.002,
-                                s.sight.corner.y() + (j + 0.5) * 0.002, 1.0);
+  for (int j = 0; j < s.sights[0].height; ++j) {
+    for (int i = 0; i < s.sights[0].width; ++i) {
+      const Eigen::Vector3d ray(s.sights[0].corner.x() + (i + 0.5) * 0.002,
+                                s.sights[0].corner.y() + (j + 0.5) * 0.002, 1.0);
       const double angle = std::acos(ray.dot(to_origin) / ray.norm());
-      s.sight.w.push_back(static_cast<float>(ray.norm() / range(angle)));
+      s.sights[0].w.push_back(static_cast<float>(ray.norm() / range(angle)));
     }
   }
   return s;
@@ -121,7 +122,7 @@ TEST_CASE("without up, turning everything changes nothing", "[evidence][see_thro
   for (const double angle : {0.4, 0.8, 1.2}) {
     const Eigen::AngleAxisd R(angle, Eigen::Vector3d(1, 2, 3).normalized());
     SceneContext turned = s;
-    turned.sight.X_VC = (s.sight.X_VC.cast<double>() * R.inverse()).cast<float>();
+    turned.sights[0].X_VC = (s.sights[0].X_VC.cast<double>() * R.inverse()).cast<float>();
     SurfaceSamples there = samples;
     for (Eigen::Vector3f& p : there.raw) p = (R * p.cast<double>()).cast<float>();
     for (Eigen::Vector3f& n : there.n) n = (R * n.cast<double>()).cast<float>();

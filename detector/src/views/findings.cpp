@@ -1,0 +1,202 @@
+#include "views/findings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "bodies/find_bodies.hpp"
+#include "boxes/find_boxes.hpp"
+#include "boxes/flat_patches.hpp"
+#include "boxes/join_boxes.hpp"
+#include "samples/cell_scatter.hpp"
+#include "surfaces/last_fit.hpp"
+#include "surfaces/measure.hpp"
+#include "surfaces/plane_surface.hpp"
+#include "surfaces/point_rms.hpp"
+#include "views/joined_samples.hpp"
+
+namespace quadrille {
+namespace {
+
+/// True if the list of types is empty or contains this type.
+bool lets_pass(const std::vector<QuadricType>& types, QuadricType type) {
+  return types.empty() || std::find(types.begin(), types.end(), type) != types.end();
+}
+
+/// True if a plane may be a piece that sensor waves have cut off a larger plane: one of the planes
+/// before it, which are larger, is parallel to it within 20°.
+bool has_larger_parallel(const std::vector<PlaneRegion>& planes, std::size_t k) {
+  constexpr double kMinCosine = 0.94;
+  return std::any_of(planes.begin(), planes.begin() + static_cast<std::ptrdiff_t>(k),
+                     [&](const PlaneRegion& larger) {
+                       return std::abs(larger.plane.head<3>().dot(planes[k].plane.head<3>())) >
+                              kMinCosine;
+                     });
+}
+
+/// The cells of a view in a list of something for each cell of all views.
+std::span<const int> part_of(std::span<const int> all, const ViewCells& view) {
+  return all.subspan(static_cast<std::size_t>(view.first), static_cast<std::size_t>(view.size()));
+}
+
+/// The detections, and for each finest cell the index of the detection on which it lies, −1 for
+/// none.
+struct Measured {
+  std::vector<Detection> detections;
+  std::vector<int> owner;
+  /// For each plane, by the index of its detection, places on it [m].
+  std::map<int, std::vector<Eigen::Vector3d>> places;
+};
+
+void measure_surfaces(const Scene& scene, Measured* measured) {
+  std::vector<Surface> surfaces;
+  for (const Surface& surface : scene.surfaces) {
+    if (is_flat(surface) && is_part_of(surface, scene.finest, scene.planes, scene.coarse)) continue;
+    for (const int i : surface.region) {
+      measured->owner[scene.finest.source[i]] = static_cast<int>(surfaces.size());
+    }
+    surfaces.push_back(surface);
+  }
+  std::vector<Eigen::Matrix3f> scatter;
+  for (const ViewCells& view : scene.views) {
+    const std::vector<Eigen::Matrix3f> own =
+        scatter_in_cells(view.cloud, *view.pyramid, part_of(measured->owner, view));
+    scatter.insert(scatter.end(), own.begin(), own.end());
+  }
+  const std::vector<Sight>& sights = scene.context.sights;
+  for (Surface& surface : surfaces) {
+    surface = last_fit(std::move(surface), scene.finest, scatter, sights);
+    measured->detections.push_back(measure(surface, scene.finest, scene.viewpoint(), sights));
+  }
+}
+
+/// Measures the planes, and gives them those of their cells that no surface has.
+void measure_planes(const Scene& scene, double min_confidence, Measured* measured) {
+  const std::vector<Surface> weighed = weighed_planes(scene.coarse, scene.planes, scene.context);
+  std::vector<int> of_plane(scene.planes.size(), -1);
+  for (std::size_t k = 0; k < scene.planes.size(); ++k) {
+    const bool doubtful = weighed[k].confidence < min_confidence;
+    if (doubtful && has_larger_parallel(scene.planes, k)) continue;
+    of_plane[k] = static_cast<int>(measured->detections.size());
+    for (const int i : scene.planes[k].samples) {
+      measured->places[of_plane[k]].push_back(scene.coarse.raw[i].cast<double>());
+    }
+    measured->detections.push_back(measure(weighed[k], scene.coarse, scene.viewpoint()));
+  }
+  for (std::size_t c = 0; c < measured->owner.size(); ++c) {
+    const int plane = scene.plane_of_cell[c];
+    if (measured->owner[c] < 0 && plane >= 0) measured->owner[c] = of_plane[plane];
+  }
+}
+
+/// Replaces the rms of the samples by the rms of the points.
+void set_rms_of_points(const Scene& scene, Measured* measured) {
+  std::vector<Quadric> quadrics;
+  for (const Detection& d : measured->detections) quadrics.push_back(d.Q_C);
+  PointRms of_points(quadrics);
+  for (const ViewCells& view : scene.views) {
+    of_points.add(view.cloud, *view.pyramid, part_of(measured->owner, view));
+  }
+  const std::vector<double> rms = of_points.values();
+  for (std::size_t k = 0; k < rms.size(); ++k) {
+    if (std::isfinite(rms[k])) measured->detections[k].rms = rms[k];
+  }
+}
+
+/// Sorts detections by score and then by size, those to report first, and numbers them.
+/// @param ids  receives for each detection, by its id before, the new id
+std::vector<Detection> ranked(std::vector<Detection> detections,
+                              const std::vector<QuadricType>& report, std::vector<int>* ids) {
+  std::stable_sort(detections.begin(), detections.end(),
+                   [](const Detection& a, const Detection& b) {
+                     return a.score != b.score ? a.score > b.score : a.inliers > b.inliers;
+                   });
+  const auto others =
+      std::stable_partition(detections.begin(), detections.end(),
+                            [&](const Detection& d) { return lets_pass(report, d.type); });
+  int id = 0;
+  const auto number = [&](Detection& d, int next) { d.id = (*ids)[d.id] = next; };
+  for (auto d = detections.begin(); d != others; ++d) number(*d, ++id);
+  id = 0;
+  for (auto d = others; d != detections.end(); ++d) number(*d, --id);
+  return detections;
+}
+
+/// Owner of samples on surfaces of types that are not asked for.
+constexpr int kNotAsked = std::numeric_limits<int>::min();
+
+std::size_t count_points(const Scene& scene) {
+  std::size_t count = 0;
+  for (const ViewCells& view : scene.views) {
+    for (int c = 0; c < view.size(); ++c) {
+      count += static_cast<std::size_t>(view.pyramid->count(c));
+    }
+  }
+  return count;
+}
+
+/// Finds boxes in each view, in which all detections are known, and joins them.
+/// @param unexplained  nonzero for samples that lie on no detection
+std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& detections,
+                          const Mask& unexplained, const DetectorOptions& options) {
+  const bool seeks_faces = lets_pass(options.only, QuadricType::kPlane) &&
+                           lets_pass(options.report, QuadricType::kPlane);
+  std::vector<std::vector<Box>> of_views;
+  for (std::size_t v = 0; v < scene.views.size(); ++v) {
+    Mask free = unexplained;
+    for (int i = 0; i < scene.finest.size(); ++i) {
+      if (scene.finest.view_of(i) != v) free[i] = 0;
+    }
+    std::vector<FlatPatch> patches;
+    if (seeks_faces) patches = find_flat_patches(scene.finest, options.planes, free);
+    of_views.push_back(find_boxes(scene.views[v].cloud, detections, patches));
+  }
+  return join_boxes(std::move(of_views));
+}
+
+}  // namespace
+
+Findings measure_scene(const Scene& scene, const DetectorOptions& options, StageClock& clock) {
+  Measured measured{{}, std::vector<int>(scene.plane_of_cell.size(), -1), {}};
+  measure_surfaces(scene, &measured);
+  if (lets_pass(options.only, QuadricType::kPlane)) {
+    measure_planes(scene, options.aggregate.min_plane_confidence, &measured);
+  }
+  set_rms_of_points(scene, &measured);
+  for (std::size_t k = 0; k < measured.detections.size(); ++k) {
+    measured.detections[k].id = static_cast<int>(k);
+  }
+  std::vector<int> ids(measured.detections.size(), 0);
+  std::erase_if(measured.detections,
+                [&](const Detection& d) { return !lets_pass(options.only, d.type); });
+  Findings findings;
+  findings.detections = ranked(std::move(measured.detections), options.report, &ids);
+  findings.points_used = count_points(scene);
+  clock.end("measure");
+
+  std::vector<int> owner;
+  Mask unexplained;
+  for (const int cell : scene.finest.source) {
+    const int k = measured.owner[cell];
+    // Samples on a surface of a type that was not asked for are explained by it, so they must not
+    // become a lump.
+    owner.push_back(k < 0 ? 0 : ids[k] == 0 ? kNotAsked : ids[k]);
+    unexplained.push_back(k < 0);
+  }
+  findings.boxes = boxes_of(scene, findings.detections, unexplained, options);
+  clock.end("boxes");
+  const bool all_types = options.only.empty() && options.report.empty();
+  PlacesOnPlanes places;
+  for (auto& [index, of_plane] : measured.places) places[ids[index]] = std::move(of_plane);
+  const SurfaceSamples linked = scene.views.size() > 1 ? linked_views(scene.finest) : SurfaceSamples();
+  const SurfaceSamples& samples = scene.views.size() > 1 ? linked : scene.finest;
+  findings.bodies =
+      find_bodies({findings.detections, findings.boxes, samples, owner, places, all_types});
+  clock.end("bodies");
+  return findings;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <span>
+#include <vector>
+
+#include "samples/surface_samples.hpp"
+
+namespace quadrille {
+
+/// The samples of several views in one list, view by view. Samples are neighbours only within their
+/// own view.
+/// @param views        samples of each view, all in frame C
+/// @param first_cells  what is added to the sources of each view's samples
+/// @param view_shift   see SurfaceSamples [m]; it adds to the noise of each sample
+SurfaceSamples joined_samples(std::span<const SurfaceSamples* const> views,
+                              const std::vector<int>& first_cells, double view_shift);
+
+/// The samples after a rigid motion.
+SurfaceSamples moved(SurfaceSamples samples, const Eigen::Isometry3d& X);
+
+/// Makes samples of different views neighbours if they lie within a cell of each other.
+SurfaceSamples linked_views(SurfaceSamples samples);
+
+}  // namespace quadrille

@@ -1,0 +1,47 @@
+#include "views/seen_through.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace quadrille {
+namespace {
+
+// All that is measured within this distance beside the ray to a point must lie farther than the
+// point by the second distance [m]. Both are several times the errors of depth and of poses.
+constexpr float kBeside = 0.01f, kBehind = 0.025f;
+
+bool sees_through(const Sight& sight, const Eigen::Vector3f& p_C) {
+  const Eigen::Vector3f p = sight.X_VC * p_C;
+  if (!(p.z() > 0.0f)) return false;
+  const float reach = kBeside / p.z();
+  const Eigen::Array2f at = p.head<2>().array() / p.z() - sight.corner;
+  const Eigen::Array2f first = ((at - reach) / sight.step).floor();
+  const Eigen::Array2f last = ((at + reach) / sight.step).floor();
+  const Eigen::Array2f size(static_cast<float>(sight.width), static_cast<float>(sight.height));
+  if (!((first >= 0.0f).all() && (last < size).all())) return false;
+  const float farthest = 1.0f / (p.z() + kBehind);
+  for (int j = static_cast<int>(first.y()); j <= static_cast<int>(last.y()); ++j) {
+    const auto row = sight.w.begin() + static_cast<std::ptrdiff_t>(j) * sight.width;
+    const bool all_behind = std::all_of(row + static_cast<int>(first.x()),
+                                        row + static_cast<int>(last.x()) + 1,
+                                        [&](float w) { return w > 0.0f && w < farthest; });
+    if (!all_behind) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Mask seen_through(const PointCloud& cloud, std::span<const Sight> others) {
+  Mask through;
+  through.reserve(cloud.points.size());
+  for (const Eigen::Vector3f& p : cloud.points) {
+    through.push_back(std::any_of(others.begin(), others.end(), [&](const Sight& sight) {
+      return !sight.w.empty() && sees_through(sight, p);
+    }));
+  }
+  return through;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,72 @@
+#include "quadrille/further_views.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstddef>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <system_error>
+#include <utility>
+
+#include "cli/output.hpp"
+#include "io/file_bytes.hpp"
+#include "io/json/json_parts.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/detector.hpp"
+#include "quadrille/inputs.hpp"
+
+namespace quadrille {
+namespace {
+
+/// A view that is given twice, or is the input itself, adds nothing, and was probably meant to be
+/// another file.
+void refuse_same(const std::string& input, const std::vector<std::string>& views) {
+  std::vector<std::string> seen = {input};
+  for (const std::string& path : views) {
+    for (const std::string& other : seen) {
+      std::error_code missing;  // ignored, since reading the file will report it
+      if (path == other || std::filesystem::equivalent(path, other, missing)) {
+        throw io::FileError(path, "", "is given twice; each --view must be another cloud");
+      }
+    }
+    seen.push_back(path);
+  }
+}
+
+}  // namespace
+
+void ViewArguments::add_to(CLI::App& command) {
+  command
+      .add_option("--view", paths,
+                  "More views of the same scene at rest, in its frame, each with its viewpoint")
+      ->type_name("CLOUD");
+}
+
+void ViewArguments::check(const std::vector<std::string>& inputs) const {
+  if (paths.empty()) return;
+  if (inputs.size() > 1) {
+    throw CLI::ValidationError("--view", "takes a single INPUT; give one after the other");
+  }
+  refuse_same(inputs.front(), paths);
+}
+
+SceneViews all_views(const ViewArguments& arguments, const PointCloud& cloud,
+                     const Eigen::Isometry3d& X_CK, const DetectorOptions& options,
+                     std::vector<std::string>* warnings) {
+  const Eigen::Isometry3d X_KC = X_CK.inverse();
+  SceneViews views;
+  views.clouds.push_back(cloud);
+  for (const std::string& path : arguments.paths) {
+    SingleCloud view = read_single_cloud(path);
+    print_warnings(path, view.warnings);
+    add_warnings(path, view.warnings, warnings);
+    views.clouds.push_back(moved(std::move(view.input.cloud), X_KC));
+  }
+  const std::vector<Eigen::Isometry3d> motions = align_views(&views.clouds, options);
+  for (std::size_t v = 1; v < motions.size(); ++v) {
+    views.corrections.push_back({{"input", arguments.paths[v - 1]},
+                                 {"correction", io::to_json(X_CK * motions[v] * X_KC)}});
+  }
+  return views;
+}
+
+}  // namespace quadrille

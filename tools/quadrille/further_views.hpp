@@ -1,0 +1,46 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "io/json/json.hpp"
+#include "quadrille/detector/options.hpp"
+#include "quadrille/detector/point_cloud.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace quadrille {
+
+/// More views of the scene of the only input.
+struct ViewArguments {
+  std::vector<std::string> paths;
+
+  /// Adds --view; this object must outlive the app.
+  void add_to(CLI::App& command);
+  /// Refuses more than one input if there are views, since these belong to one scene.
+  /// @throws CLI::ValidationError
+  void check(const std::vector<std::string>& inputs) const;
+};
+
+/// All views of a scene in the working frame K.
+struct SceneViews {
+  /// The clouds, the first one first.
+  std::vector<PointCloud> clouds;
+  /// For each further view, as JSON: its path, and the motion within the frame C of the files by
+  /// which its pose was corrected.
+  io::Json corrections = io::Json::array();
+};
+
+/// Reads the further views of a scene, each with the viewpoint that its file names, and corrects
+/// their poses by what the views see.
+/// @param cloud     the first view, in frame K
+/// @param X_CK      pose of K in the frame C of all files
+/// @param warnings  receives warnings about the views
+SceneViews all_views(const ViewArguments& arguments, const PointCloud& cloud,
+                     const Eigen::Isometry3d& X_CK, const DetectorOptions& options,
+                     std::vector<std::string>* warnings);
+
+}  // namespace quadrille
