@@ -15,6 +15,7 @@
 #include "cloud/far_cloud.hpp"
 #include "detect_with.hpp"
 #include "quadrille/detector/cloud_checks.hpp"
+#include "samples/sample_tree.hpp"
 #include "views/align.hpp"
 #include "views/findings.hpp"
 #include "views/joined_samples.hpp"
@@ -133,19 +134,21 @@ DetectionResult detect_all(const FindCandidates& find, std::span<const CloudView
 }
 
 /// A view's depths, and the samples on which it is aligned with others.
-struct CoarseView {
+struct SeenView {
   Sight sight;
   SurfaceSamples samples;
 };
 
 /// Returns nullopt if the cloud is too small.
-std::optional<CoarseView> coarse_view(const CloudView& given, const DetectorOptions& options) {
+std::optional<SeenView> seen_view(const CloudView& given, const DetectorOptions& options) {
   const CloudCheck check = check_cloud(given);
   if (!check.usable) return std::nullopt;
   const CloudView cloud = check.range.kept(given);
   const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
   if (!pyramid) return std::nullopt;
-  return CoarseView{pyramid->sight(), pyramid->coarse_samples()};
+  const Mask all(static_cast<std::size_t>(pyramid->size(0)), 1);
+  SampleTree tree(*pyramid, pyramid->samples(all, options.threads));
+  return SeenView{pyramid->sight(), std::move(tree).take_finest()};
 }
 
 /// Drops the marked points of a cloud; those of an organised one become NaN.
@@ -206,7 +209,7 @@ std::vector<Eigen::Isometry3d> align_views(std::vector<PointCloud>* views,
   std::vector<std::optional<Sight>> sights(views->size());
   for (std::size_t v = 0; v < views->size(); ++v) {
     PointCloud& cloud = (*views)[v];
-    std::optional<CoarseView> view = coarse_view(cloud, options);
+    std::optional<SeenView> view = seen_view(cloud, options);
     if (!view) continue;
     if (!before.empty()) {
       const std::vector<int> no_cells(before.size(), 0);

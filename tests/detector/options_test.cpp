@@ -120,7 +120,7 @@ TEST_CASE("infinities and absurd counts are refused as well", "[options][hostile
 TEST_CASE("a visit reaches each setting", "[options]") {
   // A new field stops these lines from compiling until it is listed here, and visited.
   DetectorOptions o;
-  auto& [seed, threads, only, report, sampling, planes, inlier, search, aggregate] = o;
+  auto& [seed, threads, only, report, sampling, planes, inlier, search, aggregate, views] = o;
   auto& [cell, relative_cell, noisiest_cell, stride, noise] = sampling;
   auto& [noise_radius, quantile, patches] = noise;
   auto& [p1, p2, p3, p4, p5] = planes;
@@ -128,6 +128,7 @@ TEST_CASE("a visit reaches each setting", "[options]") {
   auto& [basis, radii, s1, s2, s3, s4, grow] = search;
   auto& [grow_families, g1, g2, g3] = grow;
   auto& [families, a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13, a14, a15] = aggregate;
+  auto& [shift, turn] = views;
   const std::set<const void*> fields = {&seed,
                                         &threads,
                                         &only,
@@ -172,7 +173,9 @@ TEST_CASE("a visit reaches each setting", "[options]") {
                                         &a12,
                                         &a13,
                                         &a14,
-                                        &a15};
+                                        &a15,
+                                        &shift,
+                                        &turn};
   CHECK(visit(o).fields == fields);
 }
 

@@ -1,10 +1,13 @@
+#include <cmath>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 
 using namespace quadrille;
+using nlohmann::json;
 using test::check_failure;
 using test::Run;
 using test::run_quadrille;
@@ -19,11 +22,15 @@ TEST_CASE("plan writes its map as OctoMap reads it, and fuses further views", "[
   INFO(run.err);
   REQUIRE(run.code == 0);
   CHECK(test::content_of(map).starts_with("# Octomap OcTree binary file\nid OcTree\n"));
-  // The same view again shows nothing new; but for the same file it is refused.
+  // The same view again lies where it is; but the same file is refused.
   const std::string copy = folder.path("copy.ply");
   std::filesystem::copy_file(scene, copy);
-  REQUIRE(run_quadrille(plan + " --view " + copy + " --map " + folder.path("t.bt")).code == 0);
-  CHECK(test::content_of(folder.path("t.bt")) == test::content_of(map));
+  const Run twice = run_quadrille(plan + " --view " + copy + " --json -");
+  REQUIRE(twice.code == 0);
+  const json views = json::parse(twice.out).at("views");
+  REQUIRE(views.size() == 1);
+  CHECK(views[0].at("input") == copy);
+  for (const double shift : views[0].at("correction").at("position")) CHECK(std::abs(shift) < 1e-6);
   check_failure(run_quadrille(plan + " --view " + folder.path("none.ply")), "none.ply");
   check_failure(run_quadrille(plan + " --view " + scene), "given twice");
   check_failure(run_quadrille(plan + " --view " + copy + " --view " + copy), "given twice");

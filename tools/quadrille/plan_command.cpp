@@ -32,6 +32,7 @@
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/grasping/conventions.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
+#include "quadrille/grasping/looks.hpp"
 #include "quadrille/grasping/remedies.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 #include "quadrille/further_views.hpp"
@@ -133,7 +134,7 @@ struct PlanOutput {
 /// @param info  information about the run, with the warnings so far
 void put_out(const PlanArguments& arguments, const PlanSetup& setup, const InputCloud& input,
              io::RunInfo info, const SceneViews& views, const DetectionResult& result,
-             const GraspPlan& plan, PlanOutput* output) {
+             const GraspPlan& plan, const std::vector<Look>& looks, PlanOutput* output) {
   for (const auto& warnings : {result.warnings, without(plan.warnings, result.warnings)}) {
     info.warnings.insert(info.warnings.end(), warnings.begin(), warnings.end());
     print_warnings(input.info.input, warnings);
@@ -145,13 +146,17 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
   io::Json object = io::plan_json(input.info, info, result, plan);
   if (!views.corrections.empty()) object["views"] = views.corrections;
   object["query"] = io::to_json(arguments.query.query());
-  if (arguments.advise) object["remedies"] = io::to_json(plan.remedies);
+  if (arguments.advise) {
+    object["remedies"] = io::to_json(plan.remedies);
+    object["look"] = io::to_json(looks);
+  }
   if (arguments.convention) add_hands(plan, setup.gripper, *arguments.convention, &object);
   output->json.write(object);
   if (!output->json.owns_stdout()) {
     const Paint paint = Paint::of_stdout();
     print(detection_table(input.info, result, paint) +
-          grasp_table(is_found ? plan : nothing, setup.options.unknown, arguments.advise, paint));
+          grasp_table(is_found ? plan : nothing, setup.options.unknown, arguments.advise, paint) +
+          look_table(looks));
   }
   // The plan's warnings say why there is none.
   if (output->map && plan.space) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
@@ -176,9 +181,12 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, further, boxes,
                          bodies);
   GraspPlan planned = asked.plan_from_start(query);
+  std::vector<Look> looks;
   if (arguments.advise) {
     planned.remedies = find_remedies(planned, input.cloud, detections, setup.gripper, setup.options,
                                      further, query, boxes, bodies);
+    looks = propose_looks(planned, bodies, detections, input.cloud.viewpoint);
+    for (Look& look : looks) look.X_CK = input.X_CK * look.X_CK;
   }
   found.boxes = planned.boxes;
   // All detections were obstacles, but only those that were asked for are shown.
@@ -188,7 +196,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   result.detections = moved(std::move(result.detections), input.X_CK);
   result.boxes = moved(std::move(result.boxes), input.X_CK);
   result.bodies = moved(std::move(result.bodies), input.X_CK);
-  put_out(arguments, setup, input, std::move(info), views, result, moved(planned, input.X_CK),
+  put_out(arguments, setup, input, std::move(info), views, result, moved(planned, input.X_CK), looks,
           output);
   if (output->pictures.wanted()) {
     arguments.picture.write(output->pictures.next(path),
@@ -248,7 +256,7 @@ void add_plan_command(CLI::App& app) {
   command->add_option("--json", arguments->json, "Write JSON, an object a line; - is stdout")
       ->type_name("FILE|-");
   command->add_flag("--advise", arguments->advise,
-                    "Try other settings and hands where there is no grasp, and say what gives one");
+                    "Try other settings and hands where there is no grasp, say what gives one, and propose views that would help");
   arguments->views.add_to(*command);
   command->add_option("--map", arguments->map, "Write free and occupied space as an OctoMap")
       ->type_name("FILE.bt");

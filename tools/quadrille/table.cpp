@@ -1,6 +1,7 @@
 #include "quadrille/table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -100,6 +101,18 @@ std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown, bool advis
   }
   return text + paint.faint(fmt::format("  refused: {}; plan {:.1f} ms", reasons, plan.total_ms)) +
          "\n";
+}
+
+std::string look_table(const std::vector<Look>& looks) {
+  std::string text;
+  for (const Look& look : looks) {
+    const Eigen::Vector3d p = look.X_CK.translation(), ahead = look.X_CK.linear().col(2);
+    text += fmt::format(
+        "  a view from {:.3f} {:.3f} {:.3f} along {:.2f} {:.2f} {:.2f} would show what is unknown "
+        "about {}\n",
+        p.x(), p.y(), p.z(), ahead.x(), ahead.y(), ahead.z(), fmt::join(look.bodies, ", "));
+  }
+  return text;
 }
 
 }  // namespace quadrille

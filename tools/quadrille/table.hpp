@@ -1,10 +1,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/paint.hpp"
 #include "io/json/json.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/grasping/looks.hpp"
 #include "quadrille/grasping/plan.hpp"
 
 namespace quadrille {
@@ -18,5 +20,8 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
 /// @param advised  whether remedies were sought
 std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown, bool advised,
                         const Paint& paint);
+
+/// Lists the views that would help, a line each; empty if there are none.
+std::string look_table(const std::vector<Look>& looks);
 
 }  // namespace quadrille

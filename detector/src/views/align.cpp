@@ -2,8 +2,12 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
+#include "samples/region.hpp"
 #include "samples/sample_buckets.hpp"
 
 namespace quadrille {
@@ -13,11 +17,14 @@ constexpr int kIterations = 10;
 // Samples may match if their positions differ by no more than this many cells beside the errors of
 // the poses, and their normals by no more than 25°.
 constexpr float kMatchCells = 1.0f, kMinCosine = 0.9f;
-// Errors of the poses that are looked for, in standard deviations of their prior.
-constexpr double kReach = 3.0;
+// Errors of the poses that are looked for, in standard deviations of their prior: at the first step,
+// the share of it from each step to the next, and at last.
+constexpr double kReach = 3.0, kNarrowing = 0.7, kLastReach = 0.6;
+// Number of samples of each orientation that are matched; more tell nothing new.
+constexpr std::size_t kSamples = 400;
 // Standard deviation of the sensor's own, slowly varying error of depth [m], and the number of
-// places in a view at which it is independent.
-constexpr double kSensorError = 0.001, kPlaces = 30.0;
+// places of one orientation in a view at which it is independent.
+constexpr double kSensorError = 0.001, kPlaces = 15.0;
 // Samples at a depth edge have fewer neighbours than this; they lie partly beside the surface.
 constexpr std::size_t kMinNeighbours = 8;
 
@@ -34,7 +41,7 @@ class Target {
     int best = -1;
     float least = reach * reach;
     for (const int j : buckets_.near(p, reach)) {
-      const float square = (samples_.p[j] - p).squaredNorm();
+      const float square = (samples_.raw[j] - p).squaredNorm();
       if (square >= least || samples_.n[j].dot(n) < kMinCosine) continue;
       least = square;
       best = j;
@@ -47,10 +54,41 @@ class Target {
   SampleBuckets buckets_;
 };
 
+// Number of orientations that are told apart: each component of a normal is about −1, 0 or 1.
+constexpr std::size_t kWays = 27;
+
+/// Normal equations of the matches whose surfaces look the same way.
+struct Equations {
+  Matrix6d A = Matrix6d::Zero();
+  Vector6d b = Vector6d::Zero();
+  int matches = 0;
+};
+
+/// Number of the orientation of a normal, of kWays, such that a table does not outweigh the sides of what stands on it.
+std::size_t orientation_of(const Eigen::Vector3d& normal) {
+  const Eigen::Vector3i way = (normal.array().round().cast<int>() + 1).matrix();
+  return static_cast<std::size_t>(way.x() + 3 * (way.y() + 3 * way.z()));
+}
+
 /// Weight of a residual by Cauchy's function, which leaves little to those far beyond sigma.
 double weight_of(double residual, double sigma) {
   const double x = residual / (2.0 * sigma);
   return 1.0 / (sigma * sigma * (1.0 + x * x));
+}
+
+/// Samples that lie within their surface, evenly chosen from each orientation.
+std::vector<int> evenly_oriented(const SurfaceSamples& samples) {
+  std::array<std::vector<int>, kWays> ways;
+  for (int i = 0; i < samples.size(); ++i) {
+    if (samples.neighbours_of(i).size() < kMinNeighbours) continue;
+    ways[orientation_of(samples.n[i].cast<double>())].push_back(i);
+  }
+  std::vector<int> some;
+  for (const std::vector<int>& way : ways) {
+    const std::vector<int> chosen = spread_evenly(way, kSamples);
+    some.insert(some.end(), chosen.begin(), chosen.end());
+  }
+  return some;
 }
 
 }  // namespace
@@ -64,20 +102,20 @@ Eigen::Isometry3d align(const SurfaceSamples& view, const Eigen::Vector3d& eye,
   prior << Eigen::Vector3d::Constant(std::pow(options.turn, -2)),
       Eigen::Vector3d::Constant(std::pow(options.shift, -2));
   Vector6d motion = Vector6d::Zero();
+  const std::vector<int> some = evenly_oriented(view);
   for (int step = 0; step < kIterations; ++step) {
-    Matrix6d A = Matrix6d::Zero();
-    Vector6d b = Vector6d::Zero();
-    int matches = 0;
-    for (int i = 0; i < view.size(); ++i) {
-      if (view.neighbours_of(i).size() < kMinNeighbours) continue;
-      const Eigen::Vector3d p = X * view.p[i].cast<double>();
+    std::array<Equations, kWays> ways;
+    // The first steps look for what poses may be off, the later ones for what is left of it.
+    const double errors = std::max(kLastReach, kReach * std::pow(kNarrowing, step));
+    for (const int i : some) {
+      const Eigen::Vector3d p = X * view.raw[i].cast<double>();
       const Eigen::Vector3f n = (X.linear() * view.n[i].cast<double>()).cast<float>();
-      const double off = kReach * (options.shift + options.turn * (p - eye).norm());
+      const double off = errors * (options.shift + options.turn * (p - eye).norm());
       const float reach = kMatchCells * view.cell[i] + static_cast<float>(off);
       const int j = target.nearest(p.cast<float>(), n, reach);
       if (j < 0) continue;
       const Eigen::Vector3d normal = before.n[j].cast<double>();
-      const double residual = normal.dot(p - before.p[j].cast<double>());
+      const double residual = normal.dot(p - before.raw[j].cast<double>());
       if (std::abs(residual) > off) continue;
       const double sigma =
           std::sqrt(std::pow(view.sigma[i], 2) + std::pow(before.sigma[j], 2) +
@@ -85,13 +123,19 @@ Eigen::Isometry3d align(const SurfaceSamples& view, const Eigen::Vector3d& eye,
       Vector6d J;
       J << (p - eye).cross(normal), normal;
       const double weight = weight_of(residual, sigma);
-      A += weight * J * J.transpose();
-      b -= weight * residual * J;
-      ++matches;
+      Equations& way = ways[orientation_of(normal)];
+      way.A += weight * J * J.transpose();
+      way.b -= weight * residual * J;
+      ++way.matches;
     }
-    const double share = std::min(1.0, kPlaces / std::max(1, matches));
-    A = share * A + Matrix6d(prior.asDiagonal());
-    const Vector6d change = A.ldlt().solve(share * b - prior.cwiseProduct(motion));
+    Matrix6d A = prior.asDiagonal();
+    Vector6d b = -prior.cwiseProduct(motion);
+    for (const Equations& way : ways) {
+      const double share = std::min(1.0, kPlaces / std::max(1, way.matches));
+      A += share * way.A;
+      b += share * way.b;
+    }
+    const Vector6d change = A.ldlt().solve(b);
     motion += change;
     const Eigen::Vector3d turn = change.head<3>();
     const Eigen::Isometry3d about =

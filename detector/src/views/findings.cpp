@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -191,10 +192,10 @@ Findings measure_scene(const Scene& scene, const DetectorOptions& options, Stage
   const bool all_types = options.only.empty() && options.report.empty();
   PlacesOnPlanes places;
   for (auto& [index, of_plane] : measured.places) places[ids[index]] = std::move(of_plane);
-  const SurfaceSamples linked = scene.views.size() > 1 ? linked_views(scene.finest) : SurfaceSamples();
-  const SurfaceSamples& samples = scene.views.size() > 1 ? linked : scene.finest;
-  findings.bodies =
-      find_bodies({findings.detections, findings.boxes, samples, owner, places, all_types});
+  std::optional<SurfaceSamples> linked;
+  if (scene.views.size() > 1) linked = linked_views(scene.finest, unexplained);
+  findings.bodies = find_bodies({findings.detections, findings.boxes,
+                                 linked ? *linked : scene.finest, owner, places, all_types});
   clock.end("bodies");
   return findings;
 }

@@ -52,13 +52,14 @@ SurfaceSamples moved(SurfaceSamples samples, const Eigen::Isometry3d& X) {
   return samples;
 }
 
-SurfaceSamples linked_views(SurfaceSamples samples) {
+SurfaceSamples linked_views(SurfaceSamples samples, const Mask& some) {
   const SampleBuckets buckets(samples);
   std::vector<std::vector<int>> links(static_cast<std::size_t>(samples.size()));
   for (int i = 0; i < samples.size(); ++i) {
+    if (!some[i]) continue;
     const float reach = samples.cell[i];
     for (const int j : buckets.near(samples.raw[i], reach)) {
-      if (j <= i || samples.view[j] == samples.view[i] ||
+      if (j <= i || !some[j] || samples.view[j] == samples.view[i] ||
           (samples.raw[j] - samples.raw[i]).squaredNorm() > reach * reach) {
         continue;
       }

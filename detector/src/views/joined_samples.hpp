@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/mask.hpp"
 #include "samples/surface_samples.hpp"
 
 namespace quadrille {
@@ -19,7 +20,8 @@ SurfaceSamples joined_samples(std::span<const SurfaceSamples* const> views,
 /// The samples after a rigid motion.
 SurfaceSamples moved(SurfaceSamples samples, const Eigen::Isometry3d& X);
 
-/// Makes samples of different views neighbours if they lie within a cell of each other.
-SurfaceSamples linked_views(SurfaceSamples samples);
+/// Makes some samples of different views neighbours if they lie within a cell of each other.
+/// @param some  nonzero for those samples
+SurfaceSamples linked_views(SurfaceSamples samples, const Mask& some);
 
 }  // namespace quadrille

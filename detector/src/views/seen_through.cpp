@@ -10,6 +10,8 @@ namespace {
 // All that is measured within this distance beside the ray to a point must lie farther than the
 // point by the second distance [m]. Both are several times the errors of depth and of poses.
 constexpr float kBeside = 0.01f, kBehind = 0.025f;
+// Share of the rays there that must have measured something.
+constexpr float kMinMeasured = 0.8f;
 
 bool sees_through(const Sight& sight, const Eigen::Vector3f& p_C) {
   const Eigen::Vector3f p = sight.X_VC * p_C;
@@ -21,14 +23,16 @@ bool sees_through(const Sight& sight, const Eigen::Vector3f& p_C) {
   const Eigen::Array2f size(static_cast<float>(sight.width), static_cast<float>(sight.height));
   if (!((first >= 0.0f).all() && (last < size).all())) return false;
   const float farthest = 1.0f / (p.z() + kBehind);
+  int measured = 0, all = 0;
   for (int j = static_cast<int>(first.y()); j <= static_cast<int>(last.y()); ++j) {
     const auto row = sight.w.begin() + static_cast<std::ptrdiff_t>(j) * sight.width;
-    const bool all_behind = std::all_of(row + static_cast<int>(first.x()),
-                                        row + static_cast<int>(last.x()) + 1,
-                                        [&](float w) { return w > 0.0f && w < farthest; });
-    if (!all_behind) return false;
+    for (int i = static_cast<int>(first.x()); i <= static_cast<int>(last.x()); ++i) {
+      if (row[i] > farthest) return false;
+      measured += row[i] > 0.0f;
+      ++all;
+    }
   }
-  return true;
+  return static_cast<float>(measured) >= kMinMeasured * static_cast<float>(all);
 }
 
 }  // namespace

@@ -43,7 +43,9 @@ struct Scene {
     }
   }
 
-  bool hidden() const { return hides_an_end(sight, samples, all_of(samples), X_CQ, extent_Q); }
+  bool hidden() const {
+    return hides_an_end({&sight, 1}, samples, all_of(samples), X_CQ, extent_Q);
+  }
 };
 
 }  // namespace
@@ -72,6 +74,15 @@ TEST_CASE("an end beyond the border of the image is hidden", "[hidden_ends]") {
   scene.sight.height = 65;  // The last row is at .06.
   scene.sight.w.resize(100 * 65);
   CHECK(scene.hidden());
+}
+
+TEST_CASE("an end that one of several views sees is not hidden", "[hidden_ends]") {
+  Scene scene, other;
+  scene.see(0.8, 0.059, 0.2);
+  const std::vector<Sight> blind = {scene.sight, scene.sight}, seen = {scene.sight, other.sight};
+  const std::vector<int> region = all_of(scene.samples);
+  CHECK(hides_an_end(blind, scene.samples, region, scene.X_CQ, scene.extent_Q));
+  CHECK_FALSE(hides_an_end(seen, scene.samples, region, scene.X_CQ, scene.extent_Q));
 }
 
 TEST_CASE("without cells each end counts as seen", "[hidden_ends]") {

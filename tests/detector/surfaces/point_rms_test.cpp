@@ -53,6 +53,15 @@ std::vector<double> rms_of_all(const PointCloud& cloud) {
   return {std::sqrt(squares[0] / n[0]), std::sqrt(squares[1] / n[1])};
 }
 
+/// The rms of one view's points.
+std::vector<double> rms_of_points(const PointCloud& cloud, const CellPyramid& pyramid,
+                                  const std::vector<int>& owner,
+                                  const std::vector<Quadric>& quadrics) {
+  PointRms rms(quadrics);
+  rms.add(cloud, pyramid, owner);
+  return rms.values();
+}
+
 }  // namespace
 
 TEST_CASE("the rms is that of the points, not of their cells' means", "[surfaces][rms]") {
@@ -67,6 +76,27 @@ TEST_CASE("the rms is that of the points, not of their cells' means", "[surfaces
     CHECK(rms[0] == Approx(truth[0]).epsilon(0.05));
     CHECK(rms[1] == Approx(truth[1]).epsilon(0.05));
   }
+}
+
+TEST_CASE("the rms of several views is that of all their points", "[surfaces][rms]") {
+  const PointCloud cloud = ball_before_wall();
+  const auto pyramid = make_depth_pyramid(cloud, {});
+  const std::vector<int> owner = near_and_far(*pyramid);
+  const std::vector<Quadric> quadrics = ball_and_wall();
+  const std::vector<double> once = rms_of_points(cloud, *pyramid, owner, quadrics);
+  PointRms twice(quadrics);
+  twice.add(cloud, *pyramid, owner);
+  twice.add(cloud, *pyramid, owner);
+  CHECK(twice.values()[0] == Approx(once[0]));
+  CHECK(twice.values()[1] == Approx(once[1]));
+  PointRms mixed(quadrics);
+  mixed.add(cloud, *pyramid, owner);
+  PointCloud noisy = cloud;
+  for (Eigen::Vector3f& p : noisy.points) p *= 1.002f;
+  mixed.add(noisy, *pyramid, owner);
+  const std::vector<double> other = rms_of_points(noisy, *pyramid, owner, quadrics);
+  CHECK(mixed.values()[1] > once[1]);
+  CHECK(mixed.values()[1] < other[1]);
 }
 
 TEST_CASE("what has no points gets no rms", "[surfaces][rms]") {

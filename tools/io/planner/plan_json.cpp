@@ -63,6 +63,14 @@ Json to_json(const std::vector<Remedy>& remedies) {
   return list;
 }
 
+Json to_json(const std::vector<Look>& looks) {
+  Json list = Json::array();
+  for (const Look& look : looks) {
+    list.push_back({{"pose", to_json(look.X_CK)}, {"bodies", look.bodies}, {"gain", look.gain}});
+  }
+  return list;
+}
+
 Json to_json(const GraspQuery& query) {
   Json json = Json::object();
   if (!query.ids.empty()) json["target"] = query.ids;

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "io/json/json.hpp"
+#include "quadrille/grasping/looks.hpp"
 #include "quadrille/grasping/plan.hpp"
 
 namespace quadrille::io {
@@ -18,6 +19,9 @@ Json to_json(const TargetOutcome& outcome);
 
 /// Returns the list of remedies.
 Json to_json(const std::vector<Remedy>& remedies);
+
+/// Returns the list of proposed views.
+Json to_json(const std::vector<Look>& looks);
 
 /// Returns the query: only the conditions that were given, in the frame of the results.
 Json to_json(const GraspQuery& query);

@@ -96,8 +96,8 @@ struct InlierTest {
 
 /// How well the poses of several views of one scene are known.
 struct ViewOptions {
-  double shift = 0.003;
-  double turn = 0.005;
+  double shift = 0.002;
+  double turn = 0.0035;
 
   template <class Options, class Visitor>
   static void visit(Options& o, Visitor&& v) {

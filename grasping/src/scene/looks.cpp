@@ -1,0 +1,266 @@
+#include "quadrille/grasping/looks.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "contacts/directions.hpp"
+
+namespace quadrille {
+namespace {
+
+// Bodies whose best grasp has this score need no further view.
+constexpr double kSureScore = 0.8;
+// The hand needs to know the space up to this distance from a body [m]: about a finger's thickness,
+// its room, and the length that encloses the body.
+constexpr double kNeeded = 0.04;
+// Bodies are smaller than the boxes around them: round ones, and those that are only guessed. A box
+// therefore hides what lies behind its core, which is smaller by this on each side [m], but no
+// thinner than this share of it.
+constexpr double kRim = 0.006, kMinCore = 0.5;
+// Number of unknown voxels of a body that are looked at; more give the same shares.
+constexpr std::size_t kVoxels = 250;
+// Number of directions on half a sphere from which to look; neighbours are some 20° apart.
+constexpr int kDirections = 60;
+// Directions nearer to the support than this see little of what stands there [rad].
+constexpr double kMinElevation = 0.25;
+// Half the angle that the camera sees [rad], and distances at which depth cameras measure well [m].
+constexpr double kHalfView = 0.4, kMinDistance = 0.35, kMaxDistance = 0.9;
+// A view helps a body if it shows at least this share of the unknown space about it.
+constexpr double kMinShare = 0.15;
+
+bool contains(const std::vector<int>& list, int value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+/// The best score of a body's grasps; 0 if it has none.
+double best_score(const GraspPlan& plan, const SceneBody& body) {
+  double best = 0.0;
+  for (const Grasp& grasp : plan.grasps) {
+    if (grasp.target == body.id || contains(body.parts, grasp.target)) {
+      best = std::max(best, grasp.score);
+    }
+  }
+  return best;
+}
+
+/// True for reasons that may turn out otherwise once more of the space, or of the body, is seen.
+bool is_doubt(Refusal why) {
+  constexpr std::array kDoubts = {Refusal::kNoShape,    Refusal::kSeenFromInside,
+                                  Refusal::kUnmeasured, Refusal::kContradicted,
+                                  Refusal::kTarget,     Refusal::kCollision,
+                                  Refusal::kUnknown,    Refusal::kScore};
+  return std::find(kDoubts.begin(), kDoubts.end(), why) != kDoubts.end();
+}
+
+/// True if the plan has only doubtful grasps of the body, or refused the best of them for what was
+/// not seen.
+bool lacks_a_view(const GraspPlan& plan, const SceneBody& body) {
+  const double score = best_score(plan, body);
+  if (score > 0.0) return score < kSureScore;
+  return std::any_of(plan.targets.begin(), plan.targets.end(), [&](const TargetOutcome& outcome) {
+    const std::optional<Refusal> why = furthest(outcome.refusals);
+    return (outcome.target == body.id || contains(body.parts, outcome.target)) && why &&
+           is_doubt(*why);
+  });
+}
+
+/// The normal of the plane on which a body stands, or else of the largest plane; zero if there is
+/// none.
+Eigen::Vector3d up_of(const SceneBody& body, const std::vector<Detection>& detections) {
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
+  int most = 0;
+  for (const Detection& d : detections) {
+    if (d.type != QuadricType::kPlane) continue;
+    if (body.standing_on == d.id) return d.X_CQ.linear().col(2);
+    if (d.inliers <= most) continue;
+    most = d.inliers;
+    up = d.X_CQ.linear().col(2);
+  }
+  return up;
+}
+
+/// The box around a body in its frame, grown by the space that the hand needs.
+Eigen::AlignedBox3d needed_box(const SceneBody& body) {
+  const Eigen::Vector3d half = (0.5 * body.size).array() + kNeeded;
+  return {-half, half};
+}
+
+/// The part of the box around a body that hides what lies behind it.
+Eigen::AlignedBox3d core_of(const SceneBody& body) {
+  const Eigen::Array3d half = 0.5 * body.size;
+  const Eigen::Vector3d core = (half - kRim).max(kMinCore * half);
+  return {-core, core};
+}
+
+/// True if the segment between two points crosses a box.
+bool crosses(const Eigen::AlignedBox3d& box, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  double first = 0.0, last = 1.0;
+  for (int k = 0; k < 3; ++k) {
+    const double d = b[k] - a[k];
+    if (std::abs(d) < 1e-12) {
+      if (a[k] < box.min()[k] || a[k] > box.max()[k]) return false;
+      continue;
+    }
+    const double s = (box.min()[k] - a[k]) / d, t = (box.max()[k] - a[k]) / d;
+    first = std::max(first, std::min(s, t));
+    last = std::min(last, std::max(s, t));
+  }
+  return first < last;
+}
+
+/// A body that lacks a grasp, and the unknown places about it.
+struct Doubtful {
+  const SceneBody* body = nullptr;
+  Eigen::Vector3d up_C = Eigen::Vector3d::Zero();
+  std::vector<Eigen::Vector3d> unknown_C;
+};
+
+/// Chooses the best view for bodies.
+class LookChooser {
+ public:
+  LookChooser(const GraspPlan& plan, const std::vector<SceneBody>& bodies,
+              const std::vector<Detection>& detections, const Eigen::Vector3d& viewpoint_C)
+      : space_(*plan.space), bodies_(bodies), viewpoint_C_(viewpoint_C) {
+    for (const SceneBody& body : bodies) {
+      if (!lacks_a_view(plan, body)) continue;
+      Doubtful doubtful{&body, up_of(body, detections), {}};
+      doubtful.unknown_C = unknown_about(body, doubtful.up_C);
+      if (!doubtful.unknown_C.empty()) doubtful_.push_back(std::move(doubtful));
+    }
+  }
+
+  std::vector<Look> choose(int max_looks) {
+    std::vector<Look> looks;
+    while (static_cast<int>(looks.size()) < max_looks) {
+      std::optional<Look> best;
+      for (const Doubtful& doubtful : doubtful_) {
+        for (const Eigen::Vector3d& eye_C : eyes_about(doubtful)) {
+          Look look = look_from(eye_C, doubtful);
+          if (!look.bodies.empty() && (!best || look.gain > best->gain)) best = std::move(look);
+        }
+      }
+      if (!best) break;
+      std::erase_if(doubtful_, [&](const Doubtful& d) { return contains(best->bodies, d.body->id); });
+      looks.push_back(*std::move(best));
+    }
+    return looks;
+  }
+
+ private:
+  /// Unknown places within a finger's reach of a body and above its support, evenly chosen.
+  std::vector<Eigen::Vector3d> unknown_about(const SceneBody& body,
+                                             const Eigen::Vector3d& up_C) const {
+    const Eigen::Isometry3d X_BC = body.X_CB.inverse();
+    const Eigen::AlignedBox3d near_B = needed_box(body), core_B = core_of(body);
+    const Eigen::Vector3d reach = body.X_CB.linear().cwiseAbs() * near_B.max();
+    const Eigen::Array3d corner = space_.corner().cast<double>().array();
+    const auto index = [&](const Eigen::Vector3d& p_C) -> Eigen::Vector3i {
+      const Eigen::Array3d x = (p_C / space_.resolution()).array().floor() - corner;
+      return x.max(0.0).min(space_.size().cast<double>().array() - 1.0).cast<int>();
+    };
+    const double foot = -0.5 * (body.X_CB.linear().transpose() * up_C).cwiseAbs().dot(body.size);
+    const Eigen::Vector3i low = index(body.X_CB.translation() - reach);
+    const Eigen::Vector3i high = index(body.X_CB.translation() + reach);
+    std::vector<Eigen::Vector3d> unknown;
+    for (int k = low.z(); k <= high.z(); ++k) {
+      for (int j = low.y(); j <= high.y(); ++j) {
+        for (int i = low.x(); i <= high.x(); ++i) {
+          if (space_.at(i, j, k) != Voxel::kUnknown) continue;
+          const Eigen::Vector3d p_C = space_.centre(i, j, k), p_B = X_BC * p_C;
+          if (!near_B.contains(p_B) || core_B.contains(p_B)) continue;
+          if (up_C.dot(p_C - body.X_CB.translation()) < foot + space_.resolution()) continue;
+          unknown.push_back(p_C);
+        }
+      }
+    }
+    const std::size_t step = unknown.size() / kVoxels + 1;
+    std::vector<Eigen::Vector3d> some;
+    for (std::size_t n = step / 2; n < unknown.size(); n += step) some.push_back(unknown[n]);
+    return some;
+  }
+
+  /// Places from which a camera could look at a body: above its support, and in space that is not
+  /// known to be occupied.
+  std::vector<Eigen::Vector3d> eyes_about(const Doubtful& doubtful) const {
+    const Eigen::Vector3d middle_C = doubtful.body->X_CB.translation();
+    const Eigen::Vector3d to_eye = viewpoint_C_ - middle_C;
+    const double distance = std::clamp(to_eye.norm(), kMinDistance, kMaxDistance);
+    const Eigen::Vector3d up = doubtful.up_C.isZero() ? to_eye.normalized() : doubtful.up_C;
+    std::vector<Eigen::Vector3d> eyes;
+    for (const Eigen::Vector3d& half : half_sphere(kDirections)) {
+      const Eigen::Vector3d direction = half.dot(up) < 0.0 ? Eigen::Vector3d(-half) : half;
+      if (direction.dot(up) < std::sin(kMinElevation)) continue;
+      const Eigen::Vector3d eye = middle_C + distance * direction;
+      if (space_.at(eye) != Voxel::kOccupied) eyes.push_back(eye);
+    }
+    return eyes;
+  }
+
+  Look look_from(const Eigen::Vector3d& eye_C, const Doubtful& centre) const {
+    const Eigen::Vector3d ahead = (centre.body->X_CB.translation() - eye_C).normalized();
+    Look look;
+    std::vector<std::pair<double, int>> helped;
+    for (const Doubtful& doubtful : doubtful_) {
+      int seen = 0;
+      for (const Eigen::Vector3d& p_C : doubtful.unknown_C) {
+        seen += (p_C - eye_C).normalized().dot(ahead) > std::cos(kHalfView) && sees(eye_C, p_C);
+      }
+      const double share = static_cast<double>(seen) / static_cast<double>(doubtful.unknown_C.size());
+      if (share >= kMinShare) helped.emplace_back(-share, doubtful.body->id);
+    }
+    std::sort(helped.begin(), helped.end());
+    for (const auto& [share, id] : helped) {
+      look.gain -= share;
+      look.bodies.push_back(id);
+    }
+    look.X_CK = pose_at(eye_C, ahead, centre.up_C);
+    return look;
+  }
+
+  bool sees(const Eigen::Vector3d& eye_C, const Eigen::Vector3d& p_C) const {
+    for (const SceneBody& body : bodies_) {
+      const Eigen::Isometry3d X_BC = body.X_CB.inverse();
+      if (crosses(core_of(body), X_BC * p_C, X_BC * eye_C)) return false;
+    }
+    const Eigen::Vector3d step = space_.resolution() * (eye_C - p_C).normalized();
+    const Eigen::AlignedBox3d bounds = space_.bounds();
+    // The voxel itself may touch a surface that hides it from elsewhere.
+    for (Eigen::Vector3d at = p_C + 2.0 * step; bounds.contains(at); at += step) {
+      if (space_.at(at) == Voxel::kOccupied) return false;
+    }
+    return true;
+  }
+
+  /// The pose of a camera that looks ahead, with the world's up direction upwards in its image.
+  static Eigen::Isometry3d pose_at(const Eigen::Vector3d& eye_C, const Eigen::Vector3d& ahead,
+                                   const Eigen::Vector3d& up_C) {
+    Eigen::Vector3d right = ahead.cross(up_C);
+    if (right.norm() < 1e-6) right = ahead.unitOrthogonal();
+    right.normalize();
+    Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
+    X.linear() << right, ahead.cross(right), ahead;
+    X.translation() = eye_C;
+    return X;
+  }
+
+  const OccupancyGrid& space_;
+  const std::vector<SceneBody>& bodies_;
+  const Eigen::Vector3d viewpoint_C_;
+  std::vector<Doubtful> doubtful_;
+};
+
+}  // namespace
+
+std::vector<Look> propose_looks(const GraspPlan& plan, const std::vector<SceneBody>& bodies,
+                                const std::vector<Detection>& detections,
+                                const Eigen::Vector3d& viewpoint_C, int max_looks) {
+  if (!plan.space || plan.space->states().empty()) return {};
+  return LookChooser(plan, bodies, detections, viewpoint_C).choose(max_looks);
+}
+
+}  // namespace quadrille

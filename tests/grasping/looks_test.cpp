@@ -1,0 +1,152 @@
+// Views that are proposed for bodies without a sure grasp, on clouds rendered from where they say.
+#include "quadrille/grasping/looks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "quadrille/detector/detector.hpp"
+#include "quadrille/grasping/gripper.hpp"
+#include "quadrille/grasping/plan.hpp"
+#include "support/catch.hpp"
+#include "support/depth_camera.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+/// A slim can in front of a tall box on a table; the camera sees them from the front.
+struct CanBeforeBox {
+  Eigen::Isometry3d X_CW = world_seen_from({0.0, -0.55, 0.3});
+  Eigen::Isometry3d X_CCan = X_CW * translation(0.0, 0.02, 0.06);
+  std::vector<Patch> patches = [this] {
+    std::vector<Patch> all = {rectangle(X_CW, 1.2, 0.9)};
+    for (const Patch& p : can(X_CCan, 0.025, 0.12)) all.push_back(p);
+    for (const Patch& p : box(X_CW * translation(0.0, 0.15, 0.1), {0.3, 0.06, 0.2})) {
+      all.push_back(p);
+    }
+    return all;
+  }();
+
+  /// What a camera sees at a pose in C, in frame C.
+  PointCloud seen_from(const Eigen::Isometry3d& X_CK) const {
+    std::vector<Patch> moved_patches = patches;
+    for (Patch& p : moved_patches) p.X_CB = X_CK.inverse() * p.X_CB;
+    Camera camera;
+    camera.noise = 0.0005;
+    return moved(render(moved_patches, camera), X_CK);
+  }
+};
+
+struct Planned {
+  std::vector<PointCloud> views;
+  PlanOptions options;
+  DetectionResult found = detect_views(views);
+  GraspPlan plan = plan_grasps(views.front(), found.detections, franka_hand(), options,
+                               {views.begin() + 1, views.end()}, {}, found.boxes, found.bodies);
+
+  std::vector<Look> looks(int max = 3) const {
+    return propose_looks(plan, found.bodies, found.detections, views.front().viewpoint, max);
+  }
+};
+
+PlanOptions cautious() {
+  PlanOptions options;
+  options.unknown = UnknownPolicy::kObstacle;
+  options.clear_above = false;
+  return options;
+}
+
+/// The body whose middle is nearest to the can's.
+const SceneBody& can_of(const Planned& planned, const CanBeforeBox& scene) {
+  REQUIRE_FALSE(planned.found.bodies.empty());
+  return *std::min_element(
+      planned.found.bodies.begin(), planned.found.bodies.end(),
+      [&](const SceneBody& a, const SceneBody& b) {
+        const auto off = [&](const SceneBody& body) {
+          return (body.X_CB.translation() - scene.X_CCan.translation()).norm();
+        };
+        return off(a) < off(b);
+      });
+}
+
+std::size_t unknown_about(const Planned& planned, const Eigen::Vector3d& p_C) {
+  const OccupancyGrid& space = *planned.plan.space;
+  std::size_t count = 0;
+  for (int k = 0; k < space.size().z(); ++k) {
+    for (int j = 0; j < space.size().y(); ++j) {
+      for (int i = 0; i < space.size().x(); ++i) {
+        const bool near = (space.centre(i, j, k) - p_C).norm() < 0.08;
+        count += near && space.at(i, j, k) == Voxel::kUnknown;
+      }
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("a proposed view shows more of what is unknown than the first one", "[looks]") {
+  const CanBeforeBox scene;
+  const PointCloud first = scene.seen_from(Eigen::Isometry3d::Identity());
+  PlanOptions options = cautious();
+  options.min_score = 0.99;  // so that no grasp is sure
+  const Planned one{{first}, options};
+  const std::vector<Look> looks = one.looks();
+  REQUIRE_FALSE(looks.empty());
+  const SceneBody& body = can_of(one, scene);
+  const auto helps = [&](const Look& look) {
+    return std::find(look.bodies.begin(), look.bodies.end(), body.id) != look.bodies.end();
+  };
+  const auto look = std::find_if(looks.begin(), looks.end(), helps);
+  REQUIRE(look != looks.end());
+  CHECK(look->gain > 0.0);
+  // The camera stands above the table, looks at things from there, and is upright.
+  const Eigen::Vector3d eye_W = scene.X_CW.inverse() * look->X_CK.translation();
+  CHECK(eye_W.z() > 0.05);
+  const Eigen::Matrix3d R = look->X_CK.linear();
+  CHECK(R.isUnitary(1e-9));
+  CHECK(R.determinant() == Approx(1.0));
+  CHECK(R.col(1).dot(scene.X_CW.linear().col(2)) < 1e-9);
+
+  const Planned two{{first, scene.seen_from(look->X_CK)}, options};
+  const Planned same{{first, scene.seen_from(Eigen::Isometry3d(translation(0.01, 0.0, 0.0)))},
+                     options};
+  const Eigen::Vector3d p_C = scene.X_CCan.translation();
+  const std::size_t before = unknown_about(same, p_C);
+  REQUIRE(before > 200);
+  CHECK(unknown_about(two, p_C) < 0.75 * static_cast<double>(before));
+}
+
+TEST_CASE("no view is proposed if nothing lacks a grasp", "[looks]") {
+  const CanBeforeBox scene;
+  PlanOptions options;
+  options.unknown = UnknownPolicy::kFree;
+  Planned planned{{scene.seen_from(Eigen::Isometry3d::Identity())}, options};
+  const SceneBody body = can_of(planned, scene);
+  std::erase_if(planned.found.bodies, [&](const SceneBody& other) { return other.id != body.id; });
+  REQUIRE_FALSE(planned.plan.grasps.empty());
+  for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.95;
+  CHECK(planned.looks().empty());
+  // As soon as its grasps are doubtful, one is.
+  for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.6;
+  CHECK(planned.looks().size() == 1);
+}
+
+TEST_CASE("what no view can mend gets none: a body that is too wide", "[looks]") {
+  const CanBeforeBox scene;
+  Planned planned{{scene.seen_from(Eigen::Isometry3d::Identity())}, cautious()};
+  planned.plan.grasps.clear();
+  for (TargetOutcome& outcome : planned.plan.targets) {
+    outcome.grasps = 0;
+    outcome.refusals = {{Refusal::kWidth, 3}};
+  }
+  CHECK(planned.looks().empty());
+  for (TargetOutcome& outcome : planned.plan.targets) outcome.refusals[Refusal::kUnknown] = 1;
+  CHECK_FALSE(planned.looks().empty());
+  CHECK(planned.looks(1).size() == 1);
+  CHECK(planned.looks(0).empty());
+  planned.plan.space = nullptr;
+  CHECK(planned.looks().empty());
+}
