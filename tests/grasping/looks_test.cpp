@@ -61,14 +61,13 @@ PlanOptions cautious() {
 /// The body whose middle is nearest to the can's.
 const SceneBody& can_of(const Planned& planned, const CanBeforeBox& scene) {
   REQUIRE_FALSE(planned.found.bodies.empty());
-  return *std::min_element(
-      planned.found.bodies.begin(), planned.found.bodies.end(),
-      [&](const SceneBody& a, const SceneBody& b) {
-        const auto off = [&](const SceneBody& body) {
-          return (body.X_CB.translation() - scene.X_CCan.translation()).norm();
-        };
-        return off(a) < off(b);
-      });
+  return *std::min_element(planned.found.bodies.begin(), planned.found.bodies.end(),
+                           [&](const SceneBody& a, const SceneBody& b) {
+                             const auto off = [&](const SceneBody& body) {
+                               return (body.X_CB.translation() - scene.X_CCan.translation()).norm();
+                             };
+                             return off(a) < off(b);
+                           });
 }
 
 std::size_t unknown_about(const Planned& planned, const Eigen::Vector3d& p_C) {

@@ -63,8 +63,8 @@ SceneViews all_views(const ViewArguments& arguments, const PointCloud& cloud,
   }
   const std::vector<Eigen::Isometry3d> motions = align_views(&views.clouds, options);
   for (std::size_t v = 1; v < motions.size(); ++v) {
-    views.corrections.push_back({{"input", arguments.paths[v - 1]},
-                                 {"correction", io::to_json(X_CK * motions[v] * X_KC)}});
+    views.corrections.push_back(
+        {{"input", arguments.paths[v - 1]}, {"correction", io::to_json(X_CK * motions[v] * X_KC)}});
   }
   return views;
 }

@@ -30,12 +30,12 @@
 #include "quadrille/command_report.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/further_views.hpp"
 #include "quadrille/grasping/conventions.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
 #include "quadrille/grasping/looks.hpp"
 #include "quadrille/grasping/remedies.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
-#include "quadrille/further_views.hpp"
 #include "quadrille/inputs.hpp"
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
@@ -196,8 +196,8 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   result.detections = moved(std::move(result.detections), input.X_CK);
   result.boxes = moved(std::move(result.boxes), input.X_CK);
   result.bodies = moved(std::move(result.bodies), input.X_CK);
-  put_out(arguments, setup, input, std::move(info), views, result, moved(planned, input.X_CK), looks,
-          output);
+  put_out(arguments, setup, input, std::move(info), views, result, moved(planned, input.X_CK),
+          looks, output);
   if (output->pictures.wanted()) {
     arguments.picture.write(output->pictures.next(path),
                             {input.info.input, input.cloud, found, &planned, &setup.gripper});
@@ -256,7 +256,8 @@ void add_plan_command(CLI::App& app) {
   command->add_option("--json", arguments->json, "Write JSON, an object a line; - is stdout")
       ->type_name("FILE|-");
   command->add_flag("--advise", arguments->advise,
-                    "Try other settings and hands where there is no grasp, say what gives one, and propose views that would help");
+                    "Try other settings and hands where there is no grasp, say what gives one, and "
+                    "propose views that would help");
   arguments->views.add_to(*command);
   command->add_option("--map", arguments->map, "Write free and occupied space as an OctoMap")
       ->type_name("FILE.bt");

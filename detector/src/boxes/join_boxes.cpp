@@ -15,7 +15,9 @@ bool are_one(const Box& a, const Box& b) {
 
 /// More of the sides of the first box are known.
 bool is_better(const Box& a, const Box& b) {
-  const auto sides = [](const Box& box) { return std::count(box.seen.begin(), box.seen.end(), true); };
+  const auto sides = [](const Box& box) {
+    return std::count(box.seen.begin(), box.seen.end(), true);
+  };
   return std::make_tuple(sides(a), a.faces.size(), a.score) >
          std::make_tuple(sides(b), b.faces.size(), b.score);
 }

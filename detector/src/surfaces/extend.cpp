@@ -61,7 +61,8 @@ std::vector<int> Extender::further(const Surface& surface, const Mask& free) con
   }
   // Other views may have seen the other side.
   if (!samples_.view.empty()) {
-    const float around = box.min().head<2>().cwiseAbs().cwiseMax(box.max().head<2>().cwiseAbs()).maxCoeff();
+    const float around =
+        box.min().head<2>().cwiseAbs().cwiseMax(box.max().head<2>().cwiseAbs()).maxCoeff();
     box.extend(Eigen::Vector3f(-around, -around, box.min().z()));
     box.extend(Eigen::Vector3f(around, around, box.max().z()));
   }

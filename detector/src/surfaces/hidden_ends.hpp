@@ -13,7 +13,8 @@ namespace quadrille {
 /// outside the image. False if it stands on what is seen there, if something is seen behind it, or
 /// if a view has no cells.
 /// @param extent_Q  extent of the region's samples [m]
-bool hides_an_end(std::span<const Sight> sights, const SurfaceSamples& samples, std::span<const int> region,
-                  const Eigen::Isometry3d& X_CQ, const Eigen::AlignedBox3d& extent_Q);
+bool hides_an_end(std::span<const Sight> sights, const SurfaceSamples& samples,
+                  std::span<const int> region, const Eigen::Isometry3d& X_CQ,
+                  const Eigen::AlignedBox3d& extent_Q);
 
 }  // namespace quadrille

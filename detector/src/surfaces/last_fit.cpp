@@ -18,7 +18,8 @@ constexpr float kMinCosine = 0.26f;
 
 /// The samples of a surface in its local coordinates, moved by what averaging over cells took off.
 OrientedPointsf points_on(const Surface& surface, const SurfaceSamples& samples,
-                          const std::vector<Eigen::Matrix3f>& scatter, const std::vector<Sight>& sights) {
+                          const std::vector<Eigen::Matrix3f>& scatter,
+                          const std::vector<Sight>& sights) {
   const int size = static_cast<int>(surface.region.size());
   OrientedPointsf points = fit_points(samples, surface.region, surface.local, size);
   const Eigen::Matrix4f Q = surface.fit.posed.matrix().cast<float>();

@@ -22,8 +22,7 @@ PointRms::PointRms(std::span<const Quadric> quadrics) : sums_(quadrics.size()) {
   for (const Quadric& quadric : quadrics) Q_.push_back(quadric.matrix().cast<float>());
 }
 
-void PointRms::add(const CloudView& cloud, const CellPyramid& pyramid,
-                   std::span<const int> owner) {
+void PointRms::add(const CloudView& cloud, const CellPyramid& pyramid, std::span<const int> owner) {
   const std::size_t step = std::max<std::size_t>(1, cloud.points.size() / kPoints);
   for (std::size_t i = 0; i < cloud.points.size(); i += step) {
     const int cell = pyramid.cell_of(cloud.points[i]);

@@ -17,8 +17,8 @@ constexpr int kIterations = 10;
 // Samples may match if their positions differ by no more than this many cells beside the errors of
 // the poses, and their normals by no more than 25°.
 constexpr float kMatchCells = 1.0f, kMinCosine = 0.9f;
-// Errors of the poses that are looked for, in standard deviations of their prior: at the first step,
-// the share of it from each step to the next, and at last.
+// Errors of the poses that are looked for, in standard deviations of their prior: at the first
+// step, the share of it from each step to the next, and at last.
 constexpr double kReach = 3.0, kNarrowing = 0.7, kLastReach = 0.6;
 // Number of samples of each orientation that are matched; more tell nothing new.
 constexpr std::size_t kSamples = 400;
@@ -64,7 +64,8 @@ struct Equations {
   int matches = 0;
 };
 
-/// Number of the orientation of a normal, of kWays, such that a table does not outweigh the sides of what stands on it.
+/// Number of the orientation of a normal, of kWays, such that a table does not outweigh the sides
+/// of what stands on it.
 std::size_t orientation_of(const Eigen::Vector3d& normal) {
   const Eigen::Vector3i way = (normal.array().round().cast<int>() + 1).matrix();
   return static_cast<std::size_t>(way.x() + 3 * (way.y() + 3 * way.z()));
@@ -117,9 +118,8 @@ Eigen::Isometry3d align(const SurfaceSamples& view, const Eigen::Vector3d& eye,
       const Eigen::Vector3d normal = before.n[j].cast<double>();
       const double residual = normal.dot(p - before.raw[j].cast<double>());
       if (std::abs(residual) > off) continue;
-      const double sigma =
-          std::sqrt(std::pow(view.sigma[i], 2) + std::pow(before.sigma[j], 2) +
-                    std::pow(kSensorError, 2));
+      const double sigma = std::sqrt(std::pow(view.sigma[i], 2) + std::pow(before.sigma[j], 2) +
+                                     std::pow(kSensorError, 2));
       Vector6d J;
       J << (p - eye).cross(normal), normal;
       const double weight = weight_of(residual, sigma);
@@ -138,9 +138,9 @@ Eigen::Isometry3d align(const SurfaceSamples& view, const Eigen::Vector3d& eye,
     const Vector6d change = A.ldlt().solve(b);
     motion += change;
     const Eigen::Vector3d turn = change.head<3>();
-    const Eigen::Isometry3d about =
-        Eigen::Translation3d(eye + change.tail<3>()) *
-        Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) * Eigen::Translation3d(-eye);
+    const Eigen::Isometry3d about = Eigen::Translation3d(eye + change.tail<3>()) *
+                                    Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) *
+                                    Eigen::Translation3d(-eye);
     X = about * X;
     if (change.tail<3>().norm() < 1e-6 && turn.norm() < 1e-6) break;
   }

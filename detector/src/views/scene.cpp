@@ -51,8 +51,7 @@ Parts parts_of(const std::vector<ViewSearch>& views) {
       if (is_flat(surface)) {
         parts.flats.push_back({plane_of(surface, view.finest), std::move(region)});
       } else {
-        parts.candidates.push_back(
-            {surface.Q, surface.fit.family, std::move(region), surface.rms});
+        parts.candidates.push_back({surface.Q, surface.fit.family, std::move(region), surface.rms});
       }
     }
     coarse_samples += view.coarse.size();

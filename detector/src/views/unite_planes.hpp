@@ -6,8 +6,8 @@
 
 namespace quadrille {
 
-/// The planes of a scene, those with the most samples first, and for each plane of a view the number
-/// of the scene's plane to which it belongs.
+/// The planes of a scene, those with the most samples first, and for each plane of a view the
+/// number of the scene's plane to which it belongs.
 struct UnitedPlanes {
   std::vector<PlaneRegion> planes;
   std::vector<int> number;

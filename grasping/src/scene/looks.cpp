@@ -50,10 +50,9 @@ double best_score(const GraspPlan& plan, const SceneBody& body) {
 
 /// True for reasons that may turn out otherwise once more of the space, or of the body, is seen.
 bool is_doubt(Refusal why) {
-  constexpr std::array kDoubts = {Refusal::kNoShape,    Refusal::kSeenFromInside,
-                                  Refusal::kUnmeasured, Refusal::kContradicted,
-                                  Refusal::kTarget,     Refusal::kCollision,
-                                  Refusal::kUnknown,    Refusal::kScore};
+  constexpr std::array kDoubts = {
+      Refusal::kNoShape, Refusal::kSeenFromInside, Refusal::kUnmeasured, Refusal::kContradicted,
+      Refusal::kTarget,  Refusal::kCollision,      Refusal::kUnknown,    Refusal::kScore};
   return std::find(kDoubts.begin(), kDoubts.end(), why) != kDoubts.end();
 }
 
@@ -145,7 +144,8 @@ class LookChooser {
         }
       }
       if (!best) break;
-      std::erase_if(doubtful_, [&](const Doubtful& d) { return contains(best->bodies, d.body->id); });
+      std::erase_if(doubtful_,
+                    [&](const Doubtful& d) { return contains(best->bodies, d.body->id); });
       looks.push_back(*std::move(best));
     }
     return looks;
@@ -210,7 +210,8 @@ class LookChooser {
       for (const Eigen::Vector3d& p_C : doubtful.unknown_C) {
         seen += (p_C - eye_C).normalized().dot(ahead) > std::cos(kHalfView) && sees(eye_C, p_C);
       }
-      const double share = static_cast<double>(seen) / static_cast<double>(doubtful.unknown_C.size());
+      const double share =
+          static_cast<double>(seen) / static_cast<double>(doubtful.unknown_C.size());
       if (share >= kMinShare) helped.emplace_back(-share, doubtful.body->id);
     }
     std::sort(helped.begin(), helped.end());

@@ -47,7 +47,7 @@ class SceneMaker {
         half_(0.5 * deadline_ms),
         parts_(parts),
         cloud_(kept(cloud)) {
-    for (const PointCloud& view : further) further_.push_back(&kept(view));
+    for (const PointCloud& view : further) add_further(kept(view));
     if (further_.empty()) return;
     all_ = cloud_;
     for (const PointCloud* view : further_) {
@@ -155,16 +155,20 @@ class SceneMaker {
     }
   }
 
-  /// Returns false, and says why, if the cloud or another view cannot have been seen from its
-  /// viewpoint, because its free space would then be wrong.
+  /// Adds a further view, unless it cannot have been seen from its viewpoint, because its free
+  /// space would then be wrong.
+  void add_further(const PointCloud& view) {
+    const std::string doubt = contradict_viewpoint(view, detections_);
+    if (doubt.empty()) return further_.push_back(&view);
+    warn("a further view is left out: " + doubt);
+  }
+
+  /// Returns false, and says why, if the cloud cannot have been seen from its viewpoint, because
+  /// its free space would then be wrong.
   bool has_viewpoint() {
-    std::vector<std::string> doubts = {contradict_viewpoint(cloud_, detections_)};
-    for (const PointCloud* cloud : further_) {
-      doubts.push_back(contradict_viewpoint(*cloud, detections_));
-    }
-    std::erase(doubts, "");
-    for (const std::string& doubt : doubts) warn(doubt);
-    if (doubts.empty()) return true;
+    const std::string doubt = contradict_viewpoint(cloud_, detections_);
+    if (doubt.empty()) return true;
+    warn(doubt);
     for (const Detection& d : detections_) {
       if (d.type == QuadricType::kPlane || !is_wanted(d, parts_.options)) continue;
       refuse(d.id, Refusal::kViewpoint);
@@ -175,7 +179,8 @@ class SceneMaker {
   void choose_targets(const std::vector<SceneBody>& bodies) {
     add(quadrille::choose_targets(all_points(), detections_, parts_.views, parts_.gripper,
                                   parts_.options, half_));
-    add(choose_boxes(all_points(), parts_.boxes, detections_, parts_.gripper, parts_.options, half_));
+    add(choose_boxes(all_points(), parts_.boxes, detections_, parts_.gripper, parts_.options,
+                     half_));
     std::vector<Target> unshaped =
         choose_unshaped(bodies, parts_.targets, detections_, parts_.options);
     std::move(unshaped.begin(), unshaped.end(), std::back_inserter(parts_.targets));

@@ -29,12 +29,13 @@ class ObstacleMap {
   /// If views are given, the voxels that a box overlaps are divided, and the box passes the parts
   /// that a view saw through: eighths of an occupied voxel, and eighths of those for an unknown
   /// one. Occupied voxels are divided only if there is one view, since the points of each view are
-  /// a little off for the others. This matters at the edge of a shadow, where a whole voxel is unknown even if only a
-  /// little of it was hidden.
+  /// a little off for the others. This matters at the edge of a shadow, where a whole voxel is
+  /// unknown even if only a little of it was hidden.
   /// @param unknown_blocks  if true, unknown voxels and all space outside the grid are obstacles
   ///   too
   /// @param views  they must outlive this map and its copies
-  ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks, std::span<const DepthView> views = {});
+  ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks,
+              std::span<const DepthView> views = {});
 
   /// Copies the blocks of the map that the region meets, so that they can be carved at little cost.
   /// All space beyond them counts as outside.

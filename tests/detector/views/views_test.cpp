@@ -42,8 +42,8 @@ std::vector<PointCloud> table_views(double noise = 0.001) {
 /// A turn about the camera and a shift, as a calibration is off.
 Eigen::Isometry3d pose_error(const Eigen::Vector3d& eye_C, const Eigen::Vector3d& turn,
                              const Eigen::Vector3d& shift) {
-  return Eigen::Translation3d(eye_C + shift) *
-         Eigen::AngleAxisd(turn.norm(), turn.normalized()) * Eigen::Translation3d(-eye_C);
+  return Eigen::Translation3d(eye_C + shift) * Eigen::AngleAxisd(turn.norm(), turn.normalized()) *
+         Eigen::Translation3d(-eye_C);
 }
 
 std::size_t count_finite(const PointCloud& cloud) {
@@ -130,8 +130,8 @@ TEST_CASE("what other views see through is dropped, and nothing else", "[views]"
 TEST_CASE("of several views each thing is found once, with the sides that any view shows",
           "[views]") {
   std::vector<PointCloud> views = table_views();
-  views[1] = moved_cloud(views[1], pose_error(views[1].viewpoint, {0.002, 0.001, -0.001},
-                                              {0.001, 0.001, -0.001}));
+  views[1] = moved_cloud(
+      views[1], pose_error(views[1].viewpoint, {0.002, 0.001, -0.001}, {0.001, 0.001, -0.001}));
   align_views(&views);
   const DetectionResult one = table_result(), all = detect_views(views);
   check_sound(all);

@@ -27,7 +27,8 @@ TEST_CASE("a rim is raised to where the points on the wall end, and no farther",
     d.extent_Q.min().z() += missing;  // whichever end is up
     d.extent_Q.max().z() -= missing;
     const Body body = make_body(d).value();
-    const std::optional<Shell> shell = find_shell(body, false, cloud, std::vector{DepthView(cloud)}, kUp, {});
+    const std::optional<Shell> shell =
+        find_shell(body, false, cloud, std::vector{DepthView(cloud)}, kUp, {});
     REQUIRE(shell);
     CHECK(shell->body.z_max == Approx(0.5 * cup.height).margin(0.0015));
   }

@@ -168,7 +168,8 @@ TEST_CASE("policies are ordered: free space grows from obstacle to shadow to fre
           "[occupancy][policy]") {
   const Scene scene;
   const Body body = make_body(sphere_detection(scene.balls[0])).value();
-  const ObstacleMap obstacle(scene.grid, true, {&scene.view, 1}), free(scene.grid, false, {&scene.view, 1});
+  const ObstacleMap obstacle(scene.grid, true, {&scene.view, 1}),
+      free(scene.grid, false, {&scene.view, 1});
   ObstacleMap shadow(scene.grid, true, {&scene.view, 1});
   shadow.clear_shadow(body, kRegion);
   std::mt19937 random(11);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/point_cloud.hpp"

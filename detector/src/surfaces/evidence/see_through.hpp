@@ -8,11 +8,11 @@
 
 namespace quadrille {
 
-/// The share, 0 to 1, of the rays of all views that should meet a quadric but see something behind it. The
-/// quadric is tested all around its axis, as far along it as its region reaches. A ball fitted to a
-/// bump on something else, for example, would hide what is seen beside it. Spheres and ellipsoids
-/// are tested as far as their region reaches along the up direction, if that is known; quadrics
-/// without a closed cross section only within their region.
+/// The share, 0 to 1, of the rays of all views that should meet a quadric but see something behind
+/// it. The quadric is tested all around its axis, as far along it as its region reaches. A ball
+/// fitted to a bump on something else, for example, would hide what is seen beside it. Spheres and
+/// ellipsoids are tested as far as their region reaches along the up direction, if that is known;
+/// quadrics without a closed cross section only within their region.
 /// @param region  not empty
 /// @param form    canonical form of Q, with its axes in frame C
 /// @return 0 if there are no rays
