@@ -25,10 +25,14 @@ TEST_CASE("a cloud that contradicts its viewpoint is never planned on", "[plan]"
     REQUIRE(plan.warnings.size() == 1);
     CHECK(plan.warnings[0].find("cannot have been seen from its viewpoint") != std::string::npos);
   }
-  // Nor is another view trusted that does.
+  // Another view that does is left out, so that the map is that of the first view.
+  const GraspPlan alone = plan_grasps(render({ball}), detections, franka_hand());
   const GraspPlan plan =
       plan_grasps(render({ball}), detections, franka_hand(), PlanOptions(), {cloud});
-  CHECK(plan.grasps.empty());
+  CHECK(plan.space->states() == alone.space->states());
+  CHECK(plan.grasps.size() == alone.grasps.size());
+  REQUIRE(plan.warnings.size() == alone.warnings.size() + 1);
+  CHECK(plan.warnings[0].find("a further view is left out: the cloud cannot") == 0);
 }
 
 TEST_CASE("what is targeted never changes what is in the way", "[plan]") {

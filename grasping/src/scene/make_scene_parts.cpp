@@ -184,7 +184,7 @@ class SceneMaker {
     std::vector<Target> unshaped =
         choose_unshaped(bodies, parts_.targets, detections_, parts_.options);
     std::move(unshaped.begin(), unshaped.end(), std::back_inserter(parts_.targets));
-    for (Target& target : parts_.targets) target.viewpoint_C = best_viewpoint(target);
+    for (Target& target : parts_.targets) target.view = best_view(target);
     drop_far_targets();
   }
 
@@ -284,9 +284,9 @@ class SceneMaker {
     }
   }
 
-  /// The viewpoint of the view with the most points in the box around a target.
-  Eigen::Vector3d best_viewpoint(const Target& target) const {
-    if (further_.empty()) return cloud_.viewpoint;
+  /// The view with the most points in the box around a target.
+  std::size_t best_view(const Target& target) const {
+    if (further_.empty()) return 0;
     const Eigen::AlignedBox3f box = target.body.bounds_C().cast<float>();
     std::size_t best = 0;
     std::ptrdiff_t most = 0;
@@ -299,7 +299,7 @@ class SceneMaker {
         best = v;
       }
     }
-    return view_cloud(best).viewpoint;
+    return best;
   }
 
   /// Returns the normal of the first support; zero if no space is to be cleared above it.

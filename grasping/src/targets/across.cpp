@@ -51,7 +51,8 @@ std::optional<Refusal> unusable(const ContactLine& line, const TargetTask& task)
 std::vector<ContactLine> lines_across(const TargetTask& task, const ApproachSpace& space,
                                       HandTrials& trials) {
   if (!task.target.box) {
-    return contact_lines(task.target.body, task.parts.gripper, task.target.viewpoint_C, space.up_C);
+    return contact_lines(task.target.body, task.parts.gripper,
+                         task.parts.view_of(task.target).p_CV(), space.up_C);
   }
   BoxLines found = box_lines(*task.target.box, task.parts.gripper);
   trials.refuse(Refusal::kUnmeasured, found.unmeasured);

@@ -22,7 +22,7 @@ TargetGrasps grasps_by_points(const TargetTask& task, const TargetPoints& points
   HandTrials trials(task, kMaxChecks, kUsualGrasps);
   const PlanOptions& options = task.parts.options;
   const ThinWalls walls{options.min_wall, options.max_wall, [&](const Eigen::Vector3d& p_C) {
-                          return any_sees_past(task.parts.views, p_C, kFreeSpot);
+                          return task.parts.view_of(task.target).sees_past(p_C, kFreeSpot);
                         }};
   for (const Hold& hold :
        point_holds(points.all, points.own, task.parts.gripper, approach_space(task), walls,

@@ -49,7 +49,7 @@ GraspTerms terms_of(const Attempt& attempt, const Grasp& grasp, const TargetTask
   const ContactLine& line = attempt.line;
   const Body& body = task.target.body;
   const double reach = 0.5 * body.bounds_Q().sizes().maxCoeff();
-  const Eigen::Vector3d to_sensor = task.target.viewpoint_C - body.centre_C();
+  const Eigen::Vector3d to_sensor = task.parts.view_of(task.target).p_CV() - body.centre_C();
   GraspTerms terms;
   terms.friction = (1.0 - grasp.friction_needed / task.parts.options.friction) * attempt.straight;
   terms.clearance = 1.0;

@@ -90,7 +90,7 @@ ApproachSpace approach_space(const TargetTask& task) {
   space.axes_C = body.X_CQ.linear();
   space.centre_C = body.centre_C();
   space.reach = 0.5 * body.bounds_Q().sizes().maxCoeff();
-  const Eigen::Vector3d ray = task.target.viewpoint_C - space.centre_C;
+  const Eigen::Vector3d ray = task.parts.view_of(task.target).p_CV() - space.centre_C;
   if (ray.norm() > 1e-9) space.view_C = ray.normalized();
   space.up_C = task.target.up_C();
   space.wanted = task.query.approach;

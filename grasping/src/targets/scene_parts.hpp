@@ -54,6 +54,8 @@ struct SceneParts {
   /// The points of all views around the targets, without strays.
   std::vector<ViewedPoint> points;
   std::vector<Target> targets;
+  /// The view that shows most of a target.
+  const DepthView& view_of(const Target& target) const { return views[target.view]; }
   /// Why other detections and boxes are not targets, by id: "is a plane".
   std::map<int, std::string> why_none;
   /// The detections and boxes among these that are to be grasped but were refused, by id.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <vector>
@@ -36,8 +37,8 @@ struct Target {
   double noise = 0.0;
   /// The planes that the target stands on, the nearest first.
   std::vector<SupportPlane> supports;
-  /// The viewpoint of the view that shows most of the target [m].
-  Eigen::Vector3d viewpoint_C = Eigen::Vector3d::Zero();
+  /// Index of the view that shows most of the target.
+  std::size_t view = 0;
   /// The wall, if the target is open at one end, and the lines across it at which it was measured.
   std::optional<Shell> shell;
   std::vector<ContactLine> rim;
