@@ -76,6 +76,8 @@ DetectorOptions settled(DetectorOptions options, const CloudView& cloud) {
 /// The views in which surfaces can be found.
 struct UsableViews {
   std::vector<CloudView> clouds;
+  /// Their numbers among all views, from 0 on.
+  std::vector<std::size_t> numbers;
   /// Middle of the first of them [m].
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
 };
@@ -97,13 +99,15 @@ UsableViews usable_views(std::span<const CloudView> given, std::span<const Cloud
     if (!checks[v].usable) continue;
     if (usable.clouds.empty()) usable.centre = checks[v].centre;
     usable.clouds.push_back(checks[v].range.kept(given[v]));
+    usable.numbers.push_back(v);
   }
   return usable;
 }
 
-DetectionResult detect_checked(const UsableViews& views, const DetectorOptions& given,
-                               const FindCandidates& find, DetectionResult result,
-                               StageClock& clock) {
+/// @param all  number of all views
+DetectionResult detect_checked(const UsableViews& views, std::size_t all,
+                               const DetectorOptions& given, const FindCandidates& find,
+                               DetectionResult result, StageClock& clock) {
   if (views.clouds.empty()) return result;
   const DetectorOptions options = settled(given, views.clouds.front());
   Findings found = find_anywhere(views.clouds, views.centre, options, find, clock);
@@ -113,7 +117,7 @@ DetectionResult detect_checked(const UsableViews& views, const DetectorOptions& 
   result.points_used = found.points_used;
   for (std::size_t v = 0; v < views.clouds.size(); ++v) {
     const std::string doubt = contradict_viewpoint(views.clouds[v], result.detections);
-    if (!doubt.empty()) result.warnings.push_back(of_view(v, views.clouds.size(), doubt));
+    if (!doubt.empty()) result.warnings.push_back(of_view(views.numbers[v], all, doubt));
   }
   clock.end("viewpoint");
   return result;
@@ -127,7 +131,7 @@ DetectionResult detect_all(const FindCandidates& find, std::span<const CloudView
   for (const CloudView& cloud : given) checks.push_back(check_cloud(cloud));
   DetectionResult result;
   const UsableViews views = usable_views(given, checks, &result);
-  result = detect_checked(views, options, find, std::move(result), clock);
+  result = detect_checked(views, given.size(), options, find, std::move(result), clock);
   result.timings = clock.timings();
   result.total_ms = clock.total_ms();
   return result;
@@ -139,12 +143,13 @@ struct SeenView {
   SurfaceSamples samples;
 };
 
-/// Returns nullopt if the cloud is too small.
+/// Returns nullopt if the cloud is too small, or its viewpoint is not known.
 std::optional<SeenView> seen_view(const CloudView& given, const DetectorOptions& options) {
   const CloudCheck check = check_cloud(given);
-  if (!check.usable) return std::nullopt;
+  if (!check.usable || !given.viewpoint.allFinite()) return std::nullopt;
   const CloudView cloud = check.range.kept(given);
-  const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
+  const std::unique_ptr<CellPyramid> pyramid =
+      make_pyramid(cloud, settled(options, cloud).sampling);
   if (!pyramid) return std::nullopt;
   const Mask all(static_cast<std::size_t>(pyramid->size(0)), 1);
   SampleTree tree(*pyramid, pyramid->samples(all, options.threads));
@@ -198,11 +203,10 @@ DetectionResult detect_views(std::span<const PointCloud> views, const DetectorOp
 }
 
 std::vector<Eigen::Isometry3d> align_views(std::vector<PointCloud>* views,
-                                           const DetectorOptions& given) {
-  given.check();
+                                           const DetectorOptions& options) {
+  options.check();
   std::vector<Eigen::Isometry3d> motions(views->size(), Eigen::Isometry3d::Identity());
   if (views->size() < 2) return motions;
-  const DetectorOptions options = settled(given, views->front());
   std::vector<SurfaceSamples> aligned;
   aligned.reserve(views->size());
   std::vector<const SurfaceSamples*> before;
@@ -213,8 +217,10 @@ std::vector<Eigen::Isometry3d> align_views(std::vector<PointCloud>* views,
     if (!view) continue;
     if (!before.empty()) {
       const std::vector<int> no_cells(before.size(), 0);
-      motions[v] = align(view->samples, cloud.viewpoint, joined_samples(before, no_cells, 0.0),
-                         options.views);
+      const std::optional<Eigen::Isometry3d> motion = align(
+          view->samples, cloud.viewpoint, joined_samples(before, no_cells, 0.0), options.views);
+      if (!motion) continue;
+      motions[v] = *motion;
       cloud = moved(std::move(cloud), motions[v]);
       view->sight.X_VC = view->sight.X_VC * motions[v].inverse().cast<float>();
     }

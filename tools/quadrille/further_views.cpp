@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cstddef>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
@@ -43,8 +42,9 @@ void ViewArguments::add_to(CLI::App& command) {
 
 void ViewArguments::check(const std::vector<std::string>& inputs) const {
   if (paths.empty()) return;
-  if (inputs.size() > 1) {
-    throw CLI::ValidationError("--view", "takes a single INPUT; give one after the other");
+  if (may_be_several(inputs)) {
+    throw CLI::ValidationError("--view",
+                               "takes a single INPUT, and of a log one cloud: clouds.lcm#2");
   }
   refuse_same(inputs.front(), paths);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ struct ViewArguments {
 
   /// Adds --view; this object must outlive the app.
   void add_to(CLI::App& command);
-  /// Refuses more than one input if there are views, since these belong to one scene.
+  /// Refuses several inputs, or a log of several clouds, if there are views, since these belong to
+  /// one scene.
   /// @throws CLI::ValidationError
   void check(const std::vector<std::string>& inputs) const;
 };

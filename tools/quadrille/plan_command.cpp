@@ -175,17 +175,17 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   const std::vector<Detection> detections = bus::as_received(found.detections);
   const GraspQuery query =
       moved(completed(arguments.query.query(), setup.options), input.X_CK.inverse());
+  const PointCloud& cloud = views.clouds.front();
   const std::vector<PointCloud> further(views.clouds.begin() + 1, views.clouds.end());
   const std::vector<Box> boxes = bus::as_received(found.boxes);
   const std::vector<SceneBody> bodies = bus::as_received(found.bodies);
-  const GraspScene asked(input.cloud, detections, setup.gripper, setup.options, further, boxes,
-                         bodies);
+  const GraspScene asked(cloud, detections, setup.gripper, setup.options, further, boxes, bodies);
   GraspPlan planned = asked.plan_from_start(query);
   std::vector<Look> looks;
   if (arguments.advise) {
-    planned.remedies = find_remedies(planned, input.cloud, detections, setup.gripper, setup.options,
+    planned.remedies = find_remedies(planned, cloud, detections, setup.gripper, setup.options,
                                      further, query, boxes, bodies);
-    looks = propose_looks(planned, bodies, detections, input.cloud.viewpoint);
+    looks = propose_looks(planned, bodies, detections, cloud.viewpoint);
     for (Look& look : looks) look.X_CK = input.X_CK * look.X_CK;
   }
   found.boxes = planned.boxes;

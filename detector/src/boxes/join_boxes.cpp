@@ -1,55 +1,74 @@
 #include "boxes/join_boxes.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <tuple>
 #include <utility>
 
 namespace quadrille {
 namespace {
 
-/// True if the middle of one of two boxes lies in the other.
+/// True if two boxes occupy the same place: the middle of each lies in the other.
 bool are_one(const Box& a, const Box& b) {
-  return a.inner_B.contains(a.X_CB.inverse() * b.X_CB.translation()) ||
-         b.inner_B.contains(b.X_CB.inverse() * a.X_CB.translation());
+  return a.outer_B.contains(a.X_CB.inverse() * b.X_CB.translation()) &&
+         b.outer_B.contains(b.X_CB.inverse() * a.X_CB.translation());
 }
 
+/// A box, and the views that show it.
+struct SeenBox {
+  Box box;
+  std::vector<std::size_t> views;
+
+  bool is_seen_in(std::size_t view) const {
+    return std::find(views.begin(), views.end(), view) != views.end();
+  }
+};
+
 /// More of the sides of the first box are known.
-bool is_better(const Box& a, const Box& b) {
+bool is_better(const SeenBox& a, const SeenBox& b) {
   const auto sides = [](const Box& box) {
     return std::count(box.seen.begin(), box.seen.end(), true);
   };
-  return std::make_tuple(sides(a), a.faces.size(), a.score) >
-         std::make_tuple(sides(b), b.faces.size(), b.score);
+  return std::make_tuple(sides(a.box), a.box.faces.size(), a.box.score) >
+         std::make_tuple(sides(b.box), b.box.faces.size(), b.box.score);
+}
+
+/// Adds the faces and views of a box to those of the same box in another view.
+void add(const SeenBox& more, SeenBox* same) {
+  same->views.insert(same->views.end(), more.views.begin(), more.views.end());
+  for (const int face : more.box.faces) {
+    std::vector<int>& faces = same->box.faces;
+    if (std::find(faces.begin(), faces.end(), face) == faces.end()) faces.push_back(face);
+  }
 }
 
 }  // namespace
 
 std::vector<Box> join_boxes(std::vector<std::vector<Box>> of_views) {
   if (of_views.size() == 1) return std::move(of_views.front());
-  std::vector<Box> all, joined;
-  for (std::vector<Box>& boxes : of_views) {
-    std::move(boxes.begin(), boxes.end(), std::back_inserter(all));
+  std::vector<SeenBox> all, joined;
+  for (std::size_t v = 0; v < of_views.size(); ++v) {
+    for (Box& box : of_views[v]) all.push_back({std::move(box), {v}});
   }
-  if (all.empty()) return all;
-  int id = std::min_element(all.begin(), all.end(), [](const Box& a, const Box& b) {
-             return a.id < b.id;
-           })->id;
+  int id = std::numeric_limits<int>::max();
+  for (const SeenBox& seen : all) id = std::min(id, seen.box.id);
   std::stable_sort(all.begin(), all.end(), is_better);
-  for (Box& box : all) {
-    const auto same = std::find_if(joined.begin(), joined.end(),
-                                   [&](const Box& other) { return are_one(box, other); });
-    if (same == joined.end()) {
-      box.id = id++;
-      joined.push_back(std::move(box));
-      continue;
-    }
-    for (const int face : box.faces) {
-      if (std::find(same->faces.begin(), same->faces.end(), face) == same->faces.end()) {
-        same->faces.push_back(face);
-      }
+  for (SeenBox& seen : all) {
+    // Two boxes of one view are different, since it shows both.
+    const auto same = std::find_if(joined.begin(), joined.end(), [&](const SeenBox& other) {
+      return !other.is_seen_in(seen.views.front()) && are_one(seen.box, other.box);
+    });
+    if (same != joined.end()) {
+      add(seen, &*same);
+    } else {
+      seen.box.id = id++;
+      joined.push_back(std::move(seen));
     }
   }
-  return joined;
+  std::vector<Box> boxes;
+  for (SeenBox& seen : joined) boxes.push_back(std::move(seen.box));
+  return boxes;
 }
 
 }  // namespace quadrille

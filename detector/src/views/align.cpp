@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "samples/region.hpp"
@@ -20,6 +21,11 @@ constexpr float kMatchCells = 1.0f, kMinCosine = 0.9f;
 // Errors of the poses that are looked for, in standard deviations of their prior: at the first
 // step, the share of it from each step to the next, and at last.
 constexpr double kReach = 3.0, kNarrowing = 0.7, kLastReach = 0.6;
+// Standard deviation of what is to be trusted: of a shift [m] or a turn [rad].
+constexpr double kTrusted = 1e-8;
+// Least number of matched samples, and largest root mean square motion in standard deviations.
+constexpr int kMinMatches = 50;
+constexpr double kMaxDeviation = 4.0;
 // Number of samples of each orientation that are matched; more tell nothing new.
 constexpr std::size_t kSamples = 400;
 // Standard deviation of the sensor's own, slowly varying error of depth [m], and the number of
@@ -67,8 +73,9 @@ struct Equations {
 /// Number of the orientation of a normal, of kWays, such that a table does not outweigh the sides
 /// of what stands on it.
 std::size_t orientation_of(const Eigen::Vector3d& normal) {
-  const Eigen::Vector3i way = (normal.array().round().cast<int>() + 1).matrix();
-  return static_cast<std::size_t>(way.x() + 3 * (way.y() + 3 * way.z()));
+  const Eigen::Array3i way = normal.array().round().cast<int>() + 1;
+  return static_cast<std::size_t>(way.x()) + 3 * static_cast<std::size_t>(way.y()) +
+         9 * static_cast<std::size_t>(way.z());
 }
 
 /// Weight of a residual by Cauchy's function, which leaves little to those far beyond sigma.
@@ -94,17 +101,19 @@ std::vector<int> evenly_oriented(const SurfaceSamples& samples) {
 
 }  // namespace
 
-Eigen::Isometry3d align(const SurfaceSamples& view, const Eigen::Vector3d& eye,
-                        const SurfaceSamples& before, const ViewOptions& options) {
+std::optional<Eigen::Isometry3d> align(const SurfaceSamples& view, const Eigen::Vector3d& eye,
+                                       const SurfaceSamples& before, const ViewOptions& options) {
   Eigen::Isometry3d X = Eigen::Isometry3d::Identity();
-  if (!(options.shift > 0.0 && options.turn > 0.0)) return X;
+  if (options.shift == 0.0 && options.turn == 0.0) return X;
   const Target target(before);
   Vector6d prior;
-  prior << Eigen::Vector3d::Constant(std::pow(options.turn, -2)),
-      Eigen::Vector3d::Constant(std::pow(options.shift, -2));
+  prior << Eigen::Vector3d::Constant(std::pow(std::max(kTrusted, options.turn), -2)),
+      Eigen::Vector3d::Constant(std::pow(std::max(kTrusted, options.shift), -2));
   Vector6d motion = Vector6d::Zero();
   const std::vector<int> some = evenly_oriented(view);
+  int matches = 0;
   for (int step = 0; step < kIterations; ++step) {
+    matches = 0;
     std::array<Equations, kWays> ways;
     // The first steps look for what poses may be off, the later ones for what is left of it.
     const double errors = std::max(kLastReach, kReach * std::pow(kNarrowing, step));
@@ -127,6 +136,7 @@ Eigen::Isometry3d align(const SurfaceSamples& view, const Eigen::Vector3d& eye,
       way.A += weight * J * J.transpose();
       way.b -= weight * residual * J;
       ++way.matches;
+      ++matches;
     }
     Matrix6d A = prior.asDiagonal();
     Vector6d b = -prior.cwiseProduct(motion);
@@ -144,6 +154,8 @@ Eigen::Isometry3d align(const SurfaceSamples& view, const Eigen::Vector3d& eye,
     X = about * X;
     if (change.tail<3>().norm() < 1e-6 && turn.norm() < 1e-6) break;
   }
+  const double deviation = std::sqrt(motion.cwiseAbs2().dot(prior) / 6.0);
+  if (matches < kMinMatches || !(deviation < kMaxDeviation)) return std::nullopt;
   return X;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <vector>
+#include <optional>
 
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/surface_samples.hpp"
@@ -17,8 +17,10 @@ namespace quadrille {
 /// @param view        the view's samples in frame C, as its pose says
 /// @param eye         the view's viewpoint in frame C [m]
 /// @param before      samples of the earlier views in frame C
-/// @return the motion X in X p, within frame C
-Eigen::Isometry3d align(const SurfaceSamples& view, const Eigen::Vector3d& eye,
-                        const SurfaceSamples& before, const ViewOptions& options);
+/// @param options     how well the poses are known
+/// @return the motion X in X p, within frame C; nullopt if the view has too little in common with
+///   those before, or would have to move by more than four standard deviations of its pose
+std::optional<Eigen::Isometry3d> align(const SurfaceSamples& view, const Eigen::Vector3d& eye,
+                                       const SurfaceSamples& before, const ViewOptions& options);
 
 }  // namespace quadrille

@@ -74,7 +74,7 @@ class SceneMaker {
       }
     });
     const bool seen_so = has_viewpoint();
-    if (seen_so && !parts_.views.front().valid()) {
+    if (seen_so && !sighted()) {
       warn("no point lies before the viewpoint: all space counts as unknown");
     }
     if (seen_so) stage("targets", [&] { choose_targets(bodies); });
@@ -176,6 +176,12 @@ class SceneMaker {
     return false;
   }
 
+  /// True if a view has points before its viewpoint.
+  bool sighted() const {
+    return std::any_of(parts_.views.begin(), parts_.views.end(),
+                       [](const DepthView& view) { return view.valid(); });
+  }
+
   void choose_targets(const std::vector<SceneBody>& bodies) {
     add(quadrille::choose_targets(all_points(), detections_, parts_.views, parts_.gripper,
                                   parts_.options, half_));
@@ -259,12 +265,11 @@ class SceneMaker {
     parts_.space = std::make_shared<OccupancyGrid>(
         std::move(mapper).take_cleared(parts_.views.front(), up_to_clear()));
     if (parts_.targets.empty()) return;
-    const bool sighted = parts_.views.front().valid();
     const UnknownPolicy unknown = parts_.options.unknown;
     parts_.map.emplace(
         *parts_.space,
         unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow,
-        sighted ? std::span<const DepthView>(parts_.views) : std::span<const DepthView>());
+        sighted() ? std::span<const DepthView>(parts_.views) : std::span<const DepthView>());
   }
 
   const PointCloud& view_cloud(std::size_t view) const {

@@ -35,7 +35,9 @@ void ObstacleMap::clear_shadow(const Body& body, const Eigen::AlignedBox3d& regi
   const Range range = voxels(region);
   if ((range.second.array() < 0).any()) return;
   const Range blocks(kEdge * (range.first / kEdge), kEdge * (range.second / kEdge).array() + kEdge);
-  for (const DepthView& view : views_) clear_shadow(view, body, blocks);
+  for (const DepthView& view : views_) {
+    if (view.valid()) clear_shadow(view, body, blocks);
+  }
   refresh({blocks.first, blocks.second.array() - 1});
 }
 

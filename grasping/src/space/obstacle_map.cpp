@@ -231,7 +231,7 @@ bool ObstacleMap::enters_hidden(const Query& query, const Eigen::Vector3d& centr
   const double h = 0.5 * half;
   if (depth == 0) return true;
   const auto tells = [&](const DepthView& view) {
-    return !(view.spacing(view.to_view(centre).z()) > 2.0 * h);
+    return view.valid() && !(view.spacing(view.to_view(centre).z()) > 2.0 * h);
   };
   if (std::none_of(views_.begin(), views_.end(), tells)) return true;
   const auto seen_through = [&](const Eigen::Vector3d& eighth) {

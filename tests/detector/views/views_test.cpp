@@ -1,6 +1,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -97,11 +99,31 @@ TEST_CASE("poses that are to be trusted are not corrected", "[views]") {
   std::vector<PointCloud> views = table_views();
   views[1] = moved_cloud(views[1], Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, 0.003)));
   DetectorOptions options;
-  options.views.shift = GENERATE(0.0, 0.002);
-  options.views.turn = options.views.shift > 0.0 ? 0.0 : 0.0035;
-  for (const Eigen::Isometry3d& motion : align_views(&views, options)) {
+  options.views.shift = options.views.turn = 0.0;
+  std::vector<PointCloud> trusted = views;
+  for (const Eigen::Isometry3d& motion : align_views(&trusted, options)) {
     CHECK(motion.matrix().isIdentity(0.0));
   }
+  // Directions alone may be trusted.
+  options.views.shift = 0.002;
+  const Eigen::Isometry3d motion = align_views(&views, options)[1];
+  CHECK(Eigen::AngleAxisd(motion.linear()).angle() < 1e-6);
+  CHECK(motion.translation().norm() > 0.001);
+}
+
+TEST_CASE("a view of something else, or without a viewpoint, stays where it is and drops nothing",
+          "[views]") {
+  std::vector<PointCloud> views = table_views();
+  const bool elsewhere = GENERATE(true, false);
+  if (elsewhere) {
+    views[1] = moved_cloud(views[1], Eigen::Isometry3d(Eigen::Translation3d(0.0, 0.0, -0.3)));
+  } else {
+    views[1].viewpoint.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  const std::size_t before = count_finite(views[0]);
+  CHECK(align_views(&views)[1].matrix().isIdentity(0.0));
+  CHECK(count_finite(views[0]) >= before - before / 500);
+  CHECK(count_finite(views[1]) > 0);
 }
 
 TEST_CASE("what other views see through is dropped, and nothing else", "[views]") {
