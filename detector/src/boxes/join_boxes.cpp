@@ -67,6 +67,7 @@ std::vector<Box> join_boxes(std::vector<std::vector<Box>> of_views) {
     }
   }
   std::vector<Box> boxes;
+  boxes.reserve(joined.size());
   for (SeenBox& seen : joined) boxes.push_back(std::move(seen.box));
   return boxes;
 }
