@@ -54,7 +54,8 @@ void run(const DetectArguments& arguments) {
   arguments.input.check(arguments.inputs);
   arguments.views.check(arguments.inputs);
   io::Config settings = io::load_config(arguments.detector.config);
-  const DetectorSetup setup = arguments.detector.overrule(settings);
+  const io::DetectorConfig& of_detector = settings;
+  const DetectorSetup setup = arguments.detector.overrule(of_detector);
   settings.detector = setup.options;
   const io::RunInfo info = run_info(setup);
   PicturePaths pictures(arguments.picture.path, may_be_several(arguments.inputs));

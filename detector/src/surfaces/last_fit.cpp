@@ -24,6 +24,7 @@ OrientedPointsf points_on(const Surface& surface, const SurfaceSamples& samples,
   OrientedPointsf points = fit_points(samples, surface.region, surface.local, size);
   const Eigen::Matrix4f Q = surface.fit.posed.matrix().cast<float>();
   std::vector<Eigen::Vector3f> eyes;
+  eyes.reserve(sights.size());
   for (const Sight& sight : sights) eyes.push_back(sight.X_VC.inverse().translation());
   const float square = static_cast<float>(surface.local.scale * surface.local.scale);
   Eigen::Index kept = 0;

@@ -18,7 +18,9 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kMinMouth = 0.02, kMinHeight = 0.02;
 // An end is open if, at this depth below the rim [m], the sensor saw past at least this share of
 // the places. The near wall hides the rest.
-constexpr double kBelowRim = 0.008, kMinSeenShare = 0.3;
+constexpr std::size_t kStepsBelow = 8;
+constexpr double kRaiseStep = 0.001;
+constexpr double kBelowRim = kStepsBelow * kRaiseStep, kMinSeenShare = 0.3;
 // Half the edge of the cubes that are tested for being seen through [m]: about the size of a pixel
 // at one metre.
 constexpr double kLookHalfEdge = 0.0015;
@@ -30,7 +32,8 @@ constexpr std::size_t kMinPoints = 100;
 constexpr double kStrayShare = 0.02;
 // Greatest distance by which a rim may lie above the end of the detection, and the step of the
 // search for it [m].
-constexpr double kMaxRaised = 0.008, kRaiseStep = 0.001;
+constexpr std::size_t kStepsRaised = 8;
+constexpr double kMaxRaised = kStepsRaised * kRaiseStep;
 
 /// Makes the ellipsoid's axis that is nearest to up_C its z axis; for a sphere any axis will do.
 std::optional<Body> upright(Body body, const Eigen::Vector3d& up_C) {
@@ -73,14 +76,14 @@ void raise_to_points(const PointCloud& cloud, Shell& shell) {
   const double bottom = shell.body.z_max - kBelowRim;
   shell.body.z_max += kMaxRaised;
   const Eigen::AlignedBox3d box = shell.body.bounds_Q();
-  std::array<int, static_cast<int>((kBelowRim + kMaxRaised) / kRaiseStep + 0.5)> counts{};
+  std::array<int, kStepsBelow + kStepsRaised> counts{};
   each_point_near(cloud, shell.body, [&](const Eigen::Vector3d& p_C) {
     const Eigen::Vector3d p_Q = X_QC * p_C;
     const double up = std::floor((p_Q.z() - bottom) / kRaiseStep);
     if (!(up >= 0.0 && up < counts.size()) || !box.contains(p_Q)) return;
     if (std::abs(shell.offset(p_C)) < kWallNoise) ++counts[static_cast<std::size_t>(up)];
   });
-  constexpr std::size_t kBelow = static_cast<std::size_t>(kBelowRim / kRaiseStep + 0.5);
+  constexpr std::size_t kBelow = kStepsBelow;
   const int usual = std::accumulate(counts.begin(), counts.begin() + kBelow, 0);
   std::size_t n = kBelow;
   while (n < counts.size() && counts[n] > 0 && counts[n] * 3.0 * kBelow >= usual) ++n;
