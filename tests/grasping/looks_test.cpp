@@ -29,7 +29,7 @@ struct CanBeforeBox {
     return all;
   }();
 
-  /// What a camera sees at a pose in C, in frame C.
+  /// Renders the scene for a camera with this pose. The cloud is in frame C.
   PointCloud seen_from(const Eigen::Isometry3d& X_CK) const {
     std::vector<Patch> moved_patches = patches;
     for (Patch& p : moved_patches) p.X_CB = X_CK.inverse() * p.X_CB;
@@ -128,7 +128,7 @@ TEST_CASE("no view is proposed if nothing lacks a grasp", "[looks]") {
   REQUIRE_FALSE(planned.plan.grasps.empty());
   for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.95;
   CHECK(planned.looks().empty());
-  // As soon as its grasps are doubtful, one is.
+  // If all grasps of the body are doubtful, a view is proposed.
   for (Grasp& grasp : planned.plan.grasps) grasp.score = 0.6;
   CHECK(planned.looks().size() == 1);
 }

@@ -22,7 +22,8 @@ TEST_CASE("plan writes its map as OctoMap reads it, and fuses further views", "[
   INFO(run.err);
   REQUIRE(run.code == 0);
   CHECK(test::content_of(map).starts_with("# Octomap OcTree binary file\nid OcTree\n"));
-  // The same view again lies where it is; but the same file is refused.
+  // A copy of the cloud already lies on it, so that its pose needs no correction. The same file
+  // twice is refused.
   const std::string copy = folder.path("copy.ply");
   std::filesystem::copy_file(scene, copy);
   const Run twice = run_quadrille(plan + " --view " + copy + " --json -");

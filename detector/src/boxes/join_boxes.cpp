@@ -46,6 +46,7 @@ void add(const SeenBox& more, SeenBox* same) {
 }  // namespace
 
 std::vector<Box> join_boxes(std::vector<std::vector<Box>> of_views) {
+  // A single view has nothing to join, and its order is kept.
   if (of_views.size() == 1) return std::move(of_views.front());
   std::vector<SeenBox> all, joined;
   for (std::size_t v = 0; v < of_views.size(); ++v) {

@@ -59,19 +59,20 @@ std::vector<int> Extender::further(const Surface& surface, const Mask& free) con
     box.extend(posed(i));
     max_square = std::max(max_square, (samples_.raw[i] - centre).squaredNorm());
   }
-  // Other views may have seen the other side.
+  float reach = std::sqrt(max_square);
+  // Other views may have seen the other side, all around the axis.
   if (!samples_.view.empty()) {
     const float around =
         box.min().head<2>().cwiseAbs().cwiseMax(box.max().head<2>().cwiseAbs()).maxCoeff();
     box.extend(Eigen::Vector3f(-around, -around, box.min().z()));
     box.extend(Eigen::Vector3f(around, around, box.max().z()));
+    reach = std::max(reach, scale * box.diagonal().norm());
   }
   const Eigen::Vector3f margin = kMargin * box.sizes();
   box.extend(Eigen::Vector3f(box.min() - margin));
   box.extend(Eigen::Vector3f(box.max() + margin));
   // The extended box lies within a ball of this radius.
-  float radius = std::sqrt(max_square) + margin.norm() * scale;
-  if (!samples_.view.empty()) radius = 2.0f * scale * box.diagonal().norm();
+  const float radius = reach + margin.norm() * scale;
   const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
   std::vector<int> more;
   for (const int i : buckets_.near(centre, radius)) {

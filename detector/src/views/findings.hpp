@@ -11,7 +11,7 @@
 
 namespace quadrille {
 
-/// What was found in a scene.
+/// The detections, boxes and bodies that were found in a scene.
 struct Findings {
   std::vector<Detection> detections;
   std::vector<Box> boxes;

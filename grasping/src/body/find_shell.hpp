@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 
 #include "body/shell.hpp"
 #include "quadrille/detector/point_cloud.hpp"

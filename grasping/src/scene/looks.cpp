@@ -17,10 +17,9 @@ constexpr double kSureScore = 0.8;
 // The hand needs to know the space up to this distance from a body [m]: about a finger's thickness,
 // its room, and the length that encloses the body.
 constexpr double kNeeded = 0.04;
-// Bodies are smaller than the boxes around them: round ones, and those that are only guessed. A box
-// therefore hides what lies behind its core, which is smaller by this on each side [m], but no
-// thinner than this share of it.
-constexpr double kRim = 0.006, kMinCore = 0.5;
+// Round bodies, and those that are guessed in part, are smaller than the boxes around them. A box
+// therefore hides only what lies behind its core, whose sides are this share of the box's.
+constexpr double kCore = 0.75;
 // Number of unknown voxels of a body that are looked at; more give the same shares.
 constexpr std::size_t kVoxels = 250;
 // Number of directions on half a sphere from which to look; neighbours are some 20° apart.
@@ -90,9 +89,8 @@ Eigen::AlignedBox3d needed_box(const SceneBody& body) {
 
 /// The part of the box around a body that hides what lies behind it.
 Eigen::AlignedBox3d core_of(const SceneBody& body) {
-  const Eigen::Array3d half = 0.5 * body.size;
-  const Eigen::Vector3d core = (half - kRim).max(kMinCore * half);
-  return {-core, core};
+  const Eigen::Vector3d half = 0.5 * kCore * body.size;
+  return {-half, half};
 }
 
 /// True if the segment between two points crosses a box.

@@ -14,8 +14,8 @@ namespace {
 // The target's points are carved up to this many of their standard deviations from its fitted
 // surface: at least the first distance, since fits are no more accurate, at most the second [m].
 constexpr double kCarveSigmas = 3.0, kMinCarveNoise = 0.002, kMaxCarveNoise = 0.01;
-// Of several views each is off a little, so that points of a target lie up to this far from its
-// surface [m].
+// If there are several views, each is a little off, so that the points of a target lie up to this
+// far from its surface [m].
 constexpr double kMinViewNoise = 0.005;
 // A detection is part of the target if its centre lies in the target's body grown by the first
 // value [m], and it is no larger than the body, to within a share of the body's size and a fixed

@@ -24,7 +24,8 @@ Eigen::Isometry3d pose_in_first(const Eigen::Vector3d& eye) {
   return world_seen_from(kEyes.front()) * world_seen_from(eye).inverse();
 }
 
-/// What a camera sees of patches that are given in the frame of the first view, in that frame.
+/// Renders the patches for a camera at the eye. The patches and the cloud are in the frame of the
+/// first view.
 PointCloud view_of(std::vector<Patch> patches, const Eigen::Vector3d& eye, double noise) {
   const Eigen::Isometry3d X_CV = pose_in_first(eye);
   for (Patch& patch : patches) patch.X_CB = X_CV.inverse() * patch.X_CB;

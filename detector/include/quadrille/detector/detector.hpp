@@ -24,8 +24,8 @@ QUADRILLE_EXPORT DetectionResult detect(const CloudView& cloud,
 /// by all of them. Views whose poses are known from the arm or a calibration are first brought onto
 /// each other by align_views().
 ///
-/// Of a single cloud the result is that of detect(). Views without usable points are left out, with
-/// a warning.
+/// If there is a single cloud, the result is that of detect(). Views without usable points are left
+/// out, with a warning.
 /// @param views  at least one
 /// @throws std::invalid_argument if there is no view, or an option is out of range
 QUADRILLE_EXPORT DetectionResult detect_views(std::span<const PointCloud> views,
@@ -35,8 +35,9 @@ QUADRILLE_EXPORT DetectionResult detect_views(std::span<const PointCloud> views,
 ///
 /// Each further view is brought onto the ones before by a small motion, which corrects the error of
 /// its pose. It is sought on what the views both see, within the errors that DetectorOptions::views
-/// says the poses have. Then the points that another view sees through are dropped: no surface is
-/// there. In an organised cloud they become NaN.
+/// says the poses have. A view that has too little in common with the ones before, or would have to
+/// move by much more, stays as it is. Then the points that another view sees through are dropped:
+/// no surface is there. In an organised cloud they become NaN.
 /// @param views  clouds in one frame C, each with its own viewpoint
 /// @return the motion within C of each view; the identity for the first
 /// @throws std::invalid_argument if an option is out of range

@@ -1,4 +1,4 @@
-#include "views/scene.hpp"
+#include "views/join_views.hpp"
 
 #include <utility>
 
@@ -35,10 +35,10 @@ struct Parts {
   std::vector<Candidate> candidates;
 };
 
-Parts parts_of(const std::vector<ViewSearch>& views) {
+Parts parts_of(const std::vector<Scene>& views) {
   Parts parts;
   int coarse_samples = 0, samples = 0, coarse_cells = 0, cells = 0;
-  for (const ViewSearch& view : views) {
+  for (const Scene& view : views) {
     parts.coarse.push_back(&view.coarse);
     parts.finest.push_back(&view.finest);
     parts.first_coarse_cells.push_back(coarse_cells);
@@ -54,10 +54,11 @@ Parts parts_of(const std::vector<ViewSearch>& views) {
         parts.candidates.push_back({surface.Q, surface.fit.family, std::move(region), surface.rms});
       }
     }
+    const CellPyramid& pyramid = *view.views.front().pyramid;
     coarse_samples += view.coarse.size();
     samples += view.finest.size();
-    coarse_cells += view.pyramid->size(kLevels - 1);
-    cells += view.pyramid->size(0);
+    coarse_cells += pyramid.size(kLevels - 1);
+    cells += pyramid.size(0);
   }
   return parts;
 }
@@ -77,20 +78,8 @@ std::vector<Surface> choose_surfaces(const Scene& scene, Parts parts,
 
 }  // namespace
 
-Scene scene_of(ViewSearch view) {
-  Scene scene;
-  scene.views.push_back({view.cloud, std::move(view.pyramid), 0});
-  scene.coarse = std::move(view.coarse);
-  scene.planes = std::move(view.planes);
-  scene.plane_of_cell = std::move(view.plane_of_cell);
-  scene.finest = std::move(view.finest);
-  scene.surfaces = std::move(view.surfaces);
-  scene.context = std::move(view.context);
-  return scene;
-}
-
-Scene join_views(std::vector<ViewSearch> views, const DetectorOptions& options) {
-  if (views.size() == 1) return scene_of(std::move(views.front()));
+Scene join_views(std::vector<Scene> views, const DetectorOptions& options) {
+  if (views.size() == 1) return std::move(views.front());
   Scene scene;
   Parts parts = parts_of(views);
   scene.coarse = joined_samples(parts.coarse, parts.first_coarse_cells, kViewShift);
@@ -104,8 +93,9 @@ Scene join_views(std::vector<ViewSearch> views, const DetectorOptions& options) 
       scene.plane_of_cell.push_back(k < 0 ? k : *(number + k));
     }
     number += static_cast<std::ptrdiff_t>(views[v].planes.size());
-    scene.context.sights.push_back(views[v].pyramid->sight());
-    scene.views.push_back({views[v].cloud, std::move(views[v].pyramid), parts.first_cells[v]});
+    scene.context.sights.push_back(std::move(views[v].context.sights.front()));
+    ViewCells& cells = scene.views.emplace_back(std::move(views[v].views.front()));
+    cells.first = parts.first_cells[v];
   }
   scene.surfaces = choose_surfaces(scene, std::move(parts), options);
   return scene;
