@@ -6,7 +6,6 @@
 #include <iterator>
 #include <list>
 #include <numeric>
-#include <span>
 #include <utility>
 
 #include "body/body.hpp"
@@ -269,7 +268,7 @@ class SceneMaker {
     parts_.map.emplace(
         *parts_.space,
         unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow,
-        sighted() ? std::span<const DepthView>(parts_.views) : std::span<const DepthView>());
+        parts_.views);
   }
 
   const PointCloud& view_cloud(std::size_t view) const {

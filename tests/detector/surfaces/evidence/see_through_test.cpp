@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRadius = 0.04;
 // The eye lies this far along x from the origin, and the wall this far behind it.
-constexpr double kDistance = 1.0, kWall = 0.3;
+constexpr double kDistance = 1.0, kWallBehind = 0.3;
 
 /// What an eye on the x axis sees that looks at the origin, per ray from it.
 /// @param depth  depth along the view for the tangents (u, v): along y and z
@@ -79,20 +79,20 @@ SceneContext seen_past(double turn, Range&& range) {
 
 TEST_CASE("through a ball that is there nothing is seen", "[evidence][see_through]") {
   const auto ball = [](double u, double v) {
-    return std::min(depth_of_ball(u, v), kDistance + kWall);
+    return std::min(depth_of_ball(u, v), kDistance + kWallBehind);
   };
   CHECK(share_of_ball(seen_from_x(ball)) == 0.0);
 }
 
 TEST_CASE("what should hide a wall and does not is seen through", "[evidence][see_through]") {
-  const auto wall = [](double, double) { return kDistance + kWall; };
+  const auto wall = [](double, double) { return kDistance + kWallBehind; };
   CHECK(share_of_ball(seen_from_x(wall)) == 1.0);
   // A cap of 30° is there. Of the disc, rays count that meet the ball at a cosine of .35 and more:
   // 1 - .35² of its area, of which the cap hides sin² 30°; they are some ninety.
   const auto cap = [](double u, double v) {
     const double z = depth_of_ball(u, v);
     const bool within = std::hypot(z * u, z * v) < 0.5 * kRadius;
-    return within ? z : kDistance + kWall;
+    return within ? z : kDistance + kWallBehind;
   };
   const double disc = 1.0 - 0.35 * 0.35;
   CHECK(share_of_ball(seen_from_x(cap)) == Approx((disc - 0.25) / disc).margin(0.06));
@@ -102,7 +102,7 @@ TEST_CASE("beside the eye's axis as much is seen through as on it", "[evidence][
   // A smaller ball, of which some lies within the tolerance.
   const auto smaller = [](double angle) {
     const double root = std::pow(0.91 * kRadius, 2) - std::pow(kDistance * std::sin(angle), 2);
-    return root < 0 ? kDistance + kWall : kDistance * std::cos(angle) - std::sqrt(root);
+    return root < 0 ? kDistance + kWallBehind : kDistance * std::cos(angle) - std::sqrt(root);
   };
   const double ahead = share_of_ball(seen_past(0.0, smaller));
   CHECK(ahead > 0.2);
@@ -117,7 +117,7 @@ TEST_CASE("without up, turning everything changes nothing", "[evidence][see_thro
   // A cap of a ball of which the rest is not there.
   const SurfaceSamples samples = sphere_grid(15, 15, kRadius, 0.002, 0.0, 1);
   const Quadric Q(diagonal(1, 1, 1, -kRadius * kRadius));
-  const SceneContext s = seen_from_x([](double, double) { return kDistance + kWall; });
+  const SceneContext s = seen_from_x([](double, double) { return kDistance + kWallBehind; });
   const double share = see_through(s, samples, all_of(samples), Q, canonical_form(Q));
   for (const double angle : {0.4, 0.8, 1.2}) {
     const Eigen::AngleAxisd R(angle, Eigen::Vector3d(1, 2, 3).normalized());
@@ -144,14 +144,14 @@ TEST_CASE("a pipe reaches no farther along its axis than its region", "[evidence
     const double n = 1 + u * u;
     const double root = kDistance * kDistance - n * (kDistance * kDistance - kRadius * kRadius);
     const double z = root < 0 ? 10.0 : (kDistance - std::sqrt(root)) / n;
-    return std::abs(z * v) < 0.05 ? z : kDistance + kWall;
+    return std::abs(z * v) < 0.05 ? z : kDistance + kWallBehind;
   };
   const Quadric Q(diagonal(1, 1, 0, -kRadius * kRadius));
   const auto share = [&](const SceneContext& s) {
     return see_through(s, samples, all_of(samples), Q, canonical_form(Q));
   };
   CHECK(share(seen_from_x(pipe)) == Approx(0.0).margin(0.02));
-  const auto wall = [](double, double) { return kDistance + kWall; };
+  const auto wall = [](double, double) { return kDistance + kWallBehind; };
   CHECK(share(seen_from_x(wall)) == 1.0);
   CHECK(share({}) == 0.0);
 }
