@@ -24,6 +24,17 @@ TEST_CASE("a pose takes points of the camera to the fixed frame", "[bus][pose]")
   CHECK((got.X_WC * Eigen::Vector3d(1, 0, 0)).isApprox(Eigen::Vector3d(1, -1, 3)));
 }
 
+TEST_CASE("a pose is read as it was written", "[bus][pose]") {
+  PoseMessage pose;
+  pose.utime = 7;
+  pose.X_WC.translate(Eigen::Vector3d(1, -2, 3));
+  pose.X_WC.rotate(Eigen::AngleAxisd(3.0, Eigen::Vector3d(1, 2, -2).normalized()));
+  const auto decoded = decode_pose(encode_pose(pose));
+  REQUIRE(std::holds_alternative<PoseMessage>(decoded));
+  CHECK(std::get<PoseMessage>(decoded).utime == 7);
+  CHECK(std::get<PoseMessage>(decoded).X_WC.isApprox(pose.X_WC));
+}
+
 TEST_CASE("what a driver leaves out of a pose, such as velocities, may be anything",
           "[bus][pose]") {
   bot_core::pose_t m = test::make_pose();

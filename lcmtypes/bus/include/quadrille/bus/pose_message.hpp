@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "quadrille/bus/rejection.hpp"
 #include "quadrille/detector/eigen_layout.hpp"
@@ -11,7 +12,7 @@
 
 namespace quadrille::bus {
 
-/// The pose of a camera, as received in a message.
+/// The pose of a camera in a message.
 struct PoseMessage {
   /// Time of the pose [us].
   std::int64_t utime = 0;
@@ -23,5 +24,9 @@ struct PoseMessage {
 /// may deviate from unit norm by single-precision rounding, and is normalised.
 /// @param bytes  the message as it came, fingerprint first
 QUADRILLE_EXPORT Decoded<PoseMessage> decode_pose(std::span<const std::byte> bytes);
+
+/// Returns the bytes of a pose as a message of type bot_core.pose_t, whose velocities, rates and
+/// accelerations are 0.
+QUADRILLE_EXPORT std::vector<std::byte> encode_pose(const PoseMessage& message);
 
 }  // namespace quadrille::bus
