@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -11,6 +10,7 @@
 
 #include "cli/choice_option.hpp"
 #include "cli/process_arguments.hpp"
+#include "cli/rate_option.hpp"
 #include "io/cloud_file.hpp"
 #include "io/describe.hpp"
 #include "io/new_file.hpp"
@@ -25,18 +25,6 @@ struct LogArguments {
   std::vector<std::string> inputs;
   logs::CloudLogOptions options;
 };
-
-/// Returns what is wrong with the text of a rate; empty if a log can have that rate.
-std::string check_rate(const std::string& text) {
-  double rate = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, rate);
-  const bool fit =
-      error == std::errc{} && rest == end && rate >= logs::kMinRate && rate <= logs::kMaxRate;
-  return fit ? ""
-             : fmt::format("'{}' is no number from {} to {}", printable(text), logs::kMinRate,
-                           logs::kMaxRate);
-}
 
 void run(const LogArguments& arguments) {
   io::NewFile file(arguments.out);
@@ -64,9 +52,7 @@ void add_log_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("log", "Write clouds as an LCM log");
   command->add_option("OUT", arguments->out, "The log to write (.lcm)")->required();
   command->add_option("INPUT", arguments->inputs, "Clouds (.ply, .pcd), in order")->required();
-  command->add_option("--rate", arguments->options.rate, "Clouds per second")
-      ->check(CLI::Validator(check_rate, ""))
-      ->type_name("HZ");
+  add_rate_option(*command, arguments->options.rate, logs::kMinRate, logs::kMaxRate);
   add_channel_option(*command, "--channel", arguments->options.channel, "clouds");
   Choices<bus::CloudFormat> formats;
   for (const bus::CloudFormat format : bus::all_cloud_formats()) {
