@@ -132,6 +132,31 @@ TEST_CASE("a seed fixes a scene to the last bit, and seeds differ", "[scene][det
   CHECK(make_scene(small(scene::Family::kMedium, 6)).view.points != a.view.points);
 }
 
+TEST_CASE("pictures of one scene have noise of their own, and are organised clouds", "[scene]") {
+  const SceneOptions options = small(scene::Family::kTabletop, 5);
+  const Layout layout = make_layout(options);
+  Random random = sensor_random(options);
+  const Scene first = take_picture(options, layout, &random),
+              second = take_picture(options, layout, &random);
+  CHECK(first.view.points == make_scene(options).view.points);
+  CHECK(first.ideal.depth == second.ideal.depth);
+  CHECK(first.view.points != second.view.points);
+  const PointCloud cloud = organised_cloud(first.camera, first.view);
+  CHECK(cloud.width == 320);
+  CHECK(cloud.height == 240);
+  REQUIRE(cloud.points.size() == 320 * 240);
+  std::size_t measured = 0;
+  for (int row = 0; row < 240; ++row) {
+    for (int column = 0; column < 320; ++column) {
+      const Eigen::Vector3f p = cloud.points[static_cast<std::size_t>(320 * row + column)];
+      if (!p.allFinite()) continue;
+      ++measured;
+      if ((p.cast<double>() / p.z() - first.camera.ray(column, row)).norm() > 1e-6) FAIL(column);
+    }
+  }
+  CHECK(measured == first.view.points.size());
+}
+
 TEST_CASE("random numbers follow seed and stream, and normal ones have variance one",
           "[scene][determinism]") {
   Random random(1, 2), same(1, 2), other(1, 3);

@@ -4,6 +4,9 @@
 
 namespace quadrille::scene {
 
+/// Name of frame C in clouds.
+inline constexpr const char* kCameraFrame = "camera";
+
 /// A pinhole camera: x right, y down, z forward.
 struct Camera {
   int width = 640, height = 480;

@@ -29,6 +29,12 @@ struct Scene {
 /// Makes a scene; the same options give the same scene.
 Scene make_scene(const SceneOptions& options);
 
+/// These are the steps of make_scene(), for several pictures of a scene: the bodies and where the
+/// camera stands, the random numbers of the sensor, and a picture, which takes new ones of these.
+Layout make_layout(const SceneOptions& options);
+Random sensor_random(const SceneOptions& options);
+Scene take_picture(const SceneOptions& options, const Layout& layout, Random* random);
+
 /// Returns the number of curved surfaces in a scene.
 int count_quadrics(const Scene& scene);
 

@@ -88,8 +88,8 @@ Json object_json(const Scene& scene, std::size_t body_index, std::size_t part, i
           {"evaluate", is_fair(surface, seen, occlusion, scene.camera)}};
 }
 
-std::string without_extension(const std::string& ply_path) {
-  return ply_path.substr(0, ply_path.size() - std::string(".ply").size());
+std::string without_extension(const std::string& path) {
+  return std::filesystem::path(path).replace_extension().string();
 }
 
 }  // namespace
@@ -115,9 +115,7 @@ Quadric quadric_of(const Json& json) {
   return Quadric(q);
 }
 
-std::string truth_path(const std::string& ply_path) {
-  return without_extension(ply_path) + ".truth.json";
-}
+std::string truth_path(const std::string& path) { return without_extension(path) + ".truth.json"; }
 
 std::optional<std::string> find_truth(const std::string& ply_path) {
   namespace fs = std::filesystem;
@@ -150,13 +148,15 @@ Json truth_json(const Scene& scene) {
           {"objects", objects}};
 }
 
+std::string truth_text(const Scene& scene) { return truth_json(scene).dump(1) + "\n"; }
+
 void write_scene(const std::string& ply_path, const Scene& scene, bool labels) {
   PointCloud cloud;
   cloud.points = scene.view.points;
-  cloud.frame = "camera";
+  cloud.frame = kCameraFrame;
   io::NewFile ply(ply_path), truth(truth_path(ply_path));
   ply.write(io::ply_of(cloud));
-  truth.write(truth_json(scene).dump(1) + "\n");
+  truth.write(truth_text(scene));
   if (labels) {
     const std::string base = without_extension(ply_path);
     static_assert(sizeof(int) == 4 && sizeof(Eigen::Vector3f) == 12);

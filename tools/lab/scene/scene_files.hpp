@@ -8,8 +8,9 @@
 
 namespace quadrille::scene {
 
-/// Returns the path of the ground truth beside a cloud: OUT.truth.json for OUT.ply.
-std::string truth_path(const std::string& ply_path);
+/// Returns the path of the ground truth beside a cloud or log: OUT.truth.json for OUT.ply or
+/// OUT.lcm.
+std::string truth_path(const std::string& path);
 
 /// Returns the existing ground truth beside a cloud: OUT.truth.json, or else OUT.json, as other
 /// tools name it; nullopt if neither exists.
@@ -18,6 +19,8 @@ std::optional<std::string> find_truth(const std::string& ply_path);
 /// Returns camera, noise, and one object for each surface with its q in the camera frame, pose
 /// (x_C = R x_S + t), dims, box (in S) and what the camera saw of it.
 nlohmann::ordered_json truth_json(const Scene& scene);
+/// Returns it as the text of its file.
+std::string truth_text(const Scene& scene);
 
 /// These functions read parts of a ground truth as truth_json() writes them.
 /// @throws nlohmann::json::exception if they are something else

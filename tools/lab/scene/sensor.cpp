@@ -107,9 +107,24 @@ View observe(const Camera& camera, const Rendering& ideal, const FamilyTraits& t
       view.points.push_back((pixel.z * ray).cast<float>());
       view.labels.push_back(pixel.label);
       view.normals.push_back(pixel.label < 0 ? none : ideal.normal[i]);
+      view.pixels.push_back(i);
     }
   }
   return view;
+}
+
+PointCloud organised_cloud(const Camera& camera, const View& view) {
+  PointCloud cloud;
+  cloud.frame = kCameraFrame;
+  cloud.width = camera.width;
+  cloud.height = camera.height;
+  cloud.read = static_cast<std::size_t>(camera.width) * camera.height;
+  cloud.points.assign(cloud.read,
+                      Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+  for (std::size_t i = 0; i < view.points.size(); ++i) {
+    cloud.points[view.pixels[i]] = view.points[i];
+  }
+  return cloud;
 }
 
 }  // namespace quadrille::scene
