@@ -23,18 +23,28 @@ void CloudLogOptions::check() const {
   bus::check_channel(channel);
 }
 
+std::int64_t CloudLogOptions::utime_of(std::int64_t n) const {
+  return std::llround(static_cast<double>(n) * 1e6 / rate);
+}
+
 CloudLogWriter::CloudLogWriter(const std::string& path, const CloudLogOptions& options,
                                const std::string& name)
     : options_(checked(options)), log_(path, name) {}
 
 void CloudLogWriter::write(const PointCloud& cloud) {
   bus::CloudMessage message;
-  message.utime = std::llround(static_cast<double>(clouds_ + 1) * 1e6 / options_.rate);
+  message.utime = options_.utime_of(clouds_ + 1);
   message.seq = static_cast<std::int32_t>(clouds_);
   message.cloud = cloud;
   const auto encoded = bus::encode_cloud(message, options_.format);
   log_.write(message.utime, options_.channel, encoded);
   ++clouds_;
+  bytes_ += static_cast<std::int64_t>(encoded.size());
+}
+
+void CloudLogWriter::write(const bus::PoseMessage& pose, const std::string& channel) {
+  const auto encoded = bus::encode_pose(pose);
+  log_.write(pose.utime, channel, encoded);
   bytes_ += static_cast<std::int64_t>(encoded.size());
 }
 

@@ -5,6 +5,7 @@
 
 #include "log/event_log.hpp"
 #include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/pose_message.hpp"
 
 namespace quadrille::logs {
 
@@ -17,6 +18,9 @@ struct CloudLogOptions {
   double rate = 10.0;
   std::string channel = "POINT_CLOUD";
   bus::CloudFormat format = bus::CloudFormat::kDrake;
+
+  /// Returns the time n / rate of the n-th cloud, counted from 1 [us].
+  std::int64_t utime_of(std::int64_t n) const;
 
   /// @throws std::invalid_argument naming the field that is out of range
   void check() const;
@@ -31,10 +35,14 @@ class CloudLogWriter {
   CloudLogWriter(const std::string& path, const CloudLogOptions& options,
                  const std::string& name = "");
 
-  /// Appends a cloud; the n-th one, counted from 1, gets utime n / rate and seq n - 1.
+  /// Appends a cloud; the n-th one, counted from 1, gets utime_of(n) and seq n - 1.
   /// @throws std::invalid_argument if the cloud does not fit into a message
   /// @throws std::runtime_error if it cannot be written
   void write(const PointCloud& cloud);
+
+  /// Appends a pose at its own time.
+  /// @throws std::runtime_error if it cannot be written
+  void write(const bus::PoseMessage& pose, const std::string& channel);
 
   /// Passes everything written so far to the operating system.
   /// @throws std::runtime_error if that fails
