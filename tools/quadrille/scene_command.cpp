@@ -4,21 +4,36 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <numbers>
 #include <string>
 
 #include "cli/choice_option.hpp"
+#include "cli/number_list.hpp"
 #include "cli/output.hpp"
+#include "cli/rate_option.hpp"
 #include "cli/seed_option.hpp"
 #include "io/describe.hpp"
 #include "lab/scene/scene.hpp"
 #include "lab/scene/scene_files.hpp"
+#include "logs/posed_log_writer.hpp"
+#include "quadrille/detector/printable.hpp"
+#include "quadrille/scene_log.hpp"
 
 namespace quadrille {
 namespace {
 
+/// Limits of --path. One cloud does not move, and each takes 4 MB of the log.
+constexpr int kFewestClouds = 2, kMostClouds = 1000;
+/// The camera's poses come at a constant rate, so that a slow log would hold little else [Hz].
+constexpr double kLeastRate = 1.0;
+/// Limits of the error of poses [m, degrees]; with larger ones they say nothing.
+constexpr double kMostShift = 0.1, kMostTurn = 10.0;
+
 struct SceneArguments {
   std::string out;
-  scene::SceneOptions options;
+  SceneLogOptions options;
+  /// Whether a log of a moving camera is wanted.
+  bool moving = false;
   bool labels = false;
 };
 
@@ -30,12 +45,69 @@ const Choices<scene::Family>& scene_families() {
   return choices;
 }
 
-void run(const SceneArguments& arguments) {
-  const scene::Scene made = scene::make_scene(arguments.options);
+/// Reads --pose-error.
+scene::PoseErrorSize pose_error_of(const std::string& list) {
+  const char *option = "--pose-error", *form = "M,DEGREES";
+  const std::vector<double> v = numbers_of(option, list, 2, form);
+  if (!(v[0] >= 0.0 && v[0] <= kMostShift && v[1] >= 0.0 && v[1] <= kMostTurn)) {
+    throw CLI::ValidationError(
+        option, fmt::format("'{}' must be from 0 to {} m and from 0 to {} degrees", printable(list),
+                            kMostShift, kMostTurn));
+  }
+  return {v[0], v[1] * std::numbers::pi / 180.0};
+}
+
+void write_picture(const SceneArguments& arguments) {
+  const scene::Scene made = scene::make_scene(arguments.options.scene);
   scene::write_scene(arguments.out, made, arguments.labels);
   print(fmt::format("{}: {} points, {}; truth in {}\n", arguments.out, made.view.points.size(),
                     io::count_of(static_cast<std::size_t>(scene::count_quadrics(made)), "quadric"),
                     scene::truth_path(arguments.out)));
+}
+
+void write_log(const SceneArguments& arguments) {
+  const SceneLogSummary log = write_scene_log(arguments.out, arguments.options);
+  print(fmt::format("{}: {} clouds on {}, poses on {}, {:.1f} MB, {}; truth in {}\n", arguments.out,
+                    arguments.options.clouds, kCloudChannel, kCameraChannel,
+                    static_cast<double>(log.bytes) * 1e-6,
+                    io::count_of(static_cast<std::size_t>(log.quadrics), "quadric"),
+                    scene::truth_path(arguments.out)));
+}
+
+void run(const SceneArguments& arguments) {
+  if (!arguments.out.ends_with(arguments.moving ? ".lcm" : ".ply")) {
+    throw CLI::ValidationError("OUT", fmt::format("'{}' must end in {}", printable(arguments.out),
+                                                  arguments.moving ? ".lcm, as --path writes a log"
+                                                                   : ".ply, or needs --path"));
+  }
+  arguments.moving ? write_log(arguments) : write_picture(arguments);
+}
+
+void add_path_options(CLI::App& command, SceneArguments& arguments) {
+  CLI::Option* path =
+      command
+          .add_option("--path", arguments.options.clouds,
+                      fmt::format("Write an LCM log of N clouds instead (OUT.lcm), from a camera "
+                                  "that moves about the scene, on {}, with its poses on {}. Their "
+                                  "fixed frame, and that of the truth, is the camera's frame in "
+                                  "the first cloud",
+                                  kCloudChannel, kCameraChannel))
+          ->check(CLI::Range(kFewestClouds, kMostClouds))
+          ->type_name("N");
+  path->each([&arguments](const std::string&) { arguments.moving = true; });
+  add_rate_option(command, arguments.options.rate, kLeastRate, logs::PosedLogWriter::kMaxRate)
+      ->needs(path);
+  command
+      .add_option_function<std::string>(
+          "--pose-error",
+          [&arguments](const std::string& list) {
+            arguments.options.pose_error = pose_error_of(list);
+          },
+          "Standard deviations of a slow error of the poses, of position and direction along and "
+          "about each axis of the camera")
+      ->type_name("M,DEGREES")
+      ->needs(path);
+  command.get_option("--labels")->excludes(path);
 }
 
 }  // namespace
@@ -43,18 +115,14 @@ void run(const SceneArguments& arguments) {
 void add_scene_command(CLI::App& app) {
   auto arguments = std::make_shared<SceneArguments>();
   CLI::App* command = app.add_subcommand("scene", "Render a depth-camera scene with its truth");
-  command->add_option("OUT", arguments->out, "The cloud to write (.ply)")
-      ->required()
-      ->check(CLI::Validator(
-          [](const std::string& path) {
-            return path.ends_with(".ply") ? std::string() : "'" + path + "' must end in .ply";
-          },
-          ""));
-  add_choice_option(*command, "--family", arguments->options.family, scene_families(),
-                    "How hard the scene is");
-  add_seed_option(*command, arguments->options.seed, "the scene");
+  command->add_option("OUT", arguments->out, "The cloud to write (.ply), or the log (.lcm)")
+      ->required();
+  scene::SceneOptions& scene = arguments->options.scene;
+  add_choice_option(*command, "--family", scene.family, scene_families(), "How hard the scene is");
+  add_seed_option(*command, scene.seed, "the scene");
   command->add_flag("--labels", arguments->labels,
                     "Also write the surface and the true normal of each point");
+  add_path_options(*command, *arguments);
   command->callback([arguments] { run(*arguments); });
 }
 

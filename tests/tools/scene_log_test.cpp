@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <variant>
+#include <vector>
+
+#include "lab/scene/scene_files.hpp"
+#include "log/event_log.hpp"
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/pose_message.hpp"
+#include "support/catch.hpp"
+#include "tools/support_files.hpp"
+
+using namespace quadrille;
+using nlohmann::ordered_json;
+using test::run_quadrille;
+
+namespace {
+
+/// The clouds and poses of a log.
+struct Recording {
+  std::vector<bus::CloudMessage> clouds;
+  std::vector<bus::PoseMessage> poses;
+};
+
+Recording read(const std::string& path) {
+  Recording recording;
+  bus::LogReader reader(path);
+  while (const auto event = reader.next()) {
+    if (event->channel == "CAMERA_POSE") {
+      recording.poses.push_back(std::get<bus::PoseMessage>(bus::decode_pose(event->bytes)));
+    } else {
+      REQUIRE(event->channel == "POINT_CLOUD");
+      recording.clouds.push_back(std::get<bus::CloudMessage>(bus::decode_cloud(event->bytes)));
+    }
+  }
+  return recording;
+}
+
+/// The camera's pose at the time of a cloud, between the poses before and after it.
+Eigen::Isometry3d pose_at(const std::vector<bus::PoseMessage>& poses, std::int64_t utime) {
+  const auto after = std::find_if(poses.begin(), poses.end(),
+                                  [&](const auto& pose) { return pose.utime > utime; });
+  REQUIRE(after != poses.begin());
+  REQUIRE(after != poses.end());
+  const auto before = after - 1;
+  const double share = static_cast<double>(utime - before->utime) /
+                       static_cast<double>(after->utime - before->utime);
+  const Eigen::Quaterniond R0(before->X_WC.linear()), R1(after->X_WC.linear());
+  const Eigen::Vector3d p0 = before->X_WC.translation(), p1 = after->X_WC.translation();
+  return Eigen::Translation3d(p0 + share * (p1 - p0)) * R0.slerp(share, R1);
+}
+
+/// Distances from the curved surfaces of the truth of the points near them [m].
+std::vector<double> distances(const PointCloud& cloud, const Eigen::Isometry3d& X_WK,
+                              const ordered_json& truth) {
+  constexpr double kNear = 0.015;
+  std::vector<double> near;
+  for (const ordered_json& object : truth.at("objects")) {
+    if (object.at("kind") != "quadric") continue;
+    const Quadric Q_W = scene::quadric_of(object.at("q"));
+    const Eigen::Isometry3d X_SW = scene::pose_of(object.at("pose")).inverse();
+    Eigen::AlignedBox3d box_S = scene::box_of(object.at("box"));
+    // The table begins at the end of a standing body.
+    box_S.min().z() += kNear;
+    box_S.max().z() -= kNear;
+    for (const Eigen::Vector3f& point : cloud.points) {
+      const Eigen::Vector3d p_W = X_WK * point.cast<double>();
+      if (!point.allFinite() || !box_S.contains(X_SW * p_W)) continue;
+      if (const double d = std::abs(Q_W.distance(p_W)); d < kNear) near.push_back(d);
+    }
+  }
+  std::sort(near.begin(), near.end());
+  return near;
+}
+
+}  // namespace
+
+TEST_CASE("a moving camera's clouds lie on the truth by its poses", "[command][scene][path]") {
+  const test::TempFolder folder;
+  const std::string log = folder.path("path.lcm");
+  const test::Run run = run_quadrille("scene --family tabletop --seed 3 --path 4 --rate 1 " + log);
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  CHECK(test::contains(run.out, "4 clouds on POINT_CLOUD, poses on CAMERA_POSE"));
+  const ordered_json truth = ordered_json::parse(test::content_of(folder.path("path.truth.json")));
+  const Recording recording = read(log);
+  REQUIRE(recording.clouds.size() == 4);
+  CHECK(recording.poses.size() == 302);
+  // W is the camera's frame in the first cloud.
+  CHECK(pose_at(recording.poses, recording.clouds[0].utime)
+            .isApprox(Eigen::Isometry3d::Identity(), 1e-6));
+  for (const bus::CloudMessage& message : recording.clouds) {
+    CHECK(message.cloud.organised());
+    CHECK(message.cloud.width == 640);
+    CHECK(message.cloud.height == 480);
+    CHECK(message.cloud.frame == "camera");
+    const Eigen::Isometry3d X_WK = pose_at(recording.poses, message.utime);
+    const std::vector<double> near = distances(message.cloud, X_WK, truth);
+    REQUIRE(near.size() > 3000);
+    CHECK(near[near.size() / 2] < 0.001);
+    CHECK(near[near.size() * 9 / 10] < 0.003);
+    // The poses matter: the last camera stands elsewhere.
+    if (&message == &recording.clouds.back()) {
+      CHECK(X_WK.translation().norm() > 0.2);
+      const auto moved = distances(message.cloud, Eigen::Isometry3d::Identity(), truth);
+      CHECK((moved.empty() || moved[moved.size() / 2] > 0.004));
+    }
+  }
+}
+
+TEST_CASE("the same seed gives the same log, whatever the error of its poses the same clouds",
+          "[command][scene][path][determinism]") {
+  const test::TempFolder folder;
+  const std::string a = folder.path("a.lcm"), b = folder.path("b.lcm"), off = folder.path("o.lcm");
+  const std::string command = "scene --family tabletop --seed 9 --path 2 ";
+  REQUIRE(run_quadrille(command + a).code == 0);
+  REQUIRE(run_quadrille(command + b).code == 0);
+  REQUIRE(run_quadrille(command + off + " --pose-error 0.005,0.5").code == 0);
+  CHECK(test::content_of(a) == test::content_of(b));
+  CHECK(test::content_of(scene::truth_path(a)) == test::content_of(scene::truth_path(b)));
+  CHECK(test::content_of(scene::truth_path(a)) == test::content_of(scene::truth_path(off)));
+  const Recording exact = read(a), wrong = read(off);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(bus::digest_of(exact.clouds[i].cloud) == bus::digest_of(wrong.clouds[i].cloud));
+  }
+  const double shift =
+      (exact.poses[0].X_WC.translation() - wrong.poses[0].X_WC.translation()).norm();
+  CHECK(shift > 1e-4);
+  CHECK(shift < 0.03);
+}
+
+TEST_CASE("wrong options of a log of a scene are refused", "[command][scene][path]") {
+  const std::pair<const char*, const char*> cases[] = {
+      {"s.ply --path 3", "'s.ply' must end in .lcm"},
+      {"s.lcm", "'s.lcm' must end in .ply, or needs --path"},
+      {"s.lcm --path 1", "--path: "},
+      {"s.lcm --path 1001", "--path: "},
+      {"s.lcm --path 2.5", "--path: "},
+      {"s.lcm --path 3 --rate 101", "'101' is no number from 1 to 100"},
+      {"s.lcm --path 3 --pose-error 0.2,1", "'0.2,1' must be from 0 to 0.1 m"},
+      {"s.lcm --path 3 --pose-error 0.01", "--pose-error"},
+      {"s.lcm --path 3 --labels", "excludes"},
+      {"s.ply --rate 3", "requires --path"},
+      {"s.ply --pose-error 0,0", "requires --path"}};
+  for (const auto& [arguments, part] : cases) {
+    const test::Run run = run_quadrille(std::string("scene ") + arguments);
+    INFO(arguments << "\n" << run.err);
+    CHECK(run.code == 2);
+    CHECK(test::lines_of(run.err) == 1);
+    CHECK(test::contains(run.err, part));
+  }
+  const test::TempFolder folder;
+  test::check_failure(run_quadrille("scene --path 2 " + folder.path("no/such/s.lcm")),
+                      "cannot be created");
+}
