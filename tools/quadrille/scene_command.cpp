@@ -22,7 +22,7 @@
 namespace quadrille {
 namespace {
 
-/// Limits of --path. One cloud does not move, and each takes 4 MB of the log.
+/// Limits of --path: with one cloud nothing moves, and a thousand make a log of 4 GB.
 constexpr int kFewestClouds = 2, kMostClouds = 1000;
 /// The camera's poses come at a constant rate, so that a slow log would hold little else [Hz].
 constexpr double kLeastRate = 1.0;
@@ -32,8 +32,6 @@ constexpr double kMostShift = 0.1, kMostTurn = 10.0;
 struct SceneArguments {
   std::string out;
   SceneLogOptions options;
-  /// Whether a log of a moving camera is wanted.
-  bool moving = false;
   bool labels = false;
 };
 
@@ -75,12 +73,13 @@ void write_log(const SceneArguments& arguments) {
 }
 
 void run(const SceneArguments& arguments) {
-  if (!arguments.out.ends_with(arguments.moving ? ".lcm" : ".ply")) {
-    throw CLI::ValidationError("OUT", fmt::format("'{}' must end in {}", printable(arguments.out),
-                                                  arguments.moving ? ".lcm, as --path writes a log"
-                                                                   : ".ply, or needs --path"));
+  const bool is_log = arguments.options.clouds > 0;
+  if (!arguments.out.ends_with(is_log ? ".lcm" : ".ply")) {
+    throw CLI::ValidationError(
+        "OUT", fmt::format("'{}' must end in {}", printable(arguments.out),
+                           is_log ? ".lcm, as --path writes a log" : ".ply, or needs --path"));
   }
-  arguments.moving ? write_log(arguments) : write_picture(arguments);
+  is_log ? write_log(arguments) : write_picture(arguments);
 }
 
 void add_path_options(CLI::App& command, SceneArguments& arguments) {
@@ -94,7 +93,6 @@ void add_path_options(CLI::App& command, SceneArguments& arguments) {
                                   kCloudChannel, kCameraChannel))
           ->check(CLI::Range(kFewestClouds, kMostClouds))
           ->type_name("N");
-  path->each([&arguments](const std::string&) { arguments.moving = true; });
   add_rate_option(command, arguments.options.rate, kLeastRate, logs::PosedLogWriter::kMaxRate)
       ->needs(path);
   command

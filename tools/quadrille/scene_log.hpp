@@ -11,8 +11,8 @@ namespace quadrille {
 /// The options of a log of a camera that moves about a scene.
 struct SceneLogOptions {
   scene::SceneOptions scene;
-  /// Number of clouds, at least 2.
-  int clouds = 2;
+  /// Number of clouds, at least 2; 0 if no log is wanted.
+  int clouds = 0;
   /// Clouds per second.
   double rate = 30.0;
   /// Error of the poses.
