@@ -17,7 +17,9 @@ constexpr double kGrazing = 0.18;
 class SmoothNoise {
  public:
   SmoothNoise(int width, int height, int cell, Random* random)
-      : cell_(cell), columns_(width / cell + 2), lattice_(columns_ * (height / cell + 2)) {
+      : cell_(cell),
+        columns_(width / cell + 2),
+        lattice_(static_cast<std::size_t>(columns_) * (height / cell + 2)) {
     for (double& value : lattice_) value = random->normal();
   }
 
