@@ -36,6 +36,14 @@ void check_reach(const Reach& reach) {
   }
 }
 
+void check_shapes(const char* field, const std::vector<CollisionShape>& shapes) {
+  for (const CollisionShape& shape : shapes) {
+    if (!shape.geometry || !shape.X_CS.matrix().allFinite()) {
+      refuse(field, shape.kind, "shapes at a pose, made by with_geometry()");
+    }
+  }
+}
+
 }  // namespace
 
 bool GraspQuery::selects() const {
@@ -55,11 +63,8 @@ void GraspQuery::check() const {
                   region->box_R.max().allFinite() && !region->box_R.isEmpty())) {
     refuse("region", "a box", "finite in position and size, its least corner first");
   }
-  for (const CollisionShape& shape : obstacles) {
-    if (!shape.geometry || !shape.X_CS.matrix().allFinite()) {
-      refuse("obstacles", shape.kind, "shapes at a pose, made by with_geometry()");
-    }
-  }
+  check_shapes("obstacles", obstacles);
+  check_shapes("attached", attached);
   if (approach) check_approach(*approach);
   if (reach) check_reach(*reach);
   if (min_score && !(*min_score >= 0.0 && *min_score <= 1.0)) {

@@ -18,12 +18,12 @@ double deadline_of(const GraspQuery& query, const PlanOptions& options) {
 
 GraspScene::GraspScene(const PointCloud& cloud, const std::vector<Detection>& detections,
                        const Gripper& gripper, const PlanOptions& options,
-                       const std::vector<PointCloud>& further,
-                       std::optional<std::vector<Box>> boxes,
+                       const Surroundings& known, std::optional<std::vector<Box>> boxes,
                        const std::vector<SceneBody>& bodies) {
   gripper.check();
   options.check();
-  parts_ = make_scene_parts(cloud, detections, gripper, options, further, std::move(boxes), bodies,
+  known.check();
+  parts_ = make_scene_parts(cloud, detections, gripper, options, known, std::move(boxes), bodies,
                             options.deadline_ms);
 }
 
@@ -55,12 +55,12 @@ GraspPlan GraspScene::plan_from_start(const GraspQuery& query) const {
 }
 
 GraspPlan plan_grasps(const PointCloud& cloud, const std::vector<Detection>& detections,
-                      const Gripper& gripper, const PlanOptions& options,
-                      const std::vector<PointCloud>& further, const GraspQuery& query,
-                      std::optional<std::vector<Box>> boxes, const std::vector<SceneBody>& bodies) {
+                      const Gripper& gripper, const PlanOptions& options, const Surroundings& known,
+                      const GraspQuery& query, std::optional<std::vector<Box>> boxes,
+                      const std::vector<SceneBody>& bodies) {
   PlanOptions timed = options;
   timed.deadline_ms = deadline_of(query, options);
-  return GraspScene(cloud, detections, gripper, timed, further, std::move(boxes), bodies)
+  return GraspScene(cloud, detections, gripper, timed, known, std::move(boxes), bodies)
       .plan_from_start(query);
 }
 

@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "io/planner/octree_bytes.hpp"
+#include "io/planner/octree_file.hpp"
 #include "support/catch.hpp"
 #include "view/scene/octree_leaves.hpp"
 #include "view/scene/voxel_layers.hpp"

@@ -10,6 +10,7 @@
 #include "cli/detector_arguments.hpp"
 #include "cli/output.hpp"
 #include "cli/report_option.hpp"
+#include "cli/robot_option.hpp"
 #include "io/json/settings_json.hpp"
 #include "io/planner/config.hpp"
 #include "io/run_info.hpp"
@@ -35,6 +36,8 @@ struct DetectArguments {
   DetectorArguments detector;
   InputArguments input;
   ViewArguments views;
+  /// In the frame of the results.
+  RobotShapes robot;
 };
 
 io::RunInfo run_info(const DetectorSetup& setup) {
@@ -82,7 +85,8 @@ void run(const DetectArguments& arguments) {
   const auto detect_and_put_out = [&](const std::string& path, const InputCloud& input) {
     std::vector<std::string> warnings;
     const SceneViews views =
-        all_views(arguments.views, input.cloud, input.X_CK, setup.options, &warnings);
+        all_views(arguments.views, input.cloud, input.X_CK,
+                  moved(arguments.robot, input.X_CK.inverse()), setup.options, &warnings);
     DetectionResult result = detect_views(views.clouds, setup.options);
     result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
     tracking.add_to(input, path, &result.detections);
@@ -109,6 +113,7 @@ void add_detect_command(CLI::App& app) {
                     "Take files for successive views of a camera at rest; logs always are");
   arguments->views.add_to(*command);
   arguments->input.add_to(*command);
+  add_robot_option(*command, arguments->robot, "the frame of the results");
   arguments->picture.add_to(*command, "the cloud and the quadrics");
   add_report_option(*command, arguments->report, "the clouds and the quadrics");
   arguments->detector.add_to(*command);

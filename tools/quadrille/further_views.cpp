@@ -50,16 +50,16 @@ void ViewArguments::check(const std::vector<std::string>& inputs) const {
 }
 
 SceneViews all_views(const ViewArguments& arguments, const PointCloud& cloud,
-                     const Eigen::Isometry3d& X_CK, const DetectorOptions& options,
-                     std::vector<std::string>* warnings) {
+                     const Eigen::Isometry3d& X_CK, const RobotShapes& robot,
+                     const DetectorOptions& options, std::vector<std::string>* warnings) {
   const Eigen::Isometry3d X_KC = X_CK.inverse();
   SceneViews views;
-  views.clouds.push_back(cloud);
+  views.clouds.push_back(robot.taken_from(cloud));
   for (const std::string& path : arguments.paths) {
     SingleCloud view = read_single_cloud(path);
     print_warnings(path, view.warnings);
     add_warnings(path, view.warnings, warnings);
-    views.clouds.push_back(moved(std::move(view.input.cloud), X_KC));
+    views.clouds.push_back(robot.taken_from(moved(std::move(view.input.cloud), X_KC)));
   }
   const std::vector<Eigen::Isometry3d> motions = align_views(&views.clouds, options);
   for (std::size_t v = 1; v < motions.size(); ++v) {

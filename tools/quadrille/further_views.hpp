@@ -8,6 +8,7 @@
 #include "io/json/json.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/detector/solid_shape.hpp"
 
 namespace CLI {
 class App;
@@ -40,9 +41,10 @@ struct SceneViews {
 /// their poses by what the views see.
 /// @param cloud     the first view, in frame K
 /// @param X_CK      pose of K in the frame C of all files
+/// @param robot     shapes in K of the robot; points on them are dropped
 /// @param warnings  receives warnings about the views
 SceneViews all_views(const ViewArguments& arguments, const PointCloud& cloud,
-                     const Eigen::Isometry3d& X_CK, const DetectorOptions& options,
-                     std::vector<std::string>* warnings);
+                     const Eigen::Isometry3d& X_CK, const RobotShapes& robot,
+                     const DetectorOptions& options, std::vector<std::string>* warnings);
 
 }  // namespace quadrille

@@ -15,12 +15,14 @@
 #include "cli/output.hpp"
 #include "cli/planner/planner_arguments.hpp"
 #include "cli/planner/query_arguments.hpp"
+#include "cli/planner/surroundings_arguments.hpp"
 #include "cli/report_option.hpp"
+#include "cli/robot_option.hpp"
 #include "io/file_bytes.hpp"
 #include "io/json/settings_json.hpp"
 #include "io/new_file.hpp"
 #include "io/planner/config.hpp"
-#include "io/planner/octree_bytes.hpp"
+#include "io/planner/octree_file.hpp"
 #include "io/planner/plan_json.hpp"
 #include "io/run_info.hpp"
 #include "picture/picture.hpp"
@@ -54,6 +56,8 @@ struct PlanArguments {
   PlannerArguments planner;
   InputArguments input;
   QueryArguments query;
+  /// In the frame of the results, without views.
+  Surroundings known;
   std::optional<HandConvention> convention;
   bool advise = false;
 };
@@ -166,8 +170,9 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
                 const InputCloud& input, Tracking* tracking, PlanOutput* output) {
   io::RunInfo info = setup.info;
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
-  const SceneViews views =
-      all_views(arguments.views, input.cloud, input.X_CK, setup.detector.options, &info.warnings);
+  Surroundings known = moved(arguments.known, input.X_CK.inverse());
+  const SceneViews views = all_views(arguments.views, input.cloud, input.X_CK, known.robot,
+                                     setup.detector.options, &info.warnings);
   DetectionResult found = detect_views(views.clouds, setup.detector.options);
   tracking->add_to(input, path, &found.detections);
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
@@ -175,16 +180,18 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   const std::vector<Detection> detections = bus::as_received(found.detections);
   const GraspQuery query =
       moved(completed(arguments.query.query(), setup.options), input.X_CK.inverse());
-  const PointCloud& cloud = views.clouds.front();
-  const std::vector<PointCloud> further(views.clouds.begin() + 1, views.clouds.end());
+  // The planner drops the robot's points itself, since it needs to know what they hide; if there
+  // are other views, they show that.
+  const PointCloud& cloud = views.clouds.size() > 1 ? views.clouds.front() : input.cloud;
+  known.views.assign(views.clouds.begin() + 1, views.clouds.end());
   const std::vector<Box> boxes = bus::as_received(found.boxes);
   const std::vector<SceneBody> bodies = bus::as_received(found.bodies);
-  const GraspScene asked(cloud, detections, setup.gripper, setup.options, further, boxes, bodies);
+  const GraspScene asked(cloud, detections, setup.gripper, setup.options, known, boxes, bodies);
   GraspPlan planned = asked.plan_from_start(query);
   std::vector<Look> looks;
   if (arguments.advise) {
     planned.remedies = find_remedies(planned, cloud, detections, setup.gripper, setup.options,
-                                     further, query, boxes, bodies);
+                                     known, query, boxes, bodies);
     looks = propose_looks(planned, bodies, detections, cloud.viewpoint);
     for (Look& look : looks) look.X_CK = input.X_CK * look.X_CK;
   }
@@ -266,6 +273,8 @@ void add_plan_command(CLI::App& app) {
   command->get_option("--convention")->needs("--json");
   arguments->input.add_to(*command);
   arguments->query.add_to(*command);
+  add_robot_option(*command, arguments->known.robot, "the frame of the results");
+  add_surroundings_options(*command, arguments->known, "the frame of the results");
   arguments->picture.add_to(*command, "the cloud, the quadrics and the grasps");
   add_report_option(*command, arguments->report, "the clouds, the quadrics and the grasps");
   arguments->detector.add_to(*command);

@@ -1,57 +1,17 @@
 #include <cstddef>
-#include <limits>
-#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "cloud/cloud_check.hpp"
 #include "quadrille/detector/detector.hpp"
-#include "samples/cell_pyramid.hpp"
-#include "samples/sample_tree.hpp"
 #include "views/align.hpp"
 #include "views/joined_samples.hpp"
 #include "views/seen_through.hpp"
+#include "views/seen_view.hpp"
 
 namespace quadrille {
 namespace {
-
-/// A view's depths, and the samples on which it is aligned with others.
-struct SeenView {
-  Sight sight;
-  SurfaceSamples samples;
-};
-
-/// Returns nullopt if the cloud is too small, or its viewpoint is not known.
-std::optional<SeenView> seen_view(const CloudView& given, const DetectorOptions& options) {
-  const CloudCheck check = check_cloud(given);
-  if (!check.usable || !given.viewpoint.allFinite()) return std::nullopt;
-  const CloudView cloud = check.range.kept(given);
-  const std::unique_ptr<CellPyramid> pyramid = make_pyramid(cloud, options.sampling);
-  if (!pyramid) return std::nullopt;
-  const Mask all(static_cast<std::size_t>(pyramid->size(0)), 1);
-  SampleTree tree(*pyramid, pyramid->samples(all, options.threads));
-  return SeenView{pyramid->sight(), std::move(tree).take_finest()};
-}
-
-/// Drops the marked points of a cloud; those of an organised one become NaN.
-void drop(const Mask& dropped, PointCloud* cloud) {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < cloud->points.size(); ++k) {
-    if (cloud->organised()) {
-      if (dropped[k]) {
-        cloud->points[k].setConstant(std::numeric_limits<float>::quiet_NaN());
-      }
-    } else if (!dropped[k]) {
-      if (cloud->coloured()) cloud->colours[kept] = cloud->colours[k];
-      cloud->points[kept++] = cloud->points[k];
-    }
-  }
-  if (cloud->organised()) return;
-  if (cloud->coloured()) cloud->colours.resize(kept);
-  cloud->points.resize(kept);
-}
 
 /// Drops the points of each view that another view sees through.
 void drop_seen_through(std::span<const std::optional<Sight>> sights,

@@ -13,7 +13,10 @@ constexpr float kBeside = 0.01f, kBehind = 0.025f;
 // Share of the rays there that must have measured something.
 constexpr float kMinMeasured = 0.8f;
 
+}  // namespace
+
 bool sees_through(const Sight& sight, const Eigen::Vector3f& p_C) {
+  if (sight.w.empty()) return false;
   const Eigen::Vector3f p = sight.X_VC * p_C;
   if (!(p.z() > 0.0f)) return false;
   const float reach = kBeside / p.z();
@@ -35,15 +38,30 @@ bool sees_through(const Sight& sight, const Eigen::Vector3f& p_C) {
   return static_cast<float>(measured) >= kMinMeasured * static_cast<float>(all);
 }
 
-}  // namespace
-
 Mask seen_through(const PointCloud& cloud, std::span<const Sight> others) {
   Mask through;
   through.reserve(cloud.points.size());
   for (const Eigen::Vector3f& p : cloud.points) {
-    through.push_back(std::any_of(others.begin(), others.end(), [&](const Sight& sight) {
-      return !sight.w.empty() && sees_through(sight, p);
-    }));
+    through.push_back(std::any_of(others.begin(), others.end(),
+                                  [&](const Sight& sight) { return sees_through(sight, p); }));
+  }
+  return through;
+}
+
+Eigen::Vector3f place_of_cell(const Sight& view, int i, int j) {
+  const float w = view.w[static_cast<std::size_t>(j) * view.width + i];
+  const Eigen::Array2f middle(static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f);
+  const Eigen::Array2f tangent = view.corner + view.step * middle;
+  return view.X_VC.inverse() * Eigen::Vector3f(tangent.x() / w, tangent.y() / w, 1.0f / w);
+}
+
+Mask cells_seen_through(const Sight& view, const Sight& other) {
+  Mask through(view.w.size(), 0);
+  for (int j = 0; j < view.height; ++j) {
+    for (int i = 0; i < view.width; ++i) {
+      const std::size_t cell = static_cast<std::size_t>(j) * view.width + i;
+      if (view.w[cell] > 0.0f) through[cell] = sees_through(other, place_of_cell(view, i, j));
+    }
   }
   return through;
 }

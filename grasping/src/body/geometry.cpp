@@ -1,6 +1,7 @@
 #include "body/geometry.hpp"
 
 #include <fcl/geometry/shape/box.h>
+#include <fcl/geometry/shape/capsule.h>
 #include <fcl/geometry/shape/cone.h>
 #include <fcl/geometry/shape/convex.h>
 #include <fcl/geometry/shape/cylinder.h>
@@ -25,6 +26,7 @@ std::shared_ptr<fcl::CollisionGeometryd> geometry_of(const CollisionShape& shape
   const std::vector<double>& d = shape.dimensions;
   if (shape.kind == "sphere") return std::make_shared<fcl::Sphered>(d[0]);
   if (shape.kind == "ellipsoid") return std::make_shared<fcl::Ellipsoidd>(d[0], d[1], d[2]);
+  if (shape.kind == "capsule") return std::make_shared<fcl::Capsuled>(d[0], d[1]);
   if (shape.kind == "cylinder") return std::make_shared<fcl::Cylinderd>(d[0], d[1]);
   if (shape.kind == "cone") return std::make_shared<fcl::Coned>(d[0], d[1]);
   if (shape.kind == "box") return std::make_shared<fcl::Boxd>(d[0], d[1], d[2]);

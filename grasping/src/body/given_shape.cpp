@@ -1,79 +1,15 @@
 // The geometry of shapes that users give.
-#include <algorithm>
-#include <map>
-#include <stdexcept>
-#include <string>
+#include <utility>
 
 #include "body/geometry.hpp"
 #include "quadrille/grasping/shape.hpp"
 
 namespace quadrille {
-namespace {
 
-// No obstacle is larger [m].
-constexpr double kMaxSize = 1e3;
-// A solid with flat faces has at least so many of them, and so many vertices.
-constexpr std::size_t kMinFaces = 4;
-
-[[noreturn]] void refuse(const CollisionShape& shape, const std::string& why) {
-  throw std::invalid_argument("shape of kind \"" + shape.kind + "\": " + why);
-}
-
-void check_dimensions(const CollisionShape& shape) {
-  const std::map<std::string, std::size_t> counts = {
-      {"sphere", 1}, {"ellipsoid", 3}, {"cylinder", 2}, {"cone", 2}, {"box", 3}};
-  const auto count = counts.find(shape.kind);
-  if (count == counts.end()) {
-    refuse(shape, "must be sphere, ellipsoid, cylinder, cone, box or convex");
-  }
-  const bool good = std::all_of(shape.dimensions.begin(), shape.dimensions.end(),
-                                [](double size) { return size > 0.0 && size <= kMaxSize; });
-  if (shape.dimensions.size() != count->second || !good) {
-    refuse(shape, "dimensions must be " + std::to_string(count->second) +
-                      " sizes of more than 0 m and at most 1000 m");
-  }
-}
-
-/// Checks the faces, each given as the number of its corners and their indices.
-void check_faces(const CollisionShape& shape) {
-  const auto size = static_cast<int>(shape.faces.size());
-  const auto vertices = static_cast<int>(shape.vertices_S.size());
-  std::size_t count = 0;
-  for (int at = 0; at < size; ++count) {
-    const int corners = shape.faces[at];
-    if (corners < 3 || corners >= size - at) {
-      refuse(shape, "each face must be the number of its corners, at least 3, and their indices");
-    }
-    for (int n = 1; n <= corners; ++n) {
-      const int index = shape.faces[at + n];
-      if (index < 0 || index >= vertices) refuse(shape, "a face names a vertex that there is not");
-    }
-    at += 1 + corners;
-  }
-  if (shape.vertices_S.size() < kMinFaces || count < kMinFaces) {
-    refuse(shape, "needs the vertices and faces of a solid");
-  }
-}
-
-void check_vertices(const CollisionShape& shape) {
-  const bool good =
-      std::all_of(shape.vertices_S.begin(), shape.vertices_S.end(),
-                  [](const Eigen::Vector3d& v) { return (v.array().abs() <= kMaxSize).all(); });
-  if (!good) refuse(shape, "vertices must lie within 1000 m");
-}
-
-}  // namespace
-
-CollisionShape with_geometry(CollisionShape shape) {
-  if (!shape.X_CS.matrix().allFinite() || !shape.X_CS.linear().isUnitary(1e-3)) {
-    refuse(shape, "the pose must be a finite, rigid motion");
-  }
-  if (shape.kind == "convex") {
-    check_vertices(shape);
-    check_faces(shape);
-  } else {
-    check_dimensions(shape);
-  }
+CollisionShape with_geometry(SolidShape solid) {
+  solid.check();
+  CollisionShape shape;
+  static_cast<SolidShape&>(shape) = std::move(solid);
   set_geometry(shape);
   return shape;
 }

@@ -5,7 +5,8 @@
 namespace quadrille {
 
 SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, double preshape,
-                     double width, double approach) {
+                     double width, double approach,
+                     std::span<const Eigen::AlignedBox3d> attached_G) {
   const double x = 0.5 * gripper.finger.x();
   const double thick = gripper.finger.y();
   // The frame G is that of the closed hand. Fingers on links reach farther forward once closed, and
@@ -26,6 +27,10 @@ SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, doub
   const Eigen::Vector3d palm = 0.5 * gripper.palm;
   hand.palm = box_between(X_CG, {-palm.x(), -palm.y(), back - gripper.palm.z() - approach},
                           {palm.x(), palm.y(), back});
+  for (const Eigen::AlignedBox3d& box : attached_G) {
+    const Eigen::Vector3d start = box.min() - Eigen::Vector3d(0, 0, approach);
+    hand.attached.push_back(box_between(X_CG, start, box.max()));
+  }
   return hand;
 }
 

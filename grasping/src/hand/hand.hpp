@@ -2,6 +2,8 @@
 
 #include <array>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "hand/oriented_box.hpp"
 #include "quadrille/grasping/gripper.hpp"
@@ -16,14 +18,18 @@ struct SweptHand {
   OrientedBox palm;
   /// The space that the fingers pass through while they close from the pre-shape to the width.
   std::array<OrientedBox, 2> closing;
+  /// What is fixed to the hand, from the start of the approach to the grasp.
+  std::vector<OrientedBox> attached;
 };
 
 /// Sweeps the hand along a straight approach that ends at X_CG, then closes it.
 /// @param preshape  distance between the pads on the way in [m]
 /// @param width     distance between the pads at the end [m]
 /// @param approach  length of the approach [m]
+/// @param attached_G  boxes around what is fixed to the hand [m]
 SweptHand sweep_hand(const Gripper& gripper, const Eigen::Isometry3d& X_CG, double preshape,
-                     double width, double approach);
+                     double width, double approach,
+                     std::span<const Eigen::AlignedBox3d> attached_G = {});
 
 /// Returns the space that the fingers fill or pass through once the hand is at X_CG, for any
 /// pre-shape of at least `opening` [m]. It is part of the space of every such swept hand.

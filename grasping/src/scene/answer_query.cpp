@@ -1,5 +1,7 @@
 #include "scene/answer_query.hpp"
 
+#include <fcl/geometry/collision_geometry.h>
+
 #include <algorithm>
 #include <chrono>
 #include <iterator>
@@ -25,11 +27,19 @@ struct Kept {
   std::size_t rank = 0;
 };
 
+/// The box around a shape along the axes of the frame that its pose is in.
+Eigen::AlignedBox3d bounds_of(const CollisionShape& shape) {
+  const auto& box = shape.geometry->aabb_local;
+  return Eigen::AlignedBox3d(box.min_, box.max_).transformed(shape.X_CS);
+}
+
 /// Answers one query.
 class QueryPlanner {
  public:
   QueryPlanner(const SceneParts& parts, const GraspQuery& query, const Deadline& deadline)
-      : parts_(parts), query_(completed(query, parts.options)), deadline_(deadline) {}
+      : parts_(parts), query_(completed(query, parts.options)), deadline_(deadline) {
+    for (const CollisionShape& shape : query_.attached) attached_G_.push_back(bounds_of(shape));
+  }
 
   GraspPlan plan() {
     const Clock::time_point start = Clock::now();
@@ -120,7 +130,7 @@ class QueryPlanner {
   /// @return whether the deadline ended the search early
   bool try_holds(const Target& target, std::vector<Grasp>& grasps, RefusalCounts& refusals) {
     const auto task = [&](const CollisionScene& scene) {
-      return TargetTask{parts_, query_, deadline_, target, scene};
+      return TargetTask{parts_, query_, deadline_, target, scene, {}, attached_G_};
     };
     const std::size_t wanted = std::max(1, *query_.per_target);
     bool cut = false;
@@ -212,6 +222,8 @@ class QueryPlanner {
   const SceneParts& parts_;
   const GraspQuery query_;
   const Deadline& deadline_;
+  /// Boxes around what is fixed to the hand, in its frame G [m].
+  std::vector<Eigen::AlignedBox3d> attached_G_;
   std::vector<Kept> kept_;
   GraspPlan plan_;
   RefusalCounts refusals_;

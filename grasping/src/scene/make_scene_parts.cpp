@@ -36,40 +36,52 @@ bool is_sound(const Box& box) {
   return sized && box.X_CB.matrix().allFinite() && box.X_CB.linear().isUnitary(1e-3);
 }
 
+/// The plane as a detection that reaches as far as any hand. Its id is that of no other detection.
+Detection as_plane(const KnownSupport& support, const Eigen::Vector3d& viewpoint_C) {
+  constexpr double kReach = 100.0;
+  const Eigen::Vector3d eye = viewpoint_C.allFinite() ? viewpoint_C : Eigen::Vector3d::Zero();
+  Detection plane;
+  plane.type = QuadricType::kPlane;
+  plane.X_CQ.linear() =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), support.n_C).toRotationMatrix();
+  plane.X_CQ.translation() = eye - (support.n_C.dot(eye) - support.offset) * support.n_C;
+  plane.extent_Q = {Eigen::Vector3d(-kReach, -kReach, 0.0), Eigen::Vector3d(kReach, kReach, 0.0)};
+  return plane;
+}
+
 /// Makes the parts of a scene, stage by stage.
 class SceneMaker {
  public:
   SceneMaker(const PointCloud& cloud, const std::vector<Detection>& detections,
-             const std::vector<PointCloud>& further, double deadline_ms, SceneParts& parts)
+             const Surroundings& known, double deadline_ms, SceneParts& parts)
       : detections_(detections),
+        known_(known),
         deadline_(deadline_ms),
         half_(0.5 * deadline_ms),
-        parts_(parts),
-        cloud_(kept(cloud)) {
-    for (const PointCloud& view : further) add_further(kept(view));
-    if (further_.empty()) return;
-    all_ = cloud_;
-    for (const PointCloud* view : further_) {
-      all_.points.insert(all_.points.end(), view->points.begin(), view->points.end());
+        parts_(parts) {
+    views_.push_back(viewed(cloud));
+    if (known.support) detections_.push_back(as_plane(*known.support, cloud.viewpoint));
+    for (const PointCloud& view : known.views) add_further(viewed(view));
+    if (views_.size() == 1) return;
+    for (const View& view : views_) {
+      all_.points.insert(all_.points.end(), view.things->points.begin(), view.things->points.end());
     }
-    all_.width = all_.height = 0;
-    all_.colours.clear();
+    all_.viewpoint = cloud.viewpoint;
   }
 
   void make(std::optional<std::vector<Box>> boxes, const std::vector<SceneBody>& bodies) {
     drop_surplus();
     stage("boxes", [&] {
-      parts_.boxes = boxes ? std::move(*boxes) : find_boxes(cloud_, detections_);
+      parts_.boxes = boxes ? std::move(*boxes) : find_boxes(first_view(), detections_);
       std::erase_if(parts_.boxes, [](const Box& box) { return !is_sound(box); });
     });
     stage("shapes", [&] { make_shapes(); });
-    if (cloud_.points.empty()) warn("the cloud is empty");
+    if (first_view().points.empty()) warn("the cloud is empty");
     const PlanOptions& options = parts_.options;
     stage("view", [&] {
-      parts_.views.reserve(1 + further_.size());
-      parts_.views.emplace_back(cloud_, options.baseline, options.resolution);
-      for (const PointCloud* view : further_) {
-        parts_.views.emplace_back(*view, options.baseline, options.resolution);
+      parts_.views.reserve(views_.size());
+      for (const View& view : views_) {
+        parts_.views.emplace_back(*view.seen, options.baseline, options.resolution);
       }
     });
     const bool seen_so = has_viewpoint();
@@ -118,11 +130,19 @@ class SceneMaker {
          " with the best score are planned on (planner.max_detections)");
   }
 
-  /// Returns the cloud without points that no sensor can have measured.
-  const PointCloud& kept(const PointCloud& cloud) {
+  /// A cloud without points that no sensor can have measured, as it was seen, and without the
+  /// robot's points.
+  struct View {
+    const PointCloud* seen;
+    const PointCloud* things;
+  };
+
+  View viewed(const PointCloud& cloud) {
     const RangeCheck& range = ranges_.emplace_back(check_range(cloud));
     if (range.far > 0) warn(range.warning());
-    return range.kept(cloud);
+    const PointCloud* seen = &range.kept(cloud);
+    if (known_.robot.shapes.empty()) return {seen, seen};
+    return {seen, &things_.emplace_back(known_.robot.taken_from(*seen))};
   }
 
   void make_shapes() {
@@ -156,16 +176,16 @@ class SceneMaker {
 
   /// Adds a further view, unless it cannot have been seen from its viewpoint, because its free
   /// space would then be wrong.
-  void add_further(const PointCloud& view) {
-    const std::string doubt = contradict_viewpoint(view, detections_);
-    if (doubt.empty()) return further_.push_back(&view);
+  void add_further(const View& view) {
+    const std::string doubt = contradict_viewpoint(*view.things, detections_);
+    if (doubt.empty()) return views_.push_back(view);
     warn("a further view is left out: " + doubt);
   }
 
   /// Returns false, and says why, if the cloud cannot have been seen from its viewpoint, because
   /// its free space would then be wrong.
   bool has_viewpoint() {
-    const std::string doubt = contradict_viewpoint(cloud_, detections_);
+    const std::string doubt = contradict_viewpoint(first_view(), detections_);
     if (doubt.empty()) return true;
     warn(doubt);
     for (const Detection& d : detections_) {
@@ -209,7 +229,7 @@ class SceneMaker {
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const Target& target : parts_.targets) boxes.push_back(around(target.body, parts_.reach));
     const std::vector<std::size_t> far =
-        find_far_boxes(boxes, cloud_.viewpoint, parts_.options.resolution);
+        find_far_boxes(boxes, first_view().viewpoint, parts_.options.resolution);
     for (auto n = far.rbegin(); n != far.rend(); ++n) {
       const auto target = parts_.targets.begin() + static_cast<std::ptrdiff_t>(*n);
       refuse(target->id, Refusal::kFar, target->wanted);
@@ -258,8 +278,12 @@ class SceneMaker {
     }
     SpaceMapper mapper(region, resolution, std::move(boxes));
     for (std::size_t v = 0; v < parts_.views.size(); ++v) {
-      mapper.add(view_cloud(v), parts_.views[v]);
+      mapper.add(*views_[v].things, parts_.views[v]);
       keep_points(v, region);
+    }
+    if (known_.map.tree) mapper.add(known_.map);
+    for (const SolidShape& shape : known_.robot.shapes) {
+      mapper.free_within(NearShape(shape, known_.robot.padding));
     }
     parts_.space = std::make_shared<OccupancyGrid>(
         std::move(mapper).take_cleared(parts_.views.front(), up_to_clear()));
@@ -268,18 +292,17 @@ class SceneMaker {
     parts_.map.emplace(
         *parts_.space,
         unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow,
-        parts_.views);
+        parts_.views, known_.map.tree == nullptr);
   }
 
-  const PointCloud& view_cloud(std::size_t view) const {
-    return view == 0 ? cloud_ : *further_[view - 1];
-  }
+  /// The first view without the robot.
+  const PointCloud& first_view() const { return *views_.front().things; }
 
   /// The points of all views, with the viewpoint of the first.
-  const PointCloud& all_points() const { return further_.empty() ? cloud_ : all_; }
+  const PointCloud& all_points() const { return views_.size() == 1 ? first_view() : all_; }
 
   void keep_points(std::size_t view, const Eigen::AlignedBox3d& region) {
-    const PointCloud& cloud = view_cloud(view);
+    const PointCloud& cloud = *views_[view].things;
     const Eigen::AlignedBox3f near = region.cast<float>();
     for (std::size_t n = 0; n < cloud.points.size(); ++n) {
       if (near.contains(cloud.points[n]) && !parts_.views[view].stray()[n]) {
@@ -290,12 +313,12 @@ class SceneMaker {
 
   /// The view with the most points in the box around a target.
   std::size_t best_view(const Target& target) const {
-    if (further_.empty()) return 0;
+    if (views_.size() == 1) return 0;
     const Eigen::AlignedBox3f box = target.body.bounds_C().cast<float>();
     std::size_t best = 0;
     std::ptrdiff_t most = 0;
     for (std::size_t v = 0; v < parts_.views.size(); ++v) {
-      const std::vector<Eigen::Vector3f>& points = view_cloud(v).points;
+      const std::vector<Eigen::Vector3f>& points = views_[v].things->points;
       const auto count = std::count_if(points.begin(), points.end(),
                                        [&](const auto& p) { return box.contains(p); });
       if (count > most) {
@@ -316,12 +339,14 @@ class SceneMaker {
   }
 
   std::vector<Detection> detections_;
+  const Surroundings& known_;
   const Deadline deadline_, half_;
   SceneParts& parts_;
-  /// Range checks of all clouds, in a list so that the clouds in it keep their addresses.
+  /// Range checks of all clouds, and clouds without the robot, in lists so that the clouds keep
+  /// their addresses.
   std::list<RangeCheck> ranges_;
-  const PointCloud& cloud_;
-  std::vector<const PointCloud*> further_;
+  std::list<PointCloud> things_;
+  std::vector<View> views_;
   PointCloud all_;
 };
 
@@ -329,14 +354,13 @@ class SceneMaker {
 
 std::unique_ptr<const SceneParts> make_scene_parts(
     const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
-    const PlanOptions& options, const std::vector<PointCloud>& further,
-    std::optional<std::vector<Box>> boxes, const std::vector<SceneBody>& bodies,
-    double deadline_ms) {
+    const PlanOptions& options, const Surroundings& known, std::optional<std::vector<Box>> boxes,
+    const std::vector<SceneBody>& bodies, double deadline_ms) {
   auto parts = std::make_unique<SceneParts>();
   parts->gripper = gripper;
   parts->options = options;
   parts->reach = hand_reach(gripper, options.approach);
-  SceneMaker(cloud, detections, further, deadline_ms, *parts).make(std::move(boxes), bodies);
+  SceneMaker(cloud, detections, known, deadline_ms, *parts).make(std::move(boxes), bodies);
   return parts;
 }
 

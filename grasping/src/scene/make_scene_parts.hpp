@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/grasping/surroundings.hpp"
 #include "targets/scene_parts.hpp"
 
 namespace quadrille {
@@ -15,8 +16,7 @@ namespace quadrille {
 /// If all of it has passed by then, no target is left and space is not mapped.
 std::unique_ptr<const SceneParts> make_scene_parts(
     const PointCloud& cloud, const std::vector<Detection>& detections, const Gripper& gripper,
-    const PlanOptions& options, const std::vector<PointCloud>& further,
-    std::optional<std::vector<Box>> boxes, const std::vector<SceneBody>& bodies,
-    double deadline_ms);
+    const PlanOptions& options, const Surroundings& known, std::optional<std::vector<Box>> boxes,
+    const std::vector<SceneBody>& bodies, double deadline_ms);
 
 }  // namespace quadrille

@@ -88,9 +88,8 @@ void collect_scores(const GraspScene& scene, GraspQuery query, std::vector<Remed
 
 std::vector<Remedy> find_remedies(const GraspPlan& plan, const PointCloud& cloud,
                                   const std::vector<Detection>& detections, const Gripper& gripper,
-                                  const PlanOptions& options,
-                                  const std::vector<PointCloud>& further, const GraspQuery& query,
-                                  std::optional<std::vector<Box>> boxes,
+                                  const PlanOptions& options, const Surroundings& known,
+                                  const GraspQuery& query, std::optional<std::vector<Box>> boxes,
                                   const std::vector<SceneBody>& bodies) {
   GraspQuery asked = completed(query, options);
   asked.ids.clear();
@@ -101,7 +100,7 @@ std::vector<Remedy> find_remedies(const GraspPlan& plan, const PointCloud& cloud
   std::vector<Remedy> remedies;
   if (asked.ids.empty()) return remedies;
   const auto scene_for = [&](const Gripper& hand, const PlanOptions& with) {
-    return GraspScene(cloud, detections, hand, with, further, boxes, bodies);
+    return GraspScene(cloud, detections, hand, with, known, boxes, bodies);
   };
   collect_scores(scene_for(gripper, options), asked, remedies);
   for (const Change& change : changes(gripper, options, asked)) {

@@ -132,6 +132,11 @@ std::optional<Obstruction> CollisionScene::palm_obstruction(const OrientedBox& p
   return first_obstruction(*this, {&palm, 1}, {}, end_doubt);
 }
 
+std::optional<Obstruction> CollisionScene::back_obstruction(const SweptHand& hand) const {
+  if (const auto what = palm_obstruction(hand.palm)) return what;
+  return first_obstruction(*this, hand.attached, {}, end_doubt);
+}
+
 std::optional<Obstruction> CollisionScene::finger_obstruction(const SweptHand& hand) const {
   return first_obstruction(*this, hand.fingers, hand.closing, margin);
 }
@@ -142,8 +147,9 @@ std::optional<Obstruction> CollisionScene::closing_obstruction(
 }
 
 double CollisionScene::clearance(const SweptHand& hand) const {
-  const std::array<OrientedBox, 5> boxes = {hand.fingers[0], hand.fingers[1], hand.palm,
-                                            hand.closing[0], hand.closing[1]};
+  std::vector<OrientedBox> boxes = hand.attached;
+  boxes.insert(boxes.end(),
+               {hand.fingers[0], hand.fingers[1], hand.palm, hand.closing[0], hand.closing[1]});
   const auto blocked = [&](double r) {
     for (const SupportPlane& plane : planes) {
       if (crosses(boxes, plane, r)) return true;

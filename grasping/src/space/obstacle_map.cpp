@@ -88,9 +88,10 @@ struct ObstacleMap::Query {
 };
 
 ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks,
-                         std::span<const DepthView> views)
+                         std::span<const DepthView> views, bool divide_occupied)
     : resolution_(grid.resolution()),
       unknown_blocks_(unknown_blocks),
+      divide_occupied_(divide_occupied && views.size() == 1),
       views_(views),
       corner_(grid.corner().cast<double>() * grid.resolution()) {
   levels_[0].size = grid.size();
@@ -115,6 +116,7 @@ ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
   ObstacleMap map;
   map.resolution_ = resolution_;
   map.unknown_blocks_ = unknown_blocks_;
+  map.divide_occupied_ = divide_occupied_;
   map.views_ = views_;
   const Eigen::Vector3i low = range.first / kEdge * kEdge;
   const Eigen::Vector3i size = ((range.second.array() + kEdge) / kEdge * kEdge).matrix() - low;
@@ -203,7 +205,7 @@ std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Ve
   if (gap.maxCoeff() > 0.0f) return 0;
   const Level& here = levels_[level];
   const std::uint8_t flags = here.flags[here.index(at.x(), at.y(), at.z())];
-  const int divided = kAnyUnknown | (views_.size() == 1 ? kAnyOccupied : 0);
+  const int divided = kAnyUnknown | (divide_occupied_ ? kAnyOccupied : 0);
   const bool refined = !views_.empty() && flags & divided;
   if (level == 0 || (flags & kAll && !refined)) {
     const Eigen::Vector3d centre = corner_ + 2.0 * h * (at.cast<double>().array() + 0.5).matrix();

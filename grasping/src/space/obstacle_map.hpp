@@ -35,8 +35,9 @@ class ObstacleMap {
   /// @param unknown_blocks  if true, unknown voxels and all space outside the grid are obstacles
   ///   too
   /// @param views  they must outlive this map and its copies
-  ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks,
-              std::span<const DepthView> views = {});
+  /// @param divide_occupied  false if the grid has occupied voxels that are not from these views
+  ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks, std::span<const DepthView> views = {},
+              bool divide_occupied = true);
 
   /// Copies the blocks of the map that the region meets, so that they can be carved at little cost.
   /// All space beyond them counts as outside.
@@ -97,6 +98,8 @@ class ObstacleMap {
 
   double resolution_ = 0.0;
   bool unknown_blocks_ = false;
+  /// Whether the parts of occupied voxels are told apart.
+  bool divide_occupied_ = false;
   std::span<const DepthView> views_;
   Eigen::Vector3d corner_;
   std::array<Level, kLevels> levels_;

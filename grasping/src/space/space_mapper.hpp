@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/detector/solid_shape.hpp"
 #include "quadrille/grasping/occupancy.hpp"
+#include "quadrille/grasping/surroundings.hpp"
 #include "view/depth_view.hpp"
 
 namespace quadrille {
@@ -27,6 +29,14 @@ class SpaceMapper {
   /// @throws std::invalid_argument if the view is that of another cloud
   void add(const PointCloud& cloud, const DepthView& view);
 
+  /// Adds what a map from elsewhere says. Its occupied voxels count whatever the views saw, and its
+  /// free ones only where no view tells. A voxel takes the state at its middle, or is occupied if
+  /// the map's voxels are smaller and one in it is.
+  void add(const KnownMap& map);
+
+  /// Frees the voxels with their middle in or near a shape.
+  void free_within(const NearShape& shape);
+
   /// Hands over the map of all views.
   OccupancyGrid take() && { return std::move(grid_); }
   /// Hands over the map after marking unknown voxels above free ones as clear: objects stand on a
@@ -44,6 +54,8 @@ class SpaceMapper {
   void mark_eight(const DepthView& view, const Eigen::Vector3i& low, const Eigen::Vector3d& p_V);
   void fill_free(const Eigen::Vector3i& low, int edge);
   bool wanted(const Eigen::Vector3i& block) const;
+  template <class Visit>
+  void each_voxel(const Eigen::AlignedBox3d& box_C, Visit&& visit);
   Eigen::Vector3d middle_V(const DepthView& view, const Eigen::Vector3i& low, int edge) const;
   bool is_clear(const DepthView& view, const Eigen::Vector3i& low, int edge) const;
   std::vector<Tile> tiles_beside(const DepthView& view) const;

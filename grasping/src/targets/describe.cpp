@@ -104,8 +104,8 @@ Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) 
 }
 
 void measure_clearance(Grasp& grasp, const TargetTask& task) {
-  grasp.clearance = task.scene.clearance(
-      sweep_hand(task.parts.gripper, grasp.X_CG, grasp.preshape, grasp.width, grasp.approach));
+  grasp.clearance = task.scene.clearance(sweep_hand(task.parts.gripper, grasp.X_CG, grasp.preshape,
+                                                    grasp.width, grasp.approach, task.attached_G));
   grasp.terms.clearance = std::min(1.0, grasp.clearance / kFullClearance);
   grasp.score = success_probability(grasp.terms);
 }

@@ -182,7 +182,8 @@ bool HandTrials::try_hand(const Attempt& attempt) {
   const Eigen::Vector3d here_G = Eigen::Vector3d::Zero();
   if (out_of_reach(attempt.X_CG, Eigen::AlignedBox3d(here_G))) return false;
   const auto swept = [&](double preshape) {
-    return sweep_hand(gripper, attempt.X_CG, preshape, line.width, task_.parts.options.approach);
+    return sweep_hand(gripper, attempt.X_CG, preshape, line.width, task_.parts.options.approach,
+                      task_.attached_G);
   };
   const auto stopped_by = [&](const std::optional<Obstruction>& what) {
     if (what) obstructed(refusal_of(*what));
@@ -191,7 +192,7 @@ bool HandTrials::try_hand(const Attempt& attempt) {
   const auto fingers =
       common_fingers(gripper, attempt.X_CG, min_opening(line, task_.parts.options), line.width);
   if (stopped_by(scene.closing_obstruction(fingers))) return false;
-  if (stopped_by(scene.palm_obstruction(swept(line.opening).palm))) return false;
+  if (stopped_by(scene.back_obstruction(swept(line.opening)))) return false;
   if (attempt.may_bulge && meets_too_early(line, attempt.X_CG, gripper, scene.target,
                                            pad_margin(line, task_.parts.options))) {
     obstructed(Refusal::kTarget);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <span>
 #include <vector>
 
 #include "base/deadline.hpp"
@@ -25,6 +27,8 @@ struct TargetTask {
   /// The grasps that other searches found on the target, to which those of this search must be
   /// unlike.
   std::vector<Grasp> others = {};
+  /// Boxes around what is fixed to the hand, in frame G [m].
+  std::span<const Eigen::AlignedBox3d> attached_G = {};
 };
 
 /// The diverse grasps of one target that survive, in no particular order, and the refusals.

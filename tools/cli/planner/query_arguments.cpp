@@ -12,8 +12,9 @@
 
 #include "cli/number_list.hpp"
 #include "io/file_bytes.hpp"
-#include "io/planner/obstacles_file.hpp"
+#include "io/json/shapes_file.hpp"
 #include "quadrille/detector/printable.hpp"
+#include "quadrille/grasping/shape.hpp"
 
 namespace quadrille {
 namespace {
@@ -59,6 +60,24 @@ void add_length(CLI::App& app, const std::string& name, double& length, double m
   app.add_option(name, length, what)->type_name("M")->check(check);
 }
 
+void add_shapes_option(CLI::App& app, const std::string& name, std::vector<CollisionShape>& shapes,
+                       const std::string& what) {
+  app.add_option_function<std::string>(
+         name,
+         [name, &shapes](const std::string& path) {
+           try {
+             shapes.clear();
+             for (const SolidShape& shape : io::read_shapes(path)) {
+               shapes.push_back(with_geometry(shape));
+             }
+           } catch (const io::FileError& error) {
+             throw CLI::ValidationError(name, error.what());
+           }
+         },
+         what)
+      ->type_name("FILE");
+}
+
 }  // namespace
 
 void add_approach_option(CLI::App& app, std::optional<Cone>& cone, const std::string& frame) {
@@ -70,17 +89,15 @@ void add_approach_option(CLI::App& app, std::optional<Cone>& cone, const std::st
 
 void add_obstacles_option(CLI::App& app, std::vector<CollisionShape>& obstacles,
                           const std::string& frame) {
-  app.add_option_function<std::string>(
-         "--obstacles",
-         [&obstacles](const std::string& path) {
-           try {
-             obstacles = io::read_obstacles(path);
-           } catch (const io::FileError& error) {
-             throw CLI::ValidationError("--obstacles", error.what());
-           }
-         },
-         "Keep the hand off these shapes too (JSON, as `plan --json` writes shapes), in " + frame)
-      ->type_name("FILE");
+  add_shapes_option(
+      app, "--obstacles", obstacles,
+      "Keep the hand off these shapes too (JSON, as `plan --json` writes shapes), in " + frame);
+}
+
+void add_attached_option(CLI::App& app, std::vector<CollisionShape>& attached) {
+  add_shapes_option(app, "--attached", attached,
+                    "Shapes fixed to the hand, in its frame G, which must not touch anything "
+                    "either: a camera on the wrist, or what the hand holds");
 }
 
 void QueryArguments::add_to(CLI::App& app) {
@@ -111,6 +128,7 @@ void QueryArguments::add_to(CLI::App& app) {
              "Keep the hand so far from all but the target");
   add_approach_option(app, query_.approach, "the frame of the results");
   add_obstacles_option(app, query_.obstacles, "the frame of the results");
+  add_attached_option(app, query_.attached);
   app.add_option("--best", query_.max_grasps, "Give so many grasps at most")
       ->type_name("N")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));

@@ -21,12 +21,15 @@ void add_approach_option(CLI::App& app, std::optional<Cone>& cone, const std::st
 void add_obstacles_option(CLI::App& app, std::vector<CollisionShape>& obstacles,
                           const std::string& frame);
 
+/// Adds --attached, a file that is read into shapes in the hand's frame G; they must outlive the
+/// app.
+void add_attached_option(CLI::App& app, std::vector<CollisionShape>& attached);
+
 /// The options that select grasps, in the frame of the results.
 class QueryArguments {
  public:
   /// Adds --target, --near, --roi, --min-size, --max-size, --min-clearance, --approach,
-  /// --obstacles and --best;
-  /// this object must outlive the app.
+  /// --obstacles, --attached and --best; this object must outlive the app.
   void add_to(CLI::App& app);
   /// Returns the query.
   /// @throws CLI::ValidationError if the options contradict each other

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "io/json/json_parts.hpp"
+#include "io/json/shapes_file.hpp"
 #include "io/run_info.hpp"
 
 namespace quadrille::io {
@@ -29,17 +30,8 @@ Json to_json(const Grasp& grasp) {
 }
 
 Json to_json(const CollisionShape& shape) {
-  Json json = {{"target", shape.target},
-               {"kind", shape.kind},
-               {"pose", to_json(shape.X_CS)},
-               {"dimensions", shape.dimensions}};
-  if (!shape.vertices_S.empty()) {
-    json["vertices"] = Json::array();
-    for (const Eigen::Vector3d& vertex : shape.vertices_S) {
-      json["vertices"].push_back(array_of(vertex));
-    }
-    json["faces"] = shape.faces;
-  }
+  Json json = {{"target", shape.target}};
+  json.update(to_json(static_cast<const SolidShape&>(shape)));
   return json;
 }
 

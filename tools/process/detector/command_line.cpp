@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/robot_option.hpp"
 #include "link/channel_pattern.hpp"
 
 namespace quadrille {
@@ -17,6 +18,8 @@ DetectorCommandLine::DetectorCommandLine(CLI::App& app) {
                "Also publish the cloud and what is found for Meldis, Drake's viewer");
   camera_.add_to(app, "--pose-channel");
   settings_.frames.add_to(app);
+  add_robot_option(app, settings_.robot,
+                   "the fixed frame of the camera's poses, else in the camera's");
   detector_.add_to(app);
 }
 
@@ -27,6 +30,7 @@ DetectorSettings DetectorCommandLine::settings() const {
   settings.detector = setup.options;
   settings.track = setup.track;
   settings.X_WK = camera_.X_WK;
+  settings.frames.conditions = settings.has_fixed_frame() && !settings.robot.shapes.empty();
   settings.process.check();
   name_channels(&settings);
   check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,

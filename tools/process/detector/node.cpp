@@ -46,7 +46,12 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
       settings_hash_(hash_of(settings)),
       trackers_(settings.track),
       posed_clouds_(pose_source(settings), settings.frames.need_pose() ? "searched" : "tracked"),
-      cloud_channels_(settings_) {
+      cloud_channels_(settings_),
+      robot_({0,
+              std::string(
+                  word_of(settings.has_fixed_frame() ? CloudFrame::kWorld : CloudFrame::kCamera)),
+              settings.robot,
+              {}}) {
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
 }
 
@@ -54,7 +59,8 @@ std::vector<InChannel> DetectorNode::in_channels() const {
   std::vector<InChannel> channels;
   DetectorSettings::visit_channels(
       settings_, [&](Way way, const char* option, const std::string& name, const char*) {
-        if (way == Way::kIn && !name.empty()) channels.push_back({option, name});
+        if (way != Way::kIn || name.empty()) return;
+        channels.push_back({option, name, &name != &settings_.robot_channel});
       });
   return channels;
 }
@@ -69,6 +75,10 @@ std::optional<Job> DetectorNode::receive(const std::string& channel,
   if (channel == settings_.pose_channel) {
     const std::lock_guard lock(mutex_);
     posed_clouds_.receive_pose(bytes, &refusals_);
+  }
+  if (channel == settings_.robot_channel) {
+    const std::lock_guard lock(mutex_);
+    robot_.receive(channel, bytes, &refusals_);
   }
   return std::nullopt;
 }
@@ -115,12 +125,19 @@ DetectionResult DetectorNode::detect_placed(const std::string& channel,
     return nothing;
   }
   const PointCloud cloud_K = in_camera_frame(cloud.cloud, placement, settings_.frames);
-  DetectionResult result = detect(cloud_K, settings_.detector);
+  DetectionResult result =
+      detect(robot_at(cloud, placement).taken_from(cloud_K), settings_.detector);
   if (pose.X_WK) track(channel, cloud, *pose.X_WK, &result.detections);
   result.detections = moved(std::move(result.detections), placement.X_RK);
   result.boxes = moved(std::move(result.boxes), placement.X_RK);
   result.bodies = moved(std::move(result.bodies), placement.X_RK);
   return result;
+}
+
+/// Returns the robot's shapes in the camera's frame.
+RobotShapes DetectorNode::robot_at(const bus::CloudMessage& cloud, const Placement& placement) {
+  const std::lock_guard lock(mutex_);
+  return robot_.at(cloud.utime, placement, cloud.cloud.frame);
 }
 
 /// Assigns tracks to the detections of a cloud.

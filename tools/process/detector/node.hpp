@@ -15,6 +15,7 @@
 #include "process/runtime/node.hpp"
 #include "process/runtime/poses/posed_clouds.hpp"
 #include "process/runtime/refusals.hpp"
+#include "process/runtime/robot/robot_history.hpp"
 #include "process/runtime/status/rate.hpp"
 #include "process/runtime/status/stages.hpp"
 #include "process/runtime/viewer.hpp"
@@ -45,6 +46,7 @@ class DetectorNode : public Node {
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   void track(const std::string& channel, const bus::CloudMessage& cloud,
              const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
+  RobotShapes robot_at(const bus::CloudMessage& cloud, const Placement& placement);
   DetectionResult detect_placed(const std::string& channel, const bus::CloudMessage& cloud,
                                 const CameraPose& pose, const Placement& placement);
   void detect_and_publish(const std::string& channel, const bus::CloudMessage& cloud,
@@ -74,6 +76,7 @@ class DetectorNode : public Node {
   SequenceGaps gaps_;
   Refusals refusals_;
   CloudChannels cloud_channels_;
+  RobotHistory robot_;
   Stages stages_{{"decode", "wait", "detect", "quadrics"}};
   Rate received_rate_, published_rate_;
 };

@@ -8,6 +8,7 @@
 #include "process/runtime/poses/cloud_frame.hpp"
 #include "process/runtime/viewer.hpp"
 #include "quadrille/detector/options.hpp"
+#include "quadrille/detector/solid_shape.hpp"
 #include "quadrille/detector/tracker.hpp"
 
 namespace quadrille {
@@ -22,6 +23,7 @@ struct DetectorSettings {
   std::string boxes_channel = "BOXES";
   std::string bodies_channel = "BODIES";
   std::string status_channel = "QUADRILLE_DETECTOR_STATUS";
+  std::string robot_channel = "ROBOT";
   /// Channel of the camera's poses; empty for a camera at rest.
   std::string pose_channel;
   /// Pose of a camera at rest in W; nullopt if it is not known.
@@ -33,6 +35,12 @@ struct DetectorSettings {
   std::string viewer_cloud_channel = "DRAKE_POINT_CLOUD";
   DetectorOptions detector;
   TrackOptions track;
+  /// The robot's own shapes, in the fixed frame of the camera's poses, or, if there are none, in
+  /// the camera's frame.
+  RobotShapes robot;
+
+  /// Returns true if the camera's pose in W is given, or comes on a channel.
+  bool has_fixed_frame() const { return X_WK || !pose_channel.empty(); }
 
   /// Lists each channel: the direction of its messages, the option that names it, its name, and its
   /// content.
@@ -43,6 +51,8 @@ struct DetectorSettings {
     visit(Way::kOut, "--boxes-channel", settings.boxes_channel, "boxes");
     visit(Way::kOut, "--bodies-channel", settings.bodies_channel, "bodies");
     visit(Way::kOut, "--status-channel", settings.status_channel, "status");
+    visit(Way::kIn, "--robot-channel", settings.robot_channel,
+          "the robot's own shapes (quadrille.robot_t)");
     visit(Way::kIn, "--pose-channel", settings.pose_channel,
           "camera's poses (bot_core.pose_t) in a fixed frame");
   }

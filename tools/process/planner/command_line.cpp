@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/planner/query_arguments.hpp"
+#include "cli/planner/surroundings_arguments.hpp"
+#include "cli/robot_option.hpp"
 #include "cli/types_option.hpp"
 #include "io/planner/config.hpp"
 
@@ -44,10 +46,12 @@ PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
   camera_.add_to(app, "--pose-channel");
   settings_.frames.add_to(app);
   planner_.add_to(app, "franka");
-  add_approach_option(app, settings_.approach,
-                      "the fixed frame of the camera's poses, else in the camera's");
-  add_obstacles_option(app, settings_.obstacles,
-                       "the fixed frame of the camera's poses, else in the camera's");
+  const std::string frame = "the fixed frame of the camera's poses, else in the camera's";
+  add_approach_option(app, settings_.approach, frame);
+  add_obstacles_option(app, settings_.obstacles, frame);
+  add_attached_option(app, settings_.attached);
+  add_robot_option(app, settings_.known.robot, frame);
+  add_surroundings_options(app, settings_.known, frame);
   add_types_option(app, "--report", report_, "Grasp only these types; the others stay in the way");
   app.add_option("--config", config_, "Settings (TOML)")->type_name("FILE");
 }
@@ -62,9 +66,13 @@ PlannerSettings PlannerCommandLine::settings() const {
   settings.pose_age = config.track.pose_age;
   settings.pose_wait = config.track.pose_wait;
   settings.X_WK = camera_.X_WK;
+  settings.detector = config.detector;
+  const Surroundings& known = settings.known;
+  const bool any_known = !settings.obstacles.empty() || !known.robot.shapes.empty() ||
+                         known.support.has_value() || known.map.tree != nullptr;
   settings.frames.conditions =
       settings.has_fixed_frame() &&
-      (settings.approach || settings.plan.reach.max > 0.0 || !settings.obstacles.empty());
+      (settings.approach || settings.plan.reach.max > 0.0 || any_known || settings.remembers());
   settings.process.check();
   PlannerSettings::visit_channels(settings, [&](Way, const char*, std::string& name, const char*) {
     name = settings.process.prefixed(name);

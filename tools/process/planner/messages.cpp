@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "io/planner/octree_bytes.hpp"
+#include "io/planner/octree_file.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 
 namespace quadrille {

@@ -13,7 +13,9 @@
 #include "process/planner/status_text.hpp"
 #include "process/planner/viewer_hands.hpp"
 #include "process/runtime/logging.hpp"
+#include "process/runtime/poses/named_frame.hpp"
 #include "quadrille/bus/encode.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 #include "run/clock.hpp"
@@ -25,6 +27,7 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
       settings_hash_(hash_of(settings)),
       posed_clouds_({settings.pose_channel, settings.X_WK, settings.pose_age, settings.pose_wait},
                     settings.frames.need_pose() ? "planned on" : "placed in the fixed frame"),
+      knowledge_(settings_),
       planner_(settings_),
       occupancies_(settings, publish_) {
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
@@ -33,14 +36,16 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
 
 std::vector<InChannel> PlannerNode::in_channels() const {
   std::vector<InChannel> channels;
-  PlannerSettings::visit_channels(settings_, [&](Way way, const char* option,
-                                                 const std::string& name, const char*) {
-    if (way != Way::kIn || name.empty()) return;
-    // Without boxes the planner seeks them itself, and without bodies it plans on quadrics.
-    const bool expected = &name != &settings_.boxes_channel && &name != &settings_.bodies_channel &&
-                          (&name != &settings_.request_channel || settings_.on_request);
-    channels.push_back({option, name, expected});
-  });
+  PlannerSettings::visit_channels(
+      settings_, [&](Way way, const char* option, const std::string& name, const char*) {
+        if (way != Way::kIn || name.empty()) return;
+        // All others add to what these say, or stand in for what the planner finds itself.
+        const bool expected = &name == &settings_.cloud_channel ||
+                              &name == &settings_.quadrics_channel ||
+                              &name == &settings_.pose_channel ||
+                              (&name == &settings_.request_channel && settings_.on_request);
+        channels.push_back({option, name, expected});
+      });
   return channels;
 }
 
@@ -69,9 +74,15 @@ std::optional<Job> PlannerNode::receive(const std::string& channel,
     return std::nullopt;
   }
   if (channel == settings_.request_channel) return receive_request(channel, bytes);
+  if (channel == settings_.forget_channel) return receive_forget(channel, bytes);
   if (channel == settings_.pose_channel) {
     const std::lock_guard lock(mutex_);
     posed_clouds_.receive_pose(bytes, &refused_poses_);
+    return std::nullopt;
+  }
+  const std::lock_guard lock(mutex_);
+  if (knowledge_.receive(channel, bytes, &refused_knowledge_)) {
+    counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
   }
   return std::nullopt;
 }
@@ -160,12 +171,26 @@ std::optional<Job> PlannerNode::receive_request(const std::string& channel,
              [this, request](const std::string& why) { refuse(*request, nullptr, why); }};
 }
 
+std::optional<Job> PlannerNode::receive_forget(const std::string& channel,
+                                               std::span<const std::byte> bytes) {
+  auto decoded = bus::decode_forget(bytes);
+  const std::lock_guard lock(mutex_);
+  counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
+  const auto message = refused_knowledge_.accept(channel, std::move(decoded));
+  if (!message) return std::nullopt;
+  const auto refuse = [channel](const std::string& why) { log_warning(channel + ": " + why); };
+  return Job{message->utime, [this, message] { forget(*message); }, refuse};
+}
+
 std::optional<Job> PlannerNode::make_job(std::optional<CloudAndQuadrics> found) {
   if (!found) return std::nullopt;
   auto pair = std::make_shared<const CloudAndQuadrics>(std::move(*found));
   recent_.add(pair);
-  if (settings_.on_request) return std::nullopt;
-  return Job{pair->cloud->utime, [this, pair] { plan_and_publish(pair); }};
+  if (!settings_.on_request) {
+    return Job{pair->cloud->utime, [this, pair] { plan_and_publish(pair); }};
+  }
+  if (!settings_.remembers()) return std::nullopt;
+  return Job{pair->cloud->utime, [this, pair] { remember(pair); }};
 }
 
 template <class Message>
@@ -175,10 +200,50 @@ std::int64_t PlannerNode::publish(const std::string& channel, const Message& mes
   return static_cast<std::int64_t>(bytes.size());
 }
 
+/// Returns what is known about a cloud. If that is in a frame which is not known, no grasp could
+/// keep clear of it: then nullopt, and the plan says so.
+std::optional<Known> PlannerNode::known_about(const CloudAndQuadrics& pair, GraspPlan* without) {
+  const std::lock_guard lock(mutex_);
+  try {
+    return knowledge_.about(pair);
+  } catch (const std::invalid_argument& error) {
+    without->warnings = {std::string("what is known of the scene cannot be placed: ") +
+                         error.what()};
+    return std::nullopt;
+  }
+}
+
+void PlannerNode::remember(const SharedPair& pair) {
+  GraspPlan nothing;
+  if (const std::optional<Known> known = known_about(*pair, &nothing)) {
+    planner_.remember(*pair, *known);
+  }
+}
+
+void PlannerNode::forget(const forget_t& message) {
+  if (message.all) return planner_.forget();
+  SharedPair pair;
+  {
+    const std::lock_guard lock(mutex_);
+    pair = recent_.newest();
+  }
+  // Before the first cloud there is nothing to forget.
+  if (!pair || !pair->placement.X_WK) return;
+  const Eigen::Isometry3d X_FK =
+      pose_of_camera(message.frame, pair->placement, pair->cloud->cloud.frame);
+  const Eigen::Vector3d half = 0.5 * Eigen::Vector3d(message.region_size);
+  planner_.forget(*pair->placement.X_WK * X_FK.inverse() * bus::from_message(message.region),
+                  {-half, half});
+}
+
 void PlannerNode::plan_and_publish(const SharedPair& shared) {
   const CloudAndQuadrics& pair = *shared;
   const auto start = std::chrono::steady_clock::now();
-  const GraspPlan plan = planner_.plan(shared, {});
+  GraspPlan plan;
+  if (const std::optional<Known> known = known_about(pair, &plan)) {
+    planner_.remember(pair, *known);
+    plan = planner_.plan(shared, *known, {});
+  }
   const double plan_ms = bus::ms_since(start);
   const Stamp stamp{pair.cloud->utime, pair.cloud->seq,
                     pair.placement.frame_of_results(pair.cloud->cloud.frame)};
@@ -248,7 +313,11 @@ void PlannerNode::answer(const grasp_request_t& request, std::chrono::steady_clo
   } catch (const std::invalid_argument& error) {
     return refuse(request, pair, error.what());
   }
-  publish_answer(request, pair, planner_.plan(pair, query, request.advise));
+  GraspPlan plan;
+  if (const std::optional<Known> known = known_about(*pair, &plan)) {
+    plan = planner_.plan(pair, *known, query, request.advise);
+  }
+  publish_answer(request, pair, plan);
   log_debug(fmt::format("request {}: cloud {}, {:.1f} ms", request.request_id, pair->cloud->utime,
                         bus::ms_since(at)));
 }

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "process/planner/knowledge.hpp"
 #include "process/planner/map_publisher.hpp"
 #include "process/planner/messages.hpp"
 #include "process/planner/pair_planner.hpp"
@@ -28,6 +29,7 @@
 #include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/request_message.hpp"
+#include "quadrille/bus/scene_messages.hpp"
 #include "run/rate_limiter.hpp"
 
 namespace quadrille {
@@ -56,6 +58,10 @@ class PlannerNode : public Node {
   std::optional<Job> receive_request(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> pair_quadrics(const bus::QuadricsMessage& quadrics, const OtherThings& others);
   std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
+  std::optional<Job> receive_forget(const std::string& channel, std::span<const std::byte> bytes);
+  std::optional<Known> known_about(const CloudAndQuadrics& pair, GraspPlan* without);
+  void remember(const SharedPair& pair);
+  void forget(const forget_t& message);
   void plan_and_publish(const SharedPair& pair);
   void answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at);
   void refuse(const grasp_request_t& request, const SharedPair& pair, const std::string& why);
@@ -81,7 +87,8 @@ class PlannerNode : public Node {
   PosedClouds posed_clouds_;
   std::int64_t requests_ = 0, unmet_ = 0;
   Refusals refused_clouds_, refused_quadrics_, refused_boxes_, refused_bodies_;
-  Refusals refused_poses_, refused_requests_;
+  Refusals refused_poses_, refused_requests_, refused_knowledge_;
+  Knowledge knowledge_;
   LimitedLog unpaired_log_;
   SequenceGaps gaps_;
   Stages stages_{{"decode", "wait", "plan", "grasps", "maps"}};

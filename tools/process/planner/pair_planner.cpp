@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "process/runtime/logging.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/remedies.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
@@ -15,20 +16,30 @@
 namespace quadrille {
 namespace {
 
-/// Returns the query with the obstacles of the settings, and their directions and reach unless it
-/// has its own.
+/// Returns the query with what is known of obstacles, and the settings' directions and reach unless
+/// it has its own.
 /// @param query  query in the camera's frame
-GraspQuery with_conditions(GraspQuery query, const PlannerSettings& settings,
+GraspQuery with_conditions(GraspQuery query, const PlannerSettings& settings, const Known& known,
                            const Placement& placement) {
   GraspQuery given;
   given.approach = settings.approach;
-  given.obstacles = settings.obstacles;
   given = completed(std::move(given), settings.plan);
   if (placement.X_WK) given = moved(std::move(given), placement.X_WK->inverse());
   if (!query.approach) query.approach = given.approach;
   if (!query.reach) query.reach = given.reach;
-  query.obstacles = std::move(given.obstacles);
+  query.obstacles = known.obstacles;
+  query.attached = known.attached;
   return query;
+}
+
+/// True if map and support are the same; the robot's shapes when a cloud was taken do not change.
+bool are_same(const Surroundings& a, const Surroundings& b) {
+  const auto plane = [](const Surroundings& s) {
+    return s.support ? Eigen::Vector4d(s.support->n_C.x(), s.support->n_C.y(), s.support->n_C.z(),
+                                       s.support->offset)
+                     : Eigen::Vector4d(Eigen::Vector4d::Zero());
+  };
+  return a.map.tree == b.map.tree && a.map.X_CM.isApprox(b.map.X_CM, 0.0) && plane(a) == plane(b);
 }
 
 /// A cloud and what was found in it, in the camera's frame K.
@@ -56,30 +67,59 @@ Things things_in_camera(const CloudAndQuadrics& pair, const PlannerSettings& set
 }  // namespace
 
 /// Plans on a pair in the camera's frame. The scene is made unless it is that of the last call.
-GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const GraspQuery& query,
-                                      bool advise) {
-  if (pair == ready_ && !advise) return scene_->plan(query);
+GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const Known& known,
+                                      const GraspQuery& query, bool advise) {
+  const bool as_before = pair == ready_ && are_same(known.surroundings, of_scene_);
+  if (as_before && !advise) return scene_->plan(query);
   const Things things = things_in_camera(*pair, settings_);
   PlanOptions options = settings_.plan;
   options.deadline_ms = *query.deadline_ms;
   // Whatever throws from here on leaves no scene that a later query could take for another one.
   ready_ = nullptr;
-  scene_.emplace(things.cloud, things.detections, settings_.gripper, options,
-                 std::vector<PointCloud>{}, things.boxes, things.bodies);
+  of_scene_ = known.surroundings;
+  Surroundings surroundings = known.surroundings;
+  if (settings_.remembers() && pair->placement.X_WK) {
+    surroundings.views = memory_.others(pair->cloud->utime, *pair->placement.X_WK);
+  }
+  scene_.emplace(things.cloud, things.detections, settings_.gripper, options, surroundings,
+                 things.boxes, things.bodies);
   GraspPlan plan = scene_->plan_from_start(query);
   // A scene that was cut short may lack targets, so the next query for this cloud makes a new one.
   if (!plan.cut) ready_ = pair;
   if (advise) {
     plan.remedies = find_remedies(plan, things.cloud, things.detections, settings_.gripper, options,
-                                  {}, query, things.boxes, things.bodies);
+                                  surroundings, query, things.boxes, things.bodies);
   }
   return plan;
 }
 
-GraspPlan PairPlanner::plan(const SharedPair& pair, const GraspQuery& query, bool advise) {
-  GraspQuery timed = with_conditions(query, settings_, pair->placement);
+void PairPlanner::remember(const CloudAndQuadrics& pair, const Known& known) {
+  if (!settings_.remembers() || !pair.placement.X_WK) return;
+  const PointCloud cloud = in_camera_frame(pair.cloud->cloud, pair.placement, settings_.frames);
+  const Eigen::Isometry3d correction = memory_.add(
+      pair.cloud->utime, known.surroundings.robot.taken_from(cloud), *pair.placement.X_WK);
+  log_debug(fmt::format(
+      "cloud {}: {} views are remembered; its pose is corrected by {:.1f} mm", pair.cloud->utime,
+      memory_.size(),
+      1e3 * (correction * pair.placement.X_WK->translation() - pair.placement.X_WK->translation())
+                .norm()));
+}
+
+void PairPlanner::forget() {
+  memory_.forget();
+  ready_ = nullptr;
+}
+
+void PairPlanner::forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R) {
+  memory_.forget(X_WR, box_R);
+  ready_ = nullptr;
+}
+
+GraspPlan PairPlanner::plan(const SharedPair& pair, const Known& known, const GraspQuery& query,
+                            bool advise) {
+  GraspQuery timed = with_conditions(query, settings_, known, pair->placement);
   timed.deadline_ms = query.deadline_ms.value_or(settings_.plan.deadline_ms);
-  GraspPlan plan = plan_in_camera(pair, timed, advise);
+  GraspPlan plan = plan_in_camera(pair, known, timed, advise);
   if (plan.cut) {
     ++cut_;
     cut_log_.warning(fmt::format(

@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 
+#include "process/planner/knowledge.hpp"
 #include "process/planner/pairing.hpp"
 #include "process/planner/settings.hpp"
 #include "process/runtime/limited_log.hpp"
+#include "quadrille/detector/view_memory.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
 
@@ -20,25 +22,41 @@ class PairPlanner {
   using SharedPair = std::shared_ptr<const CloudAndQuadrics>;
 
   /// The settings must outlive this object.
-  explicit PairPlanner(const PlannerSettings& settings) : settings_(settings) {}
+  explicit PairPlanner(const PlannerSettings& settings)
+      : settings_(settings), memory_(settings.detector) {}
 
   /// Returns the plan in the frame of the results; it has no grasps if the camera's pose is not
   /// known.
+  /// @param known  what the robot knows besides
   /// @param query  query in the camera's frame
   /// @param advise  whether to seek remedies for targets without a grasp; see find_remedies()
-  GraspPlan plan(const SharedPair& pair, const GraspQuery& query, bool advise = false);
+  GraspPlan plan(const SharedPair& pair, const Known& known, const GraspQuery& query,
+                 bool advise = false);
+
+  /// Remembers what a cloud shows, for plans on later ones, if the camera's pose is known.
+  void remember(const CloudAndQuadrics& pair, const Known& known);
+  /// Forgets all that earlier clouds showed.
+  void forget();
+  /// Forgets what they showed within a box.
+  /// @param X_WR  pose of the box's frame R in the fixed frame W
+  void forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R);
 
   /// Number of plans that the deadline cut short so far. For any thread.
   std::int64_t cut() const { return cut_; }
 
  private:
   /// @param query  with a deadline
-  GraspPlan plan_in_camera(const SharedPair& pair, const GraspQuery& query, bool advise);
+  GraspPlan plan_in_camera(const SharedPair& pair, const Known& known, const GraspQuery& query,
+                           bool advise);
 
   const PlannerSettings& settings_;
   /// The last cloud, and its scene in the camera's frame.
   SharedPair ready_;
   std::optional<GraspScene> scene_;
+  /// What that scene was made with, without views.
+  Surroundings of_scene_;
+  /// What earlier clouds showed.
+  ViewMemory memory_;
   std::atomic<std::int64_t> cut_{0};
   LimitedLog cut_log_;
 };

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "process/runtime/poses/named_frame.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/printable.hpp"
 #include "quadrille/detector/quadric.hpp"
@@ -15,28 +16,6 @@ namespace {
 
 // A quaternion may miss unit norm by the rounding of single precision.
 constexpr double kUnitNorm = 1e-3;
-
-/// Returns the pose of frame K in the frame that a request names.
-Eigen::Isometry3d X_FK(const std::string& frame, const Placement& placement,
-                       const std::string& cloud_frame) {
-  if (!placement.lack.empty()) {
-    throw std::invalid_argument("the camera's pose is not known: " + placement.lack);
-  }
-  if (frame.empty() || frame == placement.frame_of_results(cloud_frame)) return placement.X_RK;
-  if (frame == word_of(CloudFrame::kCamera)) return Eigen::Isometry3d::Identity();
-  if (frame == cloud_frame) return placement.X_CK;
-  if (frame != word_of(CloudFrame::kWorld)) {
-    throw std::invalid_argument(
-        fmt::format("frame '{}' is not known: name 'camera', 'world', '{}' or ''", printable(frame),
-                    printable(cloud_frame)));
-  }
-  if (!placement.X_WK) {
-    throw std::invalid_argument(
-        "frame 'world' is not known: no pose has come, or --pose-channel and --camera-pose are not "
-        "given");
-  }
-  return *placement.X_WK;
-}
 
 Region region_of(const grasp_request_t& request) {
   const double* q = request.region.quaternion;
@@ -91,7 +70,7 @@ GraspQuery query_of(const grasp_request_t& request, const Placement& placement,
   if (request.max_grasps != 0) query.max_grasps = request.max_grasps;
   if (request.deadline_ms != 0.0) query.deadline_ms = request.deadline_ms;
   query.check();
-  return moved(std::move(query), X_FK(request.frame, placement, cloud_frame).inverse());
+  return moved(std::move(query), pose_of_camera(request.frame, placement, cloud_frame).inverse());
 }
 
 }  // namespace quadrille

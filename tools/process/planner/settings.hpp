@@ -7,10 +7,12 @@
 #include "cli/process_arguments.hpp"
 #include "process/runtime/poses/cloud_frame.hpp"
 #include "process/runtime/viewer.hpp"
+#include "quadrille/detector/options.hpp"
 #include "quadrille/detector/tracker.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/gripper.hpp"
 #include "quadrille/grasping/plan.hpp"
+#include "quadrille/grasping/surroundings.hpp"
 
 namespace quadrille {
 
@@ -23,6 +25,11 @@ struct PlannerSettings {
   std::string bodies_channel = "BODIES";
   std::string grasps_channel = "GRASPS";
   std::string request_channel = "GRASP_REQUEST";
+  std::string obstacles_channel = "OBSTACLES";
+  std::string map_channel = "MAP";
+  std::string support_channel = "SUPPORT";
+  std::string robot_channel = "ROBOT";
+  std::string forget_channel = "FORGET";
   std::string shapes_channel = "COLLISION_SHAPES";
   std::string occupancy_channel = "OCCUPANCY";
   std::string status_channel = "QUADRILLE_PLANNER_STATUS";
@@ -50,12 +57,20 @@ struct PlannerSettings {
   /// others. They are in the fixed frame W of the camera's poses, or, if there are none, in the
   /// camera's frame.
   std::optional<Cone> approach;
-  /// Shapes that the hand must not touch, for each plan, in the same frame.
+  /// Shapes that the hand must not touch, and what else is known, for each plan, in the same frame.
   std::vector<CollisionShape> obstacles;
+  Surroundings known;
+  /// What is fixed to the hand, in its frame G.
+  std::vector<CollisionShape> attached;
+  /// How views are found and aligned, which are remembered while the camera moves.
+  DetectorOptions detector;
   PlanOptions plan;
 
   /// Returns true if the camera's pose in W is given, or comes on a channel.
   bool has_fixed_frame() const { return X_WK || !pose_channel.empty(); }
+
+  /// Returns true if what earlier clouds showed serves later plans.
+  bool remembers() const { return !pose_channel.empty() && detector.views.remember > 0.0; }
 
   /// Lists each channel: the direction of its messages, the option that names it, its name, and its
   /// content.
@@ -69,6 +84,17 @@ struct PlannerSettings {
     visit(Way::kOut, "--grasps-channel", settings.grasps_channel, "grasps");
     visit(Way::kIn, "--request-channel", settings.request_channel,
           "requests (quadrille.grasp_request_t)");
+    visit(Way::kIn, "--obstacles-channel", settings.obstacles_channel,
+          "obstacles (quadrille.collision_shapes_t), each message in place of the one before");
+    visit(Way::kIn, "--map-channel", settings.map_channel,
+          "maps of the scene from elsewhere (quadrille.occupancy_t), each in place of the one "
+          "before");
+    visit(Way::kIn, "--support-channel", settings.support_channel,
+          "the plane on which things stand (quadrille.support_t)");
+    visit(Way::kIn, "--robot-channel", settings.robot_channel,
+          "the robot's own shapes (quadrille.robot_t)");
+    visit(Way::kIn, "--forget-channel", settings.forget_channel,
+          "what to forget of earlier clouds (quadrille.forget_t)");
     visit(Way::kOut, "--shapes-channel", settings.shapes_channel, "collision shapes");
     visit(Way::kOut, "--occupancy-channel", settings.occupancy_channel, "occupancy");
     visit(Way::kOut, "--status-channel", settings.status_channel, "status");

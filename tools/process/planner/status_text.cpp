@@ -4,7 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "io/hash.hpp"
+#include "io/json/shapes_file.hpp"
 #include "io/planner/gripper_file.hpp"
+#include "io/planner/octree_file.hpp"
 #include "io/planner/plan_json.hpp"
 #include "process/runtime/status/exposition.hpp"
 #include "process/runtime/status/process_info.hpp"
@@ -22,6 +25,19 @@ std::string hash_of(const PlannerSettings& settings) {
   }
   for (const CollisionShape& shape : settings.obstacles) {
     text.add("obstacle", io::to_json(shape).dump());
+  }
+  for (const CollisionShape& shape : settings.attached) {
+    text.add("attached", io::to_json(shape).dump());
+  }
+  for (const SolidShape& shape : settings.known.robot.shapes) {
+    text.add("robot", io::to_json(shape).dump());
+  }
+  if (const auto& support = settings.known.support) {
+    const Eigen::Vector3d& n = support->n_C;
+    text.add("support", fmt::format("{},{},{},{}", n.x(), n.y(), n.z(), support->offset));
+  }
+  if (settings.known.map.tree) {
+    text.add("octomap", io::hash_text(io::octree_bytes(*settings.known.map.tree)));
   }
   text.add("on_request", settings.on_request ? "true" : "false");
   text.add("pose_age", io::toml_of(settings.pose_age));

@@ -94,10 +94,13 @@ struct InlierTest {
   }
 };
 
-/// How well the poses of several views of one scene are known.
+/// How well the poses of several views of one scene are known, and how long they are remembered.
 struct ViewOptions {
   double shift = 0.002;
   double turn = 0.0035;
+  double remember = 60.0;
+  double sector = 0.26;
+  int most = 8;
 
   template <class Options, class Visitor>
   static void visit(Options& o, Visitor&& v) {
@@ -106,6 +109,14 @@ struct ViewOptions {
                 "it. Views are brought onto each other within it; 0 trusts the poses."});
     v(o.turn, {"views.turn", "rad", 0.0, 0.1,
                "Standard deviation of the direction of that camera; 0 trusts the poses."});
+    v(o.remember, {"views.remember", "s", 0.0, 1e6,
+                   "How long a view from elsewhere is remembered while the camera moves; 0: each "
+                   "cloud stands alone. What is forgotten is unknown."});
+    v(o.sector, {"views.sector", "rad", 0.01, 3.2,
+                 "Angle between the directions of sight of two views that are both remembered."});
+    v(o.most, {"views.most", "", 1, 64,
+               "Largest number of views that are remembered; each takes the memory of a cloud, and "
+               "some milliseconds of each plan."});
   }
 };
 

@@ -62,6 +62,10 @@ struct GraspQuery {
   /// Shapes that the hand must not touch, besides what the cloud shows: of the robot, of a fence,
   /// of what the camera does not see. Made by with_geometry(); the field `target` is ignored.
   std::vector<CollisionShape> obstacles;
+  /// Shapes that are fixed to the hand, in its frame G, such as a camera on the wrist or an object
+  /// that another finger holds: they must not touch anything on the way in and at the grasp. Made
+  /// by with_geometry(). The sides of a box around each, along the axes of G, are what counts.
+  std::vector<CollisionShape> attached;
   /// Least distance between the hand and everything but its target, on the way in and at the grasp
   /// [m]. At most kMaxMinClearance, because larger clearances are not measured.
   double min_clearance = 0.0;

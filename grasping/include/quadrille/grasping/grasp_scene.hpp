@@ -23,7 +23,7 @@ class GraspScene {
   /// the scene says so.
   QUADRILLE_EXPORT GraspScene(const PointCloud& cloud, const std::vector<Detection>& detections,
                               const Gripper& gripper, const PlanOptions& options = {},
-                              const std::vector<PointCloud>& further = {},
+                              const Surroundings& known = {},
                               std::optional<std::vector<Box>> boxes = {},
                               const std::vector<SceneBody>& bodies = {});
   QUADRILLE_EXPORT GraspScene(GraspScene&&) noexcept;

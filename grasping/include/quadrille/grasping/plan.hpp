@@ -17,6 +17,7 @@
 #include "quadrille/grasping/occupancy.hpp"
 #include "quadrille/grasping/plan_options.hpp"
 #include "quadrille/grasping/refusal.hpp"
+#include "quadrille/grasping/surroundings.hpp"
 
 namespace quadrille {
 
@@ -77,19 +78,18 @@ struct GraspPlan {
 /// checked against the voxels, the planes and the shapes of all other detections; its opened
 /// fingers and palm are also checked against the target's own body. The result is deterministic
 /// unless a deadline ends the search early: then it holds the grasps found in time, and a warning.
-/// @param further  more views of the same static scene, in the same frame C, each with its own
-///                 viewpoint; free and occupied space of all views is merged
+/// @param known  what else is known of the scene: more views, whose free and occupied space is
+///               merged, the robot, a support, a map
 /// @param query  which grasps are wanted; to ask more than once, use GraspScene
 /// @param boxes  the boxes that were found in the cloud together with the detections, see
 ///               DetectionResult::boxes; if not given, they are sought among the detected planes
 /// @param bodies  the bodies that were found with the detections, see DetectionResult::bodies; a
 ///                body without a known shape, such as a lump, is a target under its own id
-/// @throws std::invalid_argument if gripper, options or query are out of range
+/// @throws std::invalid_argument if gripper, options, surroundings or query are out of range
 QUADRILLE_EXPORT GraspPlan plan_grasps(const PointCloud& cloud,
                                        const std::vector<Detection>& detections,
                                        const Gripper& gripper, const PlanOptions& options = {},
-                                       const std::vector<PointCloud>& further = {},
-                                       const GraspQuery& query = {},
+                                       const Surroundings& known = {}, const GraspQuery& query = {},
                                        std::optional<std::vector<Box>> boxes = {},
                                        const std::vector<SceneBody>& bodies = {});
 

@@ -23,9 +23,9 @@ QUADRILLE_EXPORT std::vector<CollisionShape> make_shapes(const Detection& detect
 /// size lies in space that was not seen.
 QUADRILLE_EXPORT CollisionShape make_shape(const Box& box);
 
-/// Makes the geometry of a shape of which the kind, the pose, and the dimensions or the vertices
-/// and faces are given, as of shapes that are read from a file.
-/// @throws std::invalid_argument if these are not finite, not positive, or make no such shape
-QUADRILLE_EXPORT CollisionShape with_geometry(CollisionShape shape);
+/// Makes the collision shape of a solid that the caller knows, as of shapes that are read from a
+/// file.
+/// @throws std::invalid_argument if its fields make no such solid
+QUADRILLE_EXPORT CollisionShape with_geometry(SolidShape solid);
 
 }  // namespace quadrille

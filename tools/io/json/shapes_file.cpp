@@ -1,4 +1,4 @@
-#include "io/planner/obstacles_file.hpp"
+#include "io/json/shapes_file.hpp"
 
 #include <array>
 #include <exception>
@@ -7,7 +7,6 @@
 
 #include "io/file_bytes.hpp"
 #include "io/json/json_parts.hpp"
-#include "quadrille/grasping/shape.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -16,8 +15,8 @@ Eigen::Vector3d vector_of(const Json& json) {
   return Eigen::Vector3d(json.get<std::array<double, 3>>().data());
 }
 
-CollisionShape shape_of(const Json& json) {
-  CollisionShape shape;
+SolidShape shape_of(const Json& json) {
+  SolidShape shape;
   shape.kind = json.at("kind");
   shape.X_CS = pose_of(json.at("pose"));
   if (shape.kind == "convex") {
@@ -26,24 +25,41 @@ CollisionShape shape_of(const Json& json) {
   } else {
     shape.dimensions = json.at("dimensions").get<std::vector<double>>();
   }
-  return with_geometry(std::move(shape));
+  shape.check();
+  return shape;
 }
 
 }  // namespace
 
-std::vector<CollisionShape> read_obstacles(const std::string& path) {
+Json to_json(const SolidShape& shape) {
+  Json json = {
+      {"kind", shape.kind}, {"pose", to_json(shape.X_CS)}, {"dimensions", shape.dimensions}};
+  if (shape.vertices_S.empty()) return json;
+  json["vertices"] = Json::array();
+  for (const Eigen::Vector3d& vertex : shape.vertices_S) {
+    json["vertices"].push_back(array_of(vertex));
+  }
+  json["faces"] = shape.faces;
+  return json;
+}
+
+RobotShapes read_robot(const std::string& path) {
   const std::vector<std::byte> bytes = read_file(path);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  std::vector<CollisionShape> shapes;
+  RobotShapes robot;
   try {
     const Json file = Json::parse(text);
-    for (const Json& shape : file.at("shapes")) shapes.push_back(shape_of(shape));
+    robot.padding = file.value("padding", robot.padding);
+    for (const Json& shape : file.at("shapes")) robot.shapes.push_back(shape_of(shape));
+    robot.check();
   } catch (const std::exception& error) {
-    const std::string number = std::to_string(shapes.size() + 1);
-    throw json_error(path, "no file of obstacles, at shape " + number, error,
+    const std::string number = std::to_string(robot.shapes.size() + 1);
+    throw json_error(path, "no file of shapes, at shape " + number, error,
                      "; give {\"shapes\": […]} as quadrille plan --json does");
   }
-  return shapes;
+  return robot;
 }
+
+std::vector<SolidShape> read_shapes(const std::string& path) { return read_robot(path).shapes; }
 
 }  // namespace quadrille::io

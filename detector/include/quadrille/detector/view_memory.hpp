@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "quadrille/detector/eigen_layout.hpp"
+#include "quadrille/detector/export.hpp"
+#include "quadrille/detector/options.hpp"
+#include "quadrille/detector/point_cloud.hpp"
+
+namespace quadrille {
+
+/// The views of a scene that a moving camera had, kept up to date.
+///
+/// The views are those of different directions of sight onto a place, `views.sector` apart; a view
+/// from where one is kept already takes its place. There are `views.most` at most, and each is
+/// forgotten after `views.remember` seconds, after which what it alone saw is unknown again.
+///
+/// What a new view contradicts is forgotten at once: points that it sees through, and, about things
+/// that stand where an older view saw nothing, all that the older view saw as far away from them as
+/// such a thing may be large. Poses are corrected as by align_views(). The same views give the same
+/// bits.
+class ViewMemory {
+ public:
+  /// @throws std::invalid_argument if an option is out of range
+  QUADRILLE_EXPORT explicit ViewMemory(const DetectorOptions& options = {});
+  QUADRILLE_EXPORT ~ViewMemory();
+  QUADRILLE_EXPORT ViewMemory(ViewMemory&&) noexcept;
+  QUADRILLE_EXPORT ViewMemory& operator=(ViewMemory&&) noexcept;
+
+  /// Adds a view. If its time is before that of the last one, a log has been restarted, and all
+  /// others are forgotten. A cloud without usable points or viewpoint is not kept.
+  /// @param utime  when the cloud was taken [us]
+  /// @param cloud  in frame C, with its viewpoint and without points on the robot
+  /// @param X_WC   pose of C in a fixed frame W, as far as it is known
+  /// @return the motion within W that corrects the pose; the identity if there is nothing to
+  ///   compare the view with
+  QUADRILLE_EXPORT Eigen::Isometry3d add(std::int64_t utime, PointCloud cloud,
+                                         const Eigen::Isometry3d& X_WC);
+
+  /// Returns the views but the one of this time, the newest first.
+  /// @param X_WC  pose in W of the frame C in which they are wanted; that of the last view that was
+  ///   added is corrected as this one was
+  QUADRILLE_EXPORT std::vector<PointCloud> others(std::int64_t utime,
+                                                  const Eigen::Isometry3d& X_WC) const;
+
+  /// Forgets all views.
+  QUADRILLE_EXPORT void forget();
+  /// Forgets the surfaces that the views saw within a box, and that the rays to them were free.
+  /// @param X_WR  pose of the box's frame R in W
+  QUADRILLE_EXPORT void forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R);
+
+  QUADRILLE_EXPORT std::size_t size() const;
+
+ private:
+  struct Kept;
+  void place(Kept view);
+
+  DetectorOptions options_;
+  std::vector<Kept> kept_;
+  std::int64_t utime_ = 0;
+  /// The correction of the last view.
+  Eigen::Isometry3d X_WW_ = Eigen::Isometry3d::Identity();
+};
+
+}  // namespace quadrille

@@ -1,0 +1,192 @@
+#include "quadrille/detector/solid_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace quadrille {
+namespace {
+
+// No shape is larger, or farther away [m].
+constexpr double kMaxSize = 1e3;
+// A solid with flat faces has at least so many of them, and so many vertices.
+constexpr std::size_t kMinFaces = 4;
+
+[[noreturn]] void refuse(const SolidShape& shape, const std::string& why) {
+  throw std::invalid_argument("shape of kind \"" + shape.kind + "\": " + why);
+}
+
+void check_dimensions(const SolidShape& shape) {
+  const std::map<std::string, std::size_t> counts = {
+      {"sphere", 1}, {"ellipsoid", 3}, {"cylinder", 2}, {"capsule", 2}, {"cone", 2}, {"box", 3}};
+  const auto count = counts.find(shape.kind);
+  if (count == counts.end()) {
+    refuse(shape, "must be sphere, ellipsoid, cylinder, capsule, cone, box or convex");
+  }
+  const bool good = std::all_of(shape.dimensions.begin(), shape.dimensions.end(),
+                                [](double size) { return size > 0.0 && size <= kMaxSize; });
+  if (shape.dimensions.size() != count->second || !good) {
+    refuse(shape, "dimensions must be " + std::to_string(count->second) +
+                      " sizes of more than 0 m and at most 1000 m");
+  }
+}
+
+/// Checks the faces, each given as the number of its corners and their indices.
+void check_faces(const SolidShape& shape) {
+  const auto size = static_cast<int>(shape.faces.size());
+  const auto vertices = static_cast<int>(shape.vertices_S.size());
+  std::size_t count = 0;
+  for (int at = 0; at < size; ++count) {
+    const int corners = shape.faces[at];
+    if (corners < 3 || corners >= size - at) {
+      refuse(shape, "each face must be the number of its corners, at least 3, and their indices");
+    }
+    for (int n = 1; n <= corners; ++n) {
+      const int index = shape.faces[at + n];
+      if (index < 0 || index >= vertices) refuse(shape, "a face names a vertex that there is not");
+    }
+    at += 1 + corners;
+  }
+  if (shape.vertices_S.size() < kMinFaces || count < kMinFaces) {
+    refuse(shape, "needs the vertices and faces of a solid");
+  }
+}
+
+void check_vertices(const SolidShape& shape) {
+  const bool good =
+      std::all_of(shape.vertices_S.begin(), shape.vertices_S.end(),
+                  [](const Eigen::Vector3d& v) { return (v.array().abs() <= kMaxSize).all(); });
+  if (!good) refuse(shape, "vertices must lie within 1000 m");
+}
+
+/// Bounds of a shape in its own frame [m].
+Eigen::AlignedBox3d bounds_of(const SolidShape& shape) {
+  const std::vector<double>& d = shape.dimensions;
+  Eigen::AlignedBox3d box;
+  if (shape.kind == "convex") {
+    for (const Eigen::Vector3d& v : shape.vertices_S) box.extend(v);
+    return box;
+  }
+  Eigen::Vector3d half(d[0], d[0], d[0]);
+  if (shape.kind == "ellipsoid") half = {d[0], d[1], d[2]};
+  if (shape.kind == "box") half = 0.5 * Eigen::Vector3d(d[0], d[1], d[2]);
+  if (shape.kind == "cylinder" || shape.kind == "cone") half.z() = 0.5 * d[1];
+  if (shape.kind == "capsule") half.z() = d[0] + 0.5 * d[1];
+  return {-half, half};
+}
+
+/// Distance of a point from a box with its middle at the origin; 0 inside [m].
+double box_distance(const Eigen::Vector3d& p, const Eigen::Vector3d& half) {
+  return (p.cwiseAbs() - half).cwiseMax(0.0).norm();
+}
+
+/// Distance of a point from the segment of this half length on the z axis [m].
+double segment_distance(const Eigen::Vector3d& p, double half) {
+  return std::hypot(p.head<2>().norm(), std::max(std::abs(p.z()) - half, 0.0));
+}
+
+double cylinder_distance(const Eigen::Vector3d& p, double radius, double half) {
+  return std::hypot(std::max(p.head<2>().norm() - radius, 0.0),
+                    std::max(std::abs(p.z()) - half, 0.0));
+}
+
+/// True for a point in the cone, its side moved outward by a distance and its base down by it.
+bool in_cone(const Eigen::Vector3d& p, double radius, double length, double distance) {
+  if (p.z() < -0.5 * length - distance) return false;
+  const double slant = std::hypot(radius, length);
+  const double below_apex = 0.5 * length - p.z();
+  return (p.head<2>().norm() * length - below_apex * radius) / slant <= distance &&
+         below_apex >= -distance;
+}
+
+Eigen::Vector3d middle_of(const std::vector<Eigen::Vector3d>& vertices) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& v : vertices) sum += v;
+  return sum / static_cast<double>(vertices.size());
+}
+
+}  // namespace
+
+void SolidShape::check() const {
+  if (!X_CS.matrix().allFinite() || !X_CS.linear().isUnitary(1e-3)) {
+    refuse(*this, "the pose must be a finite, rigid motion");
+  }
+  if (kind == "convex") {
+    check_vertices(*this);
+    check_faces(*this);
+  } else {
+    check_dimensions(*this);
+  }
+}
+
+NearShape::NearShape(const SolidShape& shape, double distance)
+    : shape_(shape), distance_(distance), X_SC_(shape.X_CS.inverse()) {
+  Eigen::AlignedBox3d bounds = bounds_of(shape);
+  bounds.min().array() -= distance;
+  bounds.max().array() += distance;
+  bounds_C_ = bounds.transformed(shape.X_CS);
+  if (shape.kind != "convex") return;
+  const Eigen::Vector3d inside = middle_of(shape.vertices_S);
+  std::vector<Eigen::Vector4d> planes;
+  for (std::size_t at = 0; at < shape.faces.size(); at += 1 + shape.faces[at]) {
+    const Eigen::Vector3d& a = shape.vertices_S[shape.faces[at + 1]];
+    const Eigen::Vector3d& b = shape.vertices_S[shape.faces[at + 2]];
+    const Eigen::Vector3d& c = shape.vertices_S[shape.faces[at + 3]];
+    Eigen::Vector3d n = (b - a).cross(c - a).stableNormalized();
+    if (n.dot(a - inside) < 0.0) n = -n;
+    planes.emplace_back(n.x(), n.y(), n.z(), n.dot(a));
+  }
+  normals_S_.resize(static_cast<Eigen::Index>(planes.size()), 3);
+  offsets_.resize(normals_S_.rows());
+  for (Eigen::Index k = 0; k < offsets_.size(); ++k) {
+    normals_S_.row(k) = planes[k].head<3>().transpose();
+    offsets_[k] = planes[k][3];
+  }
+}
+
+bool NearShape::contains(const Eigen::Vector3d& p_C) const {
+  const Eigen::Vector3d p = X_SC_ * p_C;
+  const std::vector<double>& d = shape_.dimensions;
+  const std::string& kind = shape_.kind;
+  if (kind == "sphere") return p.norm() <= d[0] + distance_;
+  if (kind == "capsule") return segment_distance(p, 0.5 * d[1]) <= d[0] + distance_;
+  if (kind == "cylinder") return cylinder_distance(p, d[0], 0.5 * d[1]) <= distance_;
+  if (kind == "box") return box_distance(p, 0.5 * Eigen::Vector3d(d[0], d[1], d[2])) <= distance_;
+  if (kind == "cone") return in_cone(p, d[0], d[1], distance_);
+  if (kind == "ellipsoid") {
+    const Eigen::Array3d axes = Eigen::Array3d(d[0], d[1], d[2]) + distance_;
+    return (p.array() / axes).matrix().norm() <= 1.0;
+  }
+  return ((normals_S_ * p).array() <= offsets_.array() + distance_).all();
+}
+
+PointCloud RobotShapes::taken_from(PointCloud cloud) const {
+  for (const SolidShape& shape : shapes) {
+    const NearShape near(shape, padding);
+    const Eigen::AlignedBox3f bounds = near.bounds_C().cast<float>();
+    for (Eigen::Vector3f& p : cloud.points) {
+      if (bounds.contains(p) && near.contains(p.cast<double>())) {
+        p.setConstant(std::numeric_limits<float>::quiet_NaN());
+      }
+    }
+  }
+  return cloud;
+}
+
+void RobotShapes::check() const {
+  if (!(padding >= 0.0 && padding <= 1.0)) {
+    throw std::invalid_argument("padding: must be between 0 and 1 m");
+  }
+  for (const SolidShape& shape : shapes) shape.check();
+}
+
+RobotShapes moved(RobotShapes robot, const Eigen::Isometry3d& X_FC) {
+  for (SolidShape& shape : robot.shapes) shape.X_CS = X_FC * shape.X_CS;
+  return robot;
+}
+
+}  // namespace quadrille

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "base/mask.hpp"
+#include "quadrille/detector/options.hpp"
+#include "quadrille/detector/point_cloud.hpp"
+#include "samples/sight.hpp"
+#include "samples/surface_samples.hpp"
+
+namespace quadrille {
+
+/// A view's depths, and the finest samples of all that it sees, in the cloud's frame.
+struct SeenView {
+  Sight sight;
+  SurfaceSamples samples;
+};
+
+/// Returns nullopt if the cloud is too small, or its viewpoint is not known.
+std::optional<SeenView> seen_view(const CloudView& cloud, const DetectorOptions& options);
+
+/// Drops the marked points of a cloud; those of an organised one become NaN.
+void drop(const Mask& dropped, PointCloud* cloud);
+
+}  // namespace quadrille

@@ -1,0 +1,70 @@
+// What a map from elsewhere adds to the space that the views show.
+#include <octomap/OcTree.h>
+
+#include <algorithm>
+
+#include "space/each_cube.hpp"
+#include "space/space_mapper.hpp"
+
+namespace quadrille {
+namespace {
+
+octomap::point3d to_octomap(const Eigen::Vector3d& p) {
+  return {static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z())};
+}
+
+Eigen::Vector3d to_eigen(const octomap::point3d& p) { return {p.x(), p.y(), p.z()}; }
+
+/// The part of a region, in the map's frame, that the tree can hold. OctoMap numbers voxels from
+/// −32768 to 32767.
+Eigen::AlignedBox3d within_tree(const Eigen::AlignedBox3d& region_M, const octomap::OcTree& tree) {
+  const Eigen::Vector3d most = Eigen::Vector3d::Constant(32767.0 * tree.getResolution());
+  return region_M.intersection(Eigen::AlignedBox3d(-most, most));
+}
+
+}  // namespace
+
+/// Calls visit(p_C, voxel) for each voxel with its middle p_C in the box.
+template <class Visit>
+void SpaceMapper::each_voxel(const Eigen::AlignedBox3d& box_C, Visit&& visit) {
+  const auto numbers = [&](const Eigen::Vector3d& p_C) -> Eigen::Array3d {
+    return p_C.array() / grid_.resolution() - grid_.corner().cast<double>().array() - 0.5;
+  };
+  const Eigen::Array3d last = grid_.size().cast<double>().array() - 1.0;
+  const Eigen::Array3d low = numbers(box_C.min()).ceil().max(0.0);
+  const Eigen::Array3d high = numbers(box_C.max()).floor().min(last);
+  if ((low > high).any()) return;
+  each_cube(low.cast<int>(), high.cast<int>() + 1, 1, [&](const Eigen::Vector3i& at) {
+    visit(grid_.centre(at.x(), at.y(), at.z()), voxel(at.x(), at.y(), at.z()));
+  });
+}
+
+void SpaceMapper::add(const KnownMap& map) {
+  const octomap::OcTree& tree = *map.tree;
+  if (grid_.states().empty() || tree.getRoot() == nullptr) return;
+  const Eigen::Isometry3d X_MC = map.X_CM.inverse();
+  const Eigen::AlignedBox3d region_M = within_tree(grid_.bounds().transformed(X_MC), tree);
+  if (region_M.isEmpty()) return;
+  const auto end = tree.end_leafs_bbx();
+  for (auto leaf = tree.begin_leafs_bbx(to_octomap(region_M.min()), to_octomap(region_M.max()));
+       leaf != end; ++leaf) {
+    const bool occupied = tree.isNodeOccupied(*leaf);
+    const double half = 0.5 * leaf.getSize();
+    // The voxel at the middle of a smaller leaf may have its own middle elsewhere.
+    const double reach = occupied ? std::max(half, 0.5 * grid_.resolution()) : half;
+    const Voxel state = occupied ? Voxel::kOccupied : Voxel::kFree;
+    const Eigen::Vector3d middle_M = to_eigen(leaf.getCoordinate());
+    const Eigen::AlignedBox3d cube_M(middle_M.array() - reach, middle_M.array() + reach);
+    each_voxel(cube_M.transformed(map.X_CM), [&](const Eigen::Vector3d& p_C, Voxel& voxel) {
+      if (voxel < state && cube_M.contains(X_MC * p_C)) voxel = state;
+    });
+  }
+}
+
+void SpaceMapper::free_within(const NearShape& shape) {
+  each_voxel(shape.bounds_C(), [&](const Eigen::Vector3d& p_C, Voxel& voxel) {
+    if (shape.contains(p_C)) voxel = Voxel::kFree;
+  });
+}
+
+}  // namespace quadrille

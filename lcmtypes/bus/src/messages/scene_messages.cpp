@@ -1,0 +1,95 @@
+#include "quadrille/bus/scene_messages.hpp"
+
+#include "messages/decode_checked.hpp"
+#include "quadrille/bus/cloud_message.hpp"
+
+namespace quadrille::bus {
+namespace {
+
+constexpr std::size_t kMaxKindBytes = 32;
+// Sizes of a pose, and of a shape of which all lists are empty.
+constexpr std::size_t kPoseBytes = 7 * 8, kMinShapeBytes = 4 + kMinStringBytes + kPoseBytes + 3 * 4;
+
+void skip_pose(ByteReader& reader) {
+  reader.skip_finite("position", 3);
+  reader.skip_unit("quaternion", 4);
+}
+
+void check_shape(ByteReader& reader) {
+  reader.read_int32("target");
+  reader.read_string("kind", kMaxKindBytes);
+  skip_pose(reader);
+  reader.skip_list("dimensions", sizeof(double),
+                   [](ByteReader& list) { list.read_finite("dimensions"); });
+  reader.skip_list("vertices", 3 * sizeof(double),
+                   [](ByteReader& list) { list.skip_finite("vertices", 3); });
+  reader.skip_array("faces", sizeof(std::int32_t));
+}
+
+void check_shapes(ByteReader& reader) {
+  check_stamped_list(reader, "shapes", kMinShapeBytes, check_shape);
+}
+
+/// Checks the members with which the messages below begin.
+void check_head(ByteReader& reader) {
+  reader.read_int64("utime");
+  reader.read_string("frame", kMaxFrameBytes);
+}
+
+void check_robot(ByteReader& reader) {
+  check_head(reader);
+  reader.read_finite("padding");
+  reader.skip_list("shapes", kMinShapeBytes, check_shape);
+  reader.skip_list("attached", kMinShapeBytes, check_shape);
+}
+
+void check_support(ByteReader& reader) {
+  check_head(reader);
+  reader.skip_unit("normal", 3);
+  reader.read_finite("offset");
+}
+
+void check_forget(ByteReader& reader) {
+  check_head(reader);
+  if (reader.read_int8("all") != 0) {
+    reader.take(1, kPoseBytes + 3 * sizeof(double), "region");
+    return;
+  }
+  skip_pose(reader);
+  for (int k = 0; k < 3; ++k) {
+    if (!(reader.read_finite("region_size") > 0.0)) {
+      refuse(RejectReason::kBadValue, "region_size is not positive");
+    }
+  }
+}
+
+}  // namespace
+
+Decoded<collision_shapes_t> decode_shapes(std::span<const std::byte> bytes) {
+  return decode_checked<collision_shapes_t>(bytes, kMaxSceneBytes, check_shapes);
+}
+
+Decoded<robot_t> decode_robot(std::span<const std::byte> bytes) {
+  return decode_checked<robot_t>(bytes, kMaxSceneBytes, check_robot);
+}
+
+Decoded<support_t> decode_support(std::span<const std::byte> bytes) {
+  return decode_checked<support_t>(bytes, kMaxSceneBytes, check_support);
+}
+
+Decoded<forget_t> decode_forget(std::span<const std::byte> bytes) {
+  return decode_checked<forget_t>(bytes, kMaxSceneBytes, check_forget);
+}
+
+SolidShape from_message(const collision_shape_t& message) {
+  SolidShape shape;
+  shape.kind = message.kind;
+  shape.X_CS = from_message(message.pose);
+  shape.dimensions = message.dimensions;
+  for (const auto& vertex : message.vertices) shape.vertices_S.emplace_back(vertex.data());
+  shape.faces.assign(message.faces.begin(), message.faces.end());
+  shape.check();
+  return shape;
+}
+
+}  // namespace quadrille::bus

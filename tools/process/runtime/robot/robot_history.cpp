@@ -1,0 +1,86 @@
+#include "process/runtime/robot/robot_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "process/runtime/poses/named_frame.hpp"
+#include "quadrille/bus/scene_messages.hpp"
+
+namespace quadrille {
+namespace {
+
+// A cloud waits for its pose no longer than robots take to send so many messages.
+constexpr std::size_t kMaxStates = 256;
+
+/// @throws std::invalid_argument if a shape is no solid
+RobotState state_of(const robot_t& message) {
+  RobotState state{message.utime, message.frame, {{}, message.padding}, {}};
+  for (const collision_shape_t& shape : message.shapes) {
+    state.robot.shapes.push_back(bus::from_message(shape));
+  }
+  for (const collision_shape_t& shape : message.attached) {
+    state.attached.push_back(bus::from_message(shape));
+  }
+  state.robot.check();
+  return state;
+}
+
+double seconds_apart(std::int64_t a, std::int64_t b) {
+  return std::abs(static_cast<double>(a) - static_cast<double>(b));
+}
+
+}  // namespace
+
+void RobotHistory::receive(const std::string& channel, std::span<const std::byte> bytes,
+                           Refusals* refusals) {
+  const auto message = refusals->accept(channel, bus::decode_robot(bytes));
+  if (!message) return;
+  try {
+    RobotState state = state_of(*message);
+    // What is always so needs no history, and a clock that was set back ends it.
+    const bool begins =
+        state.utime == 0 ||
+        (!states_.empty() && (states_.back().utime == 0 || state.utime < states_.back().utime));
+    if (begins) states_.clear();
+    states_.push_back(std::move(state));
+    if (states_.size() > kMaxStates) states_.pop_front();
+  } catch (const std::invalid_argument& error) {
+    refusals->add(channel, {bus::RejectReason::kBadValue, error.what()});
+  }
+}
+
+const RobotState* RobotHistory::nearest(std::int64_t utime) const {
+  const auto found =
+      std::min_element(states_.begin(), states_.end(), [&](const auto& a, const auto& b) {
+        return seconds_apart(a.utime, utime) < seconds_apart(b.utime, utime);
+      });
+  return found == states_.end() ? nullptr : &*found;
+}
+
+RobotShapes RobotHistory::at(std::int64_t utime, const Placement& placement,
+                             const std::string& cloud_frame) const {
+  RobotShapes all;
+  all.padding = given_.robot.padding;
+  const auto add = [&](const RobotState& state) {
+    if (state.robot.shapes.empty()) return;
+    const Eigen::Isometry3d X_KF = pose_of_camera(state.frame, placement, cloud_frame).inverse();
+    const RobotShapes robot_K = moved(state.robot, X_KF);
+    all.shapes.insert(all.shapes.end(), robot_K.shapes.begin(), robot_K.shapes.end());
+    all.padding = std::max(all.padding, robot_K.padding);
+  };
+  add(given_);
+  if (const RobotState* state = nearest(utime)) add(*state);
+  return all;
+}
+
+std::vector<SolidShape> RobotHistory::attached_at(std::int64_t utime) const {
+  std::vector<SolidShape> all = given_.attached;
+  if (const RobotState* state = nearest(utime)) {
+    all.insert(all.end(), state->attached.begin(), state->attached.end());
+  }
+  return all;
+}
+
+}  // namespace quadrille

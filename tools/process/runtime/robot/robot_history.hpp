@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "process/runtime/poses/camera_poses.hpp"
+#include "process/runtime/refusals.hpp"
+#include "quadrille/detector/solid_shape.hpp"
+
+namespace quadrille {
+
+/// The robot's shapes at one time, as a message or the command line says.
+struct RobotState {
+  /// When they were so [us]; 0: always.
+  std::int64_t utime = 0;
+  /// Name of the frame of the shapes, see pose_of_camera().
+  std::string frame;
+  RobotShapes robot;
+  /// Shapes that are fixed to the hand, in its frame G.
+  std::vector<SolidShape> attached;
+};
+
+/// The shapes of a robot that moves. Not for two threads at once.
+class RobotHistory {
+ public:
+  /// @param given  the shapes of the command line, which are there besides those of messages
+  explicit RobotHistory(RobotState given) : given_(std::move(given)) {}
+
+  /// Takes a message of type quadrille.robot_t; one that is refused is counted and logged.
+  void receive(const std::string& channel, std::span<const std::byte> bytes, Refusals* refusals);
+
+  /// Returns the robot's shapes in frame K of a cloud, those of the message that is nearest in
+  /// time.
+  /// @param utime  when the cloud was taken [us]
+  /// @param cloud_frame  name of the cloud's frame
+  /// @throws std::invalid_argument if the frame of the shapes is not known
+  RobotShapes at(std::int64_t utime, const Placement& placement,
+                 const std::string& cloud_frame) const;
+  /// Returns what was fixed to the hand then.
+  std::vector<SolidShape> attached_at(std::int64_t utime) const;
+
+ private:
+  const RobotState* nearest(std::int64_t utime) const;
+
+  RobotState given_;
+  std::deque<RobotState> states_;
+};
+
+}  // namespace quadrille
