@@ -48,8 +48,8 @@ double angle_between(const Outlook& a, const Outlook& b) {
   return std::atan2(to_a.cross(to_b).norm(), to_a.dot(to_b));
 }
 
-Sight in_world(Sight sight, const Eigen::Isometry3d& X_WC) {
-  sight.X_VC = sight.X_VC * X_WC.inverse().cast<float>();
+Sight moved(Sight sight, const Eigen::Isometry3d& X_FC) {
+  sight.X_VC = sight.X_VC * X_FC.inverse().cast<float>();
   return sight;
 }
 
@@ -57,9 +57,12 @@ Sight in_world(Sight sight, const Eigen::Isometry3d& X_WC) {
 
 struct ViewMemory::Kept {
   std::int64_t utime = 0;
-  /// In W.
+  /// In the frame C in which it came, so that it keeps its pixels to the last bit.
   PointCloud cloud;
+  Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
+  /// What it saw, in C.
   Sight sight;
+  /// In W.
   SurfaceSamples samples;
   /// That of the first view that was kept here, so that a slowly moving camera leaves views behind.
   Outlook outlook;
@@ -75,11 +78,11 @@ std::size_t ViewMemory::size() const { return kept_.size(); }
 void ViewMemory::forget() { kept_.clear(); }
 
 void ViewMemory::forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R) {
-  const Eigen::Isometry3f X_RW = X_WR.inverse().cast<float>();
   const Eigen::AlignedBox3f box = box_R.cast<float>();
   for (Kept& view : kept_) {
+    const Eigen::Isometry3f X_RC = (X_WR.inverse() * view.X_WC).cast<float>();
     Mask inside;
-    for (const Eigen::Vector3f& p : view.cloud.points) inside.push_back(box.contains(X_RW * p));
+    for (const Eigen::Vector3f& p : view.cloud.points) inside.push_back(box.contains(X_RC * p));
     drop(inside, &view.cloud);
   }
 }
@@ -95,7 +98,13 @@ Eigen::Isometry3d ViewMemory::add(std::int64_t utime, PointCloud cloud,
   if (options_.views.remember == 0.0) return X_WW_;
   std::optional<SeenView> seen = seen_view(cloud, options_);
   if (!seen) return X_WW_;
-  Kept view{utime, {}, {}, moved(std::move(seen->samples), X_WC), outlook_of(seen->sight, X_WC)};
+  const Outlook outlook = outlook_of(seen->sight, X_WC);
+  Kept view{utime,
+            std::move(cloud),
+            X_WC,
+            std::move(seen->sight),
+            moved(std::move(seen->samples), X_WC),
+            outlook};
   std::vector<const SurfaceSamples*> before;
   for (const Kept& other : kept_) before.push_back(&other.samples);
   if (!before.empty()) {
@@ -104,11 +113,11 @@ Eigen::Isometry3d ViewMemory::add(std::int64_t utime, PointCloud cloud,
               joined_samples(before, std::vector<int>(before.size(), 0), 0.0), options_.views);
     if (motion) X_WW_ = *motion;
     view.samples = moved(std::move(view.samples), X_WW_);
+    view.X_WC = X_WW_ * X_WC;
   }
-  view.cloud = moved(std::move(cloud), X_WW_ * X_WC);
-  view.sight = in_world(std::move(seen->sight), X_WW_ * X_WC);
   for (Kept& other : kept_) {
-    drop_outdated(other.sight, view.sight, put_down(view.sight, other.sight), &other.cloud);
+    const Sight newer = moved(view.sight, other.X_WC.inverse() * view.X_WC);
+    drop_outdated(other.sight, newer, put_down(newer, other.sight), &other.cloud);
   }
   place(std::move(view));
   return X_WW_;
@@ -140,7 +149,7 @@ std::vector<PointCloud> ViewMemory::others(std::int64_t utime,
   const Eigen::Isometry3d X_CW = (newest ? X_WW_ * X_WC : X_WC).inverse();
   std::vector<PointCloud> views;
   for (const Kept& view : kept_) {
-    if (view.utime != utime) views.push_back(moved(view.cloud, X_CW));
+    if (view.utime != utime) views.push_back(moved(view.cloud, X_CW * view.X_WC));
   }
   return views;
 }

@@ -43,6 +43,7 @@ void SpaceMapper::mark_free(const DepthView& view) {
 
 /// Works top-down: a block that the image shows at once to be free or hidden is not divided.
 void SpaceMapper::mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge) {
+  if (is_known(low, edge)) return;
   const Eigen::Vector3d p_V = middle_V(view, low, edge);
   const Eigen::Vector3d reach = view.reach(0.5 * edge * grid_.resolution());
   const DepthRange range = view.range(p_V, reach);
@@ -51,6 +52,17 @@ void SpaceMapper::mark_free(const DepthView& view, const Eigen::Vector3i& low, i
   if (edge == 2) return mark_eight(view, low, p_V);
   const int step = edge / 2;
   for (int n = 0; n < 8; ++n) mark_free(view, low + step * eighth_of_cube(n), step);
+}
+
+/// True if each voxel of a cube is free or occupied, as after other views.
+bool SpaceMapper::is_known(const Eigen::Vector3i& low, int edge) const {
+  for (int k = low.z(); k < low.z() + edge; ++k) {
+    for (int j = low.y(); j < low.y() + edge; ++j) {
+      const Voxel* row = &grid_.states()[grid_.index(low.x(), j, k)];
+      if (*std::min_element(row, row + edge) < Voxel::kFree) return false;
+    }
+  }
+  return true;
 }
 
 /// Marks the eight voxels around the point p_V of the view.

@@ -51,6 +51,7 @@ class SpaceMapper {
   void mark_occupied(const PointCloud& cloud, const std::vector<std::uint8_t>& stray);
   void mark_free(const DepthView& view);
   void mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge);
+  bool is_known(const Eigen::Vector3i& low, int edge) const;
   void mark_eight(const DepthView& view, const Eigen::Vector3i& low, const Eigen::Vector3d& p_V);
   void fill_free(const Eigen::Vector3i& low, int edge);
   bool wanted(const Eigen::Vector3i& block) const;

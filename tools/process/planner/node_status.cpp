@@ -43,6 +43,8 @@ void PlannerNode::fill_counts(planner_status_t* filled) {
   status.num_rejected_requests = static_cast<std::int32_t>(status.rejected_requests.size());
   status.rejected_poses = bus::to_message(refused_poses_.counts());
   status.num_rejected_poses = static_cast<std::int32_t>(status.rejected_poses.size());
+  status.rejected_knowledge = bus::to_message(refused_knowledge_.counts());
+  status.num_rejected_knowledge = static_cast<std::int32_t>(status.rejected_knowledge.size());
   status.pose_age = posed_clouds_.last_age_ms();
   status.unplaced = posed_clouds_.count_poseless();
   status.num_unplaced = static_cast<std::int32_t>(status.unplaced.size());
@@ -89,6 +91,10 @@ std::vector<std::string> PlannerNode::find_oddities() const {
   if (refused_boxes_.counts().total() > 0) {
     oddities.push_back(fmt::format("of the messages of boxes {}; their boxes were sought anew",
                                    describe(refused_boxes_.counts())));
+  }
+  if (refused_knowledge_.counts().total() > 0) {
+    oddities.push_back(fmt::format("of the messages on the robot and its surroundings {}",
+                                   describe(refused_knowledge_.counts())));
   }
   if (const std::string oddity = posed_clouds_.find_oddity(counts_.decoded_clouds);
       !oddity.empty()) {

@@ -73,6 +73,8 @@ std::string to_exposition(const planner_status_t& status, const PlannerSettings&
   out.add_counters("quadrics_refused", "Quadrics refused.", status.rejected_quadrics);
   out.add_counters("requests_refused", "Requests refused.", status.rejected_requests);
   out.add_counters("poses_refused", "Poses refused.", status.rejected_poses);
+  out.add_counters("knowledge_refused", "Messages on the robot and its surroundings refused.",
+                   status.rejected_knowledge);
   out.add_counters("clouds_unplaced", "Clouds without the camera's pose.", status.unplaced);
   out.add_pose_age(status.pose_age);
   out.add_gauge("clouds_per_second", "Over the last ten seconds.", status.received_rate);
