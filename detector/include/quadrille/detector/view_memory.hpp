@@ -57,13 +57,18 @@ class ViewMemory {
 
  private:
   struct Kept;
-  void place(Kept view);
+  struct Nearest;
+  Nearest nearest_to(const Kept& view) const;
+  void correct(const Nearest& nearest, Kept* view);
+  void keep(Kept view, const Nearest& nearest);
 
   DetectorOptions options_;
   std::vector<Kept> kept_;
+  /// Time of the last view [us].
   std::int64_t utime_ = 0;
-  /// The correction of the last view.
+  /// The correction of the last view, and when it was found [us].
   Eigen::Isometry3d X_WW_ = Eigen::Isometry3d::Identity();
+  std::int64_t corrected_ = 0;
 };
 
 }  // namespace quadrille
