@@ -195,8 +195,7 @@ void bind_result(py::module_& module) {
 DetectionResult detect_in(const Points& points, const Eigen::Vector3d& viewpoint,
                           const std::vector<PyCloud>& views, const RobotShapes& robot,
                           const std::string& settings, const std::string& source) {
-  const DetectorOptions options =
-      io::search_options(io::parse_detector_config(settings, source));
+  const DetectorOptions options = io::search_options(io::parse_detector_config(settings, source));
   const CloudView cloud = view_of(points, viewpoint);
   std::vector<PointCloud> all = clouds_of(views);
   const py::gil_scoped_release others_run;

@@ -204,9 +204,8 @@ GraspQuery query_of(const std::vector<int>& targets, const std::vector<int>& tra
                     double approach_angle, const std::optional<PyReach>& reach,
                     const std::vector<SolidShape>& obstacles,
                     const std::vector<SolidShape>& attached, double min_clearance,
-                    const std::optional<double>& min_score,
-                    const std::optional<int>& per_target, const std::optional<int>& best,
-                    const std::optional<double>& deadline_ms,
+                    const std::optional<double>& min_score, const std::optional<int>& per_target,
+                    const std::optional<int>& best, const std::optional<double>& deadline_ms,
                     const std::function<bool(const Grasp&)>& accept) {
   GraspQuery query;
   query.ids = targets;
@@ -284,7 +283,8 @@ PlannedScene scene_of(const Points& points, const DetectionResult& result, const
     for (PointCloud& view : all) view = robot.taken_from(std::move(view));
     align_views(&all, config.detector);
     cloud = std::move(all.front());
-    known.views.assign(std::make_move_iterator(all.begin() + 1), std::make_move_iterator(all.end()));
+    known.views.assign(std::make_move_iterator(all.begin() + 1),
+                       std::make_move_iterator(all.end()));
   }
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps.
