@@ -419,10 +419,17 @@ class Known(unittest.TestCase):
         for same in (str(path), path.read_bytes(), quadrille.read_octomap(path)):
             self.assertEqual([g.score for g in self.plan(octomap=same)], [g.score for g in plan])
         self.assert_same(plan, run("plan", "--gripper", "franka", "--octomap", str(path), SCAN))
-        # Ahead of all points, with the hand's side towards the sensor: nothing may go farther.
-        plane = (0.0, 0.0, -2.0, -2.0 * (self.at[2] - 0.3))
-        self.assertEqual(len(self.plan(support=plane)), 0)
-        self.assertGreater(self.plan(support=plane).rejected["support"], 0)
+        table = next(d for d in self.found if d.type == "plane")
+        normal = table.X_CQ[:3, 2]
+        height = normal @ table.X_CQ[:3, 3] + 0.075  # as if the mug had sunk into it
+        plane = (*(2 * normal), 2 * height)
+        plan = self.plan(support=plane)
+        self.assertNotIn("support", self.plain.rejected)
+        self.assertGreater(plan.rejected["support"], 0)
+        for grasp in plan:
+            self.assertGreater((grasp.contacts @ normal).min(), height)
+        support = "--support=" + ",".join(map(repr, map(float, plane)))
+        self.assert_same(plan, run("plan", "--gripper", "franka", support, SCAN))
 
     def test_several_views_give_what_they_give_the_program(self):
         scans = []
@@ -434,7 +441,7 @@ class Known(unittest.TestCase):
         (points, viewpoint), *views = map(quadrille.read_cloud, scans)
         found = quadrille.detect(points, viewpoint=viewpoint, views=views)
         plan = quadrille.plan(points, found, "franka", viewpoint=viewpoint, views=views)
-        theirs = run("plan", "--gripper", "franka", "--view", scans[1], scans[0])
+        theirs = run("plan", scans[0], "--gripper", "franka", "--view", scans[1])
         self.assertEqual([d.type for d in found], [d["type"] for d in theirs["detections"]])
         self.assertGreater(len(plan), 0)
         self.assert_same(plan, theirs)
