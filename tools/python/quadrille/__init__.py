@@ -144,7 +144,7 @@ class GraspScene:
     octomap  map of the scene in frame C: what it says is occupied is an obstacle, and what it says is
              free is free where no view tells. The path of a .bt or .ot file, its bytes, or an OctoMap
     support  (nx, ny, nz, d): the plane nx*x + ny*y + nz*z = d in frame C with its normal upwards, on
-             which things stand; the hand stays above it
+             which things stand; the hand stays above it when it takes them
     """
 
     def __init__(self, points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
