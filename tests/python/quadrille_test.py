@@ -309,6 +309,171 @@ class Plan(unittest.TestCase):
                                    atol=1e-12)
 
 
+def shifted(x, y, z):
+    """The pose of what is not turned."""
+    pose = np.eye(4)
+    pose[:3, 3] = x, y, z
+    return pose
+
+
+class Known(unittest.TestCase):
+    """What is known of a scene besides one cloud."""
+
+    @classmethod
+    def setUpClass(cls):
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.folder = pathlib.Path(folder.name)
+        cls.points, cls.viewpoint = quadrille.read_cloud(SCAN)
+        cls.found = quadrille.detect(cls.points, viewpoint=cls.viewpoint)
+        cls.plain = cls.plan()
+        cls.at = cls.plain.grasps[0].X_CG[:3, 3]
+
+    @classmethod
+    def plan(cls, **known):
+        return quadrille.plan(cls.points, cls.found, "franka", viewpoint=cls.viewpoint, **known)
+
+    def write_shapes(self, name, shapes, **others):
+        """As a file that the programs read; its path."""
+        path = self.folder / name
+        path.write_text(json.dumps({"shapes": [
+            {"kind": s.kind, "dimensions": s.dimensions,
+             "pose": {"position": s.pose[:3, 3].tolist(), "quaternion": [1, 0, 0, 0]}} for s in shapes], **others}))
+        return str(path)
+
+    def assert_same(self, plan, theirs):
+        self.assertEqual([g.target for g in plan], [g["target"] for g in theirs["grasps"]])
+        for mine, other in zip(plan, theirs["grasps"]):
+            np.testing.assert_allclose(mine.X_CG[:3, 3], other["X_CG"]["position"], atol=1e-6)
+
+    def test_shapes_are_checked(self):
+        box = quadrille.Shape("box", (0.1, 0.2, 0.3), shifted(1, 2, 3))
+        self.assertEqual((box.kind, box.dimensions, box.faces), ("box", [0.1, 0.2, 0.3], []))
+        np.testing.assert_array_equal(box.pose, shifted(1, 2, 3))
+        corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
+        sides = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
+        tetrahedron = quadrille.Shape("convex", vertices=corners, faces=sides)
+        np.testing.assert_array_equal(tetrahedron.vertices, corners)
+        self.assertEqual(tetrahedron.faces, sides)
+        for wrong, part in ((lambda: quadrille.Shape("ball", [0.1]), "capsule"),
+                            (lambda: quadrille.Shape("box", [0.1]), "3 sizes"),
+                            (lambda: quadrille.Shape("sphere", [-0.1]), "more than 0"),
+                            (lambda: quadrille.Shape("sphere", [0.1], 2 * np.eye(4)), "pose"),
+                            (lambda: quadrille.Shape("convex", vertices=corners, faces=[[0, 1, 7]] * 4), "vertex"),
+                            (lambda: quadrille.Robot([box], padding=-1), "padding"),
+                            (lambda: self.plan(support=(0, 0, 0, 1)), "normal"),
+                            (lambda: self.plan(octomap=b"no map"), "octomap"),
+                            (lambda: quadrille.read_robot(SCAN), "shapes")):
+            with self.assertRaises(ValueError) as caught:
+                wrong()
+            self.assertIn(part, str(caught.exception))
+
+    def test_points_on_the_robot_are_dropped(self):
+        sphere = quadrille.Shape("sphere", [0.05], shifted(0.02, -0.01, 0.6))
+        self.assertEqual(len(quadrille.detect(ball(), robot=[sphere])), 0)
+        wall = organised_ball(320, 240)
+        robot = quadrille.Robot([quadrille.Shape("sphere", [0.08], shifted(0, 0, 0.6))], padding=0.01)
+        left = robot.taken_from(wall)
+        near = np.linalg.norm(wall - (0, 0, 0.6), axis=-1) <= 0.09
+        np.testing.assert_array_equal(np.isnan(left).all(-1), near)
+        np.testing.assert_array_equal(left[~near], wall[~near])
+        self.assertEqual(sorted(d.type for d in quadrille.detect(wall)), ["plane", "sphere"])
+        path = self.write_shapes("robot.json", robot.shapes, padding=robot.padding)
+        read = quadrille.read_robot(path)
+        self.assertEqual((read.padding, [s.kind for s in read.shapes]), (0.01, ["sphere"]))
+        for same in (robot, robot.shapes, path, pathlib.Path(path)):
+            self.assertEqual([d.type for d in quadrille.detect(wall, robot=same)], ["plane"])
+
+    def test_plans_with_a_robot_are_those_of_the_program(self):
+        shapes = [quadrille.Shape("box", (0.3, 0.3, 0.05), shifted(*(self.at + (0.0, 0.0, -0.1))))]
+        path = self.write_shapes("arm.json", shapes)
+        found = quadrille.detect(self.points, viewpoint=self.viewpoint, robot=shapes)
+        plan = quadrille.plan(self.points, found, "franka", viewpoint=self.viewpoint, robot=path)
+        self.assert_same(plan, run("plan", "--gripper", "franka", "--robot", path, SCAN))
+
+    def test_the_hand_keeps_off_obstacles(self):
+        shelf = [quadrille.Shape("sphere", [0.05], shifted(*self.at))]
+        path = self.write_shapes("shelf.json", shelf)
+        plan = self.plan(obstacles=shelf)
+        for grasp in plan:
+            self.assertGreater(np.linalg.norm(grasp.X_CG[:3, 3] - self.at), 0.05)
+        self.assertNotEqual([g.score for g in plan], [g.score for g in self.plain])
+        self.assertEqual([g.score for g in self.plan(obstacles=path)], [g.score for g in plan])
+        self.assert_same(plan, run("plan", "--gripper", "franka", "--obstacles", path, SCAN))
+
+    def test_what_is_fixed_to_the_hand_touches_nothing(self):
+        bar = [quadrille.Shape("box", (0.02, 0.02, 0.3), shifted(0.1, 0.0, 0.05))]
+        plan = self.plan(attached=bar)
+        self.assertLess(len(plan), len(self.plain))
+        path = self.write_shapes("bar.json", bar)
+        theirs = run("plan", "--gripper", "franka", "--attached", path, SCAN)
+        self.assertEqual(len(theirs["query"]["attached"]), 1)
+        self.assert_same(plan, theirs)
+
+    def test_maps_and_supports_are_kept_off(self):
+        path = self.folder / "space.bt"
+        theirs = run("plan", "--gripper", "franka", "--map", str(path), SCAN)
+        self.assert_same(self.plain, theirs)
+        plan = self.plan(octomap=path)
+        self.assertGreater(len(plan), 0)
+        for same in (str(path), path.read_bytes(), quadrille.read_octomap(path)):
+            self.assertEqual([g.score for g in self.plan(octomap=same)], [g.score for g in plan])
+        self.assert_same(plan, run("plan", "--gripper", "franka", "--octomap", str(path), SCAN))
+        table = next(d for d in self.found if d.type == "plane")
+        normal = table.X_CQ[:3, 2]
+        height = normal @ table.X_CQ[:3, 3] + 0.075  # as if the mug had sunk into it
+        plane = (*(2 * normal), 2 * height)
+        plan = self.plan(support=plane)
+        self.assertNotIn("support", self.plain.rejected)
+        self.assertGreater(plan.rejected["support"], 0)
+        for grasp in plan:
+            self.assertGreater((grasp.contacts @ normal).min(), height)
+        support = "--support=" + ",".join(map(repr, map(float, plane)))
+        self.assert_same(plan, run("plan", "--gripper", "franka", support, SCAN))
+
+    def test_several_views_give_what_they_give_the_program(self):
+        scans = []
+        for n in range(2):
+            path = str(self.folder / f"{n}.ply")
+            subprocess.run([PROGRAM, "scene", path, "--family", "tabletop", "--seed", "7"],
+                           stdout=subprocess.DEVNULL, check=True)
+            scans.append(path)
+        (points, viewpoint), *views = map(quadrille.read_cloud, scans)
+        found = quadrille.detect(points, viewpoint=viewpoint, views=views)
+        plan = quadrille.plan(points, found, "franka", viewpoint=viewpoint, views=views)
+        theirs = run("plan", scans[0], "--gripper", "franka", "--view", scans[1])
+        self.assertEqual([d.type for d in found], [d["type"] for d in theirs["detections"]])
+        self.assertGreater(len(plan), 0)
+        self.assert_same(plan, theirs)
+
+    def test_views_are_remembered(self):
+        turned = np.eye(4)
+        c, s = np.cos(0.5), np.sin(0.5)
+        turned[:3, :3] = [[c, 0, s], [0, 1, 0], [-s, 0, c]]
+        turned[:3, 3] = (-0.6 * s, 0, 0.6 - 0.6 * c)
+        scene = organised_ball(320, 240)
+        memory = quadrille.ViewMemory({"views.remember": 10.0})
+        np.testing.assert_array_equal(memory.add(1_000_000, scene, np.eye(4)), np.eye(4))
+        self.assertEqual((len(memory), memory.others(1_000_000, np.eye(4))), (1, []))
+        [(points, viewpoint)] = memory.others(2_000_000, turned)
+        self.assertEqual(points.shape, scene.shape)
+        np.testing.assert_allclose(viewpoint, np.linalg.inv(turned)[:3, 3], atol=1e-12)
+        back = points.reshape(-1, 3) @ turned[:3, :3].T + turned[:3, 3]
+        np.testing.assert_allclose(back, scene.reshape(-1, 3), atol=1e-6)
+        memory.forget(shifted(0, 0, 0.6), (0.2, 0.2, 0.2))
+        [(left, _)] = memory.others(2_000_000, np.eye(4))
+        inside = (np.abs(scene - (0, 0, 0.6)) <= 0.1).all(-1)
+        np.testing.assert_array_equal(np.isnan(left).all(-1), inside)
+        memory.add(12_000_001, scene, turned)
+        self.assertEqual(len(memory), 1)
+        with self.assertRaisesRegex(ValueError, "size"):
+            memory.forget(np.eye(4))
+        memory.forget()
+        self.assertEqual(len(memory), 0)
+        with self.assertRaisesRegex(ValueError, "views.most"):
+            quadrille.ViewMemory({"views.most": 0})
+
+
 class Track(unittest.TestCase):
     def test_a_moving_ball_keeps_its_track(self):
         tracker = quadrille.Tracker()

@@ -1,5 +1,6 @@
 #include "python/arrays.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace quadrille::python {
@@ -45,6 +46,25 @@ PointCloud cloud_of(const CloudView& view) {
   cloud.viewpoint = view.viewpoint;
   cloud.read = cloud.points.size();
   return cloud;
+}
+
+std::vector<PointCloud> clouds_of(const std::vector<PyCloud>& clouds) {
+  std::vector<PointCloud> copies;
+  copies.reserve(clouds.size());
+  for (const auto& [points, viewpoint] : clouds) {
+    copies.push_back(cloud_of(view_of(points, viewpoint)));
+  }
+  return copies;
+}
+
+PyCloud cloud_to_python(const PointCloud& cloud) {
+  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(cloud.points.size()), 3};
+  if (cloud.organised()) shape = {cloud.height, cloud.width, 3};
+  Points points(shape);
+  if (!cloud.points.empty()) {
+    std::copy_n(cloud.points.front().data(), 3 * cloud.points.size(), points.mutable_data());
+  }
+  return {points, cloud.viewpoint};
 }
 
 Eigen::Isometry3d pose_of(const Eigen::Matrix4d& X, const std::string& name) {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "quadrille/detector/detection.hpp"
@@ -27,6 +28,16 @@ CloudView view_of(const Points& points, const Eigen::Vector3d& viewpoint);
 
 /// Returns a cloud with its own copy of the points, for the planner.
 PointCloud cloud_of(const CloudView& view);
+
+/// A cloud as Python has it: its points, and its viewpoint.
+using PyCloud = std::tuple<Points, Eigen::Vector3d>;
+
+/// Returns clouds with their own copies of the points.
+/// @throws std::invalid_argument as view_of() does
+std::vector<PointCloud> clouds_of(const std::vector<PyCloud>& clouds);
+
+/// Returns the points of a cloud as an array of shape (N, 3), or (H, W, 3), and its viewpoint.
+PyCloud cloud_to_python(const PointCloud& cloud);
 
 /// Returns a pose as a matrix of shape (4, 4).
 inline Eigen::Matrix4d matrix_of(const Eigen::Isometry3d& X) { return X.matrix(); }

@@ -8,13 +8,17 @@
 #include <iterator>
 #include <map>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "io/cloud_file.hpp"
 #include "io/settings/config.hpp"
 #include "python/arrays.hpp"
 #include "python/module.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/solid_shape.hpp"
 #include "quadrille/detector/tracker.hpp"
+#include "quadrille/detector/view_memory.hpp"
 
 namespace quadrille::python {
 namespace {
@@ -189,11 +193,53 @@ void bind_result(py::module_& module) {
 }
 
 DetectionResult detect_in(const Points& points, const Eigen::Vector3d& viewpoint,
+                          const std::vector<PyCloud>& views, const RobotShapes& robot,
                           const std::string& settings, const std::string& source) {
-  const io::DetectorConfig config = io::parse_detector_config(settings, source);
+  const DetectorOptions options = io::search_options(io::parse_detector_config(settings, source));
   const CloudView cloud = view_of(points, viewpoint);
+  std::vector<PointCloud> all = clouds_of(views);
   const py::gil_scoped_release others_run;
-  return detect(cloud, io::search_options(config));
+  // A single cloud without a robot in it is not copied.
+  if (all.empty() && robot.shapes.empty()) return detect(cloud, options);
+  all.insert(all.begin(), cloud_of(cloud));
+  for (PointCloud& view : all) view = robot.taken_from(std::move(view));
+  align_views(&all, options);
+  return detect_views(all, options);
+}
+
+void bind_memory(py::module_& module) {
+  py::class_<ViewMemory>(module, "ViewMemory", "See quadrille.ViewMemory.")
+      .def(py::init([](const std::string& settings, const std::string& source) {
+             return std::make_unique<ViewMemory>(
+                 io::search_options(io::parse_detector_config(settings, source)));
+           }),
+           py::arg("settings"), py::arg("source"))
+      .def(
+          "add",
+          [](ViewMemory& memory, std::int64_t utime, const Points& points,
+             const Eigen::Vector3d& viewpoint, const Eigen::Matrix4d& X_WC) {
+            PointCloud cloud = cloud_of(view_of(points, viewpoint));
+            return matrix_of(memory.add(utime, std::move(cloud), pose_of(X_WC, "X_WC")));
+          },
+          py::arg("utime"), py::arg("points"), py::arg("viewpoint"), py::arg("X_WC"))
+      .def(
+          "others",
+          [](const ViewMemory& memory, std::int64_t utime, const Eigen::Matrix4d& X_WC) {
+            std::vector<PyCloud> views;
+            for (const PointCloud& view : memory.others(utime, pose_of(X_WC, "X_WC"))) {
+              views.push_back(cloud_to_python(view));
+            }
+            return views;
+          },
+          py::arg("utime"), py::arg("X_WC"))
+      .def("forget", py::overload_cast<>(&ViewMemory::forget))
+      .def(
+          "forget_box",
+          [](ViewMemory& memory, const Eigen::Matrix4d& X_WR, const Eigen::Vector3d& size) {
+            memory.forget(pose_of(X_WR, "X_WR"), {-0.5 * size, 0.5 * size});
+          },
+          py::arg("X_WR"), py::arg("size"))
+      .def("__len__", &ViewMemory::size);
 }
 
 void bind_tracker(py::module_& module) {
@@ -212,15 +258,8 @@ void bind_tracker(py::module_& module) {
           py::arg("X_WC") = Eigen::Matrix4d(Eigen::Matrix4d::Identity()));
 }
 
-py::tuple read_cloud_file(const std::filesystem::path& path) {
-  const PointCloud cloud = io::read_cloud(path.string());
-  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(cloud.points.size()), 3};
-  if (cloud.organised()) shape = {cloud.height, cloud.width, 3};
-  Points points(shape);
-  if (!cloud.points.empty()) {
-    std::copy_n(cloud.points.front().data(), 3 * cloud.points.size(), points.mutable_data());
-  }
-  return py::make_tuple(points, cloud.viewpoint);
+PyCloud read_cloud_file(const std::filesystem::path& path) {
+  return cloud_to_python(io::read_cloud(path.string()));
 }
 
 }  // namespace
@@ -231,8 +270,9 @@ void bind_detector(py::module_& module) {
   bind_body(module);
   bind_result(module);
   bind_tracker(module);
-  module.def("detect", &detect_in, py::arg("points"), py::arg("viewpoint"), py::arg("settings"),
-             py::arg("source"), "See quadrille.detect().");
+  bind_memory(module);
+  module.def("detect", &detect_in, py::arg("points"), py::arg("viewpoint"), py::arg("views"),
+             py::arg("robot"), py::arg("settings"), py::arg("source"), "See quadrille.detect().");
   module.def("read_cloud", &read_cloud_file, py::arg("path"),
              "The points of a file, (N, 3) or (H, W, 3) [m], and its viewpoint, (3,) [m].\n\n"
              "Raises FileError, a ValueError, in one line if it cannot be read.");

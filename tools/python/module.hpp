@@ -4,7 +4,8 @@
 
 namespace quadrille::python {
 
-/// Bind the parts of the detector, and of the planner, to the module.
+/// Bind the shapes, the parts of the detector, and those of the planner, to the module.
+void bind_shapes(pybind11::module_& module);
 void bind_detector(pybind11::module_& module);
 void bind_planner(pybind11::module_& module);
 

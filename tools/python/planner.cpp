@@ -1,24 +1,35 @@
 #include <pybind11/functional.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "io/planner/config.hpp"
 #include "io/planner/gripper_file.hpp"
+#include "io/planner/octree_file.hpp"
 #include "python/arrays.hpp"
 #include "python/module.hpp"
 #include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/detector/detector.hpp"
 #include "quadrille/grasping/conventions.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
 #include "quadrille/grasping/remedies.hpp"
+#include "quadrille/grasping/shape.hpp"
+#include "quadrille/grasping/surroundings.hpp"
 
 namespace quadrille::python {
 namespace {
@@ -177,6 +188,13 @@ QuadricType type_of(const std::string& name) {
 /// Position of the base, least and greatest distance.
 using PyReach = std::tuple<Eigen::Vector3d, double, double>;
 
+std::vector<CollisionShape> with_geometries(const std::vector<SolidShape>& solids) {
+  std::vector<CollisionShape> shapes;
+  shapes.reserve(solids.size());
+  for (const SolidShape& solid : solids) shapes.push_back(with_geometry(solid));
+  return shapes;
+}
+
 /// Makes a query from the keyword arguments of Python.
 GraspQuery query_of(const std::vector<int>& targets, const std::vector<int>& tracks,
                     const std::vector<std::string>& types,
@@ -184,9 +202,10 @@ GraspQuery query_of(const std::vector<int>& targets, const std::vector<int>& tra
                     const std::optional<Eigen::Matrix<double, 2, 3>>& roi, double min_size,
                     double max_size, const std::optional<Eigen::Vector3d>& approach,
                     double approach_angle, const std::optional<PyReach>& reach,
-                    double min_clearance, const std::optional<double>& min_score,
-                    const std::optional<int>& per_target, const std::optional<int>& best,
-                    const std::optional<double>& deadline_ms,
+                    const std::vector<SolidShape>& obstacles,
+                    const std::vector<SolidShape>& attached, double min_clearance,
+                    const std::optional<double>& min_score, const std::optional<int>& per_target,
+                    const std::optional<int>& best, const std::optional<double>& deadline_ms,
                     const std::function<bool(const Grasp&)>& accept) {
   GraspQuery query;
   query.ids = targets;
@@ -198,6 +217,8 @@ GraspQuery query_of(const std::vector<int>& targets, const std::vector<int>& tra
   query.max_size = max_size;
   if (approach) query.approach = {approach->stableNormalized(), approach_angle};
   if (reach) query.reach = {std::get<0>(*reach), std::get<1>(*reach), std::get<2>(*reach)};
+  query.obstacles = with_geometries(obstacles);
+  query.attached = with_geometries(attached);
   query.min_clearance = min_clearance;
   query.min_score = min_score;
   query.per_target = per_target;
@@ -215,38 +236,74 @@ struct PlannedScene {
   std::vector<SceneBody> bodies;
   Gripper gripper;
   PlanOptions options;
-  GraspScene scene{cloud, detections, gripper, options, {}, boxes, bodies};
+  Surroundings known;
+  GraspScene scene{cloud, detections, gripper, options, known, boxes, bodies};
 
   GraspPlan plan(const GraspQuery& query, bool advise) const {
     GraspPlan plan = scene.plan(query);
     if (advise) {
       plan.remedies =
-          find_remedies(plan, cloud, detections, gripper, options, {}, query, boxes, bodies);
+          find_remedies(plan, cloud, detections, gripper, options, known, query, boxes, bodies);
     }
     return plan;
   }
 };
 
+/// A map that was read.
+struct PyMap {
+  std::shared_ptr<const octomap::OcTree> tree;
+};
+
+PyMap map_of(const py::bytes& content, const std::string& name) {
+  const auto text = static_cast<std::string_view>(content);
+  return {io::parse_octree(std::as_bytes(std::span(text.data(), text.size())), name)};
+}
+
+KnownSupport support_of(const Eigen::Vector4d& plane) {
+  const double norm = plane.head<3>().stableNorm();
+  if (!(norm > 0.0)) throw std::invalid_argument("support has no normal; give (nx, ny, nz, d)");
+  return {plane.head<3>() / norm, plane[3] / norm};
+}
+
 PlannedScene scene_of(const Points& points, const DetectionResult& result, const Gripper& gripper,
-                      const Eigen::Vector3d& viewpoint, const std::string& settings,
+                      const Eigen::Vector3d& viewpoint, const std::vector<PyCloud>& views,
+                      const RobotShapes& robot, const std::optional<PyMap>& map,
+                      const std::optional<Eigen::Vector4d>& support, const std::string& settings,
                       const std::string& source) {
-  const PlanOptions options = io::parse_config(settings, source).planner;
-  const CloudView view = view_of(points, viewpoint);
+  const io::Config config = io::parse_config(settings, source);
+  PointCloud cloud = cloud_of(view_of(points, viewpoint));
+  Surroundings known;
+  known.robot = robot;
+  if (map) known.map.tree = map->tree;
+  if (support) known.support = support_of(*support);
+  std::vector<PointCloud> all = clouds_of(views);
   const py::gil_scoped_release others_run;
+  if (!all.empty()) {
+    all.insert(all.begin(), std::move(cloud));
+    for (PointCloud& view : all) view = robot.taken_from(std::move(view));
+    align_views(&all, config.detector);
+    cloud = std::move(all.front());
+    known.views.assign(std::make_move_iterator(all.begin() + 1),
+                       std::make_move_iterator(all.end()));
+  }
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps.
-  return {cloud_of(view),
+  return {std::move(cloud),
           bus::as_received(result.detections),
           bus::as_received(result.boxes),
           bus::as_received(result.bodies),
           gripper,
-          options};
+          config.planner,
+          std::move(known)};
 }
 
 void bind_scene(py::module_& module) {
+  py::class_<PyMap>(module, "OctoMap", "A map of the scene, read from an OctoMap's file.")
+      .def(py::init(&map_of), py::arg("content"), py::arg("name"));
   py::class_<PlannedScene>(module, "GraspScene", "See quadrille.GraspScene.")
       .def(py::init(&scene_of), py::arg("points"), py::arg("result"), py::arg("gripper"),
-           py::arg("viewpoint"), py::arg("settings"), py::arg("source"))
+           py::arg("viewpoint"), py::arg("views"), py::arg("robot"), py::arg("octomap"),
+           py::arg("support"), py::arg("settings"), py::arg("source"))
       .def_property_readonly("timings",
                              [](const PlannedScene& s) { return dict_of(s.scene.timings()); })
       .def("plan", &PlannedScene::plan, py::arg("query"), py::arg("advise"),
@@ -257,7 +314,8 @@ void bind_scene(py::module_& module) {
            py::arg("near") = py::none(), py::arg("roi") = py::none(), py::arg("min_size") = 0.0,
            py::arg("max_size") = std::numeric_limits<double>::infinity(),
            py::arg("approach") = py::none(), py::arg("approach_angle") = 0.5,
-           py::arg("reach") = py::none(), py::arg("min_clearance") = 0.0,
+           py::arg("reach") = py::none(), py::arg("obstacles") = std::vector<SolidShape>(),
+           py::arg("attached") = std::vector<SolidShape>(), py::arg("min_clearance") = 0.0,
            py::arg("min_score") = py::none(), py::arg("per_target") = py::none(),
            py::arg("best") = py::none(), py::arg("deadline_ms") = py::none(),
            py::arg("accept") = py::none());

@@ -67,12 +67,13 @@ Json to_json(const GraspQuery& query) {
   Json json = Json::object();
   if (!query.ids.empty()) json["target"] = query.ids;
   if (!query.tracks.empty()) json["tracks"] = query.tracks;
-  if (!query.obstacles.empty()) {
-    json["obstacles"] = Json::array();
-    for (const CollisionShape& shape : query.obstacles) {
-      json["obstacles"].push_back(to_json(shape));
-    }
-  }
+  const auto add_shapes = [&](const char* name, const std::vector<CollisionShape>& shapes) {
+    if (shapes.empty()) return;
+    json[name] = Json::array();
+    for (const CollisionShape& shape : shapes) json[name].push_back(to_json(shape));
+  };
+  add_shapes("obstacles", query.obstacles);
+  add_shapes("attached", query.attached);
   if (query.near_C) json["near"] = array_of(*query.near_C);
   if (query.region) {
     json["roi"] = {{"pose", to_json(query.region->X_CR)},

@@ -20,22 +20,31 @@ from typing import Dict as _Dict
 from typing import List as _List
 from typing import Mapping as _Mapping
 from typing import Optional as _Optional
+from typing import Sequence as _Sequence
 from typing import Tuple as _Tuple
 from typing import Union as _Union
 
+import numpy as _np
 from numpy.typing import ArrayLike as _ArrayLike
+from numpy.typing import NDArray as _NDArray
 
 from . import _core
-from ._core import (Body, Box, Detection, FileError, Grasp, GraspQuery, Gripper, Plan, Remedy,
-                    Result, TargetOutcome, __version__, conventions, grippers, read_cloud)
+from ._core import (Body, Box, Detection, FileError, Grasp, GraspQuery, Gripper, OctoMap, Plan, Remedy,
+                    Result, Robot, Shape, TargetOutcome, __version__, conventions, grippers, read_cloud)
 from ._lcmtypes import *
 
 __all__ = ["Body", "Box", "Detection", "FileError", "Grasp", "GraspQuery", "GraspScene", "Gripper",
-           "Plan", "Remedy", "Result", "TargetOutcome", "Tracker", "conventions", "detect", "grippers",
-           "plan", "read_cloud"]
+           "OctoMap", "Plan", "Remedy", "Result", "Robot", "Shape", "TargetOutcome", "Tracker", "ViewMemory",
+           "conventions", "detect", "grippers", "plan", "read_cloud", "read_octomap", "read_robot"]
 
 _Path = _Union[str, "_os.PathLike[str]"]
 _Config = _Union[None, _Path, _Mapping[str, _Any]]
+
+# Points and the viewpoint of each cloud.
+_Views = _Sequence[_Tuple[_ArrayLike, _ArrayLike]]
+_Shapes = _Union[_Path, _Sequence[Shape]]
+_Robot = _Union[None, _Path, Robot, _Sequence[Shape]]
+_OctoMap = _Union[None, _Path, bytes, OctoMap]
 
 _ORIGIN = (0.0, 0.0, 0.0)
 
@@ -64,13 +73,54 @@ def _gripper(gripper: _Union[_Path, Gripper]) -> Gripper:
     return gripper if isinstance(gripper, Gripper) else Gripper(_os.fspath(gripper))
 
 
-def detect(points: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN, config: _Config = None) -> Result:
-    """Finds the quadrics of one cloud.
+def read_robot(path: _Path) -> Robot:
+    """Reads a file of the robot's own shapes, as for --robot: {"padding": …, "shapes": […]}.
+
+    Raises FileError, a ValueError, in one line if it cannot be read.
+    """
+    return _core.read_robot(_os.fspath(path))
+
+
+def read_octomap(path: _Path) -> OctoMap:
+    """Reads a map of the scene: a .bt file, or an .ot file with a tree of type OcTree.
+
+    Raises FileError, a ValueError, in one line if it is no such map.
+    """
+    with open(path, "rb") as file:
+        return OctoMap(file.read(), _os.fspath(path))
+
+
+def _robot(robot: _Robot) -> Robot:
+    if robot is None:
+        return Robot([])
+    if isinstance(robot, (str, _os.PathLike)):
+        return read_robot(robot)
+    return robot if isinstance(robot, Robot) else Robot(robot)
+
+
+def _shapes(shapes: _Shapes) -> _Sequence[Shape]:
+    return read_robot(shapes).shapes if isinstance(shapes, (str, _os.PathLike)) else shapes
+
+
+def _octomap(octomap: _OctoMap) -> _Optional[OctoMap]:
+    if octomap is None or isinstance(octomap, OctoMap):
+        return octomap
+    return OctoMap(octomap, "octomap") if isinstance(octomap, bytes) else read_octomap(octomap)
+
+
+def detect(points: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN, views: _Views = (), robot: _Robot = None,
+           config: _Config = None) -> Result:
+    """Finds the quadrics of one cloud, or of several views of one scene.
 
     points     array of shape (N, 3), or (H, W, 3) row by row of an organised cloud, in frame C [m];
                NaN where nothing was measured. float32 in C order is read in place, without a
                copy, so do not write to it meanwhile. Other types, such as float64, are converted.
     viewpoint  position of the sensor, in frame C [m]
+    views      further clouds of the same scene at rest, each as (points, viewpoint), in frame C. They
+               are first brought onto each other, within the errors that the settings `views` say
+               their poses have
+    robot      the robot's own shapes in frame C, on which points are dropped: a Robot, a list of
+               Shapes, or the path of a file (see read_robot())
     config     path of a TOML file, or a dict such as {"seed": 2, "only": ["sphere"],
                "planes.sigmas": 3.0}; `quadrille config` prints all settings
 
@@ -81,21 +131,29 @@ def detect(points: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN, config: _Conf
     if isinstance(points, (str, _os.PathLike)):
         raise TypeError("detect() takes an array, not a path; read it: points, viewpoint = quadrille.read_cloud(path)")
     text, source = _settings(config)
-    return _core.detect(points, viewpoint, text, source)
+    return _core.detect(points, viewpoint, list(views), _robot(robot), text, source)
 
 
 class GraspScene:
     """A cloud prepared for several queries for grasps.
 
-    points, viewpoint, config  as for detect()
+    points, viewpoint, views, robot, config  as for detect(). The robot's points are no obstacles
+             either; they hide what is behind them, and the space of its shapes is free
     result   what detect() found in these points
     gripper  name of a built-in gripper (see grippers()), path of a TOML file, or a Gripper
+    octomap  map of the scene in frame C: what it says is occupied is an obstacle, and what it says is
+             free is free where no view tells. The path of a .bt or .ot file, its bytes, or an OctoMap
+    support  (nx, ny, nz, d): the plane nx*x + ny*y + nz*z = d in frame C with its normal upwards, on
+             which things stand; the hand stays above it when it takes them
     """
 
     def __init__(self, points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
-                 viewpoint: _ArrayLike = _ORIGIN, config: _Config = None) -> None:
+                 viewpoint: _ArrayLike = _ORIGIN, views: _Views = (), robot: _Robot = None,
+                 octomap: _OctoMap = None, support: _Optional[_ArrayLike] = None,
+                 config: _Config = None) -> None:
         text, source = _settings(config)
-        self._scene = _core.GraspScene(points, result, _gripper(gripper), viewpoint, text, source)
+        self._scene = _core.GraspScene(points, result, _gripper(gripper), viewpoint, list(views),
+                                       _robot(robot), _octomap(octomap), support, text, source)
 
     @property
     def timings(self) -> _Dict[str, float]:
@@ -114,6 +172,10 @@ class GraspScene:
         approach, approach_angle    direction of approach, and the largest angle to it [rad]
         reach          (base, least, greatest): the position of an arm's base, and bounds on the
                        distance of a grasp's origin from it, also before the approach [m]
+        obstacles      Shapes in frame C that the hand keeps off besides what the cloud shows; a list,
+                       or the path of a file as for --obstacles
+        attached       Shapes fixed to the hand, in its frame G, which must not touch anything either;
+                       what counts is the box around each along the axes of G
         min_clearance  least distance of the hand from everything but its target [m]
         min_score      least probability of a grasp to succeed
         per_target     largest number of grasps of each target, unlike in place and direction; 0: a
@@ -126,14 +188,19 @@ class GraspScene:
         advise         also seeks what would give grasps to targets that have none, as
                        Plan.remedies; takes about as long as ten plans
         """
+        for name in ("obstacles", "attached"):
+            if name in query:
+                query[name] = _shapes(query[name])
         return self._scene.plan(GraspQuery(**query), advise)
 
 
 def plan(points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
-         viewpoint: _ArrayLike = _ORIGIN, config: _Config = None, advise: bool = False,
-         **query: _Any) -> Plan:
+         viewpoint: _ArrayLike = _ORIGIN, views: _Views = (), robot: _Robot = None,
+         octomap: _OctoMap = None, support: _Optional[_ArrayLike] = None, config: _Config = None,
+         advise: bool = False, **query: _Any) -> Plan:
     """Plans grasps on what detect() found in these points: GraspScene(…).plan(advise=advise, **query)."""
-    scene = GraspScene(points, result, gripper, viewpoint=viewpoint, config=config)
+    scene = GraspScene(points, result, gripper, viewpoint=viewpoint, views=views, robot=robot,
+                       octomap=octomap, support=support, config=config)
     return scene.plan(advise=advise, **query)
 
 
@@ -157,3 +224,56 @@ class Tracker:
             self._tracker.update(result, utime)
         else:
             self._tracker.update(result, utime, X_WC)
+
+
+class ViewMemory:
+    """The views of a scene that a moving camera had, kept up to date.
+
+    There is one view for each direction of sight, and a newer one takes the place of an older one from
+    there. What a new view contradicts is forgotten, and so is what is older than `views.remember`.
+
+        memory.add(utime, points, X_WC)
+        plan = quadrille.plan(points, found, "franka", views=memory.others(utime, X_WC))
+
+    config  as for detect(); the tables `views` and `sampling` are used
+    """
+
+    def __init__(self, config: _Config = None) -> None:
+        self._memory = _core.ViewMemory(*_settings(config))
+
+    def add(self, utime: int, points: _ArrayLike, X_WC: _ArrayLike, *,
+            viewpoint: _ArrayLike = _ORIGIN) -> _NDArray[_np.float64]:
+        """Adds a view. If its time is before that of the last one, all others are forgotten.
+
+        utime      time of the cloud [us]
+        points     as for detect(), without the robot: Robot.taken_from(points)
+        X_WC       pose of the cloud's frame in a fixed frame W, as far as it is known, (4, 4)
+        viewpoint  as for detect()
+
+        Returns the motion within W that corrects the pose, (4, 4).
+        """
+        return self._memory.add(utime, points, viewpoint, X_WC)
+
+    def others(self, utime: int, X_WC: _ArrayLike) -> _List[_Tuple[_NDArray[_np.float32], _NDArray[_np.float64]]]:
+        """Returns the views but the one of this time, the newest first, as (points, viewpoint).
+
+        X_WC  pose in W of the frame C in which they are wanted; that of the last view that was added is
+              corrected as this one was
+        """
+        return self._memory.others(utime, X_WC)
+
+    def forget(self, X_WR: _Optional[_ArrayLike] = None, size: _Optional[_ArrayLike] = None) -> None:
+        """Forgets all views, or the surfaces that they show in a box.
+
+        X_WR  pose of the box's middle in W, (4, 4)
+        size  sides of the box along the axes of that pose, (3,) [m]
+        """
+        if X_WR is None and size is None:
+            self._memory.forget()
+        elif X_WR is None or size is None:
+            raise ValueError("a box needs both its pose X_WR and its size")
+        else:
+            self._memory.forget_box(X_WR, size)
+
+    def __len__(self) -> int:
+        return len(self._memory)
