@@ -94,6 +94,21 @@ double cylinder_distance(const Eigen::Vector3d& p, double radius, double half) {
                     std::max(std::abs(p.z()) - half, 0.0));
 }
 
+/// Distance of a point from an ellipsoid; 0 inside [m]. The nearest point x of the surface
+/// satisfies p - x = t (x/a², y/b², z/c²) for the t at which x lies on the surface.
+double ellipsoid_distance(const Eigen::Vector3d& p, const Eigen::Vector3d& axes) {
+  if (p.cwiseQuotient(axes).norm() <= 1.0) return 0.0;
+  const Eigen::Array3d squares = axes.array().square();
+  // The point of the surface is beyond it at the low end, and within at the high one.
+  double low = 0.0, high = axes.maxCoeff() * p.norm();
+  for (int halving = 0; halving < 60; ++halving) {
+    const double t = 0.5 * (low + high);
+    const bool beyond = (axes.array() * p.array() / (squares + t)).matrix().norm() > 1.0;
+    (beyond ? low : high) = t;
+  }
+  return (p.array() * high / (squares + high)).matrix().norm();
+}
+
 /// True for a point in the cone, its side moved outward by a distance and its base down by it.
 bool in_cone(const Eigen::Vector3d& p, double radius, double length, double distance) {
   if (p.z() < -0.5 * length - distance) return false;
@@ -158,8 +173,7 @@ bool NearShape::contains(const Eigen::Vector3d& p_C) const {
   if (kind == "box") return box_distance(p, 0.5 * Eigen::Vector3d(d[0], d[1], d[2])) <= distance_;
   if (kind == "cone") return in_cone(p, d[0], d[1], distance_);
   if (kind == "ellipsoid") {
-    const Eigen::Array3d axes = Eigen::Array3d(d[0], d[1], d[2]) + distance_;
-    return (p.array() / axes).matrix().norm() <= 1.0;
+    return ellipsoid_distance(p, Eigen::Vector3d(d[0], d[1], d[2])) <= distance_;
   }
   return ((normals_S_ * p).array() <= offsets_.array() + distance_).all();
 }

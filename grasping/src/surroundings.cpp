@@ -10,6 +10,9 @@ namespace quadrille {
 
 void Surroundings::check() const {
   robot.check();
+  if (!map.X_CM.matrix().allFinite() || !map.X_CM.linear().isUnitary(1e-3)) {
+    throw std::invalid_argument("map needs a pose that is a finite, rigid motion");
+  }
   if (!support) return;
   if (!(std::abs(support->n_C.norm() - 1.0) < 1e-6) || !std::isfinite(support->offset)) {
     throw std::invalid_argument("support needs a unit normal and a finite offset");

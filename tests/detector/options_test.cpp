@@ -128,7 +128,7 @@ TEST_CASE("a visit reaches each setting", "[options]") {
   auto& [basis, radii, s1, s2, s3, s4, grow] = search;
   auto& [grow_families, g1, g2, g3] = grow;
   auto& [families, a1, a2, a3, a4, a5, a6, a7, a8, a9, a10, a11, a12, a13, a14, a15] = aggregate;
-  auto& [shift, turn] = views;
+  auto& [shift, turn, remember, sector, most] = views;
   const std::set<const void*> fields = {&seed,
                                         &threads,
                                         &only,
@@ -175,7 +175,10 @@ TEST_CASE("a visit reaches each setting", "[options]") {
                                         &a14,
                                         &a15,
                                         &shift,
-                                        &turn};
+                                        &turn,
+                                        &remember,
+                                        &sector,
+                                        &most};
   CHECK(visit(o).fields == fields);
 }
 

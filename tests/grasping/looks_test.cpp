@@ -44,7 +44,7 @@ struct Planned {
   PlanOptions options;
   DetectionResult found = detect_views(views);
   GraspPlan plan = plan_grasps(views.front(), found.detections, franka_hand(), options,
-                               {views.begin() + 1, views.end()}, {}, found.boxes, found.bodies);
+                               {{views.begin() + 1, views.end()}}, {}, found.boxes, found.bodies);
 
   std::vector<Look> looks(int max = 3) const {
     return propose_looks(plan, found.bodies, found.detections, views.front().viewpoint, max);

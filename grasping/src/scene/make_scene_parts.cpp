@@ -281,7 +281,7 @@ class SceneMaker {
       mapper.add(*views_[v].things, parts_.views[v]);
       keep_points(v, region);
     }
-    if (known_.map.tree) mapper.add(known_.map);
+    const bool occupied_by_map = known_.map.tree && mapper.add(known_.map);
     for (const SolidShape& shape : known_.robot.shapes) {
       mapper.free_within(NearShape(shape, known_.robot.padding));
     }
@@ -292,7 +292,7 @@ class SceneMaker {
     parts_.map.emplace(
         *parts_.space,
         unknown == UnknownPolicy::kObstacle || unknown == UnknownPolicy::kTargetShadow,
-        parts_.views, known_.map.tree == nullptr);
+        parts_.views, !occupied_by_map);
   }
 
   /// The first view without the robot.

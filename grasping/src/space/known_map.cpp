@@ -1,8 +1,6 @@
 // What a map from elsewhere adds to the space that the views show.
 #include <octomap/OcTree.h>
 
-#include <algorithm>
-
 #include "space/each_cube.hpp"
 #include "space/space_mapper.hpp"
 
@@ -39,26 +37,36 @@ void SpaceMapper::each_voxel(const Eigen::AlignedBox3d& box_C, Visit&& visit) {
   });
 }
 
-void SpaceMapper::add(const KnownMap& map) {
+bool SpaceMapper::add(const KnownMap& map) {
   const octomap::OcTree& tree = *map.tree;
-  if (grid_.states().empty() || tree.getRoot() == nullptr) return;
+  if (grid_.states().empty() || tree.getRoot() == nullptr) return false;
   const Eigen::Isometry3d X_MC = map.X_CM.inverse();
   const Eigen::AlignedBox3d region_M = within_tree(grid_.bounds().transformed(X_MC), tree);
-  if (region_M.isEmpty()) return;
+  if (region_M.isEmpty()) return false;
+  bool any_occupied = false;
   const auto end = tree.end_leafs_bbx();
   for (auto leaf = tree.begin_leafs_bbx(to_octomap(region_M.min()), to_octomap(region_M.max()));
        leaf != end; ++leaf) {
     const bool occupied = tree.isNodeOccupied(*leaf);
-    const double half = 0.5 * leaf.getSize();
-    // The voxel at the middle of a smaller leaf may have its own middle elsewhere.
-    const double reach = occupied ? std::max(half, 0.5 * grid_.resolution()) : half;
     const Voxel state = occupied ? Voxel::kOccupied : Voxel::kFree;
+    const auto mark = [&](Voxel& voxel) {
+      if (voxel < state) voxel = state;
+      any_occupied |= occupied;
+    };
+    const double half = 0.5 * leaf.getSize();
     const Eigen::Vector3d middle_M = to_eigen(leaf.getCoordinate());
-    const Eigen::AlignedBox3d cube_M(middle_M.array() - reach, middle_M.array() + reach);
+    const Eigen::AlignedBox3d cube_M(middle_M.array() - half, middle_M.array() + half);
     each_voxel(cube_M.transformed(map.X_CM), [&](const Eigen::Vector3d& p_C, Voxel& voxel) {
-      if (voxel < state && cube_M.contains(X_MC * p_C)) voxel = state;
+      if (cube_M.contains(X_MC * p_C)) mark(voxel);
     });
+    // The voxel at the middle of a small or turned leaf may have its own middle elsewhere.
+    const Eigen::Vector3d middle_C = map.X_CM * middle_M;
+    const double reach = 0.5 * grid_.resolution();
+    if (!occupied) continue;
+    each_voxel({middle_C.array() - reach, middle_C.array() + reach},
+               [&](const Eigen::Vector3d&, Voxel& voxel) { mark(voxel); });
   }
+  return any_occupied;
 }
 
 void SpaceMapper::free_within(const NearShape& shape) {

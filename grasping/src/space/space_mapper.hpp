@@ -30,9 +30,10 @@ class SpaceMapper {
   void add(const PointCloud& cloud, const DepthView& view);
 
   /// Adds what a map from elsewhere says. Its occupied voxels count whatever the views saw, and its
-  /// free ones only where no view tells. A voxel takes the state at its middle, or is occupied if
-  /// the map's voxels are smaller and one in it is.
-  void add(const KnownMap& map);
+  /// free ones only where no view tells. A voxel takes the state at its middle, and is occupied if
+  /// an occupied voxel of the map has its middle in it.
+  /// @return true if the map says of any voxel that it is occupied
+  bool add(const KnownMap& map);
 
   /// Frees the voxels with their middle in or near a shape.
   void free_within(const NearShape& shape);

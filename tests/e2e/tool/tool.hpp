@@ -98,6 +98,10 @@ void check_poses(const std::string& log, const PosesExpected& expected);
 /// Checks that two logs hold the same quadrics and grasps, byte by byte and in one order.
 void check_equal_results(const std::string& log, const std::string& other);
 
+/// Checks that of the plans on the same clouds, those of a planner that remembers what earlier
+/// clouds showed have fewer hands refused because space is unknown.
+void check_remembered(const std::string& remembering, const std::string& forgetful);
+
 /// Copies a log with one channel under another name.
 void rename_channel(const std::string& source, const std::string& copy, const std::string& from,
                     const std::string& to);

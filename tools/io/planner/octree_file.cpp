@@ -1,7 +1,6 @@
 #include "io/planner/octree_file.hpp"
 
 #include <charconv>
-#include <cmath>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -18,6 +17,11 @@ namespace {
 constexpr int kDepth = 16;
 // Sizes of a node [byte]: two bits for each of eight children, or a value and a bit for each.
 constexpr std::size_t kBinaryNode = 2, kFullNode = 5;
+// A message of a few megabytes could hold a tree that takes gigabytes. This many nodes take half of
+// one, and are more than maps of whole buildings have.
+constexpr std::size_t kMaxNodes = std::size_t{8} << 20;
+// Voxels have edges within these bounds [m].
+constexpr double kMinResolution = 1e-6, kMaxResolution = 1e3;
 
 /// The header of a file, and where its nodes begin.
 struct Header {
@@ -59,26 +63,41 @@ class NodeWalk {
  public:
   NodeWalk(std::string_view nodes, bool binary) : nodes_(nodes), binary_(binary) {}
 
-  /// Returns false if a node lies deeper than a tree has levels, or the bytes end before it.
+  /// Returns false if a node lies deeper than a tree has levels, the bytes end before it, or there
+  /// are too many.
   bool walk(int depth = 0) {
     const std::size_t size = binary_ ? kBinaryNode : kFullNode;
     const int deepest = binary_ ? kDepth - 1 : kDepth;
-    if (depth > deepest || at_ + size > nodes_.size()) return false;
+    if (depth > deepest || at_ + size > nodes_.size() || count_ > kMaxNodes) return false;
     const std::size_t here = at_;
     at_ += size;
+    ++count_;
     for (unsigned child = 0; child < 8; ++child) {
+      count_ += is_leaf(here, child);
       if (has_inner(here, child) && !walk(depth + 1)) return false;
     }
     return true;
   }
 
   bool at_end() const { return at_ == nodes_.size(); }
+  /// Number of nodes so far.
+  std::size_t count() const { return count_; }
 
  private:
   /// True if a child of the node has an entry of its own. In a binary file, 3 stands for such.
   bool has_inner(std::size_t node, unsigned child) const {
     if (!binary_) return byte(node + kFullNode - 1) >> child & 1u;
-    return (byte(node + child / 4) >> 2 * (child % 4) & 3u) == 3u;
+    return state(node, child) == 3u;
+  }
+
+  /// True if a child of the node is there without an entry of its own.
+  bool is_leaf(std::size_t node, unsigned child) const {
+    return binary_ && (state(node, child) == 1u || state(node, child) == 2u);
+  }
+
+  /// The two bits of a child in a binary file; 0 stands for none.
+  unsigned state(std::size_t node, unsigned child) const {
+    return byte(node + child / 4) >> 2 * (child % 4) & 3u;
   }
 
   unsigned byte(std::size_t at) const { return static_cast<unsigned char>(nodes_[at]); }
@@ -86,6 +105,7 @@ class NodeWalk {
   std::string_view nodes_;
   bool binary_;
   std::size_t at_ = 0;
+  std::size_t count_ = 0;
 };
 
 }  // namespace
@@ -110,14 +130,20 @@ std::shared_ptr<octomap::OcTree> parse_octree(std::span<const std::byte> bytes,
                     "is a tree of type '" + printable(header->type) +
                         "'; convert it to OcTree, as OctoMap's convert_octree does");
   }
-  if (!(header->resolution > 0.0) || !std::isfinite(header->resolution)) {
-    throw FileError(name, "field res", "must be the edge of a voxel, more than 0 m");
+  if (!(header->resolution >= kMinResolution && header->resolution <= kMaxResolution)) {
+    throw FileError(name, "field res", "must be the edge of a voxel, from 1e-6 to 1000 m");
   }
   auto tree = std::make_shared<octomap::OcTree>(header->resolution);
   const std::string_view nodes = text.substr(header->begin);
   if (nodes.empty() && header->nodes == 0) return tree;
   NodeWalk walk(nodes, header->binary);
-  if (!walk.walk() || !walk.at_end()) {
+  const bool whole = walk.walk() && walk.at_end();
+  if (walk.count() > kMaxNodes) {
+    throw FileError(name, "",
+                    "the tree has more than " + std::to_string(kMaxNodes) +
+                        " nodes; give a part of it, or larger voxels");
+  }
+  if (!whole) {
     throw FileError(name, "byte " + std::to_string(header->begin),
                     "the nodes of the tree are cut short or damaged; write the file again");
   }

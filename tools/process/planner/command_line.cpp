@@ -70,9 +70,8 @@ PlannerSettings PlannerCommandLine::settings() const {
   const Surroundings& known = settings.known;
   const bool any_known = !settings.obstacles.empty() || !known.robot.shapes.empty() ||
                          known.support.has_value() || known.map.tree != nullptr;
-  settings.frames.conditions =
-      settings.has_fixed_frame() &&
-      (settings.approach || settings.plan.reach.max > 0.0 || any_known || settings.remembers());
+  settings.frames.conditions = settings.has_fixed_frame() &&
+                               (settings.approach || settings.plan.reach.max > 0.0 || any_known);
   settings.process.check();
   PlannerSettings::visit_channels(settings, [&](Way, const char*, std::string& name, const char*) {
     name = settings.process.prefixed(name);

@@ -178,8 +178,18 @@ std::optional<Job> PlannerNode::receive_forget(const std::string& channel,
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
   const auto message = refused_knowledge_.accept(channel, std::move(decoded));
   if (!message) return std::nullopt;
+  // Set, so that no newer job replaces this one.
   const auto refuse = [channel](const std::string& why) { log_warning(channel + ": " + why); };
-  return Job{message->utime, [this, message] { forget(*message); }, refuse};
+  return Job{message->utime,
+             [this, channel, message] {
+               try {
+                 forget(*message);
+               } catch (const std::invalid_argument& error) {
+                 const std::lock_guard lock(mutex_);
+                 refused_knowledge_.add(channel, {bus::RejectReason::kBadValue, error.what()});
+               }
+             },
+             refuse};
 }
 
 std::optional<Job> PlannerNode::make_job(std::optional<CloudAndQuadrics> found) {

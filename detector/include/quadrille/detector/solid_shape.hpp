@@ -31,9 +31,9 @@ struct SolidShape {
 
 /// Tells which points lie in a shape, or within a distance of it.
 ///
-/// The distance is exact for spheres, capsules, cylinders and boxes. The others are a little larger
-/// than they would be if it were: the sides and the base of a cone move outward by it, and so do
-/// the faces of a convex shape, so that their edges stay sharp; each axis of an ellipsoid grows.
+/// The distance is exact for all but two kinds, which are a little larger than they would be if it
+/// were: the sides and the base of a cone move outward by it, and so do the faces of a convex
+/// shape, so that their edges stay sharp.
 class NearShape {
  public:
   /// @param shape     has passed check(), and must outlive this

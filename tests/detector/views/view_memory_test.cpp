@@ -1,0 +1,438 @@
+#include "quadrille/detector/view_memory.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "detector/table_scene.hpp"
+#include "quadrille/detector/detection.hpp"
+#include "support/catch.hpp"
+#include "support/depth_camera.hpp"
+#include "support/error_of.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000;
+
+/// The table of TableScene in frame W, where z = 0 is the table's top.
+std::vector<Patch> world_table() {
+  std::vector<Patch> patches = TableScene().patches();
+  for (Patch& patch : patches) patch.X_CB = TableScene().X_CW.inverse() * patch.X_CB;
+  return patches;
+}
+
+/// The same without the ball, which is the second patch.
+std::vector<Patch> world_without_ball() {
+  std::vector<Patch> patches = world_table();
+  patches.erase(patches.begin() + 1);
+  return patches;
+}
+
+const Eigen::Vector3d kBall_W(-0.2, 0.0, kBall);
+
+struct Taken {
+  PointCloud cloud;
+  Eigen::Isometry3d X_WK;
+};
+
+/// What a camera at this place, which looks at the middle of the table, sees; in its own frame.
+Taken taken_from_eye(const std::vector<Patch>& patches_W, const Eigen::Vector3d& eye_W,
+                     double noise = 0.001, int width = 160) {
+  const Eigen::Isometry3d X_KW = world_seen_from(eye_W);
+  std::vector<Patch> patches = patches_W;
+  for (Patch& patch : patches) patch.X_CB = X_KW * patch.X_CB;
+  Camera camera{width, width * 3 / 4, 1.0 / (width * 300.0 / 320.0)};
+  camera.noise = noise;
+  return {render(patches, camera), X_KW.inverse()};
+}
+
+/// A place 0.65 m above the table, at this angle about the vertical [deg].
+Eigen::Vector3d eye_at(double degrees, double height = 0.65) {
+  const double a = degrees * M_PI / 180.0;
+  return {0.8 * std::sin(a), -0.8 * std::cos(a), height};
+}
+
+Eigen::Isometry3d add_view(ViewMemory& memory, std::int64_t utime, const Taken& view) {
+  return memory.add(utime, view.cloud, view.X_WK);
+}
+
+/// The remembered views in frame W; no view is of the time that is named.
+std::vector<PointCloud> views_in_world(const ViewMemory& memory) {
+  return memory.others(std::numeric_limits<std::int64_t>::min(), Eigen::Isometry3d::Identity());
+}
+
+double angle_of(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+std::size_t finite_points(const PointCloud& cloud) {
+  return static_cast<std::size_t>(
+      std::count_if(cloud.points.begin(), cloud.points.end(),
+                    [](const Eigen::Vector3f& p) { return p.allFinite(); }));
+}
+
+template <class Wanted>
+int count_points(const PointCloud& cloud, const Wanted& wanted) {
+  return static_cast<int>(std::count_if(
+      cloud.points.begin(), cloud.points.end(),
+      [&](const Eigen::Vector3f& p) { return p.allFinite() && wanted(p.cast<double>()); }));
+}
+
+bool on_ball(const Eigen::Vector3d& p_W) {
+  return std::abs((p_W - kBall_W).norm() - kBall) < 0.006 && p_W.z() > 0.02;
+}
+
+/// Distance between a point and the segment from a to b.
+double from_segment(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int n = 0; n <= 400; ++n) nearest = std::min(nearest, (a + n / 400.0 * (b - a) - p).norm());
+  return nearest;
+}
+
+bool same_bits(const PointCloud& a, const PointCloud& b) {
+  return a.width == b.width && a.height == b.height && a.points.size() == b.points.size() &&
+         std::memcmp(a.points.data(), b.points.data(), a.points.size() * sizeof a.points[0]) == 0 &&
+         a.viewpoint == b.viewpoint;
+}
+
+}  // namespace
+
+TEST_CASE("a view from nearly the same direction takes the place of the one before",
+          "[views][memory]") {
+  ViewMemory memory;
+  CHECK(views_in_world(memory).empty());
+  add_view(memory, 1 * kSecond, taken_from_eye(world_table(), eye_at(0)));
+  REQUIRE(memory.size() == 1);
+  CHECK(memory.others(1 * kSecond, Eigen::Isometry3d::Identity()).empty());
+  const Taken near = taken_from_eye(world_table(), eye_at(4));
+  add_view(memory, 2 * kSecond, near);
+  REQUIRE(memory.size() == 1);
+  CHECK((views_in_world(memory)[0].viewpoint - eye_at(4)).norm() < 0.01);
+  // Nearer to the table, but from the same direction.
+  const Eigen::Vector3d closer = 0.8 * eye_at(2);
+  add_view(memory, 3 * kSecond, taken_from_eye(world_table(), closer));
+  REQUIRE(memory.size() == 1);
+  CHECK((views_in_world(memory)[0].viewpoint - closer).norm() < 0.01);
+
+  add_view(memory, 4 * kSecond, taken_from_eye(world_table(), eye_at(70)));
+  CHECK(memory.size() == 2);
+  const Taken last = taken_from_eye(world_table(), eye_at(140));
+  add_view(memory, 5 * kSecond, last);
+  REQUIRE(memory.size() == 3);
+  // The newest comes first, and in the frame that is asked for.
+  const std::vector<PointCloud> others = memory.others(5 * kSecond, last.X_WK);
+  REQUIRE(others.size() == 2);
+  CHECK((last.X_WK * others[0].viewpoint - eye_at(70)).norm() < 0.01);
+  CHECK((last.X_WK * others[1].viewpoint - closer).norm() < 0.01);
+}
+
+TEST_CASE("a view between two directions is used, and not kept", "[views][memory]") {
+  ViewMemory memory;
+  add_view(memory, 1 * kSecond, taken_from_eye(world_table(), eye_at(0)));
+  // The angle about the vertical is larger than the one between the lines of sight.
+  const Eigen::Vector3d eye = eye_at(14);
+  const double angle = angle_of(eye, eye_at(0));
+  REQUIRE(angle > 0.55 * 0.26);
+  REQUIRE(angle < 0.95 * 0.26);
+  const Taken between = taken_from_eye(world_table(), eye);
+  add_view(memory, 2 * kSecond, between);
+  CHECK(memory.size() == 1);
+  CHECK(memory.others(2 * kSecond, between.X_WK).size() == 1);
+  CHECK((views_in_world(memory)[0].viewpoint - eye_at(0)).norm() < 0.01);
+}
+
+TEST_CASE("a camera that turns slowly leaves views behind, one in each sector", "[views][memory]") {
+  DetectorOptions options;
+  options.views.most = 64;
+  options.views.sector = GENERATE(0.26, 0.5);
+  const double sector = options.views.sector;
+  ViewMemory memory(options);
+  constexpr double kStep = 3.0, kTurn = 150.0;
+  double way = 0.0;
+  for (double degrees = 0.0; degrees <= kTurn; degrees += kStep) {
+    const std::int64_t utime = static_cast<std::int64_t>((1.0 + degrees / 100.0) * kSecond);
+    add_view(memory, utime, taken_from_eye(world_table(), eye_at(degrees), 0.001, 96));
+    if (degrees > 0.0) way += angle_of(eye_at(degrees), eye_at(degrees - kStep));
+  }
+  const double step = angle_of(eye_at(0), eye_at(kStep));
+  const std::vector<PointCloud> views = views_in_world(memory);
+  CAPTURE(way, sector, views.size());
+  // Where one camera sees a little farther than another, the middle of what it sees differs.
+  constexpr double kLoose = 0.05;
+  CHECK(static_cast<double>(views.size()) >= std::floor(way / (sector + step + kLoose)));
+  CHECK(static_cast<double>(views.size()) <= std::ceil(way / (sector - kLoose)) + 1.0);
+  for (std::size_t a = 0; a < views.size(); ++a) {
+    for (std::size_t b = 0; b < a; ++b) {
+      CHECK(angle_of(views[a].viewpoint, views[b].viewpoint) > 0.5 * sector - kLoose);
+    }
+  }
+  for (double degrees = 0.0; degrees <= kTurn; degrees += kStep) {
+    double nearest = M_PI;
+    for (const PointCloud& view : views) {
+      nearest = std::min(nearest, angle_of(view.viewpoint, eye_at(degrees)));
+    }
+    CHECK(nearest < sector + kLoose);
+  }
+}
+
+TEST_CASE("a camera that looks elsewhere from the same direction adds a view", "[views][memory]") {
+  ViewMemory memory;
+  const Taken here = taken_from_eye(world_table(), eye_at(0));
+  add_view(memory, 1 * kSecond, here);
+  Taken there = here;
+  there.X_WK = Eigen::Translation3d(2.0, 0.0, 0.0) * here.X_WK;
+  add_view(memory, 2 * kSecond, there);
+  CHECK(memory.size() == 2);
+}
+
+TEST_CASE("of many views the newest are kept", "[views][memory]") {
+  DetectorOptions options;
+  options.views.most = 3;
+  ViewMemory memory(options);
+  for (int n = 0; n < 5; ++n) {
+    add_view(memory, (1 + n) * kSecond, taken_from_eye(world_table(), eye_at(60.0 * n)));
+    CHECK(memory.size() == static_cast<std::size_t>(std::min(n + 1, 3)));
+  }
+  const std::vector<PointCloud> views = views_in_world(memory);
+  REQUIRE(views.size() == 3);
+  for (int n = 0; n < 3; ++n) {
+    CHECK((views[n].viewpoint - eye_at(60.0 * (4 - n))).norm() < 0.01);
+  }
+}
+
+TEST_CASE("views fade with time", "[views][memory]") {
+  DetectorOptions options;
+  options.views.remember = 10.0;
+  ViewMemory memory(options);
+  add_view(memory, 100 * kSecond, taken_from_eye(world_table(), eye_at(0)));
+  add_view(memory, 105 * kSecond, taken_from_eye(world_table(), eye_at(90)));
+  add_view(memory, 110 * kSecond, taken_from_eye(world_table(), eye_at(180)));
+  CHECK(memory.size() == 3);
+  add_view(memory, 110 * kSecond + 1, taken_from_eye(world_table(), eye_at(180)));
+  CHECK(memory.size() == 2);
+  // Even a cloud that shows nothing tells the time.
+  memory.add(116 * kSecond, {}, Eigen::Isometry3d::Identity());
+  REQUIRE(memory.size() == 1);
+  CHECK((views_in_world(memory)[0].viewpoint - eye_at(180)).norm() < 0.01);
+}
+
+TEST_CASE("nothing is remembered for no time", "[views][memory]") {
+  DetectorOptions options;
+  options.views.remember = 0.0;
+  ViewMemory memory(options);
+  add_view(memory, 1 * kSecond, taken_from_eye(world_table(), eye_at(0)));
+  Taken off = taken_from_eye(world_table(), eye_at(90));
+  off.X_WK = Eigen::Translation3d(0.003, 0.0, 0.0) * off.X_WK;
+  CHECK(add_view(memory, 2 * kSecond, off).matrix().isIdentity(0.0));
+  CHECK(memory.size() == 0);
+  CHECK(memory.others(2 * kSecond, off.X_WK).empty());
+}
+
+TEST_CASE("a clock that is set back forgets all", "[views][memory]") {
+  ViewMemory memory;
+  add_view(memory, 50 * kSecond, taken_from_eye(world_table(), eye_at(0)));
+  add_view(memory, 51 * kSecond, taken_from_eye(world_table(), eye_at(90)));
+  REQUIRE(memory.size() == 2);
+  add_view(memory, 50 * kSecond, taken_from_eye(world_table(), eye_at(180)));
+  REQUIRE(memory.size() == 1);
+  CHECK((views_in_world(memory)[0].viewpoint - eye_at(180)).norm() < 0.01);
+}
+
+TEST_CASE("poses that are off are corrected by what earlier views saw", "[views][memory]") {
+  const Eigen::Vector3d axis(0.6, -0.48, 0.64);
+  const double sign = GENERATE(1.0, -1.0);
+  ViewMemory memory;
+  const Taken first = taken_from_eye(world_table(), eye_at(0), 0.001, 320);
+  CHECK(add_view(memory, 1 * kSecond, first).matrix().isIdentity(0.0));
+  const Taken second = taken_from_eye(world_table(), eye_at(60), 0.001, 320);
+  // A turn of 0.2 degrees about the camera, and a shift of 2 mm.
+  const Eigen::Vector3d eye = second.X_WK.translation();
+  const Eigen::Isometry3d error =
+      Eigen::Translation3d(eye + 0.002 * Eigen::Vector3d(0.64, 0.6 * sign, 0.48)) *
+      Eigen::AngleAxisd(sign * 0.2 * M_PI / 180.0, axis) * Eigen::Translation3d(-eye);
+  const Eigen::Isometry3d X_WK_off = error * second.X_WK;
+  const Eigen::Isometry3d motion = memory.add(2 * kSecond, second.cloud, X_WK_off);
+  const Eigen::Isometry3d rest = motion * error;
+  const std::vector<Eigen::Vector3d> places = {{0, 0, 0}, {0.2, 0, 0.1}, {-0.2, 0, 0.06}};
+  for (const Eigen::Vector3d& p : places) {
+    CAPTURE(p.transpose());
+    CHECK((error * p - p).norm() > 0.0014);
+    CHECK((rest * p - p).norm() < 0.0007);
+  }
+  // The other view lies where it truly is from the camera, not where the pose says.
+  const std::vector<PointCloud> others = memory.others(2 * kSecond, X_WK_off);
+  REQUIRE(others.size() == 1);
+  const Eigen::Isometry3d X_KFirst = second.X_WK.inverse() * first.X_WK;
+  double sum = 0.0;
+  int count = 0;
+  for (std::size_t k = 0; k < others[0].points.size(); ++k) {
+    if (!others[0].points[k].allFinite()) continue;
+    const Eigen::Vector3d truth = X_KFirst * first.cloud.points[k].cast<double>();
+    sum += (others[0].points[k].cast<double>() - truth).norm();
+    ++count;
+  }
+  REQUIRE(count > 20000);
+  CHECK(sum / count < 0.001);
+}
+
+TEST_CASE("a thing that was taken away is gone from what older views saw", "[views][memory]") {
+  ViewMemory memory;
+  const Taken before = taken_from_eye(world_table(), eye_at(0));
+  add_view(memory, 1 * kSecond, before);
+  const PointCloud first = views_in_world(memory)[0];
+  REQUIRE(count_points(first, on_ball) > 200);
+  add_view(memory, 2 * kSecond, taken_from_eye(world_without_ball(), eye_at(60)));
+  const std::vector<PointCloud> views = views_in_world(memory);
+  REQUIRE(views.size() == 2);
+  const PointCloud& older = views[1];
+  CHECK(older.organised());
+  CHECK(count_points(older, on_ball) < 10);
+  // All that is far from the ball is still there.
+  const auto elsewhere = [](const Eigen::Vector3d& p) { return (p - kBall_W).norm() > 0.12; };
+  CHECK(count_points(older, elsewhere) > 0.98 * count_points(first, elsewhere));
+}
+
+TEST_CASE("what older views saw stays while nothing changes", "[views][memory]") {
+  ViewMemory memory;
+  add_view(memory, 1 * kSecond, taken_from_eye(world_table(), eye_at(0)));
+  const std::size_t before = finite_points(views_in_world(memory)[0]);
+  for (int n = 1; n < 6; ++n) {
+    add_view(memory, (1 + n) * kSecond, taken_from_eye(world_table(), eye_at(60.0 * n)));
+  }
+  const std::vector<PointCloud> views = views_in_world(memory);
+  REQUIRE(views.size() == 6);
+  CHECK(static_cast<double>(finite_points(views.back())) > 0.98 * static_cast<double>(before));
+}
+
+TEST_CASE("where a thing was put down, older views tell of no free space any more",
+          "[views][memory]") {
+  ViewMemory memory;
+  const Taken before = taken_from_eye(world_without_ball(), eye_at(0));
+  add_view(memory, 1 * kSecond, before);
+  const PointCloud first = views_in_world(memory)[0];
+  add_view(memory, 2 * kSecond, taken_from_eye(world_table(), eye_at(60)));
+  const std::vector<PointCloud> views = views_in_world(memory);
+  REQUIRE(views.size() == 2);
+  int through = 0, far = 0, far_kept = 0;
+  for (std::size_t k = 0; k < first.points.size(); ++k) {
+    if (!first.points[k].allFinite()) continue;
+    const double gap = from_segment(kBall_W, eye_at(0), first.points[k].cast<double>());
+    if (gap < kBall) {
+      ++through;
+      CHECK_FALSE(views[1].points[k].allFinite());
+    } else if (gap > 0.2) {
+      ++far;
+      far_kept += views[1].points[k].allFinite();
+    }
+  }
+  CHECK(through > 200);
+  CHECK(far > 1000);
+  CHECK(far_kept > 0.98 * far);
+}
+
+TEST_CASE("views are forgotten if one asks for it, all or those of a box", "[views][memory]") {
+  ViewMemory memory;
+  const bool organised = GENERATE(true, false);
+  for (int n = 0; n < 2; ++n) {
+    Taken view = taken_from_eye(world_table(), eye_at(80.0 * n));
+    if (!organised) {
+      view.cloud.width = view.cloud.height = 0;
+      std::erase_if(view.cloud.points, [](const Eigen::Vector3f& p) { return !p.allFinite(); });
+    }
+    add_view(memory, (1 + n) * kSecond, view);
+  }
+  REQUIRE(memory.size() == 2);
+  const std::vector<PointCloud> all = views_in_world(memory);
+  const Eigen::Isometry3d X_WR = Eigen::Translation3d(0.2, 0.0, 0.1) *
+                                 Eigen::AngleAxisd(0.6, Eigen::Vector3d(1, 1, 2).normalized());
+  const Eigen::Vector3d half(0.08, 0.06, 0.09);
+  memory.forget(X_WR, {-half, half});
+  const std::vector<PointCloud> left = views_in_world(memory);
+  REQUIRE(left.size() == 2);
+  const auto inside = [&](const Eigen::Vector3d& p_W) {
+    const Eigen::Vector3d p_R = X_WR.linear().transpose() * (p_W - X_WR.translation());
+    return std::abs(p_R.x()) < 0.08 && std::abs(p_R.y()) < 0.06 && std::abs(p_R.z()) < 0.09;
+  };
+  const auto outside = [&](const Eigen::Vector3d& p_W) { return !inside(p_W); };
+  for (std::size_t v = 0; v < 2; ++v) {
+    CHECK(left[v].organised() == organised);
+    CHECK(count_points(all[v], inside) > 100);
+    CHECK(count_points(left[v], inside) == 0);
+    CHECK(std::abs(count_points(left[v], outside) - count_points(all[v], outside)) <= 2);
+  }
+  memory.forget();
+  CHECK(memory.size() == 0);
+  CHECK(views_in_world(memory).empty());
+}
+
+TEST_CASE("the same views give the same bits", "[views][memory][determinism]") {
+  const auto remembered = [](int threads) {
+    DetectorOptions options;
+    options.threads = threads;
+    ViewMemory memory(options);
+    Eigen::Matrix4d motions = Eigen::Matrix4d::Zero();
+    for (int n = 0; n < 4; ++n) {
+      Taken view = taken_from_eye(n < 2 ? world_table() : world_without_ball(), eye_at(50.0 * n));
+      view.X_WK = Eigen::Translation3d(0.001 * n, 0.0, -0.001) * view.X_WK;
+      motions += add_view(memory, (1 + n) * kSecond, view).matrix();
+    }
+    return std::make_pair(views_in_world(memory), motions);
+  };
+  const auto once = remembered(1);
+  REQUIRE(once.first.size() == 4);
+  for (const int threads : {1, 2, 4}) {
+    const auto again = remembered(threads);
+    REQUIRE(again.first.size() == once.first.size());
+    CHECK(again.second == once.second);
+    for (std::size_t v = 0; v < once.first.size(); ++v) {
+      CHECK(same_bits(again.first[v], once.first[v]));
+    }
+  }
+}
+
+TEST_CASE("clouds without a viewpoint or without points are not remembered",
+          "[views][memory][hostile]") {
+  ViewMemory memory;
+  const Taken good = taken_from_eye(world_table(), eye_at(0));
+  add_view(memory, 1 * kSecond, good);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float huge = std::numeric_limits<float>::max();
+  std::vector<PointCloud> bad(7, taken_from_eye(world_table(), eye_at(90)).cloud);
+  bad[0].viewpoint.setConstant(std::numeric_limits<double>::quiet_NaN());
+  bad[1].viewpoint.x() = std::numeric_limits<double>::infinity();
+  for (Eigen::Vector3f& p : bad[2].points) p.setConstant(nan);
+  bad[3] = {};
+  bad[4] = {};
+  bad[4].points = {{0.0f, 0.0f, 1.0f}, {nan, 0.0f, 1.0f}};
+  for (Eigen::Vector3f& p : bad[5].points) p.setZero();
+  for (Eigen::Vector3f& p : bad[6].points) p.setConstant(huge);
+  const Eigen::Isometry3d X_WK = world_seen_from(eye_at(90)).inverse();
+  std::int64_t utime = 2 * kSecond;
+  for (std::size_t n = 0; n < bad.size(); ++n) {
+    CAPTURE(n);
+    CHECK(memory.add(++utime, bad[n], X_WK).matrix().isIdentity(0.0));
+    CHECK(memory.size() == 1);
+  }
+  REQUIRE(memory.others(utime, X_WK).size() == 1);
+  // A good cloud after them is.
+  memory.add(++utime, taken_from_eye(world_table(), eye_at(90)).cloud, X_WK);
+  CHECK(memory.size() == 2);
+}
+
+TEST_CASE("a memory with options out of range is refused", "[views][memory]") {
+  DetectorOptions options;
+  options.views.most = 0;
+  CHECK(error_of([&] { ViewMemory memory(options); }).find("views.most") != std::string::npos);
+  options.views.most = 8;
+  options.views.remember = -1.0;
+  CHECK(error_of([&] { ViewMemory memory(options); }).find("views.remember") != std::string::npos);
+  options.views.remember = 60.0;
+  options.views.sector = 0.0;
+  CHECK(error_of([&] { ViewMemory memory(options); }).find("views.sector") != std::string::npos);
+}
