@@ -150,6 +150,7 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
   io::Json object = io::plan_json(input.info, info, result, plan);
   if (!views.corrections.empty()) object["views"] = views.corrections;
   object["query"] = io::to_json(arguments.query.query());
+  if (const io::Json known = io::to_json(arguments.known); !known.empty()) object["known"] = known;
   if (arguments.advise) {
     object["remedies"] = io::to_json(plan.remedies);
     object["look"] = io::to_json(looks);

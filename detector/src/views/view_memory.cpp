@@ -1,5 +1,6 @@
 #include "quadrille/detector/view_memory.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -19,6 +20,23 @@ constexpr double kCorrectionLasts = 0.5;
 
 double seconds_between(std::int64_t before, std::int64_t after) {
   return 1e-6 * (static_cast<double>(after) - static_cast<double>(before));
+}
+
+/// True if a part of the line between two places lies in the box; false if one is not finite.
+bool passes_through(const Eigen::AlignedBox3f& box, const Eigen::Vector3f& from,
+                    const Eigen::Vector3f& to) {
+  const Eigen::Array3f way = (to - from).array();
+  float enter = 0.0f, leave = 1.0f;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float low = box.min()[axis] - from[axis], high = box.max()[axis] - from[axis];
+    if (way[axis] == 0.0f) {
+      if (low > 0.0f || high < 0.0f) return false;
+      continue;
+    }
+    enter = std::max(enter, std::min(low / way[axis], high / way[axis]));
+    leave = std::min(leave, std::max(low / way[axis], high / way[axis]));
+  }
+  return way.allFinite() && enter <= leave;
 }
 
 /// What a view saw, in another frame.
@@ -65,9 +83,12 @@ void ViewMemory::forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d
   const Eigen::AlignedBox3f box = box_R.cast<float>();
   for (Kept& view : kept_) {
     const Eigen::Isometry3f X_RC = (X_WR.inverse() * view.X_WC).cast<float>();
-    Mask inside;
-    for (const Eigen::Vector3f& p : view.cloud.points) inside.push_back(box.contains(X_RC * p));
-    drop(inside, &view.cloud);
+    const Eigen::Vector3f eye = X_RC * view.cloud.viewpoint.cast<float>();
+    Mask through;
+    for (const Eigen::Vector3f& p : view.cloud.points) {
+      through.push_back(passes_through(box, eye, X_RC * p));
+    }
+    drop(through, &view.cloud);
   }
 }
 

@@ -36,16 +36,15 @@ bool is_sound(const Box& box) {
   return sized && box.X_CB.matrix().allFinite() && box.X_CB.linear().isUnitary(1e-3);
 }
 
-/// The plane as a detection that reaches as far as any hand. Its id is that of no other detection.
-Detection as_plane(const KnownSupport& support, const Eigen::Vector3d& viewpoint_C) {
+/// The plane, which reaches farther than any hand.
+SupportPlane whole_plane(const KnownSupport& support, const Eigen::Vector3d& near_C) {
   constexpr double kReach = 100.0;
-  const Eigen::Vector3d eye = viewpoint_C.allFinite() ? viewpoint_C : Eigen::Vector3d::Zero();
-  Detection plane;
-  plane.type = QuadricType::kPlane;
-  plane.X_CQ.linear() =
+  SupportPlane plane;
+  plane.X_CP.linear() =
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), support.n_C).toRotationMatrix();
-  plane.X_CQ.translation() = eye - (support.n_C.dot(eye) - support.offset) * support.n_C;
-  plane.extent_Q = {Eigen::Vector3d(-kReach, -kReach, 0.0), Eigen::Vector3d(kReach, kReach, 0.0)};
+  plane.X_CP.translation() =
+      near_C - (support.n_C.dot(near_C) - support.offset) * support.n_C;
+  plane.extent_P = {Eigen::Vector2d::Constant(-kReach), Eigen::Vector2d::Constant(kReach)};
   return plane;
 }
 
@@ -60,7 +59,6 @@ class SceneMaker {
         half_(0.5 * deadline_ms),
         parts_(parts) {
     views_.push_back(viewed(cloud));
-    if (known.support) detections_.push_back(as_plane(*known.support, cloud.viewpoint));
     for (const PointCloud& view : known.views) add_further(viewed(view));
     if (views_.size() == 1) return;
     for (const View& view : views_) {
@@ -209,7 +207,11 @@ class SceneMaker {
     std::vector<Target> unshaped =
         choose_unshaped(bodies, parts_.targets, detections_, parts_.options);
     std::move(unshaped.begin(), unshaped.end(), std::back_inserter(parts_.targets));
-    for (Target& target : parts_.targets) target.view = best_view(target);
+    for (Target& target : parts_.targets) {
+      target.view = best_view(target);
+      if (!known_.support) continue;
+      target.supports.push_back(whole_plane(*known_.support, target.body.centre_C()));
+    }
     drop_far_targets();
   }
 

@@ -1,5 +1,7 @@
 #include "io/planner/plan_json.hpp"
 
+#include <octomap/OcTree.h>
+
 #include <cmath>
 
 #include "io/json/json_parts.hpp"
@@ -32,6 +34,25 @@ Json to_json(const Grasp& grasp) {
 Json to_json(const CollisionShape& shape) {
   Json json = {{"target", shape.target}};
   json.update(to_json(static_cast<const SolidShape&>(shape)));
+  return json;
+}
+
+Json to_json(const Surroundings& known) {
+  Json json = Json::object();
+  if (!known.robot.shapes.empty()) {
+    json["robot"] = {{"padding", known.robot.padding}, {"shapes", Json::array()}};
+    for (const SolidShape& shape : known.robot.shapes) {
+      json["robot"]["shapes"].push_back(to_json(shape));
+    }
+  }
+  if (known.support) {
+    json["support"] = array_of(known.support->n_C);
+    json["support"].push_back(known.support->offset);
+  }
+  if (known.map.tree) {
+    json["octomap"] = {{"resolution", known.map.tree->getResolution()},
+                       {"nodes", known.map.tree->size()}};
+  }
   return json;
 }
 

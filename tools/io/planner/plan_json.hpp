@@ -14,6 +14,9 @@ Json to_json(const Grasp& grasp);
 /// Returns one collision shape.
 Json to_json(const CollisionShape& shape);
 
+/// Returns what is known besides the clouds; empty if nothing is.
+Json to_json(const Surroundings& known);
+
 /// Returns what became of a target.
 Json to_json(const TargetOutcome& outcome);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <stdexcept>
 #include <utility>
 
 #include "process/runtime/logging.hpp"
@@ -124,9 +125,16 @@ DetectionResult DetectorNode::detect_placed(const std::string& channel,
     nothing.warnings = {"the camera's pose is not known: " + placement.lack};
     return nothing;
   }
+  RobotShapes robot;
+  try {
+    robot = robot_at(cloud, placement);
+  } catch (const std::invalid_argument& error) {
+    DetectionResult nothing;
+    nothing.warnings = {std::string("the robot's shapes cannot be placed: ") + error.what()};
+    return nothing;
+  }
   const PointCloud cloud_K = in_camera_frame(cloud.cloud, placement, settings_.frames);
-  DetectionResult result =
-      detect(robot_at(cloud, placement).taken_from(cloud_K), settings_.detector);
+  DetectionResult result = detect(robot.taken_from(cloud_K), settings_.detector);
   if (pose.X_WK) track(channel, cloud, *pose.X_WK, &result.detections);
   result.detections = moved(std::move(result.detections), placement.X_RK);
   result.boxes = moved(std::move(result.boxes), placement.X_RK);
@@ -135,9 +143,13 @@ DetectionResult DetectorNode::detect_placed(const std::string& channel,
 }
 
 /// Returns the robot's shapes in the camera's frame.
+/// @throws std::invalid_argument if their frame is not known
 RobotShapes DetectorNode::robot_at(const bus::CloudMessage& cloud, const Placement& placement) {
+  Placement known = placement;
+  // Without poses, the fixed frame of the tracks is none that others know.
+  if (!settings_.has_fixed_frame()) known.X_WK.reset();
   const std::lock_guard lock(mutex_);
-  return robot_.at(cloud.utime, placement, cloud.cloud.frame);
+  return robot_.at(cloud.utime, known, cloud.cloud.frame);
 }
 
 /// Assigns tracks to the detections of a cloud.

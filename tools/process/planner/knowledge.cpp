@@ -52,7 +52,9 @@ bool Knowledge::receive(const std::string& channel, std::span<const std::byte> b
     take(bus::decode_occupancy(bytes), [&](const auto& message) { take_map(message); });
   } else if (channel == settings_.support_channel) {
     take(bus::decode_support(bytes), [&](const support_t& message) {
-      support_ = {message.frame, {Eigen::Vector3d(message.normal), message.offset}};
+      const Eigen::Vector3d n(message.normal);
+      support_.reset();
+      if (!n.isZero(0.0)) support_ = {message.frame, {n.normalized(), message.offset}};
     });
   } else if (channel == settings_.robot_channel) {
     robot_.receive(channel, bytes, refusals);

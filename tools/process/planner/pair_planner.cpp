@@ -133,9 +133,9 @@ GraspPlan PairPlanner::plan(const SharedPair& pair, const Known& known, const Gr
   // If nothing was found, warnings about the cloud are the likely reason.
   if (pair->quadrics.detections.empty()) {
     for (const std::string& warning : pair->quadrics.warnings) {
-      const bool known =
+      const bool said =
           std::find(plan.warnings.begin(), plan.warnings.end(), warning) != plan.warnings.end();
-      if (!known) plan.warnings.push_back(warning);
+      if (!said) plan.warnings.push_back(warning);
     }
   }
   return moved(std::move(plan), placement.X_RK);

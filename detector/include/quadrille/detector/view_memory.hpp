@@ -49,7 +49,7 @@ class ViewMemory {
 
   /// Forgets all views.
   QUADRILLE_EXPORT void forget();
-  /// Forgets the surfaces that the views saw within a box, and that the rays to them were free.
+  /// Forgets all that the views saw within a box and through it, so that it is unknown.
   /// @param X_WR  pose of the box's frame R in W
   QUADRILLE_EXPORT void forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R);
 

@@ -1,5 +1,7 @@
 #include "quadrille/bus/scene_messages.hpp"
 
+#include <cmath>
+
 #include "messages/decode_checked.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 
@@ -45,7 +47,10 @@ void check_robot(ByteReader& reader) {
 
 void check_support(ByteReader& reader) {
   check_head(reader);
-  reader.skip_unit("normal", 3);
+  const double square = reader.skip_finite("normal", 3);
+  if (square != 0.0 && !(std::abs(square - 1.0) < 1e-6)) {
+    refuse(RejectReason::kBadValue, "normal is not of unit norm");
+  }
   reader.read_finite("offset");
 }
 
