@@ -455,9 +455,9 @@ TEST_CASE("what is fixed to the hand touches neither the table nor a neighbour",
           "[surroundings][attached]") {
   CanScene scene;
   scene.with_neighbour = true;
-  // A long thing that is held beside the pads.
-  const Eigen::AlignedBox3d held(Eigen::Vector3d(-0.015, 0.03, -0.1),
-                                 Eigen::Vector3d(0.015, 0.13, 0.03));
+  // A long thing beside the hand, across the direction in which it closes.
+  const Eigen::AlignedBox3d held(Eigen::Vector3d(0.05, -0.015, -0.1),
+                                 Eigen::Vector3d(0.14, 0.015, -0.035));
   const auto touches = [&](const Grasp& grasp) {
     bool any = false;
     for (double back = 0.0; back <= grasp.approach; back += 0.005) {
