@@ -28,7 +28,7 @@ TEST_CASE("a cloud that contradicts its viewpoint is never planned on", "[plan]"
   // Another view that does is left out, so that the map is that of the first view.
   const GraspPlan alone = plan_grasps(render({ball}), detections, franka_hand());
   const GraspPlan plan =
-      plan_grasps(render({ball}), detections, franka_hand(), PlanOptions(), {cloud});
+      plan_grasps(render({ball}), detections, franka_hand(), PlanOptions(), {{cloud}});
   CHECK(plan.space->states() == alone.space->states());
   CHECK(plan.grasps.size() == alone.grasps.size());
   REQUIRE(plan.warnings.size() == alone.warnings.size() + 1);
@@ -85,13 +85,13 @@ TEST_CASE("pixels with codes for missing ones change no grasp and no voxel", "[p
   const Ball ball = ball_on_table(0.0, 0.0, 0.03);
   const std::vector<Detection> detections = {sphere_detection(ball), table_detection()};
   const PointCloud cloud = render({ball}), holed = with_gaps(cloud);
-  const GraspPlan truth = plan_grasps(holed, detections, franka_hand(), PlanOptions(), {holed});
+  const GraspPlan truth = plan_grasps(holed, detections, franka_hand(), PlanOptions(), {{holed}});
   REQUIRE_FALSE(truth.grasps.empty());
   CHECK(truth.warnings.empty());
   for (const float code : kMissingCodes) {
     CAPTURE(code);
     const PointCloud coded = with_code(cloud, code);
-    const GraspPlan plan = plan_grasps(coded, detections, franka_hand(), PlanOptions(), {coded});
+    const GraspPlan plan = plan_grasps(coded, detections, franka_hand(), PlanOptions(), {{coded}});
     CHECK(plan.space->states() == truth.space->states());
     CHECK(plan.warnings.size() == (std::isfinite(code) ? 2 : 0));
     check_same_grasps(plan, truth);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <list>
 #include <numeric>
@@ -14,6 +15,7 @@
 #include "quadrille/grasping/shape.hpp"
 #include "space/map_limits.hpp"
 #include "space/space_mapper.hpp"
+#include "space/surface_cover.hpp"
 
 namespace quadrille {
 namespace {
@@ -279,9 +281,12 @@ class SceneMaker {
       warn("the targets lie far apart: occupancy is mapped at a coarser resolution");
     }
     SpaceMapper mapper(region, resolution, std::move(boxes));
+    SurfaceCover cover(region, resolution);
     for (std::size_t v = 0; v < parts_.views.size(); ++v) {
-      mapper.add(*views_[v].things, parts_.views[v]);
-      keep_points(v, region);
+      const std::vector<std::uint8_t> left_out = without_repeats(v, cover);
+      mapper.add(*views_[v].things, parts_.views[v], left_out);
+      keep_points(v, region, left_out);
+      if (v + 1 < parts_.views.size()) cover.add(views_[v].things->points, left_out);
     }
     const bool occupied_by_map = known_.map.tree && mapper.add(known_.map);
     for (const SolidShape& shape : known_.robot.shapes) {
@@ -303,11 +308,21 @@ class SceneMaker {
   /// The points of all views, with the viewpoint of the first.
   const PointCloud& all_points() const { return views_.size() == 1 ? first_view() : all_; }
 
-  void keep_points(std::size_t view, const Eigen::AlignedBox3d& region) {
+  /// Marks the strays of a view, and the points that show what views before it show.
+  std::vector<std::uint8_t> without_repeats(std::size_t view, const SurfaceCover& before) const {
+    std::vector<std::uint8_t> left_out = parts_.views[view].stray();
+    if (view == 0) return left_out;
+    const std::vector<Eigen::Vector3f>& points = views_[view].things->points;
+    for (std::size_t n = 0; n < points.size(); ++n) left_out[n] |= before.covers(points[n]);
+    return left_out;
+  }
+
+  void keep_points(std::size_t view, const Eigen::AlignedBox3d& region,
+                   const std::vector<std::uint8_t>& left_out) {
     const PointCloud& cloud = *views_[view].things;
     const Eigen::AlignedBox3f near = region.cast<float>();
     for (std::size_t n = 0; n < cloud.points.size(); ++n) {
-      if (near.contains(cloud.points[n]) && !parts_.views[view].stray()[n]) {
+      if (near.contains(cloud.points[n]) && !left_out[n]) {
         parts_.points.push_back({cloud.points[n], static_cast<int>(view)});
       }
     }

@@ -9,12 +9,13 @@
 
 namespace quadrille {
 
-void SpaceMapper::add(const PointCloud& cloud, const DepthView& view) {
-  if (view.stray().size() != cloud.points.size()) {
+void SpaceMapper::add(const PointCloud& cloud, const DepthView& view,
+                      const std::vector<std::uint8_t>& left_out) {
+  if (view.stray().size() != cloud.points.size() || left_out.size() != cloud.points.size()) {
     throw std::invalid_argument("occupancy: the view is not that of the cloud");
   }
   // Occupied voxels are marked first, so that they need not be tested for being free.
-  mark_occupied(cloud, view.stray());
+  mark_occupied(cloud, left_out);
   if (view.valid()) mark_free(view);
 }
 
@@ -88,12 +89,13 @@ void SpaceMapper::mark_eight(const DepthView& view, const Eigen::Vector3i& low,
   }
 }
 
-void SpaceMapper::mark_occupied(const PointCloud& cloud, const std::vector<std::uint8_t>& stray) {
+void SpaceMapper::mark_occupied(const PointCloud& cloud,
+                                const std::vector<std::uint8_t>& left_out) {
   const Eigen::Array3f size = grid_.size().cast<float>(), corner = grid_.corner().cast<float>();
   const float scale = static_cast<float>(1.0 / grid_.resolution());
   for (std::size_t n = 0; n < cloud.points.size(); ++n) {
     const Eigen::Array3f x = (cloud.points[n].array() * scale).floor() - corner;
-    if (!((x >= 0.0f).all() && (x < size).all()) || stray[n]) continue;
+    if (!((x >= 0.0f).all() && (x < size).all()) || left_out[n]) continue;
     voxel(static_cast<int>(x[0]), static_cast<int>(x[1]), static_cast<int>(x[2])) =
         Voxel::kOccupied;
   }

@@ -26,8 +26,12 @@ class SpaceMapper {
       : grid_(region, resolution), boxes_C_(std::move(boxes_C)) {}
 
   /// @param view  the view of that cloud
-  /// @throws std::invalid_argument if the view is that of another cloud
-  void add(const PointCloud& cloud, const DepthView& view);
+  /// @param left_out  nonzero for points that occupy no voxel
+  /// @throws std::invalid_argument if view or marks are those of another cloud
+  void add(const PointCloud& cloud, const DepthView& view,
+           const std::vector<std::uint8_t>& left_out);
+  /// Adds a view in which all points but strays occupy their voxels.
+  void add(const PointCloud& cloud, const DepthView& view) { add(cloud, view, view.stray()); }
 
   /// Adds what a map from elsewhere says. Its occupied voxels count whatever the views saw, and its
   /// free ones only where no view tells. A voxel takes the state at its middle, and is occupied if
@@ -49,7 +53,7 @@ class SpaceMapper {
 
  private:
   struct Tile;
-  void mark_occupied(const PointCloud& cloud, const std::vector<std::uint8_t>& stray);
+  void mark_occupied(const PointCloud& cloud, const std::vector<std::uint8_t>& left_out);
   void mark_free(const DepthView& view);
   void mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge);
   bool is_known(const Eigen::Vector3i& low, int edge) const;

@@ -67,7 +67,7 @@ inline GraspPlan plan_hostile(Choices& choices) {
   if (two_views) further.push_back(CloudSpoiler(choices, sane).spoil());
   GraspPlan plan;
   try {
-    plan = plan_grasps(cloud, detections, gripper, options, further, query);
+    plan = plan_grasps(cloud, detections, gripper, options, {further}, query);
   } catch (const std::invalid_argument&) {
     bool in_range = true;
     try {

@@ -121,7 +121,7 @@ TEST_CASE("a further view frees what the first one did not see", "[plan]") {
   for (Eigen::Vector3f& p : other.points) p = turn.cast<float>() * p;
   other.viewpoint = turn.translation();
   const GraspPlan one = plan_grasps(render({ball}), detections, franka_hand());
-  const GraspPlan two = plan_grasps(render({ball}), detections, franka_hand(), {}, {other});
+  const GraspPlan two = plan_grasps(render({ball}), detections, franka_hand(), {}, {{other}});
   const auto count = [](const GraspPlan& plan, Voxel state) {
     return std::count(plan.space->states().begin(), plan.space->states().end(), state);
   };
