@@ -27,7 +27,7 @@ constexpr double kTrusted = 1e-8;
 constexpr int kMinMatches = 50;
 constexpr double kMaxDeviation = 4.0;
 // Number of samples of each orientation that are matched; more tell nothing new.
-constexpr std::size_t kSamples = 100;
+constexpr std::size_t kSamples = 200;
 // Standard deviation of the sensor's own, slowly varying error of depth [m], and the number of
 // places of one orientation in a view at which it is independent.
 constexpr double kSensorError = 0.001, kPlaces = 15.0;

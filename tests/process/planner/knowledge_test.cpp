@@ -137,6 +137,9 @@ TEST_CASE("of each kind the newest message counts", "[process][knowledge]") {
   // An empty list takes all obstacles away.
   told.take("OBSTACLES", test::shapes_bytes("camera", {}));
   CHECK(told.knowledge.about(pair).obstacles.empty());
+  // A plane without a normal withdraws the one before.
+  told.take("SUPPORT", test::support_bytes("camera", {0, 0, 0}, 0.0));
+  CHECK_FALSE(told.knowledge.about(pair).surroundings.support);
 }
 
 TEST_CASE("messages of the bus add to the command line, or take its place",
