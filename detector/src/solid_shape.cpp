@@ -31,7 +31,8 @@ void check_dimensions(const SolidShape& shape) {
                                 [](double size) { return size > 0.0 && size <= kMaxSize; });
   if (shape.dimensions.size() != count->second || !good) {
     refuse(shape, "dimensions must be " + std::to_string(count->second) +
-                      " sizes of more than 0 m and at most 1000 m");
+                      (count->second == 1 ? " size" : " sizes") +
+                      " of more than 0 m and at most 1000 m");
   }
 }
 

@@ -79,7 +79,11 @@ void run(const SceneArguments& arguments) {
         "OUT", fmt::format("'{}' must end in {}", printable(arguments.out),
                            is_log ? ".lcm, as --path writes a log" : ".ply, or needs --path"));
   }
-  is_log ? write_log(arguments) : write_picture(arguments);
+  if (is_log) {
+    write_log(arguments);
+  } else {
+    write_picture(arguments);
+  }
 }
 
 void add_path_options(CLI::App& command, SceneArguments& arguments) {

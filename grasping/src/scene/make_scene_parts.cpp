@@ -77,6 +77,7 @@ class SceneMaker {
     });
     stage("shapes", [&] { make_shapes(); });
     if (first_view().points.empty()) warn("the cloud is empty");
+    check_support();
     const PlanOptions& options = parts_.options;
     stage("view", [&] {
       parts_.views.reserve(views_.size());
@@ -172,6 +173,13 @@ class SceneMaker {
              std::string(to_string(d.type)) + " has no finite, positive size");
       }
     }
+  }
+
+  /// Warns if the sensor looks from below the plane on which things are said to stand.
+  void check_support() {
+    if (!known_.support) return;
+    const double height = known_.support->n_C.dot(first_view().viewpoint) - known_.support->offset;
+    if (height < 0.0) warn("the viewpoint lies below the support; does its normal point upwards?");
   }
 
   /// Adds a further view, unless it cannot have been seen from its viewpoint, because its free

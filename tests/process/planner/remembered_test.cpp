@@ -175,6 +175,18 @@ TEST_CASE("the robot that a message tells is neither found nor in the way", "[pr
   CHECK_FALSE(told.grasps().grasps.empty());
 }
 
+TEST_CASE("nothing is found if the robot lies in a world of which no pose tells",
+          "[process][robot]") {
+  Chain chain("", "");
+  chain.take("ROBOT", test::robot_bytes(kUsPerSecond, "world",
+                                        {test::box_message(test::translation(0, 0, 1),
+                                                           Eigen::Vector3d::Constant(0.1))}));
+  show_from(chain, 1 * kUsPerSecond, kFront);
+  CHECK(chain.quadrics().detections.empty());
+  REQUIRE_FALSE(chain.quadrics().warnings.empty());
+  CHECK(chain.quadrics().warnings[0].find("world") != std::string::npos);
+}
+
 TEST_CASE("nothing is planned if what is known lies in a frame that is not",
           "[process][knowledge]") {
   Chain chain("--pose-channel POSE", "--pose-channel POSE");

@@ -71,6 +71,7 @@ class NodeWalk {
     if (depth > deepest || at_ + size > nodes_.size() || count_ > kMaxNodes) return false;
     const std::size_t here = at_;
     at_ += size;
+    if (!binary_ && !std::isfinite(value_of(here))) return false;
     ++count_;
     for (unsigned child = 0; child < 8; ++child) {
       count_ += is_leaf(here, child);
@@ -98,6 +99,13 @@ class NodeWalk {
   /// The two bits of a child in a binary file; 0 stands for none.
   unsigned state(std::size_t node, unsigned child) const {
     return byte(node + child / 4) >> 2 * (child % 4) & 3u;
+  }
+
+  /// The log-odds of a node of a full file, as OctoMap writes and reads them.
+  float value_of(std::size_t node) const {
+    float value = 0.0f;
+    std::memcpy(&value, nodes_.data() + node, sizeof value);
+    return value;
   }
 
   unsigned byte(std::size_t at) const { return static_cast<unsigned char>(nodes_[at]); }

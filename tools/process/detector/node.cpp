@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
+#include "io/json/shapes_file.hpp"
 #include "process/runtime/logging.hpp"
 #include "process/runtime/status/process_info.hpp"
 #include "process/runtime/watch/other_senders.hpp"
@@ -26,16 +28,18 @@ std::string hash_of(const DetectorSettings& settings) {
   text.add_all(settings.track);
   text.add_channels(channels_of(settings));
   text.add_frames(settings.frames, settings.X_WK);
+  text.add("padding", fmt::format("{}", settings.robot.padding));
+  for (const SolidShape& shape : settings.robot.shapes) {
+    text.add("robot", io::to_json(shape).dump());
+  }
   return text.hash();
 }
 
-/// Returns the source of the camera's poses. If no poses come, or nothing depends on them, the
-/// fixed frame is the camera's.
+/// Returns the source of the camera's poses. If no poses come, the fixed frame is the camera's.
 PoseSource pose_source(const DetectorSettings& settings) {
   PoseSource source{settings.pose_channel, settings.X_WK, settings.track.pose_age,
                     settings.track.pose_wait};
-  const bool wanted = settings.track.enabled || settings.frames.need_pose();
-  if (!source.fixed && (source.channel.empty() || !wanted)) source.fixed.emplace().setIdentity();
+  if (!settings.has_fixed_frame()) source.fixed.emplace().setIdentity();
   return source;
 }
 

@@ -53,8 +53,8 @@ bool Knowledge::receive(const std::string& channel, std::span<const std::byte> b
   } else if (channel == settings_.support_channel) {
     take(bus::decode_support(bytes), [&](const support_t& message) {
       const Eigen::Vector3d n(message.normal);
-      support_.reset();
-      if (!n.isZero(0.0)) support_ = {message.frame, {n.normalized(), message.offset}};
+      support_ = {message.frame, std::nullopt};
+      if (!n.isZero(0.0)) support_->value = KnownSupport{n.normalized(), message.offset};
     });
   } else if (channel == settings_.robot_channel) {
     robot_.receive(channel, bytes, refusals);
@@ -75,7 +75,11 @@ void Knowledge::take_obstacles(const collision_shapes_t& message) {
 void Knowledge::take_map(const occupancy_t& message) {
   const std::span<const std::byte> data(reinterpret_cast<const std::byte*>(message.data.data()),
                                         message.data.size());
-  map_ = {message.frame, io::parse_octree(data, "data")};
+  if (data.empty()) {
+    map_ = {message.frame, nullptr};
+  } else {
+    map_ = {message.frame, io::parse_octree(data, "data")};
+  }
 }
 
 Known Knowledge::about(const CloudAndQuadrics& pair) const {
@@ -95,11 +99,13 @@ Known Knowledge::about(const CloudAndQuadrics& pair) const {
   if (!obstacles_.value.empty()) {
     append(obstacles_.value, X_KF(obstacles_.frame), &known.obstacles);
   }
-  if (support_) {
+  if (support_) known.surroundings.support.reset();
+  if (support_ && support_->value) {
     known.surroundings.support =
         moved(Surroundings{{}, {}, support_->value, {}}, X_KF(support_->frame)).support;
   }
-  if (map_) known.surroundings.map = {map_->value, X_KF(map_->frame)};
+  if (map_) known.surroundings.map = {};
+  if (map_ && map_->value) known.surroundings.map = {map_->value, X_KF(map_->frame)};
   known.surroundings.robot = robot_.at(utime, pair.placement, cloud_frame);
   known.attached = settings_.attached;
   for (const SolidShape& shape : robot_.attached_at(utime)) {

@@ -53,7 +53,9 @@ class Knowledge {
   const PlannerSettings& settings_;
   RobotHistory robot_;
   InFrame<std::vector<CollisionShape>> obstacles_;
-  std::optional<InFrame<KnownSupport>> support_;
+  /// Once a message has come, it counts in place of the command line's plane, also if it withdraws
+  /// that.
+  std::optional<InFrame<std::optional<KnownSupport>>> support_;
   std::optional<InFrame<std::shared_ptr<const octomap::OcTree>>> map_;
 };
 

@@ -178,8 +178,8 @@ std::optional<Job> PlannerNode::receive_forget(const std::string& channel,
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
   const auto message = refused_knowledge_.accept(channel, std::move(decoded));
   if (!message) return std::nullopt;
-  // Set, so that no newer job replaces this one.
-  const auto refuse = [channel](const std::string& why) { log_warning(channel + ": " + why); };
+  // A job that can be refused is not replaced by a newer one.
+  const auto tell = [channel](const std::string& why) { log_warning(channel + ": " + why); };
   return Job{message->utime,
              [this, channel, message] {
                try {
@@ -189,7 +189,7 @@ std::optional<Job> PlannerNode::receive_forget(const std::string& channel,
                  refused_knowledge_.add(channel, {bus::RejectReason::kBadValue, error.what()});
                }
              },
-             refuse};
+             tell};
 }
 
 std::optional<Job> PlannerNode::make_job(std::optional<CloudAndQuadrics> found) {
@@ -231,19 +231,24 @@ void PlannerNode::remember(const SharedPair& pair) {
 }
 
 void PlannerNode::forget(const forget_t& message) {
-  if (message.all) return planner_.forget();
+  if (message.all) return planner_.forget(message.utime);
   SharedPair pair;
   {
     const std::lock_guard lock(mutex_);
     pair = recent_.newest();
   }
-  // Before the first cloud there is nothing to forget.
-  if (!pair || !pair->placement.X_WK) return;
-  const Eigen::Isometry3d X_FK =
-      pose_of_camera(message.frame, pair->placement, pair->cloud->cloud.frame);
+  Eigen::Isometry3d X_WF = Eigen::Isometry3d::Identity();
+  if (message.frame != word_of(CloudFrame::kWorld)) {
+    // Before the first cloud there is nothing to forget.
+    if (!pair) return;
+    const Eigen::Isometry3d X_FK =
+        pose_of_camera(message.frame, pair->placement, pair->cloud->cloud.frame);
+    // What cannot be placed might be anywhere.
+    if (!pair->placement.X_WK) return planner_.forget(message.utime);
+    X_WF = *pair->placement.X_WK * X_FK.inverse();
+  }
   const Eigen::Vector3d half = 0.5 * Eigen::Vector3d(message.region_size);
-  planner_.forget(*pair->placement.X_WK * X_FK.inverse() * bus::from_message(message.region),
-                  {-half, half});
+  planner_.forget(message.utime, X_WF * bus::from_message(message.region), {-half, half});
 }
 
 void PlannerNode::plan_and_publish(const SharedPair& shared) {

@@ -16,6 +16,9 @@
 namespace quadrille {
 namespace {
 
+// A cloud is planned on no later than this after it was taken [us].
+constexpr std::int64_t kLongestDelay = 10'000'000;
+
 /// Returns the query with what is known of obstacles, and the settings' directions and reach unless
 /// it has its own.
 /// @param query  query in the camera's frame
@@ -32,14 +35,22 @@ GraspQuery with_conditions(GraspQuery query, const PlannerSettings& settings, co
   return query;
 }
 
-/// True if map and support are the same; the robot's shapes when a cloud was taken do not change.
+bool are_same(const RobotShapes& a, const RobotShapes& b) {
+  return a.padding == b.padding &&
+         std::equal(a.shapes.begin(), a.shapes.end(), b.shapes.begin(), b.shapes.end(),
+                    [](const SolidShape& x, const SolidShape& y) {
+                      return x.kind == y.kind && x.dimensions == y.dimensions &&
+                             x.vertices_S == y.vertices_S && x.X_CS.isApprox(y.X_CS, 0.0);
+                    });
+}
+
 bool are_same(const Surroundings& a, const Surroundings& b) {
   const auto plane = [](const Surroundings& s) {
     return s.support ? Eigen::Vector4d(s.support->n_C.x(), s.support->n_C.y(), s.support->n_C.z(),
                                        s.support->offset)
                      : Eigen::Vector4d(Eigen::Vector4d::Zero());
   };
-  return a.map.tree == b.map.tree && a.map.X_CM.isApprox(b.map.X_CM, 0.0) && plane(a) == plane(b);
+  return are_same(a.robot, b.robot) && a.map.tree == b.map.tree && a.map.X_CM.isApprox(b.map.X_CM, 0.0) && plane(a) == plane(b);
 }
 
 /// A cloud and what was found in it, in the camera's frame K.
@@ -80,10 +91,13 @@ GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const Known& known
   Surroundings surroundings = known.surroundings;
   if (settings_.remembers() && pair->placement.X_WK) {
     surroundings.views = memory_.others(pair->cloud->utime, *pair->placement.X_WK);
+    // The newest views come first.
+    if (surroundings.views.size() > max_views_) surroundings.views.resize(max_views_);
   }
   scene_.emplace(things.cloud, things.detections, settings_.gripper, options, surroundings,
                  things.boxes, things.bodies);
   GraspPlan plan = scene_->plan_from_start(query);
+  fit_views(surroundings.views.size(), plan);
   // A scene that was cut short may lack targets, so the next query for this cloud makes a new one.
   if (!plan.cut) ready_ = pair;
   if (advise) {
@@ -93,8 +107,27 @@ GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const Known& known
   return plan;
 }
 
+/// Chooses how many views the next plan may have, so that there is time for grasps. Without a
+/// deadline all views count, so that each replay gives the same plans.
+/// @param views  number of views of a plan
+void PairPlanner::fit_views(std::size_t views, const GraspPlan& plan) {
+  constexpr double kLong = 0.6, kShort = 0.3;
+  const double deadline = settings_.plan.deadline_ms;
+  if (deadline == 0.0) return;
+  if (plan.cut) {
+    max_views_ = views / 2;
+  } else if (plan.total_ms > kLong * deadline && views > 0) {
+    max_views_ = views - 1;
+  } else if (plan.total_ms < kShort * deadline && max_views_ <= views) {
+    max_views_ = views + 1;
+  }
+}
+
 void PairPlanner::remember(const CloudAndQuadrics& pair, const Known& known) {
   if (!settings_.remembers() || !pair.placement.X_WK) return;
+  // What was taken before all was forgotten may show what is no longer so.
+  const std::int64_t before = forgotten_ - pair.cloud->utime;
+  if (before >= 0 && before < kLongestDelay) return;
   const PointCloud cloud = in_camera_frame(pair.cloud->cloud, pair.placement, settings_.frames);
   const Eigen::Isometry3d correction = memory_.add(
       pair.cloud->utime, known.surroundings.robot.taken_from(cloud), *pair.placement.X_WK);
@@ -105,12 +138,15 @@ void PairPlanner::remember(const CloudAndQuadrics& pair, const Known& known) {
                 .norm()));
 }
 
-void PairPlanner::forget() {
+void PairPlanner::forget(std::int64_t utime) {
+  forgotten_ = utime;
   memory_.forget();
   ready_ = nullptr;
 }
 
-void PairPlanner::forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R) {
+void PairPlanner::forget(std::int64_t utime, const Eigen::Isometry3d& X_WR,
+                         const Eigen::AlignedBox3d& box_R) {
+  forgotten_ = utime;
   memory_.forget(X_WR, box_R);
   ready_ = nullptr;
 }

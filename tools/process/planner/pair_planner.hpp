@@ -1,7 +1,9 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -35,11 +37,11 @@ class PairPlanner {
 
   /// Remembers what a cloud shows, for plans on later ones, if the camera's pose is known.
   void remember(const CloudAndQuadrics& pair, const Known& known);
-  /// Forgets all that earlier clouds showed.
-  void forget();
+  /// Forgets all that clouds showed which were taken before this time [us].
+  void forget(std::int64_t utime);
   /// Forgets what they showed within a box.
   /// @param X_WR  pose of the box's frame R in the fixed frame W
-  void forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R);
+  void forget(std::int64_t utime, const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R);
 
   /// Number of plans that the deadline cut short so far. For any thread.
   std::int64_t cut() const { return cut_; }
@@ -49,6 +51,8 @@ class PairPlanner {
   GraspPlan plan_in_camera(const SharedPair& pair, const Known& known, const GraspQuery& query,
                            bool advise);
 
+  void fit_views(std::size_t views, const GraspPlan& plan);
+
   const PlannerSettings& settings_;
   /// The last cloud, and its scene in the camera's frame.
   SharedPair ready_;
@@ -57,6 +61,10 @@ class PairPlanner {
   Surroundings of_scene_;
   /// What earlier clouds showed.
   ViewMemory memory_;
+  /// Largest number of views for which there is time.
+  std::size_t max_views_ = 64;
+  /// When something was last forgotten [us].
+  std::int64_t forgotten_ = std::numeric_limits<std::int64_t>::min() / 2;
   std::atomic<std::int64_t> cut_{0};
   LimitedLog cut_log_;
 };

@@ -29,6 +29,12 @@ std::string hash_of(const PlannerSettings& settings) {
   for (const CollisionShape& shape : settings.attached) {
     text.add("attached", io::to_json(shape).dump());
   }
+  for (const double number : {settings.detector.views.remember, settings.detector.views.sector,
+                              static_cast<double>(settings.detector.views.most),
+                              settings.detector.views.shift, settings.detector.views.turn}) {
+    text.add("views", io::toml_of(number));
+  }
+  text.add("padding", io::toml_of(settings.known.robot.padding));
   for (const SolidShape& shape : settings.known.robot.shapes) {
     text.add("robot", io::to_json(shape).dump());
   }

@@ -1,6 +1,7 @@
 #include "quadrille/bus/scene_messages.hpp"
 
 #include <cmath>
+#include <string>
 
 #include "messages/decode_checked.hpp"
 #include "quadrille/bus/cloud_message.hpp"
@@ -17,19 +18,37 @@ void skip_pose(ByteReader& reader) {
   reader.skip_unit("quaternion", 4);
 }
 
+/// Reads a count, as ByteReader::read_count() does, that must not exceed a limit.
+std::int32_t read_few(ByteReader& reader, const char* member, std::size_t min_element_bytes,
+                      std::int32_t most) {
+  const std::int32_t count = reader.read_count(member, min_element_bytes);
+  if (count > most) refuse(RejectReason::kTooLarge, member + (" " + std::to_string(count)));
+  return count;
+}
+
 void check_shape(ByteReader& reader) {
   reader.read_int32("target");
   reader.read_string("kind", kMaxKindBytes);
   skip_pose(reader);
   reader.skip_list("dimensions", sizeof(double),
                    [](ByteReader& list) { list.read_finite("dimensions"); });
-  reader.skip_list("vertices", 3 * sizeof(double),
-                   [](ByteReader& list) { list.skip_finite("vertices", 3); });
-  reader.skip_array("faces", sizeof(std::int32_t));
+  const std::int32_t vertices = read_few(reader, "vertices", 3 * sizeof(double), kMaxVertices);
+  reader.skip_finite("vertices", 3 * vertices);
+  const std::int32_t faces = read_few(reader, "faces", sizeof(std::int32_t), 8 * kMaxVertices);
+  reader.take(faces, sizeof(std::int32_t), "faces");
+}
+
+void check_list_of_shapes(ByteReader& reader, const char* member) {
+  for (std::int32_t k = read_few(reader, member, kMinShapeBytes, kMaxShapes); k > 0; --k) {
+    check_shape(reader);
+  }
 }
 
 void check_shapes(ByteReader& reader) {
-  check_stamped_list(reader, "shapes", kMinShapeBytes, check_shape);
+  reader.read_int64("utime");
+  reader.read_int32("seq");
+  reader.read_string("frame", kMaxFrameBytes);
+  check_list_of_shapes(reader, "shapes");
 }
 
 /// Checks the members with which the messages below begin.
@@ -41,8 +60,8 @@ void check_head(ByteReader& reader) {
 void check_robot(ByteReader& reader) {
   check_head(reader);
   reader.read_finite("padding");
-  reader.skip_list("shapes", kMinShapeBytes, check_shape);
-  reader.skip_list("attached", kMinShapeBytes, check_shape);
+  check_list_of_shapes(reader, "shapes");
+  check_list_of_shapes(reader, "attached");
 }
 
 void check_support(ByteReader& reader) {

@@ -52,6 +52,8 @@ void RobotHistory::receive(const std::string& channel, std::span<const std::byte
 }
 
 const RobotState* RobotHistory::nearest(std::int64_t utime) const {
+  // A cloud that does not tell its time is likely new.
+  if (utime == 0) return states_.empty() ? nullptr : &states_.back();
   const auto found =
       std::min_element(states_.begin(), states_.end(), [&](const auto& a, const auto& b) {
         return seconds_apart(a.utime, utime) < seconds_apart(b.utime, utime);
@@ -62,7 +64,7 @@ const RobotState* RobotHistory::nearest(std::int64_t utime) const {
 RobotShapes RobotHistory::at(std::int64_t utime, const Placement& placement,
                              const std::string& cloud_frame) const {
   RobotShapes all;
-  all.padding = given_.robot.padding;
+  all.padding = 0.0;
   const auto add = [&](const RobotState& state) {
     if (state.robot.shapes.empty()) return;
     const Eigen::Isometry3d X_KF = pose_of_camera(state.frame, placement, cloud_frame).inverse();

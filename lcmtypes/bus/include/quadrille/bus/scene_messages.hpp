@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <lcmtypes/quadrille/collision_shapes_t.hpp>
 #include <lcmtypes/quadrille/forget_t.hpp>
 #include <lcmtypes/quadrille/robot_t.hpp>
@@ -13,8 +14,10 @@
 
 namespace quadrille::bus {
 
-/// Limit of the messages below [byte].
-inline constexpr std::size_t kMaxSceneBytes = std::size_t{16} << 20;
+/// Limit of the messages below [byte], of the shapes in one, and of the vertices of a shape and the
+/// numbers of its faces: each point of a cloud is compared with them.
+inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20;
+inline constexpr std::int32_t kMaxShapes = 256, kMaxVertices = 1024;
 
 /// Reads what a robot says of its scene. Every length, sign and value is checked before the
 /// generated decoder sees the bytes; whether shapes are solids is left to SolidShape::check().
