@@ -21,6 +21,8 @@ constexpr float kMatchCells = 1.0f, kMinCosine = 0.9f;
 // Errors of the poses that are looked for, in standard deviations of their prior: at the first
 // step, the share of it from each step to the next, and at last.
 constexpr double kReach = 3.0, kNarrowing = 0.7, kLastReach = 0.6;
+// Steps end at a change of less than this, in m or rad: far below what sensors tell.
+constexpr double kEnough = 5e-5;
 // Standard deviation of what is to be trusted: of a shift [m] or a turn [rad].
 constexpr double kTrusted = 1e-8;
 // Least number of matched samples, and largest root mean square motion in standard deviations.
@@ -152,7 +154,8 @@ std::optional<Eigen::Isometry3d> align(const SurfaceSamples& view, const Eigen::
                                     Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) *
                                     Eigen::Translation3d(-eye);
     X = about * X;
-    if (change.tail<3>().norm() < 1e-6 && turn.norm() < 1e-6) break;
+    const bool narrow = errors == kLastReach;
+    if (narrow && change.tail<3>().norm() < kEnough && turn.norm() < kEnough) break;
   }
   const double deviation = std::sqrt(motion.cwiseAbs2().dot(prior) / 6.0);
   if (matches < kMinMatches || !(deviation < kMaxDeviation)) return std::nullopt;

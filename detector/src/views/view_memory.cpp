@@ -158,14 +158,30 @@ ViewMemory::Nearest ViewMemory::nearest_to(const Kept& view) const {
   return nearest;
 }
 
+/// The samples of the views from the directions nearest to another one's. Views from farther aside
+/// see little of what it sees.
+std::vector<const SurfaceSamples*> ViewMemory::samples_about(const Kept& view) const {
+  constexpr std::size_t kViews = 2;
+  std::vector<std::pair<double, const SurfaceSamples*>> others;
+  for (const Kept& other : kept_) {
+    others.emplace_back(angle_between(other.outlook, view.outlook), &other.samples);
+  }
+  std::stable_sort(others.begin(), others.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<const SurfaceSamples*> nearest;
+  for (std::size_t k = 0; k < std::min(kViews, others.size()); ++k) {
+    nearest.push_back(others[k].second);
+  }
+  return nearest;
+}
+
 /// Corrects the pose of a view: by what it has in common with the others, if it is from a new
 /// direction or the last correction is old, and otherwise by that one.
 void ViewMemory::correct(const Nearest& nearest, Kept* view) {
   const bool is_new = nearest.angle > 0.5 * options_.views.sector;
   const bool is_old = seconds_between(corrected_, view->utime) > kCorrectionLasts;
   if (!kept_.empty() && (is_new || is_old)) {
-    std::vector<const SurfaceSamples*> others;
-    for (const Kept& other : kept_) others.push_back(&other.samples);
+    const std::vector<const SurfaceSamples*> others = samples_about(*view);
     const std::vector<int> no_cells(others.size(), 0);
     X_WW_ = align(view->samples, view->outlook.eye_W, joined_samples(others, no_cells, 0.0),
                   options_.views)

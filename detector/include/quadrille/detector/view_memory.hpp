@@ -13,6 +13,8 @@
 
 namespace quadrille {
 
+struct SurfaceSamples;
+
 /// The views of a scene that a moving camera had, kept up to date.
 ///
 /// The views are those of different directions of sight onto a place, `views.sector` apart; a view
@@ -59,6 +61,7 @@ class ViewMemory {
   struct Kept;
   struct Nearest;
   Nearest nearest_to(const Kept& view) const;
+  std::vector<const SurfaceSamples*> samples_about(const Kept& view) const;
   void correct(const Nearest& nearest, Kept* view);
   void keep(Kept view, const Nearest& nearest);
 
