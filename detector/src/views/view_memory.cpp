@@ -49,7 +49,8 @@ bool passes_through(const Eigen::AlignedBox3f& box, const Eigen::Vector3f& from,
 /// An organised cloud with no more pixels than its views are asked for later: of 640x480 pixels
 /// at most distances every other one, which saves three quarters of the memory and of the time.
 PointCloud thinned(const PointCloud& cloud, const Sight& sight) {
-  // Distance between neighbouring pixels at which planners still see all that their voxels hold [m].
+  // Distance between neighbouring pixels at which planners still see all that their voxels hold
+  // [m].
   constexpr double kSpacing = 0.004;
   if (!cloud.organised()) return cloud;
   const double spacing = pixel_spacing(cloud, sight);

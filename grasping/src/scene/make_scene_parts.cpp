@@ -44,8 +44,7 @@ SupportPlane whole_plane(const KnownSupport& support, const Eigen::Vector3d& nea
   SupportPlane plane;
   plane.X_CP.linear() =
       Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), support.n_C).toRotationMatrix();
-  plane.X_CP.translation() =
-      near_C - (support.n_C.dot(near_C) - support.offset) * support.n_C;
+  plane.X_CP.translation() = near_C - (support.n_C.dot(near_C) - support.offset) * support.n_C;
   plane.extent_P = {Eigen::Vector2d::Constant(-kReach), Eigen::Vector2d::Constant(kReach)};
   return plane;
 }

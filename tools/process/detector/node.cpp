@@ -35,11 +35,17 @@ std::string hash_of(const DetectorSettings& settings) {
   return text.hash();
 }
 
-/// Returns the source of the camera's poses. If no poses come, the fixed frame is the camera's.
+/// Returns true if the camera's pose is given or comes, and something depends on it.
+bool uses_poses(const DetectorSettings& settings) {
+  const bool wanted = settings.track.enabled || settings.frames.need_pose();
+  return settings.X_WK || (!settings.pose_channel.empty() && wanted);
+}
+
+/// Returns the source of the camera's poses. If none are used, the fixed frame is the camera's.
 PoseSource pose_source(const DetectorSettings& settings) {
   PoseSource source{settings.pose_channel, settings.X_WK, settings.track.pose_age,
                     settings.track.pose_wait};
-  if (!settings.has_fixed_frame()) source.fixed.emplace().setIdentity();
+  if (!uses_poses(settings)) source.fixed.emplace().setIdentity();
   return source;
 }
 
@@ -151,7 +157,7 @@ DetectionResult DetectorNode::detect_placed(const std::string& channel,
 RobotShapes DetectorNode::robot_at(const bus::CloudMessage& cloud, const Placement& placement) {
   Placement known = placement;
   // Without poses, the fixed frame of the tracks is none that others know.
-  if (!settings_.has_fixed_frame()) known.X_WK.reset();
+  if (!uses_poses(settings_)) known.X_WK.reset();
   const std::lock_guard lock(mutex_);
   return robot_.at(cloud.utime, known, cloud.cloud.frame);
 }

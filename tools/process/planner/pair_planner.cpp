@@ -50,7 +50,8 @@ bool are_same(const Surroundings& a, const Surroundings& b) {
                                        s.support->offset)
                      : Eigen::Vector4d(Eigen::Vector4d::Zero());
   };
-  return are_same(a.robot, b.robot) && a.map.tree == b.map.tree && a.map.X_CM.isApprox(b.map.X_CM, 0.0) && plane(a) == plane(b);
+  return are_same(a.robot, b.robot) && a.map.tree == b.map.tree &&
+         a.map.X_CM.isApprox(b.map.X_CM, 0.0) && plane(a) == plane(b);
 }
 
 /// A cloud and what was found in it, in the camera's frame K.
