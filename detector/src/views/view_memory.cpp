@@ -125,7 +125,7 @@ void ViewMemory::forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d
   }
 }
 
-Eigen::Isometry3d ViewMemory::add(std::int64_t utime, PointCloud cloud,
+Eigen::Isometry3d ViewMemory::add(std::int64_t utime, const PointCloud& cloud,
                                   const Eigen::Isometry3d& X_WC) {
   if (utime < utime_) forget();
   utime_ = utime;

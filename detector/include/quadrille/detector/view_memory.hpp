@@ -40,7 +40,7 @@ class ViewMemory {
   /// @param X_WC   pose of C in a fixed frame W, as far as it is known
   /// @return the motion within W that corrects the pose; the identity if there is nothing to
   ///   compare the view with
-  QUADRILLE_EXPORT Eigen::Isometry3d add(std::int64_t utime, PointCloud cloud,
+  QUADRILLE_EXPORT Eigen::Isometry3d add(std::int64_t utime, const PointCloud& cloud,
                                          const Eigen::Isometry3d& X_WC);
 
   /// Returns the views but the one of this time, the newest first.

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::size_t kMaxKindBytes = 32;
 // Sizes of a pose, and of a shape of which all lists are empty.
-constexpr std::size_t kPoseBytes = 7 * 8, kMinShapeBytes = 4 + kMinStringBytes + kPoseBytes + 3 * 4;
+constexpr std::size_t kCountBytes = sizeof(std::int32_t), kPoseBytes = 7 * sizeof(double),
+                      kMinShapeBytes = 4 * kCountBytes + kMinStringBytes + kPoseBytes;
 
 void skip_pose(ByteReader& reader) {
   reader.skip_finite("position", 3);
