@@ -1,6 +1,8 @@
 #include "io/planner/octree_file.hpp"
 
 #include <charconv>
+#include <cmath>
+#include <cstring>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
