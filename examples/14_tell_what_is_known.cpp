@@ -42,7 +42,8 @@ quadrille::robot_t make_robot() {
   robot.shapes = {make_shape("capsule", {0.06, 0.3}, 0.25, -0.1, 0.5),
                   make_shape("box", {0.1, 0.2, 0.06}, 0.25, -0.1, 0.75)};
   robot.num_shapes = static_cast<std::int32_t>(robot.shapes.size());
-  // What is fixed to the hand, in its frame G: z along the approach. Here, a camera on its back.
+  // A camera is fixed to the back of the hand. Its pose is in the hand's frame G, whose z axis runs
+  // along the approach.
   robot.attached = {make_shape("box", {0.03, 0.09, 0.03}, 0.07, 0.0, -0.1)};
   robot.num_attached = static_cast<std::int32_t>(robot.attached.size());
   return robot;

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "quadrille/detector/near_shape.hpp"
+#include "quadrille/detector/robot_shapes.hpp"
 #include "support/catch.hpp"
 #include "support/error_of.hpp"
 

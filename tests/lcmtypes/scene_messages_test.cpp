@@ -196,6 +196,26 @@ TEST_CASE("lists of shapes whose lengths are negative or beyond the message are 
   CHECK(test::refusal_in(decode_robot(changed(robot, vertices + 4, 0))));
 }
 
+TEST_CASE("more shapes or corners than points can be compared with are refused",
+          "[bus][scene][hostile]") {
+  robot_t robot = test::make_robot_message();
+  const auto with_shapes = [&](int count) {
+    robot.shapes.assign(static_cast<std::size_t>(count), test::make_robot_message().shapes[0]);
+    robot.num_shapes = count;
+    return test::refusal_in(decode_robot(encode(robot)));
+  };
+  CHECK_FALSE(with_shapes(kMaxShapes));
+  CHECK(with_shapes(kMaxShapes + 1) == RejectReason::kTooLarge);
+  robot = test::make_robot_message();
+  const auto with_vertices = [&](int count) {
+    robot.shapes[0].vertices.assign(static_cast<std::size_t>(count), {0.0, 0.0, 0.1});
+    robot.shapes[0].num_vertices = count;
+    return test::refusal_in(decode_robot(encode(robot)));
+  };
+  CHECK_FALSE(with_vertices(kMaxVertices));
+  CHECK(with_vertices(kMaxVertices + 1) == RejectReason::kTooLarge);
+}
+
 TEST_CASE("a robot of millions of empty shapes is refused by its size", "[bus][scene][hostile]") {
   CHECK(test::refusal_in(decode_robot(SceneBytes(kMaxSceneBytes + 1))) == RejectReason::kTooLarge);
   CHECK(test::refusal_in(decode_shapes(SceneBytes(kMaxSceneBytes + 1))) == RejectReason::kTooLarge);

@@ -4,6 +4,7 @@
 #include <octomap/OcTree.h>
 #include <octomap/OcTreeStamped.h>
 
+#include <limits>
 #include <map>
 #include <random>
 #include <sstream>
@@ -129,6 +130,17 @@ TEST_CASE("an empty tree is one without nodes", "[octree]") {
     const auto tree = parse_text(text);
     CHECK(tree->getRoot() == nullptr);
     CHECK(tree->getResolution() == Approx(0.02));
+  }
+}
+
+TEST_CASE("a value that is not finite is refused", "[octree][hostile]") {
+  for (const float value :
+       {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+    octomap::OcTree tree(0.05);
+    tree.updateNode(octomap::point3d(0.1f, 0.1f, 0.1f), true);
+    REQUIRE(parse_text(ot_of(tree)));
+    tree.search(0.1, 0.1, 0.1)->setLogOdds(value);
+    refusal_of_text(ot_of(tree));
   }
 }
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "quadrille/detector/solid_shape.hpp"
+#include "quadrille/detector/robot_shapes.hpp"
 
 namespace CLI {
 class App;

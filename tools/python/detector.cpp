@@ -16,6 +16,7 @@
 #include "python/arrays.hpp"
 #include "python/module.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/robot_shapes.hpp"
 #include "quadrille/detector/solid_shape.hpp"
 #include "quadrille/detector/tracker.hpp"
 #include "quadrille/detector/view_memory.hpp"

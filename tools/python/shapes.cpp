@@ -6,6 +6,7 @@
 #include "io/json/shapes_file.hpp"
 #include "python/arrays.hpp"
 #include "python/module.hpp"
+#include "quadrille/detector/robot_shapes.hpp"
 #include "quadrille/detector/solid_shape.hpp"
 
 namespace quadrille::python {

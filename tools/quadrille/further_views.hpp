@@ -8,7 +8,7 @@
 #include "io/json/json.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/point_cloud.hpp"
-#include "quadrille/detector/solid_shape.hpp"
+#include "quadrille/detector/robot_shapes.hpp"
 
 namespace CLI {
 class App;

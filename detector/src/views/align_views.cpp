@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "cloud/drop_points.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "views/align.hpp"
 #include "views/joined_samples.hpp"
@@ -17,11 +18,14 @@ namespace {
 void drop_seen_through(std::span<const std::optional<Sight>> sights,
                        std::vector<PointCloud>* views) {
   for (std::size_t v = 0; v < views->size(); ++v) {
-    std::vector<Sight> others;
+    PointCloud& cloud = (*views)[v];
+    Mask dropped(cloud.points.size(), 0);
     for (std::size_t u = 0; u < sights.size(); ++u) {
-      if (u != v && sights[u]) others.push_back(*sights[u]);
+      if (u == v || !sights[u]) continue;
+      const Mask through = points_seen_through(cloud, sights[v].value_or(Sight{}), *sights[u]);
+      for (std::size_t n = 0; n < dropped.size(); ++n) dropped[n] |= through[n];
     }
-    drop(seen_through((*views)[v], others), &(*views)[v]);
+    drop_points(dropped, &cloud);
   }
 }
 

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "base/mask.hpp"
+#include "cloud/drop_points.hpp"
 #include "views/seen_through.hpp"
-#include "views/seen_view.hpp"
 
 namespace quadrille {
 namespace {
@@ -39,8 +39,25 @@ bool passes(const Eigen::Vector3f& eye, const Eigen::Vector3f& p, const Eigen::V
   return (to - along * ray).squaredNorm() < kMaxReach * kMaxReach;
 }
 
-}  // namespace
+/// True if a part of the line between two places lies in the box; false if one is not finite.
+bool passes_through(const Eigen::AlignedBox3f& box, const Eigen::Vector3f& from,
+                    const Eigen::Vector3f& to) {
+  const Eigen::Array3f way = (to - from).array();
+  float enter = 0.0f, leave = 1.0f;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float low = box.min()[axis] - from[axis], high = box.max()[axis] - from[axis];
+    if (way[axis] == 0.0f) {
+      if (low > 0.0f || high < 0.0f) return false;
+      continue;
+    }
+    enter = std::max(enter, std::min(low / way[axis], high / way[axis]));
+    leave = std::min(leave, std::max(low / way[axis], high / way[axis]));
+  }
+  return way.allFinite() && enter <= leave;
+}
 
+/// The places of things that a newer view shows where an older one saw through, some centimetres
+/// apart, in the frame of both sights [m].
 std::vector<Eigen::Vector3f> put_down(const Sight& newer, const Sight& older) {
   const Mask through = cells_seen_through(newer, older);
   std::vector<Eigen::Vector3f> places;
@@ -57,30 +74,28 @@ std::vector<Eigen::Vector3f> put_down(const Sight& newer, const Sight& older) {
   return places;
 }
 
-void drop_outdated(const Sight& older, const Sight& newer,
-                   const std::vector<Eigen::Vector3f>& places, PointCloud* cloud) {
-  const Mask gone = cells_seen_through(older, newer);
-  const bool any_gone = std::find(gone.begin(), gone.end(), 1) != gone.end();
-  if (!any_gone && places.empty()) return;
+}  // namespace
+
+void drop_outdated(const Sight& older, const Sight& newer, PointCloud* cloud) {
+  const std::vector<Eigen::Vector3f> places = put_down(newer, older);
   const Eigen::Vector3f eye = cloud->viewpoint.cast<float>();
-  const auto is_gone = [&](const Eigen::Vector3f& p) {
-    const Eigen::Vector3f p_V = older.X_VC * p;
-    const Eigen::Array2f at = (p_V.head<2>().array() / p_V.z() - older.corner) / older.step;
-    const Eigen::Array2f size(static_cast<float>(older.width), static_cast<float>(older.height));
-    if (!((at >= 0.0f).all() && (at < size).all())) return false;
-    const std::size_t cell =
-        static_cast<std::size_t>(at.y()) * older.width + static_cast<std::size_t>(at.x());
-    return gone[cell] && sees_through(newer, p);
-  };
-  Mask dropped;
-  dropped.reserve(cloud->points.size());
-  for (const Eigen::Vector3f& p : cloud->points) {
-    const bool hidden =
-        std::any_of(places.begin(), places.end(),
-                    [&](const Eigen::Vector3f& place) { return passes(eye, p, place); });
-    dropped.push_back(hidden || (any_gone && is_gone(p)));
+  Mask dropped = points_seen_through(*cloud, older, newer);
+  for (std::size_t n = 0; n < dropped.size() && !places.empty(); ++n) {
+    dropped[n] |= std::any_of(places.begin(), places.end(), [&](const Eigen::Vector3f& place) {
+      return passes(eye, cloud->points[n], place);
+    });
   }
-  drop(dropped, cloud);
+  drop_points(dropped, cloud);
+}
+
+void drop_seen_in(const Eigen::AlignedBox3f& box_R, const Eigen::Isometry3f& X_RC,
+                  PointCloud* cloud) {
+  const Eigen::Vector3f eye_R = X_RC * cloud->viewpoint.cast<float>();
+  Mask dropped;
+  for (const Eigen::Vector3f& p_C : cloud->points) {
+    dropped.push_back(passes_through(box_R, eye_R, X_RC * p_C));
+  }
+  drop_points(dropped, cloud);
 }
 
 }  // namespace quadrille

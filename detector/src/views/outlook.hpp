@@ -6,7 +6,7 @@
 
 namespace quadrille {
 
-/// Where a view looks from, and at what, in W [m].
+/// The eye of a view and a place that it looks at, in W [m].
 struct Outlook {
   Eigen::Vector3d eye_W = Eigen::Vector3d::Zero();
   /// The place at the median depth along the view's axis.

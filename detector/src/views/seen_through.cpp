@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace quadrille {
 namespace {
@@ -12,6 +13,15 @@ namespace {
 constexpr float kBeside = 0.01f, kBehind = 0.025f;
 // Share of the rays there that must have measured something.
 constexpr float kMinMeasured = 0.8f;
+
+/// The cell of a view that a place projects to; nullopt if it is none.
+std::optional<std::size_t> cell_of(const Sight& sight, const Eigen::Vector3f& p_C) {
+  const Eigen::Vector3f p = sight.X_VC * p_C;
+  const Eigen::Array2f at = (p.head<2>().array() / p.z() - sight.corner) / sight.step;
+  const Eigen::Array2f size(static_cast<float>(sight.width), static_cast<float>(sight.height));
+  if (!(p.z() > 0.0f && (at >= 0.0f).all() && (at < size).all())) return std::nullopt;
+  return static_cast<std::size_t>(at.y()) * sight.width + static_cast<std::size_t>(at.x());
+}
 
 }  // namespace
 
@@ -38,16 +48,6 @@ bool sees_through(const Sight& sight, const Eigen::Vector3f& p_C) {
   return static_cast<float>(measured) >= kMinMeasured * static_cast<float>(all);
 }
 
-Mask seen_through(const PointCloud& cloud, std::span<const Sight> others) {
-  Mask through;
-  through.reserve(cloud.points.size());
-  for (const Eigen::Vector3f& p : cloud.points) {
-    through.push_back(std::any_of(others.begin(), others.end(),
-                                  [&](const Sight& sight) { return sees_through(sight, p); }));
-  }
-  return through;
-}
-
 Eigen::Vector3f place_of_cell(const Sight& view, int i, int j) {
   const float w = view.w[static_cast<std::size_t>(j) * view.width + i];
   const Eigen::Array2f middle(static_cast<float>(i) + 0.5f, static_cast<float>(j) + 0.5f);
@@ -62,6 +62,19 @@ Mask cells_seen_through(const Sight& view, const Sight& other) {
       const std::size_t cell = static_cast<std::size_t>(j) * view.width + i;
       if (view.w[cell] > 0.0f) through[cell] = sees_through(other, place_of_cell(view, i, j));
     }
+  }
+  return through;
+}
+
+Mask points_seen_through(const PointCloud& cloud, const Sight& view, const Sight& other) {
+  const Mask cells = cells_seen_through(view, other);
+  const bool none = !view.w.empty() && std::find(cells.begin(), cells.end(), 1) == cells.end();
+  Mask through(cloud.points.size(), 0);
+  if (none) return through;
+  for (std::size_t n = 0; n < through.size(); ++n) {
+    const Eigen::Vector3f& p_C = cloud.points[n];
+    const std::optional<std::size_t> cell = cell_of(view, p_C);
+    through[n] = (!cell || cells[*cell]) && sees_through(other, p_C);
   }
   return through;
 }

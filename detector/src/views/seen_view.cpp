@@ -1,7 +1,6 @@
 #include "views/seen_view.hpp"
 
 #include <cstddef>
-#include <limits>
 #include <memory>
 #include <utility>
 
@@ -20,23 +19,6 @@ std::optional<SeenView> seen_view(const CloudView& given, const DetectorOptions&
   const Mask all(static_cast<std::size_t>(pyramid->size(0)), 1);
   SampleTree tree(*pyramid, pyramid->samples(all, options.threads));
   return SeenView{pyramid->sight(), std::move(tree).take_finest()};
-}
-
-void drop(const Mask& dropped, PointCloud* cloud) {
-  std::size_t kept = 0;
-  for (std::size_t k = 0; k < cloud->points.size(); ++k) {
-    if (cloud->organised()) {
-      if (dropped[k]) {
-        cloud->points[k].setConstant(std::numeric_limits<float>::quiet_NaN());
-      }
-    } else if (!dropped[k]) {
-      if (cloud->coloured()) cloud->colours[kept] = cloud->colours[k];
-      cloud->points[kept++] = cloud->points[k];
-    }
-  }
-  if (cloud->organised()) return;
-  if (cloud->coloured()) cloud->colours.resize(kept);
-  cloud->points.resize(kept);
 }
 
 }  // namespace quadrille

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "base/mask.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "samples/sight.hpp"
@@ -18,8 +17,5 @@ struct SeenView {
 
 /// Returns nullopt if the cloud is too small, or its viewpoint is not known.
 std::optional<SeenView> seen_view(const CloudView& cloud, const DetectorOptions& options);
-
-/// Drops the marked points of a cloud; those of an organised one become NaN.
-void drop(const Mask& dropped, PointCloud* cloud);
 
 }  // namespace quadrille

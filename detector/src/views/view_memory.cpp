@@ -11,6 +11,7 @@
 #include "views/outdated.hpp"
 #include "views/outlook.hpp"
 #include "views/seen_view.hpp"
+#include "views/thinned.hpp"
 
 namespace quadrille {
 namespace {
@@ -18,59 +19,12 @@ namespace {
 // The errors of poses change slowly, so that a correction lasts for some time [s].
 constexpr double kCorrectionLasts = 0.5;
 
+/// Also for times of any sender, whose difference may not fit into their type.
 double seconds_between(std::int64_t before, std::int64_t after) {
   return 1e-6 * (static_cast<double>(after) - static_cast<double>(before));
 }
 
-/// Distance between neighbouring pixels at the median depth [m].
-double pixel_spacing(const PointCloud& cloud, const Sight& sight) {
-  const double span = static_cast<double>(sight.step) * sight.width;
-  const Outlook outlook = outlook_of(sight, Eigen::Isometry3d::Identity());
-  return span / cloud.width * (outlook.place_W - outlook.eye_W).norm();
-}
-
-/// True if a part of the line between two places lies in the box; false if one is not finite.
-bool passes_through(const Eigen::AlignedBox3f& box, const Eigen::Vector3f& from,
-                    const Eigen::Vector3f& to) {
-  const Eigen::Array3f way = (to - from).array();
-  float enter = 0.0f, leave = 1.0f;
-  for (int axis = 0; axis < 3; ++axis) {
-    const float low = box.min()[axis] - from[axis], high = box.max()[axis] - from[axis];
-    if (way[axis] == 0.0f) {
-      if (low > 0.0f || high < 0.0f) return false;
-      continue;
-    }
-    enter = std::max(enter, std::min(low / way[axis], high / way[axis]));
-    leave = std::min(leave, std::max(low / way[axis], high / way[axis]));
-  }
-  return way.allFinite() && enter <= leave;
-}
-
-/// An organised cloud with no more pixels than its views are asked for later: of 640x480 pixels
-/// at most distances every other one, which saves three quarters of the memory and of the time.
-PointCloud thinned(const PointCloud& cloud, const Sight& sight) {
-  // Distance between neighbouring pixels at which planners still see all that their voxels hold
-  // [m].
-  constexpr double kSpacing = 0.004;
-  if (!cloud.organised()) return cloud;
-  const double spacing = pixel_spacing(cloud, sight);
-  const int step = std::clamp(static_cast<int>(kSpacing / spacing), 1, 4);
-  if (step == 1) return cloud;
-  PointCloud thin;
-  thin.width = (cloud.width + step - 1) / step;
-  thin.height = (cloud.height + step - 1) / step;
-  thin.viewpoint = cloud.viewpoint;
-  thin.frame = cloud.frame;
-  thin.read = cloud.read;
-  for (int v = 0; v < cloud.height; v += step) {
-    for (int u = 0; u < cloud.width; u += step) {
-      thin.points.push_back(cloud.points[static_cast<std::size_t>(v) * cloud.width + u]);
-    }
-  }
-  return thin;
-}
-
-/// What a view saw, in another frame.
+/// Brings a sight from frame C into frame F.
 Sight moved(Sight sight, const Eigen::Isometry3d& X_FC) {
   sight.X_VC = sight.X_VC * X_FC.inverse().cast<float>();
   return sight;
@@ -80,15 +34,15 @@ Sight moved(Sight sight, const Eigen::Isometry3d& X_FC) {
 
 struct ViewMemory::Kept {
   std::int64_t utime = 0;
-  /// In the frame C in which it came, so that its pixels stay where they were.
+  /// The cloud in the frame C in which it came, so that its pixels stay where they were.
   PointCloud cloud;
   Eigen::Isometry3d X_WC = Eigen::Isometry3d::Identity();
-  /// What it saw, in C.
+  /// The depths that the view saw, in C.
   Sight sight;
-  /// In W.
+  /// The view's samples, in W.
   SurfaceSamples samples;
-  /// Where the first view that was kept here looked from. The views that replace it keep this, so
-  /// that a slowly moving camera leaves views behind.
+  /// From where and at what the view looked. A view that replaces another one takes over that one's
+  /// outlook; if it had its own, a slowly moving camera would leave no view behind.
   Outlook outlook;
 };
 
@@ -113,15 +67,8 @@ void ViewMemory::forget() {
 }
 
 void ViewMemory::forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R) {
-  const Eigen::AlignedBox3f box = box_R.cast<float>();
   for (Kept& view : kept_) {
-    const Eigen::Isometry3f X_RC = (X_WR.inverse() * view.X_WC).cast<float>();
-    const Eigen::Vector3f eye = X_RC * view.cloud.viewpoint.cast<float>();
-    Mask through;
-    for (const Eigen::Vector3f& p : view.cloud.points) {
-      through.push_back(passes_through(box, eye, X_RC * p));
-    }
-    drop(through, &view.cloud);
+    drop_seen_in(box_R.cast<float>(), (X_WR.inverse() * view.X_WC).cast<float>(), &view.cloud);
   }
 }
 
@@ -144,7 +91,7 @@ Eigen::Isometry3d ViewMemory::add(std::int64_t utime, const PointCloud& cloud,
   correct(nearest, &view);
   for (Kept& other : kept_) {
     const Sight newer = moved(view.sight, other.X_WC.inverse() * view.X_WC);
-    drop_outdated(other.sight, newer, put_down(newer, other.sight), &other.cloud);
+    drop_outdated(other.sight, newer, &other.cloud);
   }
   keep(std::move(view), nearest);
   return X_WW_;

@@ -18,7 +18,8 @@ struct SweptHand {
   OrientedBox palm;
   /// The space that the fingers pass through while they close from the pre-shape to the width.
   std::array<OrientedBox, 2> closing;
-  /// What is fixed to the hand, from the start of the approach to the grasp.
+  /// Boxes around the things that are fixed to the hand, from the start of the approach to the
+  /// grasp.
   std::vector<OrientedBox> attached;
 };
 

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <list>
 #include <numeric>
 #include <utility>
 
@@ -13,8 +12,10 @@
 #include "quadrille/detector/cloud_checks.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/grasping/shape.hpp"
+#include "scene/view_clouds.hpp"
 #include "space/map_limits.hpp"
 #include "space/space_mapper.hpp"
+#include "space/support.hpp"
 #include "space/surface_cover.hpp"
 
 namespace quadrille {
@@ -38,17 +39,6 @@ bool is_sound(const Box& box) {
   return sized && box.X_CB.matrix().allFinite() && box.X_CB.linear().isUnitary(1e-3);
 }
 
-/// The plane, which reaches farther than any hand.
-SupportPlane whole_plane(const KnownSupport& support, const Eigen::Vector3d& near_C) {
-  constexpr double kReach = 100.0;
-  SupportPlane plane;
-  plane.X_CP.linear() =
-      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), support.n_C).toRotationMatrix();
-  plane.X_CP.translation() = near_C - (support.n_C.dot(near_C) - support.offset) * support.n_C;
-  plane.extent_P = {Eigen::Vector2d::Constant(-kReach), Eigen::Vector2d::Constant(kReach)};
-  return plane;
-}
-
 /// Makes the parts of a scene, stage by stage.
 class SceneMaker {
  public:
@@ -58,29 +48,22 @@ class SceneMaker {
         known_(known),
         deadline_(deadline_ms),
         half_(0.5 * deadline_ms),
-        parts_(parts) {
-    views_.push_back(viewed(cloud));
-    for (const PointCloud& view : known.views) add_further(viewed(view));
-    if (views_.size() == 1) return;
-    for (const View& view : views_) {
-      all_.points.insert(all_.points.end(), view.things->points.begin(), view.things->points.end());
-    }
-    all_.viewpoint = cloud.viewpoint;
-  }
+        parts_(parts),
+        views_(cloud, known, detections, &parts.warnings) {}
 
   void make(std::optional<std::vector<Box>> boxes, const std::vector<SceneBody>& bodies) {
     drop_surplus();
     stage("boxes", [&] {
-      parts_.boxes = boxes ? std::move(*boxes) : find_boxes(first_view(), detections_);
+      parts_.boxes = boxes ? std::move(*boxes) : find_boxes(views_.first(), detections_);
       std::erase_if(parts_.boxes, [](const Box& box) { return !is_sound(box); });
     });
     stage("shapes", [&] { make_shapes(); });
-    if (first_view().points.empty()) warn("the cloud is empty");
+    if (views_.first().points.empty()) warn("the cloud is empty");
     check_support();
     const PlanOptions& options = parts_.options;
     stage("view", [&] {
       parts_.views.reserve(views_.size());
-      for (const View& view : views_) {
+      for (const ViewClouds::View& view : views_) {
         parts_.views.emplace_back(*view.seen, options.baseline, options.resolution);
       }
     });
@@ -130,21 +113,6 @@ class SceneMaker {
          " with the best score are planned on (planner.max_detections)");
   }
 
-  /// A cloud without points that no sensor can have measured, as it was seen, and without the
-  /// robot's points.
-  struct View {
-    const PointCloud* seen;
-    const PointCloud* things;
-  };
-
-  View viewed(const PointCloud& cloud) {
-    const RangeCheck& range = ranges_.emplace_back(check_range(cloud));
-    if (range.far > 0) warn(range.warning());
-    const PointCloud* seen = &range.kept(cloud);
-    if (known_.robot.shapes.empty()) return {seen, seen};
-    return {seen, &things_.emplace_back(known_.robot.taken_from(*seen))};
-  }
-
   void make_shapes() {
     for (const Box& box : parts_.boxes) {
       parts_.shapes.push_back(make_shape(box));
@@ -177,22 +145,15 @@ class SceneMaker {
   /// Warns if the sensor looks from below the plane on which things are said to stand.
   void check_support() {
     if (!known_.support) return;
-    const double height = known_.support->n_C.dot(first_view().viewpoint) - known_.support->offset;
+    const double height =
+        known_.support->n_C.dot(views_.first().viewpoint) - known_.support->offset;
     if (height < 0.0) warn("the viewpoint lies below the support; does its normal point upwards?");
-  }
-
-  /// Adds a further view, unless it cannot have been seen from its viewpoint, because its free
-  /// space would then be wrong.
-  void add_further(const View& view) {
-    const std::string doubt = contradict_viewpoint(*view.things, detections_);
-    if (doubt.empty()) return views_.push_back(view);
-    warn("a further view is left out: " + doubt);
   }
 
   /// Returns false, and says why, if the cloud cannot have been seen from its viewpoint, because
   /// its free space would then be wrong.
   bool has_viewpoint() {
-    const std::string doubt = contradict_viewpoint(first_view(), detections_);
+    const std::string doubt = contradict_viewpoint(views_.first(), detections_);
     if (doubt.empty()) return true;
     warn(doubt);
     for (const Detection& d : detections_) {
@@ -209,9 +170,9 @@ class SceneMaker {
   }
 
   void choose_targets(const std::vector<SceneBody>& bodies) {
-    add(quadrille::choose_targets(all_points(), detections_, parts_.views, parts_.gripper,
+    add(quadrille::choose_targets(views_.all(), detections_, parts_.views, parts_.gripper,
                                   parts_.options, half_));
-    add(choose_boxes(all_points(), parts_.boxes, detections_, parts_.gripper, parts_.options,
+    add(choose_boxes(views_.all(), parts_.boxes, detections_, parts_.gripper, parts_.options,
                      half_));
     std::vector<Target> unshaped =
         choose_unshaped(bodies, parts_.targets, detections_, parts_.options);
@@ -219,7 +180,7 @@ class SceneMaker {
     for (Target& target : parts_.targets) {
       target.view = best_view(target);
       if (!known_.support) continue;
-      target.supports.push_back(whole_plane(*known_.support, target.body.centre_C()));
+      target.supports.push_back(plane_of(*known_.support, target.body.centre_C()));
     }
     drop_far_targets();
   }
@@ -240,7 +201,7 @@ class SceneMaker {
     std::vector<Eigen::AlignedBox3d> boxes;
     for (const Target& target : parts_.targets) boxes.push_back(around(target.body, parts_.reach));
     const std::vector<std::size_t> far =
-        find_far_boxes(boxes, first_view().viewpoint, parts_.options.resolution);
+        find_far_boxes(boxes, views_.first().viewpoint, parts_.options.resolution);
     for (auto n = far.rbegin(); n != far.rend(); ++n) {
       const auto target = parts_.targets.begin() + static_cast<std::ptrdiff_t>(*n);
       refuse(target->id, Refusal::kFar, target->wanted);
@@ -309,12 +270,6 @@ class SceneMaker {
         parts_.views, !occupied_by_map);
   }
 
-  /// The first view without the robot.
-  const PointCloud& first_view() const { return *views_.front().things; }
-
-  /// The points of all views, with the viewpoint of the first.
-  const PointCloud& all_points() const { return views_.size() == 1 ? first_view() : all_; }
-
   /// Marks the strays of a view, and the points that show what views before it show.
   std::vector<std::uint8_t> without_repeats(std::size_t view, const SurfaceCover& before) const {
     std::vector<std::uint8_t> left_out = parts_.views[view].stray();
@@ -366,12 +321,7 @@ class SceneMaker {
   const Surroundings& known_;
   const Deadline deadline_, half_;
   SceneParts& parts_;
-  /// Range checks of all clouds, and clouds without the robot, in lists so that the clouds keep
-  /// their addresses.
-  std::list<RangeCheck> ranges_;
-  std::list<PointCloud> things_;
-  std::vector<View> views_;
-  PointCloud all_;
+  const ViewClouds views_;
 };
 
 }  // namespace

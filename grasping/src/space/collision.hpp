@@ -59,7 +59,8 @@ struct CollisionScene {
   /// Returns what the swept palm runs into, which no other opening of the hand avoids; nullopt if
   /// nothing. The palm keeps a distance of end_doubt from the target.
   std::optional<Obstruction> palm_obstruction(const OrientedBox& palm) const;
-  /// The same for the swept palm and what is fixed to the hand.
+  /// Returns what the swept palm, or a thing that is fixed to the hand, runs into; nullopt if
+  /// nothing.
   std::optional<Obstruction> back_obstruction(const SweptHand& hand) const;
   /// Returns what the swept fingers or their closing run into; closing, they may touch the target.
   std::optional<Obstruction> finger_obstruction(const SweptHand& hand) const;

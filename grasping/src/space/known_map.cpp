@@ -1,4 +1,4 @@
-// What a map from elsewhere adds to the space that the views show.
+// Adds the space that a given OctoMap knows, and the robot's own space, to what the views show.
 #include <octomap/OcTree.h>
 
 #include "space/each_cube.hpp"

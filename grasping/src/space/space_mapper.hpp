@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "quadrille/detector/near_shape.hpp"
 #include "quadrille/detector/point_cloud.hpp"
-#include "quadrille/detector/solid_shape.hpp"
 #include "quadrille/grasping/occupancy.hpp"
 #include "quadrille/grasping/surroundings.hpp"
 #include "view/depth_view.hpp"

@@ -56,4 +56,15 @@ std::vector<SupportPlane> supports_of(const Body& body, const std::vector<Detect
   return planes;
 }
 
+SupportPlane plane_of(const KnownSupport& support, const Eigen::Vector3d& near_C) {
+  // Farther than any hand reaches [m].
+  constexpr double kReach = 100.0;
+  SupportPlane plane;
+  plane.X_CP.linear() =
+      Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), support.n_C).toRotationMatrix();
+  plane.X_CP.translation() = near_C - (support.n_C.dot(near_C) - support.offset) * support.n_C;
+  plane.extent_P = {Eigen::Vector2d::Constant(-kReach), Eigen::Vector2d::Constant(kReach)};
+  return plane;
+}
+
 }  // namespace quadrille

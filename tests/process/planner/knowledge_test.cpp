@@ -134,6 +134,12 @@ TEST_CASE("of each kind the newest message counts", "[process][knowledge]") {
   CHECK(known.obstacles[0].X_CS.translation().z() == 3.0);
   CHECK(known.surroundings.support->offset == 0.2);
   CHECK(known.surroundings.map.tree->getResolution() == Approx(0.05));
+  // A message without a map takes the one before away, in whatever frame.
+  occupancy_t none{};
+  none.frame = "moon";
+  none.resolution = 0.05;
+  told.take("MAP", bus::encode(none));
+  CHECK_FALSE(told.knowledge.about(pair).surroundings.map.tree);
   // An empty list takes all obstacles away.
   told.take("OBSTACLES", test::shapes_bytes("camera", {}));
   CHECK(told.knowledge.about(pair).obstacles.empty());
@@ -178,6 +184,8 @@ TEST_CASE("messages of the bus add to the command line, or take its place",
   CHECK(known.attached.size() == 2);
   CHECK(known.surroundings.robot.shapes.size() == 2);
   CHECK(known.surroundings.support->n_C == Eigen::Vector3d(0, 1, 0));
+  told.take("SUPPORT", test::support_bytes("camera", {0, 0, 0}, 0.0));
+  CHECK_FALSE(told.knowledge.about(pair).surroundings.support);
 
   // Without a fixed frame it is in the camera's.
   settings.pose_channel.clear();

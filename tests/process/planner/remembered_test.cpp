@@ -111,6 +111,21 @@ TEST_CASE("a planner that is told to forget all plans as if it had just begun",
   CHECK(poses(chain.grasps()) == poses(fresh.grasps()));
 }
 
+TEST_CASE("a cloud that was taken before all was forgotten, and comes after, is not remembered",
+          "[process][memory][forget]") {
+  Chain chain("--pose-channel POSE", kCautious), untold("--pose-channel POSE", kCautious);
+  forget_t forget{};
+  forget.utime = 3 * kUsPerSecond / 2;
+  forget.frame = "world";
+  forget.all = 1;
+  chain.take("FORGET", bus::encode(forget));
+  for (Chain* each : {&chain, &untold}) {
+    show_from(*each, 1 * kUsPerSecond, kFront);
+    show_from(*each, 2 * kUsPerSecond, kBack);
+  }
+  CHECK(refused_as(chain.grasps(), "unknown") > refused_as(untold.grasps(), "unknown") + 10);
+}
+
 TEST_CASE("a region that is to be forgotten is unknown again, in whatever frame it is named",
           "[process][memory][forget]") {
   // The can, as the first cloud showed it from the other side, and the rays to it.

@@ -47,14 +47,18 @@ RobotShapes read_robot(const std::string& path) {
   const std::vector<std::byte> bytes = read_file(path);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   RobotShapes robot;
+  std::string place = "padding";
   try {
     const Json file = Json::parse(text);
     robot.padding = file.value("padding", robot.padding);
-    for (const Json& shape : file.at("shapes")) robot.shapes.push_back(shape_of(shape));
     robot.check();
+    place = "shapes";
+    for (const Json& shape : file.at("shapes")) {
+      place = "shape " + std::to_string(robot.shapes.size() + 1);
+      robot.shapes.push_back(shape_of(shape));
+    }
   } catch (const std::exception& error) {
-    const std::string number = std::to_string(robot.shapes.size() + 1);
-    throw json_error(path, "no file of shapes, at shape " + number, error,
+    throw json_error(path, "no file of shapes, at " + place, error,
                      "; give {\"shapes\": […]} as quadrille plan --json does");
   }
   return robot;

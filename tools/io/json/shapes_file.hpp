@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/json/json.hpp"
+#include "quadrille/detector/robot_shapes.hpp"
 #include "quadrille/detector/solid_shape.hpp"
 
 namespace quadrille::io {

@@ -8,7 +8,7 @@
 #include "process/runtime/poses/cloud_frame.hpp"
 #include "process/runtime/viewer.hpp"
 #include "quadrille/detector/options.hpp"
-#include "quadrille/detector/solid_shape.hpp"
+#include "quadrille/detector/robot_shapes.hpp"
 #include "quadrille/detector/tracker.hpp"
 
 namespace quadrille {

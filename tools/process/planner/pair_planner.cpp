@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "process/runtime/logging.hpp"
+#include "process/runtime/poses/pose_history.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/remedies.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
@@ -16,8 +17,8 @@
 namespace quadrille {
 namespace {
 
-// A cloud is planned on no later than this after it was taken [us].
-constexpr std::int64_t kLongestDelay = 10'000'000;
+// A cloud is planned on no later than this after it was taken [s].
+constexpr double kLongestDelay = 10.0;
 
 /// Returns the query with what is known of obstacles, and the settings' directions and reach unless
 /// it has its own.
@@ -112,6 +113,7 @@ GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const Known& known
 /// deadline all views count, so that each replay gives the same plans.
 /// @param views  number of views of a plan
 void PairPlanner::fit_views(std::size_t views, const GraspPlan& plan) {
+  // With a view more or less, plans take a share of the deadline between these.
   constexpr double kLong = 0.6, kShort = 0.3;
   const double deadline = settings_.plan.deadline_ms;
   if (deadline == 0.0) return;
@@ -126,9 +128,12 @@ void PairPlanner::fit_views(std::size_t views, const GraspPlan& plan) {
 
 void PairPlanner::remember(const CloudAndQuadrics& pair, const Known& known) {
   if (!settings_.remembers() || !pair.placement.X_WK) return;
-  // What was taken before all was forgotten may show what is no longer so.
-  const std::int64_t before = forgotten_ - pair.cloud->utime;
-  if (before >= 0 && before < kLongestDelay) return;
+  // A cloud that was taken before something was forgotten may show what is no longer so. If it is
+  // much older, the clock was set back, and the cloud is new.
+  if (forgotten_) {
+    const double before = seconds_between(pair.cloud->utime, *forgotten_);
+    if (before >= 0.0 && before < kLongestDelay) return;
+  }
   const PointCloud cloud = in_camera_frame(pair.cloud->cloud, pair.placement, settings_.frames);
   const Eigen::Isometry3d correction = memory_.add(
       pair.cloud->utime, known.surroundings.robot.taken_from(cloud), *pair.placement.X_WK);

@@ -62,9 +62,9 @@ class PairPlanner {
   /// What earlier clouds showed.
   ViewMemory memory_;
   /// Largest number of views for which there is time.
-  std::size_t max_views_ = 64;
+  std::size_t max_views_ = std::numeric_limits<std::size_t>::max();
   /// When something was last forgotten [us].
-  std::int64_t forgotten_ = std::numeric_limits<std::int64_t>::min() / 2;
+  std::optional<std::int64_t> forgotten_;
   std::atomic<std::int64_t> cut_{0};
   LimitedLog cut_log_;
 };

@@ -114,9 +114,10 @@ struct ViewOptions {
                    "cloud stands alone. What is forgotten is unknown."});
     v(o.sector, {"views.sector", "rad", 0.01, 3.2,
                  "Angle between the directions of sight of two views that are both remembered."});
-    v(o.most, {"views.most", "", 1, 64,
-               "Largest number of views that are remembered; each takes the memory of a cloud, and "
-               "some milliseconds of each plan."});
+    v(o.most,
+      {"views.most", "", 1, 64,
+       "Largest number of views that are remembered. Each takes the memory of a small cloud "
+       "and some ten milliseconds of each plan; a deadline leaves out the oldest."});
   }
 };
 

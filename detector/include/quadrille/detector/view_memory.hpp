@@ -17,14 +17,15 @@ struct SurfaceSamples;
 
 /// The views of a scene that a moving camera had, kept up to date.
 ///
-/// The views are those of different directions of sight onto a place, `views.sector` apart; a view
-/// from where one is kept already takes its place. There are `views.most` at most, and each is
-/// forgotten after `views.remember` seconds, after which what it alone saw is unknown again.
+/// A view is kept for each direction from which a place was looked at, `views.sector` apart. A
+/// newer view from nearly the same direction takes the place of the one before. At most
+/// `views.most` views are kept, thinned to what planners can tell apart. Each is forgotten after
+/// `views.remember` seconds; what it alone saw is then unknown.
 ///
-/// What a new view contradicts is forgotten at once: points that it sees through, and, about things
-/// that stand where an older view saw nothing, all that the older view saw as far away from them as
-/// such a thing may be large. Poses are corrected as by align_views(). The same views give the same
-/// bits.
+/// If a new view sees through points of an older one, these points are forgotten at once. If it
+/// shows a thing where an older one saw through, all that the older one saw within 10 cm of the
+/// thing, and behind that, is forgotten, since the thing may reach so far. Poses are corrected as
+/// by align_views(). The same views give the same bits.
 class ViewMemory {
  public:
   /// @throws std::invalid_argument if an option is out of range

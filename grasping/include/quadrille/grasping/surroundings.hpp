@@ -8,7 +8,7 @@
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/detector/point_cloud.hpp"
-#include "quadrille/detector/solid_shape.hpp"
+#include "quadrille/detector/robot_shapes.hpp"
 
 namespace octomap {
 class OcTree;
@@ -32,7 +32,7 @@ struct KnownMap {
   Eigen::Isometry3d X_CM = Eigen::Isometry3d::Identity();
 };
 
-/// What is known of a scene besides one cloud, in that cloud's frame C.
+/// Knowledge of a scene that one cloud does not show, in that cloud's frame C.
 struct Surroundings {
   /// More views of the same scene at rest, each with its own viewpoint.
   std::vector<PointCloud> views = {};

@@ -63,6 +63,31 @@ TEST_CASE("a robot is where the message nearest in time says", "[process][robot]
   CHECK(robot.refusals.counts().total() == 0);
 }
 
+TEST_CASE("a cloud without a time gets the newest robot", "[process][robot]") {
+  BallHistory robot;
+  robot.take(1000, 0.1);
+  robot.take(2000, 0.2);
+  CHECK(robot.at(0) == 0.2);
+}
+
+TEST_CASE("the padding is the message's, or the larger one if there are two robots",
+          "[process][robot]") {
+  const auto padding = [](const RobotState& given, double told) {
+    RobotHistory history(given);
+    Refusals refusals;
+    history.receive("ROBOT", robot_bytes(0, "camera", {ball_message({0, 0, 1}, 0.05)}, told),
+                    &refusals);
+    return history.at(1000, placed_camera(), "eye").padding;
+  };
+  CHECK(padding({}, 0.003) == 0.003);
+  RobotState given;
+  given.frame = "camera";
+  given.robot.padding = 0.02;
+  given.robot.shapes.emplace_back();
+  CHECK(padding(given, 0.003) == 0.02);
+  CHECK(padding(given, 0.03) == 0.03);
+}
+
 TEST_CASE("a robot that is always so is no history", "[process][robot]") {
   BallHistory robot;
   robot.take(1000, 0.1);

@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "process/runtime/poses/named_frame.hpp"
+#include "process/runtime/poses/pose_history.hpp"
 #include "quadrille/bus/scene_messages.hpp"
 
 namespace quadrille {
 namespace {
 
-// A cloud waits for its pose no longer than robots take to send so many messages.
+// Clouds are handled before a robot that tells its shapes a hundred times a second has sent so many
+// messages.
 constexpr std::size_t kMaxStates = 256;
 
 /// @throws std::invalid_argument if a shape is no solid
@@ -25,10 +27,6 @@ RobotState state_of(const robot_t& message) {
   }
   state.robot.check();
   return state;
-}
-
-double seconds_apart(std::int64_t a, std::int64_t b) {
-  return std::abs(static_cast<double>(a) - static_cast<double>(b));
 }
 
 }  // namespace
@@ -56,7 +54,8 @@ const RobotState* RobotHistory::nearest(std::int64_t utime) const {
   if (utime == 0) return states_.empty() ? nullptr : &states_.back();
   const auto found =
       std::min_element(states_.begin(), states_.end(), [&](const auto& a, const auto& b) {
-        return seconds_apart(a.utime, utime) < seconds_apart(b.utime, utime);
+        return std::abs(seconds_between(a.utime, utime)) <
+               std::abs(seconds_between(b.utime, utime));
       });
   return found == states_.end() ? nullptr : &*found;
 }

@@ -10,6 +10,7 @@
 
 #include "process/runtime/poses/camera_poses.hpp"
 #include "process/runtime/refusals.hpp"
+#include "quadrille/detector/robot_shapes.hpp"
 #include "quadrille/detector/solid_shape.hpp"
 
 namespace quadrille {

@@ -1,0 +1,175 @@
+// What a map from elsewhere says is occupied is in the way, and what it says is free is free.
+#include <octomap/OcTree.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "grasping/known_scene.hpp"
+#include "grasping/plans.hpp"
+#include "grasping/scenes.hpp"
+#include "quadrille/grasping/grasp.hpp"
+#include "quadrille/grasping/occupancy.hpp"
+#include "quadrille/grasping/plan.hpp"
+#include "quadrille/grasping/plan_options.hpp"
+#include "quadrille/grasping/surroundings.hpp"
+#include "space/space_mapper.hpp"
+#include "support/catch.hpp"
+#include "support/depth_camera.hpp"
+
+using namespace quadrille;
+using namespace quadrille::test;
+
+TEST_CASE("hands that meet what a map says is occupied are refused, and no others",
+          "[surroundings][map]") {
+  const double resolution = GENERATE(0.005, 0.003, 0.02);
+  const bool turned = resolution != 0.005;
+  CAPTURE(resolution, turned);
+  const CanScene scene;
+  const Eigen::Isometry3d X_CM = turned ? turned_frame() : Eigen::Isometry3d::Identity();
+  const Eigen::Isometry3d X_BC = (scene.X_CW * translation(0.12, 0.0, 0.08)).inverse();
+  const Eigen::Vector3d half(0.06, 0.1, 0.08);
+  Surroundings known;
+  known.map = map_with(X_CM, resolution, around_can(scene, 0.2), [&](const Eigen::Vector3d& p_C) {
+    return in_block(X_BC, half, 0.0, p_C) ? 1 : -1;
+  });
+  const std::vector<Grasp> free = all_hands(scene, {}), kept = all_hands(scene, known);
+  // Half the diagonals of the voxels of the map and of the plan.
+  const double doubt = 0.5 * std::sqrt(3.0) * (resolution + PlanOptions{}.resolution);
+  const auto meets = [&](const Grasp& grasp, double grown) {
+    return any_place_in(boxes_of(grasp), [&](const Eigen::Vector3d& p_C) {
+      return in_block(X_BC, half, grown, p_C);
+    });
+  };
+  int met = 0, clear = 0, lost = 0;
+  // There are thousands.
+  for (std::size_t n = 0; n < free.size(); n += 11) {
+    const Grasp& grasp = free[n];
+    const bool stays = is_among(grasp, kept);
+    if (meets(grasp, -doubt)) {
+      ++met;
+      CHECK_FALSE(stays);
+    } else if (!meets(grasp, doubt + 0.002)) {
+      ++clear;
+      lost += !stays;
+    }
+  }
+  CAPTURE(free.size(), kept.size(), met, clear, lost);
+  CHECK(met > 20);
+  CHECK(clear > 20);
+  // A search ends after many tries, and those that fail early count less.
+  CHECK(5 * lost < clear);
+  for (std::size_t n = 0; n < kept.size(); n += 11) CHECK_FALSE(meets(kept[n], -doubt));
+}
+
+TEST_CASE("each occupied voxel of a map, however small and turned, is in the plan's map",
+          "[surroundings][map]") {
+  std::mt19937 random(11);
+  const double resolution = GENERATE(0.001, 0.003, 0.005, 0.012);
+  const Eigen::AlignedBox3d region(Eigen::Vector3d(-0.1, -0.1, 0.5),
+                                   Eigen::Vector3d(0.1, 0.1, 0.7));
+  for (int n = 0; n < 50; ++n) {
+    const Eigen::Isometry3d X_CM = random_pose(random);
+    const Eigen::Vector3d p_C = random_point(random, region);
+    auto tree = std::make_shared<octomap::OcTree>(resolution);
+    const octomap::point3d p_M = octo_point(X_CM.inverse() * p_C);
+    tree->updateNode(p_M, true);
+    SpaceMapper mapper({region.min().array() - 0.05, region.max().array() + 0.05}, 0.005);
+    CHECK(mapper.add({tree, X_CM}));
+    const OccupancyGrid grid = std::move(mapper).take();
+    const octomap::point3d m = tree->keyToCoord(tree->coordToKey(p_M));
+    const Eigen::Vector3d middle_C = X_CM * Eigen::Vector3d(m.x(), m.y(), m.z());
+    CHECK(grid.at(middle_C) == Voxel::kOccupied);
+    // Nothing else becomes occupied than what is near.
+    const double reach = 0.5 * std::sqrt(3.0) * (resolution + 0.005) + 1e-6;
+    int far = 0;
+    for (int k = 0; k < grid.size().z(); ++k) {
+      for (int j = 0; j < grid.size().y(); ++j) {
+        for (int i = 0; i < grid.size().x(); ++i) {
+          if (grid.at(i, j, k) == Voxel::kUnknown) continue;
+          far += (grid.centre(i, j, k) - middle_C).norm() > reach;
+        }
+      }
+    }
+    CHECK(far == 0);
+  }
+}
+
+TEST_CASE("free nodes of a map make free what no view tells, and nothing else",
+          "[surroundings][map]") {
+  const double resolution = GENERATE(0.008, 0.01);
+  const CanScene scene;
+  const Eigen::Isometry3d X_WC = scene.X_CW.inverse();
+  const auto is_free = [&](const Eigen::Vector3d& p_C, double grown) {
+    const Eigen::Vector3d p = X_WC * p_C;
+    return p.z() > grown &&
+           !(std::hypot(p.x(), p.y()) < kCanRadius + grown && p.z() < kCanHeight + grown);
+  };
+  Surroundings known;
+  known.map = map_with(turned_frame(), resolution, around_can(scene, 0.35),
+                       [&](const Eigen::Vector3d& p_C) { return is_free(p_C, 0.02) ? 0 : -1; });
+  const GraspPlan alone = plan_scene(scene, {}, UnknownPolicy::kObstacle);
+  const GraspPlan told = plan_scene(scene, known, UnknownPolicy::kObstacle);
+  REQUIRE(alone.space);
+  REQUIRE(told.space);
+  REQUIRE(alone.space->size() == told.space->size());
+  int freed = 0, wrong = 0;
+  for (std::size_t n = 0; n < alone.space->states().size(); ++n) {
+    const Voxel before = alone.space->states()[n], after = told.space->states()[n];
+    const bool told_by_view = before == Voxel::kOccupied || before == Voxel::kFree;
+    wrong += (told_by_view && after != before) || (!told_by_view && after == Voxel::kOccupied);
+    freed += before == Voxel::kUnknown && after == Voxel::kFree;
+  }
+  CHECK(wrong == 0);
+  CHECK(freed > 2000);
+  const Eigen::Vector3d behind_C = scene.X_CW * Eigen::Vector3d(0.0, 0.07, 0.04);
+  CHECK(alone.space->at(behind_C) == Voxel::kUnknown);
+  CHECK(told.space->at(behind_C) == Voxel::kFree);
+  const Eigen::Vector3d inside_C = scene.X_CCan.translation();
+  CHECK(told.space->at(inside_C) == Voxel::kUnknown);
+  const std::size_t before = all_hands(scene, {}, UnknownPolicy::kObstacle).size();
+  const std::size_t after = all_hands(scene, known, UnknownPolicy::kObstacle).size();
+  CAPTURE(before, after);
+  CHECK(after > before + 20);
+}
+
+TEST_CASE("an empty map, or one of other places, changes nothing", "[surroundings][map]") {
+  const CanScene scene;
+  const GraspPlan plain = plan_scene(scene, {}, UnknownPolicy::kWeighed);
+  REQUIRE_FALSE(plain.grasps.empty());
+  Surroundings known;
+  known.map.tree = std::make_shared<octomap::OcTree>(0.01);
+  check_same_grasps(plan_scene(scene, known, UnknownPolicy::kWeighed), plain);
+  auto far = std::make_shared<octomap::OcTree>(0.01);
+  far->updateNode(octomap::point3d(50.0f, 50.0f, 50.0f), true);
+  known.map.tree = far;
+  check_same_grasps(plan_scene(scene, known, UnknownPolicy::kWeighed), plain);
+  // A map whose own bounds end before the scene begins.
+  auto small = std::make_shared<octomap::OcTree>(1e-6);
+  small->updateNode(octomap::point3d(0.001f, 0.0f, 0.0f), true);
+  known.map = {small, Eigen::Isometry3d(Eigen::Translation3d(10.0, 0.0, 0.0))};
+  check_same_grasps(plan_scene(scene, known, UnknownPolicy::kWeighed), plain);
+}
+
+TEST_CASE("what a map shows of the target itself is not in the way", "[surroundings][map]") {
+  const CanScene scene;
+  const double resolution = GENERATE(0.005, 0.003);
+  const Eigen::Isometry3d X_WC = scene.X_CW.inverse();
+  Surroundings known;
+  known.map = map_with(
+      turned_frame(), resolution, around_can(scene, 0.15), [&](const Eigen::Vector3d& p_C) {
+        const Eigen::Vector3d p = X_WC * p_C;
+        const bool in_can =
+            std::hypot(p.x(), p.y()) < kCanRadius && p.z() > 0.0 && p.z() < kCanHeight;
+        return in_can ? 1 : -1;
+      });
+  const std::vector<Grasp> free = all_hands(scene, {}), kept = all_hands(scene, known);
+  CAPTURE(free.size(), kept.size());
+  REQUIRE(free.size() > 50);
+  CHECK(static_cast<double>(count_among(free, kept)) > 0.8 * static_cast<double>(free.size()));
+  CHECK_FALSE(plan_scene(scene, known, UnknownPolicy::kWeighed).grasps.empty());
+}
