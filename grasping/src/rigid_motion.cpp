@@ -21,6 +21,7 @@ GraspPlan moved(GraspPlan plan, const Eigen::Isometry3d& X_FC) {
   plan.boxes = moved(std::move(plan.boxes), X_FC);
   for (Grasp& grasp : plan.grasps) grasp = moved(std::move(grasp), X_FC);
   for (CollisionShape& shape : plan.shapes) shape = moved(std::move(shape), X_FC);
+  for (Look& look : plan.looks) look.X_CK = X_FC * look.X_CK;
   return plan;
 }
 

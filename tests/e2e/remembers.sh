@@ -25,5 +25,12 @@ plan remembering 1
 plan remembering 2
 plan forgetful 1
 "$tool" check-equal "$work/remembering1.lcm" "$work/remembering2.lcm"
+# The command makes the same of the log's last cloud and those before it, in the fixed frame.
+"$bin/quadrille" plan "$work/path.lcm#30" --scene --pose-channel CAMERA_POSE --gripper franka \
+  --unknown obstacle --json "$work/plan.json" >/dev/null 2>&1
+"$tool" check-plan-elsewhere "$work/remembering1.lcm" "$work/plan.json"
+"$bin/quadrille" plan "$work/path.lcm#30" --pose-channel CAMERA_POSE --gripper franka \
+  --unknown obstacle --json "$work/plan.json" >/dev/null 2>&1
+"$tool" check-plan-elsewhere "$work/forgetful1.lcm" "$work/plan.json"
 "$tool" check-remembered "$work/remembering1.lcm" "$work/forgetful1.lcm"
 echo "remembers: all well"

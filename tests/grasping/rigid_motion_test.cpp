@@ -5,10 +5,11 @@
 using namespace quadrille;
 using namespace quadrille::test;
 
-TEST_CASE("a moved plan has its grasps, contacts and shapes moved", "[frames]") {
+TEST_CASE("a moved plan has its grasps, contacts, shapes and proposed views moved", "[frames]") {
   std::mt19937 random(5);
-  const GraspPlan plan = plan_balls({ball_on_table(0.0, 0.0, 0.03)});
+  GraspPlan plan = plan_balls({ball_on_table(0.0, 0.0, 0.03)});
   REQUIRE_FALSE(plan.grasps.empty());
+  plan.looks = {{random_pose(random), {4, 2}, 1.25}, {random_pose(random), {7}, 0.5}};
   const Eigen::Isometry3d X_FC = random_pose(random);
   const GraspPlan there = moved(plan, X_FC);
   REQUIRE(there.grasps.size() == plan.grasps.size());
@@ -22,6 +23,13 @@ TEST_CASE("a moved plan has its grasps, contacts and shapes moved", "[frames]") 
   }
   REQUIRE(there.shapes.size() == plan.shapes.size());
   CHECK((there.shapes[0].X_CS.matrix() - (X_FC * plan.shapes[0].X_CS).matrix()).norm() < 1e-15);
+  REQUIRE(there.looks.size() == 2);
+  for (std::size_t n = 0; n < 2; ++n) {
+    const Look &a = plan.looks[n], &b = there.looks[n];
+    CHECK((b.X_CK.matrix() - (X_FC * a.X_CK).matrix()).norm() < 1e-15);
+    CHECK(b.bodies == a.bodies);
+    CHECK(b.gain == a.gain);
+  }
 }
 
 TEST_CASE("a map moved by whole voxels and quarter turns is the same map", "[frames][occupancy]") {

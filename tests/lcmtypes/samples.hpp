@@ -181,6 +181,13 @@ inline grasps_t make_grasps() {
   m.remedies[0].num_grasps = 4;
   m.remedies[0].score = 0.75;
   m.num_remedies = 1;
+  m.looks.resize(1);
+  m.looks[0].pose.position[0] = 0.125, m.looks[0].pose.position[2] = -0.5;
+  m.looks[0].pose.quaternion[0] = 0.6, m.looks[0].pose.quaternion[2] = -0.8;
+  m.looks[0].bodies = {5, 3};
+  m.looks[0].num_bodies = 2;
+  m.looks[0].gain = 1.25;
+  m.num_looks = 1;
   m.warnings = {"few points"};
   m.num_warnings = 1;
   return m;
@@ -244,8 +251,14 @@ inline planner_status_t make_planner_status() {
   m.rejected_requests = {{"cut_short", 1}};
   m.num_rejected_requests = 1;
   m.pose_age = 7.5;
+  m.remembered_views = 6;
+  m.pose_correction = 0.002;
+  m.rejected_views = {{"bad_value", 2}};
+  m.num_rejected_views = 1;
   m.unplaced = {{"late_pose", 4}};
   m.num_unplaced = 1;
+  m.unplaced_views = {{"no_pose", 3}};
+  m.num_unplaced_views = 1;
   m.stages.resize(1);
   m.stages[0].name = "grasps";
   m.num_stages = 1;

@@ -20,6 +20,10 @@ TEST_CASE("the status of a detector or a planner survives its message", "[bus][s
   CHECK(planner.rejected_requests[0].name == "cut_short");
   CHECK(planner.pose_age == 7.5);
   CHECK(planner.unplaced[0].count == 4);
+  CHECK(planner.remembered_views == 6);
+  CHECK(planner.pose_correction == 0.002);
+  CHECK(planner.rejected_views[0].name == "bad_value");
+  CHECK(planner.unplaced_views[0].name == "no_pose");
 }
 
 TEST_CASE("only reasons that occurred go into the status", "[bus][status]") {

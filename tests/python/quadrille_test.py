@@ -287,7 +287,17 @@ class Plan(unittest.TestCase):
         self.assertIn(first.target, [t.target for t in none.targets if t.furthest == "caller"])
         self.assertIn((first.target, True), [(t.target, t.grasps > 0) for t in plain.targets])
         self.assertEqual(scene.plan(min_score=1.0).remedies, [])
-        remedies = scene.plan(min_score=1.0, advise=True).remedies
+        self.assertEqual(scene.plan(min_score=1.0).looks, [])
+        advised = scene.plan(min_score=1.0, advise=True)
+        bodies = {body.id: body for body in found.bodies}
+        self.assertGreater(len(advised.looks), 0)
+        for look in advised.looks:
+            self.assertGreater(look.gain, 0.0)
+            np.testing.assert_allclose(look.X_CK[:3, :3] @ look.X_CK[:3, :3].T, np.eye(3), atol=1e-9)
+            # The camera looks at one of the bodies that it helps.
+            p = [(np.linalg.inv(look.X_CK) @ bodies[id].X_CB[:, 3])[:3] for id in look.bodies]
+            self.assertLess(min(np.linalg.norm(q[:2]) for q in p if q[2] > 0.3), 1e-3)
+        remedies = advised.remedies
         own = [r for r in remedies if r.target == first.target and r.change.startswith("--min-score")]
         self.assertEqual(len(own), 1)
         followed = scene.plan(targets=[first.target], min_score=float(own[0].change.split()[1]),

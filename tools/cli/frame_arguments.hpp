@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "quadrille/detector/point_cloud.hpp"
 
@@ -11,6 +13,10 @@ class App;
 }
 
 namespace quadrille {
+
+/// Reads a pose "X,Y,Z,QW,QX,QY,QZ" in metres, its quaternion of norm 1.
+/// @throws CLI::ValidationError naming the option
+Eigen::Isometry3d camera_pose_of(const std::string& option, const std::string& list);
 
 /// The pose of a static camera from the command line.
 struct CameraPoseArgument {
@@ -28,9 +34,17 @@ struct FrameArguments {
   std::optional<Eigen::Vector3d> viewpoint;
   /// Pose of the camera; its fixed frame W is C here.
   CameraPoseArgument camera;
+  /// The same for each input, if there are several poses.
+  std::vector<Eigen::Isometry3d> cameras;
 
   /// Adds --viewpoint and --camera-pose; this object must outlive the app.
   void add_to(CLI::App& command);
+  /// The same, with a pose for each input if it is given so often.
+  void add_for_inputs_to(CLI::App& command);
+  /// @throws CLI::ValidationError if there are several poses, but not as many as inputs
+  void check(std::size_t inputs) const;
+  /// Returns what holds for one of the inputs, counted from 0.
+  FrameArguments of_input(std::size_t n) const;
 
   /// Returns the pose in C of the frame in which to work: the camera's frame if it is known,
   /// because there the pixels lie in rows; otherwise C itself.

@@ -80,6 +80,11 @@ void check_address(const std::string& lcm_url) {
   }
 }
 
+void check_channel(const std::string& option, const std::string& channel) {
+  const std::string wrong = check_channel_name(channel);
+  if (!wrong.empty()) throw CLI::ValidationError(option, wrong);
+}
+
 void add_channel_option(CLI::App& app, const std::string& name, std::string& channel,
                         const std::string& what) {
   app.add_option(name, channel, "Channel of the " + what)

@@ -82,6 +82,10 @@ std::vector<NamedChannel> channels_of(const Settings& settings) {
 /// @throws CLI::ValidationError if two are the same
 void check_distinct(const std::vector<NamedChannel>& channels);
 
+/// Checks the name of a channel that is a part of an option's value.
+/// @throws CLI::ValidationError if LCM does not accept it
+void check_channel(const std::string& option, const std::string& channel);
+
 /// Adds an option that accepts the name of a channel, or a pattern of names.
 /// @param what  what the channel carries, such as "clouds"
 void add_pattern_option(CLI::App& app, const std::string& name, std::string& pattern,

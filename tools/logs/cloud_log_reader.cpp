@@ -4,13 +4,15 @@
 
 namespace quadrille::logs {
 
-CloudLogReader::CloudLogReader(const std::string& path, const std::string& channel)
-    : log_(path), channel_(channel) {}
+CloudLogReader::CloudLogReader(const std::string& path, const std::string& channel,
+                               OnEvent on_event)
+    : log_(path), channel_(channel), on_event_(std::move(on_event)) {}
 
 std::optional<LoggedCloud> CloudLogReader::next() {
   while (const auto event = log_.next()) {
     ++read_;
     ++channels_[event->channel];
+    if (on_event_) on_event_(*event);
     if (!channel_.empty() && event->channel != channel_) continue;
     bus::Decoded<bus::CloudMessage> decoded =
         bus::decode_cloud(event->bytes, bus::kMaxMessageBytes, bus::CloudColours::kKeep);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,10 +23,14 @@ struct LoggedCloud {
 /// Reads the clouds of an LCM log in order, in all formats.
 class CloudLogReader {
  public:
+  /// Called for each event of the log, before a cloud is made of it.
+  using OnEvent = std::function<void(const bus::LogReader::Event&)>;
+
   /// @param channel  the only channel to read; if empty, all channels are read, and events of other
   ///   types are skipped
   /// @throws std::runtime_error as bus::LogReader does
-  explicit CloudLogReader(const std::string& path, const std::string& channel = "");
+  explicit CloudLogReader(const std::string& path, const std::string& channel = "",
+                          OnEvent on_event = nullptr);
 
   /// Returns the next cloud; nullopt at the end. Events that are not valid clouds are counted.
   std::optional<LoggedCloud> next();
@@ -42,6 +47,7 @@ class CloudLogReader {
  private:
   bus::LogReader log_;
   std::string channel_;
+  OnEvent on_event_;
   std::int64_t read_ = 0;
   bus::RejectCounts rejected_;
   std::map<std::string, std::int64_t> channels_;

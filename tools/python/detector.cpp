@@ -218,21 +218,23 @@ void bind_memory(py::module_& module) {
       .def(
           "add",
           [](ViewMemory& memory, std::int64_t utime, const Points& points,
-             const Eigen::Vector3d& viewpoint, const Eigen::Matrix4d& X_WC) {
-            PointCloud cloud = cloud_of(view_of(points, viewpoint));
-            return matrix_of(memory.add(utime, std::move(cloud), pose_of(X_WC, "X_WC")));
+             const Eigen::Vector3d& viewpoint, const Eigen::Matrix4d& X_WC, int camera) {
+            const PointCloud cloud = cloud_of(view_of(points, viewpoint));
+            return matrix_of(memory.add(utime, cloud, pose_of(X_WC, "X_WC"), camera));
           },
-          py::arg("utime"), py::arg("points"), py::arg("viewpoint"), py::arg("X_WC"))
+          py::arg("utime"), py::arg("points"), py::arg("viewpoint"), py::arg("X_WC"),
+          py::arg("camera"))
       .def(
           "others",
-          [](const ViewMemory& memory, std::int64_t utime, const Eigen::Matrix4d& X_WC) {
+          [](const ViewMemory& memory, std::int64_t utime, const Eigen::Matrix4d& X_WC,
+             int camera) {
             std::vector<PyCloud> views;
-            for (const PointCloud& view : memory.others(utime, pose_of(X_WC, "X_WC"))) {
+            for (const PointCloud& view : memory.others(utime, pose_of(X_WC, "X_WC"), camera)) {
               views.push_back(cloud_to_python(view));
             }
             return views;
           },
-          py::arg("utime"), py::arg("X_WC"))
+          py::arg("utime"), py::arg("X_WC"), py::arg("camera"))
       .def("forget", py::overload_cast<>(&ViewMemory::forget))
       .def(
           "forget_box",

@@ -27,6 +27,7 @@
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/grasping/conventions.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
+#include "quadrille/grasping/looks.hpp"
 #include "quadrille/grasping/remedies.hpp"
 #include "quadrille/grasping/shape.hpp"
 #include "quadrille/grasping/surroundings.hpp"
@@ -154,14 +155,25 @@ void bind_plan(py::module_& module) {
                     "The change, as on the command line: '--gripper robotiq_2f85'.")
       .def_readonly("grasps", &Remedy::grasps, "Number of grasps of the target after the change.")
       .def_readonly("score", &Remedy::score, "Score of the best of them.");
+  py::class_<Look>(module, "Look", "A view that would help bodies without a good grasp.")
+      .def_property_readonly(
+          "X_CK", [](const Look& look) { return matrix_of(look.X_CK); },
+          "Pose of the camera's frame K, (4, 4) [m]: z ahead, x along the rows of its image.")
+      .def_readonly("bodies", &Look::bodies,
+                    "Ids of the bodies that it would help, the largest gain first.")
+      .def_readonly("gain", &Look::gain,
+                    "Sum over these of the share, 0 to 1, of the unknown space about them that it "
+                    "would show.");
   py::class_<GraspPlan>(module, "Plan", "What was planned on a cloud: a sequence of its grasps.")
       .def_readonly("grasps", &GraspPlan::grasps, "Best first.")
       .def_readonly("rejected", &GraspPlan::rejected, "How much was refused, by reason.")
       .def_readonly("targets", &GraspPlan::targets,
                     "What became of each target that was asked for.")
       .def_readonly("remedies", &GraspPlan::remedies,
-                    "What would give grasps to targets that have none, if find_remedies() was "
-                    "asked.")
+                    "What would give grasps to targets that have none, if advise was asked for.")
+      .def_readonly("looks", &GraspPlan::looks,
+                    "Views that would help bodies without a good grasp, best first, if advise was "
+                    "asked for.")
       .def_readonly("boxes", &GraspPlan::boxes, "Boxes among the detections, which may be targets.")
       .def_property_readonly(
           "timings", [](const GraspPlan& p) { return dict_of(p.timings); }, "By stage [ms].")
@@ -228,7 +240,7 @@ GraspQuery query_of(const std::vector<int>& targets, const std::vector<int>& tra
   return query;
 }
 
-/// A scene with what it was made of, which remedies are sought with.
+/// A scene with what it was made of, with which remedies and views that help are sought.
 struct PlannedScene {
   PointCloud cloud;
   std::vector<Detection> detections;
@@ -244,6 +256,7 @@ struct PlannedScene {
     if (advise) {
       plan.remedies =
           find_remedies(plan, cloud, detections, gripper, options, known, query, boxes, bodies);
+      plan.looks = propose_looks(plan, bodies, detections, cloud.viewpoint);
     }
     return plan;
   }

@@ -64,7 +64,7 @@ void run(const DetectArguments& arguments) {
   PicturePaths pictures(arguments.picture.path, may_be_several(arguments.inputs));
   JsonLines json(arguments.json);
   CommandReport report(arguments.report, arguments.inputs, settings);
-  Tracking tracking(setup.track, arguments.track);
+  Tracking tracking(setup.track, arguments.track || arguments.input.scene);
   const auto put_out = [&](const std::string& path, const InputCloud& input,
                            const SceneViews& views, const DetectionResult& found) {
     DetectionResult result = found;
@@ -83,6 +83,7 @@ void run(const DetectArguments& arguments) {
     arguments.picture.write(pictures.next(path), {input.info.input, input.cloud, found});
   };
   const auto detect_and_put_out = [&](const std::string& path, const InputCloud& input) {
+    // The tracks of a numbered cloud begin with those before it.
     std::vector<std::string> warnings;
     const SceneViews views =
         all_views(arguments.views, input.cloud, input.X_CK,
@@ -90,12 +91,15 @@ void run(const DetectArguments& arguments) {
     DetectionResult result = detect_views(views.clouds, setup.options);
     result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
     tracking.add_to(input, path, &result.detections);
+    if (!input.asked) return;
     std::erase_if(result.detections, [](const Detection& d) { return !is_reported(d); });
     std::erase_if(result.boxes, [](const Box& box) { return !is_reported(box); });
     put_out(path, input, views, result);
     if (report.wanted()) report.add(input, view::scene_of_result(input.cloud, result, input.X_CK));
   };
-  const ReadingResult read = for_each_input(arguments.inputs, arguments.input, detect_and_put_out);
+  InputArguments selection = arguments.input;
+  selection.track = setup.track;
+  const ReadingResult read = for_each_input(arguments.inputs, selection, detect_and_put_out);
   if (read.gave_anything()) json.finish();
   if (read.gave_anything()) report.finish(read.failed);
   read.check();
@@ -113,6 +117,7 @@ void add_detect_command(CLI::App& app) {
                     "Take files for successive views of a camera at rest; logs always are");
   arguments->views.add_to(*command);
   arguments->input.add_to(*command);
+  command->get_option("--scene")->excludes("--view");
   add_robot_option(*command, arguments->robot, "the frame of the results");
   arguments->picture.add_to(*command, "the cloud and the quadrics");
   add_report_option(*command, arguments->report, "the clouds and the quadrics");

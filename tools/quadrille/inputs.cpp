@@ -21,7 +21,7 @@
 #include "io/describe.hpp"
 #include "io/file_bytes.hpp"
 #include "log/event_log.hpp"
-#include "logs/cloud_log_reader.hpp"
+#include "logs/posed_log_reader.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/printable.hpp"
 #include "run/clock.hpp"
@@ -30,6 +30,9 @@ namespace quadrille {
 namespace {
 
 using Visitor = std::function<void(InputCloud)>;
+
+/// Name of the frame of the camera's poses, as the processes have it.
+constexpr const char* kWorld = "world";
 
 /// A log, or one of its clouds.
 struct LogName {
@@ -71,21 +74,43 @@ InputCloud read_cloud_file(const std::string& path, const FrameArguments& frames
   return input;
 }
 
-/// Reads on to the next cloud of a log; `number` counts its clouds from 1.
-std::optional<InputCloud> read_logged_cloud(logs::CloudLogReader& reader, const std::string& path,
-                                            const FrameArguments& frames, int number) {
-  const auto start = std::chrono::steady_clock::now();
-  auto logged = reader.next();
-  if (!logged) return std::nullopt;
+/// A cloud of a log, or why it has none.
+struct LogCloud {
   InputCloud input;
-  input.X_CK = frames.working_frame();
-  input.cloud = moved(std::move(logged->message.cloud), input.X_CK.inverse());
-  frames.place_viewpoint(&input.cloud);
+  /// Why the camera's pose, although asked for, is not known; empty if nothing is missing.
+  std::string lack;
+};
+
+logs::PosedLogReader open_log(const std::string& path, const InputArguments& arguments) {
+  return {path, arguments.channel, arguments.pose_channel, arguments.track.pose_age,
+          arguments.track.pose_wait};
+}
+
+/// Reads on to the next cloud of a log; `number` counts its clouds from 1.
+std::optional<LogCloud> read_logged_cloud(logs::PosedLogReader& reader, const std::string& path,
+                                          const InputArguments& arguments, int number) {
+  const auto start = std::chrono::steady_clock::now();
+  auto posed = reader.next();
+  if (!posed) return std::nullopt;
+  LogCloud found;
+  InputCloud& input = found.input;
+  bus::CloudMessage& message = posed->cloud.message;
+  const bool in_world = !arguments.pose_channel.empty();
+  if (in_world) {
+    found.lack = posed->pose.detail;
+    input.X_CK = posed->pose.X_WK.value_or(Eigen::Isometry3d::Identity());
+    input.cloud = std::move(message.cloud);
+  } else {
+    input.X_CK = arguments.frames.working_frame();
+    input.cloud = moved(std::move(message.cloud), input.X_CK.inverse());
+    arguments.frames.place_viewpoint(&input.cloud);
+  }
   describe(path + "#" + std::to_string(number), start, &input);
-  input.share = reader.share();
-  input.channel = logged->channel;
-  input.utime = logged->message.utime;
-  return input;
+  if (in_world) input.info.frame = kWorld;
+  input.share = reader.clouds().share();
+  input.channel = posed->cloud.channel;
+  input.utime = message.utime;
+  return found;
 }
 
 using Counts = std::map<std::string, std::int64_t>;
@@ -118,21 +143,32 @@ std::vector<std::string> warnings_about(const logs::CloudLogReader& reader,
   return warnings;
 }
 
-/// Visits the cloud of a log with the given number.
+/// Visits the cloud of a log with the given number, and before it the ones before if they show the
+/// same scene.
 std::vector<std::string> visit_numbered(const LogName& log, const InputArguments& arguments,
                                         const Visitor& visit) {
-  logs::CloudLogReader reader(log.path, arguments.channel);
+  logs::PosedLogReader reader = open_log(log.path, arguments);
   int clouds = 0;
-  while (auto input = read_logged_cloud(reader, log.path, arguments.frames, clouds + 1)) {
-    if (++clouds < *log.number) continue;
-    input->warnings = warnings_about(reader, arguments.channel, {{input->channel, 1}});
-    const std::vector<std::string> warnings = input->warnings;
-    visit(std::move(*input));
+  while (auto found = read_logged_cloud(reader, log.path, arguments, clouds + 1)) {
+    InputCloud& input = found->input;
+    input.asked = ++clouds == *log.number;
+    if (!input.asked) {
+      if (arguments.scene && found->lack.empty()) visit(std::move(input));
+      continue;
+    }
+    if (!found->lack.empty()) {
+      throw io::FileError(
+          log.path, "",
+          fmt::format("the pose of the camera of cloud #{} is not known: {}", clouds, found->lack));
+    }
+    input.warnings = warnings_about(reader.clouds(), arguments.channel, {{input.channel, 1}});
+    const std::vector<std::string> warnings = input.warnings;
+    visit(std::move(input));
     return warnings;
   }
   const std::string held =
       clouds == 0
-          ? describe_no_cloud(reader, arguments.channel)
+          ? describe_no_cloud(reader.clouds(), arguments.channel)
           : fmt::format("holds {}{}", io::count_of(static_cast<std::size_t>(clouds), "cloud"),
                         arguments.channel.empty()
                             ? ""
@@ -140,21 +176,45 @@ std::vector<std::string> visit_numbered(const LogName& log, const InputArguments
   throw io::FileError(log.path, "", fmt::format("there is no cloud #{}; it {}", *log.number, held));
 }
 
+/// The clouds of a log whose poses are not known.
+struct Poseless {
+  int clouds = 0, first = 0;
+  std::string why_first;
+
+  void add(int number, const std::string& why) {
+    if (clouds++ > 0) return;
+    first = number;
+    why_first = why;
+  }
+  /// @param of  number of clouds of the log
+  std::string warning(int of) const {
+    return fmt::format(
+        "{} of {} clouds are left out, since the pose of their camera is not known; of #{}: {}",
+        clouds, of, first, why_first);
+  }
+};
+
 /// Visits the clouds of a log. Each cloud waits for the next one, because defects of a log are
 /// known only at its end and are reported with the last cloud.
 std::vector<std::string> visit_log(const std::string& path, const InputArguments& arguments,
                                    const Visitor& visit) {
-  logs::CloudLogReader reader(path, arguments.channel);
+  logs::PosedLogReader reader = open_log(path, arguments);
   Counts clouds;
   int number = 0;
   std::optional<InputCloud> last;
-  while (auto input = read_logged_cloud(reader, path, arguments.frames, number + 1)) {
+  Poseless poseless;
+  while (auto found = read_logged_cloud(reader, path, arguments, number + 1)) {
     ++number;
-    ++clouds[input->channel];
+    ++clouds[found->input.channel];
+    if (!found->lack.empty()) {
+      poseless.add(number, found->lack);
+      continue;
+    }
     if (last) visit(std::move(*last));
-    last = std::move(input);
+    last = std::move(found->input);
   }
-  std::vector<std::string> warnings = warnings_about(reader, arguments.channel, clouds);
+  std::vector<std::string> warnings = warnings_about(reader.clouds(), arguments.channel, clouds);
+  if (poseless.clouds > 0) warnings.push_back(poseless.warning(number));
   if (!last) return warnings;
   last->warnings = warnings;
   visit(std::move(*last));
@@ -164,16 +224,35 @@ std::vector<std::string> visit_log(const std::string& path, const InputArguments
 }  // namespace
 
 void InputArguments::add_to(CLI::App& command) {
-  frames.add_to(command);
+  frames.add_for_inputs_to(command);
   add_channel_option(command, "--channel", channel, "clouds, of a log that has several");
+  add_channel_option(command, "--pose-channel", pose_channel,
+                     "camera's poses, in logs; results are then in the poses' fixed frame");
+  for (const char* rival : {"--viewpoint", "--camera-pose"}) {
+    command.get_option("--pose-channel")->excludes(command.get_option(rival));
+  }
+  command.add_flag(
+      "--scene", scene,
+      "Take all clouds for views of one scene at rest, in the order in which they came");
 }
 
 void InputArguments::check(const std::vector<std::string>& paths) const {
   const bool logs = std::any_of(paths.begin(), paths.end(), [](const std::string& path) {
     return log_name_of(path).has_value();
   });
-  if (channel.empty() || logs) return;
-  throw CLI::ValidationError("--channel", "is for LCM logs, and no input is one");
+  frames.check(paths.size());
+  if (logs) return;
+  for (const auto& [option, name] :
+       {std::pair("--channel", &channel), std::pair("--pose-channel", &pose_channel)}) {
+    if (name->empty()) continue;
+    throw CLI::ValidationError(option, "is for LCM logs, and no input is one");
+  }
+}
+
+InputArguments InputArguments::of_input(std::size_t n) const {
+  InputArguments one = *this;
+  one.frames = frames.of_input(n);
+  return one;
 }
 
 bool is_log(const std::string& path) { return path.ends_with(".lcm") || bus::starts_as_log(path); }
@@ -203,10 +282,11 @@ ReadingResult for_each_input(
   result.inputs = paths.size();
   std::optional<ProgressLine> line;
   if (isatty(STDOUT_FILENO) == 0 && may_be_several(paths)) line.emplace();
-  double done = 0.0;
-  for (const std::string& path : paths) {
+  for (std::size_t n = 0; n < paths.size(); ++n) {
+    const std::string& path = paths[n];
     const auto visit_and_count = [&](InputCloud input) {
-      const double share = (done + input.share) / static_cast<double>(paths.size());
+      const double share =
+          (static_cast<double>(n) + input.share) / static_cast<double>(paths.size());
       if (line) line->wipe();
       try {
         visit(path, std::move(input));
@@ -218,14 +298,13 @@ ReadingResult for_each_input(
       if (line) line->show(share);
     };
     try {
-      print_warnings(path, for_each_cloud(path, arguments, visit_and_count));
+      print_warnings(path, for_each_cloud(path, arguments.of_input(n), visit_and_count));
     } catch (const io::FileError& error) {
       if (paths.size() == 1) throw;
       // An input that cannot be read must not prevent the others from being processed.
       fmt::print(stderr, "quadrille: {}\n", printable(error.what(), kMaxLine));
       ++result.failed;
     }
-    ++done;
   }
   return result;
 }

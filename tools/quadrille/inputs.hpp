@@ -9,6 +9,7 @@
 #include "cli/frame_arguments.hpp"
 #include "io/json/json.hpp"
 #include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/detector/tracker.hpp"
 
 namespace quadrille {
 
@@ -24,19 +25,33 @@ struct InputArguments {
   FrameArguments frames;
   /// Channel of the clouds in logs; if empty, all channels.
   std::string channel;
+  /// Channel of the camera's poses X_WK in logs; if empty, clouds stay in their own frame.
+  std::string pose_channel;
+  /// Whether all clouds show one scene at rest. Then a numbered cloud of a log is visited after
+  /// those before it.
+  bool scene = false;
+  /// How long poses are valid, and how long clouds wait for them.
+  TrackOptions track;
 
-  /// Adds --viewpoint, --camera-pose and --channel; this object must outlive the app.
+  /// Adds --viewpoint, --camera-pose, --channel, --pose-channel and --scene; this object must
+  /// outlive the app.
   void add_to(CLI::App& command);
-  /// @throws CLI::ValidationError if a channel is named but none of the inputs is a log
+  /// @throws CLI::ValidationError if a channel is named but none of the inputs is a log, or the
+  ///   poses of cameras are not as many as the inputs
   void check(const std::vector<std::string>& paths) const;
+  /// Returns what holds for one of the inputs, counted from 0.
+  InputArguments of_input(std::size_t n) const;
 };
 
 /// One cloud of an input, with its name and the time that it took to read.
 struct InputCloud {
   io::InputInfo info;
+  /// False for the clouds of a scene before the one that is asked for.
+  bool asked = true;
   /// The cloud in frame K, which is the camera's if its pose was given, otherwise the cloud's own.
   PointCloud cloud;
-  /// Pose of K in the cloud's own frame C, in which results are given.
+  /// Pose of K in the frame C in which results are given: the cloud's own, or the fixed frame W of
+  /// the poses on the channel of poses.
   Eigen::Isometry3d X_CK = Eigen::Isometry3d::Identity();
   /// For clouds of a log: the channel, and the time of capture [us].
   std::string channel;
@@ -60,7 +75,8 @@ bool is_log(const std::string& path);
 bool may_be_several(const std::vector<std::string>& paths);
 
 /// Calls `visit` for each cloud of a file or of an LCM log, in order; for only one cloud of a log
-/// if the path ends in its number, "clouds.lcm#2", counted from 1 among those of the channel.
+/// if the path ends in its number, "clouds.lcm#2", counted from 1 among those of the channel. If
+/// there is a channel of poses, clouds whose pose is not known are left out.
 /// @return warnings about a log that could be read in part: where it is truncated, which messages
 ///   were refused, that it holds no cloud, or clouds of several channels
 /// @throws std::runtime_error naming the file if it cannot be read or has no cloud with that number

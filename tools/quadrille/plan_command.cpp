@@ -39,6 +39,7 @@
 #include "quadrille/grasping/remedies.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 #include "quadrille/inputs.hpp"
+#include "quadrille/lasting_scene.hpp"
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
 #include "quadrille/tracking.hpp"
@@ -138,7 +139,7 @@ struct PlanOutput {
 /// @param info  information about the run, with the warnings so far
 void put_out(const PlanArguments& arguments, const PlanSetup& setup, const InputCloud& input,
              io::RunInfo info, const SceneViews& views, const DetectionResult& result,
-             const GraspPlan& plan, const std::vector<Look>& looks, PlanOutput* output) {
+             const GraspPlan& plan, PlanOutput* output) {
   for (const auto& warnings : {result.warnings, without(plan.warnings, result.warnings)}) {
     info.warnings.insert(info.warnings.end(), warnings.begin(), warnings.end());
     print_warnings(input.info.input, warnings);
@@ -153,7 +154,7 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
   if (const io::Json known = io::to_json(arguments.known); !known.empty()) object["known"] = known;
   if (arguments.advise) {
     object["remedies"] = io::to_json(plan.remedies);
-    object["look"] = io::to_json(looks);
+    object["look"] = io::to_json(plan.looks);
   }
   if (arguments.convention) add_hands(plan, setup.gripper, *arguments.convention, &object);
   output->json.write(object);
@@ -161,21 +162,29 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
     const Paint paint = Paint::of_stdout();
     print(detection_table(input.info, result, paint) +
           grasp_table(is_found ? plan : nothing, setup.options.unknown, arguments.advise, paint) +
-          look_table(looks));
+          look_table(plan.looks));
   }
   // The plan's warnings say why there is none.
   if (output->map && plan.space) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
 }
 
+/// What is known from the clouds before.
+struct Before {
+  Tracking tracking;
+  LastingScene scene;
+};
+
 void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const std::string& path,
-                const InputCloud& input, Tracking* tracking, PlanOutput* output) {
+                const InputCloud& input, Before* before, PlanOutput* output) {
   io::RunInfo info = setup.info;
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
   Surroundings known = moved(arguments.known, input.X_CK.inverse());
+  known.views = before->scene.add(input, known.robot);
+  if (!input.asked) return;
   const SceneViews views = all_views(arguments.views, input.cloud, input.X_CK, known.robot,
                                      setup.detector.options, &info.warnings);
   DetectionResult found = detect_views(views.clouds, setup.detector.options);
-  tracking->add_to(input, path, &found.detections);
+  before->tracking.add_to(input, path, &found.detections);
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);
@@ -184,17 +193,15 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   // The planner drops the robot's points itself, since it needs to know what they hide; if there
   // are other views, they show that.
   const PointCloud& cloud = views.clouds.size() > 1 ? views.clouds.front() : input.cloud;
-  known.views.assign(views.clouds.begin() + 1, views.clouds.end());
+  known.views.insert(known.views.end(), views.clouds.begin() + 1, views.clouds.end());
   const std::vector<Box> boxes = bus::as_received(found.boxes);
   const std::vector<SceneBody> bodies = bus::as_received(found.bodies);
   const GraspScene asked(cloud, detections, setup.gripper, setup.options, known, boxes, bodies);
   GraspPlan planned = asked.plan_from_start(query);
-  std::vector<Look> looks;
   if (arguments.advise) {
     planned.remedies = find_remedies(planned, cloud, detections, setup.gripper, setup.options,
                                      known, query, boxes, bodies);
-    looks = propose_looks(planned, bodies, detections, cloud.viewpoint);
-    for (Look& look : looks) look.X_CK = input.X_CK * look.X_CK;
+    planned.looks = propose_looks(planned, bodies, detections, cloud.viewpoint);
   }
   found.boxes = planned.boxes;
   // All detections were obstacles, but only those that were asked for are shown.
@@ -205,7 +212,7 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   result.boxes = moved(std::move(result.boxes), input.X_CK);
   result.bodies = moved(std::move(result.bodies), input.X_CK);
   put_out(arguments, setup, input, std::move(info), views, result, moved(planned, input.X_CK),
-          looks, output);
+          output);
   if (output->pictures.wanted()) {
     arguments.picture.write(output->pictures.next(path),
                             {input.info.input, input.cloud, found, &planned, &setup.gripper});
@@ -217,11 +224,15 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   output->report.add(input, std::move(scene));
 }
 
-/// Refuses several inputs if a map is written, since it belongs to one scene.
+/// Refuses several inputs if a map is written, since it belongs to one plan.
 void check_single_scene(const PlanArguments& arguments) {
   arguments.views.check(arguments.inputs);
-  if (arguments.map.empty() || arguments.inputs.size() == 1) return;
-  throw CLI::ValidationError("--map", "takes a single INPUT; plan for one after the other");
+  if (arguments.map.empty()) return;
+  if (arguments.inputs.size() > 1) {
+    throw CLI::ValidationError("--map", "takes a single INPUT; plan for one after the other");
+  }
+  if (!arguments.input.scene || !may_be_several(arguments.inputs)) return;
+  throw CLI::ValidationError("--map", "takes one plan of a scene; name its cloud: clouds.lcm#2");
 }
 
 void run(const PlanArguments& arguments) {
@@ -234,12 +245,15 @@ void run(const PlanArguments& arguments) {
                     {},
                     CommandReport(arguments.report, arguments.inputs, setup.config)};
   if (!arguments.map.empty()) output.map.emplace(arguments.map);
-  Tracking tracking(setup.detector.track, false);
+  Before before{{setup.detector.track, arguments.input.scene},
+                {arguments.input.scene, setup.detector.options}};
   const auto visit = [&](const std::string& path, const InputCloud& input) {
-    plan_cloud(arguments, setup, path, input, &tracking, &output);
+    plan_cloud(arguments, setup, path, input, &before, &output);
   };
-  if (arguments.map.empty() && arguments.views.paths.empty()) {
-    const ReadingResult read = for_each_input(arguments.inputs, arguments.input, visit);
+  InputArguments selection = arguments.input;
+  selection.track = setup.detector.track;
+  if ((arguments.map.empty() && arguments.views.paths.empty()) || selection.scene) {
+    const ReadingResult read = for_each_input(arguments.inputs, selection, visit);
     if (read.gave_anything()) {
       output.json.finish();
       output.report.finish(read.failed);
@@ -247,7 +261,7 @@ void run(const PlanArguments& arguments) {
     return read.check();
   }
   const std::string& path = arguments.inputs.front();
-  const auto [input, warnings] = read_single_cloud(path, arguments.input);
+  const auto [input, warnings] = read_single_cloud(path, selection);
   print_warnings(path, warnings);
   visit(path, input);
   output.json.finish();
@@ -273,6 +287,7 @@ void add_plan_command(CLI::App& app) {
                     "Add to each grasp's JSON the hand's pose X_CH as this software has it");
   command->get_option("--convention")->needs("--json");
   arguments->input.add_to(*command);
+  command->get_option("--scene")->excludes("--view");
   arguments->query.add_to(*command);
   add_robot_option(*command, arguments->known.robot, "the frame of the results");
   add_surroundings_options(*command, arguments->known, "the frame of the results");

@@ -6,7 +6,6 @@
 #include "cli/paint.hpp"
 #include "io/json/json.hpp"
 #include "quadrille/detector/detection.hpp"
-#include "quadrille/grasping/looks.hpp"
 #include "quadrille/grasping/plan.hpp"
 
 namespace quadrille {

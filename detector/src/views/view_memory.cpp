@@ -33,6 +33,7 @@ Sight moved(Sight sight, const Eigen::Isometry3d& X_FC) {
 }  // namespace
 
 struct ViewMemory::Kept {
+  int camera = 0;
   std::int64_t utime = 0;
   /// The cloud in the frame C in which it came, so that its pixels stay where they were.
   PointCloud cloud;
@@ -62,8 +63,7 @@ std::size_t ViewMemory::size() const { return kept_.size(); }
 
 void ViewMemory::forget() {
   kept_.clear();
-  corrected_ = 0;
-  X_WW_ = Eigen::Isometry3d::Identity();
+  cameras_.clear();
 }
 
 void ViewMemory::forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R) {
@@ -73,28 +73,30 @@ void ViewMemory::forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d
 }
 
 Eigen::Isometry3d ViewMemory::add(std::int64_t utime, const PointCloud& cloud,
-                                  const Eigen::Isometry3d& X_WC) {
-  if (utime < utime_) forget();
-  utime_ = utime;
+                                  const Eigen::Isometry3d& X_WC, int camera) {
+  const auto known = cameras_.find(camera);
+  if (known != cameras_.end() && utime < known->second.utime) forget();
   std::erase_if(kept_, [&](const Kept& view) {
     return seconds_between(view.utime, utime) > options_.views.remember;
   });
-  if (kept_.empty()) X_WW_ = Eigen::Isometry3d::Identity();
-  if (options_.views.remember == 0.0) return X_WW_;
+  Camera& of_view = cameras_[camera];
+  of_view.utime = utime;
+  if (kept_.empty()) of_view.X_WW = Eigen::Isometry3d::Identity();
+  if (options_.views.remember == 0.0) return of_view.X_WW;
   std::optional<SeenView> seen = seen_view(cloud, options_);
-  if (!seen) return X_WW_;
+  if (!seen) return of_view.X_WW;
 
-  Kept view{utime, thinned(cloud, seen->sight), X_WC, std::move(seen->sight), {}, {}};
+  Kept view{camera, utime, thinned(cloud, seen->sight), X_WC, std::move(seen->sight), {}, {}};
   view.outlook = outlook_of(view.sight, X_WC);
   view.samples = moved(std::move(seen->samples), X_WC);
   const Nearest nearest = nearest_to(view);
-  correct(nearest, &view);
+  correct(nearest, &view, &of_view);
   for (Kept& other : kept_) {
     const Sight newer = moved(view.sight, other.X_WC.inverse() * view.X_WC);
     drop_outdated(other.sight, newer, &other.cloud);
   }
   keep(std::move(view), nearest);
-  return X_WW_;
+  return of_view.X_WW;
 }
 
 ViewMemory::Nearest ViewMemory::nearest_to(const Kept& view) const {
@@ -124,20 +126,20 @@ std::vector<const SurfaceSamples*> ViewMemory::samples_about(const Kept& view) c
 }
 
 /// Corrects the pose of a view: by what it has in common with the others, if it is from a new
-/// direction or the last correction is old, and otherwise by that one.
-void ViewMemory::correct(const Nearest& nearest, Kept* view) {
+/// direction or its camera's last correction is old, and otherwise by that one.
+void ViewMemory::correct(const Nearest& nearest, Kept* view, Camera* camera) const {
   const bool is_new = nearest.angle > 0.5 * options_.views.sector;
-  const bool is_old = seconds_between(corrected_, view->utime) > kCorrectionLasts;
+  const bool is_old = seconds_between(camera->corrected, view->utime) > kCorrectionLasts;
   if (!kept_.empty() && (is_new || is_old)) {
     const std::vector<const SurfaceSamples*> others = samples_about(*view);
     const std::vector<int> no_cells(others.size(), 0);
-    X_WW_ = align(view->samples, view->outlook.eye_W, joined_samples(others, no_cells, 0.0),
-                  options_.views)
-                .value_or(Eigen::Isometry3d::Identity());
-    corrected_ = view->utime;
+    camera->X_WW = align(view->samples, view->outlook.eye_W, joined_samples(others, no_cells, 0.0),
+                         options_.views)
+                       .value_or(Eigen::Isometry3d::Identity());
+    camera->corrected = view->utime;
   }
-  view->samples = moved(std::move(view->samples), X_WW_);
-  view->X_WC = X_WW_ * view->X_WC;
+  view->samples = moved(std::move(view->samples), camera->X_WW);
+  view->X_WC = camera->X_WW * view->X_WC;
 }
 
 /// Keeps a view in place of the one from nearly the same direction, or beside the others if there
@@ -153,13 +155,15 @@ void ViewMemory::keep(Kept view, const Nearest& nearest) {
   if (kept_.size() > static_cast<std::size_t>(options_.views.most)) kept_.pop_back();
 }
 
-std::vector<PointCloud> ViewMemory::others(std::int64_t utime,
-                                           const Eigen::Isometry3d& X_WC) const {
-  const bool is_last = utime == utime_;
-  const Eigen::Isometry3d X_CW = (is_last ? X_WW_ * X_WC : X_WC).inverse();
+std::vector<PointCloud> ViewMemory::others(std::int64_t utime, const Eigen::Isometry3d& X_WC,
+                                           int camera) const {
+  const auto known = cameras_.find(camera);
+  const bool is_last = known != cameras_.end() && known->second.utime == utime;
+  const Eigen::Isometry3d X_CW = (is_last ? known->second.X_WW * X_WC : X_WC).inverse();
   std::vector<PointCloud> views;
   for (const Kept& view : kept_) {
-    if (view.utime != utime) views.push_back(moved(view.cloud, X_CW * view.X_WC));
+    if (view.camera == camera && view.utime == utime) continue;
+    views.push_back(moved(view.cloud, X_CW * view.X_WC));
   }
   return views;
 }

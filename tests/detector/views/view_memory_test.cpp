@@ -279,3 +279,21 @@ TEST_CASE("a memory with options out of range is refused", "[views][memory]") {
   options.views.sector = 0.0;
   CHECK(error_of([&] { ViewMemory memory(options); }).find("views.sector") != std::string::npos);
 }
+
+TEST_CASE("views of two cameras count for each other, even of one time", "[views][memory]") {
+  const Taken left = taken_from_eye(world_table(), eye_at(-60));
+  const Taken right = taken_from_eye(world_table(), eye_at(60));
+  ViewMemory memory;
+  memory.add(5 * kSecond, left.cloud, left.X_WK, 1);
+  // The other camera's clouds are a little older; that is no log that starts anew.
+  memory.add(5 * kSecond - 1000, right.cloud, right.X_WK, 2);
+  REQUIRE(memory.size() == 2);
+  CHECK(memory.others(5 * kSecond, left.X_WK, 1).size() == 1);
+  CHECK(memory.others(5 * kSecond - 1000, right.X_WK, 2).size() == 1);
+  memory.add(5 * kSecond, right.cloud, right.X_WK, 2);
+  REQUIRE(memory.size() == 2);
+  CHECK(memory.others(5 * kSecond, right.X_WK, 2).size() == 1);
+  // The camera's own time goes back.
+  memory.add(1 * kSecond, right.cloud, right.X_WK, 2);
+  CHECK(memory.size() == 1);
+}

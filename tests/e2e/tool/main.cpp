@@ -20,6 +20,9 @@ void run(const std::vector<std::string>& words) {
     return rename_channel(words[1], words[2], words[3], words[4]);
   }
   if (command == "check-plan" && words.size() == 3) return check_plan(words[1], words[2]);
+  if (command == "check-plan-elsewhere" && words.size() == 3) {
+    return check_plan(words[1], words[2], true);
+  }
   if (command == "load" && words.size() >= 6) {
     return put_under_load(words[1], words[2],
                           {std::stoi(words[3]), std::stoi(words[4]), std::stod(words[5]),
@@ -44,6 +47,7 @@ void run(const std::vector<std::string>& words) {
   throw std::invalid_argument(
       "use: make-logs FOLDER | check-quadrics LOG | check-status LOG | check-hostile-status LOG | "
       "check-same LIVE OFFLINE CHANNEL | check-copy SOURCE COPY | check-plan LOG JSON | "
+      "check-plan-elsewhere LOG JSON | "
       "rename-channel SOURCE COPY FROM TO | load URL LOG BURSTS CLOUDS HZ [lossy] | "
       "hostile URL LOG MESSAGES SEED [AT_ONCE] | "
       "make-poses LOG CLOUDS PERCENT_DISORDERED POSES_LATE_MS CLOUDS_LATE_MS | "

@@ -45,6 +45,8 @@ TEST_CASE("grasps keep all their fields in the message", "[planner][messages]") 
   plan.grasps = {grasp};
   plan.rejected = {{"collision", 7}, {"width", 2}};
   plan.targets = {{4, 0, {{Refusal::kWidth, 2}, {Refusal::kCollision, 7}}}, {6, 1, {}}};
+  plan.remedies = {{4, "--gripper wsg50", 3, 0.625}};
+  plan.looks = {{grasp.X_CG, {4, 6}, 1.5}};
   plan.warnings = {"no table"};
   PlannerSettings settings;
   settings.gripper.name = "franka";
@@ -63,6 +65,15 @@ TEST_CASE("grasps keep all their fields in the message", "[planner][messages]") 
   CHECK(got.targets[0].rejected.size() == 2);
   CHECK(got.targets[1].num_grasps == 1);
   CHECK(got.targets[1].furthest.empty());
+  REQUIRE(got.remedies.size() == 1);
+  CHECK(got.remedies[0].target == 4);
+  CHECK(got.remedies[0].change == "--gripper wsg50");
+  CHECK(got.remedies[0].num_grasps == 3);
+  CHECK(got.remedies[0].score == 0.625);
+  REQUIRE(got.looks.size() == 1);
+  CHECK(bus::from_message(got.looks[0].pose).isApprox(grasp.X_CG, 1e-14));
+  CHECK(got.looks[0].bodies == std::vector<std::int32_t>{4, 6});
+  CHECK(got.looks[0].gain == 1.5);
   REQUIRE(got.grasps.size() == 1);
   const grasp_t& m = got.grasps[0];
   CHECK(m.target == 3);

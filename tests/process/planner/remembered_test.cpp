@@ -5,6 +5,7 @@
 
 #include "process/chain.hpp"
 #include "process/encode_pose.hpp"
+#include "process/planner/shown_table.hpp"
 #include "process/scene_messages.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
@@ -17,46 +18,12 @@ namespace {
 using test::Chain;
 using test::encode_pose;
 
-constexpr std::int64_t kUsPerSecond = 1'000'000;
-const Eigen::Vector3d kFront(0.1, -0.55, 0.4), kBack(-0.2, 0.5, 0.45);
-
-/// A can and a ball on a table, of which W is the frame, and a robot's finger if it is wanted.
-std::vector<test::Patch> patches_on_table(bool with_finger = false) {
-  std::vector<test::Patch> patches = test::can(test::translation(0, 0, 0.05), 0.03, 0.1);
-  patches.push_back(test::sphere(test::translation(0.15, 0.05, 0.03), 0.03));
-  patches.push_back(test::rectangle(Eigen::Isometry3d::Identity(), 1.2, 1.0));
-  if (with_finger) {
-    for (const test::Patch& face :
-         test::box(test::translation(0.06, -0.07, 0.12), {0.02, 0.02, 0.16})) {
-      patches.push_back(face);
-    }
-  }
-  return patches;
-}
-
-/// Gives a cloud of a camera at this place, with its pose.
-void show_from(Chain& chain, std::int64_t utime, const Eigen::Vector3d& eye_W,
-               bool with_finger = false) {
-  const Eigen::Isometry3d X_KW = test::world_seen_from(eye_W);
-  std::vector<test::Patch> patches = patches_on_table(with_finger);
-  for (test::Patch& patch : patches) patch.X_CB = X_KW * patch.X_CB;
-  test::Camera camera;
-  camera.noise = 0.0005;
-  PointCloud cloud = test::render(patches, camera);
-  cloud.frame = "eye";
-  chain.take("POSE", encode_pose(utime, X_KW.inverse()));
-  chain.take("POINT_CLOUD", bus::encode_cloud({utime, 0, cloud}, bus::CloudFormat::kDrake));
-  REQUIRE(chain.grasps().utime == utime);
-}
-
-int refused_as(const grasps_t& grasps, const std::string& why) {
-  for (const count_t& entry : grasps.rejected) {
-    if (entry.name == why) return static_cast<int>(entry.count);
-  }
-  return 0;
-}
-
-const std::string kCautious = "--pose-channel POSE --unknown obstacle";
+using test::kBack;
+using test::kCautious;
+using test::kFront;
+using test::kUsPerSecond;
+using test::refused_as;
+using test::show_from;
 
 /// The processes, of which the planner remembers nothing.
 class Forgetful {

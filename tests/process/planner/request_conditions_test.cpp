@@ -1,9 +1,12 @@
 // What a request may ask of the grasps: places, reach, numbers, a deadline.
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "process/planner/asked_planner.hpp"
+#include "quadrille/bus/bodies_message.hpp"
 
 namespace quadrille {
 namespace {
@@ -57,6 +60,45 @@ TEST_CASE("a request may ask what would give grasps to targets that have none",
   CHECK(followed.remedies.empty());
   CHECK(followed.num_grasps == first.num_grasps);
   CHECK(followed.grasps.front().score == Approx(first.score));
+}
+
+TEST_CASE("a request may ask for views that would help bodies without a sure grasp",
+          "[process][request][looks]") {
+  const Eigen::Isometry3d X_WK =
+      Eigen::Translation3d(1.0, -0.5, 0.75) * Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5);
+  Asked asked("--on-request --result-frame world --camera-pose=1,-0.5,0.75,0.5,0.5,-0.5,0.5");
+  const std::vector<SceneBody>& bodies = asked_found().bodies;
+  asked.give("BODIES", bus::encode(bus::to_message({1000, 0, asked_cloud()}, bodies)));
+  asked.show(1000);
+  grasp_request_t request = request_of(1);
+  request.min_score = 1.0;
+  CHECK(asked.ask(request).looks.empty());
+  request.advise = 1;
+  const grasps_t advised = asked.ask(request);
+  CHECK(advised.frame == "world");
+  REQUIRE_FALSE(advised.looks.empty());
+  double before = advised.looks.front().gain;
+  for (const look_t& look : advised.looks) {
+    CHECK(look.gain > 0.0);
+    CHECK(look.gain <= before);
+    before = look.gain;
+    REQUIRE_FALSE(look.bodies.empty());
+    // The camera looks at one of the bodies that it helps.
+    const Eigen::Isometry3d X_WL = bus::from_message(look.pose);
+    CHECK(std::any_of(look.bodies.begin(), look.bodies.end(), [&](int id) {
+      const auto body = std::find_if(bodies.begin(), bodies.end(),
+                                     [&](const SceneBody& other) { return other.id == id; });
+      if (body == bodies.end()) return false;
+      const Eigen::Vector3d p_L = X_WL.inverse() * X_WK * body->X_CB.translation();
+      return p_L.z() > 0.3 && p_L.head<2>().norm() < 1e-3;
+    }));
+  }
+  // No view is proposed for bodies that were not asked for.
+  request.targets = {a_sphere().id};
+  request.num_targets = 1;
+  const grasps_t one = asked.ask(request);
+  REQUIRE(one.looks.size() == 1);
+  CHECK(one.looks[0].bodies == std::vector<std::int32_t>{a_sphere().id});
 }
 
 TEST_CASE("an arm's reach may be in any frame that is known, and wins over that of the settings",

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "io/json/json.hpp"
-#include "quadrille/grasping/looks.hpp"
 #include "quadrille/grasping/plan.hpp"
 
 namespace quadrille::io {

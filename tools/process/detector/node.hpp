@@ -13,6 +13,7 @@
 #include "process/detector/settings.hpp"
 #include "process/detector/trackers.hpp"
 #include "process/runtime/node.hpp"
+#include "process/runtime/poses/placement.hpp"
 #include "process/runtime/poses/posed_clouds.hpp"
 #include "process/runtime/refusals.hpp"
 #include "process/runtime/robot/robot_history.hpp"

@@ -39,6 +39,15 @@ class Knowledge {
   /// @throws std::invalid_argument if something is in a frame that is not known
   Known about(const CloudAndQuadrics& pair) const;
 
+  /// Returns the robot's shapes in the frame K of a cloud.
+  /// @param utime  when the cloud was taken [us]
+  /// @param cloud_frame  name of the cloud's frame
+  /// @throws std::invalid_argument if the frame of the shapes is not known
+  RobotShapes robot_at(std::int64_t utime, const Placement& placement,
+                       const std::string& cloud_frame) const {
+    return robot_.at(utime, placement, cloud_frame);
+  }
+
  private:
   /// Something in a frame that a message names.
   template <class Value>

@@ -55,6 +55,15 @@ remedy_t to_message(const Remedy& remedy) {
   return m;
 }
 
+look_t to_message(const Look& look) {
+  look_t m;
+  m.pose = bus::to_message(look.X_CK);
+  m.bodies.assign(look.bodies.begin(), look.bodies.end());
+  m.num_bodies = count(m.bodies);
+  m.gain = look.gain;
+  return m;
+}
+
 }  // namespace
 
 grasp_t to_message(const Grasp& grasp) {
@@ -108,6 +117,8 @@ grasps_t make_grasps_message(const Stamp& stamp, const GraspPlan& plan,
   m.num_targets = count(m.targets);
   for (const Remedy& remedy : plan.remedies) m.remedies.push_back(to_message(remedy));
   m.num_remedies = count(m.remedies);
+  for (const Look& look : plan.looks) m.looks.push_back(to_message(look));
+  m.num_looks = count(m.looks);
   m.warnings = plan.warnings;
   m.num_warnings = count(m.warnings);
   return m;

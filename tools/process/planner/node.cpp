@@ -30,6 +30,11 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
       knowledge_(settings_),
       planner_(settings_),
       occupancies_(settings, publish_) {
+  for (const ViewCamera& camera : settings.view_cameras) {
+    posed_views_.emplace_back(
+        PoseSource{camera.pose_channel, camera.X_WK, settings.pose_age, settings.pose_wait},
+        "remembered");
+  }
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
   log_info(fmt::format("plans for the hand {}", settings.gripper.name));
 }
@@ -63,7 +68,11 @@ std::vector<OutChannel> PlannerNode::out_channels() const {
 
 std::vector<Job> PlannerNode::find_due_jobs(Time now) {
   const std::lock_guard lock(mutex_);
-  return posed_clouds_.take_due(now);
+  std::vector<Job> jobs = posed_clouds_.take_due(now);
+  for (PosedClouds& views : posed_views_) {
+    for (Job& job : views.take_due(now)) jobs.push_back(std::move(job));
+  }
+  return jobs;
 }
 
 std::optional<Job> PlannerNode::make_job(std::optional<CloudAndQuadrics> found) {
@@ -102,6 +111,18 @@ void PlannerNode::remember(const SharedPair& pair) {
   if (const std::optional<Known> known = known_about(*pair, &nothing)) {
     planner_.remember(*pair, *known);
   }
+}
+
+/// Remembers what a further camera saw.
+void PlannerNode::remember_view(int camera, const bus::CloudMessage& cloud,
+                                const CameraPose& pose) {
+  const Placement placement = place(settings_.frames, pose);
+  RobotShapes robot;
+  {
+    const std::lock_guard lock(mutex_);
+    robot = knowledge_.robot_at(cloud.utime, placement, cloud.cloud.frame);
+  }
+  planner_.remember(cloud, placement, robot, camera);
 }
 
 void PlannerNode::forget(const forget_t& message) {

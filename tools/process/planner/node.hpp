@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <lcmtypes/quadrille/planner_status_t.hpp>
 #include <memory>
 #include <mutex>
@@ -55,12 +56,14 @@ class PlannerNode : public Node {
   std::optional<Job> receive_quadrics(const std::string& channel, std::span<const std::byte> bytes);
   void receive_boxes(const std::string& channel, std::span<const std::byte> bytes);
   void receive_bodies(const std::string& channel, std::span<const std::byte> bytes);
+  std::optional<Job> receive_view(int camera, std::span<const std::byte> bytes);
   std::optional<Job> receive_request(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Job> pair_quadrics(const bus::QuadricsMessage& quadrics, const OtherThings& others);
   std::optional<Job> make_job(std::optional<CloudAndQuadrics> pair);
   std::optional<Job> receive_forget(const std::string& channel, std::span<const std::byte> bytes);
   std::optional<Known> known_about(const CloudAndQuadrics& pair, GraspPlan* without);
   void remember(const SharedPair& pair);
+  void remember_view(int camera, const bus::CloudMessage& cloud, const CameraPose& pose);
   void forget(const forget_t& message);
   void plan_and_publish(const SharedPair& pair);
   void answer(const grasp_request_t& request, std::chrono::steady_clock::time_point at);
@@ -85,9 +88,11 @@ class PlannerNode : public Node {
   planner_status_t counts_{};
   std::int64_t grasps_ = 0;
   PosedClouds posed_clouds_;
+  /// The same for each of the further cameras.
+  std::deque<PosedClouds> posed_views_;
   std::int64_t requests_ = 0, unmet_ = 0;
   Refusals refused_clouds_, refused_quadrics_, refused_boxes_, refused_bodies_;
-  Refusals refused_poses_, refused_requests_, refused_knowledge_;
+  Refusals refused_views_, refused_poses_, refused_requests_, refused_knowledge_;
   Knowledge knowledge_;
   LimitedLog unpaired_log_;
   SequenceGaps gaps_;

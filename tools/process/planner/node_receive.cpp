@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <utility>
@@ -31,6 +32,14 @@ std::optional<Job> PlannerNode::receive(const std::string& channel,
     posed_clouds_.receive_pose(bytes, &refused_poses_);
     return std::nullopt;
   }
+  for (std::size_t n = 0; n < settings_.view_cameras.size(); ++n) {
+    const ViewCamera& camera = settings_.view_cameras[n];
+    if (channel == camera.cloud_channel) return receive_view(static_cast<int>(n) + 1, bytes);
+    if (channel != camera.pose_channel) continue;
+    const std::lock_guard lock(mutex_);
+    posed_views_[n].receive_pose(bytes, &refused_poses_);
+    return std::nullopt;
+  }
   const std::lock_guard lock(mutex_);
   if (knowledge_.receive(channel, bytes, &refused_knowledge_)) {
     counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
@@ -55,6 +64,25 @@ std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
   return posed_clouds_.add(
       utime, [this, cloud = *std::move(cloud)](const CameraPose& pose) mutable {
         return make_job(pairing_.add(std::move(cloud), place(settings_.frames, pose)));
+      });
+}
+
+std::optional<Job> PlannerNode::receive_view(int camera, std::span<const std::byte> bytes) {
+  const auto n = static_cast<std::size_t>(camera) - 1;
+  const std::string& channel = settings_.view_cameras[n].cloud_channel;
+  auto decoded = bus::decode_cloud(bytes);
+  const std::lock_guard lock(mutex_);
+  counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
+  auto cloud = refused_views_.accept(channel, std::move(decoded));
+  if (!cloud) return std::nullopt;
+  ++counts_.decoded_views;
+  const auto shared = std::make_shared<const bus::CloudMessage>(*std::move(cloud));
+  return posed_views_[n].add(
+      shared->utime, [this, camera, channel, shared](const CameraPose& pose) {
+        return Job{shared->utime,
+                   [this, camera, shared, pose] { remember_view(camera, *shared, pose); },
+                   {},
+                   channel};
       });
 }
 

@@ -1,7 +1,11 @@
 // Reports on the planner's node: status messages, statistics, the last line of a run.
 #include <fmt/format.h>
 
+#include <deque>
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "process/planner/node.hpp"
 #include "process/planner/status_text.hpp"
@@ -11,6 +15,25 @@
 #include "quadrille/bus/status_message.hpp"
 
 namespace quadrille {
+namespace {
+
+/// Clouds of all further cameras that got no pose, by reason.
+std::vector<count_t> count_poseless(const std::deque<PosedClouds>& views) {
+  std::map<std::string, std::int64_t> counts;
+  for (const PosedClouds& camera : views) {
+    for (const count_t& count : camera.count_poseless()) counts[count.name] += count.count;
+  }
+  std::vector<count_t> summed;
+  for (const auto& [name, count] : counts) {
+    summed.emplace_back();
+    summed.back().name = name;
+    summed.back().count = count;
+  }
+  return summed;
+}
+
+}  // namespace
+
 std::string PlannerNode::publish_status(const RunState& run) {
   planner_status_t status{};
   fill_counts(&status);
@@ -33,10 +56,14 @@ void PlannerNode::fill_counts(planner_status_t* filled) {
   status.num_unpaired = static_cast<std::int32_t>(status.unpaired.size());
   status.failed = failed();
   status.cut = planner_.cut();
+  status.remembered_views = planner_.views();
+  status.pose_correction = planner_.correction();
   status.requests = requests_;
   status.unmet = unmet_;
   status.rejected_clouds = bus::to_message(refused_clouds_.counts());
   status.num_rejected_clouds = static_cast<std::int32_t>(status.rejected_clouds.size());
+  status.rejected_views = bus::to_message(refused_views_.counts());
+  status.num_rejected_views = static_cast<std::int32_t>(status.rejected_views.size());
   status.rejected_quadrics = bus::to_message(refused_quadrics_.counts());
   status.num_rejected_quadrics = static_cast<std::int32_t>(status.rejected_quadrics.size());
   status.rejected_requests = bus::to_message(refused_requests_.counts());
@@ -48,6 +75,8 @@ void PlannerNode::fill_counts(planner_status_t* filled) {
   status.pose_age = posed_clouds_.last_age_ms();
   status.unplaced = posed_clouds_.count_poseless();
   status.num_unplaced = static_cast<std::int32_t>(status.unplaced.size());
+  status.unplaced_views = count_poseless(posed_views_);
+  status.num_unplaced_views = static_cast<std::int32_t>(status.unplaced_views.size());
   set_stages(stages_, filled);
 }
 

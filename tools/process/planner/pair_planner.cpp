@@ -8,9 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "poses/pose_history.hpp"
 #include "process/runtime/logging.hpp"
-#include "process/runtime/poses/pose_history.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/grasping/looks.hpp"
 #include "quadrille/grasping/remedies.hpp"
 #include "quadrille/grasping/rigid_motion.hpp"
 
@@ -105,6 +106,7 @@ GraspPlan PairPlanner::plan_in_camera(const SharedPair& pair, const Known& known
   if (advise) {
     plan.remedies = find_remedies(plan, things.cloud, things.detections, settings_.gripper, options,
                                   surroundings, query, things.boxes, things.bodies);
+    plan.looks = propose_looks(plan, things.bodies, things.detections, things.cloud.viewpoint);
   }
   return plan;
 }
@@ -126,27 +128,27 @@ void PairPlanner::fit_views(std::size_t views, const GraspPlan& plan) {
   }
 }
 
-void PairPlanner::remember(const CloudAndQuadrics& pair, const Known& known) {
-  if (!settings_.remembers() || !pair.placement.X_WK) return;
+void PairPlanner::remember(const bus::CloudMessage& message, const Placement& placement,
+                           const RobotShapes& robot, int camera) {
+  if (!settings_.remembers() || !placement.X_WK) return;
   // A cloud that was taken before something was forgotten may show what is no longer so. If it is
   // much older, the clock was set back, and the cloud is new.
   if (forgotten_) {
-    const double before = seconds_between(pair.cloud->utime, *forgotten_);
+    const double before = seconds_between(message.utime, *forgotten_);
     if (before >= 0.0 && before < kLongestDelay) return;
   }
-  const PointCloud cloud = in_camera_frame(pair.cloud->cloud, pair.placement, settings_.frames);
-  const Eigen::Isometry3d correction = memory_.add(
-      pair.cloud->utime, known.surroundings.robot.taken_from(cloud), *pair.placement.X_WK);
-  log_debug(fmt::format(
-      "cloud {}: {} views are remembered; its pose is corrected by {:.1f} mm", pair.cloud->utime,
-      memory_.size(),
-      1e3 * (correction * pair.placement.X_WK->translation() - pair.placement.X_WK->translation())
-                .norm()));
+  const Eigen::Isometry3d& X_WK = *placement.X_WK;
+  const PointCloud cloud = in_camera_frame(message.cloud, placement, settings_.frames);
+  const Eigen::Isometry3d correction =
+      memory_.add(message.utime, robot.taken_from(cloud), X_WK, camera);
+  views_ = static_cast<std::int64_t>(memory_.size());
+  correction_ = (correction * X_WK.translation() - X_WK.translation()).norm();
 }
 
 void PairPlanner::forget(std::int64_t utime) {
   forgotten_ = utime;
   memory_.forget();
+  views_ = 0;
   ready_ = nullptr;
 }
 

@@ -31,12 +31,21 @@ class PairPlanner {
   /// known.
   /// @param known  what the robot knows besides
   /// @param query  query in the camera's frame
-  /// @param advise  whether to seek remedies for targets without a grasp; see find_remedies()
+  /// @param advise  whether to seek remedies for targets without a grasp, and views that would
+  /// help;
+  ///                see find_remedies() and propose_looks()
   GraspPlan plan(const SharedPair& pair, const Known& known, const GraspQuery& query,
                  bool advise = false);
 
   /// Remembers what a cloud shows, for plans on later ones, if the camera's pose is known.
-  void remember(const CloudAndQuadrics& pair, const Known& known);
+  void remember(const CloudAndQuadrics& pair, const Known& known) {
+    remember(*pair.cloud, pair.placement, known.surroundings.robot, 0);
+  }
+  /// The same for any camera.
+  /// @param robot   the robot's shapes in the camera's frame
+  /// @param camera  0 for the camera on whose clouds grasps are planned
+  void remember(const bus::CloudMessage& message, const Placement& placement,
+                const RobotShapes& robot, int camera);
   /// Forgets all that clouds showed which were taken before this time [us].
   void forget(std::int64_t utime);
   /// Forgets what they showed within a box.
@@ -45,6 +54,10 @@ class PairPlanner {
 
   /// Number of plans that the deadline cut short so far. For any thread.
   std::int64_t cut() const { return cut_; }
+  /// Number of views that are remembered, and how far the last pose was corrected [m]. For any
+  /// thread.
+  std::int64_t views() const { return views_; }
+  double correction() const { return correction_; }
 
  private:
   /// @param query  with a deadline
@@ -65,7 +78,8 @@ class PairPlanner {
   std::size_t max_views_ = std::numeric_limits<std::size_t>::max();
   /// When something was last forgotten [us].
   std::optional<std::int64_t> forgotten_;
-  std::atomic<std::int64_t> cut_{0};
+  std::atomic<std::int64_t> cut_{0}, views_{0};
+  std::atomic<double> correction_{0.0};
   LimitedLog cut_log_;
 };
 

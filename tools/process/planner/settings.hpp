@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/process_arguments.hpp"
+#include "process/planner/view_camera.hpp"
 #include "process/runtime/poses/cloud_frame.hpp"
 #include "process/runtime/viewer.hpp"
 #include "quadrille/detector/options.hpp"
@@ -41,6 +43,8 @@ struct PlannerSettings {
   /// cloud waits for the later pose [s].
   double pose_age = TrackOptions{}.pose_age, pose_wait = TrackOptions{}.pose_wait;
   CloudFrames frames;
+  /// Further cameras that look at the scene.
+  std::vector<ViewCamera> view_cameras;
   /// Whether collision shapes and occupancy are published.
   bool shapes = true, occupancy = true;
   /// Least time between published occupancy maps on the bus; 0 to publish one with each plan [s].
@@ -69,8 +73,11 @@ struct PlannerSettings {
   /// Returns true if the camera's pose in W is given, or comes on a channel.
   bool has_fixed_frame() const { return X_WK || !pose_channel.empty(); }
 
-  /// Returns true if what earlier clouds showed serves later plans.
-  bool remembers() const { return !pose_channel.empty() && detector.views.remember > 0.0; }
+  /// Returns true if what other clouds showed serves later plans.
+  bool remembers() const {
+    const bool others = !pose_channel.empty() || !view_cameras.empty();
+    return others && detector.views.remember > 0.0;
+  }
 
   /// Lists each channel: the direction of its messages, the option that names it, its name, and its
   /// content.
@@ -100,6 +107,11 @@ struct PlannerSettings {
     visit(Way::kOut, "--status-channel", settings.status_channel, "status");
     visit(Way::kIn, "--pose-channel", settings.pose_channel,
           "camera's poses (bot_core.pose_t) in a fixed frame");
+    for (auto& camera : settings.view_cameras) {
+      visit(Way::kIn, "--view-camera", camera.cloud_channel, "clouds of a further camera");
+      if (camera.X_WK) continue;
+      visit(Way::kIn, "--view-camera", camera.pose_channel, "poses of a further camera");
+    }
   }
 
   /// Lists the channels of the viewer, if there is one.

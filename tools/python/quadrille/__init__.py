@@ -29,13 +29,14 @@ from numpy.typing import ArrayLike as _ArrayLike
 from numpy.typing import NDArray as _NDArray
 
 from . import _core
-from ._core import (Body, Box, Detection, FileError, Grasp, GraspQuery, Gripper, OctoMap, Plan, Remedy,
-                    Result, Robot, Shape, TargetOutcome, __version__, conventions, grippers, read_cloud)
+from ._core import (Body, Box, Detection, FileError, Grasp, GraspQuery, Gripper, Look, OctoMap, Plan,
+                    Remedy, Result, Robot, Shape, TargetOutcome, __version__, conventions, grippers,
+                    read_cloud)
 from ._lcmtypes import *
 
 __all__ = ["Body", "Box", "Detection", "FileError", "Grasp", "GraspQuery", "GraspScene", "Gripper",
-           "OctoMap", "Plan", "Remedy", "Result", "Robot", "Shape", "TargetOutcome", "Tracker", "ViewMemory",
-           "conventions", "detect", "grippers", "plan", "read_cloud", "read_octomap", "read_robot"]
+           "Look", "OctoMap", "Plan", "Remedy", "Result", "Robot", "Shape", "TargetOutcome", "Tracker",
+           "ViewMemory", "conventions", "detect", "grippers", "plan", "read_cloud", "read_octomap", "read_robot"]
 
 _Path = _Union[str, "_os.PathLike[str]"]
 _Config = _Union[None, _Path, _Mapping[str, _Any]]
@@ -186,7 +187,8 @@ class GraspScene:
         accept         function that is called with each Grasp that has passed all other checks,
                        and returns whether it counts; its exceptions end the plan
         advise         also seeks what would give grasps to targets that have none, as
-                       Plan.remedies; takes about as long as ten plans
+                       Plan.remedies, and views that would help, as Plan.looks; takes about as
+                       long as ten plans
         """
         for name in ("obstacles", "attached"):
             if name in query:
@@ -227,7 +229,7 @@ class Tracker:
 
 
 class ViewMemory:
-    """The views of a scene that a moving camera had, kept up to date.
+    """The views of a scene that moving cameras had, kept up to date.
 
     There is one view for each direction of sight, and a newer one takes the place of an older one from
     there. What a new view contradicts is forgotten, and so is what is older than `views.remember`.
@@ -242,25 +244,28 @@ class ViewMemory:
         self._memory = _core.ViewMemory(*_settings(config))
 
     def add(self, utime: int, points: _ArrayLike, X_WC: _ArrayLike, *,
-            viewpoint: _ArrayLike = _ORIGIN) -> _NDArray[_np.float64]:
-        """Adds a view. If its time is before that of the last one, all others are forgotten.
+            viewpoint: _ArrayLike = _ORIGIN, camera: int = 0) -> _NDArray[_np.float64]:
+        """Adds a view. If its time is before that of the camera's last one, all others are forgotten.
 
         utime      time of the cloud [us]
         points     as for detect(), without the robot: Robot.taken_from(points)
         X_WC       pose of the cloud's frame in a fixed frame W, as far as it is known, (4, 4)
         viewpoint  as for detect()
+        camera     number of the camera; all cameras have one clock
 
         Returns the motion within W that corrects the pose, (4, 4).
         """
-        return self._memory.add(utime, points, viewpoint, X_WC)
+        return self._memory.add(utime, points, viewpoint, X_WC, camera)
 
-    def others(self, utime: int, X_WC: _ArrayLike) -> _List[_Tuple[_NDArray[_np.float32], _NDArray[_np.float64]]]:
-        """Returns the views but the one of this time, the newest first, as (points, viewpoint).
+    def others(self, utime: int, X_WC: _ArrayLike, *,
+               camera: int = 0) -> _List[_Tuple[_NDArray[_np.float32], _NDArray[_np.float64]]]:
+        """Returns the views but the one that this camera had at this time, the newest first, as
+        (points, viewpoint).
 
-        X_WC  pose in W of the frame C in which they are wanted; that of the last view that was added is
+        X_WC  pose in W of the frame C in which they are wanted; that of the camera's last view is
               corrected as this one was
         """
-        return self._memory.others(utime, X_WC)
+        return self._memory.others(utime, X_WC, camera)
 
     def forget(self, X_WR: _Optional[_ArrayLike] = None, size: _Optional[_ArrayLike] = None) -> None:
         """Forgets all views, or the surfaces that they show in a box.

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace quadrille {
 
 struct SurfaceSamples;
 
-/// The views of a scene that a moving camera had, kept up to date.
+/// The views of a scene that moving cameras had, kept up to date.
 ///
 /// A view is kept for each direction from which a place was looked at, `views.sector` apart. A
 /// newer view from nearly the same direction takes the place of the one before. At most
@@ -34,21 +35,22 @@ class ViewMemory {
   QUADRILLE_EXPORT ViewMemory(ViewMemory&&) noexcept;
   QUADRILLE_EXPORT ViewMemory& operator=(ViewMemory&&) noexcept;
 
-  /// Adds a view. If its time is before that of the last one, a log has been restarted, and all
-  /// others are forgotten. A cloud without usable points or viewpoint is not kept.
-  /// @param utime  when the cloud was taken [us]
-  /// @param cloud  in frame C, with its viewpoint and without points on the robot
-  /// @param X_WC   pose of C in a fixed frame W, as far as it is known
+  /// Adds a view. If its time is before that of the camera's last one, a log has been restarted,
+  /// and all others are forgotten. A cloud without usable points or viewpoint is not kept.
+  /// @param utime   when the cloud was taken [us], by a clock that all cameras have in common
+  /// @param cloud   in frame C, with its viewpoint and without points on the robot
+  /// @param X_WC    pose of C in a fixed frame W, as far as it is known
+  /// @param camera  number of the camera
   /// @return the motion within W that corrects the pose; the identity if there is nothing to
   ///   compare the view with
   QUADRILLE_EXPORT Eigen::Isometry3d add(std::int64_t utime, const PointCloud& cloud,
-                                         const Eigen::Isometry3d& X_WC);
+                                         const Eigen::Isometry3d& X_WC, int camera = 0);
 
-  /// Returns the views but the one of this time, the newest first.
-  /// @param X_WC  pose in W of the frame C in which they are wanted; that of the last view that was
-  ///   added is corrected as this one was
-  QUADRILLE_EXPORT std::vector<PointCloud> others(std::int64_t utime,
-                                                  const Eigen::Isometry3d& X_WC) const;
+  /// Returns the views but the one that this camera had at this time, the newest first.
+  /// @param X_WC  pose in W of the frame C in which they are wanted; that of the camera's last view
+  ///   is corrected as this one was
+  QUADRILLE_EXPORT std::vector<PointCloud> others(std::int64_t utime, const Eigen::Isometry3d& X_WC,
+                                                  int camera = 0) const;
 
   /// Forgets all views.
   QUADRILLE_EXPORT void forget();
@@ -61,18 +63,22 @@ class ViewMemory {
  private:
   struct Kept;
   struct Nearest;
+  /// What is known of a camera.
+  struct Camera {
+    /// Time of its last view [us].
+    std::int64_t utime = 0;
+    /// The correction of that view, and when it was found [us].
+    Eigen::Isometry3d X_WW = Eigen::Isometry3d::Identity();
+    std::int64_t corrected = 0;
+  };
   Nearest nearest_to(const Kept& view) const;
   std::vector<const SurfaceSamples*> samples_about(const Kept& view) const;
-  void correct(const Nearest& nearest, Kept* view);
+  void correct(const Nearest& nearest, Kept* view, Camera* camera) const;
   void keep(Kept view, const Nearest& nearest);
 
   DetectorOptions options_;
   std::vector<Kept> kept_;
-  /// Time of the last view [us].
-  std::int64_t utime_ = 0;
-  /// The correction of the last view, and when it was found [us].
-  Eigen::Isometry3d X_WW_ = Eigen::Isometry3d::Identity();
-  std::int64_t corrected_ = 0;
+  std::map<int, Camera> cameras_;
 };
 
 }  // namespace quadrille

@@ -11,17 +11,6 @@
 
 namespace quadrille {
 
-/// A place from which the camera would see what the plan lacks.
-struct Look {
-  /// Pose of the camera's frame K in C: the origin is the viewpoint, z points ahead and x to the
-  /// right.
-  Eigen::Isometry3d X_CK = Eigen::Isometry3d::Identity();
-  /// Ids of the bodies that it would help, those with the largest gain first.
-  std::vector<int> bodies;
-  /// Sum over the bodies of the share, 0 to 1, of the unknown space about them that it would show.
-  double gain = 0.0;
-};
-
 /// Proposes views that would help the bodies of which a plan has no grasp, or only one that is
 /// doubtful.
 ///

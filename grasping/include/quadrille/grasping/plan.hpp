@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <map>
 #include <memory>
 #include <optional>
@@ -8,6 +9,7 @@
 
 #include "quadrille/detector/body.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/grasping/collision_shape.hpp"
@@ -43,6 +45,17 @@ struct Remedy {
   double score = 0.0;
 };
 
+/// A place from which the camera would see what the plan lacks.
+struct Look {
+  /// Pose of the camera's frame K in C: the origin is the viewpoint, z points ahead and x to the
+  /// right.
+  Eigen::Isometry3d X_CK = Eigen::Isometry3d::Identity();
+  /// Ids of the bodies that it would help, those with the largest gain first.
+  std::vector<int> bodies;
+  /// Sum over the bodies of the share, 0 to 1, of the unknown space about them that it would show.
+  double gain = 0.0;
+};
+
 /// The result of planning grasps on one cloud and its quadrics.
 struct GraspPlan {
   /// The grasps, best first.
@@ -55,6 +68,9 @@ struct GraspPlan {
   /// Changes that would give grasps to targets without one. A plan leaves them empty; callers of
   /// find_remedies() may keep its answer here.
   std::vector<Remedy> remedies;
+  /// Views that would help bodies without a sure grasp. A plan leaves them empty; callers of
+  /// propose_looks() may keep its answer here.
+  std::vector<Look> looks;
   /// The boxes of which detected planes are faces; each box may be a target.
   std::vector<Box> boxes;
   /// The collision shapes of all boxes, and of all detections that have a shape and are not faces

@@ -24,8 +24,7 @@ void check_body(ByteReader& reader) {
     refuse(RejectReason::kBadValue, "kind " + std::to_string(kind));
   }
   reader.skip_array("parts", sizeof(std::int32_t));
-  reader.skip_finite("position", 3);
-  reader.skip_unit("quaternion", 4);
+  reader.skip_pose();
   reader.skip_finite("size", 3);
   for (int i = 0; i < 3; ++i) check_deviation(reader.read_double("std"));
   for (int i = 0; i < 3; ++i) reader.read_int8("seen");

@@ -15,8 +15,7 @@ void check_box(ByteReader& reader) {
   reader.read_int32("id");
   reader.skip_array("faces", sizeof(std::int32_t));
   reader.read_finite("score");
-  reader.skip_finite("position", 3);
-  reader.skip_unit("quaternion", 4);
+  reader.skip_pose();
   reader.skip_finite("size", 3);
   reader.skip_finite("std", 3);
   for (int i = 0; i < 3; ++i) reader.read_int8("seen");

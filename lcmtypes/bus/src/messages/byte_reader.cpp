@@ -53,6 +53,11 @@ void ByteReader::skip_unit(const char* member, int count) {
   }
 }
 
+void ByteReader::skip_pose() {
+  skip_finite("position", 3);
+  skip_unit("quaternion", 4);
+}
+
 std::int32_t ByteReader::read_count(const char* member, std::size_t min_element_bytes) {
   const std::int32_t count = read_int32(member);
   if (count < 0 || static_cast<std::uint64_t>(count) * min_element_bytes > left()) {

@@ -17,6 +17,8 @@ struct Refused {
 
 /// Size of the shortest string, which has only its length and its end mark [byte].
 inline constexpr std::size_t kMinStringBytes = 5;
+/// Size of a quadrille.pose_t [byte].
+inline constexpr std::size_t kPoseBytes = 7 * sizeof(double);
 
 /// Reads the members of an LCM message in order and never past its end. Each read throws Refused,
 /// naming the member, if the bytes do not contain it.
@@ -38,6 +40,9 @@ class ByteReader {
 
   /// Skips doubles that must be finite and have unit norm.
   void skip_unit(const char* member, int count);
+
+  /// Skips a quadrille.pose_t, which must be finite, with a quaternion of unit norm.
+  void skip_pose();
 
   /// Reads a 32-bit count, not negative, of elements of at least min_element_bytes each.
   std::int32_t read_count(const char* member, std::size_t min_element_bytes);

@@ -13,6 +13,9 @@ constexpr std::size_t kMinOutcomeBytes = 4 + 4 + kMinStringBytes + 4;
 /// Size of a remedy: two numbers, a string and the score.
 constexpr std::size_t kMinRemedyBytes = 4 + kMinStringBytes + 4 + 8;
 
+/// Size of a view that helps no body: its pose, the number of bodies and the gain.
+constexpr std::size_t kMinLookBytes = kPoseBytes + 4 + 8;
+
 void skip_outcome(ByteReader& reader) {
   reader.read_int32("target");
   reader.read_int32("num_grasps");
@@ -26,6 +29,12 @@ void skip_remedy(ByteReader& reader) {
   reader.take(1, 4 + 8, "num_grasps to score");
 }
 
+void check_look(ByteReader& reader) {
+  reader.skip_pose();
+  reader.skip_array("bodies", sizeof(std::int32_t));
+  reader.read_finite("gain");
+}
+
 void check_grasps(ByteReader& reader) {
   reader.read_int64("utime");
   reader.read_int64("request_id");
@@ -37,6 +46,7 @@ void check_grasps(ByteReader& reader) {
   reader.skip_counts("rejected");
   reader.skip_list("targets", kMinOutcomeBytes, skip_outcome);
   reader.skip_list("remedies", kMinRemedyBytes, skip_remedy);
+  reader.skip_list("looks", kMinLookBytes, check_look);
   reader.skip_strings("warnings");
 }
 

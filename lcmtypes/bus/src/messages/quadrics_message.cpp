@@ -23,8 +23,7 @@ void check_quadric(ByteReader& reader) {
   reader.read_finite("score");
   reader.read_int32("inliers");
   reader.read_finite("rms");
-  reader.skip_finite("position", 3);
-  reader.skip_unit("quaternion", 4);
+  reader.skip_pose();
   reader.skip_list("dimensions", kMinDimensionBytes, [](ByteReader& dimension) {
     dimension.read_string("dimension name", kMaxNameBytes);
     dimension.read_finite("dimension");

@@ -10,14 +10,8 @@ namespace quadrille::bus {
 namespace {
 
 constexpr std::size_t kMaxKindBytes = 32;
-// Sizes of a pose, and of a shape of which all lists are empty.
-constexpr std::size_t kCountBytes = sizeof(std::int32_t), kPoseBytes = 7 * sizeof(double),
-                      kMinShapeBytes = 4 * kCountBytes + kMinStringBytes + kPoseBytes;
-
-void skip_pose(ByteReader& reader) {
-  reader.skip_finite("position", 3);
-  reader.skip_unit("quaternion", 4);
-}
+// Size of a shape of which all lists are empty.
+constexpr std::size_t kMinShapeBytes = 4 * sizeof(std::int32_t) + kMinStringBytes + kPoseBytes;
 
 /// Reads a count, as ByteReader::read_count() does, that must not exceed a limit.
 std::int32_t read_few(ByteReader& reader, const char* member, std::size_t min_element_bytes,
@@ -30,7 +24,7 @@ std::int32_t read_few(ByteReader& reader, const char* member, std::size_t min_el
 void check_shape(ByteReader& reader) {
   reader.read_int32("target");
   reader.read_string("kind", kMaxKindBytes);
-  skip_pose(reader);
+  reader.skip_pose();
   reader.skip_list("dimensions", sizeof(double),
                    [](ByteReader& list) { list.read_finite("dimensions"); });
   const std::int32_t vertices = read_few(reader, "vertices", 3 * sizeof(double), kMaxVertices);
@@ -80,7 +74,7 @@ void check_forget(ByteReader& reader) {
     reader.take(1, kPoseBytes + 3 * sizeof(double), "region");
     return;
   }
-  skip_pose(reader);
+  reader.skip_pose();
   for (int k = 0; k < 3; ++k) {
     if (!(reader.read_finite("region_size") > 0.0)) {
       refuse(RejectReason::kBadValue, "region_size is not positive");

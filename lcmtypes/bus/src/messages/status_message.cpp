@@ -69,7 +69,7 @@ Decoded<detector_status_t> decode_detector_status(std::span<const std::byte> byt
 }
 
 Decoded<planner_status_t> decode_planner_status(std::span<const std::byte> bytes) {
-  return decode<planner_status_t>(bytes, 20, 7);
+  return decode<planner_status_t>(bytes, 23, 9);
 }
 
 }  // namespace quadrille::bus

@@ -1,4 +1,4 @@
-#include "process/runtime/poses/camera_poses.hpp"
+#include "poses/camera_poses.hpp"
 
 #include <limits>
 #include <random>
@@ -91,7 +91,7 @@ TEST_CASE("hostile times give a pose or none, but no pose that is no number",
     if (f.last.X_WK) REQUIRE(f.last.X_WK->matrix().allFinite());
   }
   f.pass(kMost);
-  CHECK(f.done.size() >= clouds - PosedClouds::kMaxWaiting);
+  CHECK(f.done.size() >= clouds - kMaxCloudsWaiting);
 }
 
 }  // namespace quadrille

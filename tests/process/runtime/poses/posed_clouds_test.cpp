@@ -115,7 +115,7 @@ TEST_CASE("disorder of a few milliseconds and late clouds lose nothing", "[proce
 TEST_CASE("only so many clouds wait", "[process][pose]") {
   MovingCamera f(10.0);
   f.pose(0, 0);
-  for (std::size_t i = 1; i <= PosedClouds::kMaxWaiting; ++i) {
+  for (std::size_t i = 1; i <= kMaxCloudsWaiting; ++i) {
     f.cloud(static_cast<std::int64_t>(i), static_cast<std::int64_t>(i));
   }
   CHECK(f.done.empty());
@@ -123,7 +123,7 @@ TEST_CASE("only so many clouds wait", "[process][pose]") {
   CHECK(f.done == Times{1});
   CHECK(f.last.detail.find("more than 32 clouds wait") != std::string::npos);
   f.pose(200, 200);
-  CHECK(f.done.size() == PosedClouds::kMaxWaiting + 1);
+  CHECK(f.done.size() == kMaxCloudsWaiting + 1);
   CHECK(f.clouds().poseless() == 1);
 }
 

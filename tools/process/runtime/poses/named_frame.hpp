@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
-#include "process/runtime/poses/camera_poses.hpp"
+#include "process/runtime/poses/placement.hpp"
 
 namespace quadrille {
 

@@ -72,7 +72,7 @@ bool PosedClouds::is_due(const Waiting& cloud, const CameraPose& pose) const {
 /// Explains why the first cloud gets no pose.
 void PosedClouds::explain(const Waiting& cloud, CameraPose* none) const {
   none->detail = poses_.explain(cloud.utime, *none);
-  if (is_crowded()) none->detail += fmt::format("; more than {} clouds wait", kMaxWaiting);
+  if (is_crowded()) none->detail += fmt::format("; more than {} clouds wait", kMaxCloudsWaiting);
 }
 
 /// Counts the outcome for a cloud, and logs problems with its pose.

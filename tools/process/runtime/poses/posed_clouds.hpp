@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "poses/camera_poses.hpp"
 #include "process/runtime/limited_log.hpp"
 #include "process/runtime/node.hpp"
-#include "process/runtime/poses/camera_poses.hpp"
 #include "process/runtime/refusals.hpp"
 #include "run/rate_limiter.hpp"
 
@@ -39,9 +39,6 @@ class PosedClouds {
  public:
   /// Called for a cloud once its pose is known, or once it is clear that it has none.
   using Then = std::function<std::optional<Job>(const CameraPose&)>;
-
-  /// Limit of the waiting clouds; if one more comes, the first gets no pose.
-  static constexpr std::size_t kMaxWaiting = 32;
 
   /// @param fate  what happens to clouds with a pose, such as "tracked", for the log
   PosedClouds(PoseSource source, std::string fate);
@@ -84,7 +81,7 @@ class PosedClouds {
   };
 
   bool is_due(const Waiting& cloud, const CameraPose& pose) const;
-  bool is_crowded() const { return waiting_.size() > kMaxWaiting; }
+  bool is_crowded() const { return waiting_.size() > kMaxCloudsWaiting; }
   void explain(const Waiting& cloud, CameraPose* none) const;
   void note(std::int64_t utime, const CameraPose& pose);
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "poses/pose_history.hpp"
 #include "process/runtime/poses/named_frame.hpp"
-#include "process/runtime/poses/pose_history.hpp"
 #include "quadrille/bus/scene_messages.hpp"
 
 namespace quadrille {

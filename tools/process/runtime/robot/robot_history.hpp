@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "process/runtime/poses/camera_poses.hpp"
+#include "process/runtime/poses/placement.hpp"
 #include "process/runtime/refusals.hpp"
 #include "quadrille/detector/robot_shapes.hpp"
 #include "quadrille/detector/solid_shape.hpp"

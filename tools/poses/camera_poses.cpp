@@ -1,4 +1,4 @@
-#include "process/runtime/poses/camera_poses.hpp"
+#include "poses/camera_poses.hpp"
 
 #include <fmt/format.h>
 
@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 namespace {
@@ -109,27 +107,6 @@ std::string describe_if_far(const CameraPose& pose) {
   if (misplacement.empty()) return "";
   return fmt::format("poses are {:.0f} ms from the clouds; {}; {}", *pose.age * kMsPerSecond,
                      misplacement, kRemedy);
-}
-
-Placement place(const CloudFrames& frames, const CameraPose& pose) {
-  Placement placement;
-  placement.X_WK = pose.X_WK;
-  if (!frames.need_pose()) return placement;
-  if (frames.of_results() != frames.clouds) placement.frame = word_of(frames.of_results());
-  if (!pose.X_WK) {
-    placement.lack = pose.detail;
-    return placement;
-  }
-  if (frames.clouds == CloudFrame::kWorld) placement.X_CK = *pose.X_WK;
-  if (frames.of_results() == CloudFrame::kWorld) placement.X_RK = *pose.X_WK;
-  return placement;
-}
-
-PointCloud in_camera_frame(const PointCloud& cloud, const Placement& placement,
-                           const CloudFrames& frames) {
-  PointCloud cloud_K = moved(cloud, placement.X_CK.inverse());
-  if (frames.clouds == CloudFrame::kWorld) cloud_K.viewpoint.setZero();
-  return cloud_K;
 }
 
 }  // namespace quadrille

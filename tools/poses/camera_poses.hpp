@@ -1,15 +1,17 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 
-#include "process/runtime/poses/cloud_frame.hpp"
-#include "process/runtime/poses/pose_history.hpp"
-#include "quadrille/detector/point_cloud.hpp"
+#include "poses/pose_history.hpp"
 
 namespace quadrille {
+
+/// Limit of the clouds that wait for their poses; if one more comes, the first gets no pose.
+inline constexpr std::size_t kMaxCloudsWaiting = 32;
 
 /// Why the pose of a cloud's camera is not known.
 enum class PoseLack {
@@ -58,30 +60,5 @@ class CameraPoses {
 /// Describes how far objects may be misplaced if the poses are far in time from a cloud of a moving
 /// camera. Empty if they are near, or the camera hardly moves.
 std::string describe_if_far(const CameraPose& pose);
-
-/// Poses of a cloud and of its results; the work is done in frame K, the camera's.
-struct Placement {
-  /// Pose of frame K in the cloud's frame C and in the frame R of the results.
-  Eigen::Isometry3d X_CK = Eigen::Isometry3d::Identity(), X_RK = Eigen::Isometry3d::Identity();
-  /// Pose of frame K in the fixed frame, if the camera's pose is known.
-  std::optional<Eigen::Isometry3d> X_WK;
-  /// Name of R if it differs from C; otherwise empty.
-  std::string frame;
-  /// Why the camera's pose, although needed, is not known; empty if nothing is missing.
-  std::string lack;
-
-  /// Returns the name of the frame of the results.
-  /// @param cloud_frame  name of C
-  const std::string& frame_of_results(const std::string& cloud_frame) const {
-    return frame.empty() ? cloud_frame : frame;
-  }
-};
-
-/// Returns the placement of a cloud whose camera had this pose.
-Placement place(const CloudFrames& frames, const CameraPose& pose);
-
-/// Returns a cloud in frame K, in which the sensor of a cloud given in W is the origin.
-PointCloud in_camera_frame(const PointCloud& cloud, const Placement& placement,
-                           const CloudFrames& frames);
 
 }  // namespace quadrille

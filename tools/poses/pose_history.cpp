@@ -1,4 +1,4 @@
-#include "process/runtime/poses/pose_history.hpp"
+#include "poses/pose_history.hpp"
 
 #include <algorithm>
 #include <utility>

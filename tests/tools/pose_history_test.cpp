@@ -1,4 +1,4 @@
-#include "process/runtime/poses/pose_history.hpp"
+#include "poses/pose_history.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +36,7 @@ Eigen::Matrix3d rotation_about(const Eigen::Vector3d& axis, double angle) {
 }  // namespace
 
 TEST_CASE("a time lies between the last pose at or before it and the first after it",
-          "[process][pose]") {
+          "[tools][pose]") {
   PoseHistory history(10.0);
   CHECK(bracket_times(history, 5) == Pair(-1, -1));
   for (const int utime : {10, 20, 30}) history.add(history_pose(utime));
@@ -46,7 +46,7 @@ TEST_CASE("a time lies between the last pose at or before it and the first after
   CHECK(bracket_times(history, 30) == Pair(30, -1));
 }
 
-TEST_CASE("poses in any order within a second give the same history", "[process][pose]") {
+TEST_CASE("poses in any order within a second give the same history", "[tools][pose]") {
   std::mt19937 random(7);
   std::vector<std::int64_t> times;
   for (int i = 0; i < 100; ++i) times.push_back(10'000 * i);
@@ -60,7 +60,7 @@ TEST_CASE("poses in any order within a second give the same history", "[process]
   }
 }
 
-TEST_CASE("a pose replaces one of the same time", "[process][pose]") {
+TEST_CASE("a pose replaces one of the same time", "[tools][pose]") {
   PoseHistory history(10.0, 3);
   for (const double x : {1.0, 2.0, 3.0, 4.0}) {
     history.add(history_pose(20, x));
@@ -70,7 +70,7 @@ TEST_CASE("a pose replaces one of the same time", "[process][pose]") {
   CHECK(history.around(10).before->X_WC.translation().x() == -4.0);
 }
 
-TEST_CASE("only so many poses are kept, of so long a time", "[process][pose]") {
+TEST_CASE("only so many poses are kept, of so long a time", "[tools][pose]") {
   PoseHistory few(10.0, 3);
   for (int utime = 1; utime <= 10; ++utime) few.add(history_pose(utime));
   CHECK(bracket_times(few, 7) == Pair(-1, 8));
@@ -82,7 +82,7 @@ TEST_CASE("only so many poses are kept, of so long a time", "[process][pose]") {
 }
 
 TEST_CASE("a pose that is older by far changes nothing, two in a row begin a new history",
-          "[process][pose]") {
+          "[tools][pose]") {
   PoseHistory history(10.0);
   for (int i = 0; i <= 10; ++i) history.add(history_pose(20 * kSecond + 1000 * i));
   for (int i = 11; i <= 20; ++i) {
@@ -101,7 +101,7 @@ TEST_CASE("a pose that is older by far changes nothing, two in a row begin a new
   CHECK(history.newest()->utime == kSecond + 1000);
 }
 
-TEST_CASE("a pose from the far future does not poison the history for ever", "[process][pose]") {
+TEST_CASE("a pose from the far future does not poison the history for ever", "[tools][pose]") {
   PoseHistory history(10.0);
   for (int i = 0; i < 10; ++i) history.add(history_pose(1000 * i));
   history.add(history_pose(std::numeric_limits<std::int64_t>::max()));
@@ -112,7 +112,7 @@ TEST_CASE("a pose from the far future does not poison the history for ever", "[p
 }
 
 TEST_CASE("between two poses the origin moves along a line and the camera turns about one axis",
-          "[process][pose]") {
+          "[tools][pose]") {
   std::mt19937 random(3);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * static_cast<double>(random()) / 4294967296.0;

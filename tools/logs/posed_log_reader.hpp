@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+
+#include "logs/cloud_log_reader.hpp"
+#include "poses/camera_poses.hpp"
+
+namespace quadrille::logs {
+
+/// One cloud of a log, with the pose that its camera had, or why that is not known.
+struct PosedCloud {
+  LoggedCloud cloud;
+  CameraPose pose;
+};
+
+/// Reads the clouds of a moving camera, and its poses, from an LCM log. Each cloud gets the pose
+/// that the processes give it when they replay the log: it waits for the pose after it for some
+/// time by the clock of the log's events.
+class PosedLogReader {
+ public:
+  /// @param channel  as CloudLogReader has it
+  /// @param pose_channel  channel of the poses (bot_core.pose_t); if empty, no cloud has a pose,
+  /// and
+  ///   none waits
+  /// @param max_age,  max_wait  as CameraPoses has them [s]
+  /// @throws std::runtime_error as bus::LogReader does
+  PosedLogReader(const std::string& path, const std::string& channel, std::string pose_channel,
+                 double max_age, double max_wait);
+  PosedLogReader(const PosedLogReader&) = delete;
+  PosedLogReader& operator=(const PosedLogReader&) = delete;
+
+  /// Returns the next cloud; nullopt at the end.
+  std::optional<PosedCloud> next();
+
+  /// The reader of the clouds, which knows what else the log holds.
+  const CloudLogReader& clouds() const { return clouds_; }
+
+ private:
+  struct Waiting {
+    LoggedCloud cloud;
+    /// Time of the last event when it came [us].
+    std::int64_t since = 0;
+  };
+
+  void take(const bus::LogReader::Event& event);
+  void settle(bool is_end = false);
+
+  std::string pose_channel_;
+  double max_wait_;
+  CameraPoses poses_;
+  CloudLogReader clouds_;
+  /// Time of the last event [us].
+  std::int64_t now_ = 0;
+  /// Clouds whose poses are not known yet.
+  std::deque<Waiting> waiting_;
+  std::deque<PosedCloud> ready_;
+};
+
+}  // namespace quadrille::logs
