@@ -30,6 +30,7 @@
 #include "run/stop.hpp"
 #include "view/http/request_guard.hpp"
 #include "view/live/live_backend.hpp"
+#include "view/live/scene_frames.hpp"
 #include "view/log/log_backend.hpp"
 #include "view/scene/scene_of_cloud.hpp"
 #include "view/server.hpp"
@@ -122,11 +123,9 @@ std::unique_ptr<view::Backend> open_bus(const ViewArguments& arguments) {
   // This must happen before threads are started, since they inherit the priority.
   step_back();
   view::LiveChannels channels = arguments.channels;
-  for (std::string* channel :
-       {&channels.cloud, &channels.quadrics, &channels.boxes, &channels.grasps, &channels.occupancy,
-        &channels.detector_status, &channels.planner_status, &channels.requests}) {
-    *channel = arguments.bus.prefixed(*channel);
-  }
+  view::LiveChannels::visit_inputs(
+      channels, [&](std::string& channel) { channel = arguments.bus.prefixed(channel); });
+  channels.requests = arguments.bus.prefixed(channels.requests);
   const std::string url = bus::resolve_url(arguments.bus.lcm_url);
   bus::check_live(bus::parse_url(url));
   const auto find = [given = arguments.planner.gripper()](const std::string& name) {
@@ -177,6 +176,23 @@ std::string check_log(const std::string& path) {
                      path);
 }
 
+/// Adds the options for a camera that moves, which are those of the processes.
+void add_pose_options(CLI::App& command, view::LiveChannels& channels) {
+  add_channel_option(command, "--pose-channel", channels.poses,
+                     "camera's poses in the fixed frame, of type bot_core.pose_t");
+  command.get_option("--pose-channel")->excludes("--in-log");
+  command
+      .add_option_function<std::string>(
+          "--cloud-frame",
+          [&channels](const std::string& name) {
+            channels.cloud_in_world = name == view::kWorldFrame;
+          },
+          "Frame of the clouds: the camera's, or the fixed frame of its poses")
+      ->check(CLI::IsMember({view::kCameraFrame, view::kWorldFrame}))
+      ->default_str(view::kCameraFrame)
+      ->needs("--pose-channel");
+}
+
 }  // namespace
 
 void add_view_command(CLI::App& app) {
@@ -216,6 +232,9 @@ void add_view_command(CLI::App& app) {
   add_channel_option(*command, "--bodies-channel", channels.bodies, "bodies");
   add_channel_option(*command, "--grasps-channel", channels.grasps, "grasps");
   add_channel_option(*command, "--occupancy-channel", channels.occupancy, "occupancy");
+  add_channel_option(*command, "--robot-channel", channels.robot, "robot's own shapes");
+  add_channel_option(*command, "--obstacles-channel", channels.obstacles, "obstacles");
+  add_pose_options(*command, channels);
   add_channel_option(*command, "--detector-status", channels.detector_status, "detector's status");
   add_channel_option(*command, "--planner-status", channels.planner_status, "planner's status");
   add_channel_option(*command, "--request-channel", channels.requests, "requests");

@@ -1,5 +1,7 @@
 #include "view/live/latest_messages.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <utility>
 #include <variant>
 
@@ -24,6 +26,10 @@ bool is_answer(std::span<const std::byte> bytes) {
 
 }  // namespace
 
+MessageKeeper::MessageKeeper(LiveChannels channels) : channels_(std::move(channels)) {
+  if (!channels_.poses.empty()) latest_.camera.emplace();
+}
+
 void MessageKeeper::take(const std::string& channel, std::span<const std::byte> bytes) {
   const std::pair<const std::string&, Bytes LatestMessages::*> slots[] = {
       {channels_.quadrics, &LatestMessages::quadrics},
@@ -31,9 +37,11 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
       {channels_.bodies, &LatestMessages::bodies},
       {channels_.grasps, &LatestMessages::grasps},
       {channels_.occupancy, &LatestMessages::occupancy},
+      {channels_.obstacles, &LatestMessages::obstacles},
       {channels_.detector_status, &LatestMessages::detector_status},
       {channels_.planner_status, &LatestMessages::planner_status}};
   const bool is_cloud = channel == channels_.cloud;
+  const bool is_pose = !channel.empty() && channel == channels_.poses;
   const auto now = Clock::now();
   const bool is_plan = channel == channels_.grasps && !is_answer(bytes);
   {
@@ -45,19 +53,24 @@ void MessageKeeper::take(const std::string& channel, std::span<const std::byte> 
   Bytes copy = std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.end());
   const std::lock_guard lock(mutex_);
   if (is_cloud) keep_cloud(std::move(copy));
+  if (channel == channels_.robot) latest_.robot.add(bytes);
+  if (is_pose) latest_.camera->add(bytes);
   if (channel == channels_.boxes) latest_.boxes_before = latest_.boxes;
   if (channel == channels_.bodies) latest_.bodies_before = latest_.bodies;
   for (const auto& [name, slot] : slots) {
     if (!is_cloud && name == channel) std::swap(latest_.*slot, copy);
   }
   if (channel == channels_.quadrics) quadrics_came_ = now;
-  // Status messages are not part of a scene.
+  // Status messages are not part of a scene, and poses without a new cloud change little.
   const bool is_status =
       channel == channels_.detector_status || channel == channels_.planner_status;
-  if (is_status) return;
-  // Clouds, boxes and bodies come before their quadrics. They make no scene until these have come,
-  // if quadrics have come recently.
-  const bool waits = is_cloud || channel == channels_.boxes || channel == channels_.bodies;
+  if (is_status || is_pose) return;
+  // Clouds, boxes and bodies come before their quadrics, and so do the robot's shapes. They make no
+  // scene until these have come, if quadrics have come recently.
+  const std::string* const early[] = {&channels_.cloud, &channels_.boxes, &channels_.bodies,
+                                      &channels_.robot, &channels_.obstacles};
+  const bool waits = std::any_of(std::begin(early), std::end(early),
+                                 [&](const std::string* name) { return *name == channel; });
   has_news_ = has_news_ || !waits || now - quadrics_came_ > kQuadricsTime;
   news_.notify_one();
 }

@@ -6,30 +6,52 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "view/live/camera_trail.hpp"
+#include "view/live/robot_trail.hpp"
+
 namespace quadrille::view {
 
-/// The channels of the messages that are shown, and of requests to the planner.
+/// The channels of the messages that are shown, and of requests to the planner, and the frame of
+/// the clouds.
 struct LiveChannels {
   std::string cloud = "POINT_CLOUD", quadrics = "QUADRICS", boxes = "BOXES", bodies = "BODIES",
-              grasps = "GRASPS", occupancy = "OCCUPANCY",
+              grasps = "GRASPS", occupancy = "OCCUPANCY", robot = "ROBOT", obstacles = "OBSTACLES",
               detector_status = "QUADRILLE_DETECTOR_STATUS",
               planner_status = "QUADRILLE_PLANNER_STATUS", requests = "GRASP_REQUEST";
+  /// The channel of the camera's poses; empty if there are none.
+  std::string poses;
+  /// True if clouds are in the fixed frame of these poses; else they are in the camera's frame.
+  bool cloud_in_world = false;
+
+  /// Calls v(name) for each channel on which messages come.
+  template <class Channels, class Visitor>
+  static void visit_inputs(Channels& c, Visitor&& v) {
+    for (auto* const name :
+         {&c.cloud, &c.quadrics, &c.boxes, &c.bodies, &c.grasps, &c.occupancy, &c.robot,
+          &c.obstacles, &c.poses, &c.detector_status, &c.planner_status}) {
+      v(*name);
+    }
+  }
 };
 
 /// The bytes of a message, which several owners may share; null for none.
 using Bytes = std::shared_ptr<const std::vector<std::byte>>;
 
-/// The newest message of each kind, and the last few clouds, because quadrics come later than their
-/// cloud.
+/// The newest message of each kind, and the last few clouds, poses and shapes of the robot, because
+/// quadrics come later than these.
 struct LatestMessages {
   std::deque<Bytes> clouds;
   /// The boxes and bodies before the newest, used until the quadrics of the newest have come.
   Bytes boxes_before, bodies_before;
-  Bytes quadrics, boxes, bodies, grasps, occupancy, detector_status, planner_status;
+  Bytes quadrics, boxes, bodies, grasps, occupancy, obstacles, detector_status, planner_status;
+  RobotTrail robot;
+  /// The camera's poses; nullopt if no channel of them is given.
+  std::optional<CameraTrail> camera;
 };
 
 /// Keeps messages from the bus until a browser looks at them. Taking a message never waits for
@@ -39,7 +61,7 @@ class MessageKeeper {
   /// Limits of the number of clouds that are kept, and of their bytes, not counting the newest.
   static constexpr std::size_t kMaxClouds = 8, kMaxCloudBytes = std::size_t{64} << 20;
 
-  explicit MessageKeeper(LiveChannels channels) : channels_(std::move(channels)) {}
+  explicit MessageKeeper(LiveChannels channels);
 
   /// Takes one message. Messages of other channels are ignored, and so are answers to other
   /// programs' requests while the planner plans for all objects by itself.

@@ -34,22 +34,22 @@ LiveBackend::~LiveBackend() {
 }
 
 void LiveBackend::subscribe() {
-  const LiveChannels& c = keeper_.channels();
-  for (const std::string& channel : {c.cloud, c.quadrics, c.boxes, c.bodies, c.grasps, c.occupancy,
-                                     c.detector_status, c.planner_status}) {
+  LiveChannels::visit_inputs(keeper_.channels(), [this](const std::string& channel) {
+    if (channel.empty()) return;
     connection_.subscribe(channel, [this](const std::string& name, std::span<const std::byte> b) {
       const bool is_answer = name == keeper_.channels().grasps && questions_.take(b);
       if (!is_answer) keeper_.take(name, b);
     });
-  }
+  });
 }
 
 void LiveBackend::make_scenes() {
   while (!stop_) {
     if (!keeper_.wait(std::chrono::milliseconds(100))) continue;
     const auto start = std::chrono::steady_clock::now();
-    Pack pack = std::make_shared<const std::string>(
-        pack_scene(live_scene(keeper_.latest(), find_gripper_, limits_), limits_));
+    Pack pack = std::make_shared<const std::string>(pack_scene(
+        live_scene(keeper_.latest(), find_gripper_, limits_, keeper_.channels().cloud_in_world),
+        limits_));
     {
       const std::lock_guard lock(mutex_);
       std::swap(newest_, pack);

@@ -12,7 +12,9 @@
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/occupancy_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/setting.hpp"
+#include "view/live/live_surroundings.hpp"
 #include "view/scene/octree_leaves.hpp"
 
 namespace quadrille::view {
@@ -72,6 +74,16 @@ bool is_finite(const Grasp& g) {
          std::isfinite(g.width + g.preshape + g.approach + g.score + g.clearance);
 }
 
+/// Adds the proposed views. Those of an earlier cloud stay, since their places remain good; the
+/// page needs only the number of their bodies.
+void add_looks(const grasps_t& message, Scene* scene) {
+  constexpr std::size_t kMaxLooks = 100;
+  for (const look_t& m : message.looks) {
+    if (scene->looks.size() == kMaxLooks) return;
+    scene->looks.push_back({bus::from_message(m.pose), {m.bodies.begin(), m.bodies.end()}, m.gain});
+  }
+}
+
 /// Returns which of the shown detections a grasp belongs to; 0 if that is unknown.
 int target_of(const Grasp& grasp, bool same_cloud, const Scene& scene) {
   if (same_cloud) return grasp.target;
@@ -105,6 +117,7 @@ void add_grasps(const grasps_t& message, const FindGripper& find_gripper, std::s
       scene->remedies.push_back({m.target, m.change, m.num_grasps, m.score});
     }
   }
+  add_looks(message, scene);
   scene->warnings.insert(scene->warnings.end(), message.warnings.begin(), message.warnings.end());
 }
 
@@ -137,33 +150,63 @@ void add_quadrics(bus::QuadricsMessage message, const LatestMessages& messages, 
   std::erase_if(scene->detections, [](const Detection& d) { return !is_reported(d); });
 }
 
-/// Adds the cloud, unless it is in another frame than the quadrics; then only the quadrics are
-/// shown.
-void add_cloud(std::optional<bus::CloudMessage> cloud,
-               const std::optional<bus::QuadricsMessage>& quadrics, Scene* scene) {
-  if (quadrics) scene->cloud.frame = quadrics->frame;
+/// Returns the frames at the time of the cloud. A scene of quadrics alone is in the frame of their
+/// cloud, if that of the results is not another one.
+SceneFrames frames_of(const LatestMessages& messages, const std::optional<bus::CloudMessage>& cloud,
+                      const std::optional<bus::QuadricsMessage>& quadrics, bool cloud_in_world) {
+  SceneFrames frames;
+  if (cloud) frames.scene = cloud->cloud.frame;
+  if (quadrics) frames.scene = quadrics->frame;
+  frames.cloud = cloud ? cloud->cloud.frame : frames.scene;
+  frames.cloud_in_world = cloud_in_world;
+  const std::int64_t utime = quadrics ? quadrics->utime : cloud ? cloud->utime : 0;
+  if (messages.camera) frames.X_WK = messages.camera->at(utime);
+  return frames;
+}
+
+/// Says why a cloud in another frame than the results is not shown, and what helps.
+std::string explain_missing_cloud(const LatestMessages& messages, const SceneFrames& frames,
+                                  std::int64_t utime) {
+  const std::string fact = "the cloud is not shown: it is in frame '" + frames.cloud +
+                           "', the quadrics in '" + frames.scene + "'";
+  if (!messages.camera) return fact + "; " + kPoseRemedy;
+  return frames.X_WK ? fact : fact + ", and " + messages.camera->explain(utime);
+}
+
+/// Adds the cloud, moved into the frame of the quadrics; if that is not possible, only the quadrics
+/// are shown.
+void add_cloud(std::optional<bus::CloudMessage> cloud, const LatestMessages& messages,
+               const SceneFrames& frames, Scene* scene) {
+  scene->cloud.frame = frames.scene;
   if (!cloud) return;
-  if (quadrics && quadrics->frame != cloud->cloud.frame) {
-    scene->warnings.push_back("the cloud is not shown: it is in frame '" + cloud->cloud.frame +
-                              "', the quadrics in '" + quadrics->frame + "'");
+  const auto X_SC = frames.X_SF(frames.cloud);
+  if (!X_SC) {
+    scene->warnings.push_back(explain_missing_cloud(messages, frames, cloud->utime));
     return;
   }
   scene->utime = cloud->utime;
   scene->seq = cloud->seq;
-  scene->cloud = std::move(cloud->cloud);
+  scene->cloud = moved(std::move(cloud->cloud), *X_SC);
+  scene->cloud.frame = frames.scene;
+  // Only the pose tells where the sensor of a cloud in the fixed frame was.
+  const auto X_SK = frames.X_SK();
+  if (frames.cloud_in_world && X_SK) scene->cloud.viewpoint = X_SK->translation();
 }
 
 }  // namespace
 
 Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper,
-                 const PackLimits& limits) {
+                 const PackLimits& limits, bool cloud_in_world) {
   Scene scene;
   scene.name = "live";
   auto quadrics = read<bus::QuadricsMessage>(messages.quadrics,
                                              [](const auto& b) { return bus::decode_quadrics(b); });
-  add_cloud(find_cloud(messages.clouds, quadrics), quadrics, &scene);
-  const std::string frame = scene.cloud.frame;
+  auto cloud = find_cloud(messages.clouds, quadrics);
+  const SceneFrames frames = frames_of(messages, cloud, quadrics, cloud_in_world);
+  add_cloud(std::move(cloud), messages, frames, &scene);
   if (quadrics) add_quadrics(std::move(*quadrics), messages, &scene);
+  add_surroundings(messages, frames, &scene);
+  const std::string& frame = frames.scene;
   const auto grasps = read_grasps(messages.grasps);
   if (grasps && grasps->frame == frame) add_grasps(*grasps, find_gripper, limits.grasps, &scene);
   const auto map =

@@ -15,9 +15,13 @@ using FindGripper = std::function<std::optional<Gripper>(const std::string& name
 
 /// Combines what belongs to one cloud: the newest quadrics with their cloud and boxes. Grasps and
 /// occupancy come later. Until then those of an earlier cloud are shown, with grasps assigned to
-/// the surfaces of the same track.
+/// the surfaces of the same track. A cloud in another frame than the quadrics is moved into theirs,
+/// if the camera's poses tell how.
+/// @param cloud_in_world  true if clouds are in the fixed frame of the camera's poses; else they
+/// are
+///   in the camera's frame
 Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper,
-                 const PackLimits& limits = {});
+                 const PackLimits& limits = {}, bool cloud_in_world = false);
 
 /// Makes a scene of the grasps with which the planner answers a question; nullopt if the bytes are
 /// damaged.

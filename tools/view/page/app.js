@@ -56,7 +56,7 @@ function keepFocus(fill) {
 }
 
 function fillPanel() {
-  fillSwitches(view, refresh, Boolean(scene.points.colours));
+  fillSwitches(view, refresh, scene);
   fillSource(scene, session);
   fillList(scene, view, choose);
   showChoices(scene, session);

@@ -1,6 +1,7 @@
 // Keeps the current view in the fragment of the address, so that a copied link restores it.
 
-export const kLayers = ["cloud", "quadrics", "boxes", "planes", "labels", "gripper", "candidates", "occupied", "unknown"];
+export const kLayers = ["cloud", "quadrics", "boxes", "planes", "labels", "gripper", "candidates", "occupied", "unknown",
+  "robot", "obstacles", "camera", "looks"];
 export const kColours = ["object", "depth", "normal", "own"];
 const kHidden = ["occupied", "unknown"];
 

@@ -27,6 +27,7 @@ export function unpack(buffer) {
   }
   colourObjects(scene.objects);
   for (const layer of ["occupied", "unknown"]) scene.voxels[layer] = take(Uint16Array, scene.voxels[layer]);
+  scene.camera.path = positionsOf(take(Uint16Array, scene.camera.path), scene.camera.path);
   return scene;
 }
 

@@ -6,15 +6,24 @@ import { kColours, kLayers } from "./link.js";
 const kMaxRows = 20;
 const mm = (metres) => (1000 * metres).toFixed(0);
 
-/// Makes the buttons for colours and layers, with one for the points' own colours only if they have
-/// some. change is called after each click.
-export function fillSwitches(view, change, hasColours = false) {
-  const colours = kColours.filter((colour) => colour !== "own" || hasColours);
+/// The layers that few scenes have.
+const kRare = {
+  robot: (scene) => scene.robot.length > 0,
+  obstacles: (scene) => scene.obstacles.length > 0,
+  camera: (scene) => scene.camera.pose || scene.camera.path.length > 0,
+  looks: (scene) => scene.looks.length > 0,
+};
+
+/// Makes the buttons for colours and layers, without those for what the scene does not have. change
+/// is called after each click.
+export function fillSwitches(view, change, scene = null) {
+  const colours = kColours.filter((colour) => colour !== "own" || (scene && scene.points.colours));
+  const layers = kLayers.filter((layer) => !kRare[layer] || (scene && kRare[layer](scene)));
   const shown = colours.includes(view.colour) ? view.colour : "object";
   byId("colours").replaceChildren(...colours.map((colour) => element("button", {
     text: colour === "own" ? "by own colour" : `by ${colour}`, role: "radio", "aria-checked": String(shown === colour), id: `colour-${colour}`,
     onclick: () => { view.colour = colour; change(); } })));
-  byId("layers").replaceChildren(...kLayers.map((layer) => element("button", {
+  byId("layers").replaceChildren(...layers.map((layer) => element("button", {
     text: layer, "aria-pressed": String(view.layers[layer]), id: `layer-${layer}`,
     onclick: () => { view.layers[layer] = !view.layers[layer]; change(); } })));
 }
@@ -66,8 +75,7 @@ export function fillList(scene, view, choose) {
 export function fillDetail(scene, view, chooseGrasp, askParts) {
   const object = scene.objects.find((candidate) => candidate.id === view.chosen);
   const grasps = object ? scene.grasps.filter((grasp) => grasp.target === object.id) : scene.grasps;
-  const parts = [];
-  if (object) parts.push(...factsOf(object));
+  const parts = object ? factsOf(object) : looksOf(scene);
   if (!object || !isPlane(object)) {
     parts.push(element("h2", { text: object ? `Grasps of ${object.id} (${grasps.length})` : `All grasps (${grasps.length})` }));
     if (object) parts.push(...askParts(object));
@@ -92,6 +100,13 @@ function factsOf(object) {
   const list = element("dl", {}, facts.flatMap(([name, value]) =>
     [element("dt", { text: name }), element("dd", { text: value })]));
   return [element("h2", { text: `${object.id} ${words(object.type)}` }), list];
+}
+
+/// Lists the views that would help.
+function looksOf({ looks }) {
+  if (looks.length === 0) return [];
+  return [element("h2", { text: `Proposed views (${looks.length})` }), ...looks.map(({ bodies }) =>
+    element("p", { class: "look", text: `look from here: helps ${bodies.length === 1 ? "1 body" : `${bodies.length} bodies`}` }))];
 }
 
 function graspTable(grasps, view, chooseGrasp) {

@@ -6,8 +6,10 @@ import { contactsOf, handAt, marksOf, poseMatrix } from "./hand.js";
 import { byId } from "./dom.js";
 import { coloursOf } from "./paint.js";
 import { cornersOf, isBox, meshGeometry, voxelMesh } from "./shapes.js";
+import { frustumOf, pathOf, solidsOf } from "./surroundings.js";
 
 const kClickSlack = 5;
+const kCameraDepth = 0.06;
 
 /// Makes the renderer; if the browser has no WebGL, makes one that draws nothing and says so.
 function makeRenderer(canvas) {
@@ -97,6 +99,7 @@ export class World {
     this.putObjects(view);
     this.putVoxels(view);
     this.putGrasps(view);
+    this.putSurroundings(view);
   }
 
   putCloud(view) {
@@ -166,6 +169,21 @@ export class World {
     for (const [layer, colour, opacity] of [["occupied", 0x5b7083, 0.5], ["unknown", 0xb06ae0, 0.14]]) {
       this.put(layer, view.layers[layer] ? voxelMesh(this.data.voxels, layer, colour, opacity) : null);
     }
+  }
+
+  putSurroundings(view) {
+    const { robot, obstacles, camera, looks } = this.data;
+    this.put("robot", view.layers.robot ? solidsOf(robot, 0x7a89a8) : null);
+    this.put("obstacles", view.layers.obstacles ? solidsOf(obstacles, 0xb08968) : null);
+    const trail = new THREE.Group();
+    if (view.layers.camera) {
+      if (camera.path.length) trail.add(pathOf(camera.path, 0x5f8fae));
+      if (camera.pose) trail.add(frustumOf(camera.pose, kCameraDepth, 0x5f8fae));
+    }
+    this.put("camera", trail);
+    const views = new THREE.Group();
+    if (view.layers.looks) for (const { pose } of looks) views.add(frustumOf(pose, kCameraDepth, 0x4f9d76));
+    this.put("looks", views);
   }
 
   putGrasps(view) {

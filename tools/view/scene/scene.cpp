@@ -11,6 +11,7 @@
 #include "io/describe.hpp"
 #include "io/json/json.hpp"
 #include "io/json/json_parts.hpp"
+#include "io/json/shapes_file.hpp"
 #include "io/planner/advice.hpp"
 #include "io/planner/plan_json.hpp"
 #include "quadrille/detector/quadric.hpp"
@@ -123,6 +124,12 @@ Json voxels_of(const VoxelLayers& layers, Arrays* arrays) {
           {"unknown", arrays->add(flattened(layers.unknown))}};
 }
 
+Json shapes_of(const std::vector<SolidShape>& shapes) {
+  Json list = Json::array();
+  for (const SolidShape& shape : shapes) list.push_back(io::to_json(shape));
+  return list;
+}
+
 /// Adds the fields that quadrics, boxes and lumps have in common.
 void add_common(const Scene& scene, int id, Json* object) {
   const auto found = scene.rejected_of.find(id);
@@ -183,6 +190,7 @@ Json plan_json(const Scene& scene, const PackLimits& limits) {
   return {{"grasps", grasps_of(scene, limits.grasps)},
           {"rejected", refusals_of(scene.rejected, scene.unknown)},
           {"remedies", io::to_json(scene.remedies)},
+          {"looks", io::to_json(scene.looks)},
           {"gripper_name", scene.gripper_name},
           {"gripper", scene.gripper ? gripper_of(*scene.gripper) : Json(nullptr)},
           {"unknown", word_of(scene.unknown)},
@@ -201,6 +209,10 @@ std::string pack_scene(const Scene& scene, const PackLimits& limits) {
   json["points"] = points;
   json.update(plan_json(scene, limits));
   json["voxels"] = voxels_of(scene.voxels, &arrays);
+  json["robot"] = shapes_of(scene.robot);
+  json["obstacles"] = shapes_of(scene.obstacles);
+  json["camera"] = {{"pose", scene.X_CK ? io::to_json(*scene.X_CK) : Json(nullptr)},
+                    {"path", arrays.add_positions(scene.path)}};
   Json timings = Json::object();
   io::add_stages(scene.timings, &timings);
   json["timings"] = timings;

@@ -10,6 +10,7 @@
 #include "quadrille/detector/body.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
+#include "quadrille/detector/solid_shape.hpp"
 #include "quadrille/grasping/plan.hpp"
 #include "view/scene/voxel_layers.hpp"
 
@@ -42,7 +43,15 @@ struct Scene {
   std::map<int, Rejected> rejected_of;
   /// Changes of a setting that give grasps to targets without one; empty if none were sought.
   std::vector<Remedy> remedies;
+  /// Places from which the camera would see what the plan lacks.
+  std::vector<Look> looks;
   VoxelLayers voxels;
+  /// The robot's own shapes, and obstacles that no cloud need show.
+  std::vector<SolidShape> robot, obstacles;
+  /// Pose of the camera when it took the cloud, if poses tell it.
+  std::optional<Eigen::Isometry3d> X_CK;
+  /// The camera's last positions, oldest first [m].
+  std::vector<Eigen::Vector3f> path;
   std::vector<StageTime> timings;
   std::vector<std::string> warnings;
 };

@@ -58,6 +58,9 @@ void add_plan(const GraspScene& asked, const GraspQuery& query, GraspPlan plan,
   scene->unknown = unknown;
   scene->rejected = {plan.rejected.begin(), plan.rejected.end()};
   scene->remedies = plan.remedies;
+  for (const Look& look : plan.looks) {
+    scene->looks.push_back({X_CK * look.X_CK, look.bodies, look.gain});
+  }
   add_targets(asked, query, &plan, scene);
   for (const Grasp& grasp : plan.grasps) scene->grasps.push_back(moved(grasp, X_CK));
   scene->timings.push_back({"plan", plan.total_ms});
