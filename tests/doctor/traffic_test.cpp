@@ -5,6 +5,7 @@
 #include <lcmtypes/quadrille/detector_status_t.hpp>
 #include <lcmtypes/quadrille/quadrics_t.hpp>
 
+#include "datagrams.hpp"
 #include "doctor/check_traffic.hpp"
 #include "doctor/datagram.hpp"
 #include "support/catch.hpp"
@@ -12,44 +13,10 @@
 namespace quadrille::doctor {
 namespace {
 
-constexpr std::int64_t kNow = 1'800'000'000'000'000, kSecond = 1'000'000;
-
-/// Bytes as LCM's protocol description has them.
-class Bytes {
- public:
-  Bytes& number(std::uint64_t value, int size) {
-    for (int shift = 8 * (size - 1); shift >= 0; shift -= 8) {
-      bytes_.push_back(static_cast<std::byte>(value >> shift & 0xff));
-    }
-    return *this;
-  }
-  Bytes& name(const std::string& text) {
-    for (const char c : text) bytes_.push_back(static_cast<std::byte>(c));
-    return number(0, 1);
-  }
-  operator std::span<const std::byte>() const { return bytes_; }
-
- private:
-  std::vector<std::byte> bytes_;
-};
-
-Bytes short_message(std::uint32_t sequence, const std::string& channel, std::int64_t fingerprint,
-                    std::int64_t utime) {
-  Bytes bytes;
-  bytes.number(0x4c433032, 4).number(sequence, 4).name(channel);
-  bytes.number(static_cast<std::uint64_t>(fingerprint), 8);
-  return bytes.number(static_cast<std::uint64_t>(utime), 8);
-}
-
-Bytes fragment(std::uint32_t sequence, std::uint32_t size, std::uint32_t offset,
-               std::uint32_t number, std::uint32_t count) {
-  Bytes bytes;
-  bytes.number(0x4c433033, 4).number(sequence, 4).number(size, 4).number(offset, 4);
-  bytes.number(number, 2).number(count, 2);
-  if (number == 0) bytes.name("POINT_CLOUD");
-  return bytes.number(static_cast<std::uint64_t>(drake::lcmt_point_cloud::getHash()), 8)
-      .number(kNow, 8);
-}
+using test::fragment;
+using test::kNow;
+using test::kSecond;
+using test::short_message;
 
 const auto kCloud = [] { return drake::lcmt_point_cloud::getHash(); };
 
@@ -94,12 +61,12 @@ TEST_CASE("a message of which a datagram is missing is incomplete", "[doctor]") 
 
 TEST_CASE("datagrams that LCM would not take, or die of, are counted and never read", "[doctor]") {
   Traffic traffic;
-  std::vector<Bytes> bad(5);
+  std::vector<test::Bytes> bad(5);
   bad[1].number(0x4c433032, 4);
   bad[2].number(0x4c433039, 4).number(1, 4).name("X");
   bad[3].number(0x4c433032, 4).number(1, 4).number(0x4141, 2);
   bad[4] = fragment(1, 3000, 0xffffffff, 1, 3);
-  for (const Bytes& bytes : bad) traffic.add("a:1", bytes, kNow);
+  for (const test::Bytes& bytes : bad) traffic.add("a:1", bytes, kNow);
   CHECK(traffic.malformed() == 5);
   CHECK(traffic.streams().empty());
   const Finding found = check_losses(traffic, 7700);

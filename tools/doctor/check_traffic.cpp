@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "doctor/advise_channel.hpp"
 #include "io/describe.hpp"
 #include "link/channel_pattern.hpp"
 
@@ -14,17 +15,6 @@ std::string describe(const Stream& stream, double seconds) {
   return fmt::format("{} of up to {} bytes in {:g} s on {} from {}",
                      io::count_of(static_cast<std::size_t>(stream.messages), "cloud"),
                      stream.max_bytes, seconds, stream.channel, stream.sender);
-}
-
-/// Returns the options that make the processes listen to a channel on which clouds came.
-/// @param prefix  value of --channel-prefix; empty for none
-std::string advise_channel(const std::string& channel, const std::string& prefix) {
-  const bool begins = !prefix.empty() && channel.starts_with(prefix);
-  const std::string advice = fmt::format(
-      "quadrille-detector --in-channel {0}, quadrille-grasp-planner --cloud-channel {0}",
-      begins ? channel.substr(prefix.size()) : channel);
-  if (prefix.empty()) return advice;
-  return fmt::format("{}, {} --channel-prefix {}", advice, begins ? "with" : "without", prefix);
 }
 
 Finding describe_clock(const Stream& stream, double seconds_off) {
@@ -85,7 +75,7 @@ Finding check_clouds(const Traffic& traffic, const std::string& cloud_channel, d
   }
   return {Verdict::kFailed, "clouds",
           fmt::format("none on {}, but some on {}", cloud_channel, elsewhere),
-          advise_channel(channel, prefix)};
+          advise_channel("--in-channel", "--cloud-channel", channel, prefix)};
 }
 
 Finding check_losses(const Traffic& traffic, int port) {

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "doctor/check_network.hpp"
+#include "doctor/check_poses.hpp"
 #include "doctor/check_traffic.hpp"
 #include "doctor/listen.hpp"
 #include "doctor/round_trip.hpp"
@@ -51,12 +52,13 @@ void examine_trips(const bus::Url& url, std::size_t cloud_bytes, const std::stri
 }
 
 /// Listens to the bus; if that fails, adds a finding.
-std::optional<Traffic> try_to_listen(const bus::Url& url, double seconds, Findings* findings) {
+std::optional<Traffic> try_to_listen(const bus::Url& url, double seconds, PoseRecorder* poses,
+                                     Findings* findings) {
   std::optional<Traffic> heard;
   const Finding failure = attempt(
       "listening",
       [&] {
-        heard = listen(url, std::chrono::milliseconds(static_cast<int>(1000.0 * seconds)));
+        heard = listen(url, std::chrono::milliseconds(static_cast<int>(1000.0 * seconds)), poses);
         return Finding{};
       },
       fmt::format("see who holds the port: ss -lunp sport = :{}; and net.ipv4.igmp_max_memberships",
@@ -79,7 +81,9 @@ void examine_udpm(const bus::Url& url, const Questions& questions, Findings* fin
   if (has_failure(*findings)) return;
   findings->push_back(check_interface(url));
   findings->push_back(check_ttl(url));
-  const std::optional<Traffic> traffic = try_to_listen(url, questions.seconds, findings);
+  PoseRecorder recorder(questions.pose_channel, questions.cloud_channel, bus::wall_clock_utime());
+  const std::optional<Traffic> traffic = try_to_listen(url, questions.seconds, &recorder, findings);
+  const PoseArrivals poses = recorder.heard(bus::wall_clock_utime());
   const std::size_t seen = traffic ? traffic->largest_cloud() : 0;
   const bool is_told = questions.cloud_bytes > 0;
   const std::size_t bytes = is_told ? questions.cloud_bytes : (seen > 0 ? seen : kUsualBytes);
@@ -88,7 +92,23 @@ void examine_udpm(const bus::Url& url, const Questions& questions, Findings* fin
                     is_told ? "--cloud-bytes" : (seen > 0 ? "seen on the bus" : "640x480 points"));
   findings->push_back(buffers);
   examine_trips(url, bytes, buffers.remedy, findings);
-  if (traffic) examine_traffic(*traffic, url, questions, findings);
+  if (!traffic) return;
+  examine_traffic(*traffic, url, questions, findings);
+  if (!questions.pose_channel.empty()) {
+    append(check_poses(poses, questions.channel_prefix), findings);
+  }
+}
+
+/// Over a server the doctor cannot listen without taking part.
+void examine_server(const bus::Url& url, const Questions& questions, Findings* findings) {
+  examine_trips(url, questions.cloud_bytes > 0 ? questions.cloud_bytes : kUsualBytes,
+                findings->front().remedy, findings);
+  if (questions.pose_channel.empty()) return;
+  findings->push_back(
+      {Verdict::kWarning, "poses",
+       fmt::format("not looked at: the doctor listens to udpm only, not to {}", url.provider),
+       "--lcm-url udpm://..., or see pose_age and untracked in the detector's "
+       "status"});
 }
 
 }  // namespace
@@ -107,8 +127,7 @@ Findings examine(const Questions& questions) {
   if (url.provider == "udpm") {
     examine_udpm(url, questions, &findings);
   } else {
-    examine_trips(url, questions.cloud_bytes > 0 ? questions.cloud_bytes : kUsualBytes,
-                  findings.front().remedy, &findings);
+    examine_server(url, questions, &findings);
   }
   return findings;
 }

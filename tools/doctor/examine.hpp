@@ -13,6 +13,8 @@ struct Questions {
   std::string url;
   /// Channel of the clouds, or a pattern of channels; and the prefix of all names.
   std::string cloud_channel = "POINT_CLOUD", channel_prefix;
+  /// Channel of the camera's poses; empty if they are not to be checked.
+  std::string pose_channel = {};
   /// Size of a message with a cloud [byte]; 0 for the largest one seen on the bus, or
   /// bus::kUsualCloudBytes.
   std::size_t cloud_bytes = 0;

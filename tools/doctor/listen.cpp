@@ -41,7 +41,7 @@ int ms_until(Clock::time_point end) {
 
 }  // namespace
 
-Traffic listen(const bus::Url& url, std::chrono::milliseconds duration) {
+Traffic listen(const bus::Url& url, std::chrono::milliseconds duration, PoseRecorder* poses) {
   const Socket socket;
   join(socket, bus::multicast_group(url));
   Traffic traffic;
@@ -55,8 +55,11 @@ Traffic listen(const bus::Url& url, std::chrono::milliseconds duration) {
     const ssize_t got = recvfrom(socket.get(), buffer.data(), buffer.size(), MSG_DONTWAIT,
                                  reinterpret_cast<sockaddr*>(&from), &size);
     if (got < 0) continue;
-    traffic.add(to_text(from), std::span(buffer).first(static_cast<std::size_t>(got)),
-                bus::wall_clock_utime());
+    const std::string sender = to_text(from);
+    const auto datagram = std::span(buffer).first(static_cast<std::size_t>(got));
+    const std::int64_t now = bus::wall_clock_utime();
+    traffic.add(sender, datagram, now);
+    poses->add(sender, datagram, now);
   }
   return traffic;
 }

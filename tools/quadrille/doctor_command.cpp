@@ -10,6 +10,7 @@
 #include "cli/process_arguments.hpp"
 #include "doctor/examine.hpp"
 #include "doctor/report.hpp"
+#include "link/channel_pattern.hpp"
 #include "link/url.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 
@@ -21,11 +22,25 @@ struct DoctorArguments {
   std::string json;
 };
 
+/// Refuses channels that the processes refuse too.
+void check_channels(const doctor::Questions& questions) {
+  check_distinct(
+      {{"--cloud-channel", questions.cloud_channel}, {"--pose-channel", questions.pose_channel}});
+  if (questions.pose_channel.empty()) return;
+  if (bus::ChannelPattern(questions.cloud_channel).is_pattern()) {
+    throw CLI::ValidationError("--cloud-channel",
+                               "a pattern stands for several cameras, and poses are those of one; "
+                               "ask for each camera by itself");
+  }
+}
+
 void run(DoctorArguments arguments) {
   doctor::Questions& questions = arguments.questions;
   const std::string given = questions.url;
   questions.url = bus::resolve_url(given);
   questions.cloud_channel = with_prefix(questions.channel_prefix, questions.cloud_channel);
+  questions.pose_channel = with_prefix(questions.channel_prefix, questions.pose_channel);
+  check_channels(questions);
   JsonLines json(arguments.json);
   const doctor::Findings findings = doctor::examine(questions);
   json.write(doctor::to_json(questions.url, findings));
@@ -48,6 +63,8 @@ void add_doctor_command(CLI::App& app) {
   doctor::Questions& questions = arguments->questions;
   add_address_option(*command, questions.url);
   add_pattern_option(*command, "--cloud-channel", questions.cloud_channel, "clouds");
+  add_channel_option(*command, "--pose-channel", questions.pose_channel,
+                     "camera's poses (bot_core.pose_t), which are then checked too");
   add_prefix_option(*command, questions.channel_prefix);
   command
       ->add_option("--cloud-bytes", questions.cloud_bytes,
