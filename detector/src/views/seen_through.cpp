@@ -8,9 +8,6 @@
 namespace quadrille {
 namespace {
 
-// All that is measured within this distance beside the ray to a point must lie farther than the
-// point by the second distance [m]. Both are several times the errors of depth and of poses.
-constexpr float kBeside = 0.01f, kBehind = 0.025f;
 // Share of the rays there that must have measured something.
 constexpr float kMinMeasured = 0.8f;
 
@@ -25,17 +22,17 @@ std::optional<std::size_t> cell_of(const Sight& sight, const Eigen::Vector3f& p_
 
 }  // namespace
 
-bool sees_through(const Sight& sight, const Eigen::Vector3f& p_C) {
+bool sees_through(const Sight& sight, const Eigen::Vector3f& p_C, const Clearance& clearance) {
   if (sight.w.empty()) return false;
   const Eigen::Vector3f p = sight.X_VC * p_C;
   if (!(p.z() > 0.0f)) return false;
-  const float reach = kBeside / p.z();
+  const float reach = clearance.beside / p.z();
   const Eigen::Array2f at = p.head<2>().array() / p.z() - sight.corner;
   const Eigen::Array2f first = ((at - reach) / sight.step).floor();
   const Eigen::Array2f last = ((at + reach) / sight.step).floor();
   const Eigen::Array2f size(static_cast<float>(sight.width), static_cast<float>(sight.height));
   if (!((first >= 0.0f).all() && (last < size).all())) return false;
-  const float farthest = 1.0f / (p.z() + kBehind);
+  const float farthest = 1.0f / (p.z() + clearance.behind);
   int measured = 0, all = 0;
   for (int j = static_cast<int>(first.y()); j <= static_cast<int>(last.y()); ++j) {
     const auto row = sight.w.begin() + static_cast<std::ptrdiff_t>(j) * sight.width;
@@ -66,15 +63,15 @@ Mask cells_seen_through(const Sight& view, const Sight& other) {
   return through;
 }
 
-Mask points_seen_through(const PointCloud& cloud, const Sight& view, const Sight& other) {
-  const Mask cells = cells_seen_through(view, other);
+Mask points_seen_through(const PointCloud& cloud, const Sight& view, const Mask& cells,
+                         const Sight& other, const Clearance& clearance) {
   const bool none = !view.w.empty() && std::find(cells.begin(), cells.end(), 1) == cells.end();
   Mask through(cloud.points.size(), 0);
   if (none) return through;
   for (std::size_t n = 0; n < through.size(); ++n) {
     const Eigen::Vector3f& p_C = cloud.points[n];
     const std::optional<std::size_t> cell = cell_of(view, p_C);
-    through[n] = (!cell || cells[*cell]) && sees_through(other, p_C);
+    through[n] = (!cell || cells[*cell]) && sees_through(other, p_C, clearance);
   }
   return through;
 }

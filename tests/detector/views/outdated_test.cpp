@@ -62,6 +62,23 @@ TEST_CASE("a thing that was taken away is gone from what older views saw", "[vie
   CHECK(count_points(older, elsewhere) > 0.98 * count_points(first, elsewhere));
 }
 
+TEST_CASE("nothing is left of the foot of a thing that was taken away", "[views][memory]") {
+  const Eigen::Vector3d size(0.06, 0.06, 0.05), middle(0.0, -0.15, 0.025);
+  std::vector<Patch> with_box = world_table();
+  for (const Patch& face : box(Eigen::Isometry3d(Eigen::Translation3d(middle)), size)) {
+    with_box.push_back(face);
+  }
+  const auto low_on_box = [&](const Eigen::Vector3d& p_W) {
+    return ((p_W - middle).array().abs() < 0.5 * size.array() + 0.004).all() && p_W.z() > 0.01 &&
+           p_W.z() < 0.03;
+  };
+  ViewMemory memory;
+  add_view(memory, 1 * kSecond, taken_from_eye(with_box, eye_at(0)));
+  REQUIRE(count_points(views_in_world(memory)[0], low_on_box) > 20);
+  add_view(memory, 2 * kSecond, taken_from_eye(world_table(), eye_at(60)));
+  CHECK(count_points(views_in_world(memory)[1], low_on_box) == 0);
+}
+
 TEST_CASE("what older views saw stays while nothing changes", "[views][memory]") {
   ViewMemory memory;
   add_view(memory, 1 * kSecond, taken_from_eye(world_table(), eye_at(0)));
