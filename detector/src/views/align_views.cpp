@@ -22,9 +22,7 @@ void drop_seen_through(std::span<const std::optional<Sight>> sights,
     Mask dropped(cloud.points.size(), 0);
     for (std::size_t u = 0; u < sights.size(); ++u) {
       if (u == v || !sights[u]) continue;
-      const Sight view = sights[v].value_or(Sight{});
-      const Mask through =
-          points_seen_through(cloud, view, cells_seen_through(view, *sights[u]), *sights[u]);
+      const Mask through = points_seen_through(cloud, sights[v].value_or(Sight{}), *sights[u]);
       for (std::size_t n = 0; n < dropped.size(); ++n) dropped[n] |= through[n];
     }
     drop_points(dropped, &cloud);

@@ -18,6 +18,7 @@
 #include "surfaces/plane_surface.hpp"
 #include "surfaces/point_rms.hpp"
 #include "views/joined_samples.hpp"
+#include "views/seen_through.hpp"
 
 namespace quadrille {
 namespace {
@@ -36,6 +37,14 @@ bool has_larger_parallel(const std::vector<PlaneRegion>& planes, std::size_t k) 
                        return std::abs(larger.plane.head<3>().dot(planes[k].plane.head<3>())) >
                               kMinCosine;
                      });
+}
+
+/// True if a view sees through a sample of another one.
+bool is_contradicted(const SurfaceSamples& samples, int i, const std::vector<Sight>& sights) {
+  for (std::size_t v = 0; v < sights.size() && sights.size() > 1; ++v) {
+    if (v != samples.view_of(i) && sees_through(sights[v], samples.raw[i], kAtFoot)) return true;
+  }
+  return false;
 }
 
 /// The cells of a view in a list of something for each cell of all views.
@@ -180,8 +189,14 @@ Findings measure_scene(const Scene& scene, const DetectorOptions& options, Stage
 
   std::vector<int> owner;
   Mask unexplained;
-  for (const int cell : scene.finest.source) {
-    const int k = measured.owner[cell];
+  for (int i = 0; i < scene.finest.size(); ++i) {
+    const int k = measured.owner[scene.finest.source[i]];
+    // What is nowhere becomes no lump.
+    if (k < 0 && is_contradicted(scene.finest, i, scene.context.sights)) {
+      owner.push_back(kNotAsked);
+      unexplained.push_back(0);
+      continue;
+    }
     // Samples on a surface of a type that was not asked for are explained by it, so they must not
     // become a lump.
     owner.push_back(k < 0 ? 0 : ids[k] == 0 ? kNotAsked : ids[k]);

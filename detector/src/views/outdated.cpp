@@ -25,30 +25,6 @@ constexpr float kMaxReach = 0.1f;
 // enough if all lies behind by more than noise.
 constexpr Clearance kAtFoot = {0.004f, 0.008f};
 
-/// Marks the cells of an older view that show what has gone: those that the newer view sees
-/// through, and whatever of the foot of these things it sees through too.
-Mask gone(const Sight& older, const Sight& newer) {
-  Mask cells = cells_seen_through(older, newer);
-  std::vector<int> edge;
-  for (std::size_t n = 0; n < cells.size(); ++n) {
-    if (cells[n]) edge.push_back(static_cast<int>(n));
-  }
-  while (!edge.empty()) {
-    const int n = edge.back();
-    edge.pop_back();
-    const int u = n % older.width, v = n / older.width;
-    for (const auto& [i, j] : {std::pair(u - 1, v), {u + 1, v}, {u, v - 1}, {u, v + 1}}) {
-      if (i < 0 || j < 0 || i >= older.width || j >= older.height) continue;
-      const auto next = static_cast<std::size_t>(j) * older.width + i;
-      if (cells[next] || older.w[next] == 0.0f) continue;
-      if (!sees_through(newer, place_of_cell(older, i, j), kAtFoot)) continue;
-      cells[next] = 1;
-      edge.push_back(static_cast<int>(next));
-    }
-  }
-  return cells;
-}
-
 /// Number of marked cells among a cell and its eight neighbours.
 int count_about(const Mask& cells, const Sight& sight, int i, int j) {
   int count = 0;
@@ -108,7 +84,7 @@ std::vector<Eigen::Vector3f> put_down(const Sight& newer, const Sight& older) {
 void drop_outdated(const Sight& older, const Sight& newer, PointCloud* cloud) {
   const std::vector<Eigen::Vector3f> places = put_down(newer, older);
   const Eigen::Vector3f eye = cloud->viewpoint.cast<float>();
-  Mask dropped = points_seen_through(*cloud, older, gone(older, newer), newer, kAtFoot);
+  Mask dropped = points_seen_through(*cloud, older, newer);
   for (std::size_t n = 0; n < dropped.size() && !places.empty(); ++n) {
     dropped[n] |= std::any_of(places.begin(), places.end(), [&](const Eigen::Vector3f& place) {
       return passes(eye, cloud->points[n], place);

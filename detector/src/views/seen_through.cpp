@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
+#include <vector>
 
 namespace quadrille {
 namespace {
@@ -54,24 +56,39 @@ Eigen::Vector3f place_of_cell(const Sight& view, int i, int j) {
 
 Mask cells_seen_through(const Sight& view, const Sight& other) {
   Mask through(view.w.size(), 0);
-  for (int j = 0; j < view.height; ++j) {
-    for (int i = 0; i < view.width; ++i) {
-      const std::size_t cell = static_cast<std::size_t>(j) * view.width + i;
-      if (view.w[cell] > 0.0f) through[cell] = sees_through(other, place_of_cell(view, i, j));
+  std::vector<int> open;
+  for (int n = 0; n < static_cast<int>(view.w.size()); ++n) {
+    if (view.w[n] == 0.0f) continue;
+    through[n] =
+        sees_through(other, place_of_cell(view, n % view.width, n / view.width), kWellBehind);
+    if (through[n]) open.push_back(n);
+  }
+  while (!open.empty()) {
+    const int n = open.back();
+    open.pop_back();
+    const int u = n % view.width, v = n / view.width;
+    for (const auto& [i, j] : {std::pair(u - 1, v), {u + 1, v}, {u, v - 1}, {u, v + 1}}) {
+      if (i < 0 || j < 0 || i >= view.width || j >= view.height) continue;
+      const int next = j * view.width + i;
+      if (through[next] || view.w[next] == 0.0f) continue;
+      through[next] = sees_through(other, place_of_cell(view, i, j), kAtFoot);
+      if (through[next]) open.push_back(next);
     }
   }
   return through;
 }
 
-Mask points_seen_through(const PointCloud& cloud, const Sight& view, const Mask& cells,
-                         const Sight& other, const Clearance& clearance) {
-  const bool none = !view.w.empty() && std::find(cells.begin(), cells.end(), 1) == cells.end();
+Mask points_seen_through(const PointCloud& cloud, const Sight& view, const Sight& other) {
+  const Mask cells = cells_seen_through(view, other);
+  const bool none = !cells.empty() && std::find(cells.begin(), cells.end(), 1) == cells.end();
   Mask through(cloud.points.size(), 0);
   if (none) return through;
   for (std::size_t n = 0; n < through.size(); ++n) {
     const Eigen::Vector3f& p_C = cloud.points[n];
     const std::optional<std::size_t> cell = cell_of(view, p_C);
-    through[n] = (!cell || cells[*cell]) && sees_through(other, p_C, clearance);
+    // Without a cell nothing is known of what is connected with the point.
+    through[n] = cell ? cells[*cell] && sees_through(other, p_C, kAtFoot)
+                      : sees_through(other, p_C, kWellBehind);
   }
   return through;
 }

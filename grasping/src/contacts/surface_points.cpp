@@ -2,6 +2,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "contacts/point_buckets.hpp"
@@ -14,17 +15,21 @@ namespace {
 constexpr double kReachInCells = 3.2;
 constexpr int kMinNeighbours = 6;
 
-/// The mean of the points in each cell, and the eye that saw the first of them.
+/// The mean of the points in each cell that one eye saw, and that eye.
 struct Thinned {
   std::vector<Eigen::Vector3d> points, eyes;
 };
 
+/// A cell, and the eye that saw a point in it.
+using Seen = std::pair<PointBuckets::Key, std::array<double, 3>>;
+
 Thinned thinned(std::span<const Eigen::Vector3d> points, std::span<const Eigen::Vector3d> eyes,
                 double cell) {
-  std::vector<std::pair<PointBuckets::Key, std::size_t>> keyed;
+  std::vector<std::pair<Seen, std::size_t>> keyed;
   keyed.reserve(points.size());
-  for (const Eigen::Vector3d& p : points) {
-    keyed.emplace_back(PointBuckets::key_of(p, cell), keyed.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector3d& eye = eyes[i];
+    keyed.push_back({{PointBuckets::key_of(points[i], cell), {eye.x(), eye.y(), eye.z()}}, i});
   }
   std::sort(keyed.begin(), keyed.end());
   Thinned means;
@@ -58,7 +63,7 @@ SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double c
       int count = 0;
       for (const int j : near) {
         const Eigen::Vector3d d = surface.p_C[j] - p;
-        if (d.squaredNorm() > reach * reach) continue;
+        if (d.squaredNorm() > reach * reach || means.eyes[i] != means.eyes[j]) continue;
         sum += d;
         squares += d * d.transpose();
         ++count;

@@ -15,7 +15,9 @@ struct SurfacePoints {
 };
 
 /// Thins points to the mean of those in each cell, and takes the normals from the neighbours of
-/// each mean by principal components. The order of the result depends on the positions alone.
+/// each mean by principal components. What different sensors saw is kept apart, since each is a
+/// little off for the others: where one's points end and another's begin there is a step, of which
+/// normals must know nothing. The order of the result depends on the positions alone.
 /// @param points_C  positions, in frame C [m]
 /// @param cell  edge of a cell [m]; normals are taken over some three cells around a point
 /// @param eyes_C  for each point, the position of the sensor that saw it [m]

@@ -56,6 +56,23 @@ TEST_CASE("points are thinned to one for each cell, and their normals are those 
   }
 }
 
+TEST_CASE("where one sensor's points end and another's begin a step turns no normal",
+          "[contacts][points]") {
+  // A plane, of which each sensor sees a half, one of them 2 mm off.
+  std::vector<Eigen::Vector3d> points, eyes;
+  for (double x = -0.03; x < 0.03; x += 0.001) {
+    for (double y = -0.02; y < 0.02; y += 0.001) {
+      points.emplace_back(x, y, x < 0.0 ? 0.5 : 0.502);
+      eyes.emplace_back(x < 0.0 ? -0.1 : 0.1, 0.0, 0.0);
+    }
+  }
+  const SurfacePoints surface = surface_points(points, kCell, eyes);
+  REQUIRE(surface.p_C.size() > 300);
+  for (const Eigen::Vector3d& n : surface.n_C) {
+    if (!n.isZero()) CHECK(n.z() < -0.9999);
+  }
+}
+
 TEST_CASE("the order of the points does not matter beyond rounding", "[contacts][points]") {
   std::vector<Eigen::Vector3d> points = seen_half({Eigen::Vector3d(0.0, 0.0, 0.6), 0.02});
   const SurfacePoints one = surface_points_of(points);
