@@ -118,6 +118,37 @@ TEST_CASE("a proposed view shows more of what is unknown than the first one", "[
   CHECK(unknown_about(two, p_C) < 0.75 * static_cast<double>(before));
 }
 
+TEST_CASE("no view is proposed from behind a wall", "[looks]") {
+  const CanBeforeBox scene;
+  PlanOptions options = cautious();
+  options.min_score = 0.99;
+  const Planned planned{{scene.seen_from(Eigen::Isometry3d::Identity())}, options};
+  const std::vector<Look> open = planned.looks(1);
+  REQUIRE(open.size() == 1);
+  // A wall between that place and the first viewpoint, seen from there.
+  const Eigen::Vector3d eye_C = planned.views.front().viewpoint;
+  const Eigen::Vector3d look_C = open.front().X_CK.translation();
+  const Eigen::Vector3d n_C = (eye_C - look_C).normalized();
+  Detection wall;
+  wall.id = 1000;
+  wall.type = QuadricType::kPlane;
+  wall.X_CQ = Eigen::Translation3d(look_C + 0.02 * n_C) *
+              Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), n_C);
+  wall.extent_Q = {Eigen::Vector3d(-0.5, -0.5, 0.0), Eigen::Vector3d(0.5, 0.5, 0.0)};
+  std::vector<Detection> detections = planned.found.detections;
+  detections.push_back(wall);
+  const std::vector<Look> looks =
+      propose_looks(planned.plan, planned.found.bodies, detections, eye_C, 3);
+  for (const Look& look : looks) {
+    CHECK(n_C.dot(look.X_CK.translation() - wall.X_CQ.translation()) > 0.0);
+  }
+  wall.extent_Q = {Eigen::Vector3d(-0.05, -0.05, 0.0), Eigen::Vector3d(0.05, 0.05, 0.0)};
+  detections.back() = wall;
+  CHECK(propose_looks(planned.plan, planned.found.bodies, detections, eye_C, 1)
+            .front()
+            .X_CK.isApprox(open.front().X_CK));
+}
+
 TEST_CASE("no view is proposed if nothing lacks a grasp", "[looks]") {
   const CanBeforeBox scene;
   PlanOptions options;

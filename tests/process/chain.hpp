@@ -12,6 +12,7 @@
 #include "process/planner/command_line.hpp"
 #include "process/planner/node.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/bus/status_message.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::test {
@@ -55,6 +56,11 @@ class Chain {
 
   bus::QuadricsMessage quadrics() const {
     return std::get<bus::QuadricsMessage>(bus::decode_quadrics(published_.at("QUADRICS")));
+  }
+  planner_status_t planner_status() {
+    planner_.publish_status({});
+    return std::get<planner_status_t>(
+        bus::decode_planner_status(published_.at("QUADRILLE_PLANNER_STATUS")));
   }
   const std::vector<std::byte>& bytes_of(const std::string& channel) const {
     return published_.at(channel);

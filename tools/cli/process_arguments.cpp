@@ -128,8 +128,7 @@ void ProcessArguments::add_to(CLI::App& app, const std::string& work) {
 std::string with_prefix(const std::string& prefix, const std::string& channel) {
   if (channel.empty() || prefix.empty()) return channel;
   const bool is_pattern = bus::ChannelPattern(channel).is_pattern();
-  const std::string name =
-      is_pattern ? bus::pattern_of(prefix) + "(" + channel + ")" : prefix + channel;
+  std::string name = is_pattern ? bus::pattern_of(prefix) + "(" + channel + ")" : prefix + channel;
   if (const std::string wrong = check_channel_pattern(name); !wrong.empty()) {
     throw CLI::ValidationError("--channel-prefix", wrong);
   }

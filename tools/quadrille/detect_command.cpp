@@ -83,13 +83,13 @@ void run(const DetectArguments& arguments) {
     arguments.picture.write(pictures.next(path), {input.info.input, input.cloud, found});
   };
   const auto detect_and_put_out = [&](const std::string& path, const InputCloud& input) {
-    // The tracks of a numbered cloud begin with those before it.
     std::vector<std::string> warnings;
     const SceneViews views =
         all_views(arguments.views, input.cloud, input.X_CK,
                   moved(arguments.robot, input.X_CK.inverse()), setup.options, &warnings);
     DetectionResult result = detect_views(views.clouds, setup.options);
     result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
+    // The tracks of a numbered cloud begin with the clouds before it.
     tracking.add_to(input, path, &result.detections);
     if (!input.asked) return;
     std::erase_if(result.detections, [](const Detection& d) { return !is_reported(d); });

@@ -100,13 +100,13 @@ std::optional<LogCloud> read_logged_cloud(logs::PosedLogReader& reader, const st
     found.lack = posed->pose.detail;
     input.X_CK = posed->pose.X_WK.value_or(Eigen::Isometry3d::Identity());
     input.cloud = std::move(message.cloud);
+    input.cloud.frame = kWorld;
   } else {
     input.X_CK = arguments.frames.working_frame();
     input.cloud = moved(std::move(message.cloud), input.X_CK.inverse());
     arguments.frames.place_viewpoint(&input.cloud);
   }
   describe(path + "#" + std::to_string(number), start, &input);
-  if (in_world) input.info.frame = kWorld;
   input.share = reader.clouds().share();
   input.channel = posed->cloud.channel;
   input.utime = message.utime;
@@ -189,7 +189,8 @@ struct Poseless {
   /// @param of  number of clouds of the log
   std::string warning(int of) const {
     return fmt::format(
-        "{} of {} clouds are left out, since the pose of their camera is not known; of #{}: {}",
+        "{} of {} clouds are left out, since the pose of their camera is not known; the first is "
+        "#{}: {}",
         clouds, of, first, why_first);
   }
 };

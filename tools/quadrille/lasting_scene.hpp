@@ -1,7 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "quadrille/detector/options.hpp"
@@ -12,7 +15,7 @@
 
 namespace quadrille {
 
-/// What the clouds of a scene showed so far, as quadrille-grasp-planner remembers it.
+/// Remembers what the clouds of a scene showed so far, as quadrille-grasp-planner does.
 class LastingScene {
  public:
   /// @param lasts  false if each cloud stands alone
@@ -22,11 +25,16 @@ class LastingScene {
 
   /// Remembers a cloud, and returns what those before it showed, in its frame K.
   /// @param robot  shapes in K of the robot, which are no part of the scene
-  std::vector<PointCloud> add(const InputCloud& input, const RobotShapes& robot);
+  /// @param path  path of the input
+  std::vector<PointCloud> add(const InputCloud& input, const std::string& path,
+                              const RobotShapes& robot);
 
  private:
   std::optional<ViewMemory> memory_;
-  std::int64_t files_ = 0;
+  /// Numbers of the cameras: one for each channel of a log, and one for all files.
+  std::map<std::pair<std::string, std::string>, int> cameras_;
+  /// Time of the last cloud [us].
+  std::int64_t utime_ = 0;
 };
 
 }  // namespace quadrille

@@ -168,7 +168,7 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
   if (output->map && plan.space) write_map(arguments.map, *plan.space, input.X_CK, *output->map);
 }
 
-/// What is known from the clouds before.
+/// The tracks and views of the clouds before.
 struct Before {
   Tracking tracking;
   LastingScene scene;
@@ -179,12 +179,12 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   io::RunInfo info = setup.info;
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
   Surroundings known = moved(arguments.known, input.X_CK.inverse());
-  known.views = before->scene.add(input, known.robot);
-  if (!input.asked) return;
+  known.views = before->scene.add(input, path, known.robot);
   const SceneViews views = all_views(arguments.views, input.cloud, input.X_CK, known.robot,
                                      setup.detector.options, &info.warnings);
   DetectionResult found = detect_views(views.clouds, setup.detector.options);
   before->tracking.add_to(input, path, &found.detections);
+  if (!input.asked) return;
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
   // same grasps to the last bit.
   const std::vector<Detection> detections = bus::as_received(found.detections);

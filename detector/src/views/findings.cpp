@@ -191,7 +191,8 @@ Findings measure_scene(const Scene& scene, const DetectorOptions& options, Stage
   Mask unexplained;
   for (int i = 0; i < scene.finest.size(); ++i) {
     const int k = measured.owner[scene.finest.source[i]];
-    // What is nowhere becomes no lump.
+    // A sample that another view sees through is on no surface, so it must not become a part of a
+    // lump.
     if (k < 0 && is_contradicted(scene.finest, i, scene.context.sights)) {
       owner.push_back(kNotAsked);
       unexplained.push_back(0);

@@ -21,9 +21,6 @@ constexpr float kPlaceEdge = 0.04f;
 // Whatever was put down reaches no farther from the side that is seen of it than this [m]: what a
 // hand carries is seldom larger.
 constexpr float kMaxReach = 0.1f;
-// Close above what a thing stood on, little of what is measured lies well behind. There it is
-// enough if all lies behind by more than noise.
-constexpr Clearance kAtFoot = {0.004f, 0.008f};
 
 /// Number of marked cells among a cell and its eight neighbours.
 int count_about(const Mask& cells, const Sight& sight, int i, int j) {

@@ -8,7 +8,7 @@
 
 namespace quadrille {
 
-/// How far from a place all must be that a view measured along the ray to it [m].
+/// Least distances between a place and all that a view measured along the ray to it [m].
 struct Clearance {
   /// Whatever is within this distance beside the ray must lie farther than the place.
   float beside;
@@ -18,8 +18,8 @@ struct Clearance {
 
 /// Several times the errors of depth and of poses.
 inline constexpr Clearance kWellBehind = {0.01f, 0.025f};
-/// Close above what a thing stands on, little of what is measured lies well behind. There it is
-/// enough if all lies behind by more than noise.
+/// Close above what a thing stands on, little of what is measured lies well behind. There, and for
+/// samples that lie on no surface, it is enough if all lies behind by more than noise.
 inline constexpr Clearance kAtFoot = {0.004f, 0.008f};
 
 /// True if a view sees through a place: around it, all that the view measured lies behind. No
@@ -27,8 +27,8 @@ inline constexpr Clearance kAtFoot = {0.004f, 0.008f};
 /// @param sight  what the view saw, in the frame of the place
 bool sees_through(const Sight& sight, const Eigen::Vector3f& p_C, const Clearance& clearance);
 
-/// Marks the cells of a view that another view sees through: those well behind whose place it
-/// measured something, and at their feet, which are connected with these.
+/// Marks the cells of a view that another view sees through by a wide margin, and then neighbours
+/// of these that it sees through by a narrow one, which are the feet of things.
 /// @param other  what the other view saw, in the same frame
 Mask cells_seen_through(const Sight& view, const Sight& other);
 

@@ -1,6 +1,7 @@
 #include "quadrille/detector/view_memory.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -47,8 +48,8 @@ struct ViewMemory::Kept {
   Outlook outlook;
 };
 
-/// The kept view from the direction nearest to another one's, and the angle between them [rad];
-/// infinite if there is none.
+/// The kept view of the same camera from the direction nearest to another one's, and the angle
+/// between them [rad]; infinite if there is none.
 struct ViewMemory::Nearest {
   std::size_t index = 0;
   double angle = std::numeric_limits<double>::infinity();
@@ -66,6 +67,15 @@ void ViewMemory::forget() {
   cameras_.clear();
 }
 
+/// Forgets the views of a camera from a time on, and later ones of others, since a log has been
+/// restarted.
+void ViewMemory::forget_from(std::int64_t utime, int camera) {
+  std::erase_if(kept_, [&](const Kept& view) {
+    return view.utime > utime || (view.utime == utime && view.camera == camera);
+  });
+  std::erase_if(cameras_, [&](const auto& camera) { return camera.second.utime > utime; });
+}
+
 void ViewMemory::forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R) {
   for (Kept& view : kept_) {
     drop_seen_in(box_R.cast<float>(), (X_WR.inverse() * view.X_WC).cast<float>(), &view.cloud);
@@ -75,9 +85,9 @@ void ViewMemory::forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d
 Eigen::Isometry3d ViewMemory::add(std::int64_t utime, const PointCloud& cloud,
                                   const Eigen::Isometry3d& X_WC, int camera) {
   const auto known = cameras_.find(camera);
-  if (known != cameras_.end() && utime < known->second.utime) forget();
+  if (known != cameras_.end() && utime < known->second.utime) forget_from(utime, camera);
   std::erase_if(kept_, [&](const Kept& view) {
-    return seconds_between(view.utime, utime) > options_.views.remember;
+    return std::abs(seconds_between(view.utime, utime)) > options_.views.remember;
   });
   Camera& of_view = cameras_[camera];
   of_view.utime = utime;
@@ -92,8 +102,14 @@ Eigen::Isometry3d ViewMemory::add(std::int64_t utime, const PointCloud& cloud,
   const Nearest nearest = nearest_to(view);
   correct(nearest, &view, &of_view);
   for (Kept& other : kept_) {
-    const Sight newer = moved(view.sight, other.X_WC.inverse() * view.X_WC);
-    drop_outdated(other.sight, newer, &other.cloud);
+    // Another camera's cloud may have come before an older one of this camera.
+    if (other.utime > view.utime) {
+      const Sight newer = moved(other.sight, view.X_WC.inverse() * other.X_WC);
+      drop_outdated(view.sight, newer, &view.cloud);
+    } else {
+      const Sight newer = moved(view.sight, other.X_WC.inverse() * view.X_WC);
+      drop_outdated(other.sight, newer, &other.cloud);
+    }
   }
   keep(std::move(view), nearest);
   return of_view.X_WW;
@@ -102,6 +118,7 @@ Eigen::Isometry3d ViewMemory::add(std::int64_t utime, const PointCloud& cloud,
 ViewMemory::Nearest ViewMemory::nearest_to(const Kept& view) const {
   Nearest nearest;
   for (std::size_t k = 0; k < kept_.size(); ++k) {
+    if (kept_[k].camera != view.camera) continue;
     const double angle = angle_between(kept_[k].outlook, view.outlook);
     if (angle < nearest.angle) nearest = {k, angle};
   }
@@ -142,8 +159,8 @@ void ViewMemory::correct(const Nearest& nearest, Kept* view, Camera* camera) con
   view->X_WC = camera->X_WW * view->X_WC;
 }
 
-/// Keeps a view in place of the one from nearly the same direction, or beside the others if there
-/// is none. A view between two directions serves neither.
+/// Keeps a view in place of its camera's one from nearly the same direction, or beside the others
+/// if there is none. A view between two directions serves neither.
 void ViewMemory::keep(Kept view, const Nearest& nearest) {
   if (nearest.angle < 0.5 * options_.views.sector) {
     view.outlook = kept_[nearest.index].outlook;
@@ -151,7 +168,9 @@ void ViewMemory::keep(Kept view, const Nearest& nearest) {
   } else if (nearest.angle < options_.views.sector) {
     return;
   }
-  kept_.insert(kept_.begin(), std::move(view));
+  const auto place = std::find_if(kept_.begin(), kept_.end(),
+                                  [&](const Kept& other) { return other.utime <= view.utime; });
+  kept_.insert(place, std::move(view));
   if (kept_.size() > static_cast<std::size_t>(options_.views.most)) kept_.pop_back();
 }
 

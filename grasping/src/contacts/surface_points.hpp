@@ -15,9 +15,10 @@ struct SurfacePoints {
 };
 
 /// Thins points to the mean of those in each cell, and takes the normals from the neighbours of
-/// each mean by principal components. What different sensors saw is kept apart, since each is a
-/// little off for the others: where one's points end and another's begin there is a step, of which
-/// normals must know nothing. The order of the result depends on the positions alone.
+/// each mean by principal components. Where one sensor's points end and another's begin there is a
+/// step that is no surface, because their views are a little off; so each mean and each normal is
+/// taken from one sensor's points. The order of the result depends on the positions and the sensors
+/// alone.
 /// @param points_C  positions, in frame C [m]
 /// @param cell  edge of a cell [m]; normals are taken over some three cells around a point
 /// @param eyes_C  for each point, the position of the sensor that saw it [m]

@@ -26,6 +26,8 @@ constexpr std::size_t kVoxels = 250;
 constexpr int kDirections = 60;
 // Directions nearer to the support than this see little of what stands there [rad].
 constexpr double kMinElevation = 0.25;
+// Planes larger than this are walls or tables, which the camera does not pass [m].
+constexpr double kWall = 0.3;
 // Half the angle that the camera sees [rad], and distances at which depth cameras measure well [m].
 constexpr double kHalfView = 0.4, kMinDistance = 0.35, kMaxDistance = 0.9;
 // A view helps a body if it shows at least this share of the unknown space about it.
@@ -122,6 +124,11 @@ class LookChooser {
   LookChooser(const GraspPlan& plan, const std::vector<SceneBody>& bodies,
               const std::vector<Detection>& detections, const Eigen::Vector3d& viewpoint_C)
       : space_(*plan.space), bodies_(bodies), viewpoint_C_(viewpoint_C) {
+    for (const Detection& d : detections) {
+      const bool large = d.extent_Q.sizes().head<2>().maxCoeff() > kWall;
+      if (d.type != QuadricType::kPlane || !large) continue;
+      walls_.emplace_back(d.X_CQ.linear().col(2), Eigen::Vector3d(d.X_CQ.translation()));
+    }
     for (const SceneBody& body : bodies) {
       if (!lacks_a_view(plan, body)) continue;
       Doubtful doubtful{&body, up_of(body, detections), {}};
@@ -193,9 +200,16 @@ class LookChooser {
       const Eigen::Vector3d direction = half.dot(up) < 0.0 ? Eigen::Vector3d(-half) : half;
       if (direction.dot(up) < std::sin(kMinElevation)) continue;
       const Eigen::Vector3d eye = middle_C + distance * direction;
-      if (space_.at(eye) != Voxel::kOccupied) eyes.push_back(eye);
+      if (space_.at(eye) != Voxel::kOccupied && before_walls(eye)) eyes.push_back(eye);
     }
     return eyes;
+  }
+
+  /// True if a place is on the side of all walls and tables from which they were seen.
+  bool before_walls(const Eigen::Vector3d& eye_C) const {
+    return std::all_of(walls_.begin(), walls_.end(), [&](const auto& wall) {
+      return wall.signedDistance(eye_C) * wall.signedDistance(viewpoint_C_) > 0.0;
+    });
   }
 
   Look look_from(const Eigen::Vector3d& eye_C, const Doubtful& centre) const {
@@ -249,6 +263,7 @@ class LookChooser {
   const OccupancyGrid& space_;
   const std::vector<SceneBody>& bodies_;
   const Eigen::Vector3d viewpoint_C_;
+  std::vector<Eigen::Hyperplane<double, 3>> walls_;
   std::vector<Doubtful> doubtful_;
 };
 

@@ -167,7 +167,7 @@ TEST_CASE("nothing is remembered for no time", "[views][memory]") {
   CHECK(memory.others(2 * kSecond, off.X_WK).empty());
 }
 
-TEST_CASE("a clock that is set back forgets all", "[views][memory]") {
+TEST_CASE("a clock that is set back forgets what is later", "[views][memory]") {
   ViewMemory memory;
   add_view(memory, 50 * kSecond, taken_from_eye(world_table(), eye_at(0)));
   add_view(memory, 51 * kSecond, taken_from_eye(world_table(), eye_at(90)));
@@ -278,6 +278,45 @@ TEST_CASE("a memory with options out of range is refused", "[views][memory]") {
   options.views.remember = 60.0;
   options.views.sector = 0.0;
   CHECK(error_of([&] { ViewMemory memory(options); }).find("views.sector") != std::string::npos);
+}
+
+TEST_CASE("a camera beside another one shows its side too, whichever comes first",
+          "[views][memory]") {
+  const double apart = GENERATE(5.0, 10.0);
+  const bool first = GENERATE(true, false);
+  const Taken one = taken_from_eye(world_table(), eye_at(0));
+  const Taken other = taken_from_eye(world_table(), eye_at(apart));
+  ViewMemory memory;
+  for (int n = 1; n <= 3; ++n) {
+    memory.add(n * kSecond + (first ? 0 : 1000), one.cloud, one.X_WK, 0);
+    memory.add(n * kSecond + (first ? 1000 : 0), other.cloud, other.X_WK, 1);
+    CHECK(memory.size() == 2);
+  }
+  CHECK(memory.others(3 * kSecond + (first ? 0 : 1000), one.X_WK, 0).size() == 1);
+}
+
+TEST_CASE("a cloud that comes late from another camera brings back nothing that has gone",
+          "[views][memory]") {
+  const auto ball_points = [](const ViewMemory& memory) {
+    int count = 0;
+    for (const PointCloud& view : views_in_world(memory)) {
+      for (const Eigen::Vector3f& p : view.points) {
+        const double distance = (p.cast<double>() - Eigen::Vector3d(-0.2, 0.0, kBall)).norm();
+        count += p.allFinite() && p.z() > 0.01f && std::abs(distance - kBall) < 0.006;
+      }
+    }
+    return count;
+  };
+  const Taken with_ball = taken_from_eye(world_table(), eye_at(60));
+  const Taken without = taken_from_eye(world_without_ball(), eye_at(0));
+  ViewMemory memory;
+  memory.add(2 * kSecond, without.cloud, without.X_WK, 0);
+  const std::vector<PointCloud> before = views_in_world(memory);
+  memory.add(1 * kSecond, with_ball.cloud, with_ball.X_WK, 1);
+  REQUIRE(memory.size() == 2);
+  CHECK(ball_points(memory) < 10);
+  // The newer view comes first, and has lost nothing.
+  CHECK(same_bits(views_in_world(memory)[0], before[0]));
 }
 
 TEST_CASE("views of two cameras count for each other, even of one time", "[views][memory]") {

@@ -157,7 +157,7 @@ TEST_CASE("what one view alone shows on the table, and others see to be bare, is
   std::vector<Patch> patches = TableScene().patches();
   const Eigen::Vector3d place(0.05, -0.25, 0.0);
   for (int n = 0; n < 6; ++n) {
-    const Eigen::Vector3d at = place + Eigen::Vector3d(0.03 * (n % 3), 0.03 * (n / 3), 0.0);
+    const Eigen::Vector3d at = place + Eigen::Vector3d(0.03 * (n % 3), n < 3 ? 0.0 : 0.03, 0.0);
     patches.push_back(sphere(TableScene().X_CW * Eigen::Isometry3d(Eigen::Translation3d(at)),
                              0.014 + 0.002 * (n % 3)));
   }

@@ -8,8 +8,10 @@
 #include "process/chain.hpp"
 #include "process/planner/shown_table.hpp"
 #include "process/scene_messages.hpp"
+#include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
 #include "support/error_of.hpp"
+#include "support/temp_folder.hpp"
 
 namespace quadrille {
 namespace {
@@ -52,6 +54,69 @@ TEST_CASE("clouds that two cameras took at one time both count", "[process][memo
   CHECK(2 * refused_as(two.grasps(), "unknown") < unknown);
 }
 
+TEST_CASE("a request on the same cloud knows what another camera has shown since",
+          "[process][memory][cameras]") {
+  Chain chain("--pose-channel POSE", kTwo);
+  show_from(chain, 2 * kUsPerSecond, kFront);
+  grasp_request_t request{};
+  request.request_id = 7;
+  const auto ask = [&] {
+    chain.take("GRASP_REQUEST", bus::encode(request));
+    REQUIRE(chain.grasps().request_id == 7);
+    return refused_as(chain.grasps(), "unknown");
+  };
+  const int before = ask();
+  REQUIRE(before > 20);
+  take_from(chain, "SIDE", "SIDE_POSE", 2 * kUsPerSecond + 1000, kBack);
+  CHECK(2 * ask() < before);
+}
+
+TEST_CASE("the status counts what came of the clouds of further cameras",
+          "[process][memory][cameras]") {
+  Chain chain("--pose-channel POSE", kTwo);
+  chain.take("SIDE", {std::byte{1}, std::byte{2}});
+  take_from(chain, "SIDE", "NOBODY", 1 * kUsPerSecond, kBack);
+  chain.wait();
+  take_from(chain, "SIDE", "SIDE_POSE", 2 * kUsPerSecond, kBack);
+  show_from(chain, 2 * kUsPerSecond, kFront);
+  const planner_status_t status = chain.planner_status();
+  CHECK(status.decoded_views == 2);
+  REQUIRE(status.num_rejected_views == 1);
+  CHECK(status.rejected_views[0].name == "cut_short");
+  REQUIRE(status.num_unplaced_views == 1);
+  CHECK(status.unplaced_views[0].name == "no_pose");
+  CHECK(status.remembered_views == 2);
+  CHECK(status.pose_correction >= 0.0);
+  CHECK(status.failed == 0);
+}
+
+TEST_CASE("further cameras know the robot in the fixed frame alone", "[process][memory][cameras]") {
+  Chain chain("--pose-channel POSE", kTwo);
+  const std::string frame = GENERATE("world", "camera");
+  chain.take("ROBOT", test::robot_bytes(0, frame, {test::ball_message({0.0, 0.0, 1.0}, 0.05)}));
+  take_from(chain, "SIDE", "NOBODY", 1 * kUsPerSecond, kBack);
+  chain.wait();
+  take_from(chain, "SIDE", "SIDE_POSE", 2 * kUsPerSecond, kBack);
+  const planner_status_t status = chain.planner_status();
+  CHECK(status.failed == 0);
+  CHECK(status.remembered_views == (frame == "world" ? 1 : 0));
+  CHECK(status.num_rejected_knowledge == (frame == "world" ? 0 : 1));
+}
+
+TEST_CASE("a region of another camera's frame that cannot be placed yet makes all be forgotten",
+          "[process][memory][cameras]") {
+  Chain chain("--pose-channel POSE", kTwo);
+  take_from(chain, "SIDE", "SIDE_POSE", 1 * kUsPerSecond, kBack);
+  REQUIRE(chain.planner_status().remembered_views == 1);
+  forget_t region{};
+  region.utime = 2 * kUsPerSecond;
+  region.frame = "camera";
+  region.region.quaternion[0] = 1.0;
+  for (double& side : region.region_size) side = 0.1;
+  chain.take("FORGET", bus::encode(region));
+  CHECK(chain.planner_status().remembered_views == 0);
+}
+
 TEST_CASE("a second camera may be at rest, and the first one too", "[process][memory][cameras]") {
   const Eigen::Isometry3d X_WS = test::world_seen_from(kBack).inverse();
   const Eigen::Quaterniond q(X_WS.linear());
@@ -92,6 +157,15 @@ TEST_CASE("options of further cameras that mean nothing are refused",
   const std::string posed = "--pose-channel POSE --view-camera ";
   CHECK(error("--view-camera SIDE=SIDE_POSE").find("needs the pose of the first camera") !=
         std::string::npos);
+  std::string many = "--pose-channel POSE";
+  for (int n = 0; n < 16; ++n) {
+    many += " --view-camera C" + std::to_string(n) + "=P" + std::to_string(n);
+  }
+  CHECK_FALSE(error(many).empty());
+  const test::TempFolder folder;
+  CHECK(error(posed + "SIDE=SIDE_POSE --config " +
+              folder.write("forgetful.toml", "[views]\nremember = 0.0\n"))
+            .find("set views.remember above 0") != std::string::npos);
   CHECK(error(posed + "SIDE").find("'SIDE' names no poses") != std::string::npos);
   CHECK(error(posed + "SIDE=0,0,1,2,0,0,0").find("has norm 2") != std::string::npos);
   CHECK(error(posed + "SIDE=0,0,1").find("--view-camera") != std::string::npos);

@@ -46,7 +46,7 @@ PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
   camera_.add_to(app, "--pose-channel");
   settings_.frames.add_to(app);
   app.add_option_function<std::vector<std::string>>(
-         "--view-camera",
+         kViewCameraOption,
          [this](const std::vector<std::string>& texts) {
            for (const std::string& text : texts) {
              settings_.view_cameras.push_back(view_camera_of(text));
@@ -93,8 +93,12 @@ PlannerSettings PlannerCommandLine::settings() const {
               {settings.cloud_channel, settings.quadrics_channel, settings.request_channel});
   if (!settings.view_cameras.empty() && !settings.has_fixed_frame()) {
     throw CLI::ValidationError(
-        "--view-camera",
+        kViewCameraOption,
         "needs the pose of the first camera too; give --pose-channel or --camera-pose");
+  }
+  if (!settings.view_cameras.empty() && !settings.remembers()) {
+    throw CLI::ValidationError(kViewCameraOption,
+                               "is of no use without memory; set views.remember above 0");
   }
   std::vector<NamedChannel> channels = channels_of(settings);
   PlannerSettings::visit_viewer(settings, [&](std::string& name) {

@@ -39,14 +39,9 @@ class Knowledge {
   /// @throws std::invalid_argument if something is in a frame that is not known
   Known about(const CloudAndQuadrics& pair) const;
 
-  /// Returns the robot's shapes in the frame K of a cloud.
-  /// @param utime  when the cloud was taken [us]
-  /// @param cloud_frame  name of the cloud's frame
-  /// @throws std::invalid_argument if the frame of the shapes is not known
-  RobotShapes robot_at(std::int64_t utime, const Placement& placement,
-                       const std::string& cloud_frame) const {
-    return robot_.at(utime, placement, cloud_frame);
-  }
+  /// Returns the robot's shapes in the fixed frame, for clouds of further cameras.
+  /// @throws std::invalid_argument if they are in a frame of the first camera
+  RobotShapes robot_in_world(std::int64_t utime) const { return robot_.in_world(utime); }
 
  private:
   /// Something in a frame that a message names.

@@ -6,6 +6,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "process/planner/messages.hpp"
@@ -45,10 +46,10 @@ std::vector<InChannel> PlannerNode::in_channels() const {
       settings_, [&](Way way, const char* option, const std::string& name, const char*) {
         if (way != Way::kIn || name.empty()) return;
         // All others add to what these say, or stand in for what the planner finds itself.
-        const bool expected = &name == &settings_.cloud_channel ||
-                              &name == &settings_.quadrics_channel ||
-                              &name == &settings_.pose_channel ||
-                              (&name == &settings_.request_channel && settings_.on_request);
+        const bool expected =
+            &name == &settings_.cloud_channel || &name == &settings_.quadrics_channel ||
+            &name == &settings_.pose_channel || std::string_view(option) == kViewCameraOption ||
+            (&name == &settings_.request_channel && settings_.on_request);
         channels.push_back({option, name, expected});
       });
   return channels;
@@ -116,13 +117,19 @@ void PlannerNode::remember(const SharedPair& pair) {
 /// Remembers what a further camera saw.
 void PlannerNode::remember_view(int camera, const bus::CloudMessage& cloud,
                                 const CameraPose& pose) {
-  const Placement placement = place(settings_.frames, pose);
-  RobotShapes robot;
+  if (!pose.X_WK) return;
+  RobotShapes robot_W;
   {
     const std::lock_guard lock(mutex_);
-    robot = knowledge_.robot_at(cloud.utime, placement, cloud.cloud.frame);
+    try {
+      robot_W = knowledge_.robot_in_world(cloud.utime);
+    } catch (const std::invalid_argument& error) {
+      refused_knowledge_.add(settings_.robot_channel, {bus::RejectReason::kBadValue, error.what()});
+      return;
+    }
   }
-  planner_.remember(cloud, placement, robot, camera);
+  planner_.remember(cloud, place(settings_.frames, pose), moved(robot_W, pose.X_WK->inverse()),
+                    camera);
 }
 
 void PlannerNode::forget(const forget_t& message) {
@@ -134,11 +141,10 @@ void PlannerNode::forget(const forget_t& message) {
   }
   Eigen::Isometry3d X_WF = Eigen::Isometry3d::Identity();
   if (message.frame != word_of(CloudFrame::kWorld)) {
-    // Before the first cloud there is nothing to forget.
-    if (!pair) return;
+    // What cannot be placed might be anywhere.
+    if (!pair) return planner_.forget(message.utime);
     const Eigen::Isometry3d X_FK =
         pose_of_camera(message.frame, pair->placement, pair->cloud->cloud.frame);
-    // What cannot be placed might be anywhere.
     if (!pair->placement.X_WK) return planner_.forget(message.utime);
     X_WF = *pair->placement.X_WK * X_FK.inverse();
   }

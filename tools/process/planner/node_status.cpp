@@ -125,6 +125,15 @@ std::vector<std::string> PlannerNode::find_oddities() const {
     oddities.push_back(fmt::format("of the messages on the robot and its surroundings {}",
                                    describe(refused_knowledge_.counts())));
   }
+  if (refused_views_.counts().total() > 0) {
+    oddities.push_back(
+        fmt::format("of the clouds of further cameras {}", describe(refused_views_.counts())));
+  }
+  if (const std::vector<count_t> unplaced = count_poseless(posed_views_); !unplaced.empty()) {
+    oddities.push_back(
+        fmt::format("clouds of further cameras had no pose ({}) and were not remembered",
+                    list_counts(unplaced)));
+  }
   if (const std::string oddity = posed_clouds_.find_oddity(counts_.decoded_clouds);
       !oddity.empty()) {
     oddities.push_back(oddity);

@@ -137,6 +137,8 @@ void PairPlanner::remember(const bus::CloudMessage& message, const Placement& pl
     const double before = seconds_between(message.utime, *forgotten_);
     if (before >= 0.0 && before < kLongestDelay) return;
   }
+  // What another camera shows may change the plans on a cloud that has been planned on.
+  if (camera != 0) ready_ = nullptr;
   const Eigen::Isometry3d& X_WK = *placement.X_WK;
   const PointCloud cloud = in_camera_frame(message.cloud, placement, settings_.frames);
   const Eigen::Isometry3d correction =

@@ -108,9 +108,9 @@ struct PlannerSettings {
     visit(Way::kIn, "--pose-channel", settings.pose_channel,
           "camera's poses (bot_core.pose_t) in a fixed frame");
     for (auto& camera : settings.view_cameras) {
-      visit(Way::kIn, "--view-camera", camera.cloud_channel, "clouds of a further camera");
+      visit(Way::kIn, kViewCameraOption, camera.cloud_channel, "clouds of a further camera");
       if (camera.X_WK) continue;
-      visit(Way::kIn, "--view-camera", camera.pose_channel, "poses of a further camera");
+      visit(Way::kIn, kViewCameraOption, camera.pose_channel, "poses of a further camera");
     }
   }
 

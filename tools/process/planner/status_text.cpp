@@ -71,8 +71,11 @@ std::string to_exposition(const planner_status_t& status, const PlannerSettings&
                   status.unpaired_quadrics);
   out.add_counters("quadrics_without_cloud", "The same, by reason.", status.unpaired);
   out.add_counter("pairs", "Clouds with their quadrics.", status.paired);
-  out.add_counter("pairs_superseded", "Pairs dropped for a newer one.", status.superseded);
-  out.add_counter("pairs_failed", "Pairs on which the planning failed.", status.failed);
+  out.add_counter("pairs_superseded",
+                  "Pairs, and clouds of further cameras, dropped for a newer one.",
+                  status.superseded);
+  out.add_counter("pairs_failed", "Pairs, and clouds of further cameras, on which the work failed.",
+                  status.failed);
   out.add_counter("grasps_published", "Messages of grasps.", status.published);
   out.add_counter("views_decoded", "Clouds of further cameras that passed all checks.",
                   status.decoded_views);

@@ -15,17 +15,17 @@ ViewCamera view_camera_of(const std::string& text) {
   const std::size_t mark = text.find('=');
   if (mark == std::string::npos) {
     throw CLI::ValidationError(
-        "--view-camera", fmt::format("'{}' names no poses; give CLOUDS=POSES, two channels, or "
-                                     "CLOUDS=X,Y,Z,QW,QX,QY,QZ for a camera at rest",
-                                     printable(text)));
+        kViewCameraOption, fmt::format("'{}' names no poses; give CLOUDS=POSES, two channels, or "
+                                       "CLOUDS=X,Y,Z,QW,QX,QY,QZ for a camera at rest",
+                                       printable(text)));
   }
   ViewCamera camera{text.substr(0, mark), text.substr(mark + 1), {}};
   if (camera.pose_channel.find(',') != std::string::npos) {
-    camera.X_WK = camera_pose_of("--view-camera", camera.pose_channel);
+    camera.X_WK = camera_pose_of(kViewCameraOption, camera.pose_channel);
     camera.pose_channel.clear();
   }
-  check_channel("--view-camera", camera.cloud_channel);
-  if (!camera.X_WK) check_channel("--view-camera", camera.pose_channel);
+  check_channel(kViewCameraOption, camera.cloud_channel);
+  if (!camera.X_WK) check_channel(kViewCameraOption, camera.pose_channel);
   return camera;
 }
 

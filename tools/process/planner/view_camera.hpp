@@ -6,6 +6,9 @@
 
 namespace quadrille {
 
+/// The option that names one.
+inline constexpr const char* kViewCameraOption = "--view-camera";
+
 /// One more camera that looks at the scene. What its clouds show serves the plans on the clouds of
 /// the first camera.
 struct ViewCamera {

@@ -245,7 +245,7 @@ class ViewMemory:
 
     def add(self, utime: int, points: _ArrayLike, X_WC: _ArrayLike, *,
             viewpoint: _ArrayLike = _ORIGIN, camera: int = 0) -> _NDArray[_np.float64]:
-        """Adds a view. If its time is before that of the camera's last one, all others are forgotten.
+        """Adds a view. If its time is before that of the camera's last one, later views are forgotten.
 
         utime      time of the cloud [us]
         points     as for detect(), without the robot: Robot.taken_from(points)

@@ -72,7 +72,7 @@ function addAnswer(scene, object, answer) {
   object.rejected = answer.rejected;
   scene.remedies = [...scene.remedies.filter((remedy) => remedy.target !== object.id),
     ...answer.remedies.map((remedy) => ({ ...remedy, target: object.id }))];
-  if (answer.looks.length) scene.looks = answer.looks;
+  scene.looks = answer.looks;
   object.answered = answer.warnings;
   scene.gripper = answer.gripper || scene.gripper;
 }

@@ -18,8 +18,9 @@ struct SurfaceSamples;
 
 /// The views of a scene that moving cameras had, kept up to date.
 ///
-/// A view is kept for each direction from which a place was looked at, `views.sector` apart. A
-/// newer view from nearly the same direction takes the place of the one before. At most
+/// Of each camera a view is kept for each direction from which a place was looked at,
+/// `views.sector` apart. A newer view from nearly the same direction takes the place of the one
+/// before. At most
 /// `views.most` views are kept, thinned to what planners can tell apart. Each is forgotten after
 /// `views.remember` seconds; what it alone saw is then unknown.
 ///
@@ -36,7 +37,8 @@ class ViewMemory {
   QUADRILLE_EXPORT ViewMemory& operator=(ViewMemory&&) noexcept;
 
   /// Adds a view. If its time is before that of the camera's last one, a log has been restarted,
-  /// and all others are forgotten. A cloud without usable points or viewpoint is not kept.
+  /// and all views of later times are forgotten. A cloud without usable points or viewpoint is not
+  /// kept.
   /// @param utime   when the cloud was taken [us], by a clock that all cameras have in common
   /// @param cloud   in frame C, with its viewpoint and without points on the robot
   /// @param X_WC    pose of C in a fixed frame W, as far as it is known
@@ -71,6 +73,7 @@ class ViewMemory {
     Eigen::Isometry3d X_WW = Eigen::Isometry3d::Identity();
     std::int64_t corrected = 0;
   };
+  void forget_from(std::int64_t utime, int camera);
   Nearest nearest_to(const Kept& view) const;
   std::vector<const SurfaceSamples*> samples_about(const Kept& view) const;
   void correct(const Nearest& nearest, Kept* view, Camera* camera) const;

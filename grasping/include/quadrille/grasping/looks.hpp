@@ -15,10 +15,11 @@ namespace quadrille {
 /// doubtful.
 ///
 /// About each such body, places above its support are tried, as far from it as the sensor was, but
-/// between 0.35 and 0.9 m, where depth cameras measure well. The unknown voxels within a finger's
-/// reach of the body are what the hand needs to know. A place shows those of them to which the line
-/// of sight is free: it crosses no occupied voxel and no body. The place that shows most comes
-/// first. The next ones are for the bodies that it does not help.
+/// between 0.35 and 0.9 m, where depth cameras measure well, and on the side of each wall from
+/// which that was seen. The unknown voxels within a finger's reach of the body are what the hand
+/// needs to know. A place shows those of them to which the line of sight is free: it crosses no
+/// occupied voxel and no body. The place that shows most comes first. The next ones are for the
+/// bodies that it does not help.
 /// @param plan        a plan in frame C, with the space that it mapped
 /// @param bodies      the bodies of the plan
 /// @param detections  the detections of the plan, among which are the supports of the bodies

@@ -16,7 +16,7 @@ inline constexpr int kReceiveBufferBytes = 64 << 20;
 inline constexpr int kMaxReceiveBufferBytes = 128 << 20;
 
 /// Size of a cloud of 640x480 points as Drake sends it [byte].
-inline constexpr std::int64_t kUsualCloudBytes = 640 * 480 * 16;
+inline constexpr std::int64_t kUsualCloudBytes = std::int64_t{640} * 480 * 16;
 
 /// Explains why the multicast group of a udpm address cannot be reached, with the commands that
 /// mend it; nullopt if a route exists, and for other providers.

@@ -11,8 +11,7 @@ namespace {
 constexpr std::size_t kMaxStatusBytes = std::size_t{1} << 20;
 /// Sizes of transport_t, of the members of process_t after its strings, and of those of stage_t
 /// after its name.
-constexpr std::int64_t kTransportBytes = 6 * 8, kProcessNumbersBytes = 4 * 8 + 2 * 4,
-                       kStageNumbersBytes = 6 * 8;
+constexpr std::int64_t kTransportBytes = 48, kProcessNumbersBytes = 40, kStageNumbersBytes = 48;
 
 /// Checks and decodes a status message.
 /// @param numbers          number of 64-bit values between the sender and the transport

@@ -8,6 +8,7 @@
 #include "poses/pose_history.hpp"
 #include "process/runtime/poses/named_frame.hpp"
 #include "quadrille/bus/scene_messages.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
 namespace {
@@ -60,20 +61,37 @@ const RobotState* RobotHistory::nearest(std::int64_t utime) const {
   return found == states_.end() ? nullptr : &*found;
 }
 
-RobotShapes RobotHistory::at(std::int64_t utime, const Placement& placement,
-                             const std::string& cloud_frame) const {
+/// Returns the shapes in a frame D, in which `X_DF` places the frames that messages name.
+RobotShapes RobotHistory::all_at(
+    std::int64_t utime,
+    const std::function<Eigen::Isometry3d(const std::string& frame)>& X_DF) const {
   RobotShapes all;
   all.padding = 0.0;
   const auto add = [&](const RobotState& state) {
     if (state.robot.shapes.empty()) return;
-    const Eigen::Isometry3d X_KF = pose_of_camera(state.frame, placement, cloud_frame).inverse();
-    const RobotShapes robot_K = moved(state.robot, X_KF);
-    all.shapes.insert(all.shapes.end(), robot_K.shapes.begin(), robot_K.shapes.end());
-    all.padding = std::max(all.padding, robot_K.padding);
+    const RobotShapes robot_D = moved(state.robot, X_DF(state.frame));
+    all.shapes.insert(all.shapes.end(), robot_D.shapes.begin(), robot_D.shapes.end());
+    all.padding = std::max(all.padding, robot_D.padding);
   };
   add(given_);
   if (const RobotState* state = nearest(utime)) add(*state);
   return all;
+}
+
+RobotShapes RobotHistory::at(std::int64_t utime, const Placement& placement,
+                             const std::string& cloud_frame) const {
+  return all_at(utime, [&](const std::string& frame) {
+    return pose_of_camera(frame, placement, cloud_frame).inverse();
+  });
+}
+
+RobotShapes RobotHistory::in_world(std::int64_t utime) const {
+  return all_at(utime, [](const std::string& frame) {
+    if (frame == word_of(CloudFrame::kWorld))
+      return Eigen::Isometry3d(Eigen::Isometry3d::Identity());
+    throw std::invalid_argument("the robot's shapes are in frame '" + printable(frame) +
+                                "'; for clouds of further cameras give them in 'world'");
+  });
 }
 
 std::vector<SolidShape> RobotHistory::attached_at(std::int64_t utime) const {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -42,11 +43,17 @@ class RobotHistory {
   /// @throws std::invalid_argument if the frame of the shapes is not known
   RobotShapes at(std::int64_t utime, const Placement& placement,
                  const std::string& cloud_frame) const;
+  /// Returns the robot's shapes in the fixed frame W.
+  /// @param utime  when they were there [us]
+  /// @throws std::invalid_argument if they are given in another frame
+  RobotShapes in_world(std::int64_t utime) const;
   /// Returns what was fixed to the hand then.
   std::vector<SolidShape> attached_at(std::int64_t utime) const;
 
  private:
   const RobotState* nearest(std::int64_t utime) const;
+  RobotShapes all_at(std::int64_t utime,
+                     const std::function<Eigen::Isometry3d(const std::string& frame)>& X_DF) const;
 
   RobotState given_;
   std::deque<RobotState> states_;
