@@ -162,7 +162,7 @@ std::vector<std::string> visit_numbered(const LogName& log, const InputArguments
           fmt::format("the pose of the camera of cloud #{} is not known: {}", clouds, found->lack));
     }
     input.warnings = warnings_about(reader.clouds(), arguments.channel, {{input.channel, 1}});
-    const std::vector<std::string> warnings = input.warnings;
+    std::vector<std::string> warnings = input.warnings;
     visit(std::move(input));
     return warnings;
   }
