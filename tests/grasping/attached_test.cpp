@@ -1,4 +1,4 @@
-// What is fixed to the hand touches nothing on the way to a grasp.
+// Shapes that are fixed to the hand touch nothing on the way to a grasp.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-// What a map from elsewhere says is occupied is in the way, and what it says is free is free.
+// The hand keeps off the occupied space of a map from elsewhere, and may pass its free space.
 #include <octomap/OcTree.h>
 
 #include <Eigen/Geometry>

@@ -27,7 +27,7 @@ TEST_CASE("a cloud gets the robot's message that is nearest in time", "[view][ro
   // The clock was set back.
   trail.add(robot_bytes_at(50));
   CHECK(trail.at(220)->utime == 50);
-  // What is always so takes the place of all before it.
+  // Shapes without a time hold always, so they take the place of all before them.
   trail.add(robot_bytes_at(0));
   CHECK(trail.at(50)->utime == 0);
   trail.add(robot_bytes_at(70));

@@ -34,7 +34,7 @@ struct FrameArguments {
   std::optional<Eigen::Vector3d> viewpoint;
   /// Pose of the camera; its fixed frame W is C here.
   CameraPoseArgument camera;
-  /// The same for each input, if there are several poses.
+  /// The poses of the cameras of several inputs, in their order, if more than one pose is given.
   std::vector<Eigen::Isometry3d> cameras;
 
   /// Adds --viewpoint and --camera-pose; this object must outlive the app.

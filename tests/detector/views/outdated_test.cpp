@@ -1,4 +1,4 @@
-// What older views saw is forgotten once it is outdated, or if one asks for it.
+// The memory forgets what older views saw if a newer view contradicts it, or if it is told to.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>

@@ -24,7 +24,7 @@ inline std::vector<Patch> world_table() {
   return patches;
 }
 
-/// The same without the ball, which is the second patch.
+/// The table without its ball, which is the second patch.
 inline std::vector<Patch> world_without_ball() {
   std::vector<Patch> patches = world_table();
   patches.erase(patches.begin() + 1);
@@ -36,7 +36,8 @@ struct Taken {
   Eigen::Isometry3d X_WK;
 };
 
-/// What a camera at this place, which looks at the middle of the table, sees; in its own frame.
+/// Renders what a camera sees that stands at this place and looks at the middle of the table. The
+/// cloud is in the camera's frame.
 inline Taken taken_from_eye(const std::vector<Patch>& patches_W, const Eigen::Vector3d& eye_W,
                             double noise = 0.001, int width = 160) {
   const Eigen::Isometry3d X_KW = world_seen_from(eye_W);

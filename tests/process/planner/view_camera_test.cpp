@@ -117,7 +117,7 @@ TEST_CASE("a region of another camera's frame that cannot be placed yet makes al
   CHECK(chain.planner_status().remembered_views == 0);
 }
 
-TEST_CASE("a second camera may be at rest, and the first one too", "[process][memory][cameras]") {
+TEST_CASE("a second camera may be at rest", "[process][memory][cameras]") {
   const Eigen::Isometry3d X_WS = test::world_seen_from(kBack).inverse();
   const Eigen::Quaterniond q(X_WS.linear());
   const Eigen::Vector3d p = X_WS.translation();
@@ -161,7 +161,7 @@ TEST_CASE("options of further cameras that mean nothing are refused",
   for (int n = 0; n < 16; ++n) {
     many += " --view-camera C" + std::to_string(n) + "=P" + std::to_string(n);
   }
-  CHECK_FALSE(error(many).empty());
+  CHECK(error(many).find("--view-camera") != std::string::npos);
   const test::TempFolder folder;
   CHECK(error(posed + "SIDE=SIDE_POSE --config " +
               folder.write("forgetful.toml", "[views]\nremember = 0.0\n"))

@@ -141,7 +141,7 @@ void PlannerNode::forget(const forget_t& message) {
   }
   Eigen::Isometry3d X_WF = Eigen::Isometry3d::Identity();
   if (message.frame != word_of(CloudFrame::kWorld)) {
-    // What cannot be placed might be anywhere.
+    // A region that cannot be placed yet might be anywhere, so everything is forgotten.
     if (!pair) return planner_.forget(message.utime);
     const Eigen::Isometry3d X_FK =
         pose_of_camera(message.frame, pair->placement, pair->cloud->cloud.frame);

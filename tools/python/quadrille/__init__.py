@@ -231,7 +231,7 @@ class Tracker:
 class ViewMemory:
     """The views of a scene that moving cameras had, kept up to date.
 
-    There is one view for each direction of sight, and a newer one takes the place of an older one from
+    Of each camera there is one view for each direction of sight, and a newer one takes the place of an older one from
     there. What a new view contradicts is forgotten, and so is what is older than `views.remember`.
 
         memory.add(utime, points, X_WC)

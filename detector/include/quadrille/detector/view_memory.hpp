@@ -18,11 +18,10 @@ struct SurfaceSamples;
 
 /// The views of a scene that moving cameras had, kept up to date.
 ///
-/// Of each camera a view is kept for each direction from which a place was looked at,
-/// `views.sector` apart. A newer view from nearly the same direction takes the place of the one
-/// before. At most
-/// `views.most` views are kept, thinned to what planners can tell apart. Each is forgotten after
-/// `views.remember` seconds; what it alone saw is then unknown.
+/// The memory keeps the views of each camera whose directions of sight are `views.sector` apart. A
+/// newer view of the camera from nearly the same direction takes the place of the one before. At
+/// most `views.most` views are kept in all, thinned to what planners can tell apart. Each is
+/// forgotten after `views.remember` seconds; what it alone saw is then unknown.
 ///
 /// If a new view sees through points of an older one, these points are forgotten at once. If it
 /// shows a thing where an older one saw through, all that the older one saw within 10 cm of the
@@ -65,11 +64,11 @@ class ViewMemory {
  private:
   struct Kept;
   struct Nearest;
-  /// What is known of a camera.
+  /// The last view of a camera, and the correction of its poses.
   struct Camera {
-    /// Time of its last view [us].
+    /// Time of the view [us].
     std::int64_t utime = 0;
-    /// The correction of that view, and when it was found [us].
+    /// The correction of its pose, and when it was found [us].
     Eigen::Isometry3d X_WW = Eigen::Isometry3d::Identity();
     std::int64_t corrected = 0;
   };
