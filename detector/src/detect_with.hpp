@@ -1,12 +1,26 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <functional>
+#include <span>
+#include <vector>
+
 #include "quadrille/detector/detector.hpp"
 #include "surfaces/find_surfaces.hpp"
+#include "views/scene.hpp"
 
 namespace quadrille {
 
 /// detect() with another way to search a level.
 DetectionResult detect_with(const FindCandidates& find, const CloudView& cloud,
                             const DetectorOptions& options);
+
+/// Makes one scene of the scenes of each view.
+/// @param shift_C  what was added to all points of the clouds, so that they are near the origin [m]
+using JoinScenes = std::function<Scene(std::vector<Scene> scenes, const Eigen::Vector3d& shift_C)>;
+
+/// detect_views() with another way to join the views.
+DetectionResult detect_joined(const JoinScenes& join, std::span<const CloudView> views,
+                              const DetectorOptions& options);
 
 }  // namespace quadrille

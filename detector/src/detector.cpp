@@ -20,30 +20,37 @@
 namespace quadrille {
 namespace {
 
+/// How surfaces are found in a view, and how views are joined.
+struct Ways {
+  FindCandidates find;
+  JoinScenes join;
+};
+
 /// Runs all stages on views near the origin.
-Findings find_all(std::span<const CloudView> clouds, const DetectorOptions& options,
-                  const FindCandidates& find, StageClock& clock) {
+/// @param shift  what was added to all points [m]
+Findings find_all(std::span<const CloudView> clouds, const Eigen::Vector3d& shift,
+                  const DetectorOptions& options, const Ways& ways, StageClock& clock) {
   std::vector<Scene> views;
   for (const CloudView& cloud : clouds) {
-    if (auto view = search_view(cloud, options, find, clock)) views.push_back(std::move(*view));
+    if (auto view = search_view(cloud, options, ways.find, clock))
+      views.push_back(std::move(*view));
   }
   if (views.empty()) return {};
-  const Scene scene = join_views(std::move(views), options);
-  if (clouds.size() > 1) clock.end("join");
+  const Scene scene = ways.join(std::move(views), shift);
+  if (scene.views.size() > 1) clock.end("join");
   return measure_scene(scene, options, clock);
 }
 
 /// Runs all stages on views anywhere. Those far from the origin are shifted first, since their
 /// coordinates leave few digits for the shape.
 Findings find_anywhere(std::span<const CloudView> clouds, const Eigen::Vector3d& centre,
-                       const DetectorOptions& options, const FindCandidates& find,
-                       StageClock& clock) {
+                       const DetectorOptions& options, const Ways& ways, StageClock& clock) {
   const Eigen::Vector3d shift = shift_to_origin(centre);
-  if (shift.isZero(0.0)) return find_all(clouds, options, find, clock);
+  if (shift.isZero(0.0)) return find_all(clouds, shift, options, ways, clock);
   std::vector<PointCloud> near;
   for (const CloudView& cloud : clouds) near.push_back(translated(cloud, shift));
   Findings findings =
-      find_all(std::vector<CloudView>(near.begin(), near.end()), options, find, clock);
+      find_all(std::vector<CloudView>(near.begin(), near.end()), shift, options, ways, clock);
   for (Detection& d : findings.detections) d = translated(std::move(d), -shift);
   for (Box& box : findings.boxes) box.X_CB.pretranslate(-shift);
   for (SceneBody& body : findings.bodies) body.X_CB.pretranslate(-shift);
@@ -83,10 +90,10 @@ UsableViews usable_views(std::span<const CloudView> given, std::span<const Cloud
 
 /// @param all  number of all views
 DetectionResult detect_checked(const UsableViews& views, std::size_t all,
-                               const DetectorOptions& options, const FindCandidates& find,
+                               const DetectorOptions& options, const Ways& ways,
                                DetectionResult result, StageClock& clock) {
   if (views.clouds.empty()) return result;
-  Findings found = find_anywhere(views.clouds, views.centre, options, find, clock);
+  Findings found = find_anywhere(views.clouds, views.centre, options, ways, clock);
   result.detections = std::move(found.detections);
   result.boxes = std::move(found.boxes);
   result.bodies = std::move(found.bodies);
@@ -99,7 +106,7 @@ DetectionResult detect_checked(const UsableViews& views, std::size_t all,
   return result;
 }
 
-DetectionResult detect_all(const FindCandidates& find, std::span<const CloudView> given,
+DetectionResult detect_all(const Ways& ways, std::span<const CloudView> given,
                            const DetectorOptions& options) {
   StageClock clock;
   options.check();
@@ -107,10 +114,16 @@ DetectionResult detect_all(const FindCandidates& find, std::span<const CloudView
   for (const CloudView& cloud : given) checks.push_back(check_cloud(cloud));
   DetectionResult result;
   const UsableViews views = usable_views(given, checks, &result);
-  result = detect_checked(views, given.size(), options, find, std::move(result), clock);
+  result = detect_checked(views, given.size(), options, ways, std::move(result), clock);
   result.timings = clock.timings();
   result.total_ms = clock.total_ms();
   return result;
+}
+
+JoinScenes join_by(const DetectorOptions& options) {
+  return [&options](std::vector<Scene> scenes, const Eigen::Vector3d&) {
+    return join_scenes(std::move(scenes), options);
+  };
 }
 
 }  // namespace
@@ -121,12 +134,18 @@ DetectionResult detect(const CloudView& cloud, const DetectorOptions& options) {
 
 DetectionResult detect_with(const FindCandidates& find, const CloudView& cloud,
                             const DetectorOptions& options) {
-  return detect_all(find, {&cloud, 1}, options);
+  return detect_all({find, join_by(options)}, {&cloud, 1}, options);
+}
+
+DetectionResult detect_joined(const JoinScenes& join, std::span<const CloudView> views,
+                              const DetectorOptions& options) {
+  return detect_all({{}, join}, views, options);
 }
 
 DetectionResult detect_views(std::span<const PointCloud> views, const DetectorOptions& options) {
   if (views.empty()) throw std::invalid_argument("detect_views: there is no view");
-  return detect_all({}, std::vector<CloudView>(views.begin(), views.end()), options);
+  return detect_joined(join_by(options), std::vector<CloudView>(views.begin(), views.end()),
+                       options);
 }
 
 }  // namespace quadrille

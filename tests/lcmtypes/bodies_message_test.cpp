@@ -29,16 +29,20 @@ TEST_CASE("bodies survive their message", "[bus][bodies]") {
     CHECK(b.seen == a.seen);
     CHECK(b.standing_on == a.standing_on);
     CHECK(b.points == a.points);
+    CHECK(b.views == a.views);
+    CHECK(b.unseen == a.unseen);
   }
 }
 
 TEST_CASE("bodies with values without meaning are refused", "[bus][bodies][hostile]") {
   const bodies_t valid = to_message(test::make_cloud(), test::make_bodies());
-  bodies_t kind = valid, nan = valid, infinite = valid;
+  bodies_t kind = valid, nan = valid, infinite = valid, unseen = valid, invisible = valid;
   kind.bodies[0].kind = 4;
   nan.bodies[1].std[0] = std::numeric_limits<double>::quiet_NaN();
   infinite.bodies[0].size[1] = std::numeric_limits<double>::infinity();
-  for (const bodies_t& bad : {kind, nan, infinite}) {
+  unseen.bodies[0].unseen = -1.0;
+  invisible.bodies[1].views = 0;
+  for (const bodies_t& bad : {kind, nan, infinite, unseen, invisible}) {
     CHECK(test::refusal_in(decode_bodies(encode(bad))) == RejectReason::kBadValue);
   }
 }

@@ -144,6 +144,8 @@ inline std::vector<SceneBody> make_bodies() {
   box.seen = {true, true, false};
   box.standing_on = 1;
   box.points = 4321;
+  box.views = 3;
+  box.unseen = 1.5;
   SceneBody lump;
   lump.id = 11;
   lump.kind = BodyKind::kLump;

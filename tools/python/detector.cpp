@@ -150,6 +150,8 @@ void bind_body(py::module_& module) {
       .def_readonly("seen", &SceneBody::seen, "Whether each size was seen.")
       .def_readonly("standing_on", &SceneBody::standing_on, "Id of the plane, or None.")
       .def_readonly("points", &SceneBody::points, "Number of cloud points on it.")
+      .def_readonly("views", &SceneBody::views, "Number of views that show it.")
+      .def_readonly("unseen", &SceneBody::unseen, "Time since the newest of them [s].")
       .def("__repr__", [](const SceneBody& body) {
         return "<Body " + std::to_string(body.id) + " " + std::string(to_string(body.kind)) + ">";
       });

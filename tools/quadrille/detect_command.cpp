@@ -20,6 +20,7 @@
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/further_views.hpp"
 #include "quadrille/inputs.hpp"
+#include "quadrille/lasting_scene.hpp"
 #include "quadrille/picture_option.hpp"
 #include "quadrille/table.hpp"
 #include "quadrille/tracking.hpp"
@@ -65,6 +66,7 @@ void run(const DetectArguments& arguments) {
   JsonLines json(arguments.json);
   CommandReport report(arguments.report, arguments.inputs, settings);
   Tracking tracking(setup.track, arguments.track || arguments.input.scene);
+  LastingScene scene(arguments.input.scene, false, setup.options);
   const auto put_out = [&](const std::string& path, const InputCloud& input,
                            const SceneViews& views, const DetectionResult& found) {
     DetectionResult result = found;
@@ -84,10 +86,11 @@ void run(const DetectArguments& arguments) {
   };
   const auto detect_and_put_out = [&](const std::string& path, const InputCloud& input) {
     std::vector<std::string> warnings;
+    const RobotShapes robot = moved(arguments.robot, input.X_CK.inverse());
     const SceneViews views =
-        all_views(arguments.views, input.cloud, input.X_CK,
-                  moved(arguments.robot, input.X_CK.inverse()), setup.options, &warnings);
-    DetectionResult result = detect_views(views.clouds, setup.options);
+        all_views(arguments.views, input.cloud, input.X_CK, robot, setup.options, &warnings);
+    DetectionResult result = scene.lasts() ? scene.detect(input, path, robot, nullptr)
+                                           : detect_views(views.clouds, setup.options);
     result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());
     // The tracks of a numbered cloud begin with the clouds before it.
     tracking.add_to(input, path, &result.detections);

@@ -179,10 +179,11 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   io::RunInfo info = setup.info;
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
   Surroundings known = moved(arguments.known, input.X_CK.inverse());
-  known.views = before->scene.add(input, path, known.robot);
   const SceneViews views = all_views(arguments.views, input.cloud, input.X_CK, known.robot,
                                      setup.detector.options, &info.warnings);
-  DetectionResult found = detect_views(views.clouds, setup.detector.options);
+  DetectionResult found = before->scene.lasts()
+                              ? before->scene.detect(input, path, known.robot, &known.views)
+                              : detect_views(views.clouds, setup.detector.options);
   before->tracking.add_to(input, path, &found.detections);
   if (!input.asked) return;
   // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
@@ -246,7 +247,7 @@ void run(const PlanArguments& arguments) {
                     CommandReport(arguments.report, arguments.inputs, setup.config)};
   if (!arguments.map.empty()) output.map.emplace(arguments.map);
   Before before{{setup.detector.track, arguments.input.scene},
-                {arguments.input.scene, setup.detector.options}};
+                {arguments.input.scene, true, setup.detector.options}};
   const auto visit = [&](const std::string& path, const InputCloud& input) {
     plan_cloud(arguments, setup, path, input, &before, &output);
   };

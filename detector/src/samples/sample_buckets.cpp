@@ -13,11 +13,13 @@ float edge_for(const SurfaceSamples& samples) {
 }  // namespace
 
 SampleBuckets::SampleBuckets(const SurfaceSamples& samples)
-    : SampleBuckets(samples, std::vector<int>()) {}
+    : SampleBuckets(samples, edge_for(samples)) {}
 
-SampleBuckets::SampleBuckets(const SurfaceSamples& samples, std::vector<int> bucket)
-    : grid_(samples.raw, {}, edge_for(samples), &bucket),
-      samples_(sort_into_buckets(bucket, grid_.size())) {}
+SampleBuckets::SampleBuckets(const SurfaceSamples& samples, float edge)
+    : SampleBuckets(samples, edge, std::vector<int>()) {}
+
+SampleBuckets::SampleBuckets(const SurfaceSamples& samples, float edge, std::vector<int> bucket)
+    : grid_(samples.raw, {}, edge, &bucket), samples_(sort_into_buckets(bucket, grid_.size())) {}
 
 std::vector<int> SampleBuckets::near(const Eigen::Vector3f& centre, float radius) const {
   // A sample is no farther from the mean of its bucket than the bucket's diagonal, √3 edges.

@@ -9,10 +9,12 @@
 
 namespace quadrille {
 
-/// Sorts the samples into wide voxels, to find those in a ball without looking at all of them.
+/// Sorts the samples into voxels, to find those in a ball without looking at all of them.
 class SampleBuckets {
  public:
   explicit SampleBuckets(const SurfaceSamples& samples);
+  /// @param edge  of the voxels [m]
+  SampleBuckets(const SurfaceSamples& samples, float edge);
 
   /// Returns all samples whose raw positions lie within the radius [m] of the centre, and some
   /// around them, in no particular order.
@@ -20,7 +22,7 @@ class SampleBuckets {
 
  private:
   /// @param bucket  buffer for the voxel of each sample
-  SampleBuckets(const SurfaceSamples& samples, std::vector<int> bucket);
+  SampleBuckets(const SurfaceSamples& samples, float edge, std::vector<int> bucket);
 
   VoxelGrid grid_;
   /// The samples in each voxel; those that are not finite lie in none.

@@ -22,7 +22,9 @@ void drop_seen_through(std::span<const std::optional<Sight>> sights,
     Mask dropped(cloud.points.size(), 0);
     for (std::size_t u = 0; u < sights.size(); ++u) {
       if (u == v || !sights[u]) continue;
-      const Mask through = points_seen_through(cloud, sights[v].value_or(Sight{}), *sights[u]);
+      const Sight own = sights[v].value_or(Sight{});
+      const Mask through =
+          points_seen_through(cloud.points, own, cells_seen_through(own, *sights[u]), *sights[u]);
       for (std::size_t n = 0; n < dropped.size(); ++n) dropped[n] |= through[n];
     }
     drop_points(dropped, &cloud);

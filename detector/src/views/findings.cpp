@@ -12,11 +12,13 @@
 #include "boxes/find_boxes.hpp"
 #include "boxes/flat_patches.hpp"
 #include "boxes/join_boxes.hpp"
+#include "boxes/numbered_boxes.hpp"
 #include "samples/cell_scatter.hpp"
 #include "surfaces/last_fit.hpp"
 #include "surfaces/measure.hpp"
 #include "surfaces/plane_surface.hpp"
 #include "surfaces/point_rms.hpp"
+#include "views/body_views.hpp"
 #include "views/joined_samples.hpp"
 #include "views/seen_through.hpp"
 
@@ -57,6 +59,8 @@ std::span<const int> part_of(std::span<const int> all, const ViewCells& view) {
 struct Measured {
   std::vector<Detection> detections;
   std::vector<int> owner;
+  /// For each plane of the scene the index of its detection, −1 for none.
+  std::vector<int> of_plane;
   /// For each plane, by the index of its detection, places on it [m].
   std::map<int, std::vector<Eigen::Vector3d>> places;
 };
@@ -73,7 +77,9 @@ void measure_surfaces(const Scene& scene, Measured* measured) {
   std::vector<Eigen::Matrix3f> scatter;
   for (const ViewCells& view : scene.views) {
     const std::vector<Eigen::Matrix3f> own =
-        scatter_in_cells(view.cloud, *view.pyramid, part_of(measured->owner, view));
+        view.has_points()
+            ? scatter_in_cells(view.cloud, *view.pyramid, part_of(measured->owner, view))
+            : view.scatter;
     scatter.insert(scatter.end(), own.begin(), own.end());
   }
   const std::vector<Sight>& sights = scene.context.sights;
@@ -86,7 +92,8 @@ void measure_surfaces(const Scene& scene, Measured* measured) {
 /// Measures the planes, and gives them those of their cells that no surface has.
 void measure_planes(const Scene& scene, double min_confidence, Measured* measured) {
   const std::vector<Surface> weighed = weighed_planes(scene.coarse, scene.planes, scene.context);
-  std::vector<int> of_plane(scene.planes.size(), -1);
+  std::vector<int>& of_plane = measured->of_plane;
+  of_plane.assign(scene.planes.size(), -1);
   for (std::size_t k = 0; k < scene.planes.size(); ++k) {
     const bool doubtful = weighed[k].confidence < min_confidence;
     if (doubtful && has_larger_parallel(scene.planes, k)) continue;
@@ -102,12 +109,13 @@ void measure_planes(const Scene& scene, double min_confidence, Measured* measure
   }
 }
 
-/// Replaces the rms of the samples by the rms of the points.
+/// Replaces the rms of the samples by the rms of the points, where there are enough.
 void set_rms_of_points(const Scene& scene, Measured* measured) {
   std::vector<Quadric> quadrics;
   for (const Detection& d : measured->detections) quadrics.push_back(d.Q_C);
   PointRms of_points(quadrics);
   for (const ViewCells& view : scene.views) {
+    if (!view.has_points()) continue;
     of_points.add(view.cloud, *view.pyramid, part_of(measured->owner, view));
   }
   const std::vector<double> rms = of_points.values();
@@ -141,7 +149,7 @@ constexpr int kNotAsked = std::numeric_limits<int>::min();
 std::size_t count_points(const Scene& scene) {
   std::size_t count = 0;
   for (const ViewCells& view : scene.views) {
-    for (int c = 0; c < view.size(); ++c) {
+    for (int c = 0; view.has_points() && c < view.size(); ++c) {
       count += static_cast<std::size_t>(view.pyramid->count(c));
     }
   }
@@ -156,13 +164,18 @@ std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& dete
                            lets_pass(options.report, QuadricType::kPlane);
   std::vector<std::vector<Box>> of_views;
   for (std::size_t v = 0; v < scene.views.size(); ++v) {
+    const ViewCells& view = scene.views[v];
+    if (!view.has_points()) {
+      of_views.push_back(numbered_boxes(view.boxes, detections));
+      continue;
+    }
     Mask free = unexplained;
     for (int i = 0; i < scene.finest.size(); ++i) {
       if (scene.finest.view_of(i) != v) free[i] = 0;
     }
     std::vector<FlatPatch> patches;
     if (seeks_faces) patches = find_flat_patches(scene.finest, options.planes, free);
-    of_views.push_back(find_boxes(scene.views[v].cloud, detections, patches));
+    of_views.push_back(find_boxes(view.cloud, detections, patches));
   }
   return join_boxes(std::move(of_views));
 }
@@ -170,7 +183,7 @@ std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& dete
 }  // namespace
 
 Findings measure_scene(const Scene& scene, const DetectorOptions& options, StageClock& clock) {
-  Measured measured{{}, std::vector<int>(scene.plane_of_cell.size(), -1), {}};
+  Measured measured{{}, std::vector<int>(scene.plane_of_cell.size(), -1), {}, {}};
   measure_surfaces(scene, &measured);
   if (lets_pass(options.only, QuadricType::kPlane)) {
     measure_planes(scene, options.aggregate.min_plane_confidence, &measured);
@@ -212,6 +225,10 @@ Findings measure_scene(const Scene& scene, const DetectorOptions& options, Stage
   if (scene.views.size() > 1) linked = linked_views(scene.finest, unexplained);
   findings.bodies = find_bodies({findings.detections, findings.boxes,
                                  linked ? *linked : scene.finest, owner, places, all_types});
+  if (scene.views.size() > 1) {
+    for (int& k : measured.of_plane) k = k < 0 ? 0 : ids[k];
+    note_views(scene, owner, measured.of_plane, &findings.bodies);
+  }
   clock.end("bodies");
   return findings;
 }

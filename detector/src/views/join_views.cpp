@@ -18,53 +18,44 @@ std::vector<int> shifted(std::vector<int> region, int first_sample) {
   return region;
 }
 
-/// The plane of a flat surface, with its normal towards the side that was seen.
-Eigen::Vector4d plane_of(const Surface& flat, const SurfaceSamples& samples) {
-  const Vector10d q = flat.Q.coefficients();
-  Eigen::Vector4d plane(2.0 * q[6], 2.0 * q[7], 2.0 * q[8], q[9]);
-  plane /= plane.head<3>().norm();
-  const Eigen::Vector3d seen = samples.n[flat.region.front()].cast<double>();
-  return plane.head<3>().dot(seen) < 0.0 ? Eigen::Vector4d(-plane) : plane;
-}
-
-/// The parts of all views that are still to be joined.
-struct Parts {
+/// The parts of all views, whose regions refer to the samples of all views.
+struct AllParts {
   std::vector<const SurfaceSamples*> coarse, finest;
   std::vector<int> first_coarse_cells, first_cells;
   std::vector<PlaneRegion> planes, flats;
   std::vector<Candidate> candidates;
 };
 
-Parts parts_of(const std::vector<Scene>& views) {
-  Parts parts;
+AllParts all_parts(const std::vector<SceneView>& views) {
+  AllParts all;
   int coarse_samples = 0, samples = 0, coarse_cells = 0, cells = 0;
-  for (const Scene& view : views) {
-    parts.coarse.push_back(&view.coarse);
-    parts.finest.push_back(&view.finest);
-    parts.first_coarse_cells.push_back(coarse_cells);
-    parts.first_cells.push_back(cells);
-    for (const PlaneRegion& plane : view.planes) {
-      parts.planes.push_back({plane.plane, shifted(plane.samples, coarse_samples)});
+  for (const SceneView& view : views) {
+    const ViewParts& parts = view.parts;
+    all.coarse.push_back(&parts.coarse);
+    all.finest.push_back(&parts.finest);
+    all.first_coarse_cells.push_back(coarse_cells);
+    all.first_cells.push_back(cells);
+    for (const PlaneRegion& plane : parts.planes) {
+      all.planes.push_back({plane.plane, shifted(plane.samples, coarse_samples)});
     }
-    for (const Surface& surface : view.surfaces) {
-      std::vector<int> region = shifted(surface.region, samples);
-      if (is_flat(surface)) {
-        parts.flats.push_back({plane_of(surface, view.finest), std::move(region)});
-      } else {
-        parts.candidates.push_back({surface.Q, surface.fit.family, std::move(region), surface.rms});
-      }
+    for (const PlaneRegion& flat : parts.flats) {
+      all.flats.push_back({flat.plane, shifted(flat.samples, samples)});
     }
-    const CellPyramid& pyramid = *view.views.front().pyramid;
-    coarse_samples += view.coarse.size();
-    samples += view.finest.size();
-    coarse_cells += pyramid.size(kLevels - 1);
-    cells += pyramid.size(0);
+    for (const Candidate& candidate : parts.candidates) {
+      all.candidates.push_back(candidate);
+      all.candidates.back().region = shifted(candidate.region, samples);
+    }
+    coarse_samples += parts.coarse.size();
+    samples += parts.finest.size();
+    coarse_cells +=
+        view.cells.has_points() ? view.cells.pyramid->size(kLevels - 1) : parts.coarse.size();
+    cells += view.cells.size();
   }
-  return parts;
+  return all;
 }
 
 /// Chooses among the surfaces of all views.
-std::vector<Surface> choose_surfaces(const Scene& scene, Parts parts,
+std::vector<Surface> choose_surfaces(const Scene& scene, AllParts parts,
                                      const DetectorOptions& options) {
   Aggregation chosen(scene.finest, options.aggregate, options.inlier, scene.context);
   chosen.offer(std::move(parts.candidates), SearchLevel::kFinest);
@@ -78,10 +69,15 @@ std::vector<Surface> choose_surfaces(const Scene& scene, Parts parts,
 
 }  // namespace
 
-Scene join_views(std::vector<Scene> views, const DetectorOptions& options) {
-  if (views.size() == 1) return std::move(views.front());
+SceneView single_view(Scene scene) {
+  ViewParts parts = parts_of(scene);
+  return {std::move(scene.views.front()), std::move(parts),
+          std::move(scene.context.sights.front())};
+}
+
+Scene join_views(std::vector<SceneView> views, const DetectorOptions& options) {
   Scene scene;
-  Parts parts = parts_of(views);
+  AllParts parts = all_parts(views);
   scene.coarse = joined_samples(parts.coarse, parts.first_coarse_cells, kViewShift);
   scene.finest = joined_samples(parts.finest, parts.first_cells, kViewShift);
   UnitedPlanes united = unite_planes(scene.coarse, std::move(parts.planes));
@@ -89,16 +85,23 @@ Scene join_views(std::vector<Scene> views, const DetectorOptions& options) {
   scene.context.up = normal_of_largest(scene.planes);
   auto number = united.number.begin();
   for (std::size_t v = 0; v < views.size(); ++v) {
-    for (const int k : views[v].plane_of_cell) {
+    for (const int k : views[v].parts.plane_of_cell) {
       scene.plane_of_cell.push_back(k < 0 ? k : *(number + k));
     }
-    number += static_cast<std::ptrdiff_t>(views[v].planes.size());
-    scene.context.sights.push_back(std::move(views[v].context.sights.front()));
-    ViewCells& cells = scene.views.emplace_back(std::move(views[v].views.front()));
+    number += static_cast<std::ptrdiff_t>(views[v].parts.planes.size());
+    scene.context.sights.push_back(std::move(views[v].sight));
+    ViewCells& cells = scene.views.emplace_back(std::move(views[v].cells));
     cells.first = parts.first_cells[v];
   }
   scene.surfaces = choose_surfaces(scene, std::move(parts), options);
   return scene;
+}
+
+Scene join_scenes(std::vector<Scene> scenes, const DetectorOptions& options) {
+  if (scenes.size() == 1) return std::move(scenes.front());
+  std::vector<SceneView> views;
+  for (Scene& scene : scenes) views.push_back(single_view(std::move(scene)));
+  return join_views(std::move(views), options);
 }
 
 }  // namespace quadrille

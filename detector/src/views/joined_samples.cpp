@@ -53,7 +53,9 @@ SurfaceSamples moved(SurfaceSamples samples, const Eigen::Isometry3d& X) {
 }
 
 SurfaceSamples linked_views(SurfaceSamples samples, const Mask& some) {
-  const SampleBuckets buckets(samples);
+  // As large as what is sought in them, so that few others are looked at.
+  const float edge = samples.size() == 0 ? 1.0f : samples.cell[samples.size() / 2];
+  const SampleBuckets buckets(samples, edge);
   std::vector<std::vector<int>> links(static_cast<std::size_t>(samples.size()));
   for (int i = 0; i < samples.size(); ++i) {
     if (!some[i]) continue;

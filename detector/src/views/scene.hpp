@@ -1,9 +1,11 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <memory>
 #include <vector>
 
 #include "planes/planes.hpp"
+#include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "samples/cell_pyramid.hpp"
 #include "samples/surface_samples.hpp"
@@ -12,14 +14,23 @@
 
 namespace quadrille {
 
-/// A view, and the number of its first cell among the finest cells of all views. The cloud's points
-/// must outlive it.
+/// The finest cells of a view: with its points, if it is the newest one or given beside it, and
+/// without them if it is kept from earlier.
 struct ViewCells {
+  /// The points, which must outlive this, and their cells; no points and null for a kept view.
   CloudView cloud;
-  std::unique_ptr<CellPyramid> pyramid;
+  std::shared_ptr<const CellPyramid> pyramid;
+  /// The scatter in each cell of a kept view [m²]; see scatter_in_cells().
+  std::vector<Eigen::Matrix3f> scatter;
+  /// The boxes that a kept view showed, in frame C.
+  std::vector<Box> boxes;
+  /// The time between the view and the newest one [s].
+  double age = 0.0;
+  /// The number of the view's first cell among the finest cells of all views.
   int first = 0;
 
-  int size() const { return pyramid->size(0); }
+  bool has_points() const { return pyramid != nullptr; }
+  int size() const { return has_points() ? pyramid->size(0) : static_cast<int>(scatter.size()); }
 };
 
 /// The surfaces of a scene in frame C, and the samples of all its views.

@@ -1,5 +1,6 @@
 #include "views/search_view.hpp"
 
+#include <memory>
 #include <utility>
 
 #include "planes/plane_claims.hpp"
@@ -9,12 +10,12 @@ namespace quadrille {
 
 std::optional<Scene> search_view(const CloudView& cloud, const DetectorOptions& options,
                                  const FindCandidates& find, StageClock& clock) {
-  std::unique_ptr<CellPyramid> cells = make_pyramid(cloud, options.sampling);
+  const std::shared_ptr<const CellPyramid> cells = make_pyramid(cloud, options.sampling);
   clock.end("cells");
   if (!cells) return std::nullopt;
   Scene scene;
   const CellPyramid& pyramid = *cells;
-  scene.views.push_back({cloud, std::move(cells), 0});
+  scene.views.push_back({cloud, cells, {}, {}});
 
   scene.coarse = pyramid.coarse_samples();
   scene.planes = find_planes(scene.coarse, options.planes);

@@ -78,13 +78,13 @@ Mask cells_seen_through(const Sight& view, const Sight& other) {
   return through;
 }
 
-Mask points_seen_through(const PointCloud& cloud, const Sight& view, const Sight& other) {
-  const Mask cells = cells_seen_through(view, other);
+Mask points_seen_through(std::span<const Eigen::Vector3f> points_C, const Sight& view,
+                         const Mask& cells, const Sight& other) {
   const bool none = !cells.empty() && std::find(cells.begin(), cells.end(), 1) == cells.end();
-  Mask through(cloud.points.size(), 0);
+  Mask through(points_C.size(), 0);
   if (none) return through;
   for (std::size_t n = 0; n < through.size(); ++n) {
-    const Eigen::Vector3f& p_C = cloud.points[n];
+    const Eigen::Vector3f& p_C = points_C[n];
     const std::optional<std::size_t> cell = cell_of(view, p_C);
     // Without a cell nothing is known of what is connected with the point.
     through[n] = cell ? cells[*cell] && sees_through(other, p_C, kAtFoot)

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "base/mask.hpp"
-#include "quadrille/detector/point_cloud.hpp"
 #include "samples/sight.hpp"
 
 namespace quadrille {
@@ -33,10 +33,12 @@ bool sees_through(const Sight& sight, const Eigen::Vector3f& p_C, const Clearanc
 Mask cells_seen_through(const Sight& view, const Sight& other);
 
 /// Marks the points of a view that another view sees through.
-/// @param cloud  points in frame C
-/// @param view   what the view saw, in the same frame; no cells if that is not known
-/// @param other  what the other view saw, in the same frame
-Mask points_seen_through(const PointCloud& cloud, const Sight& view, const Sight& other);
+/// @param points_C  what the view saw, in frame C [m]
+/// @param view      what the view saw, in the same frame; no cells if that is not known
+/// @param through   see cells_seen_through()
+/// @param other     what the other view saw, in the same frame
+Mask points_seen_through(std::span<const Eigen::Vector3f> points_C, const Sight& view,
+                         const Mask& through, const Sight& other);
 
 /// The place that a cell of a view shows, in frame C; the cell must have seen something.
 Eigen::Vector3f place_of_cell(const Sight& view, int i, int j);

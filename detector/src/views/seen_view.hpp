@@ -4,6 +4,7 @@
 
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/point_cloud.hpp"
+#include "samples/cell_pyramid.hpp"
 #include "samples/sight.hpp"
 #include "samples/surface_samples.hpp"
 
@@ -14,6 +15,9 @@ struct SeenView {
   Sight sight;
   SurfaceSamples samples;
 };
+
+/// @param cells  the cells of the view's cloud
+SeenView seen_view(const CellPyramid& cells, const DetectorOptions& options);
 
 /// Returns nullopt if the cloud is too small, or its viewpoint is not known.
 std::optional<SeenView> seen_view(const CloudView& cloud, const DetectorOptions& options);

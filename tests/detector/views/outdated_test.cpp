@@ -17,8 +17,6 @@ using namespace quadrille::test;
 
 namespace {
 
-const Eigen::Vector3d kBall_W(-0.2, 0.0, kBall);
-
 std::size_t finite_points(const PointCloud& cloud) {
   return static_cast<std::size_t>(
       std::count_if(cloud.points.begin(), cloud.points.end(),

@@ -17,6 +17,9 @@ namespace quadrille::test {
 
 inline constexpr std::int64_t kSecond = 1'000'000;
 
+/// The middle of the table's ball in W.
+inline const Eigen::Vector3d kBall_W(-0.2, 0.0, kBall);
+
 /// The table of TableScene in frame W, where z = 0 is the table's top.
 inline std::vector<Patch> world_table() {
   std::vector<Patch> patches = TableScene().patches();

@@ -85,7 +85,9 @@ Json to_json(const SceneBody& body) {
           {"std", array_of(body.std)},
           {"seen", body.seen},
           {"standing_on", body.standing_on ? Json(*body.standing_on) : Json()},
-          {"points", body.points}};
+          {"points", body.points},
+          {"views", body.views},
+          {"unseen", body.unseen}};
 }
 
 Json to_json(const std::vector<SceneBody>& bodies) {

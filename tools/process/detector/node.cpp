@@ -15,8 +15,10 @@
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/bus/scene_messages.hpp"
 #include "quadrille/bus/status_message.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/detector.hpp"
 #include "run/clock.hpp"
 
 namespace quadrille {
@@ -37,7 +39,7 @@ std::string hash_of(const DetectorSettings& settings) {
 
 /// Returns true if the camera's pose is given or comes, and something depends on it.
 bool uses_poses(const DetectorSettings& settings) {
-  const bool wanted = settings.track.enabled || settings.frames.need_pose();
+  const bool wanted = settings.track.enabled || settings.remembers() || settings.frames.need_pose();
   return settings.X_WK || (!settings.pose_channel.empty() && wanted);
 }
 
@@ -56,6 +58,7 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
       publish_(std::move(publish)),
       settings_hash_(hash_of(settings)),
       trackers_(settings.track),
+      lasting_(settings.detector),
       posed_clouds_(pose_source(settings), settings.frames.need_pose() ? "searched" : "tracked"),
       cloud_channels_(settings_),
       robot_({0,
@@ -71,7 +74,8 @@ std::vector<InChannel> DetectorNode::in_channels() const {
   DetectorSettings::visit_channels(
       settings_, [&](Way way, const char* option, const std::string& name, const char*) {
         if (way != Way::kIn || name.empty()) return;
-        channels.push_back({option, name, &name != &settings_.robot_channel});
+        const bool seldom = &name == &settings_.robot_channel || &name == &settings_.forget_channel;
+        channels.push_back({option, name, !seldom});
       });
   return channels;
 }
@@ -91,7 +95,37 @@ std::optional<Job> DetectorNode::receive(const std::string& channel,
     const std::lock_guard lock(mutex_);
     robot_.receive(channel, bytes, &refusals_);
   }
+  if (channel == settings_.forget_channel) return receive_forget(channel, bytes);
   return std::nullopt;
+}
+
+std::optional<Job> DetectorNode::receive_forget(const std::string& channel,
+                                                std::span<const std::byte> bytes) {
+  auto decoded = bus::decode_forget(bytes);
+  const std::lock_guard lock(mutex_);
+  const auto message = refusals_.accept(channel, std::move(decoded));
+  if (!message || !settings_.remembers()) return std::nullopt;
+  // A job that can be refused is not replaced by a newer one.
+  const auto tell = [channel](const std::string& why) { log_warning(channel + ": " + why); };
+  return Job{message->utime,
+             [this, channel, message] {
+               try {
+                 forget(*message);
+               } catch (const std::invalid_argument& error) {
+                 const std::lock_guard lock(mutex_);
+                 refusals_.add(channel, {bus::RejectReason::kBadValue, error.what()});
+               }
+             },
+             tell};
+}
+
+void DetectorNode::forget(const forget_t& message) {
+  forgotten_.set(message.utime);
+  if (const auto region = region_of(message, placement_ ? &*placement_ : nullptr, frame_)) {
+    lasting_.forget(region->X_WR, region->box_R);
+  } else {
+    lasting_.forget();
+  }
 }
 
 std::vector<Job> DetectorNode::find_due_jobs(Time now) {
@@ -143,8 +177,11 @@ DetectionResult DetectorNode::detect_placed(const std::string& channel,
     nothing.warnings = {std::string("the robot's shapes cannot be placed: ") + error.what()};
     return nothing;
   }
-  const PointCloud cloud_K = in_camera_frame(cloud.cloud, placement, settings_.frames);
-  DetectionResult result = detect(robot.taken_from(cloud_K), settings_.detector);
+  const PointCloud cloud_K =
+      robot.taken_from(in_camera_frame(cloud.cloud, placement, settings_.frames));
+  const bool lasts = settings_.remembers() && pose.X_WK && !forgotten_.is_after(cloud.utime);
+  DetectionResult result = lasts ? lasting_.detect(cloud.utime, cloud_K, *pose.X_WK)
+                                 : detect(cloud_K, settings_.detector);
   if (pose.X_WK) track(channel, cloud, *pose.X_WK, &result.detections);
   result.detections = moved(std::move(result.detections), placement.X_RK);
   result.boxes = moved(std::move(result.boxes), placement.X_RK);
@@ -178,6 +215,8 @@ void DetectorNode::detect_and_publish(const std::string& channel, const bus::Clo
                                       const CameraPose& pose, TimePoint received) {
   const TimePoint start = std::chrono::steady_clock::now();
   const Placement placement = place(settings_.frames, pose);
+  placement_ = placement;
+  frame_ = cloud.cloud.frame;
   const std::string& frame = placement.frame_of_results(cloud.cloud.frame);
   const DetectionResult result = detect_placed(channel, cloud, pose, placement);
   const double detect_ms = bus::ms_since(start);

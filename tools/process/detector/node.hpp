@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <lcmtypes/quadrille/detector_status_t.hpp>
+#include <lcmtypes/quadrille/forget_t.hpp>
 #include <mutex>
 #include <optional>
 #include <span>
@@ -13,6 +14,7 @@
 #include "process/detector/settings.hpp"
 #include "process/detector/trackers.hpp"
 #include "process/runtime/node.hpp"
+#include "process/runtime/poses/forgetting.hpp"
 #include "process/runtime/poses/placement.hpp"
 #include "process/runtime/poses/posed_clouds.hpp"
 #include "process/runtime/refusals.hpp"
@@ -23,7 +25,7 @@
 #include "process/runtime/watch/sequence_gaps.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/detector/detection.hpp"
-#include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/lasting_detector.hpp"
 
 namespace quadrille {
 
@@ -47,6 +49,8 @@ class DetectorNode : public Node {
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
   void track(const std::string& channel, const bus::CloudMessage& cloud,
              const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
+  std::optional<Job> receive_forget(const std::string& channel, std::span<const std::byte> bytes);
+  void forget(const forget_t& message);
   RobotShapes robot_at(const bus::CloudMessage& cloud, const Placement& placement);
   DetectionResult detect_placed(const std::string& channel, const bus::CloudMessage& cloud,
                                 const CameraPose& pose, const Placement& placement);
@@ -64,8 +68,14 @@ class DetectorNode : public Node {
   const bus::Publish publish_;
   const std::string settings_hash_;
 
-  /// Trackers, used by the working thread only.
+  // Of the working thread only.
   Trackers trackers_;
+  /// What earlier clouds showed.
+  LastingDetector lasting_;
+  ForgottenTime forgotten_;
+  /// The placement of the last cloud, and the name of its frame.
+  std::optional<Placement> placement_;
+  std::string frame_;
   LimitedLog trackers_log_, warnings_log_;
   /// The viewer, if --viz is given.
   std::optional<Viewer> viewer_;

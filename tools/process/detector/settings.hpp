@@ -24,6 +24,7 @@ struct DetectorSettings {
   std::string bodies_channel = "BODIES";
   std::string status_channel = "QUADRILLE_DETECTOR_STATUS";
   std::string robot_channel = "ROBOT";
+  std::string forget_channel = "FORGET";
   /// Channel of the camera's poses; empty for a camera at rest.
   std::string pose_channel;
   /// Pose of a camera at rest in W; nullopt if it is not known.
@@ -42,6 +43,10 @@ struct DetectorSettings {
   /// Returns true if the camera's pose in W is given, or comes on a channel.
   bool has_fixed_frame() const { return X_WK || !pose_channel.empty(); }
 
+  /// Returns true if what earlier clouds showed serves later ones. A camera at rest shows the same
+  /// again.
+  bool remembers() const { return !pose_channel.empty() && detector.views.remember > 0.0; }
+
   /// Lists each channel: the direction of its messages, the option that names it, its name, and its
   /// content.
   template <class Settings, class Visit>
@@ -53,6 +58,8 @@ struct DetectorSettings {
     visit(Way::kOut, "--status-channel", settings.status_channel, "status");
     visit(Way::kIn, "--robot-channel", settings.robot_channel,
           "the robot's own shapes (quadrille.robot_t)");
+    visit(Way::kIn, "--forget-channel", settings.forget_channel,
+          "what to forget of earlier clouds (quadrille.forget_t)");
     visit(Way::kIn, "--pose-channel", settings.pose_channel,
           "camera's poses (bot_core.pose_t) in a fixed frame");
   }

@@ -14,6 +14,7 @@
 #include "process/planner/status_text.hpp"
 #include "process/planner/viewer_hands.hpp"
 #include "process/runtime/logging.hpp"
+#include "process/runtime/poses/forgetting.hpp"
 #include "process/runtime/poses/named_frame.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
@@ -133,23 +134,13 @@ void PlannerNode::remember_view(int camera, const bus::CloudMessage& cloud,
 }
 
 void PlannerNode::forget(const forget_t& message) {
-  if (message.all) return planner_.forget(message.utime);
   SharedPair pair;
   {
     const std::lock_guard lock(mutex_);
     pair = recent_.newest();
   }
-  Eigen::Isometry3d X_WF = Eigen::Isometry3d::Identity();
-  if (message.frame != word_of(CloudFrame::kWorld)) {
-    // A region that cannot be placed yet might be anywhere, so everything is forgotten.
-    if (!pair) return planner_.forget(message.utime);
-    const Eigen::Isometry3d X_FK =
-        pose_of_camera(message.frame, pair->placement, pair->cloud->cloud.frame);
-    if (!pair->placement.X_WK) return planner_.forget(message.utime);
-    X_WF = *pair->placement.X_WK * X_FK.inverse();
-  }
-  const Eigen::Vector3d half = 0.5 * Eigen::Vector3d(message.region_size);
-  planner_.forget(message.utime, X_WF * bus::from_message(message.region), {-half, half});
+  planner_.forget(message.utime, region_of(message, pair ? &pair->placement : nullptr,
+                                           pair ? pair->cloud->cloud.frame : ""));
 }
 
 void PlannerNode::plan_and_publish(const SharedPair& shared) {

@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "poses/pose_history.hpp"
 #include "process/runtime/logging.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/looks.hpp"
@@ -17,9 +16,6 @@
 
 namespace quadrille {
 namespace {
-
-// A cloud is planned on no later than this after it was taken [s].
-constexpr double kLongestDelay = 10.0;
 
 /// Returns the query with what is known of obstacles, and the settings' directions and reach unless
 /// it has its own.
@@ -131,12 +127,7 @@ void PairPlanner::fit_views(std::size_t views, const GraspPlan& plan) {
 void PairPlanner::remember(const bus::CloudMessage& message, const Placement& placement,
                            const RobotShapes& robot, int camera) {
   if (!settings_.remembers() || !placement.X_WK) return;
-  // A cloud that was taken before something was forgotten may show what is no longer so. If it is
-  // much older, the clock was set back, and the cloud is new.
-  if (forgotten_) {
-    const double before = seconds_between(message.utime, *forgotten_);
-    if (before >= 0.0 && before < kLongestDelay) return;
-  }
+  if (forgotten_.is_after(message.utime)) return;
   // What another camera shows may change the plans on a cloud that has been planned on.
   if (camera != 0) ready_ = nullptr;
   const Eigen::Isometry3d& X_WK = *placement.X_WK;
@@ -147,17 +138,14 @@ void PairPlanner::remember(const bus::CloudMessage& message, const Placement& pl
   correction_ = (correction * X_WK.translation() - X_WK.translation()).norm();
 }
 
-void PairPlanner::forget(std::int64_t utime) {
-  forgotten_ = utime;
-  memory_.forget();
-  views_ = 0;
-  ready_ = nullptr;
-}
-
-void PairPlanner::forget(std::int64_t utime, const Eigen::Isometry3d& X_WR,
-                         const Eigen::AlignedBox3d& box_R) {
-  forgotten_ = utime;
-  memory_.forget(X_WR, box_R);
+void PairPlanner::forget(std::int64_t utime, const std::optional<ForgottenRegion>& region) {
+  forgotten_.set(utime);
+  if (region) {
+    memory_.forget(region->X_WR, region->box_R);
+  } else {
+    memory_.forget();
+    views_ = 0;
+  }
   ready_ = nullptr;
 }
 

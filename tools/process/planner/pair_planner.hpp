@@ -11,6 +11,7 @@
 #include "process/planner/pairing.hpp"
 #include "process/planner/settings.hpp"
 #include "process/runtime/limited_log.hpp"
+#include "process/runtime/poses/forgetting.hpp"
 #include "quadrille/detector/view_memory.hpp"
 #include "quadrille/grasping/grasp_query.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
@@ -46,11 +47,9 @@ class PairPlanner {
   /// @param camera  0 for the camera on whose clouds grasps are planned
   void remember(const bus::CloudMessage& message, const Placement& placement,
                 const RobotShapes& robot, int camera);
-  /// Forgets all that clouds showed which were taken before this time [us].
-  void forget(std::int64_t utime);
-  /// Forgets what they showed within a box.
-  /// @param X_WR  pose of the box's frame R in the fixed frame W
-  void forget(std::int64_t utime, const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R);
+  /// Forgets what clouds showed in a region that were taken before this time [us], or all that they
+  /// showed if none is named.
+  void forget(std::int64_t utime, const std::optional<ForgottenRegion>& region);
 
   /// Number of plans that the deadline cut short so far. For any thread.
   std::int64_t cut() const { return cut_; }
@@ -76,8 +75,7 @@ class PairPlanner {
   ViewMemory memory_;
   /// Largest number of views for which there is time.
   std::size_t max_views_ = std::numeric_limits<std::size_t>::max();
-  /// When something was last forgotten [us].
-  std::optional<std::int64_t> forgotten_;
+  ForgottenTime forgotten_;
   std::atomic<std::int64_t> cut_{0}, views_{0};
   std::atomic<double> correction_{0.0};
   LimitedLog cut_log_;

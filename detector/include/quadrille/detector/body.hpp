@@ -45,6 +45,10 @@ struct SceneBody {
   std::optional<int> standing_on;
   /// Number of cloud points on the body, with those of what is connected to it, such as a handle.
   int points = 0;
+  /// Number of views that show the body, and the time since the newest of them [s]. They are 1 and
+  /// 0 for a body in a single cloud.
+  int views = 1;
+  double unseen = 0.0;
 };
 
 /// Transforms bodies from frame C to frame F.

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <vector>
 
@@ -13,8 +12,6 @@
 #include "quadrille/detector/point_cloud.hpp"
 
 namespace quadrille {
-
-struct SurfaceSamples;
 
 /// The views of a scene that moving cameras had, kept up to date.
 ///
@@ -62,25 +59,8 @@ class ViewMemory {
   QUADRILLE_EXPORT std::size_t size() const;
 
  private:
-  struct Kept;
-  struct Nearest;
-  /// The last view of a camera, and the correction of its poses.
-  struct Camera {
-    /// Time of the view [us].
-    std::int64_t utime = 0;
-    /// The correction of its pose, and when it was found [us].
-    Eigen::Isometry3d X_WW = Eigen::Isometry3d::Identity();
-    std::int64_t corrected = 0;
-  };
-  void forget_from(std::int64_t utime, int camera);
-  Nearest nearest_to(const Kept& view) const;
-  std::vector<const SurfaceSamples*> samples_about(const Kept& view) const;
-  void correct(const Nearest& nearest, Kept* view, Camera* camera) const;
-  void keep(Kept view, const Nearest& nearest);
-
-  DetectorOptions options_;
-  std::vector<Kept> kept_;
-  std::map<int, Camera> cameras_;
+  struct Views;
+  std::unique_ptr<Views> views_;
 };
 
 }  // namespace quadrille

@@ -1,6 +1,7 @@
 #include "quadrille/bus/bodies_message.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -9,8 +10,8 @@
 namespace quadrille::bus {
 namespace {
 
-/// Size of a body without parts: four integers, the kind, 13 doubles and three flags.
-constexpr std::size_t kMinBodyBytes = 4 * 4 + 1 + 13 * 8 + 3;
+/// Size of a body without parts: five integers, the kind, 14 doubles and three flags.
+constexpr std::size_t kMinBodyBytes = 5 * 4 + 1 + 14 * 8 + 3;
 
 /// A deviation may be infinite.
 void check_deviation(double std) {
@@ -30,6 +31,11 @@ void check_body(ByteReader& reader) {
   for (int i = 0; i < 3; ++i) reader.read_int8("seen");
   reader.read_int32("standing_on");
   if (reader.read_int32("points") < 0) refuse(RejectReason::kBadValue, "points");
+  if (reader.read_int32("views") < 1) refuse(RejectReason::kBadValue, "views");
+  const double unseen = reader.read_double("unseen");
+  if (!(unseen >= 0.0) || std::isinf(unseen)) {
+    refuse(RejectReason::kBadValue, "unseen " + std::to_string(unseen));
+  }
 }
 
 void check_bodies(ByteReader& reader) {
@@ -47,6 +53,8 @@ SceneBody to_body(const body_t& m) {
   for (int i = 0; i < 3; ++i) body.seen[i] = m.seen[i] != 0;
   if (m.standing_on != 0) body.standing_on = m.standing_on;
   body.points = m.points;
+  body.views = m.views;
+  body.unseen = m.unseen;
   return body;
 }
 
@@ -71,6 +79,8 @@ body_t to_message(const SceneBody& body) {
   for (int i = 0; i < 3; ++i) m.seen[i] = body.seen[i];
   m.standing_on = body.standing_on.value_or(0);
   m.points = body.points;
+  m.views = body.views;
+  m.unseen = body.unseen;
   return m;
 }
 

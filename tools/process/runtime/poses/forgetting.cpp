@@ -1,0 +1,37 @@
+#include "process/runtime/poses/forgetting.hpp"
+
+#include "poses/pose_history.hpp"
+#include "process/runtime/poses/cloud_frame.hpp"
+#include "process/runtime/poses/named_frame.hpp"
+#include "quadrille/bus/quadrics_message.hpp"
+
+namespace quadrille {
+namespace {
+
+// A cloud is worked on no later than this after it was taken [s].
+constexpr double kLongestDelay = 10.0;
+
+}  // namespace
+
+std::optional<ForgottenRegion> region_of(const forget_t& message, const Placement* placement,
+                                         const std::string& cloud_frame) {
+  if (message.all) return std::nullopt;
+  Eigen::Isometry3d X_WF = Eigen::Isometry3d::Identity();
+  if (message.frame != word_of(CloudFrame::kWorld)) {
+    if (placement == nullptr) return std::nullopt;
+    const Eigen::Isometry3d X_FK = pose_of_camera(message.frame, *placement, cloud_frame);
+    if (!placement->X_WK) return std::nullopt;
+    X_WF = *placement->X_WK * X_FK.inverse();
+  }
+  const Eigen::Vector3d half = 0.5 * Eigen::Vector3d(message.region_size);
+  return ForgottenRegion{X_WF * bus::from_message(message.region), {-half, half}};
+}
+
+bool ForgottenTime::is_after(std::int64_t cloud_utime) const {
+  if (!utime_) return false;
+  // If the cloud is much older, the clock was set back, and the cloud is new.
+  const double before = seconds_between(cloud_utime, *utime_);
+  return before >= 0.0 && before < kLongestDelay;
+}
+
+}  // namespace quadrille
