@@ -12,6 +12,9 @@ namespace {
 constexpr double kMaxSize = 1e3;
 // A solid with flat faces has at least so many of them, and so many vertices.
 constexpr std::size_t kMinFaces = 4;
+// Files round vertices, and the plane of a slender face turns with that: so far, as a share of the
+// shape's size, may a vertex lie outside the plane of a face. Checks for collision use the hull.
+constexpr double kBulge = 0.01;
 
 [[noreturn]] void refuse(const SolidShape& shape, const std::string& why) {
   throw std::invalid_argument("shape of kind \"" + shape.kind + "\": " + why);
@@ -61,6 +64,30 @@ void check_vertices(const SolidShape& shape) {
   if (!good) refuse(shape, "vertices must lie within 1000 m");
 }
 
+/// Checks that all vertices lie on one side of each face, since a shape with a notch would be
+/// larger in checks for collision, which use its hull, than it is for points, which use its faces.
+void check_convex(const SolidShape& shape) {
+  Eigen::AlignedBox3d bounds;
+  for (const Eigen::Vector3d& v : shape.vertices_S) bounds.extend(v);
+  const double slack = kBulge * bounds.diagonal().norm();
+  for (std::size_t at = 0; at < shape.faces.size(); at += 1 + shape.faces[at]) {
+    const Eigen::Vector3d& a = shape.vertices_S[shape.faces[at + 1]];
+    const Eigen::Vector3d& b = shape.vertices_S[shape.faces[at + 2]];
+    const Eigen::Vector3d& c = shape.vertices_S[shape.faces[at + 3]];
+    const Eigen::Vector3d n = (b - a).cross(c - a).stableNormalized();
+    double above = 0.0, below = 0.0;
+    for (const Eigen::Vector3d& v : shape.vertices_S) {
+      above = std::max(above, n.dot(v - a));
+      below = std::max(below, n.dot(a - v));
+    }
+    if (std::min(above, below) > slack) {
+      refuse(shape,
+             "it is not convex: vertices lie on both sides of a face; give several convex "
+             "shapes instead");
+    }
+  }
+}
+
 }  // namespace
 
 void SolidShape::check() const {
@@ -70,6 +97,7 @@ void SolidShape::check() const {
   if (kind == "convex") {
     check_vertices(*this);
     check_faces(*this);
+    check_convex(*this);
   } else {
     check_dimensions(*this);
   }

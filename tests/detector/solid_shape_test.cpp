@@ -306,6 +306,32 @@ TEST_CASE("convex shapes whose faces or vertices make no sense are refused",
         std::string::npos);
 }
 
+TEST_CASE("a shape with a notch is not convex, one with rounded vertices is",
+          "[shape][robot][hostile]") {
+  // A bracket: its profile has one corner that points inwards, and two faces meet there.
+  SolidShape bracket = solid("convex", {});
+  const std::vector<Eigen::Vector2d> profile = {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}};
+  for (const double z : {0.0, 1.0}) {
+    for (const Eigen::Vector2d& p : profile) bracket.vertices_S.emplace_back(p.x(), p.y(), z);
+  }
+  bracket.faces = {6, 0, 1, 2, 3, 4, 5, 6, 6, 7, 8, 9, 10, 11};
+  for (int k = 0; k < 6; ++k) {
+    const int next = (k + 1) % 6;
+    bracket.faces.insert(bracket.faces.end(), {4, k, next, next + 6, k + 6});
+  }
+  CHECK(refusal(bracket).find("not convex") != std::string::npos);
+  bracket.vertices_S[3] = {2.5, 2.5, 0.0};
+  bracket.vertices_S[9] = {2.5, 2.5, 1.0};
+  CHECK(refusal(bracket).empty());
+  // A file rounds its numbers.
+  SolidShape rounded = wedge();
+  std::mt19937 random(3);
+  for (Eigen::Vector3d& v : rounded.vertices_S) {
+    for (int i = 0; i < 3; ++i) v[i] += between(random, -0.0002, 0.0002);
+  }
+  CHECK(refusal(rounded).empty());
+}
+
 TEST_CASE("a robot's padding lies between nothing and a metre", "[robot][hostile]") {
   RobotShapes robot;
   const auto refusal_of_padding = [&](double padding) {

@@ -1,6 +1,9 @@
 #include "link/network.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "doctor/check_network.hpp"
+#include "doctor/check_poses.hpp"
 #include "doctor/report.hpp"
 #include "support/catch.hpp"
 
@@ -52,6 +55,17 @@ TEST_CASE("one warning is not several", "[doctor]") {
       failed{Verdict::kFailed, "a", "b", "c"};
   CHECK(holds(to_table({warning}), "clouds will arrive (1 warning)"));
   CHECK(holds(to_table({warning, failed, warning}), "1 failed, 2 warnings"));
+}
+
+TEST_CASE("if only poses fail, clouds arrive all the same", "[doctor][pose]") {
+  const Finding poses = check_poses({}).front(), network{Verdict::kFailed, "route", "none", "add"};
+  REQUIRE(poses.verdict == Verdict::kFailed);
+  CHECK(holds(to_table({poses}),
+              "\nclouds will arrive, but not all of them will get the pose of their camera: 1 "
+              "failed, 0 warnings\n"));
+  CHECK(to_json("udpm://", {poses})["clouds_will_arrive"] == true);
+  CHECK(holds(to_table({poses, network}), "\nnot all clouds will arrive: 2 failed"));
+  CHECK(to_json("udpm://", {poses, network})["clouds_will_arrive"] == false);
 }
 
 }  // namespace

@@ -169,6 +169,11 @@ TEST_CASE("a query that nothing meets is told why", "[query]") {
   query.ids = {2};
   query.min_size = 0.3;
   CHECK(why(query) == "no target of that size; there are: 2");
+  query = {};
+  query.tracks = {2};
+  CHECK(why(query) == "no target of that track; there are the tracks: 31 32 33 34");
+  query.ids = {3, 1};
+  CHECK(why(query) == "no target of that track; there are the tracks: 31 33");
   // A ball that the hand cannot span.
   std::vector<Detection> detections = scene().detections;
   detections.push_back(test::sphere_detection({in_C(0.0, 0.3, 0.2), 0.2}, 9));
@@ -176,6 +181,16 @@ TEST_CASE("a query that nothing meets is told why", "[query]") {
   query = {};
   query.ids = {9};
   CHECK(with_large.plan(query).warnings.at(0) == "target 9 cannot be held: width");
+}
+
+TEST_CASE("who asks for tracks where nothing has one is told so", "[query]") {
+  std::vector<Detection> detections = scene().detections;
+  for (Detection& detection : detections) detection.track = 0;
+  GraspQuery query;
+  query.tracks = {2};
+  const GraspScene untracked(scene().cloud, detections, franka_hand());
+  CHECK(untracked.plan(query).warnings.back() ==
+        "no target of that track; none of the targets has a track");
 }
 
 TEST_CASE("a query that is out of range names its field", "[query]") {

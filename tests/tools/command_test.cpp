@@ -260,6 +260,13 @@ TEST_CASE("plan prints JSON with all parts for a cloud without objects", "[comma
   }
 }
 
+TEST_CASE("view refuses two kinds of messages on one channel", "[command][usage]") {
+  // The address is wrong too, so that nothing would be served.
+  const Run run = run_quadrille("view --bind 256.0.0.1 --pose-channel POINT_CLOUD");
+  CHECK(run.code == 2);
+  CHECK(contains(run.err, "--pose-channel: 'POINT_CLOUD' is the channel of --cloud-channel too"));
+}
+
 TEST_CASE("scene writes the same cloud and truth for the same seed", "[command][determinism]") {
   const TempFolder folder;
   const std::string a = folder.path("a.ply"), b = folder.path("b.ply");

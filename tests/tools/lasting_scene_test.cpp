@@ -96,13 +96,30 @@ TEST_CASE("the poses of a log place its things in the fixed frame, where they ke
 TEST_CASE("clouds without a pose are left out, and the reason is told", "[command][scene]") {
   const PathLog log(2);
   const Run run = run_quadrille("detect --json - " + log.path() + " --pose-channel NOBODY");
-  CHECK(run.code == 0);
+  check_failure(run, "2 of 2 clouds are left out, since the pose of their camera is not known");
   CHECK(run.out.empty());
-  CHECK(
-      contains(run.err, "2 of 2 clouds are left out, since the pose of their camera is not known"));
   CHECK(contains(run.err, "no pose has come; is --pose-channel right"));
   check_failure(run_quadrille("detect " + log.path() + "#2 --pose-channel NOBODY"),
                 "the pose of the camera of cloud #2 is not known: no pose has come");
+}
+
+TEST_CASE("a scene of a log whose camera may have moved is warned of", "[command][scene]") {
+  const PathLog log(2);
+  const std::string hint = "as if their camera had not moved; name the channel of its poses";
+  const auto warned = [&](const std::string& arguments) {
+    const Run run = run_quadrille("detect --json - " + arguments);
+    CHECK(run.code == 0);
+    const json last = objects_of(run).back();
+    const bool in_json = contains(last["warnings"].dump(), hint);
+    CHECK(in_json == contains(run.err, hint));
+    return in_json;
+  };
+  CHECK(warned(log.path() + " --scene"));
+  CHECK(warned(log.path() + "#2 --scene"));
+  CHECK_FALSE(warned(log.path() + "#1 --scene"));
+  CHECK_FALSE(warned(log.path()));
+  CHECK_FALSE(warned(log.posed() + " --scene"));
+  CHECK_FALSE(warned(log.path() + " --scene --camera-pose 0,0,0,1,0,0,0"));
 }
 
 TEST_CASE("the map of a scene is that of the cloud that is named", "[command][scene]") {

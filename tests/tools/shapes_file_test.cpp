@@ -129,6 +129,26 @@ TEST_CASE("a bad file of shapes is refused with the number of the shape", "[shap
         std::string::npos);
 }
 
+TEST_CASE("a key that nobody reads is refused where it stands", "[shapes]") {
+  const test::TempFolder folder;
+  const auto error = [&](const auto& change) {
+    io::Json file = shapes_json(one_of_each_kind());
+    change(file);
+    return test::error_of([&] { io::read_shapes(folder.write("keys.json", file.dump())); });
+  };
+  const auto holds = [](const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string top = error([](io::Json& f) { f["pading"] = 0.02; });
+  CHECK(holds(top, "at the top: unknown key 'pading'; there are padding, shapes"));
+  const std::string second = error([](io::Json& f) { f["shapes"][1]["dimension"] = 1; });
+  CHECK(holds(second, "shape 2: unknown key 'dimension'; there are kind, pose, dimensions"));
+  CHECK(holds(error([](io::Json& f) { f["shapes"][2]["pose"]["rotation"] = 1; }), "'rotation'"));
+  CHECK(holds(error([](io::Json& f) { f["a\nb"] = 1; }), "unknown key 'a\\x0ab'"));
+  // A whole plan has more keys, and its shapes are obstacles.
+  CHECK(error([](io::Json& f) { f["grasps"] = f["settings"] = io::Json::array(); }).empty());
+}
+
 TEST_CASE("a file of shapes that is cut anywhere is refused", "[shapes][hostile]") {
   const test::TempFolder folder;
   const std::string whole = shapes_json(one_of_each_kind()).dump();

@@ -2,6 +2,7 @@
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/bus/status_message.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 
@@ -91,10 +92,45 @@ TEST_CASE("a log without quadrics and grasps, or with damaged ones, is told",
   const Run run = run_quadrille("show " + write_log(folder, {damaged, std::vector<std::byte>(20)}));
   CHECK(run.code == 0);
   CHECK(run.out.empty());
-  CHECK(contains(run.err, "1 message of quadrics, boxes or grasps damaged"));
+  CHECK(contains(run.err, "1 message of quadrics, boxes, grasps or status damaged"));
   CHECK(contains(run.err, "holds no quadrics and no grasps"));
   check_failure(run_quadrille("show " + folder.path("none.lcm")), "no such file");
   check_failure(run_quadrille("show " + folder.write("text.lcm", "no log")), "is not an LCM log");
+}
+
+TEST_CASE("the status of the processes is shown in a line, with its warnings", "[command][show]") {
+  const test::TempFolder folder;
+  detector_status_t detector{};
+  detector.utime = 2'000'000;
+  detector.received = 31;
+  detector.received_rate = 9.96;
+  detector.published = 27;
+  detector.missing = 4;
+  detector.superseded = 3;
+  detector.rejected = {{"cut_short", 1}, {"too_large", 2}};
+  detector.num_rejected = 2;
+  detector.untracked = {{"no_pose", 5}};
+  detector.num_untracked = 1;
+  detector.warnings = {"the receive buffer is small"};
+  detector.num_warnings = 1;
+  planner_status_t planner{};
+  planner.received_clouds = 30;
+  planner.received_quadrics = 27;
+  planner.published = 26;
+  planner.unpaired_quadrics = 1;
+  std::vector<std::byte> cut = bus::encode(planner);
+  cut.pop_back();
+  const Run run = run_quadrille(
+      "show " + write_log(folder, {bus::encode(detector), bus::encode(planner), cut}));
+  INFO(run.out << run.err);
+  CHECK(run.code == 0);
+  CHECK(contains(run.out,
+                 "ANY: detector at 2000000 us: received 31 (10.0 Hz), published 27, missing 4, "
+                 "superseded 3, refused 3, failed 0, without a pose 5\n      the receive buffer is "
+                 "small\nANY: planner at 0 us: received 30 clouds (0.0 Hz) and 27 quadrics, "
+                 "published 26, missing 0, without their cloud 1, "));
+  CHECK(contains(run.err, "1 message of quadrics, boxes, grasps or status damaged"));
+  CHECK_FALSE(contains(run.err, "holds no quadrics"));
 }
 
 TEST_CASE("show prints the messages of one channel where it is named", "[command][show]") {

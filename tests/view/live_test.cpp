@@ -1,13 +1,17 @@
+#include <octomap/OcTree.h>
+
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <thread>
 
 #include "io/planner/gripper_file.hpp"
+#include "io/planner/octree_file.hpp"
 #include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/grasps_message.hpp"
+#include "quadrille/bus/occupancy_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "support/catch.hpp"
 #include "view/live/live_scene.hpp"
@@ -70,11 +74,26 @@ view::Bytes bodies_bytes(std::int64_t utime, int id) {
   return shared(bus::encode(bus::to_message(cloud_at(utime), bodies)));
 }
 
-view::Bytes grasps_bytes(std::int64_t utime, int target, int track, std::int64_t request = 0) {
+/// A map of one occupied voxel.
+view::Bytes occupancy_bytes(std::int64_t utime) {
+  octomap::OcTree tree(0.01);
+  tree.updateNode(octomap::point3d(0.0f, 0.0f, 1.0f), true);
+  const std::string data = io::octree_bytes(tree);
+  occupancy_t m{};
+  m.utime = utime;
+  m.frame = "camera";
+  m.resolution = 0.01;
+  m.data.assign(data.begin(), data.end());
+  m.data_size = static_cast<std::int32_t>(m.data.size());
+  return shared(bus::encode(m));
+}
+
+view::Bytes grasps_bytes(std::int64_t utime, int target, int track, std::int64_t request = 0,
+                         const std::string& frame = "camera") {
   grasps_t m{};
   m.request_id = request;
   m.utime = utime;
-  m.frame = "camera";
+  m.frame = frame;
   m.gripper = "franka";
   m.unknown = "target-shadow";
   m.grasps.resize(1);
@@ -143,6 +162,47 @@ TEST_CASE("grasps of an earlier cloud are shown on the surface of their track", 
   messages.grasps = grasps_bytes(100, 3, 9);
   scene = view::live_scene(messages, find_gripper);
   CHECK(scene.grasps.at(0).target == 0);
+}
+
+TEST_CASE("a plan and a map of an earlier cloud say how old they are", "[view][live]") {
+  const auto notes = [](const view::LatestMessages& messages) {
+    return view::live_scene(messages, find_gripper).notes;
+  };
+  view::LatestMessages messages;
+  messages.clouds = {cloud_bytes(2'400'000, 0.2f)};
+  messages.quadrics = quadrics_bytes(2'400'000, 3);
+  messages.grasps = grasps_bytes(2'000'000, 1, 4);
+  messages.occupancy = occupancy_bytes(1'150'000);
+  CHECK(notes(messages) ==
+        std::vector<std::string>{"the grasps were planned on a cloud 0.40 s older",
+                                 "occupied and unknown space is that of a cloud 1.25 s older"});
+  // Also before the quadrics of the newest cloud have come, or if none ever come.
+  messages.quadrics = nullptr;
+  CHECK(notes(messages).size() == 2);
+  messages.grasps = grasps_bytes(2'400'000, 1, 4);
+  messages.occupancy = occupancy_bytes(2'400'000);
+  CHECK(notes(messages).empty());
+  // A log that is played again.
+  messages.grasps = grasps_bytes(3'000'000, 1, 4);
+  CHECK(notes(messages) == std::vector<std::string>{"the grasps were planned on another cloud"});
+}
+
+TEST_CASE("a page without a cloud or grasps says why", "[view][live]") {
+  view::LatestMessages messages;
+  messages.quadrics = quadrics_bytes(200, 3);
+  const auto warnings = [&] {
+    const auto all = view::live_scene(messages, find_gripper).warnings;
+    return all.empty() ? std::string() : all.front();
+  };
+  CHECK(warnings().starts_with("no cloud has come yet"));
+  messages.clouds = {cloud_bytes(100, 0.2f)};
+  CHECK(warnings().starts_with("the cloud of these quadrics is not among the last that came"));
+  messages.clouds = {cloud_bytes(200, 0.2f)};
+  CHECK(warnings().empty());
+  messages.grasps = grasps_bytes(200, 3, 4, 0, "world");
+  CHECK(warnings() ==
+        "the grasps are not shown: they are in frame 'world', the rest in 'camera'; give detector "
+        "and planner the same --result-frame");
 }
 
 TEST_CASE("an answer to others replaces no plan of all objects, but is shown where there is none",

@@ -1,6 +1,7 @@
 #include "cli/types_option.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
 
 #include "io/settings/setting_text.hpp"
@@ -10,9 +11,15 @@
 namespace quadrille {
 namespace {
 
+/// Returns true if the detector can find the type.
+bool is_findable(QuadricType type) {
+  const auto words = words_of(type);
+  return std::any_of(words.begin(), words.end(), [&](const auto& w) { return w.value == type; });
+}
+
 QuadricType type_named(const std::string& option, const std::string& name) {
   const auto type = quadric_type_from_string(name);
-  if (type && !word_of(*type).empty()) return *type;
+  if (type && is_findable(*type)) return *type;
   throw CLI::ValidationError(option, (type ? "type '" + name + "' is never found"
                                            : "unknown type '" + printable(name) + "'") +
                                          "; the types are " + io::list_words<QuadricType>());

@@ -20,7 +20,7 @@ constexpr double kMsPerSecond = 1e3;
 constexpr double kGoodRate = 30.0;
 
 Finding tell(Verdict verdict, std::string what, std::string remedy = "") {
-  return {verdict, "poses", std::move(what), std::move(remedy)};
+  return {verdict, kPoseCheck, std::move(what), std::move(remedy)};
 }
 
 std::string count_poses(std::size_t count) { return io::count_of(count, "pose"); }

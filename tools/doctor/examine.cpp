@@ -105,7 +105,7 @@ void examine_server(const bus::Url& url, const Questions& questions, Findings* f
                 findings->front().remedy, findings);
   if (questions.pose_channel.empty()) return;
   findings->push_back(
-      {Verdict::kWarning, "poses",
+      {Verdict::kWarning, kPoseCheck,
        fmt::format("not looked at: the doctor listens to udpm only, not to {}", url.provider),
        "--lcm-url udpm://..., or see pose_age and untracked in the detector's "
        "status"});

@@ -27,4 +27,14 @@ inline bool has_failure(const Findings& findings) {
                      [](const Finding& found) { return found.verdict == Verdict::kFailed; });
 }
 
+/// The check of the camera's poses, on which clouds do not depend.
+inline constexpr const char* kPoseCheck = "poses";
+
+/// Returns true if something failed on which clouds depend.
+inline bool keeps_clouds_away(const Findings& findings) {
+  return std::any_of(findings.begin(), findings.end(), [](const Finding& found) {
+    return found.verdict == Verdict::kFailed && found.check != kPoseCheck;
+  });
+}
+
 }  // namespace quadrille::doctor

@@ -11,7 +11,7 @@
 namespace quadrille::doctor {
 namespace {
 
-const char* word_of(Verdict verdict) {
+const char* to_string(Verdict verdict) {
   switch (verdict) {
     case Verdict::kOk:
       return "ok";
@@ -31,10 +31,16 @@ std::size_t number_of(Verdict verdict, const Findings& findings) {
 
 }  // namespace
 
+std::string describe_failure(const Findings& findings) {
+  return keeps_clouds_away(findings)
+             ? "not all clouds will arrive"
+             : "clouds will arrive, but not all of them will get the pose of their camera";
+}
+
 std::string to_table(const Findings& findings) {
   std::string table;
   for (const Finding& found : findings) {
-    table += fmt::format("{:<8} {:<15} {}\n", word_of(found.verdict), found.check,
+    table += fmt::format("{:<8} {:<15} {}\n", to_string(found.verdict), found.check,
                          printable(found.what, kMaxLine));
     if (!found.remedy.empty())
       table += fmt::format("{:<24} -> {}\n", "", printable(found.remedy, kMaxLine));
@@ -43,7 +49,7 @@ std::string to_table(const Findings& findings) {
   const std::string warnings = io::count_of(number_of(Verdict::kWarning, findings), "warning");
   table += failed == 0
                ? fmt::format("clouds will arrive ({})\n", warnings)
-               : fmt::format("not all clouds will arrive: {} failed, {}\n", failed, warnings);
+               : fmt::format("{}: {} failed, {}\n", describe_failure(findings), failed, warnings);
   return table;
 }
 
@@ -51,13 +57,13 @@ io::Json to_json(const std::string& url, const Findings& findings) {
   io::Json checks = io::Json::array();
   for (const Finding& found : findings) {
     checks.push_back({{"check", found.check},
-                      {"verdict", word_of(found.verdict)},
+                      {"verdict", to_string(found.verdict)},
                       {"what", found.what},
                       {"remedy", found.remedy}});
   }
   return {{"version", QUADRILLE_VERSION},
           {"lcm_url", url},
-          {"clouds_will_arrive", !has_failure(findings)},
+          {"clouds_will_arrive", !keeps_clouds_away(findings)},
           {"checks", checks}};
 }
 

@@ -7,6 +7,9 @@
 
 namespace quadrille::doctor {
 
+/// Returns what will not arrive, in words, if something failed.
+std::string describe_failure(const Findings& findings);
+
 /// Returns a readable report: a line for each finding with its remedy below it, and at the end
 /// whether clouds will arrive.
 std::string to_table(const Findings& findings);

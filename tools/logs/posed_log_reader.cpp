@@ -11,8 +11,7 @@ namespace quadrille::logs {
 PosedLogReader::PosedLogReader(const std::string& path, const std::string& channel,
                                std::string pose_channel, double max_age, double max_wait)
     : pose_channel_(std::move(pose_channel)),
-      max_wait_(max_wait),
-      poses_(max_age, max_wait),
+      waiting_(max_age, pose_channel_.empty() ? 0.0 : max_wait),
       clouds_(path, channel, [this](const bus::LogReader::Event& event) { take(event); }) {}
 
 std::optional<PosedCloud> PosedLogReader::next() {
@@ -20,7 +19,11 @@ std::optional<PosedCloud> PosedLogReader::next() {
     // Poses that come by settle clouds too.
     std::optional<LoggedCloud> cloud = clouds_.next();
     is_end = !cloud;
-    if (cloud) waiting_.push_back({*std::move(cloud), now_});
+    if (cloud) {
+      const std::int64_t utime = cloud->message.utime;
+      const std::size_t bytes = memory_of(cloud->message.cloud);
+      waiting_.add(utime, bytes, now_, *std::move(cloud));
+    }
     settle(is_end);
   }
   if (ready_.empty()) return std::nullopt;
@@ -35,22 +38,14 @@ void PosedLogReader::take(const bus::LogReader::Event& event) {
   settle();
   if (event.channel != pose_channel_) return;
   const auto decoded = bus::decode_pose(event.bytes);
-  if (const auto* const pose = std::get_if<bus::PoseMessage>(&decoded)) poses_.add(*pose);
+  if (const auto* const pose = std::get_if<bus::PoseMessage>(&decoded)) waiting_.add(*pose);
   settle();
 }
 
 /// Settles the clouds whose poses are known, or whose waiting time is over, in their order.
 void PosedLogReader::settle(bool is_end) {
-  while (!waiting_.empty()) {
-    auto& [cloud, since] = waiting_.front();
-    CameraPose pose = poses_.at(cloud.message.utime);
-    const bool is_late = pose_channel_.empty() || max_wait_ == 0.0 ||
-                         seconds_between(since, now_) > max_wait_ ||
-                         waiting_.size() > kMaxCloudsWaiting;
-    if (!pose.X_WK && !is_late && !is_end) return;
-    if (!pose.X_WK) pose.detail = poses_.explain(cloud.message.utime, pose);
-    ready_.push_back({std::move(cloud), std::move(pose)});
-    waiting_.pop_front();
+  while (auto due = waiting_.take_due(now_, is_end)) {
+    ready_.push_back({std::move(due->cloud), std::move(due->pose)});
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "logs/cloud_log_reader.hpp"
 #include "poses/camera_poses.hpp"
+#include "poses/waiting_clouds.hpp"
 
 namespace quadrille::logs {
 
@@ -39,23 +40,15 @@ class PosedLogReader {
   const CloudLogReader& clouds() const { return clouds_; }
 
  private:
-  struct Waiting {
-    LoggedCloud cloud;
-    /// Time of the last event when it came [us].
-    std::int64_t since = 0;
-  };
-
   void take(const bus::LogReader::Event& event);
   void settle(bool is_end = false);
 
   std::string pose_channel_;
-  double max_wait_;
-  CameraPoses poses_;
+  /// Clouds whose poses are not known yet.
+  WaitingClouds<LoggedCloud> waiting_;
   CloudLogReader clouds_;
   /// Time of the last event [us].
   std::int64_t now_ = 0;
-  /// Clouds whose poses are not known yet.
-  std::deque<Waiting> waiting_;
   std::deque<PosedCloud> ready_;
 };
 

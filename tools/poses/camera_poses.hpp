@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,9 +8,6 @@
 #include "poses/pose_history.hpp"
 
 namespace quadrille {
-
-/// Limit of the clouds that wait for their poses; if one more comes, the first gets no pose.
-inline constexpr std::size_t kMaxCloudsWaiting = 32;
 
 /// Why the pose of a cloud's camera is not known.
 enum class PoseLack {

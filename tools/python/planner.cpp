@@ -95,7 +95,7 @@ void bind_grasp(py::module_& module) {
   grasp.def_readonly("target", &Grasp::target, "Id of the detection or box that it holds.")
       .def_readonly("track", &Grasp::track, "Its track; 0 if it has none.")
       .def_property_readonly(
-          "kind", [](const Grasp& g) { return std::string(word_of(g.kind)); },
+          "kind", [](const Grasp& g) { return std::string(to_string(g.kind)); },
           "'across' the body, on both 'end's, at the 'rim' of a vessel, or by the 'tip's.")
       .def_readonly("score", &Grasp::score, "0 to 1, best first.")
       .def_property_readonly(

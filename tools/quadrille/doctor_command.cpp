@@ -48,7 +48,8 @@ void run(DoctorArguments arguments) {
   if (!json.owns_stdout()) print(doctor::to_table(findings));
   check_address(given);
   if (doctor::has_failure(findings)) {
-    throw std::runtime_error("doctor: not all clouds will arrive; mend what has failed");
+    throw std::runtime_error("doctor: " + doctor::describe_failure(findings) +
+                             "; mend what has failed");
   }
 }
 

@@ -11,6 +11,7 @@
 #include "io/json/json_parts.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/detector/printable.hpp"
 #include "quadrille/inputs.hpp"
 
 namespace quadrille {
@@ -29,6 +30,13 @@ void refuse_same(const std::string& input, const std::vector<std::string>& views
     }
     seen.push_back(path);
   }
+}
+
+/// Returns what to say if a view names another frame than the input; empty if it does not.
+std::string warning_of_frames(const std::string& input, const std::string& view) {
+  if (input.empty() || view.empty() || input == view) return "";
+  return "is in frame '" + printable(view) + "', and the input in '" + printable(input) +
+         "'; all views must be in one frame, so transform this one";
 }
 
 }  // namespace
@@ -57,6 +65,10 @@ SceneViews all_views(const ViewArguments& arguments, const PointCloud& cloud,
   views.clouds.push_back(robot.taken_from(cloud));
   for (const std::string& path : arguments.paths) {
     SingleCloud view = read_single_cloud(path);
+    if (const std::string other = warning_of_frames(cloud.frame, view.input.cloud.frame);
+        !other.empty()) {
+      view.warnings.push_back(other);
+    }
     print_warnings(path, view.warnings);
     add_warnings(path, view.warnings, warnings);
     views.clouds.push_back(robot.taken_from(moved(std::move(view.input.cloud), X_KC)));

@@ -143,6 +143,17 @@ std::vector<std::string> warnings_about(const logs::CloudLogReader& reader,
   return warnings;
 }
 
+/// Returns true if clouds of a log are taken for views from one place only because nobody said
+/// where their camera was.
+bool lacks_poses(const InputArguments& arguments, int clouds) {
+  return arguments.scene && clouds > 1 && arguments.pose_channel.empty() &&
+         !arguments.frames.camera.X_WK;
+}
+
+constexpr const char* kUnmoved =
+    "its clouds are taken as if their camera had not moved; name the channel of its poses with "
+    "--pose-channel, or for a camera at rest its pose with --camera-pose";
+
 /// Visits the cloud of a log with the given number, and before it the ones before if they show the
 /// same scene.
 std::vector<std::string> visit_numbered(const LogName& log, const InputArguments& arguments,
@@ -162,6 +173,7 @@ std::vector<std::string> visit_numbered(const LogName& log, const InputArguments
           fmt::format("the pose of the camera of cloud #{} is not known: {}", clouds, found->lack));
     }
     input.warnings = warnings_about(reader.clouds(), arguments.channel, {{input.channel, 1}});
+    if (lacks_poses(arguments, clouds)) input.warnings.push_back(kUnmoved);
     std::vector<std::string> warnings = input.warnings;
     visit(std::move(input));
     return warnings;
@@ -187,7 +199,7 @@ struct Poseless {
     why_first = why;
   }
   /// @param of  number of clouds of the log
-  std::string warning(int of) const {
+  std::string describe(int of) const {
     return fmt::format(
         "{} of {} clouds are left out, since the pose of their camera is not known; the first is "
         "#{}: {}",
@@ -197,6 +209,7 @@ struct Poseless {
 
 /// Visits the clouds of a log. Each cloud waits for the next one, because defects of a log are
 /// known only at its end and are reported with the last cloud.
+/// @throws io::FileError if it has clouds, but none with a pose
 std::vector<std::string> visit_log(const std::string& path, const InputArguments& arguments,
                                    const Visitor& visit) {
   logs::PosedLogReader reader = open_log(path, arguments);
@@ -214,8 +227,10 @@ std::vector<std::string> visit_log(const std::string& path, const InputArguments
     if (last) visit(std::move(*last));
     last = std::move(found->input);
   }
+  if (!last && poseless.clouds > 0) throw io::FileError(path, "", poseless.describe(number));
   std::vector<std::string> warnings = warnings_about(reader.clouds(), arguments.channel, clouds);
-  if (poseless.clouds > 0) warnings.push_back(poseless.warning(number));
+  if (poseless.clouds > 0) warnings.push_back(poseless.describe(number));
+  if (lacks_poses(arguments, number)) warnings.push_back(kUnmoved);
   if (!last) return warnings;
   last->warnings = warnings;
   visit(std::move(*last));

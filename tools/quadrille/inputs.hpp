@@ -79,7 +79,8 @@ bool may_be_several(const std::vector<std::string>& paths);
 /// there is a channel of poses, clouds whose pose is not known are left out.
 /// @return warnings about a log that could be read in part: where it is truncated, which messages
 ///   were refused, that it holds no cloud, or clouds of several channels
-/// @throws std::runtime_error naming the file if it cannot be read or has no cloud with that number
+/// @throws std::runtime_error naming the file if it cannot be read, has no cloud with that number,
+///   or has clouds of which none has a pose
 std::vector<std::string> for_each_cloud(const std::string& path, const InputArguments& arguments,
                                         const std::function<void(InputCloud)>& visit);
 

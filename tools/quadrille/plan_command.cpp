@@ -32,6 +32,7 @@
 #include "quadrille/command_report.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
+#include "quadrille/finer_cells.hpp"
 #include "quadrille/further_views.hpp"
 #include "quadrille/grasping/conventions.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
@@ -161,7 +162,8 @@ void put_out(const PlanArguments& arguments, const PlanSetup& setup, const Input
   if (!output->json.owns_stdout()) {
     const Paint paint = Paint::of_stdout();
     print(detection_table(input.info, result, paint) +
-          grasp_table(is_found ? plan : nothing, setup.options.unknown, arguments.advise, paint) +
+          grasp_table(is_found ? plan : nothing, arguments.advise, paint) +
+          (has_only_planes(result) ? hint_at_finer_cells(plan.remedies, arguments.advise) : "") +
           look_table(plan.looks));
   }
   // The plan's warnings say why there is none.
@@ -202,6 +204,15 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   if (arguments.advise) {
     planned.remedies = find_remedies(planned, cloud, detections, setup.gripper, setup.options,
                                      known, query, boxes, bodies);
+    if (has_only_planes(found)) {
+      planned.remedies =
+          try_finer_cells(views.clouds, setup.detector.options, [&](const DetectionResult& finer) {
+            return GraspScene(cloud, bus::as_received(finer.detections), setup.gripper,
+                              setup.options, known, bus::as_received(finer.boxes),
+                              bus::as_received(finer.bodies))
+                .plan_from_start(query);
+          });
+    }
     planned.looks = propose_looks(planned, bodies, detections, cloud.viewpoint);
   }
   found.boxes = planned.boxes;

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <vector>
 
 #include "io/describe.hpp"
 #include "quadrille/detector/printable.hpp"
@@ -10,6 +13,22 @@
 #include "quadrille/grasping/grasp.hpp"
 
 namespace quadrille {
+
+namespace {
+
+std::int64_t total_of(const std::vector<count_t>& counts) {
+  return std::accumulate(counts.begin(), counts.end(), std::int64_t{0},
+                         [](std::int64_t sum, const count_t& c) { return sum + c.count; });
+}
+
+std::string warning_lines(const std::vector<std::string>& warnings) {
+  std::string text;
+  for (const std::string& warning : warnings)
+    text += "      " + printable(warning, kMaxLine) + "\n";
+  return text;
+}
+
+}  // namespace
 
 std::string published_table(const std::string& channel, const bus::QuadricsMessage& message) {
   std::string text =
@@ -47,11 +66,10 @@ std::string published_table(const std::string& channel, const grasps_t& message,
     text += fmt::format(
         "  {:>4}  {:<6} on {}  score {:.2f}  at [m] {:>7.3f} {:>7.3f} {:>7.3f}"
         "  width {:.0f} mm  clearance {:.0f} mm\n",
-        i + 1, word_of(static_cast<GraspKind>(g.kind)), g.target, g.score, g.pose.position[0],
+        i + 1, to_string(static_cast<GraspKind>(g.kind)), g.target, g.score, g.pose.position[0],
         g.pose.position[1], g.pose.position[2], 1000.0 * g.width, 1000.0 * g.clearance);
   }
-  for (const std::string& warning : message.warnings)
-    text += "      " + printable(warning, kMaxLine) + "\n";
+  text += warning_lines(message.warnings);
   for (const target_outcome_t& target : message.targets) {
     if (target.num_grasps > 0) continue;
     text += fmt::format(
@@ -59,6 +77,29 @@ std::string published_table(const std::string& channel, const grasps_t& message,
         target.furthest.empty() ? "no way to hold it was found" : printable(target.furthest));
   }
   return text;
+}
+
+std::string published_table(const std::string& channel, const detector_status_t& status) {
+  return fmt::format(
+             "{}: detector at {} us: received {} ({:.1f} Hz), published {}, missing {}, superseded "
+             "{}, refused {}, failed {}, without a pose {}\n",
+             printable(channel), status.utime, status.received, status.received_rate,
+             status.published, status.missing, status.superseded, total_of(status.rejected),
+             status.failed, total_of(status.untracked)) +
+         warning_lines(status.warnings);
+}
+
+std::string published_table(const std::string& channel, const planner_status_t& status) {
+  return fmt::format(
+             "{}: planner at {} us: received {} clouds ({:.1f} Hz) and {} quadrics, published {}, "
+             "missing {}, without their cloud {}, superseded {}, refused {}, failed {}, without a "
+             "pose {}\n",
+             printable(channel), status.utime, status.received_clouds, status.received_rate,
+             status.received_quadrics, status.published, status.missing_clouds,
+             status.unpaired_quadrics, status.superseded,
+             total_of(status.rejected_clouds) + total_of(status.rejected_quadrics), status.failed,
+             total_of(status.unplaced)) +
+         warning_lines(status.warnings);
 }
 
 }  // namespace quadrille

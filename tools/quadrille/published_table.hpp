@@ -6,6 +6,7 @@
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/bus/status_message.hpp"
 
 namespace quadrille {
 
@@ -20,5 +21,9 @@ std::string published_table(const std::string& channel, const bus::BoxesMessage&
 /// grasp; if there are none, what was refused and why.
 std::string published_table(const std::string& channel, const grasps_t& message,
                             std::size_t max_grasps);
+
+/// Returns a line about what a process has done since it started, then one per warning.
+std::string published_table(const std::string& channel, const detector_status_t& status);
+std::string published_table(const std::string& channel, const planner_status_t& status);
 
 }  // namespace quadrille

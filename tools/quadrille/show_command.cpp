@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/bus/status_message.hpp"
 #include "quadrille/detector/printable.hpp"
 #include "quadrille/published_table.hpp"
 
@@ -30,35 +32,34 @@ struct ShowArguments {
 
 /// Counts of what was found in a log so far.
 struct Shown {
-  std::size_t quadrics = 0, boxes = 0, grasps = 0, refused = 0;
+  std::size_t messages = 0, damaged = 0;
 };
 
-/// Prints the event if it holds quadrics, boxes or grasps; damaged ones are counted.
+/// Prints an event if it decodes to one kind of message.
+/// @param limits  arguments that the table of this kind takes besides
+/// @return false if it is of another type
+template <class Message, class... Limits>
+bool show_as(const std::string& channel, const bus::Decoded<Message>& decoded, Shown* shown,
+             Limits... limits) {
+  if (const auto* const message = std::get_if<Message>(&decoded)) {
+    print(published_table(channel, *message, limits...));
+    ++shown->messages;
+    return true;
+  }
+  if (std::get<bus::Rejection>(decoded).reason == bus::RejectReason::kUnknownType) return false;
+  ++shown->damaged;
+  return true;
+}
+
+/// Prints the event if it holds quadrics, boxes, grasps or the status of a process.
 void show(const bus::LogReader::Event& event, std::size_t max_grasps, Shown* shown) {
-  const auto quadrics = bus::decode_quadrics(event.bytes);
-  if (const auto* message = std::get_if<bus::QuadricsMessage>(&quadrics)) {
-    print(published_table(event.channel, *message));
-    ++shown->quadrics;
-    return;
-  }
-  const auto grasps = bus::decode_grasps(event.bytes);
-  if (const auto* message = std::get_if<grasps_t>(&grasps)) {
-    print(published_table(event.channel, *message, max_grasps));
-    ++shown->grasps;
-    return;
-  }
-  const auto boxes = bus::decode_boxes(event.bytes);
-  if (const auto* message = std::get_if<bus::BoxesMessage>(&boxes)) {
-    print(published_table(event.channel, *message));
-    ++shown->boxes;
-    return;
-  }
-  const auto of_other_type = [](const auto& decoded) {
-    return std::get<bus::Rejection>(decoded).reason == bus::RejectReason::kUnknownType;
-  };
-  if (!of_other_type(quadrics) || !of_other_type(grasps) || !of_other_type(boxes)) {
-    ++shown->refused;
-  }
+  const std::string& channel = event.channel;
+  const std::span<const std::byte> bytes = event.bytes;
+  if (show_as(channel, bus::decode_quadrics(bytes), shown)) return;
+  if (show_as(channel, bus::decode_grasps(bytes), shown, max_grasps)) return;
+  if (show_as(channel, bus::decode_boxes(bytes), shown)) return;
+  if (show_as(channel, bus::decode_detector_status(bytes), shown)) return;
+  show_as(channel, bus::decode_planner_status(bytes), shown);
 }
 
 /// @param channels  number of events of each channel of the log
@@ -68,7 +69,7 @@ std::string describe_nothing(const std::string& channel,
     return "holds no quadrics and no grasps; record QUADRICS and GRASPS";
   }
   return fmt::format(
-      "holds no quadrics, boxes or grasps on {}, but events on {}; name another --channel",
+      "holds no quadrics, boxes, grasps or status on {}, but events on {}; name another --channel",
       printable(channel), io::list_channels(channels));
 }
 
@@ -83,11 +84,11 @@ void run(const ShowArguments& arguments) {
   }
   std::vector<std::string> warnings;
   if (log.survey().defect) warnings.push_back(*log.survey().defect);
-  if (shown.refused > 0) {
-    warnings.push_back(io::count_of(shown.refused, "message") +
-                       " of quadrics, boxes or grasps damaged");
+  if (shown.damaged > 0) {
+    warnings.push_back(io::count_of(shown.damaged, "message") +
+                       " of quadrics, boxes, grasps or status damaged");
   }
-  if (shown.quadrics + shown.boxes + shown.grasps == 0) {
+  if (shown.messages == 0) {
     warnings.push_back(describe_nothing(arguments.channel, channels));
   }
   print_warnings(arguments.log, warnings);
@@ -97,8 +98,8 @@ void run(const ShowArguments& arguments) {
 
 void add_show_command(CLI::App& app) {
   auto arguments = std::make_shared<ShowArguments>();
-  CLI::App* command =
-      app.add_subcommand("show", "Print the quadrics and grasps that an LCM log holds");
+  CLI::App* command = app.add_subcommand(
+      "show", "Print the quadrics, grasps and status of the processes that an LCM log holds");
   command->add_option("LOG", arguments->log, "What was recorded on the bus (.lcm)")->required();
   add_channel_option(*command, "--channel", arguments->channel, "messages to print; else all");
   command->add_option("--max-grasps", arguments->max_grasps, "Grasps to print of each cloud")

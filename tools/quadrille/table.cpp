@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 
 #include "io/describe.hpp"
 #include "io/planner/advice.hpp"
@@ -12,10 +13,9 @@ namespace quadrille {
 namespace {
 
 /// Says why a target has no grasp, and what would give it one, if that was tried.
-std::string lines_of(const TargetOutcome& outcome, const GraspPlan& plan, UnknownPolicy unknown,
-                     bool advised) {
+std::string lines_of(const TargetOutcome& outcome, const GraspPlan& plan, bool advised) {
   std::string text =
-      fmt::format("  no grasp on {}: {}\n", outcome.target, explain_no_grasp(outcome, unknown));
+      fmt::format("  no grasp on {}: {}\n", outcome.target, explain_no_grasp(outcome));
   if (!advised) return text;
   std::string tried;
   for (const Remedy& remedy : plan.remedies) {
@@ -65,15 +65,13 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
   return text;
 }
 
-std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown, bool advised,
-                        const Paint& paint) {
+std::string grasp_table(const GraspPlan& plan, bool advised, const Paint& paint) {
   std::string text;
   if (plan.grasps.empty()) {
     text = paint.bad("  no grasps found") + "\n";
     if (plan.targets.empty()) {
-      text += "  nothing that could be grasped was found, or asked for; ";
-      text += plan.warnings.empty() ? "try a closer view, or one that shows more of the objects\n"
-                                    : "see the warnings\n";
+      text += "  nothing that could be grasped was found, or asked for";
+      text += plan.warnings.empty() ? "\n" : "; see the warnings\n";
     }
   } else {
     text = paint.head(fmt::format("  {:>5} {:>6} {:<6} {:>5} {:>8} {:>8} {:>8} {:>7}        {}",
@@ -87,12 +85,17 @@ std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown, bool advis
     text += fmt::format(
         "  {:>5} {:>6} {:<6} {:>5.2f} {:>8.1f} {:>8.2f} {:>8.3f} {:>7.1f}  {:>7.3f} {:>7.3f} "
         "{:>7.3f}{}\n",
-        ++number, g.target, word_of(g.kind), g.score, 1000.0 * g.width, g.friction_needed,
+        ++number, g.target, to_string(g.kind), g.score, 1000.0 * g.width, g.friction_needed,
         g.epsilon, 1000.0 * g.clearance, p.x(), p.y(), p.z(),
         g.unknown_contact ? "  touches an unseen part" : "");
   }
+  std::map<int, std::string> without;
   for (const TargetOutcome& outcome : plan.targets) {
-    if (outcome.grasps == 0) text += lines_of(outcome, plan, unknown, advised);
+    if (outcome.grasps == 0) without[outcome.target] = lines_of(outcome, plan, advised);
+  }
+  for (const auto& [target, lines] : without) text += lines;
+  if (!without.empty() && !advised) {
+    text += "  --advise tries other settings and hands for these, and proposes views\n";
   }
   if (plan.rejected.empty()) return text;
   std::string reasons;

@@ -17,8 +17,7 @@ std::string detection_table(const io::InputInfo& input, const DetectionResult& r
 /// Returns a readable table of the grasps of one cloud, one per line, with what was refused and
 /// why. Lines follow on each target without a grasp: why it has none, and what would give it one.
 /// @param advised  whether remedies were sought
-std::string grasp_table(const GraspPlan& plan, UnknownPolicy unknown, bool advised,
-                        const Paint& paint);
+std::string grasp_table(const GraspPlan& plan, bool advised, const Paint& paint);
 
 /// Lists the views that would help, a line each; empty if there are none.
 std::string look_table(const std::vector<Look>& looks);

@@ -147,7 +147,25 @@ void open_browser(std::string address) {
   std::thread([child] { waitpid(child, nullptr, 0); }).detach();
 }
 
+/// Refuses two kinds of messages on one channel.
+/// @throws CLI::ValidationError
+void check_channels(const view::LiveChannels& channels) {
+  check_distinct({{"--cloud-channel", channels.cloud},
+                  {"--quadrics-channel", channels.quadrics},
+                  {"--boxes-channel", channels.boxes},
+                  {"--bodies-channel", channels.bodies},
+                  {"--grasps-channel", channels.grasps},
+                  {"--occupancy-channel", channels.occupancy},
+                  {"--robot-channel", channels.robot},
+                  {"--obstacles-channel", channels.obstacles},
+                  {"--detector-status", channels.detector_status},
+                  {"--planner-status", channels.planner_status},
+                  {"--request-channel", channels.requests},
+                  {"--pose-channel", channels.poses}});
+}
+
 void run(const ViewArguments& arguments) {
+  check_channels(arguments.channels);
   const std::unique_ptr<view::Backend> backend =
       arguments.in_log.empty() ? open_bus(arguments) : open_log(arguments);
   bus::install_stop_signals();

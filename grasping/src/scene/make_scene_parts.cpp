@@ -4,8 +4,10 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <iomanip>
 #include <iterator>
 #include <numeric>
+#include <sstream>
 #include <utility>
 
 #include "body/body.hpp"
@@ -246,7 +248,11 @@ class SceneMaker {
     double resolution = parts_.options.resolution;
     if (!region.isEmpty()) resolution = fit_resolution(region, resolution);
     if (resolution > parts_.options.resolution) {
-      warn("the targets lie far apart: occupancy is mapped at a coarser resolution");
+      std::ostringstream text;
+      text << std::setprecision(3) << "the targets lie far apart: occupancy is mapped at "
+           << 1000.0 * resolution << " mm in place of " << 1000.0 * parts_.options.resolution
+           << " mm; crop the cloud for a finer map";
+      warn(text.str());
     }
     SpaceMapper mapper(region, resolution, std::move(boxes));
     SurfaceCover cover(region, resolution);

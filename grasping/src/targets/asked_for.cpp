@@ -1,6 +1,7 @@
 #include "targets/asked_for.hpp"
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 namespace quadrille {
@@ -25,16 +26,39 @@ double distance(const Target& target, const Eigen::Vector3d& p_C) {
   return outside > 0.0 ? outside : off - size_of(target);
 }
 
+/// Lists the targets that there are, by their ids.
+std::string list_ids(const std::vector<const Target*>& targets) {
+  std::ostringstream text;
+  text << "there are:";
+  for (const Target* target : targets) text << ' ' << target->id;
+  return text.str();
+}
+
+/// Lists the tracks of the targets that have one, each once.
+std::string list_tracks(const std::vector<const Target*>& targets) {
+  std::set<int> tracks;
+  for (const Target* target : targets) {
+    if (target->track > 0) tracks.insert(target->track);
+  }
+  if (tracks.empty()) return "none of the targets has a track";
+  std::ostringstream text;
+  text << "there are the tracks:";
+  for (const int track : tracks) text << ' ' << track;
+  return text.str();
+}
+
 /// The conditions on a single target, each with its name.
 struct Condition {
   const char* name;
   bool (*holds)(const GraspQuery& query, const Target& target);
+  /// Lists what could have been asked for instead.
+  std::string (*list)(const std::vector<const Target*>& targets) = list_ids;
 };
 
 const Condition kConditions[] = {
     {"of that id", [](const GraspQuery& q, const Target& t) { return allows(q.ids, t.id); }},
     {"of that track",
-     [](const GraspQuery& q, const Target& t) { return allows(q.tracks, t.track); }},
+     [](const GraspQuery& q, const Target& t) { return allows(q.tracks, t.track); }, list_tracks},
     {"of that type", [](const GraspQuery& q, const Target& t) { return allows(q.types, t.type); }},
     {"in that region",
      [](const GraspQuery& q, const Target& t) {
@@ -88,10 +112,7 @@ std::string why_none(const GraspQuery& query, const std::vector<Target>& targets
     const std::vector<const Target*> before = left;
     std::erase_if(left, [&](const Target* t) { return !condition.holds(query, *t); });
     if (!left.empty()) continue;
-    std::ostringstream text;
-    text << "no target " << condition.name << "; there are:";
-    for (const Target* target : before) text << ' ' << target->id;
-    return text.str();
+    return std::string("no target ") + condition.name + "; " + condition.list(before);
   }
   return {};
 }

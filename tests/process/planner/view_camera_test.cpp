@@ -167,6 +167,9 @@ TEST_CASE("options of further cameras that mean nothing are refused",
               folder.write("forgetful.toml", "[views]\nremember = 0.0\n"))
             .find("set views.remember above 0") != std::string::npos);
   CHECK(error(posed + "SIDE").find("'SIDE' names no poses") != std::string::npos);
+  CHECK(error(posed + "SIDE=").find("'SIDE=' names no poses; give") != std::string::npos);
+  CHECK(error(posed + "=SIDE_POSE").find("'=SIDE_POSE' names no channel of clouds before the =") !=
+        std::string::npos);
   CHECK(error(posed + "SIDE=0,0,1,2,0,0,0").find("has norm 2") != std::string::npos);
   CHECK(error(posed + "SIDE=0,0,1").find("--view-camera") != std::string::npos);
   CHECK(error(posed + "=SIDE_POSE").find("--view-camera") != std::string::npos);

@@ -13,7 +13,7 @@ namespace quadrille::io {
 template <class Field>
 Json json_of(const Field& field) {
   if constexpr (Choice<Field>) {
-    return std::string(word_of(field));
+    return std::string(to_string(field));
   } else if constexpr (List<Field>) {
     Json array = Json::array();
     for (const auto& element : field) array.push_back(json_of(element));

@@ -1,12 +1,18 @@
 #include "io/json/shapes_file.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <string_view>
 
 #include "io/file_bytes.hpp"
 #include "io/json/json_parts.hpp"
+#include "quadrille/detector/printable.hpp"
 
 namespace quadrille::io {
 namespace {
@@ -15,7 +21,19 @@ Eigen::Vector3d vector_of(const Json& json) {
   return Eigen::Vector3d(json.get<std::array<double, 3>>().data());
 }
 
+/// Refuses keys that nobody reads, since they are most likely misspelt.
+void check_keys(const Json& object, const std::vector<std::string_view>& known) {
+  for (const auto& [key, value] : object.items()) {
+    if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+    throw std::invalid_argument(
+        fmt::format("unknown key '{}'; there are {}", printable(key), fmt::join(known, ", ")));
+  }
+}
+
+/// @param json  a shape; "target" is there in those of a plan
 SolidShape shape_of(const Json& json) {
+  check_keys(json, {"kind", "pose", "dimensions", "vertices", "faces", "target"});
+  check_keys(json.at("pose"), {"position", "quaternion"});
   SolidShape shape;
   shape.kind = json.at("kind");
   shape.X_CS = pose_of(json.at("pose"));
@@ -47,9 +65,12 @@ RobotShapes read_robot(const std::string& path) {
   const std::vector<std::byte> bytes = read_file(path);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   RobotShapes robot;
-  std::string place = "padding";
+  std::string place = "the top";
   try {
     const Json file = Json::parse(text);
+    // The JSON of a whole plan has more keys; its shapes may serve as obstacles.
+    if (!file.contains("grasps")) check_keys(file, {"padding", "shapes"});
+    place = "padding";
     robot.padding = file.value("padding", robot.padding);
     robot.check();
     place = "shapes";

@@ -13,7 +13,7 @@ namespace quadrille {
 std::string advise(std::string_view reason, UnknownPolicy unknown);
 
 /// Returns one readable line on why a target has no grasp: the reason that refused the candidates
-/// that got furthest, how many these were, and what to try.
-std::string explain_no_grasp(const TargetOutcome& outcome, UnknownPolicy unknown);
+/// that got furthest, how many these were, and what to do if only that can help.
+std::string explain_no_grasp(const TargetOutcome& outcome);
 
 }  // namespace quadrille

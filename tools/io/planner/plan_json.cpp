@@ -15,7 +15,7 @@ Json to_json(const Grasp& grasp) {
   GraspTerms::visit(grasp.terms, [&](const char* name, double term) { terms[name] = term; });
   return {{"target", grasp.target},
           {"track", grasp.track},
-          {"kind", word_of(grasp.kind)},
+          {"kind", to_string(grasp.kind)},
           {"score", grasp.score},
           {"X_CG", to_json(grasp.X_CG)},
           {"pregrasp", to_json(grasp.pregrasp())},

@@ -52,7 +52,7 @@ inline std::string toml_of(double value) {
 template <class Field>
 std::string toml_of(const Field& field) {
   if constexpr (Choice<Field>) {
-    return fmt::format("\"{}\"", word_of(field));
+    return fmt::format("\"{}\"", to_string(field));
   } else if constexpr (List<Field>) {
     std::string text;
     for (const auto& element : field) text += (text.empty() ? "" : ", ") + toml_of(element);

@@ -18,14 +18,7 @@ std::string cell(const Value& value) {
 
 std::string cell(bool value) { return value ? "1" : "0"; }
 
-std::string word_of(UnknownPolicy policy) {
-  for (const auto& [word, value] : words_of(policy)) {
-    if (value == policy) return std::string(word);
-  }
-  return "";
-}
-
-std::string word_of(Tries tries) {
+std::string to_string(Tries tries) {
   if (tries == Tries::kNone) return "none";
   return tries == Tries::kFirst ? "first" : "all";
 }
@@ -95,9 +88,9 @@ Label label_of(const StudyOptions& options, const std::string& version, const st
   return {{"version", version},
           {"family", family},
           {"gripper", options.gripper.name},
-          {"unknown", word_of(options.plan.unknown)},
+          {"unknown", to_string(options.plan.unknown)},
           {"detector_seed", cell(options.detector.seed)},
-          {"tries", word_of(options.tries)},
+          {"tries", to_string(options.tries)},
           {"friction", cell(options.trial.friction)},
           {"density", cell(options.trial.density)},
           {"force", cell(options.trial.force)},

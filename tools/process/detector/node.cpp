@@ -63,7 +63,7 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
       cloud_channels_(settings_),
       robot_({0,
               std::string(
-                  word_of(settings.has_fixed_frame() ? CloudFrame::kWorld : CloudFrame::kCamera)),
+                  to_string(settings.has_fixed_frame() ? CloudFrame::kWorld : CloudFrame::kCamera)),
               settings.robot,
               {}}) {
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
@@ -150,13 +150,15 @@ std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
   stages_.add("decode", bus::ms_since(now));
   gaps_.add(channel + '\n' + cloud->cloud.frame, cloud->seq);
   const auto shared = std::make_shared<const bus::CloudMessage>(*std::move(cloud));
-  return posed_clouds_.add(shared->utime, [this, channel, shared, now](const CameraPose& pose) {
-    return Job{
-        shared->utime,
-        [this, channel, shared, pose, now] { detect_and_publish(channel, *shared, pose, now); },
-        {},
-        channel};
-  });
+  return posed_clouds_.add(shared->utime, memory_of(shared->cloud),
+                           [this, channel, shared, now](const CameraPose& pose) {
+                             return Job{shared->utime,
+                                        [this, channel, shared, pose, now] {
+                                          detect_and_publish(channel, *shared, pose, now);
+                                        },
+                                        {},
+                                        channel};
+                           });
 }
 
 /// Detects and tracks in a cloud and returns the result in the frame of the results. The result is

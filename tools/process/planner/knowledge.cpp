@@ -17,7 +17,7 @@ namespace {
 /// The frame of what the command line says.
 std::string given_frame(const PlannerSettings& settings) {
   return std::string(
-      word_of(settings.has_fixed_frame() ? CloudFrame::kWorld : CloudFrame::kCamera));
+      to_string(settings.has_fixed_frame() ? CloudFrame::kWorld : CloudFrame::kCamera));
 }
 
 void append(std::vector<CollisionShape> shapes, const Eigen::Isometry3d& X_KF,

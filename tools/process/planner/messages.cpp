@@ -106,7 +106,7 @@ grasps_t make_grasps_message(const Stamp& stamp, const GraspPlan& plan,
   auto m = make_stamped<grasps_t>(stamp);
   m.request_id = stamp.request_id;
   m.gripper = settings.gripper.name;
-  m.unknown = word_of(settings.plan.unknown);
+  m.unknown = to_string(settings.plan.unknown);
   for (const Grasp& grasp : plan.grasps) m.grasps.push_back(to_message(grasp));
   m.num_grasps = count(m.grasps);
   for (const auto& [reason, number] : plan.rejected) {

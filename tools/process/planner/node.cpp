@@ -35,7 +35,7 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
   for (const ViewCamera& camera : settings.view_cameras) {
     posed_views_.emplace_back(
         PoseSource{camera.pose_channel, camera.X_WK, settings.pose_age, settings.pose_wait},
-        "remembered");
+        "remembered", kMaxBytesWaiting / settings.view_cameras.size());
   }
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
   log_info(fmt::format("plans for the hand {}", settings.gripper.name));

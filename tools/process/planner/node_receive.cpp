@@ -61,8 +61,9 @@ std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
   stages_.add("decode", decode_ms);
   gaps_.add(cloud->cloud.frame, cloud->seq);
   const std::int64_t utime = cloud->utime;
+  const std::size_t memory = memory_of(cloud->cloud);
   return posed_clouds_.add(
-      utime, [this, cloud = *std::move(cloud)](const CameraPose& pose) mutable {
+      utime, memory, [this, cloud = *std::move(cloud)](const CameraPose& pose) mutable {
         return make_job(pairing_.add(std::move(cloud), place(settings_.frames, pose)));
       });
 }
@@ -78,7 +79,8 @@ std::optional<Job> PlannerNode::receive_view(int camera, std::span<const std::by
   ++counts_.decoded_views;
   const auto shared = std::make_shared<const bus::CloudMessage>(*std::move(cloud));
   return posed_views_[n].add(
-      shared->utime, [this, camera, channel, shared](const CameraPose& pose) {
+      shared->utime, memory_of(shared->cloud),
+      [this, camera, channel, shared](const CameraPose& pose) {
         return Job{shared->utime,
                    [this, camera, shared, pose] { remember_view(camera, *shared, pose); },
                    {},

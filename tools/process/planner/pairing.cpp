@@ -4,12 +4,10 @@
 #include <stdexcept>
 #include <utility>
 
+#include "poses/waiting_clouds.hpp"
+
 namespace quadrille {
 namespace {
-
-std::size_t memory_of(const bus::CloudMessage& cloud) {
-  return cloud.cloud.points.capacity() * sizeof(Eigen::Vector3f);
-}
 
 /// Returns true if the quadrics have the stamps of the cloud, whatever its points.
 bool have_stamps_of(const bus::QuadricsMessage& quadrics, const bus::CloudMessage& cloud,
@@ -73,7 +71,7 @@ std::variant<std::size_t, Unpaired> Pairing::find_cloud(
 }
 
 std::optional<CloudAndQuadrics> Pairing::add(bus::CloudMessage cloud, Placement placement) {
-  bytes_ += memory_of(cloud);
+  bytes_ += memory_of(cloud.cloud);
   clouds_.push_back(
       {std::make_shared<const bus::CloudMessage>(std::move(cloud)), std::move(placement)});
   forget_old();
@@ -133,7 +131,7 @@ CloudAndQuadrics Pairing::take_pair(std::size_t cloud, bus::QuadricsMessage quad
   CloudAndQuadrics pair{clouds_[cloud].cloud, clouds_[cloud].placement, std::move(quadrics),
                         std::move(others), std::chrono::steady_clock::now()};
   for (std::size_t i = 0; i <= cloud; ++i) {
-    bytes_ -= memory_of(*clouds_.front().cloud);
+    bytes_ -= memory_of(clouds_.front().cloud->cloud);
     clouds_.pop_front();
   }
   ++paired_;
@@ -142,7 +140,7 @@ CloudAndQuadrics Pairing::take_pair(std::size_t cloud, bus::QuadricsMessage quad
 
 void Pairing::forget_old() {
   while (clouds_.size() > 1 && (clouds_.size() > max_clouds_ || bytes_ > max_bytes_)) {
-    bytes_ -= memory_of(*clouds_.front().cloud);
+    bytes_ -= memory_of(clouds_.front().cloud->cloud);
     clouds_.pop_front();
   }
 }

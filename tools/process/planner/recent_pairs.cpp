@@ -3,20 +3,15 @@
 #include <algorithm>
 #include <utility>
 
+#include "poses/waiting_clouds.hpp"
+
 namespace quadrille {
-namespace {
-
-std::size_t memory_of(const CloudAndQuadrics& pair) {
-  return pair.cloud->cloud.points.capacity() * sizeof(Eigen::Vector3f);
-}
-
-}  // namespace
 
 void RecentPairs::add(std::shared_ptr<const CloudAndQuadrics> pair) {
-  bytes_ += memory_of(*pair);
+  bytes_ += memory_of(pair->cloud->cloud);
   pairs_.push_back(std::move(pair));
   while (pairs_.size() > 1 && (pairs_.size() > max_pairs_ || bytes_ > max_bytes_)) {
-    bytes_ -= memory_of(*pairs_.front());
+    bytes_ -= memory_of(pairs_.front()->cloud->cloud);
     pairs_.pop_front();
   }
 }

@@ -19,6 +19,12 @@ ViewCamera view_camera_of(const std::string& text) {
                                        "CLOUDS=X,Y,Z,QW,QX,QY,QZ for a camera at rest",
                                        printable(text)));
   }
+  if (mark == 0 || mark + 1 == text.size()) {
+    throw CLI::ValidationError(
+        kViewCameraOption,
+        fmt::format("'{}' names no {}; give CLOUDS=POSES, with a channel or a pose after the =",
+                    printable(text), mark == 0 ? "channel of clouds before the =" : "poses"));
+  }
   ViewCamera camera{text.substr(0, mark), text.substr(mark + 1), {}};
   if (camera.pose_channel.find(',') != std::string::npos) {
     camera.X_WK = camera_pose_of(kViewCameraOption, camera.pose_channel);

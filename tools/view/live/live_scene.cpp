@@ -1,11 +1,14 @@
 #include "view/live/live_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <utility>
 #include <variant>
 
+#include "poses/pose_history.hpp"
 #include "quadrille/bus/bodies_message.hpp"
 #include "quadrille/bus/boxes_message.hpp"
 #include "quadrille/bus/cloud_message.hpp"
@@ -13,6 +16,7 @@
 #include "quadrille/bus/occupancy_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detection.hpp"
+#include "quadrille/detector/printable.hpp"
 #include "quadrille/detector/setting.hpp"
 #include "view/live/live_surroundings.hpp"
 #include "view/scene/octree_leaves.hpp"
@@ -173,6 +177,14 @@ std::string explain_missing_cloud(const LatestMessages& messages, const SceneFra
   return frames.X_WK ? fact : fact + ", and " + messages.camera->explain(utime);
 }
 
+/// Says why the cloud of the quadrics is not there.
+std::string explain_absent_cloud(const LatestMessages& messages) {
+  return messages.clouds.empty()
+             ? "no cloud has come yet; is this the detector's: view --cloud-channel?"
+             : "the cloud of these quadrics is not among the last that came; the detector lags "
+               "behind, or reads another channel than view --cloud-channel";
+}
+
 /// Adds the cloud, moved into the frame of the quadrics; if that is not possible, only the quadrics
 /// are shown.
 void add_cloud(std::optional<bus::CloudMessage> cloud, const LatestMessages& messages,
@@ -193,6 +205,41 @@ void add_cloud(std::optional<bus::CloudMessage> cloud, const LatestMessages& mes
   if (frames.cloud_in_world && X_SK) scene->cloud.viewpoint = X_SK->translation();
 }
 
+/// Names the cloud of a plan, such as "a cloud 0.40 s older"; "" if it is the one that is shown.
+std::string describe_cloud(std::int64_t utime, std::int32_t seq, const Scene& scene) {
+  if (utime == scene.utime && seq == scene.seq) return "";
+  const double age = seconds_between(utime, scene.utime);
+  // Clouds without times, or a clock that was set back, tell no age.
+  return age > 0.0 ? fmt::format("a cloud {:.2f} s older", age) : "another cloud";
+}
+
+/// Adds the grasps. Those of an earlier cloud stay until the plan on this one comes, and the scene
+/// says so.
+void add_plan(const grasps_t& message, const FindGripper& find_gripper, std::size_t max_grasps,
+              Scene* scene) {
+  if (message.frame != scene->cloud.frame) {
+    if (scene->cloud.frame.empty()) return;
+    scene->warnings.push_back("the grasps are not shown: they are in frame '" +
+                              printable(message.frame) + "', the rest in '" +
+                              printable(scene->cloud.frame) +
+                              "'; give detector and planner the same --result-frame");
+    return;
+  }
+  add_grasps(message, find_gripper, max_grasps, scene);
+  const std::string cloud = describe_cloud(message.utime, message.seq, *scene);
+  if (!cloud.empty()) scene->notes.push_back("the grasps were planned on " + cloud);
+}
+
+/// Adds occupied and unknown space, as add_plan() does.
+void add_space(const occupancy_t& map, std::size_t max_voxels, Scene* scene) {
+  if (map.frame != scene->cloud.frame) return;
+  auto block = read_octree(map.data, map.resolution);
+  if (!block) return;
+  scene->voxels = layers_of(std::move(*block), max_voxels);
+  const std::string cloud = describe_cloud(map.utime, map.seq, *scene);
+  if (!cloud.empty()) scene->notes.push_back("occupied and unknown space is that of " + cloud);
+}
+
 }  // namespace
 
 Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper,
@@ -203,18 +250,16 @@ Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper
                                              [](const auto& b) { return bus::decode_quadrics(b); });
   auto cloud = find_cloud(messages.clouds, quadrics);
   const SceneFrames frames = frames_of(messages, cloud, quadrics, cloud_in_world);
+  if (!cloud && quadrics) scene.warnings.push_back(explain_absent_cloud(messages));
   add_cloud(std::move(cloud), messages, frames, &scene);
   if (quadrics) add_quadrics(std::move(*quadrics), messages, &scene);
   add_surroundings(messages, frames, &scene);
-  const std::string& frame = frames.scene;
-  const auto grasps = read_grasps(messages.grasps);
-  if (grasps && grasps->frame == frame) add_grasps(*grasps, find_gripper, limits.grasps, &scene);
+  if (const auto grasps = read_grasps(messages.grasps)) {
+    add_plan(*grasps, find_gripper, limits.grasps, &scene);
+  }
   const auto map =
       read<occupancy_t>(messages.occupancy, [](const auto& b) { return bus::decode_occupancy(b); });
-  if (!map || map->frame != frame) return scene;
-  if (auto block = read_octree(map->data, map->resolution)) {
-    scene.voxels = layers_of(std::move(*block), limits.voxels);
-  }
+  if (map) add_space(*map, limits.voxels, &scene);
   return scene;
 }
 

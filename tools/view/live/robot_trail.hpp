@@ -2,10 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <lcmtypes/quadrille/robot_t.hpp>
 #include <memory>
 #include <span>
+
+#include "poses/timed_values.hpp"
 
 namespace quadrille::view {
 
@@ -23,13 +24,7 @@ class RobotTrail {
   std::shared_ptr<const robot_t> at(std::int64_t utime) const;
 
  private:
-  struct Kept {
-    std::size_t size = 0;
-    std::shared_ptr<const robot_t> message;
-  };
-
-  std::deque<Kept> kept_;
-  std::size_t bytes_ = 0;
+  TimedValues<std::shared_ptr<const robot_t>> kept_{kMaxMessages, kMaxBytes};
 };
 
 }  // namespace quadrille::view

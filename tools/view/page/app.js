@@ -160,7 +160,7 @@ function listen() {
     busy = true;
     try {
       take(await source.newest());
-      notice(scene.points.total || scene.objects.length ? "" : kNothing);
+      notice(scene.points.total || scene.objects.length ? "" : scene.warnings[0] || kNothing);
       shown = version;
       document.body.dataset.version = version;
     } catch (error) {

@@ -30,13 +30,17 @@ export function fillSwitches(view, change, scene = null) {
 
 const nameOf = (path) => path.split("/").pop();
 
+/// A scene without a cloud has a warning that says why.
+const countPoints = ({ positions, total }) => (total ? `${positions.length / 3} of ${total} points` : "no cloud is shown");
+
 export function fillSource(scene, session) {
   const time = scene.utime ? ` · ${(scene.utime / 1e6).toFixed(3)} s` : "";
   const times = Object.entries(scene.timings).map(([stage, ms]) => `${words(stage.replace(/_ms$/, ""))} ${ms.toFixed(0)} ms`);
   byId("source").replaceChildren(
     element("span", { text: `${session.mode === "live" ? "live" : nameOf(session.name)}${scene.frame && ` · frame ${scene.frame}`}${time}` }),
     element("br"),
-    element("span", { text: [`${scene.points.positions.length / 3} of ${scene.points.total} points`, ...times].join(" · ") }),
+    element("span", { text: [countPoints(scene.points), ...times].join(" · ") }),
+    ...scene.notes.map((note) => element("div", { text: note })),
     ...[session.warning || [], scene.warnings].flat().map((warning) => element("div", { class: "warning", text: warning })));
 }
 
@@ -82,7 +86,7 @@ export function fillDetail(scene, view, chooseGrasp, askParts) {
     for (const warning of (object && object.answered) || []) parts.push(element("div", { class: "warning", text: warning }));
     parts.push(grasps.length ? graspTable(grasps, view, chooseGrasp)
       : element("p", { text: isPlanned(scene, object) ? "No grasp was found." : "No grasps were planned here." }));
-    if (object) parts.push(...remediesOf(object, scene));
+    parts.push(...remediesOf(object, scene));
     parts.push(...refusals(object ? object.rejected : scene.rejected, object));
   }
   byId("detail").replaceChildren(...parts);
@@ -141,11 +145,12 @@ function refusals(rejected, object) {
   })];
 }
 
-/// Lists the changes of a setting with which an object has grasps.
+/// Lists the changes of a setting with which an object has grasps; without an object, those with
+/// which there is something to grasp at all, which have no target.
 function remediesOf(object, scene) {
-  const own = scene.remedies.filter((remedy) => remedy.target === object.id);
+  const own = scene.remedies.filter((remedy) => remedy.target === (object ? object.id : 0));
   if (own.length === 0) return [];
-  return [element("h2", { text: "What gives it grasps" }), element("dl", {},
+  return [element("h2", { text: "What gives grasps" }), element("dl", {},
     own.flatMap(({ change, grasps, score }) => [element("dt", { text: change }),
       element("dd", { text: `${grasps === 1 ? "1 grasp" : `${grasps} grasps`}, best score ${score.toFixed(2)}` })]))];
 }

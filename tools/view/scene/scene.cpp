@@ -193,7 +193,7 @@ Json plan_json(const Scene& scene, const PackLimits& limits) {
           {"looks", io::to_json(scene.looks)},
           {"gripper_name", scene.gripper_name},
           {"gripper", scene.gripper ? gripper_of(*scene.gripper) : Json(nullptr)},
-          {"unknown", word_of(scene.unknown)},
+          {"unknown", to_string(scene.unknown)},
           {"warnings", scene.warnings}};
 }
 
@@ -216,6 +216,7 @@ std::string pack_scene(const Scene& scene, const PackLimits& limits) {
   Json timings = Json::object();
   io::add_stages(scene.timings, &timings);
   json["timings"] = timings;
+  json["notes"] = scene.notes;
   return join_pack(json, arrays);
 }
 

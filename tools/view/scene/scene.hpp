@@ -53,6 +53,8 @@ struct Scene {
   /// The camera's last positions, oldest first [m].
   std::vector<Eigen::Vector3f> path;
   std::vector<StageTime> timings;
+  /// What is shown of earlier clouds than this one.
+  std::vector<std::string> notes;
   std::vector<std::string> warnings;
 };
 

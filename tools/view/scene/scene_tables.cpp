@@ -54,7 +54,7 @@ void add_rows(const Scene& scene, ReportTable* objects, ReportTable* grasps) {
   for (std::size_t n = 0; n < std::min(scene.grasps.size(), kMaxGrasps); ++n) {
     const Grasp& g = scene.grasps[n];
     grasps->rows.push_back({scene.name, fmt::format("{}", n + 1), fmt::format("{}", g.target),
-                            std::string(word_of(g.kind)), fmt::format("{:.2f}", g.score),
+                            std::string(to_string(g.kind)), fmt::format("{:.2f}", g.score),
                             fmt::format("{:.1f}", 1000.0 * g.width),
                             fmt::format("{:.1f}", 1000.0 * g.clearance),
                             fmt::format("{:.2f}", g.friction_needed), place(g.X_CG.translation()),

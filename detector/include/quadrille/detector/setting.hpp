@@ -38,9 +38,10 @@ struct Word {
   Choice value;
 };
 
-/// The word for a value; empty if it has none.
+/// The word for a value of such an enumeration.
 template <class Choice>
-constexpr std::string_view word_of(Choice choice) {
+requires requires(Choice choice) { words_of(choice); }
+constexpr std::string_view to_string(Choice choice) {
   for (const auto& [word, value] : words_of(choice)) {
     if (value == choice) return word;
   }

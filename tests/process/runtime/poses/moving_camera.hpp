@@ -17,8 +17,9 @@ inline constexpr double kSpeed = 0.5;
 /// The clouds of a camera that moves along x, by what comes and when.
 class MovingCamera {
  public:
-  explicit MovingCamera(double max_wait = 0.05, double max_age = 1.0)
-      : clouds_({"POSE", {}, max_age, max_wait}, "tracked") {}
+  explicit MovingCamera(double max_wait = 0.05, double max_age = 1.0,
+                        std::size_t max_bytes = kMaxBytesWaiting)
+      : clouds_({"POSE", {}, max_age, max_wait}, "tracked", max_bytes) {}
 
   /// A pose of that time comes at that time of the clock.
   void pose(std::int64_t utime, std::int64_t now) {
@@ -28,9 +29,9 @@ class MovingCamera {
                          &refusals);
     do_all(clouds_.take_due(Node::Time(now)));
   }
-  void cloud(std::int64_t utime, std::int64_t now) {
+  void cloud(std::int64_t utime, std::int64_t now, std::size_t bytes = 0) {
     do_all(clouds_.take_due(Node::Time(now)));
-    if (const auto job = clouds_.add(utime, note_as(utime))) job->run();
+    if (const auto job = clouds_.add(utime, bytes, note_as(utime))) job->run();
     do_all(clouds_.take_due(Node::Time(now)));
   }
   void pass(std::int64_t now) { do_all(clouds_.take_due(Node::Time(now))); }

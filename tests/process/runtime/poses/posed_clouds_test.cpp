@@ -127,6 +127,25 @@ TEST_CASE("only so many clouds wait", "[process][pose]") {
   CHECK(f.clouds().poseless() == 1);
 }
 
+TEST_CASE("clouds that wait take only so much memory", "[process][pose]") {
+  constexpr std::size_t kMiB = std::size_t{1} << 20;
+  MovingCamera f(10.0, 1.0, 100 * kMiB);
+  f.pose(0, 0);
+  // The newest may wait, however large it is.
+  f.cloud(1, 1, 300 * kMiB);
+  CHECK(f.done.empty());
+  f.cloud(2, 2, 40 * kMiB);
+  CHECK(f.done == Times{1});
+  CHECK(f.last.detail.find("more than 100 MiB of clouds wait") != std::string::npos);
+  f.cloud(3, 3, 40 * kMiB);
+  CHECK(f.done == Times{1});
+  f.cloud(4, 4, 90 * kMiB);
+  CHECK(f.done == Times{1, 2, 3});
+  f.pose(200, 200);
+  CHECK(f.done == Times{1, 2, 3, 4});
+  CHECK(f.clouds().poseless() == 3);
+}
+
 TEST_CASE("what follows a cloud that waits is done right after it", "[process][pose]") {
   MovingCamera f;
   f.pose(0, 0);
@@ -148,8 +167,8 @@ TEST_CASE("a camera at rest, or one of which nothing is told, keeps no cloud wai
     poses.push_back(pose);
     return std::nullopt;
   };
-  fixed.add(5, keep);
-  none.add(5, keep);
+  fixed.add(5, 0, keep);
+  none.add(5, 0, keep);
   REQUIRE(poses.size() == 2);
   CHECK(poses[0].X_WK->isApprox(X_WK));
   CHECK_FALSE(poses[1].X_WK);

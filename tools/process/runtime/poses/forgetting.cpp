@@ -17,7 +17,7 @@ std::optional<ForgottenRegion> region_of(const forget_t& message, const Placemen
                                          const std::string& cloud_frame) {
   if (message.all) return std::nullopt;
   Eigen::Isometry3d X_WF = Eigen::Isometry3d::Identity();
-  if (message.frame != word_of(CloudFrame::kWorld)) {
+  if (message.frame != to_string(CloudFrame::kWorld)) {
     if (placement == nullptr) return std::nullopt;
     const Eigen::Isometry3d X_FK = pose_of_camera(message.frame, *placement, cloud_frame);
     if (!placement->X_WK) return std::nullopt;

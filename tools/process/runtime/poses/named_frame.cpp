@@ -15,9 +15,9 @@ Eigen::Isometry3d pose_of_camera(const std::string& frame, const Placement& plac
     throw std::invalid_argument("the camera's pose is not known: " + placement.lack);
   }
   if (frame.empty() || frame == placement.frame_of_results(cloud_frame)) return placement.X_RK;
-  if (frame == word_of(CloudFrame::kCamera)) return Eigen::Isometry3d::Identity();
+  if (frame == to_string(CloudFrame::kCamera)) return Eigen::Isometry3d::Identity();
   if (frame == cloud_frame) return placement.X_CK;
-  if (frame != word_of(CloudFrame::kWorld)) {
+  if (frame != to_string(CloudFrame::kWorld)) {
     throw std::invalid_argument(
         fmt::format("frame '{}' is not known: name 'camera', 'world', '{}' or ''", printable(frame),
                     printable(cloud_frame)));

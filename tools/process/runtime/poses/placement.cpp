@@ -8,7 +8,7 @@ Placement place(const CloudFrames& frames, const CameraPose& pose) {
   Placement placement;
   placement.X_WK = pose.X_WK;
   if (!frames.need_pose()) return placement;
-  if (frames.of_results() != frames.clouds) placement.frame = word_of(frames.of_results());
+  if (frames.of_results() != frames.clouds) placement.frame = to_string(frames.of_results());
   if (!pose.X_WK) {
     placement.lack = pose.detail;
     return placement;

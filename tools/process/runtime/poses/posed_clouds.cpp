@@ -11,68 +11,57 @@
 
 namespace quadrille {
 
-PosedClouds::PosedClouds(PoseSource source, std::string fate)
+PosedClouds::PosedClouds(PoseSource source, std::string fate, std::size_t max_bytes)
     : source_(std::move(source)),
       fate_(std::move(fate)),
-      max_wait_(std::llround(1e6 * source_.max_wait)),
-      poses_(source_.max_age, source_.max_wait) {}
+      waiting_(source_.max_age, source_.max_wait, max_bytes) {}
 
 void PosedClouds::receive_pose(std::span<const std::byte> bytes, Refusals* refusals) {
   ++poses_received_;
   if (const auto pose = refusals->accept(source_.channel, bus::decode_pose(bytes))) {
-    poses_.add(*pose);
+    waiting_.add(*pose);
   }
 }
 
-std::optional<Job> PosedClouds::add(std::int64_t utime, Then then) {
+std::optional<Job> PosedClouds::add(std::int64_t utime, std::size_t bytes, Then then) {
   if (source_.fixed || source_.channel.empty()) return then({source_.fixed});
-  const CameraPose pose = poses_.at(utime);
-  if (waiting_.empty() && pose.X_WK) {
-    note(utime, pose);
-    return then(pose);
-  }
-  Waiting& cloud = waiting_.emplace_back();
-  cloud.utime = utime;
-  cloud.since = now_;
+  const bool is_first = waiting_.empty();
   // Moved in: a copy would copy the points of the cloud.
-  cloud.thens.push_back(std::move(then));
-  return std::nullopt;
+  Thens thens;
+  thens.push_back(std::move(then));
+  waiting_.add(utime, bytes, now_.count(), std::move(thens));
+  if (!is_first) return std::nullopt;
+  const auto due = waiting_.take_due(now_.count());
+  if (!due) return std::nullopt;
+  std::vector<Job> jobs = finish(*due);
+  if (jobs.empty()) return std::nullopt;
+  return std::move(jobs.front());
 }
 
 bool PosedClouds::follow(std::int64_t utime, Then then) {
-  const auto last = std::find_if(waiting_.rbegin(), waiting_.rend(),
-                                 [&](const Waiting& cloud) { return cloud.utime == utime; });
-  if (last == waiting_.rend()) return false;
-  last->thens.push_back(std::move(then));
+  Thens* const thens = waiting_.find(utime);
+  if (thens == nullptr) return false;
+  thens->push_back(std::move(then));
   return true;
 }
 
 std::vector<Job> PosedClouds::take_due(Node::Time now) {
   now_ = std::max(now_, now);
   std::vector<Job> jobs;
-  while (!waiting_.empty()) {
-    CameraPose pose = poses_.at(waiting_.front().utime);
-    if (!is_due(waiting_.front(), pose)) break;
-    if (!pose.X_WK) explain(waiting_.front(), &pose);
-    const Waiting cloud = std::move(waiting_.front());
-    waiting_.pop_front();
-    note(cloud.utime, pose);
-    for (const Then& then : cloud.thens) {
-      if (auto job = then(pose)) jobs.push_back(std::move(*job));
-    }
+  while (const auto due = waiting_.take_due(now_.count(), now_ == Node::Time::max())) {
+    for (Job& job : finish(*due)) jobs.push_back(std::move(job));
   }
   return jobs;
 }
 
-bool PosedClouds::is_due(const Waiting& cloud, const CameraPose& pose) const {
-  return pose.X_WK || is_crowded() || max_wait_ == max_wait_.zero() || now_ == Node::Time::max() ||
-         now_ - cloud.since > max_wait_;
-}
-
-/// Explains why the first cloud gets no pose.
-void PosedClouds::explain(const Waiting& cloud, CameraPose* none) const {
-  none->detail = poses_.explain(cloud.utime, *none);
-  if (is_crowded()) none->detail += fmt::format("; more than {} clouds wait", kMaxCloudsWaiting);
+/// Makes the jobs of a cloud that waits no longer.
+std::vector<Job> PosedClouds::finish(const WaitingClouds<Thens>::Posed& due) {
+  note(due.utime, due.pose);
+  std::vector<Job> jobs;
+  for (const Then& then : due.cloud) {
+    if (auto job = then(due.pose)) jobs.push_back(std::move(*job));
+  }
+  return jobs;
 }
 
 /// Counts the outcome for a cloud, and logs problems with its pose.

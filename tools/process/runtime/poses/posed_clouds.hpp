@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <lcmtypes/quadrille/count_t.hpp>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "poses/camera_poses.hpp"
+#include "poses/waiting_clouds.hpp"
 #include "process/runtime/limited_log.hpp"
 #include "process/runtime/node.hpp"
 #include "process/runtime/refusals.hpp"
@@ -41,14 +41,16 @@ class PosedClouds {
   using Then = std::function<std::optional<Job>(const CameraPose&)>;
 
   /// @param fate  what happens to clouds with a pose, such as "tracked", for the log
-  PosedClouds(PoseSource source, std::string fate);
+  /// @param max_bytes  memory of the clouds that may wait
+  PosedClouds(PoseSource source, std::string fate, std::size_t max_bytes = kMaxBytesWaiting);
 
   /// Receives a message of the channel of poses; an invalid one is added to the refusals.
   void receive_pose(std::span<const std::byte> bytes, Refusals* refusals);
 
   /// Adds a cloud taken at this time [us].
+  /// @param bytes  memory that it takes while it waits
   /// @return its job, if it need not wait
-  std::optional<Job> add(std::int64_t utime, Then then);
+  std::optional<Job> add(std::int64_t utime, std::size_t bytes, Then then);
 
   /// Has a function called right after the last waiting cloud of this time.
   /// @return false if no such cloud waits; the function is then not called
@@ -73,23 +75,15 @@ class PosedClouds {
   double last_age_ms() const;
 
  private:
-  struct Waiting {
-    std::int64_t utime = 0;
-    /// Arrival time of the cloud.
-    Node::Time since{};
-    std::vector<Then> thens;
-  };
+  /// What is to be done with a cloud.
+  using Thens = std::vector<Then>;
 
-  bool is_due(const Waiting& cloud, const CameraPose& pose) const;
-  bool is_crowded() const { return waiting_.size() > kMaxCloudsWaiting; }
-  void explain(const Waiting& cloud, CameraPose* none) const;
+  std::vector<Job> finish(const WaitingClouds<Thens>::Posed& due);
   void note(std::int64_t utime, const CameraPose& pose);
 
   PoseSource source_;
   std::string fate_;
-  Node::Time max_wait_;
-  CameraPoses poses_;
-  std::deque<Waiting> waiting_;
+  WaitingClouds<Thens> waiting_;
   Node::Time now_{};
   std::int64_t poses_received_ = 0;
   std::array<std::int64_t, 3> poseless_{};

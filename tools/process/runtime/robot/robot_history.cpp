@@ -1,21 +1,15 @@
 #include "process/runtime/robot/robot_history.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 
-#include "poses/pose_history.hpp"
 #include "process/runtime/poses/named_frame.hpp"
 #include "quadrille/bus/scene_messages.hpp"
 #include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
 namespace {
-
-// Clouds are handled before a robot that tells its shapes a hundred times a second has sent so many
-// messages.
-constexpr std::size_t kMaxStates = 256;
 
 /// @throws std::invalid_argument if a shape is no solid
 RobotState state_of(const robot_t& message) {
@@ -38,27 +32,10 @@ void RobotHistory::receive(const std::string& channel, std::span<const std::byte
   if (!message) return;
   try {
     RobotState state = state_of(*message);
-    // What is always so needs no history, and a clock that was set back ends it.
-    const bool begins =
-        state.utime == 0 ||
-        (!states_.empty() && (states_.back().utime == 0 || state.utime < states_.back().utime));
-    if (begins) states_.clear();
-    states_.push_back(std::move(state));
-    if (states_.size() > kMaxStates) states_.pop_front();
+    states_.add(message->utime, bytes.size(), std::move(state));
   } catch (const std::invalid_argument& error) {
     refusals->add(channel, {bus::RejectReason::kBadValue, error.what()});
   }
-}
-
-const RobotState* RobotHistory::nearest(std::int64_t utime) const {
-  // A cloud that does not tell its time is likely new.
-  if (utime == 0) return states_.empty() ? nullptr : &states_.back();
-  const auto found =
-      std::min_element(states_.begin(), states_.end(), [&](const auto& a, const auto& b) {
-        return std::abs(seconds_between(a.utime, utime)) <
-               std::abs(seconds_between(b.utime, utime));
-      });
-  return found == states_.end() ? nullptr : &*found;
 }
 
 /// Returns the shapes in a frame D, in which `X_DF` places the frames that messages name.
@@ -74,7 +51,7 @@ RobotShapes RobotHistory::all_at(
     all.padding = std::max(all.padding, robot_D.padding);
   };
   add(given_);
-  if (const RobotState* state = nearest(utime)) add(*state);
+  if (const RobotState* state = states_.nearest(utime)) add(*state);
   return all;
 }
 
@@ -87,7 +64,7 @@ RobotShapes RobotHistory::at(std::int64_t utime, const Placement& placement,
 
 RobotShapes RobotHistory::in_world(std::int64_t utime) const {
   return all_at(utime, [](const std::string& frame) {
-    if (frame == word_of(CloudFrame::kWorld))
+    if (frame == to_string(CloudFrame::kWorld))
       return Eigen::Isometry3d(Eigen::Isometry3d::Identity());
     throw std::invalid_argument("the robot's shapes are in frame '" + printable(frame) +
                                 "'; for clouds of further cameras give them in 'world'");
@@ -96,7 +73,7 @@ RobotShapes RobotHistory::in_world(std::int64_t utime) const {
 
 std::vector<SolidShape> RobotHistory::attached_at(std::int64_t utime) const {
   std::vector<SolidShape> all = given_.attached;
-  if (const RobotState* state = nearest(utime)) {
+  if (const RobotState* state = states_.nearest(utime)) {
     all.insert(all.end(), state->attached.begin(), state->attached.end());
   }
   return all;

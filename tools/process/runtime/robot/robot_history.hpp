@@ -2,13 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "poses/timed_values.hpp"
 #include "process/runtime/poses/placement.hpp"
 #include "process/runtime/refusals.hpp"
 #include "quadrille/detector/robot_shapes.hpp"
@@ -30,6 +30,11 @@ struct RobotState {
 /// The shapes of a robot that moves. Not for two threads at once.
 class RobotHistory {
  public:
+  /// Limits of the states that messages tell, in number, and in bytes of the messages but for the
+  /// newest. Clouds are handled before a robot that tells its shapes a hundred times a second has
+  /// sent so many.
+  static constexpr std::size_t kMaxStates = 256, kMaxBytes = std::size_t{64} << 20;
+
   /// @param given  the shapes of the command line, which are there besides those of messages
   explicit RobotHistory(RobotState given) : given_(std::move(given)) {}
 
@@ -51,12 +56,11 @@ class RobotHistory {
   std::vector<SolidShape> attached_at(std::int64_t utime) const;
 
  private:
-  const RobotState* nearest(std::int64_t utime) const;
   RobotShapes all_at(std::int64_t utime,
                      const std::function<Eigen::Isometry3d(const std::string& frame)>& X_DF) const;
 
   RobotState given_;
-  std::deque<RobotState> states_;
+  TimedValues<RobotState> states_{kMaxStates, kMaxBytes};
 };
 
 }  // namespace quadrille

@@ -50,8 +50,8 @@ void SettingsText::add_channels(const std::vector<NamedChannel>& channels) {
 
 void SettingsText::add_frames(const CloudFrames& frames,
                               const std::optional<Eigen::Isometry3d>& X_WK) {
-  add("clouds", std::string(word_of(frames.clouds)));
-  add("results", std::string(word_of(frames.of_results())));
+  add("clouds", std::string(to_string(frames.clouds)));
+  add("results", std::string(to_string(frames.of_results())));
   if (!X_WK) return;
   for (const double number : X_WK->matrix().reshaped()) add("pose", io::toml_of(number));
 }
