@@ -5,21 +5,22 @@
 #include <cmath>
 
 #include "fits/scatter.hpp"
+#include "fits/solvers.hpp"
 
 namespace quadrille {
 namespace {
 
-/// The least eigenvalue θ(μ) of the reduced system and its vector, and the next and largest
-/// eigenvalues, which show whether it is unique.
+/// The least eigenvalue θ(μ) of the reduced system, its vector, and whether it is unique.
 struct Reduced {
-  double theta, next, largest;
+  double theta;
+  bool unique;
   Vector10d q;
 };
 
 Reduced reduce(const Matrix10d& S, const Matrix10d& BB, double w2, double mu) {
   const Eigen::SelfAdjointEigenSolver<Matrix10d> solver(Matrix10d(S - w2 * w2 / (w2 - mu) * BB));
   const auto& values = solver.eigenvalues();
-  return {values[0], values[1], values[9], solver.eigenvectors().col(0)};
+  return {values[0], is_unique(values), solver.eigenvectors().col(0)};
 }
 
 }  // namespace
@@ -36,7 +37,7 @@ std::optional<FullFit> solve_full_system(const OrientedPointsd& points,
   const Matrix10d BB = count * scatter.along;
   double mu = 0.0;
   Reduced reduced = reduce(S, BB, w2, mu);
-  if (!(reduced.next > 1e-13 * reduced.largest)) return std::nullopt;
+  if (!reduced.unique) return std::nullopt;
   for (int step = 0; step < 50; ++step) {
     const double pull = w2 / (w2 - mu);
     const double slope = -1.0 - pull * pull * reduced.q.dot(BB * reduced.q);

@@ -2,6 +2,7 @@
 
 #include <Eigen/SVD>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace quadrille {
@@ -53,6 +54,10 @@ Quadric oriented(const Quadric& Q, const OrientedPointsd& points) {
     if (slope > 0.0) agreement += g.dot(points.normals.col(i)) / slope;
   }
   return agreement < 0.0 ? Q.flipped() : Q;
+}
+
+double NormalisedPoints::rounding() const {
+  return std::numeric_limits<double>::epsilon() * (1.0 + local.centre.norm() / local.scale);
 }
 
 std::optional<Quadric> NormalisedPoints::undo(const Quadric& Q) const {

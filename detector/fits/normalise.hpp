@@ -17,6 +17,9 @@ struct NormalisedPoints {
   OrientedPointsd data;
   Normalisation local;
 
+  /// The rounding error that the coordinates have already, far from the origin more than 2e-16.
+  double rounding() const;
+
   /// Transforms a quadric of the normalised points to the original frame, with |q| = 1 and the
   /// gradient on the side of the normals; nullopt if it is not finite, zero or a constant.
   std::optional<Quadric> undo(const Quadric& Q) const;

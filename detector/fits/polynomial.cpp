@@ -38,4 +38,20 @@ std::vector<double> real_roots(std::vector<double> c) {
   return roots;
 }
 
+std::vector<double> double_roots(const std::vector<double>& c, double noise) {
+  std::vector<double> derivative;
+  for (std::size_t k = 1; k < c.size(); ++k) derivative.push_back(static_cast<double>(k) * c[k]);
+  if (derivative.empty()) return {};
+  std::vector<double> roots;
+  for (const double x : real_roots(derivative)) {
+    double value = 0.0, terms = 0.0;
+    for (std::size_t k = c.size(); k-- > 0;) {
+      value = value * x + c[k];
+      terms = terms * std::abs(x) + 1.0;
+    }
+    if (std::abs(value) <= noise * largest(c) * terms) roots.push_back(x);
+  }
+  return roots;
+}
+
 }  // namespace quadrille

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 #include "base/random.hpp"
@@ -13,8 +12,8 @@ namespace quadrille {
 /// A quadric through a minimal set of points.
 struct MinimalFit {
   Quadric Q;
-  /// Estimated shift of the surface due to rounding of coordinates and normals, in radii of the
-  /// points. It may be larger where the gradient is short, as near an apex.
+  /// Estimated shift of the surface near its points due to rounding of coordinates and normals, in
+  /// radii of the points. It may be larger where the gradient is shorter, as near an apex.
   double error = 0.0;
 };
 
@@ -44,9 +43,7 @@ std::optional<MinimalFit> fit_with_error(const NormalisedPoints& points, Eigen::
     if (!other || !other->allFinite()) return std::nullopt;
     largest = std::max(largest, (*other - *best).norm());
   }
-  const auto& [centre, scale] = points.local;
-  const double rounding = std::numeric_limits<double>::epsilon() * (1.0 + centre.norm() / scale);
-  const double error = largest / kStep * rounding;
+  const double error = largest / kStep * points.rounding();
   if (!(error <= kMaxRoundingError)) return std::nullopt;
   const std::optional<Quadric> Q = points.undo(Quadric(*best));
   if (!Q) return std::nullopt;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "fits/solvers.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -39,16 +41,28 @@ double total_misfit(const OrientedPointsd& p, const Planes& planes) {
   return sum;
 }
 
+/// The point that a plane explains worst.
+Eigen::Index farthest(const OrientedPointsd& p, const Eigen::Vector4d& plane) {
+  Eigen::Index worst = 0;
+  for (Eigen::Index i = 1; i < p.size(); ++i) {
+    if (misfit(p, i, plane) > misfit(p, worst, plane)) worst = i;
+  }
+  return worst;
+}
+
 Planes best_start(const OrientedPointsd& p) {
   Planes best;
   double least = std::numeric_limits<double>::infinity();
+  const auto offer = [&](const Planes& planes) {
+    const double sum = total_misfit(p, planes);
+    if (sum < least) least = sum, best = planes;
+  };
   const Eigen::Index stride = std::max<Eigen::Index>(1, (p.size() + kStarts - 1) / kStarts);
   for (Eigen::Index i = 0; i < p.size(); i += stride) {
-    for (Eigen::Index j = i + stride; j < p.size(); j += stride) {
-      const Planes planes = {plane_of(p.at(i)), plane_of(p.at(j))};
-      const double sum = total_misfit(p, planes);
-      if (sum < least) least = sum, best = planes;
-    }
+    const Eigen::Vector4d first = plane_of(p.at(i));
+    // The few points of a small plane may all be left out by the stride.
+    offer({first, plane_of(p.at(farthest(p, first)))});
+    for (Eigen::Index j = i + stride; j < p.size(); j += stride) offer({first, plane_of(p.at(j))});
   }
   return best;
 }
@@ -70,7 +84,7 @@ std::optional<Eigen::Vector4d> refit(const OrientedPointsd& p, const std::vector
   mean /= count;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(
       Eigen::Matrix3d(scatter - count * mean * mean.transpose()));
-  if (!(eigen.eigenvalues()[1] > 1e-12 * eigen.eigenvalues()[2])) return std::nullopt;
+  if (!is_unique(eigen.eigenvalues())) return std::nullopt;
   const Eigen::Vector3d n = eigen.eigenvectors().col(0);
   return Eigen::Vector4d(n.x(), n.y(), n.z(), -n.dot(mean));
 }

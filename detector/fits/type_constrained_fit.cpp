@@ -48,10 +48,8 @@ Quadric steer(const Quadric& from, const Quadric& anchor, QuadricType type) {
   return Quadric(Vector10d((1.0 - right) * a + right * b));
 }
 
-/// Mean squared distance in Taubin's approximation.
 double misfit(const Scatter& scatter, const Quadric& Q) {
-  const Vector10d q = Q.coefficients();
-  return q.dot(scatter.values * q) / q.dot(scatter.gradients * q);
+  return mean_misfit(scatter, Q, kNoTangents);
 }
 
 /// Signs of the quadratic part of a type's canonical form; for hyperboloids the single sign is
@@ -127,61 +125,82 @@ std::optional<Quadric> fit_extruded(const OrientedPointsd& points, QuadricType t
   return fit_open_type(points, free, frame, type);
 }
 
-std::optional<Quadric> fit_parabolic_cylinder(const OrientedPointsd& points) {
-  const auto axis = direction_across_normals(points);
-  if (!axis) return std::nullopt;
-  const Eigen::Vector3d e = axis->unitOrthogonal(), f = axis->cross(e);
-  const Scatter scatter(points);
-  // The surface is x² plus linear terms; the direction of x is found by a search over half a turn,
-  // which is then refined.
-  const auto at = [&](double angle) {
-    const Eigen::Vector3d x = std::cos(angle) * e + std::sin(angle) * f;
-    Eigen::Matrix4d M = Eigen::Matrix4d::Zero();
-    M.topLeftCorner<3, 3>() = x * x.transpose();
-    Design B = Design::Zero(10, 4);
-    B.col(0) = Quadric(M).coefficients();
-    B.col(1).segment<3>(6) = e;
-    B.col(2).segment<3>(6) = f;
-    B(9, 3) = 1.0;
-    return fit_design(scatter, B, kNoTangents);
-  };
-  std::optional<Quadric> best;
-  double least = std::numeric_limits<double>::infinity(), angle = 0.0;
-  double step = std::numbers::pi / 36.0, from = 0.0;
-  int count = 36;
-  for (int level = 0; level < 12; ++level) {
-    for (int i = 0; i < count; ++i) {
-      const auto Q = at(from + i * step);
-      if (!Q || !(misfit(scatter, *Q) < least)) continue;
-      least = misfit(scatter, *Q);
-      best = Q;
-      angle = from + i * step;
-    }
-    from = angle - step, step /= 5.0, count = 11;
-  }
-  return best;
-}
-
 /// Keeps the best fit of a design that depends on a direction.
+template <typename DesignOf>
 struct DirectionSearch {
   const Scatter& scatter;
   QuadricType type;
+  DesignOf design_of;
   double least = std::numeric_limits<double>::infinity();
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();
   std::optional<Quadric> best = std::nullopt;
 
   bool offer(const Eigen::Vector3d& u) {
-    const auto Q = fit_design(scatter, paraboloid_design(u), kNoTangents);
+    const auto Q = fit_design(scatter, design_of(u), kNoTangents);
     if (!Q || !is_of(*Q, type) || !(misfit(scatter, *Q) < least)) return false;
     least = misfit(scatter, *Q), direction = u, best = Q;
     return true;
   }
+
+  /// The direction along which a quadric fits exactly needs no search. A search would only follow
+  /// the rounding of the misfit, which determines a direction to no more than its square root.
+  bool is_exact() const { return least < kExactMisfit; }
 };
 
-/// Finds the axis by a pattern search that starts from the best direction on a coarse hemisphere.
-std::optional<Quadric> fit_paraboloid(const OrientedPointsd& points, QuadricType type) {
+template <typename DesignOf>
+DirectionSearch(const Scatter&, QuadricType, DesignOf) -> DirectionSearch<DesignOf>;
+
+/// The design of a (u·x)² plus linear terms across an axis.
+Design parabolic_design(const Eigen::Vector3d& u, const Eigen::Vector3d& axis) {
+  Design B = Design::Zero(10, 4);
+  Eigen::Matrix4d square = Eigen::Matrix4d::Zero();
+  square.topLeftCorner<3, 3>() = u * u.transpose();
+  B.col(0) = Quadric(square).coefficients();
+  B.col(1).segment<3>(6) = axis.unitOrthogonal();
+  B.col(2).segment<3>(6) = axis.cross(axis.unitOrthogonal());
+  B(9, 3) = 1.0;
+  return B;
+}
+
+/// Finds the direction in which the conic is curved: it starts from that of the best extruded conic
+/// and from a search over half a turn, which is then refined.
+std::optional<Quadric> fit_parabolic_cylinder(const OrientedPointsd& points) {
+  const auto axis = direction_across_normals(points);
+  if (!axis) return std::nullopt;
+  const Eigen::Vector3d e = axis->unitOrthogonal(), f = axis->cross(e);
   const Scatter scatter(points);
-  DirectionSearch search{scatter, type};
+  const auto conic = fit_design(scatter, extrusion_design(*axis), kNoTangents);
+  if (!conic) return std::nullopt;
+  DirectionSearch search{scatter, QuadricType::kParabolicCylinder,
+                         [&](const Eigen::Vector3d& u) { return parabolic_design(u, *axis); }};
+  const Eigen::Matrix3d frame = eigenframe(*conic);
+  for (int k = 0; k < 3; ++k) search.offer(frame.col(k));
+  if (search.is_exact()) return search.best;
+  double step = std::numbers::pi / 36.0, from = 0.0;
+  int count = 36;
+  for (int level = 0; level < 12; ++level) {
+    for (int i = 0; i < count; ++i) {
+      const double angle = from + i * step;
+      search.offer(std::cos(angle) * e + std::sin(angle) * f);
+    }
+    if (!search.best) return std::nullopt;
+    from = std::atan2(search.direction.dot(f), search.direction.dot(e)) - step;
+    step /= 5.0, count = 11;
+  }
+  return search.best;
+}
+
+/// Finds the axis by a pattern search that starts from the best direction on a coarse hemisphere,
+/// or from the axis of Taubin's fit if that is better. From 9 points the misfit has several minima,
+/// and the hemisphere alone often leads to a wrong one.
+std::optional<Quadric> fit_paraboloid(const OrientedPointsd& points, QuadricType type) {
+  const auto free = fit_taubin(points);
+  if (!free) return std::nullopt;
+  const Scatter scatter(points);
+  DirectionSearch search{scatter, type, paraboloid_design};
+  const Eigen::Matrix3d frame = eigenframe(*free);
+  for (int k = 0; k < 3; ++k) search.offer(frame.col(k));
+  if (search.is_exact()) return search.best;
   constexpr int kRings = 6, kSectors = 12;
   for (int ring = 0; ring <= kRings; ++ring) {
     for (int sector = 0; sector < (ring == 0 ? 1 : kSectors); ++sector) {
@@ -192,7 +211,7 @@ std::optional<Quadric> fit_paraboloid(const OrientedPointsd& points, QuadricType
     }
   }
   if (!search.best) return std::nullopt;
-  for (double step = 0.1; step > 1e-10;) {
+  for (double step = 0.1; step > 1e-10 && !search.is_exact();) {
     const Eigen::Vector3d u = search.direction, e = u.unitOrthogonal(), f = u.cross(e);
     bool better = false;
     for (const Eigen::Vector3d& side : {e, f, Eigen::Vector3d(-e), Eigen::Vector3d(-f)}) {

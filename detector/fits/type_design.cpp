@@ -95,6 +95,12 @@ LinearSystem restricted(const LinearSystem& system, const Design& B) {
   return {system.A * B, system.n};
 }
 
+double mean_misfit(const Scatter& scatter, const Quadric& Q, double weight) {
+  const Vector10d q = Q.coefficients();
+  return q.dot((scatter.values + weight * weight * scatter.across()) * q) /
+         q.dot(scatter.gradients * q);
+}
+
 std::optional<Quadric> fit_design(const Scatter& scatter, const Design& B, double weight) {
   const Matrix10d S = scatter.values + weight * weight * scatter.across();
   const auto theta = smallest_eigenvector(Eigen::MatrixXd(B.transpose() * S * B),

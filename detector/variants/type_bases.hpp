@@ -21,7 +21,8 @@ std::optional<Eigen::Matrix4d> cylinder_through(const std::array<OrientedPoint, 
 /// axis, nᵢ·a = ∓sin α, where a points towards the nappe of the points and − holds if the normals
 /// point outwards.
 /// @return symmetric 4x4 matrix with its gradient on the side of the normals; nullopt if the
-///   normals lie nearly in a plane, or the points on both nappes
+///   normals lie nearly in a plane, or if the points agree better with a cone of which they lie on
+///   both nappes
 std::optional<Eigen::Matrix4d> cone_through(const std::array<OrientedPoint, 3>& basis);
 
 }  // namespace quadrille
