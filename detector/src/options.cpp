@@ -1,6 +1,7 @@
 #include "quadrille/detector/options.hpp"
 
 #include <algorithm>
+#include <numbers>
 #include <stdexcept>
 
 namespace quadrille {
@@ -28,23 +29,21 @@ void DetectorOptions::check() const {
 DetectorOptions sphere_preset() {
   DetectorOptions options;
   options.only = {QuadricType::kSphere};
-  // A sphere has only four parameters, so coarse cells, few points and few votes suffice.
-  options.sampling.cell *= 2.0;
-  options.sampling.stride = 6;
+  // A sphere has only four parameters, so cells of twice the area and few hypotheses suffice.
+  options.sampling.cell *= std::numbers::sqrt2;
   options.sampling.noise.patches = 100;
   options.search.basis = BasisKind::kSphere;
   options.search.bases = 2;
   options.search.voters = 48;
-  options.search.radii = {5.0, 10.0};
-  options.search.grow.rounds = 3;
-  options.search.grow.families = {Family::kSphere};
-  options.aggregate.families = {Family::kSphere};
-  // With spheres as the only family, every round surface gets a sphere, and the residual must
-  // refuse wrong ones. With all families, richer ones explain such surfaces, and the default
-  // refuses none.
-  options.aggregate.max_residual = 1.6;
-  // More of the wider cells lie at an edge, which lowers the confidence.
-  options.aggregate.min_confidence = 0.3;
+  options.search.radii = {6.0, 12.0};
+  options.search.grow.rounds = 6;
+  // A sample averages over twice the points, so it is worth twice the measurements.
+  options.aggregate.effective_share *= 2.0;
+  // Of the false spheres in generated scenes, two thirds have less confidence than this, and next
+  // to none of the true ones.
+  options.aggregate.min_confidence = 0.7;
+  // All families stay on offer while surfaces grow and are fitted, because a sphere that has no
+  // rival lies along a part of every cone, ellipsoid and hyperboloid.
   return options;
 }
 

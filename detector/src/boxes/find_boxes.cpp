@@ -120,6 +120,11 @@ class BoxMaker {
 
 std::vector<Box> find_boxes(const CloudView& cloud, const std::vector<Detection>& detections,
                             const std::vector<FlatPatch>& patches) {
+  const bool has_plane = std::any_of(detections.begin(), detections.end(), [](const Detection& d) {
+    return d.type == QuadricType::kPlane;
+  });
+  // Without a face there is no box, and the maker indexes the whole cloud before it looks for one.
+  if (!has_plane && patches.empty()) return {};
   return BoxMaker(cloud, detections, patches).make();
 }
 

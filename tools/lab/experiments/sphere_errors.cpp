@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "lab/experiments/measure.hpp"
+#include "lab/scoring/score.hpp"
 
 namespace quadrille::experiments {
 namespace {
@@ -44,6 +45,12 @@ SphereError match(const DetectionResult& result, const KnownSphere& truth) {
     best = {true, radius / truth.radius - 1.0, centre};
   }
   return best;
+}
+
+int false_spheres(const scoring::Frame& frame, DetectionResult result) {
+  std::erase_if(result.detections,
+                [](const Detection& d) { return d.type != QuadricType::kSphere; });
+  return scoring::score(frame, scoring::findings_of(result), "sphere").wrong;
 }
 
 Report report_errors(const std::map<std::string, std::vector<SphereError>>& groups) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lab/experiments/experiment.hpp"
+#include "lab/scoring/frame.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille::experiments {
@@ -28,6 +29,9 @@ struct SphereError {
 /// Returns the errors of the sphere (or ellipsoid, by its mean semi-axis) whose centre is nearest
 /// to the true one, if it lies within one radius.
 SphereError match(const DetectionResult& result, const KnownSphere& truth);
+
+/// Number of detected spheres that are none, or a second one of the same surface.
+int false_spheres(const scoring::Frame& frame, DetectionResult result);
 
 /// Reports quantiles and distributions of the errors, by group.
 Report report_errors(const std::map<std::string, std::vector<SphereError>>& groups);

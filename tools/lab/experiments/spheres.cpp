@@ -28,10 +28,12 @@ struct Search {
   std::vector<SphereError> errors;
   /// Processor time of each scene [ms].
   std::vector<double> times;
+  int wrong = 0;
 
-  void run(const PointCloud& cloud, const std::vector<KnownSphere>& spheres) {
+  void run(const scoring::Frame& frame, const std::vector<KnownSphere>& spheres) {
     DetectionResult result;
-    times.push_back(1e-3 * microseconds([&] { result = detect(cloud, options); }));
+    times.push_back(1e-3 * microseconds([&] { result = detect(frame.cloud, options); }));
+    wrong += false_spheres(frame, result);
     for (const KnownSphere& truth : spheres) errors.push_back(match(result, truth));
   }
   std::string found() const {
@@ -47,16 +49,17 @@ struct Searches {
 };
 
 void report_times(const std::map<std::string, Searches>& families, Report* report) {
-  Table table{"Time of the search for spheres alone, one thread, median over the scenes",
-              {"set", "scenes", "all types [ms]", "spheres alone [ms]", "times faster",
-               "found: all types", "found: spheres alone"},
-              {}};
+  Table table{
+      "Time of the search for spheres alone, one thread, median over the scenes",
+      {"set", "scenes", "all types [ms]", "spheres alone [ms]", "times faster", "found: all types",
+       "found: spheres alone", "false: all types", "false: spheres alone"},
+      {}};
   Search every;
   std::vector<double> all;
   for (const auto& [name, s] : families) {
     const double slow = quantile(s.all.times, 0.5), fast = quantile(s.alone.times, 0.5);
     table.row(name, fmt::format("{}", s.all.times.size()), slow, fast, slow / fast, s.all.found(),
-              s.alone.found());
+              s.alone.found(), fmt::format("{}", s.all.wrong), fmt::format("{}", s.alone.wrong));
     all.insert(all.end(), s.all.times.begin(), s.all.times.end());
     every.times.insert(every.times.end(), s.alone.times.begin(), s.alone.times.end());
   }
@@ -77,7 +80,7 @@ Report run_spheres(const Settings& settings) {
                    both.alone.options = sphere_preset();
                    const scoring::Frame frame = scoring::frame_of(made);
                    for (Search* search : {&both.all, &both.alone}) {
-                     search->run(frame.cloud, spheres_of(frame, made.ideal));
+                     search->run(frame, spheres_of(frame, made.ideal));
                    }
                  });
   std::map<std::string, std::vector<SphereError>> groups;
