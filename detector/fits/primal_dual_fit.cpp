@@ -16,10 +16,10 @@ namespace {
 
 // Largest shift of a null vector that rounding of the coordinates may cause.
 constexpr double kMaxShift = 5e-8;
-// The cubic's coefficients are sums of products of three coordinates of null vectors, and seldom
-// have errors ten times as large as these. Whether two roots are one is decided with a wide margin,
-// since distinct roots are hardly ever so near.
-constexpr double kNoiseFactor = 10.0, kMargin = 100.0;
+// The cubic's coefficients are sums of products of three coordinates of null vectors, which cancel.
+// Of random pencils some in 10,000 have errors ten times as large as these. Whether two roots are
+// one is decided with a further margin, since distinct roots are hardly ever so near.
+constexpr double kNoiseFactor = 50.0, kMargin = 20.0;
 // Errors of 1e-9 split a double root by 3e-5.
 constexpr double kSplit = 1e-4;
 

@@ -34,7 +34,8 @@ std::optional<Quadric> fit_primal_dual(const OrientedPointsd& points, const Prim
 /// @param points  3x8 positions
 /// @param plane   Π with Πᵀ [x 1] = 0
 /// @return all real solutions with |q| = 1 and arbitrary sign of the gradient; none for degenerate
-///   points, if the whole pencil touches the plane, or if rounding could move a solution
+///   points, if the whole pencil touches the plane, or if rounding could move a solution,
+///   as that of most points of two planes, whose dual vanishes
 /// @throws std::invalid_argument if there are not eight points
 std::vector<Quadric> fit_eight_points_and_plane(const Eigen::Matrix3Xd& points,
                                                 const Eigen::Vector4d& plane);

@@ -88,7 +88,7 @@ Label label_of(const StudyOptions& options, const std::string& version, const st
   return {{"version", version},
           {"family", family},
           {"gripper", options.gripper.name},
-          {"unknown", to_string(options.plan.unknown)},
+          {"unknown", std::string(quadrille::to_string(options.plan.unknown))},
           {"detector_seed", cell(options.detector.seed)},
           {"tries", to_string(options.tries)},
           {"friction", cell(options.trial.friction)},
