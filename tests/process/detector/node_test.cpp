@@ -158,6 +158,7 @@ TEST_CASE("without a channel of poses, or without tracking, no cloud wants a pos
           "[process][track][pose]") {
   DetectorSettings idle = settings_with_poses();
   idle.track.enabled = false;
+  idle.detector.views.remember = 0.0;
   for (const DetectorSettings& settings : {DetectorSettings(), idle}) {
     Process process(settings);
     process.take("POINT_CLOUD", encode_view(100000, camera_at(0)));
