@@ -72,9 +72,9 @@ expect_counted() {
 
 : >"$work/c.toml"
 echo "poses out of order, clouds 100 ms late"
-"$tool" make-poses "$work/disordered.lcm" 80 5 0 100
-replay "$work/disordered.lcm" 80 0
-play "$work/disordered.lcm" 80 0
+"$tool" make-poses "$work/disordered.lcm" 40 5 0 100
+replay "$work/disordered.lcm" 40 0
+play "$work/disordered.lcm" 40 0
 "$tool" check-equal "$work/live.lcm" "$work/out1.lcm"
 
 echo "poses 200 ms late"

@@ -70,8 +70,17 @@ TEST_CASE("a message above the limit is refused unread", "[bus][hostile]") {
         RejectReason::kTooLarge);
   CHECK(refusal(decode_grasps, encode(test::make_grasps())) == RejectReason::kTooLarge);
   CHECK(refusal(decode_occupancy, encode(test::make_occupancy())) == RejectReason::kTooLarge);
-  CHECK(test::refusal_in(decode_request(Bytes(kMaxRequestBytes + 1))) == RejectReason::kTooLarge);
-  CHECK(test::refusal_in(decode_planner_status(Bytes((1 << 20) + 1))) == RejectReason::kTooLarge);
+  const auto enlarged = [](const auto& message, std::size_t size) {
+    Bytes bytes = encode(message);
+    bytes.resize(size);
+    return bytes;
+  };
+  CHECK(test::refusal_in(decode_request(enlarged(grasp_request_t{}, kMaxRequestBytes + 1))) ==
+        RejectReason::kTooLarge);
+  const Bytes status = enlarged(planner_status_t{}, (1 << 20) + 1);
+  CHECK(test::refusal_in(decode_planner_status(status)) == RejectReason::kTooLarge);
+  // So a large message of another type is known for one.
+  CHECK(test::refusal_in(decode_detector_status(status)) == RejectReason::kUnknownType);
 }
 
 TEST_CASE("array lengths that are negative or overflow are refused", "[bus][hostile]") {

@@ -217,11 +217,15 @@ TEST_CASE("more shapes or corners than points can be compared with are refused",
 }
 
 TEST_CASE("a robot of millions of empty shapes is refused by its size", "[bus][scene][hostile]") {
-  CHECK(test::refusal_in(decode_robot(SceneBytes(kMaxSceneBytes + 1))) == RejectReason::kTooLarge);
-  CHECK(test::refusal_in(decode_shapes(SceneBytes(kMaxSceneBytes + 1))) == RejectReason::kTooLarge);
-  CHECK(test::refusal_in(decode_support(SceneBytes(kMaxSceneBytes + 1))) ==
-        RejectReason::kTooLarge);
-  CHECK(test::refusal_in(decode_forget(SceneBytes(kMaxSceneBytes + 1))) == RejectReason::kTooLarge);
+  const auto enlarged = [](const auto& message) {
+    SceneBytes bytes = encode(message);
+    bytes.resize(kMaxSceneBytes + 1);
+    return bytes;
+  };
+  CHECK(test::refusal_in(decode_robot(enlarged(robot_t{}))) == RejectReason::kTooLarge);
+  CHECK(test::refusal_in(decode_shapes(enlarged(collision_shapes_t{}))) == RejectReason::kTooLarge);
+  CHECK(test::refusal_in(decode_support(enlarged(support_t{}))) == RejectReason::kTooLarge);
+  CHECK(test::refusal_in(decode_forget(enlarged(forget_t{}))) == RejectReason::kTooLarge);
 }
 
 }  // namespace

@@ -100,9 +100,9 @@ def main(decoders, log):
             assert kind == "DRAKE_POINT_CLOUD", channel
             check_cloud(drake.lcmt_point_cloud.decode(data))
             clouds += 1
-    assert clouds == found.draws == 3, (clouds, found.draws)
+    assert clouds == found.draws >= 3, (clouds, found.draws)
     assert 1 <= found.loads < 3 and found.names, "one scene, loaded once"
-    assert hand.draws == 3 and hand.names == ["quadrille::hand"] and hand.types == {1}
+    assert hand.draws >= 3 and hand.names == ["quadrille::hand"] and hand.types == {1}
     # The fewest: a table and something curved.
     assert 1 in found.types and found.types - {1}, found.types
     print(f"check_viewer: {found.loads} + {hand.loads} loads, {found.draws} draws: {found.names}")

@@ -22,7 +22,7 @@ namespace {
 
 using Bytes = std::vector<std::byte>;
 
-constexpr std::int64_t kStart = 1'000'000'000, kPosePeriod = 10'000, kCloudPeriod = 100'000;
+constexpr std::int64_t kStart = 1'000'000'000, kPosePeriod = 10'000, kCloudPeriod = 200'000;
 constexpr std::int64_t kUsPerMs = 1000;
 constexpr double kRadius = 0.15, kSpeed = 0.5;
 

@@ -47,12 +47,12 @@ template <class Message, class Result = Message, class Check>
 Decoded<Result> decode_checked(
     std::span<const std::byte> bytes, std::size_t max_bytes, const Check& check,
     Result (*convert)(Message) = [](Message m) { return m; }) try {
-  if (bytes.size() > max_bytes) {
-    refuse(RejectReason::kTooLarge, std::to_string(bytes.size()) + " bytes");
-  }
   ByteReader reader(bytes);
   if (reader.read_int64("the fingerprint") != Message::getHash()) {
     refuse(RejectReason::kUnknownType, std::string("not quadrille.") + Message::getTypeName());
+  }
+  if (bytes.size() > max_bytes) {
+    refuse(RejectReason::kTooLarge, std::to_string(bytes.size()) + " bytes");
   }
   check(reader);
   reader.expect_end();
