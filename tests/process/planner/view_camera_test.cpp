@@ -27,8 +27,7 @@ using test::take_from;
 
 const std::string kTwo = kCautious + " --view-camera SIDE=SIDE_POSE";
 
-TEST_CASE("two cameras show as much as one that was at both places",
-          "[process][memory][cameras]") {
+TEST_CASE("two cameras show as much as one that was at both places", "[process][memory][cameras]") {
   // The detector has one camera: without memory, both chains detect in the last cloud alone.
   const test::TempFolder folder;
   const std::string detector =
