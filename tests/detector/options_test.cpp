@@ -4,7 +4,6 @@
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -180,16 +179,4 @@ TEST_CASE("a visit reaches each setting", "[options]") {
                                         &sector,
                                         &most};
   CHECK(visit(o).fields == fields);
-}
-
-TEST_CASE("each value of a choice has one word, the same in files and in to_string()",
-          "[options]") {
-  std::set<std::string_view> words;
-  for (const auto& [word, family] : words_of(Family{})) {
-    CHECK(words.insert(word).second);
-    CHECK(to_string(family) == word);
-  }
-  CHECK(words.size() == kFamilyCount);
-  for (const auto& [word, type] : words_of(QuadricType{})) CHECK(to_string(type) == word);
-  CHECK(to_string(BasisKind::kThreePoints) == "three_points");
 }

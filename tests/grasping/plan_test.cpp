@@ -31,12 +31,6 @@ bool touches(const Grasp& g, const std::vector<Ball>& balls) {
 
 }  // namespace
 
-TEST_CASE("kinds of grasps and policies have the names of files and messages", "[plan]") {
-  CHECK(to_string(GraspKind::kAcross) == "across");
-  CHECK(to_string(GraspKind::kTip) == "tip");
-  CHECK(to_string(UnknownPolicy::kTargetShadow) == "target-shadow");
-}
-
 TEST_CASE("a ball on a table is grasped across its diameter", "[plan]") {
   const Ball ball = ball_on_table(0.0, 0.0, 0.03);
   const GraspPlan plan = plan_balls({ball});

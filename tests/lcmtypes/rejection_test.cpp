@@ -1,18 +1,9 @@
 #include "quadrille/bus/rejection.hpp"
 
-#include <set>
-
 #include "support/catch.hpp"
 
 namespace quadrille::bus {
 namespace {
-
-TEST_CASE("each reason has a name of its own", "[bus][status]") {
-  std::set<std::string_view> names;
-  for (const RejectReason reason : all_reject_reasons()) names.insert(to_string(reason));
-  CHECK(names.size() == kRejectReasonCount);
-  CHECK(to_string(RejectReason::kTrailingBytes) == "trailing_bytes");
-}
 
 TEST_CASE("refusals are counted by reason", "[bus][status]") {
   RejectCounts counts;

@@ -92,7 +92,7 @@ Eigen::Matrix<double, 2, 3> contacts_of(const Grasp& g) {
 void bind_grasp(py::module_& module) {
   py::class_<Grasp> grasp(module, "Grasp",
                           "One grasp. Frame G: origin between the pads, z approach, y closing.");
-  grasp.def_readonly("target", &Grasp::target, "Id of the detection or box that it holds.")
+  grasp.def_readonly("target", &Grasp::target, "Id of the detection, box or body that it holds.")
       .def_readonly("track", &Grasp::track, "Its track; 0 if it has none.")
       .def_property_readonly(
           "kind", [](const Grasp& g) { return std::string(to_string(g.kind)); },

@@ -102,7 +102,8 @@ void add_attached_option(CLI::App& app, std::vector<CollisionShape>& attached) {
 
 void QueryArguments::add_to(CLI::App& app) {
   constexpr double kMaxLength = 100.0;
-  app.add_option("--target", query_.ids, "Grasp only these quadrics or boxes, by their numbers")
+  app.add_option("--target", query_.ids,
+                 "Grasp only these quadrics, boxes or bodies, by their numbers")
       ->type_name("ID,...")
       ->delimiter(',');
   app.add_option("--tracks", query_.tracks,

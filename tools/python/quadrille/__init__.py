@@ -10,7 +10,8 @@ quadrille.drake.lcmt_point_cloud, quadrille.bot_core.pose_t, …. quadrille.lcm 
 publishes and subscribes.
 
 Lengths are in metres, angles in radians, times in milliseconds. Frame C is that of the points. A
-pose X_AB takes points of frame B to frame A.
+pose X_AB takes points of frame B to frame A. Messages and JSON call X_CQ of a detection, X_CB of a
+box or body and X_CK of a view `pose`; X_CG of a grasp is `pose` in messages, and X_CG in JSON.
 """
 
 import json as _json
@@ -164,7 +165,7 @@ class GraspScene:
     def plan(self, *, advise: bool = False, **query: _Any) -> Plan:
         """Returns the grasps that match a query, as a Plan, best first.
 
-        targets        ids of detections and boxes
+        targets        ids of detections, boxes and bodies
         tracks         tracks of detections
         types          types of the targets, such as ["cylinder"]
         near           only the target nearest to this point [m]

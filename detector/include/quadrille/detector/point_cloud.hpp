@@ -12,6 +12,7 @@
 
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
+#include "quadrille/detector/word.hpp"
 
 namespace quadrille {
 
@@ -84,6 +85,11 @@ struct PointLayout {
   /// kept.
   std::optional<std::array<std::size_t, 3>> rgb;
 };
+
+constexpr auto words_of(PointLayout::Scalar) {
+  return std::to_array<Word<PointLayout::Scalar>>(
+      {{"float32", PointLayout::Scalar::kFloat32}, {"float64", PointLayout::Scalar::kFloat64}});
+}
 
 /// Reads the points from raw bytes; NaN, infinite and all-zero records count as missing.
 ///

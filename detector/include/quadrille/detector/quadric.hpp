@@ -11,6 +11,7 @@
 
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
+#include "quadrille/detector/word.hpp"
 
 namespace quadrille {
 
@@ -128,6 +129,18 @@ enum class Family {
 };
 
 inline constexpr int kFamilyCount = 9;
+
+constexpr auto words_of(Family) {
+  return std::to_array<Word<Family>>({{"plane", Family::kPlane},
+                                      {"sphere", Family::kSphere},
+                                      {"cylinder", Family::kCylinder},
+                                      {"cone", Family::kCone},
+                                      {"paraboloid", Family::kParaboloid},
+                                      {"revolution", Family::kRevolution},
+                                      {"elliptic_cylinder", Family::kEllipticCylinder},
+                                      {"parabolic", Family::kParabolic},
+                                      {"general", Family::kGeneral}});
+}
 
 /// A quadric in its own frame: its type, pose and size.
 struct CanonicalForm {

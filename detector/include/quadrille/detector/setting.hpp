@@ -1,11 +1,11 @@
 #pragma once
 
 #include <limits>
-#include <string_view>
 #include <type_traits>
 #include <vector>
 
 #include "quadrille/detector/export.hpp"
+#include "quadrille/detector/word.hpp"
 
 namespace quadrille {
 
@@ -29,24 +29,6 @@ struct Setting {
   /// Meaning of the option, and the reason for its value.
   const char* why;
 };
-
-/// The word that stands for a value of an enumeration in files. For each enumeration among the
-/// options, a function words_of() lists the words of all values that may be chosen.
-template <class Choice>
-struct Word {
-  std::string_view word;
-  Choice value;
-};
-
-/// The word for a value of such an enumeration.
-template <class Choice>
-requires requires(Choice choice) { words_of(choice); }
-constexpr std::string_view to_string(Choice choice) {
-  for (const auto& [word, value] : words_of(choice)) {
-    if (value == choice) return word;
-  }
-  return {};
-}
 
 /// Checks a value against its row.
 /// @throws std::invalid_argument "NAME = VALUE: must lie between MIN and MAX" if it is out of range

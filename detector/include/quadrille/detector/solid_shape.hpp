@@ -18,10 +18,10 @@ struct SolidShape {
   /// Sizes [m]: sphere r; ellipsoid a b c; cylinder r l; capsule r l, where l is the length between
   /// the middles of its round ends; cone r l (apex at +l/2); box full sides x y z. Convex shapes
   /// carry vertices instead.
-  std::vector<double> dimensions;
+  std::vector<double> dimensions = {};
   /// Vertices of a convex shape in frame S, and its faces as (count, indices …) [m].
-  std::vector<Eigen::Vector3d> vertices_S;
-  std::vector<int> faces;
+  std::vector<Eigen::Vector3d> vertices_S = {};
+  std::vector<int> faces = {};
 
   /// @throws std::invalid_argument if the fields are not finite, not positive, or make no such
   /// shape

@@ -132,18 +132,6 @@ constexpr auto words_of(BasisKind) {
       {{"three_points", BasisKind::kThreePoints}, {"sphere", BasisKind::kSphere}});
 }
 
-constexpr auto words_of(Family) {
-  return std::to_array<Word<Family>>({{"plane", Family::kPlane},
-                                      {"sphere", Family::kSphere},
-                                      {"cylinder", Family::kCylinder},
-                                      {"cone", Family::kCone},
-                                      {"paraboloid", Family::kParaboloid},
-                                      {"revolution", Family::kRevolution},
-                                      {"elliptic_cylinder", Family::kEllipticCylinder},
-                                      {"parabolic", Family::kParabolic},
-                                      {"general", Family::kGeneral}});
-}
-
 /// Growing of a hypothesis.
 struct GrowOptions {
   std::vector<Family> families = {Family::kPlane, Family::kSphere, Family::kCylinder, Family::kCone,

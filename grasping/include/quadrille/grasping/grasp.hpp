@@ -4,7 +4,7 @@
 #include <array>
 
 #include "quadrille/detector/eigen_layout.hpp"
-#include "quadrille/detector/setting.hpp"
+#include "quadrille/detector/word.hpp"
 #include "quadrille/grasping/grasp_terms.hpp"
 
 namespace quadrille {
@@ -26,7 +26,7 @@ constexpr auto words_of(GraspKind) {
 
 /// One two-finger grasp. Frame G: origin midway between the pads, z approach, y closing.
 struct Grasp {
-  /// Id of the detection or box to be grasped.
+  /// Id of the detection, box or body to be grasped.
   int target = 0;
   /// Id of the target's track; 0 if it has none.
   int track = 0;

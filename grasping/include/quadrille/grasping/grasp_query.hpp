@@ -45,7 +45,8 @@ struct Cone {
 struct GraspQuery {
   static constexpr double kMaxMinClearance = 0.03;
 
-  /// Ids of detections and boxes, and ids of tracks; if both are empty, all targets are wanted.
+  /// Ids of detections, boxes and bodies, and ids of tracks; if both are empty, all targets are
+  /// wanted.
   std::vector<int> ids, tracks;
   /// Quadric types of the targets; empty means all. Boxes count as planes.
   std::vector<QuadricType> types;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "quadrille/detector/eigen_layout.hpp"
 #include "quadrille/detector/export.hpp"
+#include "quadrille/detector/word.hpp"
 
 namespace octomap {
 class OcTree;
@@ -18,6 +20,13 @@ namespace quadrille {
 /// free space, where anything would stand in view (planner.clear_above); octrees leave them out,
 /// like unknown ones.
 enum class Voxel : std::uint8_t { kUnknown, kClear, kFree, kOccupied };
+
+constexpr auto words_of(Voxel) {
+  return std::to_array<Word<Voxel>>({{"unknown", Voxel::kUnknown},
+                                     {"clear", Voxel::kClear},
+                                     {"free", Voxel::kFree},
+                                     {"occupied", Voxel::kOccupied}});
+}
 
 /// A dense voxel grid of free, occupied and unknown space in a region.
 ///

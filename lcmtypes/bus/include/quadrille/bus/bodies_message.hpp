@@ -26,7 +26,7 @@ struct BodiesMessage {
   std::vector<SceneBody> bodies;
 };
 
-/// Makes the message of one body; its pose is in frame C.
+/// Makes the message of one body; its field `pose` is X_CB.
 QUADRILLE_EXPORT body_t to_message(const SceneBody& body);
 
 /// Makes the message of the bodies, stamped with their cloud's utime, seq and frame.

@@ -26,7 +26,7 @@ struct BoxesMessage {
   std::vector<Box> boxes;
 };
 
-/// Makes the message of one box; its pose is in frame C.
+/// Makes the message of one box; its field `pose` is X_CB.
 QUADRILLE_EXPORT box_t to_message(const Box& box);
 
 /// Makes the message of the boxes, stamped with their cloud's utime, seq and frame.

@@ -64,6 +64,11 @@ inline constexpr std::size_t kMaxFrameBytes = 1024;
 /// Whether colours are read; detection and planning do not need them.
 enum class CloudColours { kDrop, kKeep };
 
+/// Returns "drop" or "keep".
+constexpr std::string_view to_string(CloudColours colours) {
+  return colours == CloudColours::kDrop ? "drop" : "keep";
+}
+
 /// Reads a cloud from a message of any of the formats.
 ///
 /// Every length, sign and product is checked before anything is allocated, and memory stays within

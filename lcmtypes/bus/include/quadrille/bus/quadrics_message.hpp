@@ -39,7 +39,7 @@ QUADRILLE_EXPORT pose_t to_message(const Eigen::Isometry3d& X_CF);
 /// Reads the pose of a message, whose quaternion must have unit norm.
 QUADRILLE_EXPORT Eigen::Isometry3d from_message(const pose_t& pose);
 
-/// Makes the message of one detection; everything is in frame C.
+/// Makes the message of one detection, in frame C; its field `pose` is X_CQ.
 QUADRILLE_EXPORT quadric_t to_message(const Detection& detection);
 
 /// Makes the message of a detection result, stamped with its cloud's utime, seq and frame.
