@@ -110,6 +110,30 @@ TEST_CASE("the benchmark tells how many surfaces all runs on a cloud find", "[co
   test::check_failure(run_quadrille("bench --stability " + folder.path("b.ply")), "b.ply");
 }
 
+TEST_CASE("the benchmark takes the detector's settings", "[command][bench]") {
+  const test::TempFolder folder;
+  const std::string scenes =
+      "bench --scenes 1 --family medium --contender quadrille,quadrille-four ";
+  const auto found_with = [&](const std::string& settings) {
+    const std::string config = "--config " + folder.write("c.toml", settings);
+    const Run run = run_quadrille(scenes + config + " --out " + folder.path("out"));
+    INFO(run.err);
+    REQUIRE(run.code == 0);
+    CHECK(contains(test::content_of(folder.path("out/bench.md")), " " + config));
+    json counts = json::array();
+    for (const json& row : rows_of(folder.path("out"))) counts.push_back(row["found"]);
+    return counts;
+  };
+  const json as_it_comes = found_with("");
+  CHECK(as_it_comes == found_with("seed = 1\n"));
+  // No surface has so many samples.
+  for (const json& count : found_with("aggregate.min_samples = 1000000\n")) CHECK(count == 0);
+  for (const char* wrong : {"search.base = 3\n", "only = [\"cone\"]\n"}) {
+    const std::string config = folder.write("c.toml", wrong);
+    test::check_failure(run_quadrille(scenes + "--config " + config), "c.toml");
+  }
+}
+
 TEST_CASE("what the benchmark cannot use ends with one line", "[command][bench][hostile]") {
   const test::TempFolder folder;
   const std::string cloud = folder.path("a.ply");

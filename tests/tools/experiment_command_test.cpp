@@ -101,6 +101,22 @@ TEST_CASE("an experiment's seed is a whole number from 0 on", "[experiment][comm
   }
 }
 
+TEST_CASE("only the experiment of the printed pipeline takes settings, and refuses unknown ones",
+          "[experiment][command][hostile]") {
+  const TempFolder folder;
+  const std::string file = folder.write("c.toml", "[printed]\npools = 3\n");
+  const std::string rest = " --quick --config '" + file + "' --out '" + folder.path("o") + "'";
+  test::check_failure(run_quadrille("experiment printed" + rest), "unknown key 'printed.pools'");
+  for (const char* other : {"lambda", "all"}) {
+    const auto run = run_quadrille(std::string("experiment ").append(other) + rest);
+    CHECK(run.code == 2);
+    CHECK(contains(run.err, "is only for the experiment printed"));
+  }
+  test::check_failure(
+      run_quadrille("experiment printed --config /nowhere.toml --out '" + folder.path("o") + "'"),
+      "/nowhere.toml");
+}
+
 TEST_CASE("a sequence without scans, or with a broken list of them, is a failure of one line",
           "[experiment][command][hostile]") {
   const TempFolder folder;

@@ -154,6 +154,20 @@ TEST_CASE("triplets repeat more often with more bases, and count only with the h
   }
 }
 
+TEST_CASE("the detector finds more than the printed pipeline, with fewer false surfaces",
+          "[experiment]") {
+  const Report report = run_quick("printed");
+  REQUIRE(report.data.rows.size() % 2 == 0);
+  const auto medium = rows_of(report.data, {"medium"});
+  REQUIRE(medium.size() == report.data.rows.size() / 2);
+  CHECK(medium.front()[1] == "as printed");
+  CHECK(value_of(medium.front()[3]) < value_of(medium.back()[3]));
+  // With smaller cells alone.
+  CHECK(value_of(medium[1][3]) >= 3);
+  CHECK(value_of(medium[1][4]) > value_of(medium.back()[4]));
+  CHECK(value_of(medium[1][7]) > value_of(medium.back()[7]));
+}
+
 TEST_CASE("spheres of generated scenes are measured to a few per cent", "[experiment]") {
   const Report report = run_quick("spheres");
   int found = 0;

@@ -61,6 +61,19 @@ TEST_CASE("a region keeps to the free samples that are connected", "[grow]") {
   for (const int i : grown->region) CHECK(i % 25 < 18);
 }
 
+TEST_CASE("without rounds a hypothesis collects its samples and stays as it is", "[grow]") {
+  const SurfaceSamples samples = sphere_grid(24, 24, 0.06, kCell, 0.0005, 1);
+  const std::vector<char> free(samples.p.size(), 1);
+  GrowOptions options;
+  options.rounds = 0;
+  const Quadric hypothesis = sphere_of(1.02 * 0.06);
+  const auto grown = grow(samples, hypothesis, middle(samples, 0.012f), free, tolerance(), options);
+  REQUIRE(grown);
+  CHECK(grown->Q.matrix() == hypothesis.matrix());
+  CHECK(grown->family == Family::kGeneral);
+  CHECK(static_cast<int>(grown->region.size()) >= options.min_samples);
+}
+
 TEST_CASE("a hypothesis without enough support does not grow", "[grow]") {
   const SurfaceSamples samples = sphere_grid(24, 24, 0.06, kCell, 0.0005, 3);
   const std::vector<char> free(samples.p.size(), 1), none(samples.p.size(), 0);

@@ -23,9 +23,10 @@ Contender own(const std::string& name, const std::string& about, const std::stri
           }};
 }
 
-Contender variant(const std::string& name, const std::string& about, const Variant& way) {
-  return own(name, about, "",
-             [way](const CloudView& cloud) { return detect_variant(cloud, {}, way); });
+/// The search for spheres alone, with the settings of a file over its preset.
+DetectorOptions sphere_options(io::DetectorConfig config) {
+  config.detector.only = {QuadricType::kSphere};
+  return io::search_options(config);
 }
 
 Contender plain(const std::string& name, const std::string& about, const PlainOptions& options) {
@@ -62,10 +63,17 @@ Contender peer(const std::string& name, const std::string& about, const std::str
 
 }  // namespace
 
-std::vector<Contender> all_contenders(const std::string& programs) {
+std::vector<Contender> all_contenders(const std::string& programs,
+                                      const io::DetectorConfig& config) {
+  const DetectorOptions& options = config.detector;
+  const auto variant = [&](const std::string& name, const std::string& about, const Variant& way) {
+    return own(name, about, "", [options, way](const CloudView& cloud) {
+      return detect_variant(cloud, options, way);
+    });
+  };
   return {
       own("quadrille", "quadrille as it comes: three points a basis, and a vote", "",
-          [](const CloudView& cloud) { return detect(cloud); }),
+          [options](const CloudView& cloud) { return detect(cloud, options); }),
       variant("quadrille-two", "bases of two points, and a vote in three dimensions",
               {.basis = VariantBasis::kTwoPoints}),
       variant("quadrille-four", "bases of four points", {.basis = VariantBasis::kFourPoints}),
@@ -81,7 +89,9 @@ std::vector<Contender> all_contenders(const std::string& programs) {
       variant("quadrille-agglomerate", "candidates are clustered by d_close and d_far",
               {.agglomerate = AgglomerateOptions()}),
       own("quadrille-sphere", "quadrille --only sphere: bases of one point", "sphere",
-          [](const CloudView& cloud) { return detect(cloud, sphere_preset()); }),
+          [spheres = sphere_options(config)](const CloudView& cloud) {
+            return detect(cloud, spheres);
+          }),
       plain_nine(),
       plain_four(),
       peer("cgal", "CGAL Efficient RANSAC, tuned per family", "libcgal-dev", programs),

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/settings/config.hpp"
 #include "lab/scoring/frame.hpp"
 #include "lab/scoring/score.hpp"
 
@@ -34,6 +35,8 @@ struct Contender {
 
 /// Returns Quadrille and its variants, plain baselines, and the peers, including absent ones.
 /// @param programs  folder of the peers' programs
-std::vector<Contender> all_contenders(const std::string& programs);
+/// @param config    settings of Quadrille and its variants
+std::vector<Contender> all_contenders(const std::string& programs,
+                                      const io::DetectorConfig& config = {});
 
 }  // namespace quadrille::bench

@@ -15,6 +15,8 @@
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/seed_option.hpp"
+#include "io/file_bytes.hpp"
+#include "io/settings/config.hpp"
 #include "lab/bench/bench.hpp"
 #include "lab/bench/report.hpp"
 #include "lab/bench/stability.hpp"
@@ -28,7 +30,7 @@ namespace fs = std::filesystem;
 
 struct BenchArguments {
   std::vector<std::string> families = {"easy", "medium", "hard"}, contenders;
-  std::string out = ".";
+  std::string out = ".", config;
   bool list = false, stages = false, stability = false;
   bench::FrameOptions frames;
 };
@@ -42,14 +44,28 @@ const std::map<std::string, scene::Family>& families() {
 }
 
 /// Returns all contenders; the peers' programs lie beside this one.
-std::vector<bench::Contender> all_contenders() {
+std::vector<bench::Contender> all_contenders(const io::DetectorConfig& config = {}) {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  return bench::all_contenders(error ? "." : self.parent_path().string());
+  return bench::all_contenders(error ? "." : self.parent_path().string(), config);
 }
 
-std::vector<bench::Contender> chosen(const std::vector<std::string>& names) {
-  std::vector<bench::Contender> contenders = all_contenders();
+/// Reads the detector's settings.
+/// @throws io::FileError also if they select types, since surfaces of all types are counted
+io::DetectorConfig settings_of(const std::string& path) {
+  io::DetectorConfig config = io::load_detector_config(path);
+  for (const char* key : {"only", "report"}) {
+    if (!config.given.contains(key)) continue;
+    throw io::FileError(path, "", std::string("key '") + key + "': here all types are counted");
+  }
+  // No contender uses more.
+  config.detector.threads = 1;
+  return config;
+}
+
+std::vector<bench::Contender> chosen(const std::vector<std::string>& names,
+                                     const io::DetectorConfig& config) {
+  std::vector<bench::Contender> contenders = all_contenders(config);
   if (names.empty()) return contenders;
   std::erase_if(contenders, [&](const bench::Contender& contender) {
     return std::find(names.begin(), names.end(), contender.name) == names.end();
@@ -67,6 +83,7 @@ std::string command_of(const BenchArguments& arguments) {
   if (!arguments.contenders.empty()) {
     command += fmt::format(" --contender {}", fmt::join(arguments.contenders, ","));
   }
+  if (!arguments.config.empty()) command += " --config " + arguments.config;
   return command;
 }
 
@@ -77,28 +94,28 @@ void list_contenders() {
   }
 }
 
-void print_stages(const bench::FrameOptions& frames) {
+void print_stages(const bench::FrameOptions& frames, const DetectorOptions& options) {
   std::vector<bench::StageCounts> families;
   {
     ProgressLine line;
     bench::FrameOptions shown = frames;
     shown.progress = [&](double share) { line.show(share); };
-    families = bench::count_stages(shown);
+    families = bench::count_stages(shown, options);
   }
   print(to_markdown(bench::to_table(families)));
 }
 
-void print_stability(const std::vector<std::string>& clouds) {
+void print_stability(const std::vector<std::string>& clouds, const DetectorOptions& options) {
   std::vector<bench::Stability> list;
   {
     ProgressLine line;
-    list = bench::measure_stability(clouds, {}, [&](double share) { line.show(share); });
+    list = bench::measure_stability(clouds, options, [&](double share) { line.show(share); });
   }
   print(to_markdown(bench::to_table(list)));
 }
 
-void compare(BenchArguments arguments) {
-  const std::vector<bench::Contender> contenders = chosen(arguments.contenders);
+void compare(BenchArguments arguments, const io::DetectorConfig& config) {
+  const std::vector<bench::Contender> contenders = chosen(arguments.contenders, config);
   for (const bench::Contender& contender : contenders) {
     if (contender.absent.empty()) continue;
     print_warnings("bench", {"without " + contender.name + ": " + contender.absent});
@@ -125,9 +142,10 @@ void run(BenchArguments arguments) {
   for (const std::string& name : arguments.families) {
     arguments.frames.families.push_back(families().at(name));
   }
-  if (arguments.stability) return print_stability(arguments.frames.clouds);
-  if (arguments.stages) return print_stages(arguments.frames);
-  compare(std::move(arguments));
+  const io::DetectorConfig config = settings_of(arguments.config);
+  if (arguments.stability) return print_stability(arguments.frames.clouds, config.detector);
+  if (arguments.stages) return print_stages(arguments.frames, config.detector);
+  compare(std::move(arguments), config);
 }
 
 std::string check_contender(const std::string& name) {
@@ -164,6 +182,10 @@ void add_bench_command(CLI::App& app) {
           ->delimiter(',')
           ->check(CLI::Validator(check_contender, ""))
           ->type_name("NAME,...");
+  command
+      ->add_option("--config", arguments->config,
+                   "Settings of the detector and its variants (TOML)")
+      ->type_name("FILE");
   CLI::Option* const list =
       command->add_flag("--list", arguments->list, "Only list the contenders");
   CLI::Option* const out =

@@ -18,6 +18,7 @@ namespace quadrille {
 namespace {
 
 constexpr const char* kAll = "all";
+constexpr const char* kPrinted = "printed";
 
 struct ExperimentArguments {
   std::string name, out = ".";
@@ -74,6 +75,9 @@ void run_one(const experiments::Experiment& experiment, experiments::Settings se
 }
 
 void run(const ExperimentArguments& arguments) {
+  if (!arguments.settings.config.empty() && arguments.name != kPrinted) {
+    throw CLI::ValidationError("--config", std::string("is only for the experiment ") + kPrinted);
+  }
   if (arguments.name.empty()) return list_experiments();
   const auto experiments = chosen(arguments.name);
   OutputFolder files = folder_for(arguments.out, experiments);
@@ -105,6 +109,10 @@ void add_experiment_command(CLI::App& app) {
                    "Folder for NAME.md, NAME.csv and, if it has plots, NAME.gnuplot and NAME.svg")
       ->type_name("FOLDER");
   add_seed_option(*command, arguments->settings.seed, "the random numbers");
+  command
+      ->add_option("--config", arguments->settings.config,
+                   "Settings of the printed pipeline (TOML), for the experiment of that name")
+      ->type_name("FILE");
   command->add_flag("--quick", arguments->settings.quick, "Little work, to see that it runs");
   command->callback([arguments] { run(*arguments); });
 }

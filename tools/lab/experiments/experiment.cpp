@@ -18,6 +18,8 @@ const std::vector<Experiment>& all_experiments() {
       {"sampling", "2, 3, 4 and 9 points in the whole detector over the sampling rate (figure 6b)",
        run_sampling},
       {"triplets", "how often the search draws a basis again (section 5)", run_triplets},
+      {"printed", "the printed pipeline, and the steps from it to the detector (section 4)",
+       run_printed},
       {"spheres", "errors of spheres in generated scenes, time of spheres alone (figure 6c)",
        run_spheres},
       {"cylinders", "cylinders in clutter: generated bins (after table 2)", run_cylinders},
@@ -29,7 +31,8 @@ const std::vector<Experiment>& all_experiments() {
       {"examples", "fits to noisy points, drawn (figure 5B)", run_examples},
       {"planes", "quadrics in place of planes that are not taken out first (figure 9)", run_planes},
       {"balls", "eight generated sequences of moving balls (table 1)", run_balls},
-      {"objects", "35 scenes of five objects in clutter (section 5)", run_objects},
+      {"objects", "any quadric along each of five objects in 35 cluttered scenes (section 5)",
+       run_objects},
       {"sequence", "errors of a ball in a sequence of real scans (figure 6c, table 1)",
        run_sequence},
   };
@@ -45,8 +48,10 @@ const Experiment* find_experiment(std::string_view name) {
 
 std::string to_markdown(const Report& report, const Experiment& experiment,
                         const Settings& settings, std::string_view version) {
-  const std::string command = fmt::format("quadrille experiment {} --seed {}{}", experiment.name,
-                                          settings.seed, settings.quick ? " --quick" : "");
+  const std::string command =
+      fmt::format("quadrille experiment {} --seed {}{}{}", experiment.name, settings.seed,
+                  settings.quick ? " --quick" : "",
+                  settings.config.empty() ? "" : " --config " + settings.config);
   std::string text = fmt::format("# {}: {}\n\n", experiment.name, experiment.about);
   text += fmt::format("quadrille {}, seed {}: `{}`. ", version, settings.seed, command);
   text += "Times depend on the machine; all else is the same each time.\n\n";

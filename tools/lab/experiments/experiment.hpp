@@ -17,6 +17,9 @@ struct Settings {
   /// Does only a few per cent of the work, which shows that the experiment runs, but not what it
   /// finds.
   bool quick = false;
+  /// Settings file of the printed pipeline, which only the experiment "printed" reads; empty for
+  /// the one that is built in.
+  std::string config;
   /// Called with the share of the work that is done, 0 to 1.
   std::function<void(double)> progress = [](double) {};
 };

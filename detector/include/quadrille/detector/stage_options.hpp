@@ -146,7 +146,8 @@ struct GrowOptions {
                    "Families that a refit chooses from; a single one is fitted without a choice."});
     v(o.min_samples,
       {"search.grow.min_samples", "", 9, 1e6, "Samples that a candidate has at least."});
-    v(o.rounds, {"search.grow.rounds", "", 1, 1000, "Rounds of growing and refitting."});
+    v(o.rounds, {"search.grow.rounds", "", 0, 1000,
+                 "Rounds of growing and refitting; 0 keeps a hypothesis as it was drawn."});
     v(o.fit_points, {"search.grow.fit_points", "", 16, 1e6, "Points that a fit uses at most."});
   }
 };

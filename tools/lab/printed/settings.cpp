@@ -1,0 +1,31 @@
+#include "lab/printed/settings.hpp"
+
+#include "io/settings/setting_reader.hpp"
+#include "lab/printed/printed_toml.hpp"
+
+namespace quadrille::printed {
+namespace {
+
+Settings read(io::SettingReader reader, const std::string& path) {
+  Settings settings;
+  reader.read(&settings.detector);
+  reader.read(&settings.printed);
+  reader.check("", settings.detector, settings.printed);
+  for (const char* key : {"only", "report"}) {
+    if (!reader.given().contains(key)) continue;
+    throw io::FileError(path, "", std::string("key '") + key + "': here all types are found");
+  }
+  return settings;
+}
+
+}  // namespace
+
+Settings load_settings(const std::string& path) { return read(io::SettingReader(path), path); }
+
+Settings parse_settings(std::string_view text, const std::string& path) {
+  return read(io::SettingReader(text, path), path);
+}
+
+Settings printed_settings() { return parse_settings(printed_toml(), "printed.toml"); }
+
+}  // namespace quadrille::printed
