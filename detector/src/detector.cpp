@@ -88,12 +88,23 @@ UsableViews usable_views(std::span<const CloudView> given, std::span<const Cloud
   return usable;
 }
 
+/// Rounds what messages and files hold to fewer digits.
+void round_poses(Findings* found) {
+  for (Detection& d : found->detections) {
+    d.Q_C = Quadric(d.Q_C.coefficients());
+    d.X_CQ = rounded(d.X_CQ);
+  }
+  for (Box& box : found->boxes) box.X_CB = rounded(box.X_CB);
+  for (SceneBody& body : found->bodies) body.X_CB = rounded(body.X_CB);
+}
+
 /// @param all  number of all views
 DetectionResult detect_checked(const UsableViews& views, std::size_t all,
                                const DetectorOptions& options, const Ways& ways,
                                DetectionResult result, StageClock& clock) {
   if (views.clouds.empty()) return result;
   Findings found = find_anywhere(views.clouds, views.centre, options, ways, clock);
+  round_poses(&found);
   result.detections = std::move(found.detections);
   result.boxes = std::move(found.boxes);
   result.bodies = std::move(found.bodies);

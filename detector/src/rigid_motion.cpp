@@ -42,8 +42,8 @@ Detection moved(Detection detection, const Eigen::Isometry3d& X_FC) {
   if (X_FC.matrix().isIdentity(0.0)) return detection;
   detection.covariance =
       mapped(detection.covariance, coefficients_map(X_FC), detection.Q_C.coefficients());
-  detection.Q_C = detection.Q_C.transformed(X_FC).normalized();
-  detection.X_CQ = X_FC * detection.X_CQ;
+  detection.Q_C = Quadric(detection.Q_C.transformed(X_FC).normalized().coefficients());
+  detection.X_CQ = rounded(X_FC * detection.X_CQ);
   return detection;
 }
 
@@ -54,7 +54,7 @@ std::vector<Detection> moved(std::vector<Detection> detections, const Eigen::Iso
 
 std::vector<Box> moved(std::vector<Box> boxes, const Eigen::Isometry3d& X_FC) {
   if (X_FC.matrix().isIdentity(0.0)) return boxes;
-  for (Box& box : boxes) box.X_CB = X_FC * box.X_CB;
+  for (Box& box : boxes) box.X_CB = rounded(X_FC * box.X_CB);
   return boxes;
 }
 

@@ -56,6 +56,21 @@ TEST_CASE("coordinates are found as float64 at any offset and in either byte ord
   CHECK(got.cloud.points[1] == Eigen::Vector3f(12.5f, 13.5f, 10.5f));
 }
 
+TEST_CASE("a cloud in another unit is converted when it is read", "[bus][cloud]") {
+  CloudMessage sent = test::make_cloud();
+  for (Eigen::Vector3f& p : sent.cloud.points) p *= 1000.0f;
+  const auto format = GENERATE(CloudFormat::kDrake, CloudFormat::kPointCloud2);
+  const auto decoded =
+      decode_cloud(encode_cloud(sent, format), kMaxMessageBytes, CloudColours::kDrop, 1e-3);
+  const PointCloud& got = std::get<CloudMessage>(decoded).cloud;
+  REQUIRE(got.points.size() == 12);
+  for (std::size_t i = 0; i < got.points.size(); ++i) {
+    const Eigen::Vector3f& p = sent.cloud.points[i];
+    CHECK(got.points[i].allFinite() == p.allFinite());
+    if (p.allFinite()) CHECK((got.points[i] - 1e-3f * p).norm() < 1e-6f);
+  }
+}
+
 TEST_CASE("rows may be padded", "[bus][cloud]") {
   auto m = test::make_wide_message(false);
   m.width = 1;

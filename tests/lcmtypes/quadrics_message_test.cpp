@@ -23,7 +23,7 @@ TEST_CASE("detections survive their message", "[bus][quadrics]") {
     CHECK(b.score == a.score);
     CHECK(b.inliers == a.inliers);
     CHECK(b.rms == a.rms);
-    CHECK(b.X_CQ.isApprox(a.X_CQ, 1e-14));
+    CHECK(b.X_CQ.matrix() == rounded(a.X_CQ).matrix());
     REQUIRE(b.dimensions.size() == 2);
     CHECK(b.dimensions[1].name == a.dimensions[1].name);
     CHECK(b.dimensions[1].value == a.dimensions[1].value);
@@ -62,27 +62,7 @@ TEST_CASE("a rotation is written with one of its two quaternions", "[bus][determ
     const Eigen::Isometry3d X(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()));
     const pose_t pose = to_message(X);
     CHECK(pose.quaternion[0] >= 0.0);
-    CHECK(from_message(pose).isApprox(X, 1e-14));
-  }
-}
-
-TEST_CASE("detections as received are those that a message brings", "[bus][quadrics]") {
-  CloudMessage cloud;
-  DetectionResult result;
-  for (int i = 0; i < 20; ++i) {
-    Detection detection = test::make_result().detections[0];
-    detection.X_CQ.linear() =
-        Eigen::AngleAxisd(0.3 * i, Eigen::Vector3d(1, 0.1 * i, -2).normalized()).matrix();
-    result.detections.push_back(detection);
-  }
-  const auto decoded = decode_quadrics(encode(to_message(cloud, result)));
-  const auto& sent = std::get<QuadricsMessage>(decoded).detections;
-  const std::vector<Detection> received = as_received(result.detections);
-  REQUIRE(received.size() == sent.size());
-  for (std::size_t i = 0; i < sent.size(); ++i) {
-    CHECK(received[i].X_CQ.matrix() == sent[i].X_CQ.matrix());
-    CHECK(received[i].Q_C.coefficients() == sent[i].Q_C.coefficients());
-    CHECK(received[i].extent_Q.isApprox(sent[i].extent_Q, 0.0));
+    CHECK(from_message(pose).isApprox(X, 1e-12));
   }
 }
 

@@ -172,7 +172,7 @@ class Detect(unittest.TestCase):
                             (lambda: quadrille.detect(np.zeros(3)), "(3,)"),
                             (lambda: quadrille.detect(ball(), config={"sed": 1}), "sed"),
                             (lambda: quadrille.detect(ball(), config={"threads": 0}), "threads"),
-                            (lambda: quadrille.plan(ball(), None, "franka"), "incompatible"),
+                            (lambda: quadrille.plan(ball(), None, "franka"), "result"),
                             (lambda: quadrille.Gripper("franco"), "robotiq")):
             with self.assertRaises((ValueError, TypeError)) as caught:
                 wrong()
@@ -206,6 +206,18 @@ class Files(unittest.TestCase):
         with open(self.folder / "0.npy", "rb") as file:
             piped = run("detect", "-", stdin=file)
         self.assertEqual(piped["detections"], found)
+
+    def test_millimetres_are_converted(self):
+        p = ball()
+        path = self.folder / "mm.npz"
+        np.savez(path, points=1000 * p, viewpoint=np.array([100.0, 0.0, -200.0]))
+        points, viewpoint = quadrille.read_cloud(path, unit="mm")
+        np.testing.assert_array_equal(points, p.astype(np.float32))
+        np.testing.assert_allclose(viewpoint, (0.1, 0.0, -0.2), rtol=1e-12)
+        with self.assertRaisesRegex(ValueError, "'m' or 'mm'"):
+            quadrille.read_cloud(path, unit="inch")
+        told = quadrille.detect(quadrille.read_cloud(path)[0]).warnings
+        self.assertIn("millimetres (--unit mm)", " ".join(told))
 
     def test_the_cloud_among_several_arrays_is_the_one_called_so(self):
         p, seen_from = ball().astype(np.float32), np.array([0.1, 0.0, -0.2])
@@ -486,6 +498,190 @@ class Known(unittest.TestCase):
         self.assertEqual(len(memory), 0)
         with self.assertRaisesRegex(ValueError, "views.most"):
             quadrille.ViewMemory({"views.most": 0})
+
+
+    def test_views_may_have_the_poses_of_their_cameras(self):
+        scene, beside = organised_ball(320, 240), shifted(0.1, 0.0, 0.0)
+        moved = (scene.reshape(-1, 3) + beside[:3, 3]).reshape(scene.shape)
+        by_pose = quadrille.detect(scene, views=[(scene, beside)])
+        by_place = quadrille.detect(scene, views=[(moved.astype(np.float32), beside[:3, 3])])
+        self.assertEqual([d.score for d in by_pose], [d.score for d in by_place])
+        self.assertEqual(len(by_pose.corrections), 1)
+        with self.assertRaisesRegex(ValueError, r"views\[0\].*\(4, 4\)"):
+            quadrille.detect(scene, views=[(scene, np.eye(3))])
+
+    def test_a_camera_pose_gives_the_grasps_of_the_camera_elsewhere(self):
+        pose = quadrille.pose((0.5, -0.2, 1.1), (0.0, 0.6, -0.8, 0.0))
+        finite = np.isfinite(self.points).all(-1)
+        there = np.full(self.points.shape, np.nan)
+        there[finite] = self.points[finite].astype(float) @ pose[:3, :3].T + pose[:3, 3]
+        found = quadrille.detect(there, camera_pose=pose)
+        self.assertEqual([d.type for d in found], [d.type for d in self.found])
+        for mine, other in zip(found, self.found):
+            np.testing.assert_allclose(mine.X_CQ, pose @ other.X_CQ, atol=1e-4)
+        plan = quadrille.plan(there, found, "franka", camera_pose=pose)
+        self.assertEqual(len(plan), len(self.plain))
+        at = (pose @ np.append(self.at, 1))[:3]
+        self.assertLess(min(np.linalg.norm(g.X_CG[:3, 3] - at) for g in plan), 1e-3)
+        self.assertEqual(plan.space.states.ndim, 3)
+
+    def test_what_is_known_is_planned_on(self):
+        grasped = self.found[[d.id for d in self.found].index(self.plain[0].target)]
+        known = quadrille.Detection(grasped.type, grasped.X_CQ, grasped.dimensions, extent=grasped.extent,
+                                    inside=grasped.inside)
+        self.assertEqual((known.id, known.score, known.seen), (0, 1.0, 1.0))
+        tables = [d for d in self.found if d.type == "plane"]
+        result = quadrille.Result([*tables, known])
+        ids = [d.id for d in result]
+        self.assertEqual(ids[:-1], [d.id for d in tables])
+        self.assertNotIn(ids[-1], ids[:-1])
+        plan = quadrille.plan(self.points, result, "franka", viewpoint=self.viewpoint)
+        self.assertEqual({g.target for g in plan}, {ids[-1]})
+        box = quadrille.Box(shifted(0, 0, 0.8), (0.08, 0.05, 0.04))
+        far = np.full((50, 3), 3.0) + np.arange(50)[:, None] * (0.0, 0.01, 0.0)
+        plan = quadrille.plan(far, quadrille.Result(boxes=[box]), "franka", config={"planner.unknown": "free"})
+        self.assertEqual({g.target for g in plan}, {1})
+        self.assertEqual([(s.kind, s.target) for s in plan.shapes], [("box", 1)])
+        np.testing.assert_allclose(plan.shapes[0].pose, box.X_CB)
+        for wrong, part in ((lambda: quadrille.Detection("ball", np.eye(4), {}), "sphere"),
+                            (lambda: quadrille.Detection("cylinder", np.eye(4), {"radius": 1}), "radius, length"),
+                            (lambda: quadrille.Result([grasped, grasped]), "twice")):
+            with self.assertRaisesRegex(ValueError, part):
+                wrong()
+
+    def test_shapes_space_and_terms_of_a_plan_can_be_read(self):
+        plan = self.plain
+        self.assertGreater(len(plan.shapes), 0)
+        self.assertIsInstance(plan.shapes[0], quadrille.Shape)
+        for grasp in self.plan(obstacles=[s for s in plan.shapes if s.target != plan[0].target]):
+            self.assertTrue(all(0 <= term <= 1 for term in grasp.terms.values()))
+        space = plan.space
+        cell = np.floor((plan[0].X_CG[:3, 3] - space.corner) / space.resolution).astype(int)
+        self.assertTrue((cell >= 0).all() and (cell < space.states.shape).all())
+        self.assertEqual([g.score for g in self.plan(octomap=space.octomap())],
+                         [g.score for g in self.plan(octomap=space.octomap().content)])
+        self.assertFalse(plan.cut)
+
+    def test_a_map_is_made_of_points(self):
+        wall = self.at + 0.002 * np.stack(np.meshgrid(*[np.arange(-15, 16)] * 3), -1).reshape(-1, 3)
+        octomap = quadrille.OctoMap.from_voxels(wall, np.zeros((0, 3)), 0.005)
+        self.assertEqual(octomap.resolution, 0.005)
+        for grasp in self.plan(octomap=octomap):
+            self.assertGreater(np.linalg.norm(grasp.X_CG[:3, 3] - self.at), 0.02)
+        moved = quadrille.OctoMap.from_voxels(wall + (0, 0, 1), np.zeros((0, 3)), 0.005)
+        self.assertEqual(len(self.plan(octomap=moved, X_CM=shifted(0, 0, -1))), len(self.plan(octomap=octomap)))
+        with self.assertRaisesRegex(ValueError, "resolution"):
+            quadrille.OctoMap.from_voxels(wall, wall, 0.0)
+
+    def test_a_region_may_be_turned(self):
+        region = (shifted(*self.at), (0.2, 0.2, 0.2))
+        self.assertEqual([g.score for g in self.plan(region=region)],
+                         [g.score for g in self.plan(roi=(self.at - 0.1, self.at + 0.1))])
+        with self.assertRaisesRegex(ValueError, "roi or region"):
+            self.plan(region=region, roi=(self.at, self.at))
+
+    def test_what_lasts_is_detected_from_all_views(self):
+        scene = organised_ball(320, 240)
+        detector = quadrille.LastingDetector({"views.remember": 10.0})
+        first = detector.detect(1_000_000, scene, np.eye(4))
+        alone = quadrille.detect(scene)
+        self.assertEqual([d.score for d in first], [d.score for d in alone])
+        np.testing.assert_array_equal(first[0].X_CQ, alone[0].X_CQ)
+        self.assertEqual(len(detector), 1)
+        ball_alone = [quadrille.Shape("sphere", [0.1], shifted(0, 0, 0.6))]
+        self.assertEqual([d.type for d in detector.detect(30_000_000, scene, np.eye(4), robot=ball_alone)], ["plane"])
+        detector.forget()
+        self.assertEqual(len(detector), 0)
+
+    def test_poses_are_those_of_messages(self):
+        for d in self.found:
+            q = quadrille.quaternion(d.X_CQ)
+            self.assertGreaterEqual(q[0], 0.0)
+            np.testing.assert_array_equal(quadrille.pose(d.X_CQ[:3, 3], q), d.X_CQ)
+        hand = quadrille.Gripper("franka")
+        grasp = self.plain[0]
+        back = quadrille.grasp_of_hand(grasp.hand_pose(hand, "gpd"), hand, "gpd", grasp.width)
+        np.testing.assert_allclose(back, grasp.X_CG, atol=1e-9)
+
+
+class Wrong(unittest.TestCase):
+    def test_wrong_arguments_are_answered_in_one_line(self):
+        p, none = ball(), quadrille.Result()
+        for wrong, answer in (
+                (lambda: quadrille.detect(p, viewpiont=1), "detect() has no 'viewpiont'; did you mean 'viewpoint'?"),
+                (lambda: quadrille.detect(p, viewpoint=(0, 1)),
+                 "detect(): viewpoint is of type tuple, and must be an array of shape (3,)"),
+                (lambda: quadrille.detect(), "detect() needs 'points'; it takes: points, viewpoint"),
+                (lambda: quadrille.detect(object()), "detect(): incompatible points of type object"),
+                (lambda: quadrille.plan(p, None, "franka"), "plan(): result is of type NoneType, and must be Result"),
+                (lambda: quadrille.plan(p, none, "franka", aproach=(0, 0, 1)), "did you mean 'approach'?"),
+                (lambda: quadrille.plan(p, none, "franka", targets=3),
+                 "plan(): targets is of type int, and must be List[int]"),
+                (lambda: quadrille.Shape("box", 3), "Shape(): dimensions is of type int, and must be List[float]"),
+                (lambda: quadrille.Shape(size=3), "Shape() has no 'size'; it takes: kind, dimensions"),
+                (lambda: quadrille.OctoMap.from_voxels(1, 2, 3), "from_voxels(): occupied is of type int"),
+                (lambda: quadrille.read_cloud(3), "read_cloud(): path is of type int"),
+                (lambda: quadrille.Tracker().update(none, "now"), "update(): utime is of type str, and must be int")):
+            with self.assertRaises(TypeError) as caught:
+                wrong()
+            self.assertIn(answer, str(caught.exception))
+            self.assertNotIn("\n", str(caught.exception))
+
+
+class SameBits(unittest.TestCase):
+    """The command, this library and messages have the same bits."""
+
+    def assert_pose(self, X, theirs):
+        np.testing.assert_array_equal(X[:3, 3], theirs["position"])
+        np.testing.assert_array_equal(quadrille.quaternion(X), theirs["quaternion"])
+
+    def messages(self):
+        """The messages of both processes about the scan, by channel."""
+        from quadrille import lcm
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        clouds, found, planned = (str(pathlib.Path(folder.name) / f"{n}.lcm") for n in range(3))
+        programs = pathlib.Path(PROGRAM).parent
+        for command in ([PROGRAM, "log", clouds, SCAN],
+                        [programs / "quadrille-detector", "--in-log", clouds, "--out-log", found, "--copy-input"],
+                        [programs / "quadrille-grasp-planner", "--gripper", "franka", "--in-log", found, "--out-log",
+                         planned, "--copy-input"]):
+            subprocess.run([str(word) for word in command], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
+                           check=True)
+        with lcm.EventLog(planned) as log:
+            return {event.channel: event.data for event in log}
+
+    def test_detections_and_grasps(self):
+        points, viewpoint = quadrille.read_cloud(SCAN)
+        found = quadrille.detect(points, viewpoint=viewpoint)
+        plan = quadrille.plan(points, found, "franka", viewpoint=viewpoint)
+        theirs = run("plan", "--gripper", "franka", SCAN)
+        messages = self.messages()
+        sent = quadrille.quadrics_t.decode(messages["QUADRICS"])
+        self.assertEqual(len(found), len(theirs["detections"]))
+        self.assertEqual(len(found), sent.num_detections)
+        for mine, other, message in zip(found, theirs["detections"], sent.detections):
+            for field in ("score", "rms", "seen", "inliers"):
+                self.assertEqual(getattr(mine, field), other[field])
+                self.assertEqual(getattr(mine, field), getattr(message, field))
+            self.assertEqual(list(mine.q), other["q"])
+            self.assertEqual(list(mine.q), list(message.q))
+            self.assertEqual(mine.dimensions, other["dimensions"])
+            self.assertEqual(mine.dimensions, {d.name: d.value for d in message.dimensions})
+            self.assert_pose(mine.X_CQ, other["pose"])
+            np.testing.assert_array_equal(mine.X_CQ, quadrille.pose(message.pose.position, message.pose.quaternion))
+        grasps = quadrille.grasps_t.decode(messages["GRASPS"]).grasps
+        self.assertGreater(len(plan), 0)
+        self.assertEqual(len(plan), len(theirs["grasps"]))
+        self.assertEqual(len(plan), len(grasps))
+        for mine, other, message in zip(plan, theirs["grasps"], grasps):
+            for field in ("target", "score", "width", "preshape", "clearance", "friction_needed", "epsilon"):
+                self.assertEqual(getattr(mine, field), other[field])
+                self.assertEqual(getattr(mine, field), getattr(message, field))
+            self.assertEqual(mine.contacts.tolist(), other["contacts"])
+            self.assertEqual(mine.contacts.tolist(), [list(c) for c in message.contacts])
+            self.assert_pose(mine.X_CG, other["X_CG"])
+            np.testing.assert_array_equal(mine.X_CG, quadrille.pose(message.pose.position, message.pose.quaternion))
 
 
 class Track(unittest.TestCase):

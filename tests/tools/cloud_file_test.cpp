@@ -42,6 +42,8 @@ TEST_CASE("points as text are read as they stand", "[io]") {
   const PointCloud moved = io::read_cloud(path, X_CF);
   CHECK(moved.points[0] == Eigen::Vector3f(1, 2, 4));
   CHECK(moved.viewpoint == Eigen::Vector3d(0, 0, 1));
+  const PointCloud scaled = io::read_cloud(path, X_CF * Eigen::Scaling(0.5));
+  CHECK(scaled.points[0] == Eigen::Vector3f(0.5F, 1.0F, 2.5F));
   CHECK(contains(error_of(folder.write("b.xyz", "1 2 3\n1 2\n")), "line 2"));
   CHECK(contains(error_of(folder.write("c.xyz", "1 2 3x\n")), "line 1"));
 }

@@ -63,6 +63,25 @@ TEST_CASE(
   CHECK(grasps > 0);
 }
 
+TEST_CASE("a cloud in millimetres yields the results of the same cloud in metres",
+          "[command][frames]") {
+  const TempFolder folder;
+  const std::string scene = folder.path("s.ply");
+  REQUIRE(run_quadrille("scene --family tabletop --seed 3 " + scene).code == 0);
+  const PointCloud cloud = io::read_cloud(scene);
+  const std::string small =
+      folder.write("m.ply", test::moved_ply(cloud, Eigen::Affine3d::Identity()));
+  const std::string large =
+      folder.write("mm.ply", test::moved_ply(cloud, Eigen::Affine3d(Eigen::Scaling(1e3))));
+  const json metres = json::parse(run_quadrille("detect --json - " + small).out);
+  const json same = json::parse(run_quadrille("detect --json - --unit mm " + large).out);
+  REQUIRE(!metres["detections"].empty());
+  CHECK(same["detections"] == metres["detections"]);
+  CHECK(same["bodies"] == metres["bodies"]);
+  CHECK(contains(run_quadrille("detect " + large).err, "--unit mm"));
+  CHECK(run_quadrille("detect --unit inch " + large).code == 2);
+}
+
 TEST_CASE("detections, shapes and tables are in the cloud's own frame", "[command][frames]") {
   const TempFolder folder;
   const std::string scene = folder.path("s.ply"), moved = folder.path("m.ply");

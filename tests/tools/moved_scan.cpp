@@ -37,7 +37,7 @@ std::string pose_option(const Eigen::Isometry3d& X_WK) {
   return fmt::format("{},{},{},{},{},{},{}", p.x(), p.y(), p.z(), q.w(), q.x(), q.y(), q.z());
 }
 
-std::string moved_ply(const PointCloud& cloud_K, const Eigen::Isometry3d& X_WK) {
+std::string moved_ply(const PointCloud& cloud_K, const Eigen::Affine3d& X_WK) {
   std::string text = fmt::format(
       "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\n"
       "property double y\nproperty double z\nend_header\n",

@@ -16,7 +16,8 @@ Eigen::Isometry3d random_camera_pose(std::mt19937& random);
 std::string pose_option(const Eigen::Isometry3d& X_WK);
 
 /// A .ply of the cloud's points in frame W, as doubles: their rounding would be another noise.
-std::string moved_ply(const PointCloud& cloud_K, const Eigen::Isometry3d& X_WK);
+/// @param X_WK  pose of frame K in W, times a scale if the file is in another unit
+std::string moved_ply(const PointCloud& cloud_K, const Eigen::Affine3d& X_WK);
 
 /// Sees to it that a plan in W has the grasps of one in K: poses, contacts and all numbers.
 /// @return how many grasps there are

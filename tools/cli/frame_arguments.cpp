@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/number_list.hpp"
+#include "cli/unit_option.hpp"
 #include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
@@ -57,6 +58,7 @@ void CameraPoseArgument::add_to(CLI::App& app, const std::string& rival) {
 void FrameArguments::add_to(CLI::App& command) {
   add_viewpoint_option(command, viewpoint);
   camera.add_to(command, "--viewpoint");
+  add_unit_option(command, unit);
 }
 
 void FrameArguments::add_for_inputs_to(CLI::App& command) {
@@ -73,6 +75,7 @@ void FrameArguments::add_for_inputs_to(CLI::App& command) {
       ->type_name(kPoseType)
       ->allow_extra_args(false)
       ->excludes("--viewpoint");
+  add_unit_option(command, unit);
 }
 
 void FrameArguments::check(std::size_t inputs) const {
@@ -92,6 +95,10 @@ FrameArguments FrameArguments::of_input(std::size_t n) const {
 
 Eigen::Isometry3d FrameArguments::working_frame() const {
   return camera.X_WK.value_or(Eigen::Isometry3d::Identity());
+}
+
+Eigen::Affine3d FrameArguments::from_file() const {
+  return working_frame().inverse() * Eigen::Scaling(unit);
 }
 
 void FrameArguments::place_viewpoint(PointCloud* cloud) const {

@@ -28,7 +28,7 @@ struct CameraPoseArgument {
   void add_to(CLI::App& app, const std::string& rival);
 };
 
-/// The sensor's position from the command line.
+/// The sensor's position from the command line, and the unit of the clouds.
 struct FrameArguments {
   /// Position in the cloud's frame C [m]; overrides that of the file.
   std::optional<Eigen::Vector3d> viewpoint;
@@ -36,8 +36,10 @@ struct FrameArguments {
   CameraPoseArgument camera;
   /// The poses of the cameras of several inputs, in their order, if more than one pose is given.
   std::vector<Eigen::Isometry3d> cameras;
+  /// Length of the unit of the clouds' coordinates [m].
+  double unit = 1.0;
 
-  /// Adds --viewpoint and --camera-pose; this object must outlive the app.
+  /// Adds --viewpoint, --camera-pose and --unit; this object must outlive the app.
   void add_to(CLI::App& command);
   /// The same, with a pose for each input if it is given so often.
   void add_for_inputs_to(CLI::App& command);
@@ -46,6 +48,8 @@ struct FrameArguments {
   /// Returns what holds for one of the inputs, counted from 0.
   FrameArguments of_input(std::size_t n) const;
 
+  /// Returns the pose of the cloud's frame in the working frame, times the unit.
+  Eigen::Affine3d from_file() const;
   /// Returns the pose in C of the frame in which to work: the camera's frame if it is known,
   /// because there the pixels lie in rows; otherwise C itself.
   Eigen::Isometry3d working_frame() const;

@@ -21,7 +21,7 @@ namespace quadrille::io {
 namespace {
 
 using Parser = PointCloud (*)(std::span<const std::byte> bytes, const std::string& name,
-                              const Eigen::Isometry3d& X_CF);
+                              const Eigen::Affine3d& X_CF);
 
 std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
@@ -54,7 +54,7 @@ Parser parser_of(std::span<const std::byte> bytes) {
 
 }  // namespace
 
-PointCloud read_cloud(const std::string& path, const Eigen::Isometry3d& X_CF) {
+PointCloud read_cloud(const std::string& path, const Eigen::Affine3d& X_CF) {
   const bool is_input = path == "-";
   const Parser named = parser_of(std::filesystem::path(path));
   if (!is_input && !named) {

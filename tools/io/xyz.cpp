@@ -29,7 +29,7 @@ std::optional<Eigen::Vector3d> point_of(std::string_view line) {
 }  // namespace
 
 PointCloud parse_xyz(std::span<const std::byte> bytes, const std::string& name,
-                     const Eigen::Isometry3d& X_CF) {
+                     const Eigen::Affine3d& X_CF) {
   PointCloud cloud;
   TextCursor text(bytes);
   std::size_t number = 0;

@@ -12,9 +12,10 @@ namespace quadrille::io {
 /// Reads points as text, one per line: x, y and z first, separated by white space or commas. The
 /// rest of a line is ignored, as are empty lines and those that begin with #.
 /// @param name  name of the text in errors
-/// @param X_CF  pose of the file's frame F in frame C of the cloud, applied in double precision
+/// @param X_CF  pose of the file's frame F in frame C of the cloud, times the length of the file's
+///   unit in metres; applied in double precision
 /// @throws FileError naming the line that does not begin with three numbers
 PointCloud parse_xyz(std::span<const std::byte> bytes, const std::string& name,
-                     const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
+                     const Eigen::Affine3d& X_CF = Eigen::Affine3d::Identity());
 
 }  // namespace quadrille::io

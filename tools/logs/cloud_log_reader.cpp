@@ -4,9 +4,9 @@
 
 namespace quadrille::logs {
 
-CloudLogReader::CloudLogReader(const std::string& path, const std::string& channel,
+CloudLogReader::CloudLogReader(const std::string& path, const std::string& channel, double unit,
                                OnEvent on_event)
-    : log_(path), channel_(channel), on_event_(std::move(on_event)) {}
+    : log_(path), channel_(channel), unit_(unit), on_event_(std::move(on_event)) {}
 
 std::optional<LoggedCloud> CloudLogReader::next() {
   while (const auto event = log_.next()) {
@@ -15,7 +15,7 @@ std::optional<LoggedCloud> CloudLogReader::next() {
     if (on_event_) on_event_(*event);
     if (!channel_.empty() && event->channel != channel_) continue;
     bus::Decoded<bus::CloudMessage> decoded =
-        bus::decode_cloud(event->bytes, bus::kMaxMessageBytes, bus::CloudColours::kKeep);
+        bus::decode_cloud(event->bytes, bus::kMaxMessageBytes, bus::CloudColours::kKeep, unit_);
     if (auto* message = std::get_if<bus::CloudMessage>(&decoded)) {
       return LoggedCloud{std::move(*message), event->channel, event->utime};
     }

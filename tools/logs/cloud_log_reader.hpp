@@ -28,9 +28,10 @@ class CloudLogReader {
 
   /// @param channel  the only channel to read; if empty, all channels are read, and events of other
   ///   types are skipped
+  /// @param unit  length of the unit of the clouds' coordinates [m]
   /// @throws std::runtime_error as bus::LogReader does
   explicit CloudLogReader(const std::string& path, const std::string& channel = "",
-                          OnEvent on_event = nullptr);
+                          double unit = 1.0, OnEvent on_event = nullptr);
 
   /// Returns the next cloud; nullopt at the end. Events that are not valid clouds are counted.
   std::optional<LoggedCloud> next();
@@ -47,6 +48,7 @@ class CloudLogReader {
  private:
   bus::LogReader log_;
   std::string channel_;
+  double unit_;
   OnEvent on_event_;
   std::int64_t read_ = 0;
   bus::RejectCounts rejected_;

@@ -9,10 +9,11 @@
 namespace quadrille::logs {
 
 PosedLogReader::PosedLogReader(const std::string& path, const std::string& channel,
-                               std::string pose_channel, double max_age, double max_wait)
+                               std::string pose_channel, double max_age, double max_wait,
+                               double unit)
     : pose_channel_(std::move(pose_channel)),
       waiting_(max_age, pose_channel_.empty() ? 0.0 : max_wait),
-      clouds_(path, channel, [this](const bus::LogReader::Event& event) { take(event); }) {}
+      clouds_(path, channel, unit, [this](const bus::LogReader::Event& event) { take(event); }) {}
 
 std::optional<PosedCloud> PosedLogReader::next() {
   for (bool is_end = false; ready_.empty() && !is_end;) {

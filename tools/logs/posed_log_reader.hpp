@@ -27,9 +27,10 @@ class PosedLogReader {
   /// and
   ///   none waits
   /// @param max_age,  max_wait  as CameraPoses has them [s]
+  /// @param unit  length of the unit of the clouds' coordinates [m]
   /// @throws std::runtime_error as bus::LogReader does
   PosedLogReader(const std::string& path, const std::string& channel, std::string pose_channel,
-                 double max_age, double max_wait);
+                 double max_age, double max_wait, double unit = 1.0);
   PosedLogReader(const PosedLogReader&) = delete;
   PosedLogReader& operator=(const PosedLogReader&) = delete;
 

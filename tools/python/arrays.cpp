@@ -9,7 +9,7 @@ namespace {
 // Poses are used as given, so a matrix that differs from a rotation by more than this is a mistake.
 constexpr double kMaxOff = 1e-6;
 
-std::string shape_of(const py::array& array) {
+std::string text_of_shape(const py::array& array) {
   std::string text = "(";
   for (py::ssize_t n = 0; n < array.ndim(); ++n) {
     text += (n > 0 ? ", " : "") + std::to_string(array.shape(n));
@@ -17,12 +17,39 @@ std::string shape_of(const py::array& array) {
   return text + (array.ndim() == 1 ? ",)" : ")");
 }
 
+/// @throws py::type_error if an object is no array of numbers
+template <class Array>
+Array array_of(const py::object& points) {
+  Array array = Array::ensure(points);
+  if (array) return array;
+  throw py::type_error("incompatible points of type " +
+                       std::string(py::str(py::type::of(points).attr("__name__"))) +
+                       "; give an array of numbers of shape (N, 3) or (H, W, 3)");
+}
+
+PointCloud view_in_C(const PyView& view, std::size_t number) {
+  const auto& [points, place] = view;
+  if (place.ndim() == 1 && place.size() == 3) {
+    return cloud_of(view_of(points, Eigen::Vector3d(place.data())));
+  }
+  const std::string name = "views[" + std::to_string(number) + "]";
+  if (place.ndim() != 2 || place.shape(0) != 4 || place.shape(1) != 4) {
+    throw std::invalid_argument(name + " has a place of shape " + text_of_shape(place) +
+                                "; give a viewpoint (3,), or the pose of its camera (4, 4)");
+  }
+  using Rows = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
+  return moved(cloud_of(view_of(points, Eigen::Vector3d::Zero())),
+               pose_of(Eigen::Map<const Rows>(place.data()), "the pose of " + name));
+}
+
 }  // namespace
+
+Points points_of(const py::object& points) { return array_of<Points>(points); }
 
 CloudView view_of(const Points& points, const Eigen::Vector3d& viewpoint) {
   const py::ssize_t dimensions = points.ndim();
   if (dimensions < 2 || dimensions > 3 || points.shape(dimensions - 1) != 3) {
-    throw std::invalid_argument("points of shape " + shape_of(points) +
+    throw std::invalid_argument("points of shape " + text_of_shape(points) +
                                 ": give (N, 3), or (H, W, 3) of an organised cloud");
   }
   static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) &&
@@ -48,13 +75,24 @@ PointCloud cloud_of(const CloudView& view) {
   return cloud;
 }
 
-std::vector<PointCloud> clouds_of(const std::vector<PyCloud>& clouds) {
-  std::vector<PointCloud> copies;
-  copies.reserve(clouds.size());
-  for (const auto& [points, viewpoint] : clouds) {
-    copies.push_back(cloud_of(view_of(points, viewpoint)));
+PointCloud cloud_in_camera(const py::object& points, const Eigen::Isometry3d& X_CK) {
+  using Wide = py::array_t<double, py::array::c_style | py::array::forcecast>;
+  const Wide wide = array_of<Wide>(points);
+  PointCloud cloud = cloud_of(view_of(Points(wide), Eigen::Vector3d::Zero()));
+  const Eigen::Isometry3d X_KC = X_CK.inverse();
+  const Eigen::Map<const Eigen::Matrix3Xd> p_C(wide.data(), 3, wide.size() / 3);
+  for (std::size_t n = 0; n < cloud.points.size(); ++n) {
+    if (!cloud.points[n].allFinite()) continue;
+    cloud.points[n] = (X_KC * p_C.col(static_cast<Eigen::Index>(n))).cast<float>();
   }
-  return copies;
+  return cloud;
+}
+
+std::vector<PointCloud> clouds_of(const std::vector<PyView>& views) {
+  std::vector<PointCloud> clouds;
+  clouds.reserve(views.size());
+  for (const PyView& view : views) clouds.push_back(view_in_C(view, clouds.size()));
+  return clouds;
 }
 
 PyCloud cloud_to_python(const PointCloud& cloud) {
@@ -74,6 +112,10 @@ Eigen::Isometry3d pose_of(const Eigen::Matrix4d& X, const std::string& name) {
                            (X.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() < kMaxOff;
   if (!is_rotation) throw std::invalid_argument(name + " is no rotation and translation");
   return Eigen::Isometry3d(X);
+}
+
+Eigen::Isometry3d working_frame(const std::optional<Eigen::Matrix4d>& camera_pose) {
+  return camera_pose ? pose_of(*camera_pose, "camera_pose") : Eigen::Isometry3d::Identity();
 }
 
 Eigen::Matrix<double, 2, 3> corners_of(const Eigen::AlignedBox3d& box) {

@@ -7,6 +7,8 @@ PYBIND11_MODULE(_core, module) {
   module.attr("__version__") = QUADRILLE_VERSION;
   pybind11::register_exception<quadrille::io::FileError>(module, "FileError", PyExc_ValueError);
   quadrille::python::bind_shapes(module);
+  quadrille::python::bind_findings(module);
   quadrille::python::bind_detector(module);
+  quadrille::python::bind_grasps(module);
   quadrille::python::bind_planner(module);
 }

@@ -8,6 +8,7 @@
 #include "python/module.hpp"
 #include "quadrille/detector/robot_shapes.hpp"
 #include "quadrille/detector/solid_shape.hpp"
+#include "quadrille/grasping/collision_shape.hpp"
 
 namespace quadrille::python {
 namespace {
@@ -78,6 +79,11 @@ void bind_shapes(py::module_& module) {
       .def_property_readonly("faces", &faces_of,
                              "Of each face of a convex shape the indices of its corners.")
       .def("__repr__", [](const SolidShape& s) { return "<Shape " + s.kind + ">"; });
+  py::class_<CollisionShape, SolidShape>(
+      module, "CollisionShape", "A Shape that stands for a detection, a box, or a part of one.")
+      .def_readonly("target", &CollisionShape::target, "Id of the detection or box.")
+      .def_readonly("excess", &CollisionShape::excess,
+                    "How far it reaches at most beyond what it stands for [m]; 0 if exact.");
   py::class_<RobotShapes>(module, "Robot", "The robot's own shapes when a cloud was taken.")
       .def(py::init(&robot_of), py::arg("shapes"), py::arg("padding") = RobotShapes().padding)
       .def_readonly("shapes", &RobotShapes::shapes, "Its links, its hand, and what that holds.")

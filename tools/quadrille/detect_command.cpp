@@ -87,8 +87,8 @@ void run(const DetectArguments& arguments) {
   const auto detect_and_put_out = [&](const std::string& path, const InputCloud& input) {
     std::vector<std::string> warnings;
     const RobotShapes robot = moved(arguments.robot, input.X_CK.inverse());
-    const SceneViews views =
-        all_views(arguments.views, input.cloud, input.X_CK, robot, setup.options, &warnings);
+    const SceneViews views = all_views(arguments.views, input.cloud, input.X_CK, robot,
+                                       setup.options, arguments.input.frames.unit, &warnings);
     DetectionResult result = scene.lasts() ? scene.detect(input, path, robot, nullptr)
                                            : detect_views(views.clouds, setup.options);
     result.warnings.insert(result.warnings.begin(), warnings.begin(), warnings.end());

@@ -59,12 +59,15 @@ void ViewArguments::check(const std::vector<std::string>& inputs) const {
 
 SceneViews all_views(const ViewArguments& arguments, const PointCloud& cloud,
                      const Eigen::Isometry3d& X_CK, const RobotShapes& robot,
-                     const DetectorOptions& options, std::vector<std::string>* warnings) {
+                     const DetectorOptions& options, double unit,
+                     std::vector<std::string>* warnings) {
+  InputArguments arguments_of_view;
+  arguments_of_view.frames.unit = unit;
   const Eigen::Isometry3d X_KC = X_CK.inverse();
   SceneViews views;
   views.clouds.push_back(robot.taken_from(cloud));
   for (const std::string& path : arguments.paths) {
-    SingleCloud view = read_single_cloud(path);
+    SingleCloud view = read_single_cloud(path, arguments_of_view);
     if (const std::string other = warning_of_frames(cloud.frame, view.input.cloud.frame);
         !other.empty()) {
       view.warnings.push_back(other);

@@ -42,9 +42,11 @@ struct SceneViews {
 /// @param cloud     the first view, in frame K
 /// @param X_CK      pose of K in the frame C of all files
 /// @param robot     shapes in K of the robot; points on them are dropped
+/// @param unit      length of the unit of all files [m]
 /// @param warnings  receives warnings about the views
 SceneViews all_views(const ViewArguments& arguments, const PointCloud& cloud,
                      const Eigen::Isometry3d& X_CK, const RobotShapes& robot,
-                     const DetectorOptions& options, std::vector<std::string>* warnings);
+                     const DetectorOptions& options, double unit,
+                     std::vector<std::string>* warnings);
 
 }  // namespace quadrille

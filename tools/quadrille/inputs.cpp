@@ -68,7 +68,7 @@ InputCloud read_cloud_file(const std::string& path, const FrameArguments& frames
   const auto start = std::chrono::steady_clock::now();
   InputCloud input;
   input.X_CK = frames.working_frame();
-  input.cloud = io::read_cloud(path, input.X_CK.inverse());
+  input.cloud = io::read_cloud(path, frames.from_file());
   frames.place_viewpoint(&input.cloud);
   describe(path, start, &input);
   return input;
@@ -82,8 +82,12 @@ struct LogCloud {
 };
 
 logs::PosedLogReader open_log(const std::string& path, const InputArguments& arguments) {
-  return {path, arguments.channel, arguments.pose_channel, arguments.track.pose_age,
-          arguments.track.pose_wait};
+  return {path,
+          arguments.channel,
+          arguments.pose_channel,
+          arguments.track.pose_age,
+          arguments.track.pose_wait,
+          arguments.frames.unit};
 }
 
 /// Reads on to the next cloud of a log; `number` counts its clouds from 1.

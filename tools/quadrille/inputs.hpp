@@ -33,8 +33,8 @@ struct InputArguments {
   /// How long poses are valid, and how long clouds wait for them.
   TrackOptions track;
 
-  /// Adds --viewpoint, --camera-pose, --channel, --pose-channel and --scene; this object must
-  /// outlive the app.
+  /// Adds --viewpoint, --camera-pose, --unit, --channel, --pose-channel and --scene; this object
+  /// must outlive the app.
   void add_to(CLI::App& command);
   /// @throws CLI::ValidationError if a channel is named but none of the inputs is a log, or the
   ///   poses of cameras are not as many as the inputs

@@ -26,9 +26,6 @@
 #include "io/planner/plan_json.hpp"
 #include "io/run_info.hpp"
 #include "picture/picture.hpp"
-#include "quadrille/bus/bodies_message.hpp"
-#include "quadrille/bus/boxes_message.hpp"
-#include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/command_report.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
@@ -181,39 +178,35 @@ void plan_cloud(const PlanArguments& arguments, const PlanSetup& setup, const st
   io::RunInfo info = setup.info;
   info.warnings.insert(info.warnings.end(), input.warnings.begin(), input.warnings.end());
   Surroundings known = moved(arguments.known, input.X_CK.inverse());
-  const SceneViews views = all_views(arguments.views, input.cloud, input.X_CK, known.robot,
-                                     setup.detector.options, &info.warnings);
+  const SceneViews views =
+      all_views(arguments.views, input.cloud, input.X_CK, known.robot, setup.detector.options,
+                arguments.input.frames.unit, &info.warnings);
   DetectionResult found = before->scene.lasts()
                               ? before->scene.detect(input, path, known.robot, &known.views)
                               : detect_views(views.clouds, setup.detector.options);
   before->tracking.add_to(input, path, &found.detections);
   if (!input.asked) return;
-  // Detections are rounded as quadrille-grasp-planner would receive them, so that both plan the
-  // same grasps to the last bit.
-  const std::vector<Detection> detections = bus::as_received(found.detections);
   const GraspQuery query =
       moved(completed(arguments.query.query(), setup.options), input.X_CK.inverse());
   // The planner drops the robot's points itself, since it needs to know what they hide; if there
   // are other views, they show that.
   const PointCloud& cloud = views.clouds.size() > 1 ? views.clouds.front() : input.cloud;
   known.views.insert(known.views.end(), views.clouds.begin() + 1, views.clouds.end());
-  const std::vector<Box> boxes = bus::as_received(found.boxes);
-  const std::vector<SceneBody> bodies = bus::as_received(found.bodies);
-  const GraspScene asked(cloud, detections, setup.gripper, setup.options, known, boxes, bodies);
+  const GraspScene asked(cloud, found.detections, setup.gripper, setup.options, known, found.boxes,
+                         found.bodies);
   GraspPlan planned = asked.plan_from_start(query);
   if (arguments.advise) {
-    planned.remedies = find_remedies(planned, cloud, detections, setup.gripper, setup.options,
-                                     known, query, boxes, bodies);
+    planned.remedies = find_remedies(planned, cloud, found.detections, setup.gripper, setup.options,
+                                     known, query, found.boxes, found.bodies);
     if (has_only_planes(found)) {
       planned.remedies =
           try_finer_cells(views.clouds, setup.detector.options, [&](const DetectionResult& finer) {
-            return GraspScene(cloud, bus::as_received(finer.detections), setup.gripper,
-                              setup.options, known, bus::as_received(finer.boxes),
-                              bus::as_received(finer.bodies))
+            return GraspScene(cloud, finer.detections, setup.gripper, setup.options, known,
+                              finer.boxes, finer.bodies)
                 .plan_from_start(query);
           });
     }
-    planned.looks = propose_looks(planned, bodies, detections, cloud.viewpoint);
+    planned.looks = propose_looks(planned, found.bodies, found.detections, cloud.viewpoint);
   }
   found.boxes = planned.boxes;
   // All detections were obstacles, but only those that were asked for are shown.

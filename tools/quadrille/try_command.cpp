@@ -21,9 +21,6 @@
 #include "io/planner/config.hpp"
 #include "lab/physics/attempts.hpp"
 #include "lab/physics/plan_file.hpp"
-#include "quadrille/bus/bodies_message.hpp"
-#include "quadrille/bus/boxes_message.hpp"
-#include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/command_report.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/detector/printable.hpp"
@@ -80,9 +77,9 @@ Planned plan_on(const std::string& path, const physics::TrueScene& truth,
   std::vector<SceneBody> bodies;
   if (!arguments.exact) {
     DetectionResult found = detect(input.cloud, job.detector);
-    detections = bus::as_received(found.detections);
-    boxes = bus::as_received(std::move(found.boxes));
-    bodies = bus::as_received(std::move(found.bodies));
+    detections = std::move(found.detections);
+    boxes = std::move(found.boxes);
+    bodies = std::move(found.bodies);
   }
   GraspPlan plan =
       plan_grasps(input.cloud, detections, job.gripper, job.plan, {}, {}, std::move(boxes), bodies);

@@ -107,7 +107,7 @@ std::unique_ptr<view::Backend> open_log(const ViewArguments& arguments) {
     scene.seq = logged.message.seq;
     return scene;
   };
-  view::LogFrames frames(arguments.in_log, arguments.channel);
+  view::LogFrames frames(arguments.in_log, arguments.channel, arguments.frames.unit);
   if (frames.defect()) print_warnings(arguments.in_log, {*frames.defect()});
   return std::make_unique<view::LogBackend>(std::move(frames), known_grippers(setup.gripper.name),
                                             make_scene, arguments.limits);
@@ -123,6 +123,7 @@ std::unique_ptr<view::Backend> open_bus(const ViewArguments& arguments) {
   // This must happen before threads are started, since they inherit the priority.
   step_back();
   view::LiveChannels channels = arguments.channels;
+  channels.unit = arguments.frames.unit;
   view::LiveChannels::visit_inputs(
       channels, [&](std::string& channel) { channel = arguments.bus.prefixed(channel); });
   channels.requests = arguments.bus.prefixed(channels.requests);

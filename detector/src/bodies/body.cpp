@@ -1,5 +1,7 @@
 #include "quadrille/detector/body.hpp"
 
+#include "quadrille/detector/detection.hpp"
+
 namespace quadrille {
 
 std::string_view to_string(BodyKind kind) {
@@ -18,7 +20,7 @@ std::string_view to_string(BodyKind kind) {
 
 std::vector<SceneBody> moved(std::vector<SceneBody> bodies, const Eigen::Isometry3d& X_FC) {
   if (X_FC.matrix().isIdentity(0.0)) return bodies;
-  for (SceneBody& body : bodies) body.X_CB = X_FC * body.X_CB;
+  for (SceneBody& body : bodies) body.X_CB = rounded(X_FC * body.X_CB);
   return bodies;
 }
 

@@ -134,12 +134,16 @@ std::vector<Box> find_boxes(const CloudView& given, const std::vector<Detection>
   const std::vector<Eigen::Vector3d> some = some_of(cloud.points);
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
   if (!some.empty()) shift = shift_to_origin(middle_of(some));
-  if (shift.isZero(0.0)) return find_boxes(cloud, detections, {});
-  std::vector<Detection> shifted;
-  shifted.reserve(detections.size());
-  for (const Detection& d : detections) shifted.push_back(translated(d, shift));
-  std::vector<Box> boxes = find_boxes(translated(cloud, shift), shifted, {});
-  for (Box& box : boxes) box.X_CB.pretranslate(-shift);
+  std::vector<Box> boxes;
+  if (shift.isZero(0.0)) {
+    boxes = find_boxes(cloud, detections, {});
+  } else {
+    std::vector<Detection> shifted;
+    shifted.reserve(detections.size());
+    for (const Detection& d : detections) shifted.push_back(translated(d, shift));
+    boxes = find_boxes(translated(cloud, shift), shifted, {});
+  }
+  for (Box& box : boxes) box.X_CB = rounded(box.X_CB.pretranslate(-shift));
   return boxes;
 }
 

@@ -84,7 +84,7 @@ CloudCheck check_cloud(const CloudView& given) {
     check.warnings.emplace_back(
         spread[2] > kWidest * kWidest
             ? "half of the points are more than 50 m away: the coordinates look like "
-              "millimetres or centimetres; give metres"
+              "millimetres (--unit mm) or centimetres; give metres"
             : "half of the points are more than 50 m from the viewpoint: name the sensor's "
               "position");
   }

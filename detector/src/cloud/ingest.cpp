@@ -52,7 +52,7 @@ Rgb load_rgb(const std::byte* record, const std::array<std::size_t, 3>& offsets)
 
 template <class Scalar>
 void append_points(std::span<const std::byte> bytes, const PointLayout& layout,
-                   std::size_t row_step, const Eigen::Isometry3d& X_CF, PointCloud* cloud) {
+                   std::size_t row_step, const Eigen::Affine3d& X_CF, PointCloud* cloud) {
   const bool moves = !X_CF.matrix().isIdentity(0.0);
   const bool swap = layout.big_endian != (std::endian::native == std::endian::big);
   const bool organised = cloud->organised();
@@ -83,7 +83,7 @@ void append_points(std::span<const std::byte> bytes, const PointLayout& layout,
 }  // namespace
 
 PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layout,
-                       const Eigen::Isometry3d& X_CF) {
+                       const Eigen::Affine3d& X_CF) {
   const bool wide = layout.scalar == PointLayout::Scalar::kFloat64;
   const std::size_t scalar_size = wide ? 8 : 4;
   const std::size_t record_end = end_of_values(layout, scalar_size);

@@ -133,7 +133,10 @@ CollisionShape convex_shape(const Body& body) {
 std::vector<CollisionShape> make_shapes(const Detection& detection) {
   const std::optional<Body> body = make_body(detection);
   std::vector<CollisionShape> shapes = body ? make_pieces(*body) : make_patch(detection);
-  for (CollisionShape& shape : shapes) shape.target = detection.id;
+  for (CollisionShape& shape : shapes) {
+    shape.target = detection.id;
+    shape.X_CS = rounded(shape.X_CS);
+  }
   return shapes;
 }
 

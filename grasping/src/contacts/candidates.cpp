@@ -6,6 +6,7 @@
 
 #include "contacts/directions.hpp"
 #include "contacts/wall_hold.hpp"
+#include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 namespace {
@@ -115,7 +116,7 @@ Eigen::Isometry3d grasp_pose(const ContactLine& line, const Eigen::Vector3d& app
   X_CG.linear().col(1) = line.closing_C;
   X_CG.linear().col(2) = approach_C;
   X_CG.translation() = line.centre_C + depth * approach_C;
-  return X_CG;
+  return rounded(X_CG);
 }
 
 }  // namespace quadrille

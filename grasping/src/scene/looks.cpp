@@ -230,7 +230,7 @@ class LookChooser {
       look.gain -= share;
       look.bodies.push_back(id);
     }
-    look.X_CK = pose_at(eye_C, ahead, centre.up_C);
+    look.X_CK = rounded(pose_at(eye_C, ahead, centre.up_C));
     return look;
   }
 

@@ -1,6 +1,7 @@
 #include "process/detector/node.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <set>
@@ -73,6 +74,24 @@ Bytes encode_view(std::int64_t utime, const Eigen::Isometry3d& X_WC,
                                {160, 120, 1.0 / 150.0});
   message.cloud.frame = frame;
   return bus::encode_cloud(message, bus::CloudFormat::kDrake);
+}
+
+TEST_CASE("clouds in millimetres give quadrics in metres", "[process]") {
+  bus::CloudMessage message{1, 0, {}};
+  message.cloud = test::render({test::sphere(test::translation(0, 0, 0.9), 0.1),
+                                test::rectangle(test::translation(0, 0, 1.4), 9, 9)},
+                               {160, 120, 1.0 / 150.0});
+  for (Eigen::Vector3f& p : message.cloud.points) p *= 1000.0f;
+  DetectorSettings settings;
+  settings.frames.unit = 1e-3;
+  Process process(settings);
+  process.take("POINT_CLOUD", bus::encode_cloud(message, bus::CloudFormat::kDrake));
+  const auto decoded = bus::decode_quadrics(process.published.back());
+  bool found = false;
+  for (const Detection& d : std::get<bus::QuadricsMessage>(decoded).detections) {
+    if (d.type == QuadricType::kSphere) found = std::abs(d.dimension(0) - 0.1) < 2e-3;
+  }
+  CHECK(found);
 }
 
 DetectorSettings settings_with_poses() {

@@ -71,14 +71,14 @@ TEST_CASE("grasps keep all their fields in the message", "[planner][messages]") 
   CHECK(got.remedies[0].num_grasps == 3);
   CHECK(got.remedies[0].score == 0.625);
   REQUIRE(got.looks.size() == 1);
-  CHECK(bus::from_message(got.looks[0].pose).isApprox(grasp.X_CG, 1e-14));
+  CHECK(bus::from_message(got.looks[0].pose).isApprox(grasp.X_CG, 1e-12));
   CHECK(got.looks[0].bodies == std::vector<std::int32_t>{4, 6});
   CHECK(got.looks[0].gain == 1.5);
   REQUIRE(got.grasps.size() == 1);
   const grasp_t& m = got.grasps[0];
   CHECK(m.target == 3);
   CHECK(m.score == 0.75);
-  CHECK(bus::from_message(m.pose).isApprox(grasp.X_CG, 1e-14));
+  CHECK(bus::from_message(m.pose).isApprox(grasp.X_CG, 1e-12));
   CHECK(m.width == 0.04);
   CHECK(m.preshape == 0.06);
   CHECK(m.contacts[0][1] == 2.0);

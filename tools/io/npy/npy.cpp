@@ -115,7 +115,7 @@ double number_at(const std::byte* from, const PointLayout& layout) {
 }  // namespace
 
 PointCloud parse_npy(std::span<const std::byte> bytes, const std::string& name,
-                     const Eigen::Isometry3d& X_CF) {
+                     const Eigen::Affine3d& X_CF) {
   const NpyHeader header = parse_npy_header(bytes, name);
   const PointLayout layout =
       header.is_plain() ? layout_of_array(header, name) : layout_of_records(header, name);

@@ -91,7 +91,7 @@ bool is_npz(std::span<const std::byte> bytes) {
 }
 
 PointCloud parse_npz(std::span<const std::byte> bytes, const std::string& name,
-                     const Eigen::Isometry3d& X_CF) {
+                     const Eigen::Affine3d& X_CF) {
   const Archive archive(bytes, name);
   const std::vector<std::string> names = archive.names();
   const std::string chosen = choose(names, name);

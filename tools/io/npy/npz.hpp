@@ -16,9 +16,10 @@ bool is_npz(std::span<const std::byte> bytes);
 /// besides `viewpoint`, in the form of parse_npy(). The viewpoint is the array `viewpoint` of shape
 /// (3,) [m], or the origin if it is missing.
 /// @param name  name of the file in errors
-/// @param X_CF  pose of the file's frame F in frame C of the cloud, applied in double precision
+/// @param X_CF  pose of the file's frame F in frame C of the cloud, times the length of the file's
+///   unit in metres; applied in double precision
 /// @throws FileError if the file is damaged, or an array holds more than 2 GiB or is not a cloud
 PointCloud parse_npz(std::span<const std::byte> bytes, const std::string& name,
-                     const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
+                     const Eigen::Affine3d& X_CF = Eigen::Affine3d::Identity());
 
 }  // namespace quadrille::io

@@ -65,7 +65,7 @@ void set_size(const PcdHeader& header, PointLayout* layout) {
 }
 
 PointCloud read_packed(const PcdHeader& header, const std::vector<PackedPoint>& packed,
-                       const Eigen::Isometry3d& X_CF) {
+                       const Eigen::Affine3d& X_CF) {
   PointLayout layout = packed_points_layout(header.rgb.has_value());
   set_size(header, &layout);
   return read_points(std::as_bytes(std::span(packed)), layout, X_CF);
@@ -104,7 +104,7 @@ std::uint64_t column_of(const PcdHeader& header, std::size_t field) {
 }
 
 PointCloud read_ascii(std::span<const std::byte> bytes, const PcdHeader& header,
-                      const std::string& name, const Eigen::Isometry3d& X_CF) {
+                      const std::string& name, const Eigen::Affine3d& X_CF) {
   const std::uint64_t values = header.values_per_point();
   if (header.points > (bytes.size() - header.size + 1) / (2 * values)) {
     fail_short(name, bytes.size(), header);
@@ -136,7 +136,7 @@ PointCloud read_ascii(std::span<const std::byte> bytes, const PcdHeader& header,
 }
 
 PointCloud read_binary(std::span<const std::byte> bytes, const PcdHeader& header,
-                       const std::string& name, const Eigen::Isometry3d& X_CF) {
+                       const std::string& name, const Eigen::Affine3d& X_CF) {
   const std::span<const std::byte> data = bytes.subspan(header.size);
   const std::uint64_t step = header.point_step();
   if (header.points > data.size() / step) fail_short(name, bytes.size(), header);
@@ -193,7 +193,7 @@ std::vector<std::byte> decompress(std::span<const std::byte> bytes, const PcdHea
 }
 
 PointCloud read_compressed(std::span<const std::byte> bytes, const PcdHeader& header,
-                           const std::string& name, const Eigen::Isometry3d& X_CF) {
+                           const std::string& name, const Eigen::Affine3d& X_CF) {
   const std::vector<std::byte> data = decompress(bytes, header, name);
   const auto place_of = [&](std::size_t field) {
     return FieldPlace{data.data() + header.offset_of(field) * header.points,
@@ -203,7 +203,7 @@ PointCloud read_compressed(std::span<const std::byte> bytes, const PcdHeader& he
 }
 
 PointCloud read_data(std::span<const std::byte> bytes, const PcdHeader& header,
-                     const std::string& name, const Eigen::Isometry3d& X_CF) {
+                     const std::string& name, const Eigen::Affine3d& X_CF) {
   switch (header.data) {
     case PcdHeader::Data::kAscii:
       return read_ascii(bytes, header, name, X_CF);
@@ -218,7 +218,7 @@ PointCloud read_data(std::span<const std::byte> bytes, const PcdHeader& header,
 }  // namespace
 
 PointCloud parse_pcd(std::span<const std::byte> bytes, const std::string& name,
-                     const Eigen::Isometry3d& X_CF) {
+                     const Eigen::Affine3d& X_CF) {
   const PcdHeader header = parse_pcd_header(bytes, name);
   PointCloud cloud = read_data(bytes, header, name, X_CF);
   cloud.viewpoint = X_CF * header.viewpoint;

@@ -13,9 +13,10 @@ namespace quadrille::io {
 /// are floats of 4 or 8 bytes among any others. The translation of VIEWPOINT becomes the viewpoint;
 /// a HEIGHT above 1 makes the cloud organised.
 /// @param name  name of the file in errors
-/// @param X_CF  pose of the file's frame F in frame C of the cloud, applied in double precision
+/// @param X_CF  pose of the file's frame F in frame C of the cloud, times the length of the file's
+///   unit in metres; applied in double precision
 /// @throws FileError if the file is truncated, or of another format
 PointCloud parse_pcd(std::span<const std::byte> bytes, const std::string& name,
-                     const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
+                     const Eigen::Affine3d& X_CF = Eigen::Affine3d::Identity());
 
 }  // namespace quadrille::io

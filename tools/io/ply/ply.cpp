@@ -97,7 +97,7 @@ void set_size(const PlyHeader& header, const PlyElement& vertex, PointLayout* la
 
 PointCloud read_vertices(std::span<const std::byte> bytes, const PlyHeader& header,
                          const PlyElement& vertex, PlyBody* body, const std::string& name,
-                         const Eigen::Isometry3d& X_CF) {
+                         const Eigen::Affine3d& X_CF) {
   const Columns columns = position_columns(vertex, name);
   const std::optional<Columns> colours = colour_columns(vertex);
   PointLayout layout;
@@ -116,7 +116,7 @@ PointCloud read_vertices(std::span<const std::byte> bytes, const PlyHeader& head
 }  // namespace
 
 PointCloud parse_ply(std::span<const std::byte> bytes, const std::string& name,
-                     const Eigen::Isometry3d& X_CF) {
+                     const Eigen::Affine3d& X_CF) {
   const PlyHeader header = parse_ply_header(bytes, name);
   PlyBody body(bytes, header, name);
   for (const PlyElement& element : header.elements) {

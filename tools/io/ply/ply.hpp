@@ -16,10 +16,11 @@ namespace quadrille::io {
 /// frame. `comment width W height H` or `obj_info num_cols W`, `num_rows H` make the cloud
 /// organised if W x H is the number of vertices.
 /// @param name  name of the file in errors
-/// @param X_CF  pose of the file's frame F in frame C of the cloud, applied in double precision
+/// @param X_CF  pose of the file's frame F in frame C of the cloud, times the length of the file's
+///   unit in metres; applied in double precision
 /// @throws FileError if the file is truncated, or of another format
 PointCloud parse_ply(std::span<const std::byte> bytes, const std::string& name,
-                     const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
+                     const Eigen::Affine3d& X_CF = Eigen::Affine3d::Identity());
 
 /// Writes float x y z, binary little endian, with the comments that parse_ply() understands.
 /// @throws FileError if the file cannot be written

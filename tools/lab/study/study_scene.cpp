@@ -3,9 +3,6 @@
 #include <map>
 #include <set>
 
-#include "quadrille/bus/bodies_message.hpp"
-#include "quadrille/bus/boxes_message.hpp"
-#include "quadrille/bus/quadrics_message.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "quadrille/grasping/plan.hpp"
@@ -90,13 +87,11 @@ ObjectCounts count_objects(const physics::TrueScene& truth, const Gripper& gripp
 
 SceneRecord study_scene(const StudyInput& input, const StudyOptions& options) {
   DetectionResult result = detect(input.cloud, options.detector);
-  const std::vector<Detection> found = bus::as_received(result.detections);
   const GraspQuery query = moved(completed({}, options.plan), input.X_CK.inverse());
-  const GraspPlan plan = moved(plan_grasps(input.cloud, found, options.gripper, options.plan, {},
-                                           query, bus::as_received(std::move(result.boxes)),
-                                           bus::as_received(std::move(result.bodies))),
+  const GraspPlan plan = moved(plan_grasps(input.cloud, result.detections, options.gripper,
+                                           options.plan, {}, query, result.boxes, result.bodies),
                                input.X_CK);
-  const std::vector<Detection> detections = moved(found, input.X_CK);
+  const std::vector<Detection> detections = moved(std::move(result.detections), input.X_CK);
   SceneRecord record;
   record.points = input.cloud.points.size();
   record.detections = static_cast<int>(detections.size());

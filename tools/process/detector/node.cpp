@@ -136,7 +136,8 @@ std::vector<Job> DetectorNode::find_due_jobs(Time now) {
 std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
                                                std::span<const std::byte> bytes) {
   const TimePoint now = std::chrono::steady_clock::now();
-  auto decoded = bus::decode_cloud(bytes);
+  auto decoded = bus::decode_cloud(bytes, bus::kMaxMessageBytes, bus::CloudColours::kDrop,
+                                   settings_.frames.unit);
   const std::lock_guard lock(mutex_);
   ++counts_.received;
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());

@@ -50,7 +50,8 @@ std::optional<Job> PlannerNode::receive(const std::string& channel,
 std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
                                               std::span<const std::byte> bytes) {
   const auto start = std::chrono::steady_clock::now();
-  auto decoded = bus::decode_cloud(bytes);
+  auto decoded = bus::decode_cloud(bytes, bus::kMaxMessageBytes, bus::CloudColours::kDrop,
+                                   settings_.frames.unit);
   const double decode_ms = bus::ms_since(start);
   const std::lock_guard lock(mutex_);
   ++counts_.received_clouds;
@@ -71,7 +72,8 @@ std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
 std::optional<Job> PlannerNode::receive_view(int camera, std::span<const std::byte> bytes) {
   const auto n = static_cast<std::size_t>(camera) - 1;
   const std::string& channel = settings_.view_cameras[n].cloud_channel;
-  auto decoded = bus::decode_cloud(bytes);
+  auto decoded = bus::decode_cloud(bytes, bus::kMaxMessageBytes, bus::CloudColours::kDrop,
+                                   settings_.frames.unit);
   const std::lock_guard lock(mutex_);
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
   auto cloud = refused_views_.accept(channel, std::move(decoded));

@@ -30,19 +30,26 @@ from numpy.typing import ArrayLike as _ArrayLike
 from numpy.typing import NDArray as _NDArray
 
 from . import _core
-from ._core import (Body, Box, Detection, FileError, Grasp, GraspQuery, Gripper, Look, OctoMap, Plan,
-                    Remedy, Result, Robot, Shape, TargetOutcome, __version__, conventions, grippers,
-                    read_cloud)
+from ._arguments import answer_all as _answer_all
+from ._arguments import answering as _answering
+from ._arguments import answering_with as _answering_with
+
+_answer_all(_core)  # before the names are imported below
+
+from ._core import (Body, Box, CollisionShape, Detection, FileError, Grasp, GraspQuery, Gripper, Look, OctoMap,
+                    Plan, Remedy, Result, Robot, Shape, Space, TargetOutcome, __version__, conventions,
+                    grasp_of_hand, grippers, pose, quaternion, read_cloud)
 from ._lcmtypes import *
 
-__all__ = ["Body", "Box", "Detection", "FileError", "Grasp", "GraspQuery", "GraspScene", "Gripper",
-           "Look", "OctoMap", "Plan", "Remedy", "Result", "Robot", "Shape", "TargetOutcome", "Tracker",
-           "ViewMemory", "conventions", "detect", "grippers", "plan", "read_cloud", "read_octomap", "read_robot"]
+__all__ = ["Body", "Box", "CollisionShape", "Detection", "FileError", "Grasp", "GraspQuery", "GraspScene",
+           "Gripper", "LastingDetector", "Look", "OctoMap", "Plan", "Remedy", "Result", "Robot", "Shape", "Space",
+           "TargetOutcome", "Tracker", "ViewMemory", "conventions", "detect", "grasp_of_hand", "grippers", "plan",
+           "pose", "quaternion", "read_cloud", "read_octomap", "read_robot"]
 
 _Path = _Union[str, "_os.PathLike[str]"]
 _Config = _Union[None, _Path, _Mapping[str, _Any]]
 
-# Points and the viewpoint of each cloud.
+# The points of each cloud, and its viewpoint or the pose of its camera.
 _Views = _Sequence[_Tuple[_ArrayLike, _ArrayLike]]
 _Shapes = _Union[_Path, _Sequence[Shape]]
 _Robot = _Union[None, _Path, Robot, _Sequence[Shape]]
@@ -75,6 +82,7 @@ def _gripper(gripper: _Union[_Path, Gripper]) -> Gripper:
     return gripper if isinstance(gripper, Gripper) else Gripper(_os.fspath(gripper))
 
 
+@_answering
 def read_robot(path: _Path) -> Robot:
     """Reads a file of the robot's own shapes, as for --robot: {"padding": …, "shapes": […]}.
 
@@ -83,6 +91,7 @@ def read_robot(path: _Path) -> Robot:
     return _core.read_robot(_os.fspath(path))
 
 
+@_answering
 def read_octomap(path: _Path) -> OctoMap:
     """Reads a map of the scene: a .bt file, or an .ot file with a tree of type OcTree.
 
@@ -110,19 +119,24 @@ def _octomap(octomap: _OctoMap) -> _Optional[OctoMap]:
     return OctoMap(octomap, "octomap") if isinstance(octomap, bytes) else read_octomap(octomap)
 
 
+@_answering
 def detect(points: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN, views: _Views = (), robot: _Robot = None,
-           config: _Config = None) -> Result:
+           camera_pose: _Optional[_ArrayLike] = None, config: _Config = None) -> Result:
     """Finds the quadrics of one cloud, or of several views of one scene.
 
     points     array of shape (N, 3), or (H, W, 3) row by row of an organised cloud, in frame C [m];
                NaN where nothing was measured. float32 in C order is read in place, without a
                copy, so do not write to it meanwhile. Other types, such as float64, are converted.
     viewpoint  position of the sensor, in frame C [m]
-    views      further clouds of the same scene at rest, each as (points, viewpoint), in frame C. They
-               are first brought onto each other, within the errors that the settings `views` say
-               their poses have
+    views      further clouds of the same scene at rest, each as (points, viewpoint), in frame C, or as
+               (points, X_CV), in the frame V of its camera, whose pose is X_CV, (4, 4). They are
+               first brought onto each other, within the errors that the settings `views` say their
+               poses have; Result.corrections says how
     robot      the robot's own shapes in frame C, on which points are dropped: a Robot, a list of
                Shapes, or the path of a file (see read_robot())
+    camera_pose  pose in C of the camera (z ahead, x along its rows), (4, 4), if C is another frame
+               than the camera's. All work is then done in the camera's frame, where pixels lie in
+               rows; results are in C all the same, and the viewpoint is the camera's place
     config     path of a TOML file, or a dict such as {"seed": 2, "only": ["sphere"],
                "planes.sigmas": 3.0}; `quadrille config` prints all settings
 
@@ -133,35 +147,40 @@ def detect(points: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN, views: _Views
     if isinstance(points, (str, _os.PathLike)):
         raise TypeError("detect() takes an array, not a path; read it: points, viewpoint = quadrille.read_cloud(path)")
     text, source = _settings(config)
-    return _core.detect(points, viewpoint, list(views), _robot(robot), text, source)
+    return _core.detect(points, viewpoint, views, _robot(robot), camera_pose, text, source)
 
 
 class GraspScene:
     """A cloud prepared for several queries for grasps.
 
-    points, viewpoint, views, robot, config  as for detect(). The robot's points are no obstacles
-             either; they hide what is behind them, and the space of its shapes is free
-    result   what detect() found in these points
+    points, viewpoint, views, robot, camera_pose, config  as for detect(). The robot's points are no
+             obstacles either; they hide what is behind them, and the space of its shapes is free
+    result   what detect() found in these points, or a Result of what you know: Result([Detection(…)])
     gripper  name of a built-in gripper (see grippers()), path of a TOML file, or a Gripper
-    octomap  map of the scene in frame C: what it says is occupied is an obstacle, and what it says is
-             free is free where no view tells. The path of a .bt or .ot file, its bytes, or an OctoMap
+    octomap  map of the scene: what it says is occupied is an obstacle, and what it says is free is
+             free where no view tells. The path of a .bt or .ot file, its bytes, or an OctoMap (see
+             OctoMap.from_voxels() for arrays)
+    X_CM     pose of the map's frame in C, (4, 4); by default the map is in C
     support  (nx, ny, nz, d): the plane nx*x + ny*y + nz*z = d in frame C with its normal upwards, on
              which things stand; the hand stays above it when it takes them
     """
 
+    @_answering
     def __init__(self, points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
                  viewpoint: _ArrayLike = _ORIGIN, views: _Views = (), robot: _Robot = None,
-                 octomap: _OctoMap = None, support: _Optional[_ArrayLike] = None,
+                 camera_pose: _Optional[_ArrayLike] = None, octomap: _OctoMap = None,
+                 X_CM: _Optional[_ArrayLike] = None, support: _Optional[_ArrayLike] = None,
                  config: _Config = None) -> None:
         text, source = _settings(config)
-        self._scene = _core.GraspScene(points, result, _gripper(gripper), viewpoint, list(views),
-                                       _robot(robot), _octomap(octomap), support, text, source)
+        self._scene = _core.GraspScene(points, result, _gripper(gripper), viewpoint, views, _robot(robot),
+                                       camera_pose, _octomap(octomap), X_CM, support, text, source)
 
     @property
     def timings(self) -> _Dict[str, float]:
         """Time of each stage [ms]."""
         return self._scene.timings
 
+    @_answering_with(GraspQuery)
     def plan(self, *, advise: bool = False, **query: _Any) -> Plan:
         """Returns the grasps that match a query, as a Plan, best first.
 
@@ -170,6 +189,7 @@ class GraspScene:
         types          types of the targets, such as ["cylinder"]
         near           only the target nearest to this point [m]
         roi            only targets whose centre lies between these two corners, least first [m]
+        region         the same with a box in any pose: its pose X_CR, (4, 4), and its sides, (3,) [m]
         min_size, max_size          bounds on the longest side of a target [m]
         approach, approach_angle    direction of approach, and the largest angle to it [rad]
         reach          (base, least, greatest): the position of an arm's base, and bounds on the
@@ -191,20 +211,30 @@ class GraspScene:
                        Plan.remedies, and views that would help, as Plan.looks; takes about as
                        long as ten plans
         """
-        for name in ("obstacles", "attached"):
-            if name in query:
-                query[name] = _shapes(query[name])
-        return self._scene.plan(GraspQuery(**query), advise)
+        return self._scene.plan(_query(query), advise, False)
 
 
+def _query(query: _Dict[str, _Any]) -> GraspQuery:
+    for name in ("obstacles", "attached"):
+        if name in query:
+            query[name] = _shapes(query[name])
+    return GraspQuery(**query)
+
+
+@_answering_with(GraspQuery)
 def plan(points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
          viewpoint: _ArrayLike = _ORIGIN, views: _Views = (), robot: _Robot = None,
-         octomap: _OctoMap = None, support: _Optional[_ArrayLike] = None, config: _Config = None,
+         camera_pose: _Optional[_ArrayLike] = None, octomap: _OctoMap = None,
+         X_CM: _Optional[_ArrayLike] = None, support: _Optional[_ArrayLike] = None, config: _Config = None,
          advise: bool = False, **query: _Any) -> Plan:
-    """Plans grasps on what detect() found in these points: GraspScene(…).plan(advise=advise, **query)."""
+    """Plans grasps on what detect() found in these points: GraspScene(…).plan(advise=advise, **query).
+
+    Times and the deadline include the preparation of the scene.
+    """
+    asked = _query(query)
     scene = GraspScene(points, result, gripper, viewpoint=viewpoint, views=views, robot=robot,
-                       octomap=octomap, support=support, config=config)
-    return scene.plan(advise=advise, **query)
+                       camera_pose=camera_pose, octomap=octomap, X_CM=X_CM, support=support, config=config)
+    return scene._scene.plan(asked, advise, True)
 
 
 class Tracker:
@@ -213,9 +243,11 @@ class Tracker:
     config  as for detect(); only the table `track` is used
     """
 
+    @_answering
     def __init__(self, config: _Config = None) -> None:
         self._tracker = _core.Tracker(*_settings(config))
 
+    @_answering
     def update(self, result: Result, utime: int, X_WC: _Optional[_ArrayLike] = None) -> None:
         """Sets Detection.track of all detections of a Result.
 
@@ -229,45 +261,12 @@ class Tracker:
             self._tracker.update(result, utime, X_WC)
 
 
-class ViewMemory:
-    """The views of a scene that moving cameras had, kept up to date.
+class _Memory:
+    """What a ViewMemory and a LastingDetector have in common."""
 
-    Of each camera there is one view for each direction of sight, and a newer one takes the place of an older one from
-    there. What a new view contradicts is forgotten, and so is what is older than `views.remember`.
+    _memory: _Any
 
-        memory.add(utime, points, X_WC)
-        plan = quadrille.plan(points, found, "franka", views=memory.others(utime, X_WC))
-
-    config  as for detect(); the tables `views` and `sampling` are used
-    """
-
-    def __init__(self, config: _Config = None) -> None:
-        self._memory = _core.ViewMemory(*_settings(config))
-
-    def add(self, utime: int, points: _ArrayLike, X_WC: _ArrayLike, *,
-            viewpoint: _ArrayLike = _ORIGIN, camera: int = 0) -> _NDArray[_np.float64]:
-        """Adds a view. If its time is before that of the camera's last one, later views are forgotten.
-
-        utime      time of the cloud [us]
-        points     as for detect(), without the robot: Robot.taken_from(points)
-        X_WC       pose of the cloud's frame in a fixed frame W, as far as it is known, (4, 4)
-        viewpoint  as for detect()
-        camera     number of the camera; all cameras have one clock
-
-        Returns the motion within W that corrects the pose, (4, 4).
-        """
-        return self._memory.add(utime, points, viewpoint, X_WC, camera)
-
-    def others(self, utime: int, X_WC: _ArrayLike, *,
-               camera: int = 0) -> _List[_Tuple[_NDArray[_np.float32], _NDArray[_np.float64]]]:
-        """Returns the views but the one that this camera had at this time, the newest first, as
-        (points, viewpoint).
-
-        X_WC  pose in W of the frame C in which they are wanted; that of the camera's last view is
-              corrected as this one was
-        """
-        return self._memory.others(utime, X_WC, camera)
-
+    @_answering
     def forget(self, X_WR: _Optional[_ArrayLike] = None, size: _Optional[_ArrayLike] = None) -> None:
         """Forgets all views, or the surfaces that they show in a box.
 
@@ -282,4 +281,75 @@ class ViewMemory:
             self._memory.forget_box(X_WR, size)
 
     def __len__(self) -> int:
+        """Returns the number of views that are kept."""
         return len(self._memory)
+
+
+class ViewMemory(_Memory):
+    """The views of a scene that moving cameras had, kept up to date.
+
+    Of each camera there is one view for each direction of sight, and a newer one takes the place of an older one from
+    there. What a new view contradicts is forgotten, and so is what is older than `views.remember`.
+
+        memory.add(utime, points, X_WC)
+        plan = quadrille.plan(points, found, "franka", views=memory.others(utime, X_WC))
+
+    config  as for detect(); the tables `views` and `sampling` are used
+    """
+
+    @_answering
+    def __init__(self, config: _Config = None) -> None:
+        self._memory: _core.ViewMemory = _core.ViewMemory(*_settings(config))
+
+    @_answering
+    def add(self, utime: int, points: _ArrayLike, X_WC: _ArrayLike, *,
+            viewpoint: _ArrayLike = _ORIGIN, camera: int = 0) -> _NDArray[_np.float64]:
+        """Adds a view. If its time is before that of the camera's last one, later views are forgotten.
+
+        utime      time of the cloud [us]
+        points     as for detect(), without the robot: Robot.taken_from(points)
+        X_WC       pose of the cloud's frame in a fixed frame W, as far as it is known, (4, 4)
+        viewpoint  as for detect()
+        camera     number of the camera; all cameras have one clock
+
+        Returns the motion within W that corrects the pose, (4, 4).
+        """
+        return self._memory.add(utime, points, viewpoint, X_WC, camera)
+
+    @_answering
+    def others(self, utime: int, X_WC: _ArrayLike, *,
+               camera: int = 0) -> _List[_Tuple[_NDArray[_np.float32], _NDArray[_np.float64]]]:
+        """Returns the views but the one that this camera had at this time, the newest first, as
+        (points, viewpoint).
+
+        X_WC  pose in W of the frame C in which they are wanted; that of the camera's last view is
+              corrected as this one was
+        """
+        return self._memory.others(utime, X_WC, camera)
+
+
+class LastingDetector(_Memory):
+    """Detects the quadrics of a scene that lasts while cameras move about it.
+
+    It keeps what the views of each cloud showed, as ViewMemory keeps the clouds, and fits each surface to
+    all that the views show of it. A view that stands alone gives the bits of detect().
+
+        found = detector.detect(utime, points, X_WC)
+
+    config  as for detect()
+    """
+
+    @_answering
+    def __init__(self, config: _Config = None) -> None:
+        self._memory: _core.LastingDetector = _core.LastingDetector(*_settings(config))
+
+    @_answering
+    def detect(self, utime: int, points: _ArrayLike, X_WC: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN,
+               robot: _Robot = None, camera: int = 0) -> Result:
+        """Detects what a cloud and the views before it show, in the cloud's frame C, and keeps the view.
+
+        utime, points, X_WC, viewpoint, camera  as for ViewMemory.add(); the robot's points may be
+               among the points if its shapes are given
+        robot  the robot's own shapes in frame C, as for detect()
+        """
+        return self._memory.detect(utime, points, viewpoint, X_WC, _robot(robot), camera)

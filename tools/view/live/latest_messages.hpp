@@ -16,8 +16,8 @@
 
 namespace quadrille::view {
 
-/// The channels of the messages that are shown, and of requests to the planner, and the frame of
-/// the clouds.
+/// The channels of the messages that are shown, and of requests to the planner, and the frame and
+/// the unit of the clouds.
 struct LiveChannels {
   std::string cloud = "POINT_CLOUD", quadrics = "QUADRICS", boxes = "BOXES", bodies = "BODIES",
               grasps = "GRASPS", occupancy = "OCCUPANCY", robot = "ROBOT", obstacles = "OBSTACLES",
@@ -27,6 +27,8 @@ struct LiveChannels {
   std::string poses;
   /// True if clouds are in the fixed frame of these poses; else they are in the camera's frame.
   bool cloud_in_world = false;
+  /// Length of the unit of the clouds' coordinates [m].
+  double unit = 1.0;
 
   /// Calls v(name) for each channel on which messages come.
   template <class Channels, class Visitor>

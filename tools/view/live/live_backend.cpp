@@ -47,9 +47,11 @@ void LiveBackend::make_scenes() {
   while (!stop_) {
     if (!keeper_.wait(std::chrono::milliseconds(100))) continue;
     const auto start = std::chrono::steady_clock::now();
-    Pack pack = std::make_shared<const std::string>(pack_scene(
-        live_scene(keeper_.latest(), find_gripper_, limits_, keeper_.channels().cloud_in_world),
-        limits_));
+    const LiveChannels& channels = keeper_.channels();
+    Pack pack = std::make_shared<const std::string>(
+        pack_scene(live_scene(keeper_.latest(), find_gripper_, limits_, channels.cloud_in_world,
+                              channels.unit),
+                   limits_));
     {
       const std::lock_guard lock(mutex_);
       std::swap(newest_, pack);

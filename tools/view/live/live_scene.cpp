@@ -34,14 +34,16 @@ std::optional<Message> read(const Bytes& bytes, const Decode& decode) {
 }
 
 /// Returns the cloud with the time and number of the quadrics; the newest if there are no quadrics.
+/// @param unit  length of the unit of its coordinates [m]
 std::optional<bus::CloudMessage> find_cloud(const std::deque<Bytes>& clouds,
-                                            const std::optional<bus::QuadricsMessage>& quadrics) {
+                                            const std::optional<bus::QuadricsMessage>& quadrics,
+                                            double unit) {
   for (auto bytes = clouds.rbegin(); bytes != clouds.rend(); ++bytes) {
     const auto stamp = bus::read_stamp(**bytes);
     if (!stamp) continue;
     if (quadrics && (stamp->utime != quadrics->utime || stamp->seq != quadrics->seq)) continue;
-    const auto decode = [](const auto& b) {
-      return bus::decode_cloud(b, bus::kMaxMessageBytes, bus::CloudColours::kKeep);
+    const auto decode = [unit](const auto& b) {
+      return bus::decode_cloud(b, bus::kMaxMessageBytes, bus::CloudColours::kKeep, unit);
     };
     if (auto cloud = read<bus::CloudMessage>(*bytes, decode)) return cloud;
   }
@@ -243,12 +245,12 @@ void add_space(const occupancy_t& map, std::size_t max_voxels, Scene* scene) {
 }  // namespace
 
 Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper,
-                 const PackLimits& limits, bool cloud_in_world) {
+                 const PackLimits& limits, bool cloud_in_world, double unit) {
   Scene scene;
   scene.name = "live";
   auto quadrics = read<bus::QuadricsMessage>(messages.quadrics,
                                              [](const auto& b) { return bus::decode_quadrics(b); });
-  auto cloud = find_cloud(messages.clouds, quadrics);
+  auto cloud = find_cloud(messages.clouds, quadrics, unit);
   const SceneFrames frames = frames_of(messages, cloud, quadrics, cloud_in_world);
   if (!cloud && quadrics) scene.warnings.push_back(explain_absent_cloud(messages));
   add_cloud(std::move(cloud), messages, frames, &scene);

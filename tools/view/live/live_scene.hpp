@@ -18,10 +18,10 @@ using FindGripper = std::function<std::optional<Gripper>(const std::string& name
 /// the surfaces of the same track. A cloud in another frame than the quadrics is moved into theirs,
 /// if the camera's poses tell how.
 /// @param cloud_in_world  true if clouds are in the fixed frame of the camera's poses; else they
-/// are
-///   in the camera's frame
+///   are in the camera's frame
+/// @param unit  length of the unit of the clouds' coordinates [m]
 Scene live_scene(const LatestMessages& messages, const FindGripper& find_gripper,
-                 const PackLimits& limits = {}, bool cloud_in_world = false);
+                 const PackLimits& limits = {}, bool cloud_in_world = false, double unit = 1.0);
 
 /// Makes a scene of the grasps with which the planner answers a question; nullopt if the bytes are
 /// damaged.

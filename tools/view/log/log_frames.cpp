@@ -9,8 +9,8 @@
 
 namespace quadrille::view {
 
-LogFrames::LogFrames(const std::string& path, const std::string& channel)
-    : path_(path), channel_(channel) {
+LogFrames::LogFrames(const std::string& path, const std::string& channel, double unit)
+    : path_(path), channel_(channel), unit_(unit) {
   bus::LogReader reader(path);
   for (std::int64_t event = 0; const auto found = reader.next(); ++event) {
     if (!channel.empty() && found->channel != channel) continue;
@@ -36,7 +36,8 @@ std::optional<logs::LoggedCloud> LogFrames::load(std::size_t number) {
   }
   while (const auto event = reader_->next()) {
     if (next_event_++ < events_[number]) continue;
-    auto decoded = bus::decode_cloud(event->bytes, bus::kMaxMessageBytes, bus::CloudColours::kKeep);
+    auto decoded =
+        bus::decode_cloud(event->bytes, bus::kMaxMessageBytes, bus::CloudColours::kKeep, unit_);
     auto* const message = std::get_if<bus::CloudMessage>(&decoded);
     if (message == nullptr) break;
     return logs::LoggedCloud{std::move(*message), event->channel, event->utime};

@@ -15,8 +15,9 @@ namespace quadrille::view {
 class LogFrames {
  public:
   /// Reads the whole log once to find its clouds.
+  /// @param unit  length of the unit of the clouds' coordinates [m]
   /// @throws std::runtime_error as logs::CloudLogReader does, and if there is no cloud
-  LogFrames(const std::string& path, const std::string& channel);
+  LogFrames(const std::string& path, const std::string& channel, double unit = 1.0);
 
   /// Time at which each cloud was taken [us].
   const std::vector<std::int64_t>& utimes() const { return utimes_; }
@@ -29,6 +30,7 @@ class LogFrames {
 
  private:
   std::string path_, channel_;
+  double unit_;
   std::optional<std::string> defect_;
   std::vector<std::int64_t> utimes_;
   /// Position of each cloud among all events of the log.

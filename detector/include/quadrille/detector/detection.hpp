@@ -101,9 +101,15 @@ struct Detection {
 /// True if a detection was asked for, which its id tells.
 inline bool is_reported(const Detection& detection) { return detection.id >= 0; }
 
-/// The rotation of a pose as stored in messages and files: the unit quaternion with w >= 0. Since q
-/// and -q are the same rotation, this writes equal poses equally.
+/// The rotation of a pose as stored in messages and files: the unit quaternion with w >= 0, since q
+/// and -q are the same rotation. It is rounded so that its components, divided by the largest of
+/// them, are multiples of 2⁻⁴⁴, which turns it by less than 1e-12 rad. So a pose that is made of
+/// this quaternion is written with the same one again, to the last bit.
 QUADRILLE_EXPORT Eigen::Quaterniond rotation_of(const Eigen::Isometry3d& X);
+
+/// Returns a pose as it is read from a message or file to which it was written. All results have
+/// such poses, so readers get the bits that the writer has. Rounding twice changes nothing more.
+QUADRILLE_EXPORT Eigen::Isometry3d rounded(const Eigen::Isometry3d& X);
 
 /// Wall time of one stage of a computation.
 struct StageTime {

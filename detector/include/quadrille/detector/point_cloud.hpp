@@ -97,12 +97,11 @@ constexpr auto words_of(PointLayout::Scalar) {
 /// too far from the viewpoint, which is not known here, are left to check_range().
 /// @param bytes   the records
 /// @param layout  positions of the coordinates
-/// @param X_CF    pose of the records' frame F in frame C; applied before the points are rounded to
-///   single precision
+/// @param X_CF    pose of the records' frame F in frame C, times the length of the records' unit in
+///   metres; applied before the points are rounded to single precision
 /// @return the cloud with its viewpoint at the origin of C and without a frame name
 /// @throws std::invalid_argument if the layout does not fit into the bytes
-QUADRILLE_EXPORT PointCloud
-read_points(std::span<const std::byte> bytes, const PointLayout& layout,
-            const Eigen::Isometry3d& X_CF = Eigen::Isometry3d::Identity());
+QUADRILLE_EXPORT PointCloud read_points(std::span<const std::byte> bytes, const PointLayout& layout,
+                                        const Eigen::Affine3d& X_CF = Eigen::Affine3d::Identity());
 
 }  // namespace quadrille

@@ -84,11 +84,6 @@ body_t to_message(const SceneBody& body) {
   return m;
 }
 
-std::vector<SceneBody> as_received(std::vector<SceneBody> bodies) {
-  for (SceneBody& body : bodies) body.X_CB = from_message(to_message(body.X_CB));
-  return bodies;
-}
-
 bodies_t to_message(const CloudMessage& cloud, const std::vector<SceneBody>& bodies) {
   auto m = stamped_as<bodies_t>(cloud);
   for (const SceneBody& body : bodies) m.bodies.push_back(to_message(body));

@@ -78,11 +78,6 @@ boxes_t to_message(const CloudMessage& cloud, const std::vector<Box>& boxes) {
   return m;
 }
 
-std::vector<Box> as_received(std::vector<Box> boxes) {
-  for (Box& box : boxes) box.X_CB = from_message(to_message(box.X_CB));
-  return boxes;
-}
-
 Decoded<BoxesMessage> decode_boxes(std::span<const std::byte> bytes, std::size_t max_bytes) {
   return decode_checked<boxes_t, BoxesMessage>(bytes, max_bytes, check_boxes, from_boxes);
 }

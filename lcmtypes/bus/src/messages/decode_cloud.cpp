@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <lcmtypes/bot_core/pointcloud2_t.hpp>
@@ -195,7 +196,7 @@ std::optional<CloudStamp> read_stamp(std::span<const std::byte> bytes) try {
 }
 
 Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes, std::size_t max_bytes,
-                                   CloudColours colours) try {
+                                   CloudColours colours, double unit) try {
   if (bytes.size() > max_bytes) {
     refuse(RejectReason::kTooLarge, std::to_string(bytes.size()) + " bytes");
   }
@@ -203,7 +204,9 @@ Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes, std::size_t
   CloudView view = view_cloud(reader);
   reader.expect_end();
   if (colours == CloudColours::kDrop) view.layout.rgb.reset();
-  CloudMessage message{view.utime, view.seq, read_points(view.records, view.layout)};
+  CloudMessage message{
+      view.utime, view.seq,
+      read_points(view.records, view.layout, Eigen::Affine3d(Eigen::Scaling(unit)))};
   message.cloud.frame = view.frame;
   message.digest = digest_of(message.cloud);
   return message;

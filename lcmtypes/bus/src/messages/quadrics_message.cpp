@@ -146,15 +146,6 @@ Eigen::Isometry3d from_message(const pose_t& pose) {
   return X_CF;
 }
 
-std::vector<Detection> as_received(const std::vector<Detection>& detections) {
-  std::vector<Detection> received;
-  received.reserve(detections.size());
-  for (const Detection& detection : detections) {
-    received.push_back(to_detection(to_message(detection)));
-  }
-  return received;
-}
-
 Decoded<QuadricsMessage> decode_quadrics(std::span<const std::byte> bytes, std::size_t max_bytes) {
   return decode_checked<quadrics_t, QuadricsMessage>(bytes, max_bytes, check_quadrics,
                                                      from_quadrics);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/choice_option.hpp"
+#include "cli/unit_option.hpp"
 
 namespace quadrille {
 
@@ -14,6 +15,7 @@ void CloudFrames::add_to(CLI::App& app) {
                     "Frame of the clouds: the camera's (default), or the fixed one of its poses");
   add_choice_option(app, "--result-frame", results, choices,
                     "Frame of the results; by default that of the clouds");
+  add_unit_option(app, unit);
 }
 
 void check_poses(const CloudFrames& frames, bool fixed, const std::string& pose_channel,

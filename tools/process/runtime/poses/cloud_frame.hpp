@@ -24,11 +24,13 @@ constexpr auto words_of(CloudFrame) {
       {{"camera", CloudFrame::kCamera}, {"world", CloudFrame::kWorld}});
 }
 
-/// The frames of clouds and results.
+/// The frames of clouds and results, and the unit of clouds.
 struct CloudFrames {
   CloudFrame clouds = CloudFrame::kCamera;
   /// Frame of the results; if none is given, that of the clouds.
   std::optional<CloudFrame> results;
+  /// Length of the unit of the clouds' coordinates [m].
+  double unit = 1.0;
 
   /// True if conditions on the results are given in the fixed frame.
   bool conditions = false;
@@ -39,7 +41,7 @@ struct CloudFrames {
     return clouds == CloudFrame::kWorld || of_results() == CloudFrame::kWorld || conditions;
   }
 
-  /// Adds --cloud-frame and --result-frame; this object must outlive the app.
+  /// Adds --cloud-frame, --result-frame and --unit; this object must outlive the app.
   void add_to(CLI::App& app);
 };
 

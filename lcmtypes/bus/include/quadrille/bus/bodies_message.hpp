@@ -33,9 +33,6 @@ QUADRILLE_EXPORT body_t to_message(const SceneBody& body);
 QUADRILLE_EXPORT bodies_t to_message(const CloudMessage& cloud,
                                      const std::vector<SceneBody>& bodies);
 
-/// Returns the bodies as a receiver of their message reads them, to the last bit.
-QUADRILLE_EXPORT std::vector<SceneBody> as_received(std::vector<SceneBody> bodies);
-
 /// Reads bodies from a message of type quadrille.bodies_t. Every length and value is checked before
 /// the generated decoder sees the bytes.
 /// @param bytes      the message as it came, fingerprint first

@@ -32,9 +32,6 @@ QUADRILLE_EXPORT box_t to_message(const Box& box);
 /// Makes the message of the boxes, stamped with their cloud's utime, seq and frame.
 QUADRILLE_EXPORT boxes_t to_message(const CloudMessage& cloud, const std::vector<Box>& boxes);
 
-/// The boxes as a receiver of their message gets them: rounded poses.
-QUADRILLE_EXPORT std::vector<Box> as_received(std::vector<Box> boxes);
-
 /// Reads boxes from a message of type quadrille.boxes_t. Every length and value is checked before
 /// the generated decoder sees the bytes.
 /// @param bytes      the message as it came, fingerprint first

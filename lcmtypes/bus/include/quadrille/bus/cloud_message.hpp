@@ -80,9 +80,11 @@ constexpr std::string_view to_string(CloudColours colours) {
 /// @param colours    whether to keep the colours of a 32-bit field `rgb` or `rgba`: in
 ///   drake.lcmt_point_cloud the bytes red, green, blue, as Drake writes them; in
 ///   bot_core.pointcloud2_t 0x00RRGGBB, as PCL does. Other colour fields are ignored.
+/// @param unit       length of the unit of the message's coordinates [m]
 QUADRILLE_EXPORT Decoded<CloudMessage> decode_cloud(std::span<const std::byte> bytes,
                                                     std::size_t max_bytes = kMaxMessageBytes,
-                                                    CloudColours colours = CloudColours::kDrop);
+                                                    CloudColours colours = CloudColours::kDrop,
+                                                    double unit = 1.0);
 
 /// Returns the bytes of a cloud as a message: float32 x, y, z without other fields.
 ///

@@ -45,11 +45,6 @@ QUADRILLE_EXPORT quadric_t to_message(const Detection& detection);
 /// Makes the message of a detection result, stamped with its cloud's utime, seq and frame.
 QUADRILLE_EXPORT quadrics_t to_message(const CloudMessage& cloud, const DetectionResult& result);
 
-/// Returns the detections as a receiver of the message will have them: their poses pass through
-/// unit quaternions, which rounds the last bits. Results computed from these are equal on both
-/// sides.
-QUADRILLE_EXPORT std::vector<Detection> as_received(const std::vector<Detection>& detections);
-
 /// Reads quadrics from a message of type quadrille.quadrics_t. Every length, sign and value is
 /// checked before the generated decoder sees the bytes. More than kMaxQuadrics are refused.
 /// @param bytes      the message as it came, fingerprint first

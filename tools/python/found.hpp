@@ -1,0 +1,29 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "quadrille/detector/detection.hpp"
+
+namespace quadrille::python {
+
+/// What was found in a cloud, in the frame K in which it was sought.
+struct Found {
+  DetectionResult in_K;
+  /// Pose of K in the frame C of the cloud.
+  Eigen::Isometry3d X_CK = Eigen::Isometry3d::Identity();
+  /// The motion within C of each further view, which corrects its pose.
+  std::vector<Eigen::Isometry3d> corrections_C = {};
+
+  /// Returns the same in frame F. If that is K, all bits are kept.
+  DetectionResult in(const Eigen::Isometry3d& X_CF) const;
+  DetectionResult in_C() const { return in(Eigen::Isometry3d::Identity()); }
+};
+
+/// Makes a result of what the caller knows, or has of other results. Ids of 0 become the next free
+/// numbers.
+/// @throws std::invalid_argument if an id occurs twice
+Found found_of(std::vector<Detection> detections, std::vector<Box> boxes,
+               std::vector<SceneBody> bodies);
+
+}  // namespace quadrille::python
