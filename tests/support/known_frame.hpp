@@ -37,7 +37,7 @@ inline scoring::Frame make_known_frame() {
   frame.cloud = render(patches, {640, 480, 1.0 / 600.0, 0.0005});
   for (int id = 0; id < 3; ++id) {
     scoring::TrueSurface surface;
-    surface.id = id;
+    surface.id = surface.body = id;
     surface.curved = id != 1;
     surface.type = id == 1 ? "wall" : "sphere";
     surface.Q_C = quadrics[id];

@@ -62,6 +62,25 @@ TEST_CASE("the benchmark writes one table in all forms, and a plot", "[command][
   CHECK(contains(run.out, "| easy | all | quadrille |"));
 }
 
+TEST_CASE("superquadrics stand in the table, without planes", "[command][bench]") {
+  const test::TempFolder folder;
+  const Run run = run_quadrille(
+      "bench --scenes 1 --family easy --contender quadrille,quadrille-objects,ems --out " +
+      folder.path(""));
+  INFO(run.err);
+  REQUIRE(run.code == 0);
+  const json rows = rows_of(folder.path(""));
+  // All surfaces, and spheres.
+  REQUIRE(rows.size() == 6);
+  for (int i = 0; i < 3; ++i) {
+    const bool given = i > 0;
+    CHECK(rows[i]["contender"] == (i == 0 ? "quadrille" : i == 1 ? "quadrille-objects" : "ems"));
+    CHECK(rows[i]["plane_recall"].is_null() == given);
+    CHECK(rows[i]["surfaces"] == rows[0]["surfaces"]);
+    CHECK(rows[i]["distance"] < 0.05);
+  }
+}
+
 TEST_CASE("scenes from files are judged as scenes made at once", "[command][bench]") {
   const test::TempFolder folder;
   const std::string cloud = folder.path("a.ply");

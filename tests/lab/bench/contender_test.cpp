@@ -53,6 +53,24 @@ TEST_CASE("quadrille, its variants and the baselines find a ball before a wall",
   }
 }
 
+TEST_CASE("fits to given objects find the balls, and are not judged on planes",
+          "[bench][contender]") {
+  const Frame frame = test::make_known_frame();
+  const std::vector<Contender> all = all_contenders("/nowhere");
+  for (const char* name : {"quadrille-objects", "ems"}) {
+    INFO(name);
+    const Contender& contender = contender_named(all, name);
+    CHECK(contender.absent.empty());
+    CHECK(contender.given_objects);
+    const FrameScore s = score_of(contender, frame);
+    CHECK(s.found == 1);
+    CHECK(s.wrong == 0);
+    CHECK(s.widths_right == 1);
+    REQUIRE(s.distances.size() == 1);
+    CHECK(s.distances[0] < 0.001);
+  }
+}
+
 TEST_CASE("a peer that is not built is absent, with what mends it", "[bench][contender]") {
   const std::string absent = contender_named(all_contenders("/nowhere"), "cgal").absent;
   CHECK(absent.find("tools/setup --bench") != std::string::npos);

@@ -19,6 +19,7 @@ Row row_of(const std::string& contender, const std::string& counted, bool finds_
   row.total.wrong = 1;
   row.total.width_errors = {0.01, 0.02, 0.5};
   row.total.widths_right = 2;
+  row.total.distances = {0.0003, 0.00125, 0.02};
   row.wall_ms = {10.0, 20.0, 30.0};
   row.cpu_ms = {8.0, 9.0, 10.0};
   return row;
@@ -32,12 +33,14 @@ TEST_CASE("a row tells its shares and medians", "[bench][report]") {
   CHECK(json["wrong"] == 1);
   CHECK(json["right_width"].get<double>() == Approx(2.0 / 3.0));
   CHECK(json["width_error"] == 0.02);
+  CHECK(json["distance"] == 0.00125);
   CHECK(json["wall_ms"] == 20.0);
   // There were no planes.
   CHECK(json["plane_recall"].is_null());
   const std::string table = to_markdown(to_table({row_of("one", "", false)}));
   CHECK(
-      table.find("| easy | all | one | 2 | 4 | 75.0 | 75.0 | 66.7 | 2.0 | - | - | 20.0 | 9.0 |") !=
+      table.find(
+          "| easy | all | one | 2 | 4 | 75.0 | 75.0 | 66.7 | 2.0 | 1.25 | - | - | 20.0 | 9.0 |") !=
       std::string::npos);
 }
 

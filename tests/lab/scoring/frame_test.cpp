@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -39,6 +40,24 @@ TEST_CASE("the points of a generated frame lie on the surfaces that they are lab
   }
   CHECK(all > 100000);
   CHECK(on > 0.97 * all);
+}
+
+TEST_CASE("surfaces know their body, and are bodies of their own if the truth has none",
+          "[scoring][frame]") {
+  const test::TempFolder folder;
+  const std::string cloud = folder.path("a.ply");
+  const scene::Scene scene = scene::make_scene({scene::Family::kMedium, 1000});
+  write_scene(cloud, scene, true);
+  std::set<int> bodies;
+  for (const TrueSurface& surface : read_frame(cloud).surfaces) bodies.insert(surface.body);
+  CHECK(bodies.size() == scene.layout.bodies.size());
+  nlohmann::ordered_json truth = scene::truth_json(scene);
+  for (auto& object : truth["objects"]) object.erase("body");
+  folder.write("a.truth.json", truth.dump());
+  const Frame frame = read_frame(cloud);
+  bodies.clear();
+  for (const TrueSurface& surface : frame.surfaces) bodies.insert(surface.body);
+  CHECK(bodies.size() == frame.surfaces.size());
 }
 
 TEST_CASE("a frame of a sensor is read with the truth that other tools write", "[scoring][frame]") {

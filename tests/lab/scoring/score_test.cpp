@@ -32,6 +32,8 @@ TEST_CASE("the truth itself scores full marks", "[scoring][score]") {
   REQUIRE(s.width_errors.size() == 1);
   CHECK(s.width_errors[0] < 1e-9);
   CHECK(s.widths_right == 1);
+  REQUIRE(s.distances.size() == 1);
+  CHECK(s.distances[0] < 1e-6);
 }
 
 TEST_CASE("findings are judged by the truth", "[scoring][score]") {
@@ -114,6 +116,51 @@ TEST_CASE("findings beyond the hundred best, and such as are none, are wrong",
   CHECK(score(frame, broken).wrong == 2);
 }
 
+/// A superquadric that is a ball, at the place of the known frame's ball.
+Found superball(double radius) {
+  Superquadric S;
+  S.axes.setConstant(radius);
+  S.X_CS.translation() << 0, 0, 1;
+  return {Quadric(), 1.0, S};
+}
+
+TEST_CASE("a superquadric is judged as the quadric that it equals", "[scoring][score]") {
+  const Frame frame = test::make_known_frame();
+  const FrameScore s = score(frame, {superball(kBallRadius)});
+  CHECK(s.found == 1);
+  CHECK(s.wrong == 0);
+  REQUIRE(s.width_errors.size() == 1);
+  CHECK(s.width_errors[0] < 1e-6);
+  REQUIRE(s.distances.size() == 1);
+  CHECK(s.distances[0] < 1e-4);
+  const FrameScore wrong = score(frame, {superball(1.2 * kBallRadius)});
+  CHECK(wrong.found == 0);
+  CHECK(wrong.wrong == 1);
+  CHECK(wrong.planes_wrong == 0);
+  Found broken = superball(kBallRadius);
+  broken.superquadric->X_CS.translation().x() = std::numeric_limits<double>::quiet_NaN();
+  CHECK(score(frame, {broken}).wrong == 1);
+}
+
+TEST_CASE("the other surfaces of its body count for a superquadric", "[scoring][score]") {
+  // Two thirds of the ball become another surface: of the same body, or not.
+  Frame frame = test::make_known_frame();
+  for (std::size_t i = 0; i < frame.labels.size(); ++i) {
+    if (frame.labels[i] == 0 && frame.cloud.points[i].x() > -0.02f) frame.labels[i] = 7;
+  }
+  TrueSurface other = frame.surfaces[0];
+  other.id = 7;
+  other.evaluate = false;
+  other.curved = false;
+  for (const int body : {0, 9}) {
+    other.body = body;
+    Frame divided = frame;
+    divided.surfaces.push_back(other);
+    CHECK(score(divided, {superball(kBallRadius)}).found == (body == 0 ? 1 : 0));
+    CHECK(score(divided, {{ball_at(0, kBallRadius), 1.0}}).found == 0);
+  }
+}
+
 TEST_CASE("the truth of a generated scene scores itself as all found", "[scoring][score]") {
   const Frame frame = frame_of(scene::make_scene({scene::Family::kMedium, 3}));
   std::vector<Found> exact, shifted;
@@ -143,6 +190,9 @@ TEST_CASE("scores add up, and nothing has no share", "[scoring][score]") {
   CHECK(sum.plane_recall() == 0.5);
   CHECK(sum.plane_precision() == 0.5);
   CHECK(sum.right_width() == 1.0);
+  // What was not found has a distance too.
+  REQUIRE(sum.distances.size() == 2);
+  CHECK(sum.distances[1] > 0.005);
   CHECK(sum.width_errors.size() == 1);
 }
 

@@ -21,8 +21,8 @@ class Rows {
     row.finds_others = !counted.empty() && who.only.empty();
     ++row.frames;
     FrameScore one = scoring::score(frame, outcome.findings, counted);
-    // Contenders that look for one type are not judged on planes.
-    if (!counted.empty()) {
+    // Contenders that look for one type or get no planes are not judged on planes.
+    if (!counted.empty() || who.given_objects) {
       one.planes_wanted = one.planes_found = one.planes_right = one.planes_wrong = 0;
     }
     row.total += one;
@@ -56,6 +56,10 @@ double Row::precision() const { return finds_others ? std::nan("") : total.preci
 
 double Row::width_error() const {
   return total.width_errors.empty() ? std::nan("") : experiments::quantile(total.width_errors, 0.5);
+}
+
+double Row::distance() const {
+  return total.distances.empty() ? std::nan("") : experiments::quantile(total.distances, 0.5);
 }
 
 std::vector<Row> run_bench(const std::vector<Contender>& contenders, const FrameOptions& frames) {

@@ -27,6 +27,8 @@ struct Row {
   double precision() const;
   /// Median of the relative errors of the widths; NaN if there are none.
   double width_error() const;
+  /// Median of the distances of the surfaces [m]; NaN if there are none.
+  double distance() const;
 };
 
 /// Runs each contender that is available on each frame. All surfaces are counted, except for

@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "lab/bench/ems.hpp"
+#include "lab/bench/given_objects.hpp"
 #include "lab/bench/peer_program.hpp"
 #include "lab/bench/plain_ransac.hpp"
 #include "lab/bench/stopwatch.hpp"
@@ -50,6 +52,38 @@ Contender plain_four() {
   return plain("plain-four", "plain RANSAC, four oriented points a basis", options);
 }
 
+/// A contender that gets the points of each object. The time is that of all objects together.
+Contender on_objects(const std::string& name, const std::string& about,
+                     const std::function<std::vector<Found>(const PointCloud&)>& find) {
+  const auto run = [find](const Frame& frame) {
+    const std::vector<PointCloud> objects = given_objects(frame);
+    const Stopwatch stopwatch;
+    Outcome outcome;
+    for (const PointCloud& object : objects) {
+      for (const Found& found : find(object)) outcome.findings.push_back(found);
+    }
+    outcome.wall_ms = stopwatch.wall_ms();
+    outcome.cpu_ms = stopwatch.cpu_ms();
+    return outcome;
+  };
+  return {name, about, "", "", run, true};
+}
+
+Contender quadrille_objects() {
+  return on_objects("quadrille-objects",
+                    "quadrille on the points of each object, given their segmentation",
+                    [](const PointCloud& object) { return scoring::findings_of(detect(object)); });
+}
+
+Contender ems() {
+  return on_objects("ems", "superquadrics by EMS (CVPR 2022), one for each object, given the same",
+                    [](const PointCloud& object) -> std::vector<Found> {
+                      const auto fit = fit_superquadric(object.points);
+                      if (!fit) return {};
+                      return {{Quadric(), fit->inliers, fit->superquadric}};
+                    });
+}
+
 Contender peer(const std::string& name, const std::string& about, const std::string& package,
                const std::string& programs) {
   const std::string program = programs + "/quadrille-peer-" + name;
@@ -94,6 +128,8 @@ std::vector<Contender> all_contenders(const std::string& programs,
           }),
       plain_nine(),
       plain_four(),
+      quadrille_objects(),
+      ems(),
       peer("cgal", "CGAL Efficient RANSAC, tuned per family", "libcgal-dev", programs),
       peer("pcl", "PCL SACSegmentationFromNormals in clusters, tuned per family", "libpcl-dev",
            programs),

@@ -31,6 +31,9 @@ struct Contender {
   /// Why the contender cannot run here; empty if it can.
   std::string absent;
   std::function<Outcome(const Frame&)> run;
+  /// True if the contender is told which points belong to each body with a curved surface, and gets
+  /// no others.
+  bool given_objects = false;
 };
 
 /// Returns Quadrille and its variants, plain baselines, and the peers, including absent ones.

@@ -20,6 +20,10 @@ std::string percent(double share) {
   return std::isfinite(share) ? fmt::format("{:.1f}", 100.0 * share) : "-";
 }
 
+std::string millimetres(double metres) {
+  return std::isfinite(metres) ? fmt::format("{:.2f}", 1e3 * metres) : "-";
+}
+
 std::string counted_name(const Row& row) { return row.counted.empty() ? "all" : row.counted; }
 
 /// The share in two digits; a dash of nothing.
@@ -47,15 +51,15 @@ ordered_json number(double value) {
 Table to_table(const std::vector<Row>& rows) {
   Table table{"",
               {"family", "counted", "contender", "frames", "surfaces", "recall %", "precision %",
-               "right width %", "median width error %", "planes found %", "planes right %",
-               "wall ms", "CPU ms"},
+               "right width %", "median width error %", "median distance mm", "planes found %",
+               "planes right %", "wall ms", "CPU ms"},
               {}};
   for (const Row& row : rows) {
     table.add({row.family, counted_name(row), row.contender, fmt::format("{}", row.frames),
                fmt::format("{}", row.total.wanted), percent(row.total.recall()),
                percent(row.precision()), percent(row.total.right_width()),
-               percent(row.width_error()), percent(row.total.plane_recall()),
-               percent(row.total.plane_precision()),
+               percent(row.width_error()), millimetres(row.distance()),
+               percent(row.total.plane_recall()), percent(row.total.plane_precision()),
                fmt::format("{:.1f}", quantile(row.wall_ms, 0.5)),
                fmt::format("{:.1f}", quantile(row.cpu_ms, 0.5))});
   }
@@ -108,6 +112,7 @@ nlohmann::ordered_json to_json(const std::vector<Row>& rows) {
                     {"precision", number(row.precision())},
                     {"right_width", number(row.total.right_width())},
                     {"width_error", number(row.width_error())},
+                    {"distance", number(row.distance())},
                     {"plane_recall", number(row.total.plane_recall())},
                     {"plane_precision", number(row.total.plane_precision())},
                     {"wall_ms", quantile(row.wall_ms, 0.5)},
@@ -141,8 +146,9 @@ std::string to_markdown(const std::vector<Row>& rows, const std::vector<Contende
       "A surface is **found** by a quadric that holds 60 % of its points within the noise, with "
       "their normals within 20°, and few points around that are not the surface's. **Precision** "
       "is that of curved quadrics. The **width** is the one across the line of sight that a "
-      "gripper would close on; it is right within 10 %, or 4 mm. A contender that looks for "
-      "spheres "
+      "gripper would close on; it is right within 10 %, or 4 mm. The **distance** is the mean "
+      "distance of a surface's visible points, without their noise, from the finding to which it "
+      "is least; the median is over all surfaces, found or not. A contender that looks for spheres "
       "alone is judged by the spheres. In the rows of spheres the others have no precision: what "
       "they find beside spheres is no mistake, and nothing tells which of their mistakes was meant "
       "for a sphere.\n\n![recall against time](bench.svg)\n\n";

@@ -12,8 +12,8 @@
 
 namespace quadrille::bench {
 
-/// Returns the rows as text: shares in per cent, width errors in per cent of the true width, times
-/// in milliseconds.
+/// Returns the rows as text: shares in per cent, width errors in per cent of the true width,
+/// distances in millimetres, times in milliseconds.
 experiments::Table to_table(const std::vector<Row>& rows);
 
 /// Returns the counts of surfaces as text.

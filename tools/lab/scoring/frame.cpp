@@ -18,6 +18,8 @@ using nlohmann::ordered_json;
 TrueSurface surface_of(const ordered_json& json) {
   TrueSurface surface;
   surface.id = json.at("id");
+  // Without numbers of bodies each surface is a body.
+  surface.body = json.value("body", -1 - surface.id);
   surface.curved = json.at("kind") == "quadric";
   surface.type = json.at("type");
   surface.Q_C = scene::quadric_of(json.at("q"));

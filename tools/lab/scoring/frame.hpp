@@ -14,6 +14,8 @@ namespace quadrille::scoring {
 /// A surface that is known to be in a cloud.
 struct TrueSurface {
   int id = 0;
+  /// Surfaces of one body have the same number.
+  int body = 0;
   /// False for table, wall, caps and faces of boxes.
   bool curved = false;
   std::string type;

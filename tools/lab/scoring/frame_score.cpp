@@ -17,6 +17,7 @@ FrameScore& FrameScore::operator+=(const FrameScore& other) {
   planes_right += other.planes_right, planes_wrong += other.planes_wrong;
   widths_right += other.widths_right;
   width_errors.insert(width_errors.end(), other.width_errors.begin(), other.width_errors.end());
+  distances.insert(distances.end(), other.distances.begin(), other.distances.end());
   return *this;
 }
 

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/quantile.hpp"
+#include "lab/scoring/distance.hpp"
 #include "lab/scoring/matching.hpp"
 
 namespace quadrille::scoring {
@@ -17,12 +18,12 @@ constexpr double kCover = 0.6, kPurity = 0.5;
 constexpr std::size_t kMaxFindings = 100, kMinPoints = 40, kSamples = 30000;
 const double kMinCosine = std::cos(20.0 * std::numbers::pi / 180.0);
 
-/// Returns true if a point lies on the quadric with its normal along the gradient, up to sign.
-bool agrees(const Quadric& Q, const Eigen::Vector3f& p, const Eigen::Vector3f& n,
+/// Returns true if a point lies on the finding with its normal along the gradient, up to sign.
+bool agrees(const Found& found, const Eigen::Vector3f& p, const Eigen::Vector3f& n,
             double tolerance) {
-  const Eigen::Vector3d x = p.cast<double>(), g = Q.gradient(x);
+  const Eigen::Vector3d x = p.cast<double>(), g = found.gradient(x);
   const double length = g.norm();
-  return std::abs(Q.value(x)) <= tolerance * length && length > 0.0 &&
+  return std::abs(found.value(x)) <= tolerance * length && length > 0.0 &&
          std::abs(g.dot(n.cast<double>())) >= kMinCosine * length;
 }
 
@@ -55,6 +56,7 @@ class Judge {
  public:
   Judge(const Frame& frame, const std::string& only) : frame_(frame) {
     for (const TrueSurface& surface : frame.surfaces) {
+      body_of_[surface.id] = surface.body;
       Target target = target_of(surface, frame);
       if (target.own.size() < kMinPoints) continue;
       const bool asked = surface.evaluate && (only.empty() || surface.type == only);
@@ -67,7 +69,7 @@ class Judge {
   }
 
   /// Returns the finding of each required surface that was found, by the surface's id.
-  std::map<int, int> pair_up(const std::vector<Quadric>& findings) const {
+  std::map<int, int> pair_up(const std::vector<Found>& findings) const {
     std::map<int, int> pairs;
     for (const auto& [k, finding] : match_most(candidates_among(numbered(findings), wanted_))) {
       pairs[wanted_[k].surface->id] = finding;
@@ -75,18 +77,18 @@ class Judge {
     return pairs;
   }
 
-  Judgement judge(const Quadric& Q) const {
-    if (const auto id = best_among(Q, wanted_)) return {Verdict::kRight, *id};
-    if (const auto id = best_among(Q, passed_)) return {Verdict::kHardlyVisible, *id};
-    if (!is_flat(Q)) return {};
-    if (const auto id = best_among(Q, planes_)) return {Verdict::kPlane, *id};
+  Judgement judge(const Found& found) const {
+    if (const auto id = best_among(found, wanted_)) return {Verdict::kRight, *id};
+    if (const auto id = best_among(found, passed_)) return {Verdict::kHardlyVisible, *id};
+    if (!is_flat(found)) return {};
+    if (const auto id = best_among(found, planes_)) return {Verdict::kPlane, *id};
     return {Verdict::kNoPlane, -1};
   }
 
-  FrameScore score(const std::vector<Quadric>& findings) const {
+  FrameScore score(const std::vector<Found>& findings) const {
     FrameScore result;
     result.wanted = static_cast<int>(wanted_.size());
-    std::map<int, Quadric> rest = numbered(findings);
+    std::map<int, Found> rest = numbered(findings);
     const Candidates candidates = candidates_among(rest, wanted_);
     for (const auto& [surface, finding] : match_most(candidates)) {
       ++result.found;
@@ -95,58 +97,73 @@ class Judge {
     }
     // A finding that also fits a surface that was already found is a duplicate; another surface
     // does not excuse it.
-    std::map<int, Quadric> excusable = rest;
+    std::map<int, Found> excusable = rest;
     for (const auto& [finding, surfaces] : candidates) excusable.erase(finding);
     for (const auto& [surface, finding] : match_most(candidates_among(excusable, passed_))) {
       rest.erase(finding);
     }
     judge_rest(rest, &result);
+    for (const Target& target : wanted_) {
+      result.distances.push_back(least_distance(*target.surface, points_of(target), findings));
+    }
     return result;
   }
 
  private:
-  static std::map<int, Quadric> numbered(const std::vector<Quadric>& findings) {
-    std::map<int, Quadric> all;
+  static std::map<int, Found> numbered(const std::vector<Found>& findings) {
+    std::map<int, Found> all;
     for (std::size_t i = 0; i < findings.size(); ++i) all[static_cast<int>(i)] = findings[i];
     return all;
   }
 
-  double coverage(const Quadric& Q, const Target& target) const {
+  std::vector<Eigen::Vector3f> points_of(const Target& target) const {
+    std::vector<Eigen::Vector3f> points;
+    for (const std::size_t i : target.own) points.push_back(frame_.cloud.points[i]);
+    return points;
+  }
+
+  double coverage(const Found& found, const Target& target) const {
     std::size_t count = 0;
-    for (const std::size_t i : target.own) count += agrees_at(Q, i, target.tolerance);
+    for (const std::size_t i : target.own) count += agrees_at(found, i, target.tolerance);
     return static_cast<double>(count) / static_cast<double>(target.own.size());
   }
 
-  double purity(const Quadric& Q, const Target& target) const {
+  double purity(const Found& found, const Target& target) const {
     std::size_t own = 0, all = 0;
     for (const std::size_t i : target.near) {
-      if (!agrees_at(Q, i, target.tolerance)) continue;
+      if (!agrees_at(found, i, target.tolerance)) continue;
       ++all;
-      own += frame_.labels[i] == target.surface->id;
+      own += belongs(frame_.labels[i], found, target);
     }
     return all > 0 ? static_cast<double>(own) / static_cast<double>(all) : 0.0;
   }
 
-  bool agrees_at(const Quadric& Q, std::size_t i, double tolerance) const {
-    return agrees(Q, frame_.cloud.points[i], frame_.normals[i], tolerance);
+  bool belongs(int label, const Found& found, const Target& target) const {
+    if (label == target.surface->id) return true;
+    const auto body = body_of_.find(label);
+    return found.superquadric && body != body_of_.end() && body->second == target.surface->body;
   }
 
-  Candidates candidates_among(const std::map<int, Quadric>& findings,
+  bool agrees_at(const Found& found, std::size_t i, double tolerance) const {
+    return agrees(found, frame_.cloud.points[i], frame_.normals[i], tolerance);
+  }
+
+  Candidates candidates_among(const std::map<int, Found>& findings,
                               const std::vector<Target>& targets) const {
     Candidates candidates;
-    for (const auto& [finding, Q] : findings) {
+    for (const auto& [finding, found] : findings) {
       for (std::size_t k = 0; k < targets.size(); ++k) {
-        const double cover = coverage(Q, targets[k]);
-        if (cover < kCover || purity(Q, targets[k]) < kPurity) continue;
+        const double cover = coverage(found, targets[k]);
+        if (cover < kCover || purity(found, targets[k]) < kPurity) continue;
         candidates[finding][static_cast<int>(k)] = cover;
       }
     }
     return candidates;
   }
 
-  /// Returns the id of the surface that a quadric covers best; nullopt if it covers none.
-  std::optional<int> best_among(const Quadric& Q, const std::vector<Target>& targets) const {
-    const Candidates candidates = candidates_among({{0, Q}}, targets);
+  /// Returns the id of the surface that a finding covers best; nullopt if it covers none.
+  std::optional<int> best_among(const Found& found, const std::vector<Target>& targets) const {
+    const Candidates candidates = candidates_among({{0, found}}, targets);
     if (candidates.empty()) return std::nullopt;
     const std::map<int, double>& surfaces = candidates.at(0);
     const auto best =
@@ -155,18 +172,20 @@ class Judge {
     return targets[static_cast<std::size_t>(best->first)].surface->id;
   }
 
-  /// Returns true if the quadric is flat over all points that support it.
-  bool is_flat(const Quadric& Q) const {
-    const Eigen::Matrix3d curved = Q.matrix().topLeftCorner<3, 3>();
-    const Eigen::Vector3d linear = Q.matrix().topRightCorner<3, 1>();
+  /// Returns true if the finding is flat over all points that support it. A superquadric is a body
+  /// and never flat.
+  bool is_flat(const Found& found) const {
+    if (found.superquadric) return false;
+    const Eigen::Matrix3d curved = found.Q_C.matrix().topLeftCorner<3, 3>();
+    const Eigen::Vector3d linear = found.Q_C.matrix().topRightCorner<3, 1>();
     if (curved.cwiseAbs().maxCoeff() <= 1e-9 * linear.norm()) return true;
     std::vector<Eigen::Vector3d> gradients;
     Eigen::Matrix3d moment = Eigen::Matrix3d::Zero();
     for (const std::size_t i : samples_) {
       const double z = frame_.cloud.points[i].z();
       const double tolerance = std::max(2.0 * scene::depth_noise(frame_.noise, z), 0.003);
-      if (!agrees_at(Q, i, tolerance)) continue;
-      gradients.push_back(Q.gradient(frame_.cloud.points[i].cast<double>()).normalized());
+      if (!agrees_at(found, i, tolerance)) continue;
+      gradients.push_back(found.gradient(frame_.cloud.points[i].cast<double>()).normalized());
       moment += gradients.back() * gradients.back().transpose();
     }
     if (gradients.size() < 20) return false;
@@ -177,11 +196,11 @@ class Judge {
     return nth_smallest(cosines, cosines.size() / 10) > std::cos(12.0 * std::numbers::pi / 180.0);
   }
 
-  void judge_rest(const std::map<int, Quadric>& rest, FrameScore* result) const {
-    std::map<int, Quadric> flat;
-    for (const auto& [finding, Q] : rest) {
-      if (is_flat(Q)) {
-        flat[finding] = Q;
+  void judge_rest(const std::map<int, Found>& rest, FrameScore* result) const {
+    std::map<int, Found> flat;
+    for (const auto& [finding, found] : rest) {
+      if (is_flat(found)) {
+        flat[finding] = found;
       } else {
         ++result->wrong;
       }
@@ -194,9 +213,10 @@ class Judge {
     result->planes_wrong = static_cast<int>(flat.size()) - result->planes_right;
   }
 
-  /// Returns the length of the chord of a quadric along a line; not finite if there is none.
-  static double chord(const Quadric& Q, const Eigen::Vector3d& c, const Eigen::Vector3d& u) {
-    const auto [first, second] = Q.crossings(c, u);
+  /// Returns the length of the chord of a surface along a line; not finite if there is none.
+  template <class Surface>
+  static double chord(const Surface& surface, const Eigen::Vector3d& c, const Eigen::Vector3d& u) {
+    const auto [first, second] = surface.crossings(c, u);
     return std::abs(first - second);
   }
 
@@ -214,21 +234,22 @@ class Judge {
   }
 
   /// Compares the widths across the line of sight and the axis.
-  void add_width(const Target& target, const Quadric& Q, FrameScore* result) const {
+  void add_width(const Target& target, const Found& found, FrameScore* result) const {
     const Eigen::Vector3d c = middle_of(target), axis = target.surface->X_CS.linear().col(2);
     Eigen::Vector3d u = c.cross(axis);
     // If it is seen along its axis, the width is the same, or nearly so, in all directions.
     u = u.norm() > 1e-3 * c.norm() ? u.normalized() : c.unitOrthogonal();
     const double truth = chord(target.surface->Q_C, c, u);
     if (!std::isfinite(truth)) return;
-    const double found = chord(Q, c, u);
+    const double width = chord(found, c, u);
     const double error =
-        std::isfinite(found) ? std::abs(found - truth) : std::numeric_limits<double>::infinity();
+        std::isfinite(width) ? std::abs(width - truth) : std::numeric_limits<double>::infinity();
     result->width_errors.push_back(error / truth);
     result->widths_right += error <= std::max(0.004, 0.1 * truth);
   }
 
   const Frame& frame_;
+  std::map<int, int> body_of_;
   std::vector<Target> wanted_, passed_, planes_;
   std::vector<std::size_t> samples_;
 };
@@ -244,12 +265,11 @@ std::vector<Found> findings_of(const DetectionResult& result) {
 FrameScore score(const Frame& frame, std::vector<Found> findings, const std::string& only) {
   std::stable_sort(findings.begin(), findings.end(),
                    [](const Found& a, const Found& b) { return a.score > b.score; });
-  std::vector<Quadric> judged;
+  std::vector<Found> judged;
   int beyond = 0;
   for (std::size_t i = 0; i < findings.size(); ++i) {
-    const Eigen::Matrix4d& Q = findings[i].Q_C.matrix();
-    if (i < kMaxFindings && Q.allFinite() && !Q.isZero(0.0)) {
-      judged.push_back(findings[i].Q_C);
+    if (i < kMaxFindings && findings[i].is_surface()) {
+      judged.push_back(findings[i]);
     } else {
       ++beyond;
     }
@@ -262,14 +282,12 @@ FrameScore score(const Frame& frame, std::vector<Found> findings, const std::str
 std::vector<Judgement> judge_each(const Frame& frame, const std::vector<Quadric>& quadrics) {
   const Judge judge(frame, "");
   std::vector<Judgement> judgements;
-  for (const Quadric& Q : quadrics) judgements.push_back(judge.judge(Q));
+  for (const Quadric& Q : quadrics) judgements.push_back(judge.judge({Q, 1.0}));
   return judgements;
 }
 
 std::map<int, int> pair_up(const Frame& frame, const std::vector<Found>& findings) {
-  std::vector<Quadric> quadrics;
-  for (const Found& found : findings) quadrics.push_back(found.Q_C);
-  return Judge(frame, "").pair_up(quadrics);
+  return Judge(frame, "").pair_up(findings);
 }
 
 }  // namespace quadrille::scoring

@@ -4,16 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "lab/scoring/found.hpp"
 #include "lab/scoring/frame.hpp"
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille::scoring {
-
-/// A finding of a contender.
-struct Found {
-  Quadric Q_C;
-  double score = 0.0;
-};
 
 /// The result of comparing the findings in one frame with the truth.
 struct FrameScore {
@@ -30,6 +25,10 @@ struct FrameScore {
   std::vector<double> width_errors;
   /// Number of widths that are right within 10 %, or 4 mm.
   int widths_right = 0;
+  /// For each curved surface that had to be found, found or not, the mean distance of its visible
+  /// points, without their noise, from the finding to which it is least [m]. No distance is larger
+  /// than the surface.
+  std::vector<double> distances;
 
   FrameScore& operator+=(const FrameScore& other);
 
@@ -55,6 +54,9 @@ std::vector<Found> findings_of(const DetectionResult& result);
 /// visible surface is neither right nor wrong. A finding whose gradient stays within 12° of one
 /// direction over the points that support it is flat, and judged against the planes. Only the 100
 /// best findings are judged; all others are wrong.
+///
+/// A superquadric is the surface of a whole body: the points of the body's other surfaces, such as
+/// the lid of a cylinder, count as the surface's own.
 /// @param only  counts surfaces of this type alone, and ignores those of others; empty for all
 FrameScore score(const Frame& frame, std::vector<Found> findings, const std::string& only = "");
 
