@@ -39,7 +39,8 @@ const std::map<std::string, scene::Family>& families() {
   static const std::map<std::string, scene::Family> all = {{"easy", scene::Family::kEasy},
                                                            {"medium", scene::Family::kMedium},
                                                            {"hard", scene::Family::kHard},
-                                                           {"tabletop", scene::Family::kTabletop}};
+                                                           {"tabletop", scene::Family::kTabletop},
+                                                           {"bin", scene::Family::kBin}};
   return all;
 }
 

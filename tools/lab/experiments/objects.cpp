@@ -122,13 +122,13 @@ Report run_objects(const Settings& settings) {
     double least = 1.0;
     for (int a = 0; a < arrangements; ++a) {
       const std::uint64_t seed = settings.seed * 1000 + 10 * k + static_cast<std::uint64_t>(a);
-      const auto [frame, seen] = object_scene(objects[k], a, seed);
+      const ObjectScene made = object_scene(objects[k], a, seed);
       DetectionResult result;
-      const double us = microseconds([&] { result = detect(frame.cloud); });
-      const scoring::FrameScore one = scoring::score(frame, scoring::findings_of(result));
-      report.data.row(objects[k].name, a, one.wanted, one.found, seen, 1e-3 * us);
+      const double us = microseconds([&] { result = detect(made.frame.cloud); });
+      const scoring::FrameScore one = scoring::score(made.frame, scoring::findings_of(result));
+      report.data.row(objects[k].name, a, one.wanted, one.found, made.seen, 1e-3 * us);
       score += one;
-      least = std::min(least, seen);
+      least = std::min(least, made.seen);
       settings.progress((static_cast<double>(k) + (a + 1.0) / arrangements) /
                         static_cast<double>(objects.size()));
     }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lab/scene/bin.hpp"
+
 namespace quadrille::scene {
 namespace {
 
@@ -18,6 +20,7 @@ Scene make_scene(const SceneOptions& options) {
 
 Layout make_layout(const SceneOptions& options) {
   Random random(options.seed, stream_of(options.family));
+  if (options.family == Family::kBin) return fill_bin({}, &random);
   return find_layout(traits_of(options.family), &random);
 }
 

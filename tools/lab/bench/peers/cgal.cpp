@@ -38,6 +38,7 @@ const Settings& settings_of(const std::string& family) {
       {"easy", {{0.005, 0.012}, 0.002, 0.03, 0.75, 0.001, 0.2, 250}},
       {"medium", {{0.008, 0.020}, 0.0015, 0.03, 0.8, 0.001, 0.2, 200}},
       {"hard", {{0.004, 0.020}, 0.002, 0.03, 0.85, 0.05, 0.3, 100}},
+      {"bin", {{0.002, 0.006}, 0.001, 0.006, 0.8, 0.01, 0.1, 80}},
   };
   const auto known = all.find(family);
   return known != all.end() ? known->second : all.at("medium");

@@ -31,6 +31,7 @@ const Settings& settings_of(const std::string& family) {
       {"easy", {{0.008, 0.012}, 0.004, 0.008, 0.016, 0.02, 0.2, 0.4, 40, 500}},
       {"medium", {{0.005, 0.016}, 0.010, 0.018, 0.016, 0.1, 0.12, 0.25, 150, 1000}},
       {"hard", {{0.006, 0.012}, 0.004, 0.018, 0.02, 0.02, 0.2, 0.25, 40, 500}},
+      {"bin", {{0.003, 0.008}, 0.002, 0.004, 0.005, 0.1, 0.05, 0.02, 60, 2000}},
   };
   const auto known = all.find(family);
   return known != all.end() ? known->second : all.at("medium");
