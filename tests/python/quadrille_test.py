@@ -537,15 +537,26 @@ class Known(unittest.TestCase):
         self.assertNotIn(ids[-1], ids[:-1])
         plan = quadrille.plan(self.points, result, "franka", viewpoint=self.viewpoint)
         self.assertEqual({g.target for g in plan}, {ids[-1]})
+        both = self.found.with_known([known])
+        self.assertEqual([d.id for d in both][:-1], [d.id for d in self.found])
+        self.assertGreater(both[-1].id, max(d.id for d in [*self.found, *self.found.boxes, *self.found.bodies]))
+        self.assertEqual([b.id for b in both.boxes], [b.id for b in self.found.boxes])
+        self.assertEqual([b.id for b in both.bodies], [b.id for b in self.found.bodies])
+        np.testing.assert_array_equal(both[-1].X_CQ, known.X_CQ)
         box = quadrille.Box(shifted(0, 0, 0.8), (0.08, 0.05, 0.04))
         far = np.full((50, 3), 3.0) + np.arange(50)[:, None] * (0.0, 0.01, 0.0)
         plan = quadrille.plan(far, quadrille.Result(boxes=[box]), "franka", config={"planner.unknown": "free"})
         self.assertEqual({g.target for g in plan}, {1})
         self.assertEqual([(s.kind, s.target) for s in plan.shapes], [("box", 1)])
         np.testing.assert_allclose(plan.shapes[0].pose, box.X_CB)
+        def numbered(id):
+            return quadrille.Detection("sphere", np.eye(4), {"radius": 1}, id=id)
+
         for wrong, part in ((lambda: quadrille.Detection("ball", np.eye(4), {}), "sphere"),
                             (lambda: quadrille.Detection("cylinder", np.eye(4), {"radius": 1}), "radius, length"),
-                            (lambda: quadrille.Result([grasped, grasped]), "twice")):
+                            (lambda: quadrille.Result([grasped, grasped]), "twice"),
+                            (lambda: quadrille.Result([numbered(-7)]), "-7"),
+                            (lambda: quadrille.Result([numbered(2**31 - 1)]), "between 1 and")):
             with self.assertRaisesRegex(ValueError, part):
                 wrong()
 

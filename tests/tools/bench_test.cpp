@@ -28,6 +28,18 @@ json rows_of(const std::string& folder) {
 
 }  // namespace
 
+TEST_CASE("the benchmark has bins of cylinders", "[command][bench]") {
+  const test::TempFolder folder;
+  REQUIRE(
+      run_quadrille("bench --scenes 1 --family bin --contender quadrille --out " + folder.path(""))
+          .code == 0);
+  const json row = rows_of(folder.path(""))[0];
+  CHECK(row["family"] == "bin");
+  CHECK(row["surfaces"] >= 10);
+  CHECK(row["recall"] >= 0.7);
+  CHECK(row["precision"] >= 0.9);
+}
+
 TEST_CASE("the benchmark writes one table in all forms, and a plot", "[command][bench]") {
   const test::TempFolder folder;
   const Run run = run_quadrille(

@@ -107,9 +107,8 @@ Found detect_lasting(LastingDetector& detector, std::int64_t utime, const Points
                      const Eigen::Vector3d& viewpoint, const Eigen::Matrix4d& X_WC,
                      const RobotShapes& robot, int camera) {
   const PointCloud cloud = robot.taken_from(cloud_of(view_of(points, viewpoint)));
-  const Eigen::Isometry3d X = pose_of(X_WC, "X_WC");
-  const py::gil_scoped_release others_run;
-  return {detector.detect(utime, cloud, X, camera)};
+  // Other Python threads wait, since they might use the same detector.
+  return {detector.detect(utime, cloud, pose_of(X_WC, "X_WC"), camera)};
 }
 
 void bind_lasting(py::module_& module) {

@@ -211,6 +211,10 @@ void bind_result(py::module_& module) {
   result
       .def(py::init(&found_of), py::arg("detections") = std::vector<Detection>(),
            py::arg("boxes") = std::vector<Box>(), py::arg("bodies") = std::vector<SceneBody>())
+      .def("with_known", &with_known, py::arg("detections") = std::vector<Detection>(),
+           py::arg("boxes") = std::vector<Box>(),
+           "Returns a Result that has all of this one, and what you know besides: the last ones of "
+           "its detections and boxes, with new ids.")
       .def_property_readonly("detections", &detections_of, "Best score first.")
       .def_property_readonly(
           "boxes", [](const Found& f) { return reported(f.in_C().boxes); }, "The surest first.")
@@ -231,11 +235,12 @@ void bind_result(py::module_& module) {
           "Points that are no NaN.")
       .def_property_readonly(
           "points_used", [](const Found& f) { return f.in_K.points_used; },
-          "Those that samples are made of.")
+          "The number of points of which samples are made.")
       .def_property_readonly(
           "timings", [](const Found& f) { return dict_of(f.in_K.timings); }, "By stage [ms].")
       .def_property_readonly(
-          "total_ms", [](const Found& f) { return f.in_K.total_ms; }, "Of all stages [ms].")
+          "total_ms", [](const Found& f) { return f.in_K.total_ms; },
+          "The time of all stages together [ms].")
       .def_property_readonly(
           "warnings", [](const Found& f) { return f.in_K.warnings; },
           "Why the result may be empty or poor; empty when all is well.")

@@ -13,19 +13,33 @@ namespace {
 class Ids {
  public:
   void note(int id) {
+    if (id < 0 || id > kMaxId) {
+      throw std::invalid_argument("the id " + std::to_string(id) + " is not between 1 and " +
+                                  std::to_string(kMaxId) + "; 0 stands for the next free one");
+    }
     if (id != 0 && !used_.insert(id).second) {
       throw std::invalid_argument("the id " + std::to_string(id) +
                                   " occurs twice; 0 stands for the next free one");
     }
     last_ = std::max(last_, id);
   }
-  void skip(int id) { last_ = std::max(last_, id); }
+  /// Numbers of what is found but not reported are below 0.
+  void skip(int id) { last_ = std::max({last_, id, -id}); }
   int next() { return ++last_; }
 
  private:
+  static constexpr int kMaxId = 1 << 30;
   std::set<int> used_;
   int last_ = 0;
 };
+
+/// Gives the next free numbers to what has the id 0.
+void number(std::vector<Detection>* detections, std::vector<Box>* boxes, Ids* ids) {
+  for (const Detection& d : *detections) ids->note(d.id);
+  for (const Box& box : *boxes) ids->note(box.id);
+  for (Detection& d : *detections) d.id = d.id == 0 ? ids->next() : d.id;
+  for (Box& box : *boxes) box.id = box.id == 0 ? ids->next() : box.id;
+}
 
 }  // namespace
 
@@ -42,16 +56,33 @@ DetectionResult Found::in(const Eigen::Isometry3d& X_CF) const {
 Found found_of(std::vector<Detection> detections, std::vector<Box> boxes,
                std::vector<SceneBody> bodies) {
   Ids ids;
-  for (const Detection& d : detections) ids.note(d.id);
-  for (const Box& box : boxes) ids.note(box.id);
-  // A body may have the number of its part.
+  // A body may have the number of its part, and a box has those of its faces.
   for (const SceneBody& body : bodies) ids.skip(body.id);
-  for (Detection& d : detections) d.id = d.id == 0 ? ids.next() : d.id;
-  for (Box& box : boxes) box.id = box.id == 0 ? ids.next() : box.id;
+  for (const Box& box : boxes) {
+    for (const int face : box.faces) ids.skip(face);
+  }
+  number(&detections, &boxes, &ids);
   Found found;
   found.in_K.detections = std::move(detections);
   found.in_K.boxes = std::move(boxes);
   found.in_K.bodies = std::move(bodies);
+  return found;
+}
+
+Found with_known(Found found, std::vector<Detection> detections, std::vector<Box> boxes) {
+  const DetectionResult& in_K = found.in_K;
+  Ids ids;
+  for (const SceneBody& body : in_K.bodies) ids.skip(body.id);
+  for (const Detection& d : in_K.detections) ids.skip(d.id);
+  for (const Box& box : in_K.boxes) ids.skip(box.id);
+  for (Detection& d : detections) d.id = 0;
+  for (Box& box : boxes) box.id = 0;
+  number(&detections, &boxes, &ids);
+  const Eigen::Isometry3d X_KC = found.X_CK.inverse();
+  for (Detection& d : moved(std::move(detections), X_KC)) {
+    found.in_K.detections.push_back(std::move(d));
+  }
+  for (Box& box : moved(std::move(boxes), X_KC)) found.in_K.boxes.push_back(std::move(box));
   return found;
 }
 

@@ -22,8 +22,12 @@ struct Found {
 
 /// Makes a result of what the caller knows, or has of other results. Ids of 0 become the next free
 /// numbers.
-/// @throws std::invalid_argument if an id occurs twice
+/// @throws std::invalid_argument if an id occurs twice or is below 0
 Found found_of(std::vector<Detection> detections, std::vector<Box> boxes,
                std::vector<SceneBody> bodies);
+
+/// Adds what the caller knows to what was found, with the next free numbers as ids.
+/// @param detections, boxes  in frame C
+Found with_known(Found found, std::vector<Detection> detections, std::vector<Box> boxes);
 
 }  // namespace quadrille::python

@@ -171,6 +171,7 @@ PlannedScene scene_of(const py::object& points, const Found& result, const Gripp
   if (X_CM) known.map.X_CM = pose_of(*X_CM, "X_CM");
   if (support) known.support = support_of(*support);
   std::vector<PointCloud> all = clouds_of(views);
+  DetectionResult found = result.in(X_CK);
   const py::gil_scoped_release others_run;
   known = moved(std::move(known), X_KC);
   if (!all.empty()) {
@@ -182,7 +183,7 @@ PlannedScene scene_of(const py::object& points, const Found& result, const Gripp
     known.views.assign(std::make_move_iterator(all.begin() + 1),
                        std::make_move_iterator(all.end()));
   }
-  return {std::move(cloud), result.in(X_CK), gripper, config.planner, std::move(known), X_CK};
+  return {std::move(cloud), std::move(found), gripper, config.planner, std::move(known), X_CK};
 }
 
 void bind_scene(py::module_& module) {

@@ -69,10 +69,12 @@ Contender on_objects(const std::string& name, const std::string& about,
   return {name, about, "", "", run, true};
 }
 
-Contender quadrille_objects() {
+Contender quadrille_objects(const DetectorOptions& options) {
   return on_objects("quadrille-objects",
                     "quadrille on the points of each object, given their segmentation",
-                    [](const PointCloud& object) { return scoring::findings_of(detect(object)); });
+                    [options](const PointCloud& object) {
+                      return scoring::findings_of(detect(object, options));
+                    });
 }
 
 Contender ems() {
@@ -128,7 +130,7 @@ std::vector<Contender> all_contenders(const std::string& programs,
           }),
       plain_nine(),
       plain_four(),
-      quadrille_objects(),
+      quadrille_objects(options),
       ems(),
       peer("cgal", "CGAL Efficient RANSAC, tuned per family", "libcgal-dev", programs),
       peer("pcl", "PCL SACSegmentationFromNormals in clusters, tuned per family", "libpcl-dev",

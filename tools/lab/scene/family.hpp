@@ -2,8 +2,8 @@
 
 namespace quadrille::scene {
 
-/// Families of scenes by difficulty: number and spacing of bodies, noise, and mutual occlusion. A bin
-/// is a tray of equal cylinders (bin.hpp).
+/// Families of scenes by difficulty: number and spacing of bodies, noise, and mutual occlusion. A
+/// bin is a tray of equal cylinders (bin.hpp).
 enum class Family { kEasy, kMedium, kHard, kTabletop, kBin };
 
 /// Settings of a family.

@@ -63,7 +63,7 @@ def _settings(config: _Config) -> _Tuple[str, str]:
     if config is None:
         return "", "config"
     if not isinstance(config, _Mapping):
-        with open(config, encoding="utf-8") as file:
+        with open(_os.fspath(config), encoding="utf-8") as file:
             return file.read(), _os.fspath(config)
     lines: _List[str] = []
 
@@ -97,7 +97,7 @@ def read_octomap(path: _Path) -> OctoMap:
 
     Raises FileError, a ValueError, in one line if it is no such map.
     """
-    with open(path, "rb") as file:
+    with open(_os.fspath(path), "rb") as file:
         return OctoMap(file.read(), _os.fspath(path))
 
 
@@ -332,7 +332,8 @@ class LastingDetector(_Memory):
     """Detects the quadrics of a scene that lasts while cameras move about it.
 
     It keeps what the views of each cloud showed, as ViewMemory keeps the clouds, and fits each surface to
-    all that the views show of it. A view that stands alone gives the bits of detect().
+    all that the views show of it. A view that stands alone gives the bits of detect(). Other Python
+    threads wait while it detects.
 
         found = detector.detect(utime, points, X_WC)
 
