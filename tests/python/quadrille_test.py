@@ -291,6 +291,15 @@ class Plan(unittest.TestCase):
         self.assertEqual(sorted(asked, reverse=True), [g.score for g in plain])
         self.assertEqual([g.score for g in same], [g.score for g in plain])
         none = scene.plan(accept=lambda grasp: False)
+
+        def fail(grasp):
+            raise TypeError("incompatible units of mine")
+
+        # What the caller's own function raises stays as it is, and wrong types are one line.
+        with self.assertRaisesRegex(TypeError, "^incompatible units of mine$"):
+            scene.plan(accept=fail)
+        with self.assertRaisesRegex(TypeError, r"plan\(\): .*[^:]$"):
+            scene.plan(accept=3)
         self.assertEqual(len(none), 0)
         self.assertGreater(none.rejected["caller"], 0)
         for outcome in none.targets:

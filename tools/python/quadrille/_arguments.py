@@ -121,6 +121,14 @@ def _complaint(name: str, own: Mapping[str, _Parameter], more: Mapping[str, _Par
     return ""
 
 
+def _is_of_caller(error: TypeError) -> bool:
+    """Returns whether a function that the caller has given us, such as accept=, raised it."""
+    trace = error.__traceback__
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    return trace is not None and os.path.dirname(trace.tb_frame.f_code.co_filename) != os.path.dirname(__file__)
+
+
 def _answering(function: _Function, name: str, is_method: bool, further: Optional[_Function] = None) -> _Function:
     """Returns a function that does the same, but answers wrong arguments.
 
@@ -132,6 +140,8 @@ def _answering(function: _Function, name: str, is_method: bool, further: Optiona
         try:
             return function(*arguments, **keywords)
         except TypeError as error:
+            if _is_of_caller(error):
+                raise
             text = told = str(error)
             if further is not None:
                 # What it calls is not known to those who called it.
@@ -140,7 +150,8 @@ def _answering(function: _Function, name: str, is_method: bool, further: Optiona
                 more = {} if further is None else _parameters(further)
                 text = text.split("\n")[0].replace(function.__name__ + "()", name + "()", 1)
                 text = _complaint(name, _parameters(function), more, arguments[is_method:], keywords) or (
-                    text if "()" in text else f"{name}(): {text}")
+                    f"{name}(): an argument is of a wrong type; help(quadrille.{name}) tells the types" if text.endswith("supported:")
+                    else text if "()" in text else f"{name}(): {text}")
             if text == told:
                 raise
             raise TypeError(text) from None
