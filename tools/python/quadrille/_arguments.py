@@ -150,8 +150,8 @@ def _answering(function: _Function, name: str, is_method: bool, further: Optiona
                 more = {} if further is None else _parameters(further)
                 text = text.split("\n")[0].replace(function.__name__ + "()", name + "()", 1)
                 text = _complaint(name, _parameters(function), more, arguments[is_method:], keywords) or (
-                    f"{name}(): an argument is of a wrong type; help(quadrille.{name}) tells the types" if text.endswith("supported:")
-                    else text if "()" in text else f"{name}(): {text}")
+                    f"{name}(): an argument is of a wrong type; help(quadrille.{name}) tells the types"
+                    if text.endswith("supported:") else text if "()" in text else f"{name}(): {text}")
             if text == told:
                 raise
             raise TypeError(text) from None
