@@ -68,8 +68,9 @@ std::vector<Dimension> checked(QuadricType type, const std::map<std::string, dou
     all += (all.empty() ? "" : ", ") + name;
     if (const auto found = given.find(name); found != given.end()) {
       if (!(found->second > 0.0 && found->second < limit_of(name))) {
-        refuse(type, name + " must be more than 0 and less than " +
-                         (is_angle(name) ? "a right angle (angle: half a turn)" : "1e6 m"));
+        const char* const right = name == "angle" ? "half a turn" : "a right angle";
+        refuse(type,
+               name + " must be more than 0 and less than " + (is_angle(name) ? right : "1e6 m"));
       }
       dimensions.push_back({name, found->second, 0.0});
     }
@@ -123,6 +124,10 @@ Detection known_detection(QuadricType type, const Eigen::Isometry3d& X_CQ,
   detection.extent_Q = extent_Q.isEmpty() ? whole_extent(type, detection.dimensions) : extent_Q;
   if (detection.extent_Q.isEmpty()) refuse(type, "needs an extent");
   if (!detection.extent_Q.sizes().allFinite()) refuse(type, "its extent must be finite");
+  const Eigen::AlignedBox3d whole = whole_extent(type, detection.dimensions);
+  if (!whole.isEmpty() && !whole.intersects(detection.extent_Q)) {
+    refuse(type, "no part of the surface lies in its extent");
+  }
   CanonicalForm form{type, detection.X_CQ, {}};
   for (const Dimension& d : detection.dimensions) {
     if (!is_reach(d.name)) form.dimensions.emplace_back(d.name, d.value);

@@ -80,6 +80,12 @@ TEST_CASE("what makes no known surface is refused with the name of what is wrong
   CHECK(error(QuadricType::kSphere, {{"radius", -0.1}}).find("radius") != std::string::npos);
   CHECK(error(QuadricType::kCone, {{"half_angle", 2.0}}).find("half_angle") != std::string::npos);
   CHECK(error(QuadricType::kCone, {{"half_angle", 0.3}}).find("extent") != std::string::npos);
+  CHECK(error(QuadricType::kIntersectingPlanes, {{"angle", 4.0}}).find("half a turn") !=
+        std::string::npos);
+  const Eigen::AlignedBox3d far(Eigen::Vector3d(5, 5, 5), Eigen::Vector3d(6, 6, 6));
+  CHECK(test::error_of([&] {
+          known_detection(QuadricType::kSphere, X, {{"radius", 0.1}}, far);
+        }).find("extent") != std::string::npos);
   CHECK(error(QuadricType::kImaginaryCone, {}).find("no real surface") != std::string::npos);
   Eigen::Isometry3d twice = X;
   twice.linear() *= 2.0;

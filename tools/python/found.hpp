@@ -7,7 +7,7 @@
 
 namespace quadrille::python {
 
-/// What was found in a cloud, in the frame K in which it was sought.
+/// The result of a detection, in the frame K in which it was made.
 struct Found {
   DetectionResult in_K;
   /// Pose of K in the frame C of the cloud.

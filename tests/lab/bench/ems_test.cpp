@@ -175,5 +175,15 @@ TEST_CASE("no superquadric is fitted to what determines none", "[bench][ems][deg
   CHECK_FALSE(fit_superquadric(points));
 }
 
+TEST_CASE("settings of the fit of superquadrics that mean nothing are refused", "[bench][ems]") {
+  for (const double outliers : {0.0, 1.0, std::numeric_limits<double>::quiet_NaN()}) {
+    CHECK_THROWS_AS(fit_superquadric({}, {.outliers = outliers}), std::invalid_argument);
+  }
+  CHECK_THROWS_AS(fit_superquadric({}, {.max_points = 0}), std::invalid_argument);
+  CHECK_THROWS_AS(fit_superquadric({}, {.max_axis = 0.0}), std::invalid_argument);
+  CHECK_THROWS_AS(fit_superquadric({}, {.max_rounds = 0}), std::invalid_argument);
+  CHECK_THROWS_AS(fit_superquadric({}, {.max_switches = -1}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace quadrille::bench

@@ -165,6 +165,11 @@ TEST_CASE("unknown and wrong settings of the printed pipeline are refused",
 }
 
 TEST_CASE("the steps lead from the printed pipeline to the detector, and all differ", "[printed]") {
+  Settings refitted = printed_settings();
+  refitted.printed.surfaces = Surfaces::kRefitted;
+  for (const Step& step : steps_from(refitted)) {
+    CHECK(step.settings.printed.surfaces == Surfaces::kRefitted);
+  }
   const std::vector<Step> steps = steps_from(printed_settings());
   REQUIRE(steps.size() > 5);
   CHECK(values_of(steps.front().settings) == values_of(printed_settings()));

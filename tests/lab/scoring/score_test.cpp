@@ -190,7 +190,7 @@ TEST_CASE("scores add up, and nothing has no share", "[scoring][score]") {
   CHECK(sum.plane_recall() == 0.5);
   CHECK(sum.plane_precision() == 0.5);
   CHECK(sum.right_width() == 1.0);
-  // What was not found has a distance too.
+  // A surface that was not found has a distance too.
   REQUIRE(sum.distances.size() == 2);
   CHECK(sum.distances[1] > 0.005);
   CHECK(sum.width_errors.size() == 1);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace quadrille::bench {
 namespace {
@@ -258,8 +259,19 @@ Eigen::Matrix3Xd some_of(const std::vector<Eigen::Vector3f>& points, int most) {
 
 }  // namespace
 
+void EmsOptions::check() const {
+  if (!(outliers > 0.0 && outliers < 1.0)) {
+    throw std::invalid_argument("outliers must be more than 0 and less than 1");
+  }
+  if (max_points < kParameters) throw std::invalid_argument("max_points must be 11 or more");
+  if (!(max_axis >= 1.0)) throw std::invalid_argument("max_axis must be 1 or more");
+  if (max_rounds < 1) throw std::invalid_argument("max_rounds must be 1 or more");
+  if (max_switches < 0) throw std::invalid_argument("max_switches must be 0 or more");
+}
+
 std::optional<EmsFit> fit_superquadric(const std::vector<Eigen::Vector3f>& points,
                                        const EmsOptions& options) {
+  options.check();
   Eigen::Matrix3Xd some = some_of(points, options.max_points);
   if (some.cols() < kParameters || !some.allFinite()) return std::nullopt;
   const Eigen::Vector3d mean = some.rowwise().mean();

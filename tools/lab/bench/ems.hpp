@@ -19,6 +19,9 @@ struct EmsOptions {
   double max_axis = 2.0;
   /// Most rounds of expectation and maximisation from one start, and most switches.
   int max_rounds = 60, max_switches = 5;
+
+  /// @throws std::invalid_argument naming the field that is out of range
+  void check() const;
 };
 
 /// A superquadric that was fitted to points.

@@ -22,7 +22,7 @@ struct StepResult {
   std::vector<double> times;
 };
 
-/// With a small pool, if it is only to be seen that the experiment runs.
+/// Returns the settings of the printed pipeline. A quick run has a smaller pool.
 printed::Settings settings_of(const Settings& settings) {
   printed::Settings read = settings.config.empty() ? printed::printed_settings()
                                                    : printed::load_settings(settings.config);

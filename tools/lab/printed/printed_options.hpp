@@ -19,8 +19,8 @@ constexpr auto words_of(Surfaces) {
                                         {"refitted", Surfaces::kRefitted}});
 }
 
-/// What the paper's printed pipeline does otherwise than the detector. The defaults are the
-/// detector's way.
+/// Settings of the steps in which the paper's printed pipeline differs from the detector. The
+/// defaults are the detector's way.
 struct PrintedOptions {
   int pool = 0;
   int min_members = 1;

@@ -11,7 +11,7 @@ std::vector<Step> steps_from(const Settings& printed) {
   next.detector.sampling = detector.detector.sampling;
   add("cells in metres");
 
-  next.printed.surfaces = Surfaces::kEvidence;
+  if (next.printed.surfaces == Surfaces::kInliers) next.printed.surfaces = Surfaces::kEvidence;
   add("evidence instead of a count");
 
   const GrowOptions grow = next.detector.search.grow;
