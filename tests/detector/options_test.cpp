@@ -120,7 +120,7 @@ TEST_CASE("a visit reaches each setting", "[options]") {
   // A new field stops these lines from compiling until it is listed here, and visited.
   DetectorOptions o;
   auto& [seed, threads, only, report, sampling, planes, inlier, search, aggregate, views] = o;
-  auto& [cell, relative_cell, noisiest_cell, stride, noise] = sampling;
+  auto& [cell, relative_cell, max_cells, noisiest_cell, stride, noise] = sampling;
   auto& [noise_radius, quantile, patches] = noise;
   auto& [p1, p2, p3, p4, p5] = planes;
   auto& [i1, i2, i3] = inlier;
@@ -134,6 +134,7 @@ TEST_CASE("a visit reaches each setting", "[options]") {
                                         &report,
                                         &cell,
                                         &relative_cell,
+                                        &max_cells,
                                         &noisiest_cell,
                                         &stride,
                                         &noise_radius,

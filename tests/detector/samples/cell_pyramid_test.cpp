@@ -90,6 +90,20 @@ TEST_CASE("a single view becomes a pyramid of depth cells", "[pyramid]") {
   CHECK(make_pyramid(cloud, {})->size(0) == pyramid->size(0));
 }
 
+TEST_CASE("a large image of a far scene has no more cells than the setting allows", "[pyramid]") {
+  Camera camera;
+  camera.width = 640, camera.height = 480, camera.pitch = 1.0 / 525.0;
+  // 3.1 mm at 1.5 m are about one of its 307,200 pixels; cells of two by two are few enough.
+  const PointCloud far = render({rectangle(translation(0, 0, 1.5), 1e3, 1e3)}, camera);
+  CHECK(make_depth_pyramid(far, {})->size(0) == 320 * 240);
+  SamplingOptions many;
+  many.max_cells = 400'000;
+  CHECK(make_depth_pyramid(far, many)->size(0) == 640 * 480);
+  SamplingOptions few;
+  few.max_cells = 10'000;
+  CHECK(make_depth_pyramid(far, few)->size(0) <= 12'000);
+}
+
 TEST_CASE("noise that outweighs the finest cells doubles them, unless means remove it",
           "[pyramid]") {
   Camera camera;

@@ -33,6 +33,7 @@ struct NoiseOptions {
 struct SamplingOptions {
   double cell = 0.0031;
   double relative_cell = 0.0;
+  int max_cells = 80'000;
   double noisiest_cell = 0.8;
   int stride = 1;
   NoiseOptions noise;
@@ -46,6 +47,10 @@ struct SamplingOptions {
                         "The paper's τ_s: the same as a share of the diagonal of the cloud's "
                         "bounding box, in place of sampling.cell; 0 for that. The paper has 0.025 "
                         "to 0.05."});
+    v(o.max_cells, {"sampling.max_cells", "", 100, 1e8,
+                    "A depth image has about this many of the finest cells at most; those of a far "
+                    "scene in a large image become larger. Time grows with their number, and "
+                    "smaller cells have too few points to average out their noise."});
     v(o.noisiest_cell, {"sampling.noisiest_cell", "", 0.01, 100.0,
                         "Noise of a finest cell's mean, in cells, above which the cells are "
                         "doubled: smaller ones would show the noise and not the surface."});

@@ -95,6 +95,12 @@ float near_depth(const CloudView& cloud, const PinholeView& view) {
   return 1.0f / nth_smallest(w, w.size() * 7 / 10);
 }
 
+/// Least edge of the cells [pixels], such that they are about max_cells at most.
+double least_pixels(const PinholeView& view, const SamplingOptions& options) {
+  const double pixels = static_cast<double>(view.seen) * options.stride * options.stride;
+  return std::max(1.0, std::sqrt(pixels / options.max_cells));
+}
+
 }  // namespace
 
 std::unique_ptr<CellPyramid> make_depth_pyramid(const CloudView& cloud,
@@ -111,8 +117,9 @@ std::unique_ptr<CellPyramid> make_depth_pyramid(const CloudView& cloud,
   const float z = near_depth(cloud, *view);
   // A sensor that far away would not see the objects sought, so the viewpoint is not the sensor's.
   if (z > kFarthest) return nullptr;
-  const int pixels = static_cast<int>(std::lround(std::clamp(
-      options.cell / (image->pitch.x() * z), 1.0, 1.0 * std::max(image->width, image->height))));
+  const int pixels = static_cast<int>(
+      std::lround(std::clamp(options.cell / (image->pitch.x() * z), least_pixels(*view, options),
+                             1.0 * std::max(image->width, image->height))));
   std::array<DepthCells, kLevels> cells;
   cells[0] = make_depth_cells(cloud, *view, *image, pixels);
   // Cells of one pixel hold too few points to tell layers.
