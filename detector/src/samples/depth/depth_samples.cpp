@@ -1,8 +1,11 @@
 #include "samples/depth/depth_samples.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+
+#include "base/vector_clones.hpp"
 
 namespace quadrille {
 namespace {
@@ -38,25 +41,64 @@ std::optional<AffineFit> solve(const WindowSums& m) {
   return fit;
 }
 
-/// Sums over the cells around (i, j) that may belong to its surface.
-/// @param usable  filled cells to use
-WindowSums sum_window(const DepthCells& cells, const Mask& usable, int i, int j, int reach) {
-  const int c = j * cells.width + i;
-  const float u0 = cells.u[c], v0 = cells.v[c], w0 = cells.w[c], z0 = 1.0f / w0;
-  const float limit = continuous_step(cells, w0) * static_cast<float>(reach);
-  WindowSums m;
-  for (int y = std::max(0, j - reach); y <= std::min(cells.height - 1, j + reach); ++y) {
-    for (int x = std::max(0, i - reach); x <= std::min(cells.width - 1, i + reach); ++x) {
-      const int k = y * cells.width + x;
-      if (!usable[k]) continue;
-      const float dw = cells.w[k] - w0;
-      if (std::abs(dw) * z0 > limit * cells.w[k]) continue;
-      const float s = cells.u[k] - u0, t = cells.v[k] - v0;
-      m.n += 1, m.s += s, m.t += t, m.ss += s * s, m.st += s * t, m.tt += t * t;
-      m.w += dw, m.sw += s * dw, m.tw += t * dw;
+/// A copy of the usable cells with a border of empty ones, so that a window never ends at the edge
+/// of the image and vectors may read past the end of a row.
+struct BorderedCells {
+  int stride;
+  /// 1 for usable cells, otherwise 0.
+  std::vector<float> usable;
+  std::vector<float> u, v, w;
+
+  BorderedCells(const DepthCells& cells, const Mask& use, int reach)
+      : stride(cells.width + 2 * reach + kLanes) {
+    const std::size_t size = static_cast<std::size_t>(stride) * (cells.height + 2 * reach + 1);
+    usable.assign(size, 0.0f), u = usable, v = usable, w = usable;
+    for (int j = 0; j < cells.height; ++j) {
+      const std::ptrdiff_t from = std::ptrdiff_t{j} * cells.width;
+      const std::ptrdiff_t to = std::ptrdiff_t{j + reach} * stride + reach;
+      std::copy_n(use.begin() + from, cells.width, usable.begin() + to);
+      std::copy_n(cells.u.begin() + from, cells.width, u.begin() + to);
+      std::copy_n(cells.v.begin() + from, cells.width, v.begin() + to);
+      std::copy_n(cells.w.begin() + from, cells.width, w.begin() + to);
     }
   }
-  return m;
+};
+
+using Lanes = std::array<float, kLanes>;
+
+/// Sums over the windows of consecutive cells, each in a vector lane of its own.
+struct WindowLanes {
+  Lanes n{}, s{}, t{}, ss{}, st{}, tt{}, w{}, sw{}, tw{};
+
+  WindowSums operator[](int k) const {
+    return {n[k], s[k], t[k], ss[k], st[k], tt[k], w[k], sw[k], tw[k]};
+  }
+};
+
+/// Sums over the cells around each of kLanes consecutive cells that may belong to its surface.
+/// @param first  place of the first of them in the bordered cells
+/// @param limit  largest step in depth of each
+QUADRILLE_VECTOR_CLONES
+void sum_windows(const BorderedCells& cells, int first, int reach, const Lanes& limit,
+                 WindowLanes* sums) {
+  WindowLanes m;
+  const float *const u0 = &cells.u[first], *const v0 = &cells.v[first], *const w0 = &cells.w[first];
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      const int at = first + y * cells.stride + x;
+      const float *const u = &cells.u[at], *const v = &cells.v[at], *const w = &cells.w[at];
+      const float* const usable = &cells.usable[at];
+      for (int k = 0; k < kLanes; ++k) {
+        const float du = u[k] - u0[k], dv = v[k] - v0[k], dw = w[k] - w0[k];
+        const float one = std::abs(dw) > limit[k] * w[k] * w0[k] ? 0.0f : usable[k];
+        const float s = one * du, t = one * dv, h = one * dw;
+        m.n[k] += one;
+        m.s[k] += s, m.t[k] += t, m.ss[k] += s * s, m.st[k] += s * t, m.tt[k] += t * t;
+        m.w[k] += h, m.sw[k] += s * h, m.tw[k] += t * h;
+      }
+    }
+  }
+  *sums = m;
 }
 
 void add_sample(const DepthCells& cells, int c, const AffineFit& fit, const NoiseModel& noise,
@@ -110,14 +152,24 @@ SurfaceSamples make_depth_samples(const DepthCells& cells, const Mask& keep,
   }
   SurfaceSamples samples;
   std::vector<int> sample_of(usable.size(), -1);
+  const BorderedCells bordered(cells, usable, reach);
+  WindowLanes sums;
+  Lanes limit;
   for (int j = 0; j < cells.height; ++j) {
-    for (int i = 0; i < cells.width; ++i) {
-      const int c = j * cells.width + i;
-      if (!usable[c]) continue;
-      const std::optional<AffineFit> fit = solve(sum_window(cells, usable, i, j, reach));
-      if (!fit) continue;
-      sample_of[c] = samples.size();
-      add_sample(cells, c, *fit, noise, X_CV, &samples);
+    for (int first = 0; first < cells.width; first += kLanes) {
+      const int n = std::min(kLanes, cells.width - first), c0 = j * cells.width + first;
+      if (std::none_of(&usable[c0], &usable[c0] + n, [](char use) { return use != 0; })) continue;
+      for (int k = 0; k < n; ++k) {
+        limit[k] = continuous_step(cells, cells.w[c0 + k]) * static_cast<float>(reach);
+      }
+      sum_windows(bordered, (j + reach) * bordered.stride + reach + first, reach, limit, &sums);
+      for (int c = c0; c < c0 + n; ++c) {
+        const std::optional<AffineFit> fit =
+            usable[c] ? solve(sums[c - c0]) : std::optional<AffineFit>();
+        if (!fit) continue;
+        sample_of[c] = samples.size();
+        add_sample(cells, c, *fit, noise, X_CV, &samples);
+      }
     }
   }
   join_neighbours(cells, sample_of, &samples);
