@@ -24,6 +24,8 @@ constexpr float kCellShare = 0.05f;
 constexpr double kHiddenSigmas = 2.0;
 // Neighbouring samples share their noise, so that this many count as one independent measurement.
 constexpr double kSamplesPerMeasurement = 4.0;
+// Error of a distance by rounding, at the most [m].
+constexpr double kRounding = 1e-9;
 
 /// Fits the plane of the sums and turns its normal towards the given side.
 Eigen::Vector4d plane_towards(const Eigen::Vector3f& side, const PlaneSums& sums) {
@@ -88,43 +90,77 @@ bool may_bend(const SurfaceSamples& samples, const PlaneRegion& region,
          curvature + kHiddenSigmas * std > 1.0 / options.min_proven_radius;
 }
 
-/// Joins planes that noise or an object in between has split: they must be nearly parallel, and the
-/// smaller must lie on the larger within the noise or within the waviness allowed for their
-/// distance.
+/// A plane with what its comparison with others needs.
+struct PlanePart {
+  PlaneRegion plane;
+  PlaneSums sums;
+  /// Mean noise of the samples that it was found on [m].
+  double sigma = 0.0;
+
+  PlanePart(const SurfaceSamples& samples, PlaneRegion region) : plane(std::move(region)) {
+    const double n = static_cast<double>(plane.samples.size());
+    for (const int i : plane.samples) {
+      sums.add(samples.raw[i].cast<double>());
+      sigma += samples.sigma[i] / n;
+    }
+  }
+
+  Eigen::Vector3d middle() const { return sums.sum / sums.n; }
+
+  /// Takes over the samples of another plane.
+  void add(const SurfaceSamples& samples, const std::vector<int>& more) {
+    plane.samples.insert(plane.samples.end(), more.begin(), more.end());
+    for (const int i : more) sums.add(samples.raw[i].cast<double>());
+    plane.plane = plane_towards(plane.plane.head<3>().cast<float>(), sums);
+  }
+};
+
+/// True if two planes are nearly parallel and the smaller lies on the larger within the noise or
+/// within the waviness allowed for their distance.
+bool are_coplanar(const SurfaceSamples& samples, const PlanePart& large, const PlanePart& small,
+                  double min_cosine, double sigmas) {
+  // If the viewpoint lies nearly in the plane, its parts' normals point to either side by chance,
+  // so signs are ignored.
+  const Eigen::Vector4d& P = large.plane.plane;
+  const double cosine = P.head<3>().dot(small.plane.plane.head<3>());
+  if (std::abs(cosine) < min_cosine) return false;
+  const Eigen::Vector3d middle = small.middle();
+  const double apart = (large.middle() - middle).norm();
+  const double limit = std::max(sigmas * small.sigma, kMaxWaviness * apart);
+  // The samples' mean distance is no less than the distance of their mean, so most planes need no
+  // look at their samples.
+  if (std::abs(P.dot(middle.homogeneous())) > limit + kRounding) return false;
+  const double n = static_cast<double>(small.plane.samples.size());
+  double distance = 0.0;
+  for (const int i : small.plane.samples) {
+    distance += std::abs(P.dot(samples.raw[i].cast<double>().homogeneous())) / n;
+  }
+  return distance < limit;
+}
+
+/// Joins planes that noise or an object in between has split, each with the first coplanar one that
+/// has more samples.
 std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
                                        std::vector<PlaneRegion> planes,
                                        const PlaneOptions& options) {
   std::stable_sort(planes.begin(), planes.end(), [](const PlaneRegion& a, const PlaneRegion& b) {
     return a.samples.size() > b.samples.size();
   });
-  const auto coplanar = [&](const PlaneRegion& large, const PlaneRegion& small) {
-    // If the viewpoint lies nearly in the plane, its parts' normals point to either side by chance,
-    // so signs are ignored.
-    const double cosine = large.plane.head<3>().dot(small.plane.head<3>());
-    if (std::abs(cosine) < std::cos(options.angle)) return false;
-    const double n = static_cast<double>(small.samples.size());
-    double distance = 0, sigma = 0;
-    for (const int i : small.samples) {
-      distance += std::abs(large.plane.dot(samples.raw[i].cast<double>().homogeneous())) / n;
-      sigma += samples.sigma[i] / n;
-    }
-    const double apart = (middle_of(samples, large) - middle_of(samples, small)).norm();
-    return distance < std::max(options.sigmas * sigma, kMaxWaviness * apart);
-  };
-  std::vector<PlaneRegion> joined;
+  const double min_cosine = std::cos(options.angle);
+  std::vector<PlanePart> parts;
   for (PlaneRegion& plane : planes) {
-    const auto host = std::find_if(joined.begin(), joined.end(), [&](const PlaneRegion& large) {
-      return coplanar(large, plane);
+    PlanePart part(samples, std::move(plane));
+    const auto host = std::find_if(parts.begin(), parts.end(), [&](const PlanePart& large) {
+      return are_coplanar(samples, large, part, min_cosine, options.sigmas);
     });
-    if (host == joined.end()) {
-      joined.push_back(std::move(plane));
-      continue;
+    if (host == parts.end()) {
+      parts.push_back(std::move(part));
+    } else {
+      host->add(samples, part.plane.samples);
     }
-    host->samples.insert(host->samples.end(), plane.samples.begin(), plane.samples.end());
-    PlaneSums sums;
-    for (const int i : host->samples) sums.add(samples.raw[i].cast<double>());
-    host->plane = plane_towards(host->plane.head<3>().cast<float>(), sums);
   }
+  std::vector<PlaneRegion> joined;
+  for (PlanePart& part : parts) joined.push_back(std::move(part.plane));
   return joined;
 }
 
