@@ -2,10 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <numbers>
 #include <optional>
@@ -13,8 +12,12 @@
 
 #include "base/quantile.hpp"
 #include "fit/posed_quadric.hpp"
+#include "search/axes/may_meet_axis.hpp"
 #include "search/axes/normal_line.hpp"
+#include "search/axes/point_runs.hpp"
 #include "search/axes/profile.hpp"
+#include "search/axes/profile_support.hpp"
+#include "search/axes/set_flags.hpp"
 
 namespace quadrille {
 namespace {
@@ -27,8 +30,6 @@ constexpr std::size_t kMaxPieces = 6;
 constexpr float kMinRadius = 2.0f, kMaxRadius = 40.0f;
 // Samples must span five of 36 sectors of the turn about the axis (50°). Of less, any radius fits.
 constexpr int kSectors = 36, kMinSectors = 5;
-// An arc fits a low ring of samples as well as a line, which is then the simpler answer.
-constexpr float kShareOfArc = 0.9f;
 // Rounds of the fit of a piece, which ends early if its support falls by more than this share.
 constexpr int kRounds = 2;
 constexpr float kMaxLoss = 0.1f;
@@ -49,22 +50,20 @@ struct AxialSamples {
 };
 
 AxialSamples samples_about(const Axis& axis, const Eigen::Isometry3d& X_CA,
-                           const SurfaceSamples& samples, const Mask& free, const InlierTest& test,
-                           float cell) {
+                           const SurfaceSamples& samples, const PointRuns& runs, const Mask& free,
+                           const InlierTest& test, float cell) {
   const Eigen::Isometry3f X_AC = X_CA.inverse().cast<float>();
   const Eigen::Vector3f point = axis.point.cast<float>(), direction = axis.direction.cast<float>();
   const float widest = kMaxRadius * cell, narrowest = kMinRadius * cell;
   AxialSamples about;
-  for (int i = 0; i < samples.size(); ++i) {
-    if (!free.empty() && !free[i]) continue;
-    // A cheap test first, since most samples are far from the axis.
+  const auto add = [&](int i) {
     const Eigen::Vector3f off = samples.raw[i] - point;
     const float along = direction.dot(off), square = off.squaredNorm() - along * along;
-    if (square > widest * widest || square < narrowest * narrowest) continue;
+    if (square > widest * widest || square < narrowest * narrowest) return;
     const Eigen::Vector3f x = X_AC * samples.raw[i];
     const Eigen::Vector3f n = X_AC.linear() * samples.n[i];
     const NormalLine line(x, n);
-    if (!line.has_direction() || !line.meets_axis(samples.cell[i])) continue;
+    if (!line.has_direction() || !line.meets_axis(samples.cell[i])) return;
     const bool outer = line.at.dot(line.along) > 0.0f;
     const float turn = std::atan2(x.y(), x.x()) / (2.0f * std::numbers::pi_v<float>)+0.5f;
     (outer ? about.outer : about.inner)
@@ -73,7 +72,16 @@ AxialSamples samples_about(const Axis& axis, const Eigen::Isometry3d& X_CA,
                     std::min(kSectors - 1, static_cast<int>(turn * kSectors)),
                     static_cast<float>(test.sigmas) * samples.sigma[i] +
                         static_cast<float>(test.cells) * samples.cell[i]});
-  }
+  };
+  std::array<int, PointRuns::kLength> may, list;
+  runs.for_each_near(point, direction, widest, [&](int begin, int end) {
+    may_meet_axis(samples, begin, end, point, direction, widest, may.data());
+    const int count = list_set_flags(may.data(), end - begin, list.data());
+    for (int k = 0; k < count; ++k) {
+      const int i = begin + list[k];
+      if (free.empty() || free[i]) add(i);
+    }
+  });
   return about;
 }
 
@@ -81,62 +89,43 @@ AxialSamples samples_about(const Axis& axis, const Eigen::Isometry3d& X_CA,
 class PieceSearch {
  public:
   PieceSearch(const InlierTest& test, int min_samples, float max_radius)
-      : min_cosine_(static_cast<float>(test.min_cosine)),
-        min_samples_(static_cast<std::size_t>(min_samples)),
+      : test_{static_cast<float>(test.min_cosine), static_cast<std::size_t>(min_samples),
+              kMinSectors},
         max_radius_(max_radius) {}
 
   /// The pieces of the points, each without those of the pieces before it.
   std::vector<Piece> pieces(std::vector<ProfilePoint> points) const {
     std::vector<Piece> found;
-    while (found.size() < kMaxPieces && points.size() >= min_samples_) {
+    while (found.size() < kMaxPieces && points.size() >= test_.min_points) {
       std::optional<Piece> best = best_piece(points);
       if (!best) break;
-      std::erase_if(points, [&](const ProfilePoint& m) { return supports(m, best->profile); });
+      std::erase_if(points, [&](const ProfilePoint& m) { return is_on(m, best->profile); });
       found.push_back(std::move(*best));
     }
     return found;
   }
 
  private:
-  bool supports(const ProfilePoint& m, const Profile& profile) const {
-    if (!(std::abs(profile.distance(m)) <= m.limit)) return false;
-    const Eigen::Vector2f normal = profile.normal(m);
-    const float cosine = normal.dot(m.n);
-    return cosine * cosine >= min_cosine_ * min_cosine_ * normal.squaredNorm();
-  }
-
-  /// Sum of a truncated quadratic in the distances of the points that support a profile; 0 if they
-  /// are few or span little of the turn.
-  float support(const Profile& profile, const std::vector<ProfilePoint>& points) const {
-    std::uint64_t seen = 0;
-    std::size_t count = 0;
-    float sum = 0.0f;
-    for (const ProfilePoint& m : points) {
-      if (!supports(m, profile)) continue;
-      const float d = profile.distance(m) / m.limit;
-      sum += 1.0f - d * d;
-      seen |= std::uint64_t{1} << m.sector;
-      ++count;
-    }
-    if (count < min_samples_ || std::popcount(seen) < kMinSectors) return 0.0f;
-    return profile.kind == Profile::Kind::kArc ? kShareOfArc * sum : sum;
+  bool is_on(const ProfilePoint& m, const Profile& profile) const {
+    return supports(m, profile, test_.min_cosine);
   }
 
   Piece with_points(const Profile& profile, float value,
                     const std::vector<ProfilePoint>& points) const {
     Piece piece{profile, {}, value};
     std::copy_if(points.begin(), points.end(), std::back_inserter(piece.points),
-                 [&](const ProfilePoint& m) { return supports(m, profile); });
+                 [&](const ProfilePoint& m) { return is_on(m, profile); });
     return piece;
   }
 
   std::optional<Piece> best_piece(const std::vector<ProfilePoint>& points) const {
+    ProfileSupport support(points, test_);
     Profile best;
     float most = 0.0f;
     const std::size_t step = std::max<std::size_t>(1, points.size() / kBases);
     for (std::size_t k = 0; k < points.size(); k += step) {
       for (const auto& profile : {line_through(points[k]), arc_through(points[k], max_radius_)}) {
-        const float value = profile ? support(*profile, points) : 0.0f;
+        const float value = profile ? support.of(*profile, most) : 0.0f;
         if (value > most) best = *profile, most = value;
       }
     }
@@ -144,15 +133,14 @@ class PieceSearch {
     Piece piece = with_points(best, most, points);
     for (int round = 0; round < kRounds; ++round) {
       const Profile again = fitted(piece.profile, piece.points);
-      const float value = support(again, points);
+      const float value = support.of(again);
       if (value < (1.0f - kMaxLoss) * piece.support) break;
       piece = with_points(again, value, points);
     }
     return piece;
   }
 
-  float min_cosine_;
-  std::size_t min_samples_;
+  SupportTest test_;
   float max_radius_;
 };
 
@@ -178,11 +166,12 @@ std::vector<Candidate> coaxial_candidates(const SurfaceSamples& samples, const M
   if (samples.size() == 0) return {};
   std::vector<float> cells = samples.cell;
   const float cell = quantile(cells, 0.5);
+  const PointRuns runs(samples.raw);
   const PieceSearch search(test, min_samples, kMaxRadius * cell);
   std::vector<std::pair<float, Candidate>> found;
   for (const Axis& axis : axes) {
     const Eigen::Isometry3d X_CA = pose_along(axis.point, axis.direction);
-    AxialSamples about = samples_about(axis, X_CA, samples, free, test, cell);
+    AxialSamples about = samples_about(axis, X_CA, samples, runs, free, test, cell);
     for (std::vector<ProfilePoint>* side : {&about.outer, &about.inner}) {
       for (const Piece& piece : search.pieces(std::move(*side))) {
         found.emplace_back(piece.support, candidate_of(piece, X_CA));
