@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <utility>
 
 #include "samples/flood.hpp"
 
@@ -23,12 +22,12 @@ bool is_inlier(const SurfaceSamples& samples, int i, const Eigen::Matrix4f& Q,
 }
 
 std::vector<int> connected_inliers(const SurfaceSamples& samples, std::span<const int> start,
-                                   const Quadric& quadric, const InlierTest& test,
-                                   const Mask& free) {
+                                   const Quadric& quadric, const InlierTest& test, const Mask& free,
+                                   Marks* seen) {
   const Eigen::Matrix4f Q = quadric.normalized().matrix().cast<float>();
-  std::vector<char> seen(static_cast<std::size_t>(samples.size()), 0);
+  seen->clear();
   const auto joins = [&](int i) {
-    return !std::exchange(seen[i], 1) && free[i] && is_inlier(samples, i, Q, test);
+    return seen->add(i) && free[i] && is_inlier(samples, i, Q, test);
   };
   std::vector<int> region;
   std::copy_if(start.begin(), start.end(), std::back_inserter(region), joins);

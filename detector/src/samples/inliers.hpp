@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/marks.hpp"
 #include "base/mask.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/stage_options.hpp"
@@ -25,7 +26,9 @@ bool is_inlier(const SurfaceSamples& samples, int i, const Eigen::Matrix4f& Q,
 
 /// Returns the inliers of Q that are connected to the start through neighbouring inliers.
 /// @param free  samples that may be inliers
+/// @param seen  buffer, of the size of the samples
 std::vector<int> connected_inliers(const SurfaceSamples& samples, std::span<const int> start,
-                                   const Quadric& Q, const InlierTest& test, const Mask& free);
+                                   const Quadric& Q, const InlierTest& test, const Mask& free,
+                                   Marks* seen);
 
 }  // namespace quadrille

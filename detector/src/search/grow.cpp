@@ -42,10 +42,10 @@ bool refit(const SurfaceSamples& samples, const GrowOptions& options, bool selec
 
 std::optional<Candidate> grow(const SurfaceSamples& samples, const Quadric& hypothesis,
                               std::span<const int> start, const Mask& free,
-                              const InlierTest& inlier, const GrowOptions& options) {
+                              const InlierTest& inlier, const GrowOptions& options, Marks* seen) {
   Candidate candidate;
   candidate.Q = hypothesis;
-  candidate.region = connected_inliers(samples, start, candidate.Q, inlier, free);
+  candidate.region = connected_inliers(samples, start, candidate.Q, inlier, free, seen);
   const auto enough = [&] {
     return static_cast<int>(candidate.region.size()) >= options.min_samples;
   };
@@ -59,7 +59,8 @@ std::optional<Candidate> grow(const SurfaceSamples& samples, const Quadric& hypo
         choice && (now > kReselectionGrowth * chosen_at || now * kReselectionGrowth < chosen_at);
     if (select) chosen_at = now;
     if (!refit(samples, options, select, &candidate)) return std::nullopt;
-    std::vector<int> next = connected_inliers(samples, candidate.region, candidate.Q, inlier, free);
+    std::vector<int> next =
+        connected_inliers(samples, candidate.region, candidate.Q, inlier, free, seen);
     const double size = static_cast<double>(candidate.region.size());
     const bool settled = std::abs(static_cast<double>(next.size()) - size) < kMinChange * size;
     candidate.region = std::move(next);

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/marks.hpp"
 #include "base/mask.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "quadrille/detector/stage_options.hpp"
@@ -19,9 +20,10 @@ namespace quadrille {
 /// considerably.
 /// @param start  samples to begin with
 /// @param free   samples that it may grow over
+/// @param seen   buffer, of the size of the samples
 /// @return nullopt if the region becomes too small or has no fit
 std::optional<Candidate> grow(const SurfaceSamples& samples, const Quadric& hypothesis,
                               std::span<const int> start, const Mask& free,
-                              const InlierTest& inlier, const GrowOptions& options);
+                              const InlierTest& inlier, const GrowOptions& options, Marks* seen);
 
 }  // namespace quadrille

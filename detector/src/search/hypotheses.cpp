@@ -19,8 +19,9 @@ std::vector<Eigen::Matrix4d> through_three(const OrientedPointsf& points,
                                            const VoteOptions& options, RandomStream& random) {
   std::array<OrientedPoint, 3> basis;
   for (OrientedPoint& point : basis) point = draw_point(points, random);
+  if (inconsistency(basis) > kMaxInconsistency) return {};
   const std::optional<Pencil> pencil = make_pencil(basis);
-  if (!pencil || inconsistency(basis) > kMaxInconsistency) return {};
+  if (!pencil) return {};
   std::vector<Eigen::Matrix4d> list;
   for (const VotePeak& peak : vote(*pencil, points, options)) {
     list.push_back(pencil->at(peak.lambda));

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/marks.hpp"
 #include "base/random.hpp"
 #include "samples/flood.hpp"
 
@@ -20,12 +21,14 @@ constexpr int kMinSupport = 8;
 constexpr double kMinHeightLimits = 2.0, kMinHeight = 0.1;
 
 /// Samples within a ball that are connected to the seed.
+/// @param list  buffer
 std::vector<int> neighbourhood(const SurfaceSamples& samples, int seed, float radius,
-                               const Mask& free, std::vector<int>* stamp, int mark) {
-  (*stamp)[seed] = mark;
-  return flood(samples, {seed}, [&](int j, int) {
-    if ((*stamp)[j] == mark || !free[j]) return false;
-    (*stamp)[j] = mark;
+                               const Mask& free, Marks* seen, std::vector<int> list) {
+  seen->clear();
+  seen->add(seed);
+  list.assign(1, seed);
+  return flood(samples, std::move(list), [&](int j, int) {
+    if (!seen->add(j) || !free[j]) return false;
     return (samples.p[j] - samples.p[seed]).squaredNorm() <= radius * radius;
   });
 }
@@ -42,7 +45,7 @@ class Searcher {
         free_(open),
         open_(std::move(open)),
         missing_(static_cast<std::size_t>(samples.size()), covers),
-        stamp_(static_cast<std::size_t>(samples.size()), 0) {}
+        seen_(static_cast<std::size_t>(samples.size())) {}
 
   std::vector<Candidate> run() {
     std::vector<Candidate> candidates;
@@ -81,17 +84,16 @@ class Searcher {
     std::vector<Candidate> candidates;
     std::size_t last = 0;
     for (auto radius = options_.radii.rbegin(); radius != options_.radii.rend(); ++radius) {
-      const std::vector<int> around =
-          neighbourhood(samples_, seed, static_cast<float>(*radius) * samples_.cell[seed], open_,
-                        &stamp_, ++mark_);
-      if (static_cast<int>(around.size()) < options_.grow.min_samples / 2) break;
+      around_ = neighbourhood(samples_, seed, static_cast<float>(*radius) * samples_.cell[seed],
+                              open_, &seen_, std::move(around_));
+      if (static_cast<int>(around_.size()) < options_.grow.min_samples / 2) break;
       // A smaller radius that contains the same samples would draw the same bases again.
-      if (around.size() == last) continue;
-      last = around.size();
-      const std::optional<Quadric> hypothesis = best_hypothesis(seed, around);
+      if (around_.size() == last) continue;
+      last = around_.size();
+      const std::optional<Quadric> hypothesis = best_hypothesis(seed, around_);
       if (!hypothesis) continue;
       std::optional<Candidate> grown =
-          grow(samples_, *hypothesis, around, free_, inlier_, options_.grow);
+          grow(samples_, *hypothesis, around_, free_, inlier_, options_.grow, &seen_);
       if (grown) candidates.push_back(std::move(*grown));
     }
     return candidates;
@@ -131,8 +133,9 @@ class Searcher {
   Mask open_;
   /// Per sample, the number of candidates that must still explain it.
   std::vector<int> missing_;
-  std::vector<int> stamp_;
-  int mark_ = 0;
+  Marks seen_;
+  /// The neighbourhood of the seed at hand.
+  std::vector<int> around_;
 };
 
 }  // namespace

@@ -8,6 +8,8 @@
 namespace quadrille {
 namespace {
 
+// Empty bins before the first and after the last, for the kernel.
+constexpr int kMargin = 2;
 // Sum of the triangular kernel 1 2 3 2 1.
 constexpr double kKernelSum = 9.0;
 // Margin at both ends of the interval, which correspond to infinite λ.
@@ -23,17 +25,20 @@ constinit const Quantisation kArctangent = {
 };
 
 VoteHistogram::VoteHistogram(const VoteOptions& options)
-    : options_(options), count_(static_cast<std::size_t>(options.bins), 0.0f) {}
+    : options_(options), count_(static_cast<std::size_t>(options.bins + 2 * kMargin), 0.0f) {}
 
 void VoteHistogram::add(float lambda) {
   const float place = options_.quantisation.place_of(lambda);
   const int bin = static_cast<int>(place * static_cast<float>(options_.bins));
-  ++count_[static_cast<std::size_t>(std::clamp(bin, 0, options_.bins - 1))];
+  ++count_[static_cast<std::size_t>(kMargin + std::clamp(bin, 0, options_.bins - 1))];
+  is_empty_ = false;
 }
 
 std::vector<VotePeak> VoteHistogram::peaks() const {
+  if (is_empty_) return {};
   const int bins = options_.bins;
-  const auto at = [&](int i) { return i < 0 || i >= bins ? 0.0f : count_[i]; };
+  const float* const count = count_.data() + kMargin;
+  const auto at = [&](int i) { return count[i]; };
   std::vector<float> density(static_cast<std::size_t>(bins));
   for (int i = 0; i < bins; ++i) {
     density[i] = at(i - 2) + 2 * at(i - 1) + 3 * at(i) + 2 * at(i + 1) + at(i + 2);

@@ -46,7 +46,9 @@ class VoteHistogram {
 
  private:
   VoteOptions options_;
+  /// Votes of the bins, with a few empty ones at either end.
   std::vector<float> count_;
+  bool is_empty_ = true;
 };
 
 }  // namespace quadrille

@@ -78,15 +78,16 @@ TEST_CASE("a region grows over connected inliers only and only over free ones", 
   Eigen::Matrix4d D = Eigen::Matrix4d::Zero();
   D(0, 3) = D(3, 0) = 0.5;
   Mask free(static_cast<std::size_t>(samples.size()), 1);
+  Marks seen(static_cast<std::size_t>(samples.size()));
   const std::vector<int> start = {0};
-  CHECK(connected_inliers(samples, start, Quadric(D), {}, free).size() == 300);
+  CHECK(connected_inliers(samples, start, Quadric(D), {}, free, &seen).size() == 300);
   for (int j = 0; j < 10; ++j) free[static_cast<std::size_t>(j * 30 + 12)] = 0;
-  const std::vector<int> left = connected_inliers(samples, start, Quadric(D), {}, free);
+  const std::vector<int> left = connected_inliers(samples, start, Quadric(D), {}, free, &seen);
   CHECK(left.size() == 120);
   CHECK(std::all_of(left.begin(), left.end(), [](int i) { return i % 30 < 12; }));
   // A start beyond the plane's own points is not taken over.
   D(3, 3) = 1.0;
-  CHECK(connected_inliers(samples, start, Quadric(D), {}, free).empty());
+  CHECK(connected_inliers(samples, start, Quadric(D), {}, free, &seen).empty());
 }
 
 TEST_CASE("white noise leaves each sample its vote, waves do not", "[region]") {

@@ -163,9 +163,11 @@ BENCHMARK(hypotheses_of_neighbourhood)
 void grow_from_truth(benchmark::State& state) {
   const std::vector<char> free(samples().p.size(), 1);
   const std::vector<int> start = spread_evenly(patch().region, 30);
+  Marks seen(free.size());
   std::size_t grown_samples = 0;
   for (auto _ : state) {
-    const auto grown = grow(samples(), patch().Q_C, start, free, InlierTest(), GrowOptions());
+    const auto grown =
+        grow(samples(), patch().Q_C, start, free, InlierTest(), GrowOptions(), &seen);
     if (!grown) return state.SkipWithError("the patch does not grow");
     grown_samples = grown->region.size();
   }
