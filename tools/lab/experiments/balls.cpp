@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "lab/experiments/ball_scene.hpp"
 #include "lab/experiments/experiments.hpp"
 #include "lab/experiments/measure.hpp"
 #include "lab/experiments/sphere_errors.hpp"
+#include "lab/experiments/true_sphere.hpp"
 #include "lab/scoring/frame.hpp"
 #include "quadrille/detector/detector.hpp"
 
@@ -19,10 +21,27 @@ constexpr double kAllowed = 0.05;
 struct BallOutcome {
   const GeneratedSequence* sequence;
   int frames = 0, found = 0;
+  /// Frames in which least squares on the ball's own pixels finds it, and those of them in which
+  /// the detector finds it, too.
+  int fitted = 0, found_of_fitted = 0;
   /// False spheres among the ball and the clutter.
   int wrong = 0;
   std::vector<double> seen, times;
 };
+
+/// True if least squares on the ball's true pixels gives the ball; only for spheres.
+bool is_fitted(const BallFrameScene& frame, const scoring::Frame& made, double radius) {
+  const int ball = made.surfaces.back().id;
+  std::vector<Eigen::Vector3d> points;
+  for (std::size_t k = 0; k < made.cloud.points.size(); ++k) {
+    if (made.labels[k] == ball) points.push_back(made.cloud.points[k].cast<double>());
+  }
+  if (points.size() < 4) return false;
+  const FittedSphere sphere = fit_sphere(points);
+  const double most = kAllowed * 2.0 * radius;
+  return (sphere.centre - frame.centre_C).norm() <= most &&
+         std::abs(sphere.radius - radius) <= most;
+}
 
 void run_frame(double time, std::uint64_t seed, BallOutcome* outcome, Table* data) {
   const GeneratedSequence& sequence = *outcome->sequence;
@@ -35,12 +54,16 @@ void run_frame(double time, std::uint64_t seed, BallOutcome* outcome, Table* dat
       result.detections.begin(), result.detections.end(), [&](const Detection& detection) {
         return is_ball(detection, frame.centre_C, sequence.axes, kAllowed);
       });
+  const bool round = sequence.axes.minCoeff() == sequence.axes.maxCoeff();
+  const bool fitted = round && is_fitted(frame, made, sequence.axes.x());
   ++outcome->frames;
   outcome->found += found;
+  outcome->fitted += fitted;
+  outcome->found_of_fitted += fitted && found;
   outcome->wrong += false_spheres(made, result);
   outcome->seen.push_back(frame.seen);
   outcome->times.push_back(1e-3 * us);
-  data->row(sequence.name, time, frame.seen, found ? "1" : "0");
+  data->row(sequence.name, time, frame.seen, found ? "1" : "0", fitted ? "1" : "0");
 }
 
 std::string row_of(const BallOutcome& o, Table* table) {
@@ -51,7 +74,8 @@ std::string row_of(const BallOutcome& o, Table* table) {
       fmt::format("{:g} x {:g} x {:g}", 2e2 * s.axes.x(), 2e2 * s.axes.y(), 2e2 * s.axes.z()),
       s.sphere_alone ? "sphere" : "generic", o.frames,
       fmt::format("{:.0f} %", 100.0 * quantile(o.seen, 0.5)), fmt::format("{:.1f} %", s.printed),
-      rate, fmt::format("{}", o.wrong), quantile(o.times, 0.5));
+      rate, o.fitted == 0 ? "-" : fmt::format("{} of {}", o.found_of_fitted, o.fitted),
+      fmt::format("{}", o.wrong), quantile(o.times, 0.5));
   return fmt::format("{} {}", s.name, rate);
 }
 
@@ -60,15 +84,15 @@ std::string row_of(const BallOutcome& o, Table* table) {
 Report run_balls(const Settings& settings) {
   const int frames = settings.quick ? 3 : 60;
   Report report;
-  report.data.columns = {"sequence", "time", "seen", "found"};
+  report.data.columns = {"sequence", "time", "seen", "found", "fitted"};
   Table table{"Table 1 with generated sequences",
               {"sequence", "diameters [cm]", "search", "frames", "seen, median", "printed", "found",
-               "false spheres", "detection [ms]"},
+               "of those that least squares finds", "false spheres", "detection [ms]"},
               {}};
   std::string rates;
   double done = 0.0;
   for (const GeneratedSequence& sequence : ball_sequences()) {
-    BallOutcome outcome{&sequence, 0, 0, 0, {}, {}};
+    BallOutcome outcome{&sequence, 0, 0, 0, 0, 0, {}, {}};
     const std::uint64_t seed = settings.seed * 1000 + static_cast<std::uint64_t>(done);
     for (int k = 0; k < frames; ++k) {
       run_frame(k / (frames - 1.0), seed, &outcome, &report.data);
