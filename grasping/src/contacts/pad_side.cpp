@@ -7,9 +7,6 @@
 namespace quadrille {
 namespace {
 
-// Contacts are measured over the points within this distance of the outermost one [m]. It is more
-// than the noise of a depth camera.
-constexpr double kBand = 0.004;
 // A point faces the pad, or faces away from it, if its normal does with at least this cosine.
 constexpr double kTowards = 0.25;
 // A side is seen if at least this share of the points near the outermost one face the pad. Nothing
@@ -31,10 +28,10 @@ PadSide pad_side(std::span<const BetweenPads> points, double sign, double x, dou
   PadSide side;
   for (const BetweenPads& point : points) {
     const double inward = std::abs(point.p_G.y() - y);
+    if (inward > kPadBand) continue;
     const bool border = tip - point.p_G.z() < kBorder ||
                         std::abs(point.p_G.x() - x) > 0.5 * gripper.finger.x() - kBorder;
     (border ? at_border : within) = std::min(border ? at_border : within, inward);
-    if (inward > kBand) continue;
     near += point.p_G, ++count;
     top = std::min(top, point.p_G.z());
     bottom = std::max(bottom, point.p_G.z());

@@ -17,6 +17,10 @@ struct BetweenPads {
   bool own = false;
 };
 
+/// Contacts are measured over the points within this distance of the outermost one [m]; all others
+/// are of no effect. It is more than the noise of a depth camera.
+inline constexpr double kPadBand = 0.004;
+
 /// The side of some points that a pad touches.
 struct PadSide {
   /// The contact: the mean of the points near the outermost one, moved out as far as it [m].

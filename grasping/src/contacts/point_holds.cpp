@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <limits>
 #include <span>
 #include <utility>
 
 #include "contacts/directions.hpp"
+#include "contacts/finger_slices.hpp"
 #include "contacts/hand_directions.hpp"
 #include "contacts/pad_side.hpp"
 #include "contacts/quality.hpp"
@@ -33,10 +32,17 @@ constexpr double kAcrossFinger[] = {-0.4, 0.0, 0.4};
 // farther than this beside what is held [m]. At the edges of solids sensors smear points into the
 // air, but below these the surface bends away.
 constexpr double kGoesOn = 0.012, kStraight = 0.002, kShareOfWall = 0.8;
-// A key to sort by holds a length in units of kUnit [m] and the index of a point below kIndices.
-// Points farther from the target than kFarthest [m] are of no interest.
-constexpr double kUnit = 1e-8, kFarthest = 100.0;
-constexpr std::int64_t kIndices = std::int64_t{1} << 26;
+// The points within this distance of the end of a run tell how a pad meets it [m]: somewhat more
+// than pad_side() needs, for the rounding of floats.
+constexpr double kEndDepth = kPadBand + 1e-4;
+
+/// The heights of points that fingers meet at any of the depths, and of those just below.
+SliceHeights heights_of(const Gripper& gripper) {
+  const auto finger = static_cast<float>(gripper.finger.z());
+  const auto [least, most] =
+      std::minmax_element(std::begin(kDepthsToFinger), std::end(kDepthsToFinger));
+  return {(1.0f - *least) * finger, *most * finger + static_cast<float>(kGoesOn)};
+}
 
 class PointHoldFinder {
  public:
@@ -56,10 +62,10 @@ class PointHoldFinder {
     for (std::size_t i = 0; i < own_.size(); ++i) {
       if (own_[i] && !points_.n_C[i].isZero()) normals.push_back(points_.n_C[i]);
     }
+    FingerSlices slices(offsets_C_, own_, gripper_, heights_of(gripper_));
     for (const Eigen::Matrix3d& R_CG : hand_directions(std::move(normals), space_)) {
-      if (order_.empty() || R_CG.col(1) != R_CG_.col(1)) sort_along(R_CG.col(1));
       R_CG_ = R_CG;
-      sweep();
+      for (const FingerSlice& slice : slices.cut(R_CG)) lower(slice);
     }
     std::stable_sort(ranked_.begin(), ranked_.end(),
                      [](const Ranked& a, const Ranked& b) { return a.rank > b.rank; });
@@ -75,92 +81,20 @@ class PointHoldFinder {
     double rank;
   };
 
-  /// A point by its index, and how far it lies along the closing direction and the approach, from
-  /// the target's centre on [m].
-  struct InSlice {
-    float y, z;
-    std::uint32_t index;
-  };
-
   /// Points without a gap between them: the first and the last one, and how many they are.
   struct Run {
     std::size_t first, last, count;
   };
 
-  /// Returns how far the target's own points reach along a direction; low > high if there are none.
-  std::pair<double, double> range_of_own(const Eigen::Vector3d& d_C) const {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (std::size_t i = 0; i < own_.size(); ++i) {
-      if (!own_[i]) continue;
-      const double x = d_C.dot(offsets_C_[i]);
-      low = std::min(low, x);
-      high = std::max(high, x);
-    }
-    return {low, high};
-  }
-
-  /// Sorts the points along a closing direction, which many orientations of the hand share. One
-  /// whole number as a key is sorted three times faster than a pair of a length and an index.
-  void sort_along(const Eigen::Vector3d& closing_C) {
-    order_.clear();
-    // No hold spans more than the opening; one gap beyond it tells where a run is too wide.
-    const double reach = gripper_.max_opening + gripper_.finger.y();
-    const auto [low, high] = range_of_own(closing_C);
-    const auto count = std::min<std::int64_t>(kIndices, std::ssize(offsets_C_));
-    for (std::int64_t i = 0; i < count; ++i) {
-      const double y = closing_C.dot(offsets_C_[static_cast<std::size_t>(i)]);
-      if (!(y > low - reach && y < high + reach && std::abs(y) < kFarthest)) continue;
-      order_.push_back(std::llround(y / kUnit) * kIndices + i);
-    }
-    std::sort(order_.begin(), order_.end());
-  }
-
-  /// Moves a hand of the present orientation across the points, in steps of half a finger's width.
-  void sweep() {
-    const Eigen::Vector3d x_C = R_CG_.col(0);
-    const auto [low, high] = range_of_own(x_C);
-    if (!(low <= high)) return;
-    const double step = 0.5 * gripper_.finger.x();
-    const int steps = static_cast<int>((high - low) / step) + 1;
-    const double first = 0.5 * (low + high) - 0.5 * step * (steps - 1);
-    // The fingers cover two steps at each place, so each point is between them at two places.
-    if (slices_.size() < static_cast<std::size_t>(steps)) slices_.resize(steps);
-    for (std::vector<InSlice>& slice : slices_) slice.clear();
-    const Eigen::Vector3d z_C = R_CG_.col(2);
-    for (const std::int64_t key : order_) {
-      const auto i = static_cast<std::uint32_t>(key & (kIndices - 1));
-      const Eigen::Vector3d& p_C = offsets_C_[i];
-      const double place = (x_C.dot(p_C) - first) / step;
-      if (!(place >= -1.0 && place < steps)) continue;
-      const InSlice point{static_cast<float>(R_CG_.col(1).dot(p_C)),
-                          static_cast<float>(z_C.dot(p_C)), i};
-      const int before = static_cast<int>(place + 1.0) - 1;
-      if (before >= 0) slices_[static_cast<std::size_t>(before)].push_back(point);
-      if (before + 1 < steps) slices_[static_cast<std::size_t>(before) + 1].push_back(point);
-    }
-    for (int n = 0; n < steps; ++n) lower(first + n * step, slices_[static_cast<std::size_t>(n)]);
-  }
-
-  /// Lowers the fingers on the points of a slice, which are sorted along the closing direction.
-  void lower(double x, const std::vector<InSlice>& slice) {
-    if (slice.size() < kMinBetween) return;
-    float top = std::numeric_limits<float>::infinity();
-    for (const InSlice& point : slice) {
-      if (own_[point.index]) top = std::min(top, point.z);
-    }
+  /// Lowers the fingers on the points of a slice.
+  void lower(const FingerSlice& slice) {
+    if (slice.points.size() < kMinBetween) return;
+    reached_ = slice.points;
     const auto finger = static_cast<float>(gripper_.finger.z());
-    const auto [least, most] =
-        std::minmax_element(std::begin(kDepthsToFinger), std::end(kDepthsToFinger));
-    const float lowest = top + *most * finger + static_cast<float>(kGoesOn),
-                highest = top + (*least - 1.0f) * finger;
-    reached_.clear();
-    for (const InSlice& point : slice) {
-      if (point.z < lowest && point.z > highest) reached_.push_back(point);
-    }
     for (const float share : kDepthsToFinger) {
-      tip_ = top + share * finger;
+      tip_ = slice.top + share * finger;
       root_ = tip_ - finger;
-      hold_runs(x);
+      hold_runs(slice.x);
     }
   }
 
@@ -184,7 +118,7 @@ class PointHoldFinder {
       for (std::size_t b = a; b < runs_.size(); ++b) {
         run.last = runs_[b].last;
         run.count += runs_[b].count;
-        if (may_hold(run)) hold(x, tip_, in_hand(run));
+        if (may_hold(run)) hold(x, tip_, run);
       }
     }
   }
@@ -195,11 +129,25 @@ class PointHoldFinder {
            last.y - first.y <= gripper_.max_opening;
   }
 
-  /// Returns the points of a run in the frame of the hand.
-  std::span<const BetweenPads> in_hand(const Run& run) {
+  /// Returns the last of the points of a run that lie near its first one.
+  std::size_t end_of_head(const Run& run) const {
+    std::size_t last = run.first;
+    while (last < run.last && reached_[last + 1].y - reached_[run.first].y < kEndDepth) ++last;
+    return last;
+  }
+
+  /// Returns the first of the points of a run that lie near its last one.
+  std::size_t start_of_tail(const Run& run) const {
+    std::size_t first = run.last;
+    while (first > run.first && reached_[run.last].y - reached_[first - 1].y < kEndDepth) --first;
+    return first;
+  }
+
+  /// Returns some of the points that the fingers reach, in the frame of the hand.
+  std::span<const BetweenPads> in_hand(std::size_t first, std::size_t last) {
     const Eigen::Matrix3d R_GC = R_CG_.transpose();
     between_.clear();
-    for (std::size_t k = run.first; k <= run.last; ++k) {
+    for (std::size_t k = first; k <= last; ++k) {
       if (!reached_by_fingers(reached_[k])) continue;
       const std::size_t i = reached_[k].index;
       between_.push_back({R_GC * offsets_C_[i], R_GC * points_.n_C[i], own_[i] != 0});
@@ -207,12 +155,10 @@ class PointHoldFinder {
     return between_;
   }
 
-  void hold(double x, double tip, std::span<const BetweenPads> run) {
-    PadSide left = pad_side(run, -1.0, x, tip, gripper_);
-    PadSide right = pad_side(run, 1.0, x, tip, gripper_);
+  void hold(double x, double tip, const Run& run) {
+    PadSide left = pad_side(in_hand(run.first, end_of_head(run)), -1.0, x, tip, gripper_);
+    PadSide right = pad_side(in_hand(start_of_tail(run), run.last), 1.0, x, tip, gripper_);
     if (!left.seen && !right.seen) return;
-    double top = tip;
-    for (const BetweenPads& point : run) top = std::min(top, point.p_G.z());
     const bool behind = left.behind || right.behind;
     double width = right.p_G.y() - left.p_G.y(), opening = width;
     if (behind) {
@@ -238,7 +184,16 @@ class PointHoldFinder {
     found.guessed = behind;
     found.evidence = {0.5 * (left.seen + right.seen), 0.5 * (left.facing + right.facing),
                       0.5 * (left.inner + right.inner), std::min(left.height, right.height)};
-    ranked_.push_back({found, rank(found, tip - top)});
+    ranked_.push_back({found, rank(found, tip - top_of(run, tip))});
+  }
+
+  /// Returns how far the highest point of a run lies along the approach.
+  double top_of(const Run& run, double tip) {
+    double top = tip;
+    for (const BetweenPads& point : in_hand(run.first, run.last)) {
+      top = std::min(top, point.p_G.z());
+    }
+    return top;
   }
 
   /// Returns true if the points between two sides, of which one is hidden behind the other, are the
@@ -286,20 +241,14 @@ class PointHoldFinder {
   /// The points, from the target's centre on.
   std::vector<Eigen::Vector3d> offsets_C_;
   Eigen::Matrix3d R_CG_ = Eigen::Matrix3d::Identity();
-  /// How far the points lie along the closing direction, in units, times kIndices, plus the index
-  /// of the point; sorted.
-  std::vector<std::int64_t> order_;
   /// How far the tips and the roots of the fingers reach along the approach, at the depth that is
   /// being tried [m].
   float tip_ = 0.0f, root_ = 0.0f;
-  // Kept to reuse their memory:
-  /// The points between the fingers' sides at each place.
-  std::vector<std::vector<InSlice>> slices_;
   /// The points of one slice that the fingers reach at any depth, and those just below; and the
   /// runs of the points that they reach at the depth that is being tried.
-  std::vector<InSlice> reached_;
+  std::span<const InSlice> reached_;
   std::vector<Run> runs_;
-  /// The points of one run.
+  /// Points of one run.
   std::vector<BetweenPads> between_;
   std::vector<Ranked> ranked_;
 };

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "quadrille/grasping/gripper.hpp"
+
+namespace quadrille {
+
+/// A point by its index, and how far it lies along the closing direction and the approach [m].
+struct InSlice {
+  float y, z;
+  std::uint32_t index;
+};
+
+/// The points that a finger covers at one place of the hand.
+struct FingerSlice {
+  /// Middle of the finger, across the closing direction and the approach [m].
+  double x = 0.0;
+  /// How far the highest own point lies along the approach [m].
+  float top = 0.0f;
+  /// The points, sorted along the closing direction.
+  std::span<const InSlice> points;
+};
+
+/// The heights that matter in a slice: so far above and below its highest own point [m].
+struct SliceHeights {
+  float above = 0.0f, below = 0.0f;
+};
+
+/// Cuts points into slices as wide as a finger, for one orientation of the hand after another. Most
+/// points are of no concern to a hand that holds own ones. They are left out early: the slices
+/// without own points, the points at other heights, and those that lie beyond what the hand can
+/// span from an own point on, and one gap for a finger farther.
+class FingerSlices {
+ public:
+  /// @param points  positions from any origin near the target [m]
+  /// @param own  nonzero for the points of the target
+  FingerSlices(std::span<const Eigen::Vector3d> points, std::span<const char> own,
+               const Gripper& gripper, const SliceHeights& heights);
+
+  /// Moves a hand of an orientation across the own points, in steps of half a finger's width.
+  /// Calls that share the closing direction should follow each other, which saves sorting.
+  /// @param R  axes of the hand as columns: y closing, z approach
+  /// @return the slices at these places that hold own points; they last until the next call
+  const std::vector<FingerSlice>& cut(const Eigen::Matrix3d& R);
+
+ private:
+  using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+  /// The part of a slice that matters.
+  struct Window {
+    /// Height of the highest own point, and the range of own points along the closing direction.
+    float top, low, high;
+  };
+
+  void sort_along(const Eigen::Vector3d& closing);
+  void find_windows(const Eigen::Matrix3d& R, double first, std::size_t steps);
+  void fill_slices(const Eigen::Matrix3d& R, double first, std::size_t steps);
+
+  /// The width of a step, what a hand spans beside an own point, and one gap farther [m].
+  double step_, span_, reach_;
+  SliceHeights heights_;
+  Points points_, own_;
+  /// The closing direction along which the points are sorted.
+  Eigen::Vector3d closing_ = Eigen::Vector3d::Zero();
+  /// The points within reach of the own ones, sorted: their positions, places along the closing
+  /// direction and indices. The places of the own points, in the original order.
+  Points sorted_;
+  std::vector<float> y_;
+  std::vector<std::uint32_t> index_;
+  Eigen::ArrayXd own_y_;
+  // Kept to reuse their memory:
+  std::vector<std::int64_t> keys_;
+  Eigen::ArrayXd place_, z_;
+  std::vector<Window> windows_;
+  std::vector<std::vector<InSlice>> members_;
+  std::vector<FingerSlice> slices_;
+};
+
+}  // namespace quadrille
