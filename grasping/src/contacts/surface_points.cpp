@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "contacts/point_buckets.hpp"
+#include "base/point_buckets.hpp"
 
 namespace quadrille {
 namespace {

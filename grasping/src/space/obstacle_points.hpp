@@ -20,7 +20,14 @@ class ObstaclePoints {
   bool meet(const OrientedBox& box) const;
 
  private:
-  Eigen::Matrix<float, Eigen::Dynamic, 3> points_C_;
+  using Points = Eigen::Matrix<float, Eigen::Dynamic, 3>;
+  template <class Visit>
+  static bool any_inside(const Points& points_C, Eigen::Index first, Eigen::Index end,
+                         const OrientedBox& box, Visit&& visit);
+
+  /// The points, those of a cube side by side; where those of each cube begin, and their middle.
+  Points points_C_, centres_C_;
+  std::vector<Eigen::Index> first_;
 };
 
 }  // namespace quadrille

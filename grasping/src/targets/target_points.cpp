@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contacts/point_buckets.hpp"
+#include "base/point_buckets.hpp"
 
 namespace quadrille {
 namespace {

@@ -1,4 +1,4 @@
-#include "contacts/point_buckets.hpp"
+#include "base/point_buckets.hpp"
 
 #include <algorithm>
 #include <random>
