@@ -10,6 +10,12 @@ namespace {
 // the shift such points lie on the borders of cubes, where rounding decides to which one they
 // belong.
 constexpr double kShift = 0.37;
+// A key has so many bits for each axis. The places of cubes are limited so that they fit, and that
+// their neighbours do.
+constexpr int kBits = 21;
+constexpr double kFarthest = (1 << (kBits - 1)) - 2;
+constexpr PointBuckets::Key kAlongX = PointBuckets::Key{1} << (2 * kBits),
+                            kAlongY = PointBuckets::Key{1} << kBits;
 
 }  // namespace
 
@@ -20,6 +26,7 @@ PointBuckets::PointBuckets(std::span<const Eigen::Vector3d> points_C, double edg
     keyed.emplace_back(key_of(p, edge), static_cast<int>(keyed.size()));
   }
   std::sort(keyed.begin(), keyed.end());
+  points_.reserve(keyed.size());
   for (const auto& [key, i] : keyed) {
     if (keys_.empty() || key != keys_.back()) {
       keys_.push_back(key);
@@ -31,25 +38,27 @@ PointBuckets::PointBuckets(std::span<const Eigen::Vector3d> points_C, double edg
 }
 
 PointBuckets::Key PointBuckets::key_of(const Eigen::Vector3d& p_C, double edge) {
-  const Eigen::Vector3i key = ((p_C / edge).array() + kShift).floor().cast<int>();
-  return {key.x(), key.y(), key.z()};
+  // Truncation rounds down, since all values are positive by then.
+  const Eigen::Array3d cube = (p_C / edge).array() + kShift;
+  const Eigen::Array3d from_end = cube.max(-kFarthest).min(kFarthest) + (kFarthest + 2.0);
+  return static_cast<Key>(from_end.x()) * kAlongX + static_cast<Key>(from_end.y()) * kAlongY +
+         static_cast<Key>(from_end.z());
 }
 
-std::vector<int> PointBuckets::near(const Key& key) const {
-  const auto begin_of = [&](std::vector<Key>::const_iterator cube) {
-    return static_cast<std::ptrdiff_t>(first_[static_cast<std::size_t>(cube - keys_.begin())]);
-  };
-  std::vector<int> points;
-  for (int n = 0; n < 9; ++n) {
-    const int x = key[0] + n / 3 - 1, y = key[1] + n % 3 - 1;
-    // The three cubes of a row along z lie side by side.
-    const auto low = std::lower_bound(keys_.begin(), keys_.end(), Key{x, y, key[2] - 1});
-    const auto high = std::find_if(low, keys_.end(), [&](const Key& other) {
-      return other > Key{x, y, key[2] + 1};
-    });
-    points.insert(points.end(), points_.begin() + begin_of(low), points_.begin() + begin_of(high));
+std::vector<PointBuckets::Near> PointBuckets::near_each() const {
+  std::vector<Near> all(keys_.size());
+  for (std::size_t row = 0; row < 9; ++row) {
+    // As cubes come in ascending order, so do the rows beside them.
+    const Key beside = row / 3 * kAlongX + row % 3 * kAlongY - kAlongX - kAlongY;
+    std::size_t first = 0, end = 0;
+    for (std::size_t n = 0; n < keys_.size(); ++n) {
+      const Key middle = keys_[n] + beside;
+      while (first < keys_.size() && keys_[first] < middle - 1) ++first;
+      while (end < keys_.size() && keys_[end] <= middle + 1) ++end;
+      all[n][row] = between(first, end);
+    }
   }
-  return points;
+  return all;
 }
 
 }  // namespace quadrille

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,27 +12,34 @@ namespace quadrille {
 /// Points sorted into cubes, to find those near a place.
 class PointBuckets {
  public:
-  using Key = std::array<int, 3>;
+  /// A cube as one number. Numbers are in the order of the cubes' places: along x first, then along
+  /// y, then along z.
+  using Key = std::uint64_t;
 
   /// @param points_C  positions in frame C [m]
   /// @param edge  edge of a cube [m]
   PointBuckets(std::span<const Eigen::Vector3d> points_C, double edge);
 
-  /// Returns the cube of edge `edge` [m] that holds a point.
+  /// Returns the cube of edge `edge` [m] that holds a point. Beyond a million cubes from the origin
+  /// there are no further ones: the outermost hold all points out there.
   static Key key_of(const Eigen::Vector3d& p_C, double edge);
 
   /// The cubes that hold points, in ascending order.
   const std::vector<Key>& keys() const { return keys_; }
   /// The indices of the points in the n-th of these cubes, in ascending order.
-  std::span<const int> members(std::size_t n) const {
-    return std::span(points_).subspan(first_[n], first_[n + 1] - first_[n]);
-  }
+  std::span<const int> members(std::size_t n) const { return between(n, n + 1); }
 
-  /// Returns the indices of the points in a cube and its 26 neighbours: all points that are nearer
-  /// than an edge to any place in the cube, and some farther ones.
-  std::vector<int> near(const Key& key) const;
+  /// The points in a cube and its 26 neighbours: all points that are nearer than an edge to any
+  /// place in the cube, and some farther ones. They lie in nine rows of three cubes along z.
+  using Near = std::array<std::span<const int>, 9>;
+  /// Returns what lies near each of the cubes. The spans refer to these buckets.
+  std::vector<Near> near_each() const;
 
  private:
+  std::span<const int> between(std::size_t n, std::size_t end) const {
+    return std::span(points_).subspan(first_[n], first_[end] - first_[n]);
+  }
+
   std::vector<Key> keys_;
   /// Indices of the points, those of a cube side by side, and where those of each cube begin.
   std::vector<int> points_;

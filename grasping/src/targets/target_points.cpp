@@ -1,6 +1,9 @@
 #include "targets/target_points.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
+#include <vector>
 
 #include "base/point_buckets.hpp"
 
@@ -21,17 +24,24 @@ template <class MayBeOwn>
 void mark_connected(const std::vector<Eigen::Vector3d>& points, MayBeOwn&& may_be_own,
                     std::vector<char>& own) {
   const PointBuckets buckets(points, kApart);
-  std::vector<int> open;
+  const std::vector<PointBuckets::Near> near = buckets.near_each();
+  std::vector<std::size_t> cube_of(points.size());
+  for (std::size_t n = 0; n < near.size(); ++n) {
+    for (const int i : buckets.members(n)) cube_of[static_cast<std::size_t>(i)] = n;
+  }
+  std::vector<std::size_t> open;
   for (std::size_t i = 0; i < own.size(); ++i) {
-    if (own[i]) open.push_back(static_cast<int>(i));
+    if (own[i]) open.push_back(i);
   }
   while (!open.empty()) {
-    const Eigen::Vector3d& p = points[open.back()];
+    const std::size_t i = open.back();
     open.pop_back();
-    for (const int j : buckets.near(PointBuckets::key_of(p, kApart))) {
-      if (own[j] || (points[j] - p).norm() > kApart || !may_be_own(points[j])) continue;
-      own[j] = 1;
-      open.push_back(j);
+    for (const std::span<const int> row : near[cube_of[i]]) {
+      for (const int j : row) {
+        if (own[j] || (points[j] - points[i]).norm() > kApart || !may_be_own(points[j])) continue;
+        own[j] = 1;
+        open.push_back(static_cast<std::size_t>(j));
+      }
     }
   }
 }

@@ -22,14 +22,30 @@ TEST_CASE("all points nearer than an edge are found, each in one cube", "[point_
     }
   }
   CHECK(count == points.size());
-  for (const Eigen::Vector3d& p : points) {
-    const std::vector<int> near = buckets.near(PointBuckets::key_of(p, edge));
-    for (std::size_t j = 0; j < points.size(); ++j) {
-      const bool found = std::count(near.begin(), near.end(), static_cast<int>(j)) == 1;
-      if ((points[j] - p).norm() < edge) CHECK(found);
+  const std::vector<PointBuckets::Near> near = buckets.near_each();
+  REQUIRE(near.size() == buckets.keys().size());
+  for (std::size_t n = 0; n < near.size(); ++n) {
+    std::vector<int> found;
+    for (const std::span<const int> row : near[n])
+      found.insert(found.end(), row.begin(), row.end());
+    CHECK(found.size() < points.size());
+    for (const int i : buckets.members(n)) {
+      for (int j = 0; j < static_cast<int>(points.size()); ++j) {
+        if ((points[j] - points[i]).norm() < edge) {
+          CHECK(std::count(found.begin(), found.end(), j) == 1);
+        }
+      }
     }
-    CHECK(near.size() < points.size());
   }
+}
+
+TEST_CASE("points far out share the outermost cubes, and none are lost", "[point_buckets]") {
+  const std::vector<Eigen::Vector3d> points = {
+      {1e12, 0.0, 0.0}, {2e12, 0.0, 0.0}, {-1e12, -1e12, -1e12}, {0.0, 0.0, 0.0}};
+  const PointBuckets buckets(points, 0.01);
+  REQUIRE(buckets.keys().size() == 3);
+  CHECK(buckets.members(2).size() == 2);
+  for (std::size_t n = 0; n < 3; ++n) CHECK_FALSE(buckets.near_each()[n][4].empty());
 }
 
 TEST_CASE("points on whole millimetres do not change cubes by rounding", "[point_buckets]") {
