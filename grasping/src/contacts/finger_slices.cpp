@@ -14,8 +14,6 @@ constexpr std::int64_t kIndices = std::int64_t{1} << 26;
 // Reserve for the rounding of floats, where points beyond a distance are left out [m].
 constexpr double kRoundingSlack = 1e-4;
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
 /// How far points lie along a direction.
@@ -44,16 +42,16 @@ const std::vector<FingerSlice>& FingerSlices::cut(const Eigen::Matrix3d& R) {
   slices_.clear();
   if (own_.rows() == 0) return slices_;
   if (R.col(1) != closing_) sort_along(R.col(1));
-  place_ = along(R.col(0), own_);
-  const double low = place_.minCoeff(), high = place_.maxCoeff();
+  places_ = along(R.col(0), own_);
+  const double low = places_.minCoeff(), high = places_.maxCoeff();
   if (!(low <= high)) return slices_;
   const int steps = static_cast<int>((high - low) / step_) + 1;
   const double first = 0.5 * (low + high) - 0.5 * step_ * (steps - 1);
-  find_windows(R, first, static_cast<std::size_t>(steps));
-  fill_slices(R, first, static_cast<std::size_t>(steps));
-  for (std::size_t n = 0; n < windows_.size(); ++n) {
+  const std::vector<OwnRange> ranges = own_ranges(R, first, steps);
+  fill(R, first, ranges);
+  for (std::size_t n = 0; n < ranges.size(); ++n) {
     if (members_[n].empty()) continue;
-    slices_.push_back({first + static_cast<int>(n) * step_, windows_[n].top, members_[n]});
+    slices_.push_back({first + static_cast<int>(n) * step_, ranges[n].top, members_[n]});
   }
   return slices_;
 }
@@ -62,67 +60,76 @@ const std::vector<FingerSlice>& FingerSlices::cut(const Eigen::Matrix3d& R) {
 /// faster than a pair of a length and an index.
 void FingerSlices::sort_along(const Eigen::Vector3d& closing) {
   closing_ = closing;
-  own_y_ = along(closing, own_);
-  const double low = own_y_.minCoeff(), high = own_y_.maxCoeff();
-  place_ = along(closing, points_);
+  places_ = along(closing, own_);
+  own_y_ = places_.cast<float>();
+  const double low = places_.minCoeff(), high = places_.maxCoeff();
+  places_ = along(closing, points_);
   keys_.clear();
-  for (Eigen::Index i = 0; i < place_.size(); ++i) {
-    const double y = place_[i];
+  for (Eigen::Index i = 0; i < places_.size(); ++i) {
+    const double y = places_[i];
     if (!(y > low - reach_ && y < high + reach_ && std::abs(y) < kFarthest)) continue;
-    keys_.push_back(std::llround(y / kUnit) * kIndices + i);
+    keys_.push_back(std::llrint(y / kUnit) * kIndices + i);
   }
   std::sort(keys_.begin(), keys_.end());
   const std::size_t count = keys_.size();
   sorted_.resize(static_cast<Eigen::Index>(count), 3);
-  y_.resize(count), index_.resize(count);
+  y_.resize(sorted_.rows()), index_.resize(sorted_.rows());
   for (std::size_t k = 0; k < count; ++k) {
     const Eigen::Index i = keys_[k] & (kIndices - 1);
     sorted_.row(static_cast<Eigen::Index>(k)) = points_.row(i);
-    y_[k] = static_cast<float>(place_[i]);
-    index_[k] = static_cast<std::uint32_t>(i);
+    y_[static_cast<Eigen::Index>(k)] = static_cast<float>(places_[i]);
+    index_[static_cast<Eigen::Index>(k)] = static_cast<std::uint32_t>(i);
   }
 }
 
-/// Calls visit(n) for the slices of a place in steps, at most two of them: fingers cover two steps,
-/// so each point is between them at two places.
-template <class Visit>
-void each_slice_at(double place, std::size_t steps, Visit&& visit) {
-  if (!(place >= -1.0 && place < static_cast<double>(steps))) return;
-  const auto after = static_cast<std::size_t>(place + 1.0);
-  if (after > 0) visit(after - 1);
-  if (after < steps) visit(after);
+/// Finds the strip of each point, and how far it lies along the approach. The strips are the parts
+/// that two neighbouring slices share, and the halves of the outermost ones: slice n consists of
+/// strips n + 1 and n + 2. Points before and beyond are in strips 0 and `steps` + 2.
+void FingerSlices::find_strips(const Eigen::Matrix3d& R, const Points& points, double first,
+                               int steps) {
+  // The shift makes all values positive, so that truncation rounds down.
+  places_ = ((along(R.col(0), points) - first) / step_).max(-2.0).min(steps) + 2.0;
+  strips_ = places_.cast<int>();
+  z_ = along(R.col(2), points).cast<float>();
 }
 
-void FingerSlices::find_windows(const Eigen::Matrix3d& R, double first, std::size_t steps) {
-  windows_.assign(steps, {kInfinity, kInfinity, -kInfinity});
-  place_ = (place_ - first) / step_;
-  z_ = along(R.col(2), own_);
+std::vector<FingerSlices::OwnRange> FingerSlices::own_ranges(const Eigen::Matrix3d& R, double first,
+                                                             int steps) {
+  find_strips(R, own_, first, steps);
+  std::vector<OwnRange> strips(static_cast<std::size_t>(steps) + 3);
   for (Eigen::Index i = 0; i < own_.rows(); ++i) {
-    const auto y = static_cast<float>(own_y_[i]), z = static_cast<float>(z_[i]);
-    each_slice_at(place_[i], steps, [&](std::size_t n) {
-      Window& window = windows_[n];
-      window.top = std::min(window.top, z);
-      window.low = std::min(window.low, y);
-      window.high = std::max(window.high, y);
-    });
+    OwnRange& strip = strips[static_cast<std::size_t>(strips_[i])];
+    strip.join({z_[i], own_y_[i], own_y_[i]});
   }
+  std::vector<OwnRange> slices;
+  for (int n = 0; n < steps; ++n) {
+    slices.push_back(strips[static_cast<std::size_t>(n) + 1]);
+    slices.back().join(strips[static_cast<std::size_t>(n) + 2]);
+  }
+  return slices;
 }
 
-void FingerSlices::fill_slices(const Eigen::Matrix3d& R, double first, std::size_t steps) {
-  if (members_.size() < steps) members_.resize(steps);
+/// Fills the slices with the points near their own ones.
+void FingerSlices::fill(const Eigen::Matrix3d& R, double first,
+                        const std::vector<OwnRange>& ranges) {
+  const int steps = static_cast<int>(ranges.size());
+  if (members_.size() < ranges.size()) members_.resize(ranges.size());
   for (std::vector<InSlice>& slice : members_) slice.clear();
+  find_strips(R, sorted_, first, steps);
   const auto beyond = static_cast<float>(reach_ + kRoundingSlack);
-  place_ = (along(R.col(0), sorted_) - first) / step_;
-  z_ = along(R.col(2), sorted_);
-  for (Eigen::Index k = 0; k < sorted_.rows(); ++k) {
-    const InSlice point{y_[k], static_cast<float>(z_[k]), index_[k]};
-    each_slice_at(place_[k], steps, [&](std::size_t n) {
-      const Window& window = windows_[n];
-      const bool near = point.y >= window.low - beyond && point.y <= window.high + beyond;
-      const bool level =
-          point.z < window.top + heights_.below && point.z > window.top - heights_.above;
-      if (near && level) members_[n].push_back(point);
-    });
+  const auto add = [&](const InSlice& point, int n) {
+    const OwnRange& own = *(ranges.data() + n);
+    const bool near = point.z < own.top + heights_.below && point.z > own.top - heights_.above &&
+                      point.y >= own.low - beyond && point.y <= own.high + beyond;
+    if (near) members_[static_cast<std::size_t>(n)].push_back(point);
+  };
+  // Eigen's arrays are not checked at each access, as vectors are.
+  for (Eigen::Index k = 0; k < strips_.size(); ++k) {
+    const int strip = strips_[k];
+    if (strip == 0 || strip == steps + 2) continue;
+    const InSlice point{y_[k], z_[k], index_[k]};
+    if (strip > 1) add(point, strip - 2);
+    if (strip <= steps) add(point, strip - 1);
   }
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -50,18 +52,23 @@ class FingerSlices {
  private:
   using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-  /// The part of a slice that matters.
-  struct Window {
-    /// Height of the highest own point, and the range of own points along the closing direction.
-    float top, low, high;
+  /// The highest of some own points, and the range that they take along the closing direction.
+  struct OwnRange {
+    float top = std::numeric_limits<float>::infinity(), low = top, high = -top;
+    void join(const OwnRange& other) {
+      top = std::min(top, other.top);
+      low = std::min(low, other.low);
+      high = std::max(high, other.high);
+    }
   };
 
   void sort_along(const Eigen::Vector3d& closing);
-  void find_windows(const Eigen::Matrix3d& R, double first, std::size_t steps);
-  void fill_slices(const Eigen::Matrix3d& R, double first, std::size_t steps);
+  void find_strips(const Eigen::Matrix3d& R, const Points& points, double first, int steps);
+  std::vector<OwnRange> own_ranges(const Eigen::Matrix3d& R, double first, int steps);
+  void fill(const Eigen::Matrix3d& R, double first, const std::vector<OwnRange>& ranges);
 
-  /// The width of a step, what a hand spans beside an own point, and one gap farther [m].
-  double step_, span_, reach_;
+  /// The width of a step, and what a hand spans beside an own point, with one gap farther [m].
+  double step_, reach_;
   SliceHeights heights_;
   Points points_, own_;
   /// The closing direction along which the points are sorted.
@@ -69,13 +76,14 @@ class FingerSlices {
   /// The points within reach of the own ones, sorted: their positions, places along the closing
   /// direction and indices. The places of the own points, in the original order.
   Points sorted_;
-  std::vector<float> y_;
-  std::vector<std::uint32_t> index_;
-  Eigen::ArrayXd own_y_;
+  Eigen::ArrayXf y_;
+  Eigen::Array<std::uint32_t, Eigen::Dynamic, 1> index_;
+  Eigen::ArrayXf own_y_;
   // Kept to reuse their memory:
   std::vector<std::int64_t> keys_;
-  Eigen::ArrayXd place_, z_;
-  std::vector<Window> windows_;
+  Eigen::ArrayXd places_;
+  Eigen::ArrayXi strips_;
+  Eigen::ArrayXf z_;
   std::vector<std::vector<InSlice>> members_;
   std::vector<FingerSlice> slices_;
 };

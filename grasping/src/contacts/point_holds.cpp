@@ -98,21 +98,35 @@ class PointHoldFinder {
     }
   }
 
-  bool reached_by_fingers(const InSlice& point) const { return point.z < tip_ && point.z > root_; }
+  bool reached_by_fingers(const InSlice& point) const {
+    return (point.z < tip_) & (point.z > root_);
+  }
+
+  void find_runs() {
+    const auto gap = static_cast<float>(gripper_.finger.y());
+    runs_.clear();
+    Run run{0, 0, 0};
+    float last_y = 0.0f;
+    std::size_t k = 0;
+    for (const InSlice& point : reached_) {
+      const std::size_t here = k++;
+      if (!reached_by_fingers(point)) continue;
+      if (run.count > 0 && point.y - last_y > gap) {
+        runs_.push_back(run);
+        run.count = 0;
+      }
+      if (run.count == 0) run.first = here;
+      run.last = here;
+      ++run.count;
+      last_y = point.y;
+    }
+    if (run.count > 0) runs_.push_back(run);
+  }
 
   /// Holds each run of points in which there is no gap for a finger, and neighbouring runs
   /// together.
   void hold_runs(double x) {
-    const auto gap = static_cast<float>(gripper_.finger.y());
-    runs_.clear();
-    for (std::size_t k = 0; k < reached_.size(); ++k) {
-      if (!reached_by_fingers(reached_[k])) continue;
-      if (runs_.empty() || reached_[k].y - reached_[runs_.back().last].y > gap) {
-        runs_.push_back({k, k, 0});
-      }
-      runs_.back().last = k;
-      ++runs_.back().count;
-    }
+    find_runs();
     for (std::size_t a = 0; a < runs_.size(); ++a) {
       Run run{runs_[a].first, 0, 0};
       for (std::size_t b = a; b < runs_.size(); ++b) {

@@ -111,20 +111,23 @@ SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double c
   const double reach = kReachInCells * cell;
   const PointBuckets buckets(surface.p_C, reach);
   const std::vector<PointBuckets::Near> near = buckets.near_each();
+  // Unlike vectors, these do not check each access.
+  const Eigen::Vector3d* points = surface.p_C.data();
+  const int* eye_of = means.eyes.data();
   for (std::size_t n = 0; n < near.size(); ++n) {
     for (const int i : buckets.members(n)) {
-      const Eigen::Vector3d& p = surface.p_C[i];
+      const Eigen::Vector3d& p = points[i];
+      const int eye = eye_of[i];
       Moments moments;
       for (const std::span<const int> row : near[n]) {
         for (const int j : row) {
-          const Eigen::Vector3d d = surface.p_C[j] - p;
-          if (d.squaredNorm() > reach * reach || means.eyes[i] != means.eyes[j]) continue;
-          moments.add(d);
+          const Eigen::Vector3d d = points[j] - p;
+          if (d.squaredNorm() <= reach * reach && eye == eye_of[j]) moments.add(d);
         }
       }
       if (moments.count < kMinNeighbours) continue;
       const Eigen::Vector3d n_C = moments.normal();
-      const bool away = n_C.dot(eyes[means.eyes[i]] - p) < 0.0;
+      const bool away = n_C.dot(eyes[eye] - p) < 0.0;
       surface.n_C[i] = away ? Eigen::Vector3d(-n_C) : n_C;
     }
   }
