@@ -157,6 +157,7 @@ class QueryPlanner {
     if (solid && grasps.size() < wanted && !cut) add(grasps_by_tips(further(*solid)));
     if (grasps.size() < wanted && !cut) {
       const TargetPoints points = points_about(target, parts_);
+      if (all_too_wide(target, points, parts_.gripper)) return cut;
       const CollisionScene scene = with_obstacles(point_scene(target, points, parts_), target);
       add(grasps_by_points(further(scene), points));
     }

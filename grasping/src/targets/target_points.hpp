@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "contacts/surface_points.hpp"
+#include "quadrille/grasping/gripper.hpp"
 #include "targets/scene_parts.hpp"
 #include "targets/target.hpp"
 
@@ -16,5 +17,9 @@ struct TargetPoints {
   std::vector<char> own;
 };
 TargetPoints points_about(const Target& target, const SceneParts& parts);
+
+/// Returns true if the target is a solid that is clearly wider than the hand opens, whichever way
+/// the hand is turned, and hardly any of its points lie outside of it, as those of a handle would.
+bool all_too_wide(const Target& target, const TargetPoints& points, const Gripper& gripper);
 
 }  // namespace quadrille
