@@ -57,7 +57,8 @@ Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& 
       extender_(samples, buckets_, options, inlier),
       claims_(samples) {}
 
-void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
+void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level,
+                        const std::function<bool(const Surface&)>& doubts) {
   const Acceptance asked = acceptance_at(level, options_);
   for (Candidate& c : candidates) pending_.push_back(std::move(c));
   std::vector<double> value;
@@ -66,7 +67,7 @@ void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
     value.push_back(support(samples_, c, inlier_, free()));
     box.push_back(box_of(samples_, c.region));
   }
-  std::vector<Candidate> later;
+  std::vector<Candidate> later, doubtful;
   while (true) {
     const auto best = std::max_element(value.begin(), value.end());
     if (best == value.end() || *best <= 0) break;
@@ -76,6 +77,10 @@ void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
     if (observer_) observer_(candidate, level, trial);
     if (trial.end != TrialEnd::kAccepted) {
       if (level == SearchLevel::kCoarse) later.push_back(std::move(candidate));
+      continue;
+    }
+    if (doubts && doubts(*trial.surface)) {
+      doubtful.push_back(std::move(candidate));
       continue;
     }
     const Surface& surface = surfaces_.emplace_back(joined(std::move(*trial.surface)));
@@ -88,6 +93,7 @@ void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level) {
     }
   }
   pending_ = std::move(later);
+  if (!doubtful.empty()) offer(std::move(doubtful), level);
 }
 
 void Aggregation::offer_planes(const std::vector<PlaneRegion>& planes) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -27,7 +28,10 @@ class Aggregation {
 
   /// Takes candidates, whose regions refer to the samples, and accepts those that qualify.
   /// Candidates refused at a coarse level are kept for the next call.
-  void offer(std::vector<Candidate> candidates, SearchLevel level);
+  /// @param doubts  surfaces that it returns true for are accepted only if, after all others, their
+  ///   samples are still open; may be empty
+  void offer(std::vector<Candidate> candidates, SearchLevel level,
+             const std::function<bool(const Surface&)>& doubts = {});
 
   /// Takes planes that were found among unclaimed samples, and accepts those that are credible
   /// surfaces of their own.
