@@ -22,17 +22,21 @@ struct Buckets {
 /// @param bucket  for each number its bucket, less than size; negative for none
 /// @param size    number of buckets
 inline Buckets sort_into_buckets(std::span<const int> bucket, int size) {
+  // The place after next[b] holds at first the number of values in bucket b, then where the bucket
+  // begins, then, as it fills, where it ends, which is where the next one begins.
   Buckets buckets;
-  buckets.first.assign(static_cast<std::size_t>(size) + 1, 0);
+  buckets.first.assign(static_cast<std::size_t>(size) + 2, 0);
+  int* const next = buckets.first.data() + 1;
   for (const int b : bucket) {
-    if (b >= 0) ++buckets.first[static_cast<std::size_t>(b) + 1];
+    if (b >= 0) ++next[b + 1];
   }
   std::partial_sum(buckets.first.begin(), buckets.first.end(), buckets.first.begin());
   buckets.list.resize(static_cast<std::size_t>(buckets.first.back()));
-  std::vector<int> next(buckets.first.begin(), buckets.first.end() - 1);
+  int* const list = buckets.list.data();
   for (std::size_t i = 0; i < bucket.size(); ++i) {
-    if (bucket[i] >= 0) buckets.list[next[bucket[i]]++] = static_cast<int>(i);
+    if (bucket[i] >= 0) list[next[bucket[i]]++] = static_cast<int>(i);
   }
+  buckets.first.pop_back();
   return buckets;
 }
 
