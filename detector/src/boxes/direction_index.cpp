@@ -2,81 +2,57 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <utility>
+
+#include "base/vector_clones.hpp"
 
 namespace quadrille {
 namespace {
 
-// Number of tiles along each side of the image.
-constexpr int kTiles = 64;
-// This many points suffice to judge a face; for larger areas a thinner level is used.
-constexpr std::size_t kMaxPoints = 12'000;
+// Number of points in the tile of a full image, a quarter of which make the next thinner level.
+constexpr double kPointsPerTile = 4.0;
+// Least side of the image as a tangent, so that an image that is only a line has an area.
+constexpr float kMinTangent = 1e-3f;
 
-/// A grid over an image that admits the first point in each cell.
-class Thinning {
- public:
-  /// @param cells  approximate number of cells in the image
-  Thinning(const Eigen::AlignedBox2f& image, double cells) : corner_(image.min()) {
-    const Eigen::Array2f size = image.sizes().array().max(kMinTangent);
-    per_unit_ = static_cast<float>(std::sqrt(cells / static_cast<double>(size.prod())));
-    width_ = 1 + static_cast<std::size_t>(size.x() * per_unit_);
-    taken_.assign(width_ * (1 + static_cast<std::size_t>(size.y() * per_unit_)), 0);
-  }
-
-  bool take(const Eigen::Vector2f& tangents) {
-    const Eigen::Array2f at = (tangents - corner_).array() * per_unit_;
-    const auto x = static_cast<std::size_t>(at.x()), y = static_cast<std::size_t>(at.y());
-    return !std::exchange(taken_[y * width_ + x], 1);
-  }
-
- private:
-  // Least side of the image, so that an image that is only a line has an area.
-  static constexpr float kMinTangent = 1e-3f;
-
-  Eigen::Vector2f corner_;
-  float per_unit_;
-  std::size_t width_;
-  std::vector<char> taken_;
+/// A grid of tiles over an image.
+struct TileGrid {
+  float u0, v0, per_unit;
+  int width, last_i, last_j;
 };
+
+/// Finds the tiles of points, −1 for unseen points. No point lies left of or above the image.
+QUADRILLE_VECTOR_CLONES
+void find_tiles(const TileGrid& grid, const SeenPoints& t, int* tile) {
+  for (int k = 0; k < SeenPoints::kSize; ++k) {
+    const int i = std::min(static_cast<int>((t.u[k] - grid.u0) * grid.per_unit), grid.last_i);
+    const int j = std::min(static_cast<int>((t.v[k] - grid.v0) * grid.per_unit), grid.last_j);
+    tile[k] = t.w[k] > 0.0f ? j * grid.width + i : -1;
+  }
+}
 
 }  // namespace
 
-DirectionIndex::DirectionIndex(const CloudView& cloud) : cloud_(cloud), view_(find_view(cloud)) {
+DirectionIndex::DirectionIndex(const CloudView& cloud, const std::optional<PinholeView>& view)
+    : cloud_(cloud), view_(view) {
   if (!view_) return;
-  std::vector<int> tile(cloud.points.size(), -1);
-  std::vector<Eigen::Vector2f> tangents(cloud.points.size());
-  for (std::size_t k = 0; k < cloud.points.size(); ++k) {
-    const Eigen::Vector3f seen = (*view_)(cloud.points[k]);
-    if (!(seen.z() > 0.0f)) continue;
-    tangents[k] = seen.head<2>();
-    const Eigen::Vector2i at = tile_of(tangents[k]);
-    tile[k] = at.y() * kTiles + at.x();
+  constexpr std::size_t kSize = SeenPoints::kSize;
+  const Eigen::Array2f size = view_->bounds.sizes().array().max(kMinTangent);
+  const double tiles = std::max(1.0, static_cast<double>(view_->seen) / kPointsPerTile);
+  per_unit_ = static_cast<float>(std::sqrt(tiles / static_cast<double>(size.prod())));
+  width_ = 1 + static_cast<int>(size.x() * per_unit_);
+  height_ = 1 + static_cast<int>(size.y() * per_unit_);
+  const Eigen::Vector2f& corner = view_->bounds.min();
+  const TileGrid grid{corner.x(), corner.y(), per_unit_, width_, width_ - 1, height_ - 1};
+  std::vector<int> tile((cloud.points.size() + kSize - 1) / kSize * kSize);
+  for (std::size_t first = 0; first < tile.size(); first += kSize) {
+    find_tiles(grid, view_->look(cloud.points, first), tile.data() + first);
   }
-  levels_.push_back(sort_into_buckets(tile, kTiles * kTiles));
-  double cells = static_cast<double>(levels_.front().list.size());
-  while (levels_.back().list.size() > kMaxPoints) {
-    cells *= 0.25;
-    levels_.push_back(thinned(levels_.back(), tangents, cells));
-  }
-}
-
-Buckets DirectionIndex::thinned(const Buckets& level, const std::vector<Eigen::Vector2f>& tangents,
-                                double cells) const {
-  Thinning thinning(view_->bounds, cells);
-  Buckets rest{{0}, {}};
-  for (int tile = 0; tile < level.size(); ++tile) {
-    std::copy_if(level[tile].begin(), level[tile].end(), std::back_inserter(rest.list),
-                 [&](int k) { return thinning.take(tangents[k]); });
-    rest.first.push_back(static_cast<int>(rest.list.size()));
-  }
-  return rest;
+  tiles_ = sort_into_buckets(tile, width_ * height_);
 }
 
 Eigen::Vector2i DirectionIndex::tile_of(const Eigen::Vector2f& tangents) const {
-  const Eigen::Array2f size = view_->bounds.sizes().array().max(1e-6f);
-  const Eigen::Array2f place = (tangents - view_->bounds.min()).array() / size * kTiles;
-  return place.max(0.0f).min(kTiles - 1.0f).cast<int>();
+  const Eigen::Array2f place = (tangents - view_->bounds.min()).array() * per_unit_;
+  const Eigen::Array2f last(static_cast<float>(width_ - 1), static_cast<float>(height_ - 1));
+  return place.max(0.0f).min(last).cast<int>();
 }
 
 std::vector<Eigen::Vector3d> DirectionIndex::points_within(
@@ -89,7 +65,7 @@ std::vector<Eigen::Vector3d> DirectionIndex::points_within(
 }
 
 std::vector<Eigen::Vector3d> DirectionIndex::points_towards(
-    std::span<const Eigen::Vector3d> places_C, double margin) const {
+    std::span<const Eigen::Vector3d> places_C, double margin, std::size_t max_points) const {
   Eigen::AlignedBox3d bounds_C;
   for (const Eigen::Vector3d& p : places_C) bounds_C.extend(p);
   bounds_C.min().array() -= margin;
@@ -103,24 +79,41 @@ std::vector<Eigen::Vector3d> DirectionIndex::points_towards(
     image.extend(Eigen::Vector2f(seen.head<2>().array() - step));
     image.extend(Eigen::Vector2f(seen.head<2>().array() + step));
   }
-  return points_in(tile_of(image.min()), tile_of(image.max()));
+  const Tiles tiles{tile_of(image.min()), tile_of(image.max())};
+  std::size_t count = 0;
+  for (int row = tiles.low.y(); row <= tiles.high.y(); ++row) {
+    count += points_in(row, tiles.low.x(), tiles.high.x()).size();
+  }
+  int side = 0;
+  for (std::size_t left = count; left > max_points; left /= 4) side = std::max(1, 2 * side);
+  if (side > 0) return thinned(tiles, side);
+  std::vector<Eigen::Vector3d> points;
+  points.reserve(count);
+  for (int row = tiles.low.y(); row <= tiles.high.y(); ++row) {
+    for (const int k : points_in(row, tiles.low.x(), tiles.high.x())) {
+      points.push_back(cloud_.points[k].cast<double>());
+    }
+  }
+  return points;
 }
 
-std::vector<Eigen::Vector3d> DirectionIndex::points_in(const Eigen::Vector2i& low,
-                                                       const Eigen::Vector2i& high) const {
-  const auto row_of = [&](const Buckets& level, int row) {
-    const auto at = level.first.begin() + std::ptrdiff_t{row} * kTiles;
-    return std::span(level.list).subspan(at[low.x()], at[high.x() + 1] - at[low.x()]);
-  };
-  const auto is_enough = [&](const Buckets& level) {
-    std::size_t count = 0;
-    for (int row = low.y(); row <= high.y(); ++row) count += row_of(level, row).size();
-    return count <= kMaxPoints;
-  };
-  const Buckets& level = *std::find_if(levels_.begin(), levels_.end(), is_enough);
+std::span<const int> DirectionIndex::points_in(int row, int from, int to) const {
+  const int* const first = tiles_.first.data() + std::ptrdiff_t{row} * width_;
+  return {tiles_.list.data() + first[from], static_cast<std::size_t>(first[to + 1] - first[from])};
+}
+
+std::vector<Eigen::Vector3d> DirectionIndex::thinned(const Tiles& tiles, int side) const {
   std::vector<Eigen::Vector3d> points;
-  for (int row = low.y(); row <= high.y(); ++row) {
-    for (const int k : row_of(level, row)) points.push_back(cloud_.points[k].cast<double>());
+  for (int j = tiles.low.y() / side * side; j <= tiles.high.y(); j += side) {
+    for (int i = tiles.low.x() / side * side; i <= tiles.high.x(); i += side) {
+      const int to = std::min(i + side, width_) - 1, end = std::min(j + side, height_);
+      for (int row = j; row < end; ++row) {
+        const std::span<const int> some = points_in(row, i, to);
+        if (some.empty()) continue;
+        points.push_back(cloud_.points[some.front()].cast<double>());
+        break;
+      }
+    }
   }
   return points;
 }

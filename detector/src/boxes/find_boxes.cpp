@@ -5,6 +5,7 @@
 #include <limits>
 #include <list>
 #include <optional>
+#include <utility>
 
 #include "boxes/box_axes.hpp"
 #include "boxes/direction_index.hpp"
@@ -31,9 +32,9 @@ bool is_sound(const Detection& plane) {
 /// only.
 class BoxMaker {
  public:
-  BoxMaker(const CloudView& cloud, const std::vector<Detection>& detections,
+  BoxMaker(DirectionIndex sight, const std::vector<Detection>& detections,
            const std::vector<FlatPatch>& patches)
-      : sight_(cloud) {
+      : sight_(std::move(sight)) {
     for (const Detection& d : detections) {
       last_id_ = std::max(last_id_, d.id);
       if (d.type != QuadricType::kPlane || !is_sound(d)) continue;
@@ -118,14 +119,16 @@ class BoxMaker {
 
 }  // namespace
 
-std::vector<Box> find_boxes(const CloudView& cloud, const std::vector<Detection>& detections,
+std::vector<Box> find_boxes(const CloudView& cloud, const PinholeView* view,
+                            const std::vector<Detection>& detections,
                             const std::vector<FlatPatch>& patches) {
   const bool has_plane = std::any_of(detections.begin(), detections.end(), [](const Detection& d) {
     return d.type == QuadricType::kPlane;
   });
   // Without a face there is no box, and the maker indexes the whole cloud before it looks for one.
   if (!has_plane && patches.empty()) return {};
-  return BoxMaker(cloud, detections, patches).make();
+  DirectionIndex sight = view ? DirectionIndex(cloud, *view) : DirectionIndex(cloud);
+  return BoxMaker(std::move(sight), detections, patches).make();
 }
 
 std::vector<Box> find_boxes(const CloudView& given, const std::vector<Detection>& detections) {
@@ -136,12 +139,12 @@ std::vector<Box> find_boxes(const CloudView& given, const std::vector<Detection>
   if (!some.empty()) shift = shift_to_origin(middle_of(some));
   std::vector<Box> boxes;
   if (shift.isZero(0.0)) {
-    boxes = find_boxes(cloud, detections, {});
+    boxes = find_boxes(cloud, nullptr, detections, {});
   } else {
     std::vector<Detection> shifted;
     shifted.reserve(detections.size());
     for (const Detection& d : detections) shifted.push_back(translated(d, shift));
-    boxes = find_boxes(translated(cloud, shift), shifted, {});
+    boxes = find_boxes(translated(cloud, shift), nullptr, shifted, {});
   }
   for (Box& box : boxes) box.X_CB = rounded(box.X_CB.pretranslate(-shift));
   return boxes;

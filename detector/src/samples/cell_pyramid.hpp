@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/mask.hpp"
+#include "quadrille/detector/pinhole.hpp"
 #include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/detector/stage_options.hpp"
 #include "samples/depth/noise.hpp"
@@ -36,6 +37,9 @@ class CellPyramid {
   /// The depth seen along the ray of each finest cell; empty if the cells do not belong to one
   /// view.
   virtual Sight sight() const { return {}; }
+  /// How the sensor sees all points of the cloud; null if the cells do not belong to one view, or
+  /// only some points were looked at.
+  virtual const PinholeView* view() const { return nullptr; }
   /// Samples of the coarsest level with the smallest windows, on which planes are found.
   virtual SurfaceSamples coarse_samples() const = 0;
   /// Samples of all levels, computed without some of the finest cells so that normals do not mix

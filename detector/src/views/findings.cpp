@@ -175,7 +175,7 @@ std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& dete
     }
     std::vector<FlatPatch> patches;
     if (seeks_faces) patches = find_flat_patches(scene.finest, options.planes, free);
-    of_views.push_back(find_boxes(view.cloud, detections, patches));
+    of_views.push_back(find_boxes(view.cloud, view.pyramid->view(), detections, patches));
   }
   return join_boxes(std::move(of_views));
 }

@@ -57,4 +57,23 @@ TEST_CASE("towards a large place fewer points come, evenly spread", "[boxes][sig
   CHECK(*std::max_element(count.begin(), count.end()) <= 12);
 }
 
+TEST_CASE("no more points come than are asked for", "[boxes][sight]") {
+  const PointCloud cloud = image_wall();
+  const DirectionIndex sight(cloud);
+  const std::size_t all = sight.points_towards(square(0.08), 0.0).size();
+  for (const std::size_t most : {4000, 1000, 100}) {
+    const std::size_t count = sight.points_towards(square(0.08), 0.0, most).size();
+    CHECK(count <= most * 12 / 10);
+    CHECK(count >= std::min(all, most / 5));
+  }
+}
+
+TEST_CASE("an image that is a single line can be indexed", "[boxes][sight]") {
+  PointCloud cloud = image_wall();
+  for (Eigen::Vector3f& p : cloud.points) p.y() = 0.0f;
+  const DirectionIndex sight(cloud);
+  REQUIRE(sight.single());
+  CHECK(!sight.points_towards(square(0.1), 0.0).empty());
+}
+
 }  // namespace quadrille

@@ -56,6 +56,8 @@ class DepthPyramid : public CellPyramid {
             cells.width, cells.height,       cells.w};
   }
 
+  const PinholeView* view() const override { return view_.stride == 1 ? &view_ : nullptr; }
+
   SurfaceSamples coarse_samples() const override {
     return make_depth_samples(cells_[kLevels - 1], {}, noise_[kLevels - 1], X_CV_, kPlaneReach);
   }
