@@ -25,12 +25,14 @@ std::vector<int> connected_pieces(const std::vector<Eigen::Vector2d>& places, do
   // A border of empty cells gives each cell all eight neighbours.
   const int width = 3 + static_cast<int>(bounds.sizes().x() / cell);
   const int height = 3 + static_cast<int>(bounds.sizes().y() / cell);
-  const auto cell_of = [&](const Eigen::Vector2d& place) {
-    const Eigen::Vector2i at = ((place - bounds.min()) / cell).cast<int>();
-    return (at.y() + 1) * width + at.x() + 1;
-  };
+  std::vector<int> cells;
+  cells.reserve(places.size());
   std::vector<int> piece(static_cast<std::size_t>(width) * height, kEmpty);
-  for (const Eigen::Vector2d& place : places) piece[cell_of(place)] = kOpen;
+  for (const Eigen::Vector2d& place : places) {
+    const Eigen::Vector2i at = ((place - bounds.min()) / cell).cast<int>();
+    cells.push_back((at.y() + 1) * width + at.x() + 1);
+    piece[cells.back()] = kOpen;
+  }
   int next = 0;
   std::vector<int> open;
   for (int seed = 0; seed < static_cast<int>(piece.size()); ++seed) {
@@ -49,10 +51,8 @@ std::vector<int> connected_pieces(const std::vector<Eigen::Vector2d>& places, do
     }
     ++next;
   }
-  std::vector<int> numbers;
-  numbers.reserve(places.size());
-  for (const Eigen::Vector2d& place : places) numbers.push_back(piece[cell_of(place)]);
-  return numbers;
+  for (int& at : cells) at = piece[at];
+  return cells;
 }
 
 }  // namespace quadrille

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <utility>
 
+#include "base/buckets.hpp"
 #include "base/quantile.hpp"
 #include "boxes/connected_pieces.hpp"
 #include "cloud/some_points.hpp"
@@ -50,15 +50,14 @@ FacePatch patch_of(const Detection& plane) {
 
 /// Noise along the normal, measured in the middle of the patch, where nothing else lies beside the
 /// plane [m].
+/// @param points  those near the plane
 double noise_of(const FacePatch& patch, const std::vector<Eigen::Vector3d>& points) {
   const Eigen::Isometry3d X_PC = patch.X_CP.inverse();
   std::vector<double> off;
+  off.reserve(points.size());
   for (const Eigen::Vector3d& p_C : points) {
     const Eigen::Vector3d p = X_PC * p_C;
-    if (std::abs(p.z()) < kMaxTolerance &&
-        (p.head<2>().cwiseAbs().array() < 0.7 * patch.half.array()).all()) {
-      off.push_back(p.z());
-    }
+    if ((p.head<2>().cwiseAbs().array() < 0.7 * patch.half.array()).all()) off.push_back(p.z());
   }
   return off.empty() ? 0.0 : robust_std(off);
 }
@@ -86,10 +85,11 @@ void set_middle(Face& face) {
   face.middle_C.setZero();
   for (const Eigen::Vector3d& p : face.points_C) face.middle_C += p;
   face.middle_C /= static_cast<double>(face.points_C.size());
-  face.radius = 0.0;
+  double farthest = 0.0;
   for (const Eigen::Vector3d& p : face.points_C) {
-    face.radius = std::max(face.radius, (p - face.middle_C).norm());
+    farthest = std::max(farthest, (p - face.middle_C).squaredNorm());
   }
+  face.radius = std::sqrt(farthest);
 }
 
 }  // namespace
@@ -127,7 +127,7 @@ Eigen::Vector3d Face::on_plane(const Eigen::Vector3d& p_C, const DirectionIndex&
   if (sight.single()) {
     const Eigen::Vector3d ray = p_C - sight.eye();
     const double fall = n_C.dot(ray);
-    if (std::abs(fall) > kMinCosine * ray.norm()) {
+    if (fall * fall > kMinCosine * kMinCosine * ray.squaredNorm()) {
       return sight.eye() - ray * (height(sight.eye()) / fall);
     }
   }
@@ -166,14 +166,16 @@ std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma
   Face whole;
   whole.n_C = patch.X_CP.linear().col(2);
   whole.offset = whole.n_C.dot(patch.X_CP.translation());
-  const std::vector<Eigen::Vector3d> points = sight.points_towards(corners_C(patch), kMaxTolerance);
+  std::vector<Eigen::Vector3d> points = sight.points_towards(corners_C(patch), kMaxTolerance);
+  std::erase_if(points, [&](const auto& p) { return std::abs(whole.height(p)) > kMaxTolerance; });
   whole.sigma = sigma ? *sigma : noise_of(patch, points);
+  const double tolerance = whole.tolerance();
 
   const Eigen::Isometry3d X_PC = patch.X_CP.inverse();
   std::vector<Eigen::Vector3d> measured_C;
   std::vector<Eigen::Vector2d> places;
   for (const Eigen::Vector3d& p : points) {
-    if (std::abs(whole.height(p)) > whole.tolerance()) continue;
+    if (std::abs(whole.height(p)) > tolerance) continue;
     const Eigen::Vector3d on_C = whole.on_plane(p, sight);
     const Eigen::Vector2d place = (X_PC * on_C).head<2>();
     if (!(place.cwiseAbs().array() < patch.half.array() + kMaxTolerance).all()) continue;
@@ -191,21 +193,20 @@ std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma
   const double gap = std::max(1e-4, kGapPitches * whole.pitch / whole.cosine);
   const std::vector<int> number = connected_pieces(places, gap);
 
-  std::map<int, Piece> numbered;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    Piece& piece = numbered[number[k]];
-    piece.face.points_C.push_back(whole.points_C[k]);
-    piece.measured_C.push_back(measured_C[k]);
-  }
-  whole.points_C.clear();
+  const Buckets numbered =
+      sort_into_buckets(number, 1 + *std::max_element(number.begin(), number.end()));
+  const std::vector<Eigen::Vector3d> on_C = std::exchange(whole.points_C, {});
   std::vector<Piece> pieces;
-  for (auto& [n, piece] : numbered) {
-    if (piece.measured_C.size() < kMinPoints) continue;
-    std::vector<Eigen::Vector3d> points_C = std::move(piece.face.points_C);
-    piece.face = whole;
-    piece.face.points_C = std::move(points_C);
+  for (int n = 0; n < numbered.size(); ++n) {
+    if (numbered[n].size() < kMinPoints) continue;
+    Piece& piece = pieces.emplace_back(Piece{whole, {}});
+    piece.face.points_C.reserve(numbered[n].size());
+    piece.measured_C.reserve(numbered[n].size());
+    for (const int k : numbered[n]) {
+      piece.face.points_C.push_back(on_C[k]);
+      piece.measured_C.push_back(measured_C[k]);
+    }
     set_middle(piece.face);
-    pieces.push_back(std::move(piece));
   }
   std::stable_sort(pieces.begin(), pieces.end(), larger);
   return pieces;
