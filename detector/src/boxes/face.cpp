@@ -22,8 +22,12 @@ constexpr double kTrimmed = 0.01;
 // The normal of a face that was not detected as a plane turns across it by no more than this [rad].
 // Worn boxes bulge; the strip of a cylinder that passes for a plane turns by .7 or more.
 constexpr double kMaxTurn = 0.5;
-// A face is fitted at most so often to the points that its last fit explains.
+// A face is fitted at most so often to the points that its last fit explains, as long as its area
+// grows by this factor.
 constexpr int kMaxRefits = 6;
+constexpr double kMinGrowth = 1.02;
+// So many points in and around a patch suffice to tell how far it grows and whether it bends.
+constexpr std::size_t kDraftPoints = 3000;
 // This many points suffice for reach().
 constexpr std::size_t kMaxReachPoints = 2000;
 
@@ -159,14 +163,20 @@ struct Piece {
 
 bool larger(const Piece& a, const Piece& b) { return a.measured_C.size() > b.measured_C.size(); }
 
+/// Area that the points stand for, however far they are thinned [m²].
+double area_of(const Face& face) {
+  return static_cast<double>(face.points_C.size()) * face.pitch * face.pitch / face.cosine;
+}
+
 /// The pieces of a patch, the largest first.
-/// @param sigma  noise of the points [m]; measured if not given
+/// @param sigma       noise of the points [m]; measured if not given
+/// @param max_points  number of points looked at
 std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma,
-                             const DirectionIndex& sight) {
+                             const DirectionIndex& sight, std::size_t max_points = kMaxPoints) {
   Face whole;
   whole.n_C = patch.X_CP.linear().col(2);
   whole.offset = whole.n_C.dot(patch.X_CP.translation());
-  std::vector<Eigen::Vector3d> points = sight.points_towards(corners_C(patch), kMaxTolerance);
+  std::vector<Eigen::Vector3d> points = sight.points_towards(corners_C(patch), kMaxTolerance, max_points);
   std::erase_if(points, [&](const auto& p) { return std::abs(whole.height(p)) > kMaxTolerance; });
   whole.sigma = sigma ? *sigma : noise_of(patch, points);
   const double tolerance = whole.tolerance();
@@ -239,18 +249,24 @@ double turn_across(const Piece& piece) {
   return turn;
 }
 
-/// The largest piece of the patch that is fitted to a piece's own points, again and again as long
-/// as the piece grows.
-/// @param rounds  number of fits at most
-std::optional<Piece> refitted(Piece piece, const FacePatch& patch, const DirectionIndex& sight,
-                              int rounds) {
+/// The largest piece around a piece, in the plane that is fitted to that piece.
+std::optional<Piece> refitted(const Piece& piece, const Eigen::Matrix3d& R_CL,
+                              const DirectionIndex& sight, std::size_t max_points = kMaxPoints) {
+  std::vector<Piece> pieces =
+      pieces_of(patch_around(piece.measured_C, R_CL), {}, sight, max_points);
+  if (pieces.empty()) return std::nullopt;
+  return std::move(pieces.front());
+}
+
+/// The piece after it was fitted to its own points again and again, as long as it grows; nullopt
+/// if there is none.
+std::optional<Piece> grown(Piece piece, const Eigen::Matrix3d& R_CL, const DirectionIndex& sight) {
   std::optional<Piece> best;
-  for (int round = 0; round < rounds; ++round) {
-    std::vector<Piece> pieces =
-        pieces_of(patch_around(piece.measured_C, patch.X_CP.linear()), {}, sight);
-    if (pieces.empty()) break;
-    if (best && pieces.front().measured_C.size() <= best->measured_C.size()) break;
-    best = piece = std::move(pieces.front());
+  for (int round = 0; round < kMaxRefits; ++round) {
+    std::optional<Piece> next = refitted(best ? *best : piece, R_CL, sight, kDraftPoints);
+    if (!next) break;
+    if (best && area_of(next->face) < kMinGrowth * area_of(best->face)) break;
+    best = std::move(next);
   }
   return best;
 }
@@ -260,18 +276,26 @@ std::optional<Piece> refitted(Piece piece, const FacePatch& patch, const Directi
 std::optional<Face> face_at(const FacePatch& patch, double sigma, const DirectionIndex& sight) {
   const std::vector<Piece> pieces = pieces_of(patch, sigma, sight);
   if (pieces.empty()) return std::nullopt;
-  std::optional<Piece> piece = refitted(pieces.front(), patch, sight, 1);
+  std::optional<Piece> piece = refitted(pieces.front(), patch.X_CP.linear(), sight);
   if (!piece) return std::nullopt;
   return std::move(piece->face);
 }
 
-std::optional<Face> face_of(const FlatPatch& flat, const DirectionIndex& sight) {
-  const std::vector<Piece> pieces = pieces_of(flat.patch, flat.sigma, sight);
+std::optional<Face> draft_face(const FlatPatch& flat, const DirectionIndex& sight) {
+  std::vector<Piece> pieces = pieces_of(flat.patch, flat.sigma, sight, kDraftPoints);
   if (pieces.empty()) return std::nullopt;
-  std::optional<Piece> piece = refitted(pieces.front(), flat.patch, sight, kMaxRefits);
+  std::optional<Piece> piece = grown(std::move(pieces.front()), flat.patch.X_CP.linear(), sight);
   if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
   piece->face.is_patch = true;
   return std::move(piece->face);
+}
+
+std::optional<Face> finished_face(const Face& draft, const DirectionIndex& sight) {
+  Eigen::Matrix3d R_CL;
+  R_CL << draft.n_C.unitOrthogonal(), Eigen::Vector3d::Zero(), draft.n_C;
+  std::optional<Face> face = face_at(patch_around(draft.points_C, R_CL), draft.sigma, sight);
+  if (face) face->is_patch = true;
+  return face;
 }
 
 std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) {
@@ -281,7 +305,7 @@ std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) 
   for (Piece& piece : pieces) {
     // If a plane has several pieces, each has a plane of its own, and the common plane is only
     // their mean.
-    auto own = pieces.size() > 1 ? refitted(piece, patch, sight, 1) : std::nullopt;
+    auto own = pieces.size() > 1 ? refitted(piece, patch.X_CP.linear(), sight) : std::nullopt;
     faces.push_back(std::move(own ? own->face : piece.face));
     faces.back().id = plane.id;
     faces.back().score = plane.score;

@@ -93,8 +93,12 @@ struct FlatPatch {
 };
 
 /// The largest connected piece of flat surface at a patch, which has grown as far as its plane
-/// explains points; nullopt if there is none, or if it bends.
-std::optional<Face> face_of(const FlatPatch& flat, const DirectionIndex& sight);
+/// explains points; nullopt if there is none, or if it bends. It has only as many of its points as
+/// tell so.
+std::optional<Face> draft_face(const FlatPatch& flat, const DirectionIndex& sight);
+
+/// The face fitted to all of its points; nullopt if they make none.
+std::optional<Face> finished_face(const Face& draft, const DirectionIndex& sight);
 
 /// The connected pieces of a plane with their points, the largest first. One plane may hold faces
 /// of several boxes of the same height.

@@ -44,8 +44,9 @@ class BoxMaker {
     }
     for (const FlatPatch& flat : patches) {
       if (is_known(flat.patch)) continue;
-      if (auto face = face_of(flat, sight_)) faces_.push_back(std::move(*face));
+      if (auto face = draft_face(flat, sight_)) faces_.push_back(std::move(*face));
     }
+    finish_drafts();
   }
 
   std::vector<Box> make() {
@@ -63,6 +64,24 @@ class BoxMaker {
   }
 
  private:
+  /// Finishes those drafts that may belong to a box, and drops the others: an undetected face makes
+  /// no box alone.
+  void finish_drafts() {
+    std::vector<char> grouped(faces_.size(), 0);
+    for (const std::vector<int>& group : group_faces(faces_)) {
+      for (const int i : group) grouped[i] = 1;
+    }
+    std::vector<Face> faces;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      if (!faces_[i].is_patch) {
+        faces.push_back(std::move(faces_[i]));
+      } else if (grouped[i]) {
+        if (auto face = finished_face(faces_[i], sight_)) faces.push_back(std::move(*face));
+      }
+    }
+    faces_ = std::move(faces);
+  }
+
   /// True if a face that was found before already covers the middle of the patch.
   bool is_known(const FacePatch& patch) const {
     const Eigen::Vector3d middle_C = patch.X_CP.translation();
