@@ -21,7 +21,7 @@ struct TileGrid {
 
 /// Finds the tiles of points, −1 for unseen points. No point lies left of or above the image.
 QUADRILLE_VECTOR_CLONES
-void find_tiles(const TileGrid& grid, const SeenPoints& t, int* tile) {
+void find_tiles(TileGrid grid, const SeenPoints& t, int* tile) {
   for (int k = 0; k < SeenPoints::kSize; ++k) {
     const int i = std::min(static_cast<int>((t.u[k] - grid.u0) * grid.per_unit), grid.last_i);
     const int j = std::min(static_cast<int>((t.v[k] - grid.v0) * grid.per_unit), grid.last_j);

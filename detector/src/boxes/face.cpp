@@ -27,7 +27,7 @@ constexpr double kMaxTurn = 0.5;
 constexpr int kMaxRefits = 6;
 constexpr double kMinGrowth = 1.02;
 // So many points in and around a patch suffice to tell how far it grows and whether it bends.
-constexpr std::size_t kDraftPoints = 3000;
+constexpr std::size_t kDraftPoints = 1500;
 // This many points suffice for reach().
 constexpr std::size_t kMaxReachPoints = 2000;
 
