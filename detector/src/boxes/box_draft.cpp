@@ -5,6 +5,22 @@
 #include "boxes/box_axes.hpp"
 
 namespace quadrille {
+namespace {
+
+/// Bounds of faces along some axes, without their outermost points [m].
+Eigen::AlignedBox3d reach_of(const std::vector<const Face*>& faces, const Eigen::Matrix3d& R_CA) {
+  Eigen::AlignedBox3d box_A;
+  for (const Face* face : faces) {
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = face->reach(R_CA.col(k));
+      box_A.min()[k] = std::min(box_A.min()[k], low);
+      box_A.max()[k] = std::max(box_A.max()[k], high);
+    }
+  }
+  return box_A;
+}
+
+}  // namespace
 
 Eigen::Isometry3d BoxDraft::X_CA() const {
   Eigen::Isometry3d X_CA = Eigen::Isometry3d::Identity();
@@ -20,18 +36,6 @@ const Face* BoxDraft::face_on(int axis, int upper) const {
   if (axis >= static_cast<int>(faces.size())) return nullptr;
   const bool up = faces[axis]->n_C.dot(R_CA.col(axis)) > 0.0;
   return up == (upper == 1) ? faces[axis] : nullptr;
-}
-
-Eigen::AlignedBox3d BoxDraft::reach_A() const {
-  Eigen::AlignedBox3d box_A;
-  for (const Face* face : faces) {
-    for (int k = 0; k < 3; ++k) {
-      const auto [low, high] = face->reach(R_CA.col(k));
-      box_A.min()[k] = std::min(box_A.min()[k], low);
-      box_A.max()[k] = std::max(box_A.max()[k], high);
-    }
-  }
-  return box_A;
 }
 
 std::array<Eigen::Vector3d, 8> BoxDraft::corners_C(const Eigen::AlignedBox3d& box_A) const {
@@ -68,7 +72,8 @@ BoxDraft draft_of(const std::vector<const Face*>& faces, const DirectionIndex& s
   draft.faces = faces;
   draft.sight = &sight;
   draft.R_CA = box_axes(faces);
-  draft.around_C = sight.points_towards(draft.corners_C(draft.reach_A()), kAround);
+  draft.reach_A = reach_of(faces, draft.R_CA);
+  draft.around_C = sight.points_towards(draft.corners_C(draft.reach_A), kAround);
   for (const Face* face : faces) {
     draft.seen_through.push_back(look_through(*face, draft.around_C, sight));
   }

@@ -17,6 +17,8 @@ struct BoxDraft {
   /// form a left-handed triple.
   std::vector<const Face*> faces;
   Eigen::Matrix3d R_CA = Eigen::Matrix3d::Identity();
+  /// Bounds of the faces, without their outermost points, in frame A [m].
+  Eigen::AlignedBox3d reach_A;
   /// Points of the cloud on and around the faces [m], and these points projected along their lines
   /// of sight onto the plane of each face.
   std::vector<Eigen::Vector3d> around_C;
@@ -29,8 +31,6 @@ struct BoxDraft {
   Eigen::Vector3d out_C(int axis, int upper) const;
   /// The face at this end; nullptr if there is none.
   const Face* face_on(int axis, int upper) const;
-  /// Bounds of the faces, without their outermost points, in frame A [m].
-  Eigen::AlignedBox3d reach_A() const;
   std::array<Eigen::Vector3d, 8> corners_C(const Eigen::AlignedBox3d& box_A) const;
   /// The largest of the faces' tolerances [m].
   double max_tolerance() const;

@@ -49,7 +49,7 @@ BoxEnd outline_end(const BoxDraft& draft, int axis, int upper) {
 /// outline.
 PlaneStop stop_from(const BoxDraft& draft, const std::vector<const Detection*>& planes, double at,
                     int axis, int upper, double slack) {
-  Eigen::AlignedBox3d box_A = draft.reach_A();
+  Eigen::AlignedBox3d box_A = draft.reach_A;
   box_A.min()[axis] = box_A.max()[axis] = upper ? at : -at;
   std::vector<Eigen::Vector3d> corners;
   for (int n = 0; n < 4; ++n) {

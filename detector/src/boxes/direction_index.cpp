@@ -25,7 +25,9 @@ void find_tiles(TileGrid grid, const SeenPoints& t, int* tile) {
   for (int k = 0; k < SeenPoints::kSize; ++k) {
     const int i = std::min(static_cast<int>((t.u[k] - grid.u0) * grid.per_unit), grid.last_i);
     const int j = std::min(static_cast<int>((t.v[k] - grid.v0) * grid.per_unit), grid.last_j);
-    tile[k] = t.w[k] > 0.0f ? j * grid.width + i : -1;
+    // A choice between the two would keep the compiler from vectorising the conversions to int.
+    const int unseen = -static_cast<int>(!(t.w[k] > 0.0f));
+    tile[k] = (j * grid.width + i) | unseen;
   }
 }
 

@@ -176,7 +176,8 @@ std::vector<Piece> pieces_of(const FacePatch& patch, std::optional<double> sigma
   Face whole;
   whole.n_C = patch.X_CP.linear().col(2);
   whole.offset = whole.n_C.dot(patch.X_CP.translation());
-  std::vector<Eigen::Vector3d> points = sight.points_towards(corners_C(patch), kMaxTolerance, max_points);
+  std::vector<Eigen::Vector3d> points =
+      sight.points_towards(corners_C(patch), kMaxTolerance, max_points);
   std::erase_if(points, [&](const auto& p) { return std::abs(whole.height(p)) > kMaxTolerance; });
   whole.sigma = sigma ? *sigma : noise_of(patch, points);
   const double tolerance = whole.tolerance();

@@ -69,10 +69,16 @@ class Rows {
 /// Records for each row what was seen beside its end.
 void look_beside(const Face& face, const Eigen::Vector3d& out_C,
                  const std::vector<SeenThrough>& around, Rows& rows) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Row& row : rows.all()) {
+    if (!row.empty()) nearest = std::min(nearest, row.end);
+  }
   for (const SeenThrough& seen : around) {
+    const double place = out_C.dot(seen.on_C);
+    if (!(place > nearest)) continue;
     Row* row = rows.at(seen.on_C);
     if (!row || row->empty()) continue;
-    const double beyond = out_C.dot(seen.on_C) - row->end;
+    const double beyond = place - row->end;
     if (!(beyond > 0.0 && beyond < row->beside)) continue;
     const bool behind = seen.height < -face.tolerance();
     // A point in the plane beyond the end is no sign of an end.
@@ -95,8 +101,9 @@ std::optional<double> meeting_of(const Face& face, const Eigen::Vector3d& out_C,
   Eigen::Vector2d b = Eigen::Vector2d::Zero();
   std::array<int, kLeavingBands> bands = {};
   for (const SeenThrough& seen : around) {
+    if (std::abs(seen.height) < tolerance) continue;
     const double height = std::abs(seen.height) / tolerance;
-    if (height < 1.0 || height >= 1.0 + kLeavingBands) continue;
+    if (height >= 1.0 + kLeavingBands) continue;
     const double beyond = out_C.dot(seen.on_C) - end;
     if (std::abs(beyond) > kMaxSlant * height * tolerance || !rows.at(seen.on_C)) continue;
     const Eigen::Vector2d terms(1.0, height);

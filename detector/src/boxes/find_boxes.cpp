@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "boxes/box_axes.hpp"
+#include "boxes/box_draft.hpp"
+#include "boxes/box_ends.hpp"
 #include "boxes/direction_index.hpp"
 #include "boxes/face.hpp"
 #include "boxes/grouping.hpp"
@@ -58,7 +60,9 @@ class BoxMaker {
     }
     for (const Face& face : faces_) {
       const bool detected = face.id != 0;
-      if (detected && is_free(&face) && is_rectangular(face, sight_)) add({&face});
+      if (!detected || !is_free(&face)) continue;
+      const BoxDraft draft = draft_of({&face}, sight_);
+      if (is_rectangular(draft)) add({&face}, &draft);
     }
     return std::move(boxes_);
   }
@@ -99,15 +103,17 @@ class BoxMaker {
     });
   }
 
-  void add(const std::vector<const Face*>& faces) {
+  /// Adds the box of some faces, if they make one.
+  /// @param draft  of these faces; null if it is not known yet
+  void add(const std::vector<const Face*>& faces, const BoxDraft* draft = nullptr) {
     if (!std::all_of(faces.begin(), faces.end(), [&](const Face* f) { return is_free(f); })) return;
     std::vector<const Detection*> others;
     for (const Detection* plane : planes_) {
       const auto same = [&](const Face* face) { return face->id == plane->id; };
       if (std::none_of(faces.begin(), faces.end(), same)) others.push_back(plane);
     }
-    std::optional<Box> box = completed_box(faces, others);
-    if (!box) box = measure_box(faces, others, sight_);
+    std::optional<Box> box = completed_box(faces, draft ? draft->R_CA : box_axes(faces), others);
+    if (!box) box = measure_box(draft ? *draft : draft_of(faces, sight_), others);
     if (!box) return;
     if (last_id_ == std::numeric_limits<int>::max()) return;
     box->id = ++last_id_;
@@ -116,17 +122,19 @@ class BoxMaker {
 
   /// A box completed with faces that are not among the given ones; nullopt if there are none or
   /// they make no box.
-  std::optional<Box> completed_box(std::vector<const Face*> faces,
+  /// @param R_CA  axes of the given faces
+  std::optional<Box> completed_box(std::vector<const Face*> faces, Eigen::Matrix3d R_CA,
                                    const std::vector<const Detection*>& others) const {
     const std::size_t given = faces.size();
     std::list<Face> missing;  // The list keeps pointers to its elements valid.
     while (faces.size() < 3) {
-      std::optional<Face> face = find_missing_face(faces, box_axes(faces), sight_);
+      std::optional<Face> face = find_missing_face(faces, R_CA, sight_);
       if (!face) break;
       faces.push_back(&missing.emplace_back(std::move(*face)));
+      R_CA = box_axes(faces);
     }
     if (faces.size() == given) return std::nullopt;
-    return measure_box(faces, others, sight_);
+    return measure_box(draft_of(faces, sight_), others);
   }
 
   DirectionIndex sight_;

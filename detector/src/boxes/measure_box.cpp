@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <tuple>
 
 #include "boxes/box_axes.hpp"
 #include "boxes/box_draft.hpp"
+#include "boxes/box_ends.hpp"
 #include "boxes/sight_lines.hpp"
 
 namespace quadrille {
@@ -28,19 +28,12 @@ constexpr double kMinOnFaces = 0.85;
 
 double uniform_std(double width) { return width / std::sqrt(12.0); }
 
-/// True if a face fills its side of the box.
+/// True if a face fills its side of a box.
 bool filled(const BoxDraft& draft, int i, const Eigen::AlignedBox3d& box_A) {
   const int u = (i + 1) % 3, v = (i + 2) % 3;
   Eigen::Matrix<double, 3, 2> uv_C;
   uv_C << draft.R_CA.col(u), draft.R_CA.col(v);
-  const Eigen::AlignedBox3d core_A = draft.core_A(box_A);
-  Eigen::Vector2d from(core_A.min()[u], core_A.min()[v]), to(core_A.max()[u], core_A.max()[v]);
-  if (draft.faces.size() == 1) {
-    // On a disc the measured edges lie along the middle of its arcs, so the wider rectangle around
-    // its points is used, which the disc does not fill.
-    std::tie(from.x(), to.x()) = draft.faces[i]->reach(draft.R_CA.col(u));
-    std::tie(from.y(), to.y()) = draft.faces[i]->reach(draft.R_CA.col(v));
-  }
+  const Eigen::Vector2d from(box_A.min()[u], box_A.min()[v]), to(box_A.max()[u], box_A.max()[v]);
   const auto filling = [&](const Eigen::Vector2d& low, const Eigen::Vector2d& high) {
     return filling_of(*draft.faces[i], uv_C, low, high, draft.seen_through[i]);
   };
@@ -56,8 +49,9 @@ bool filled(const BoxDraft& draft, int i, const Eigen::AlignedBox3d& box_A) {
 }
 
 bool all_filled(const BoxDraft& draft, const Eigen::AlignedBox3d& box_A) {
+  const Eigen::AlignedBox3d core_A = draft.core_A(box_A);
   for (int i = 0; i < static_cast<int>(draft.faces.size()); ++i) {
-    if (!filled(draft, i, box_A)) return false;
+    if (!filled(draft, i, core_A)) return false;
   }
   return true;
 }
@@ -100,8 +94,8 @@ bool is_solid(const BoxDraft& draft, const BoxEnds& ends) {
     const double doubt = std::hypot(ends[axis][0].std, ends[axis][1].std);
     if (doubt > kMaxDoubt * size[axis]) return false;
   }
-  return all_filled(draft, box_A) &&
-         (alone || (nothing_within(draft, box_A) && (!has_patch(draft) || on_faces(draft, box_A))));
+  return alone || (all_filled(draft, box_A) && nothing_within(draft, box_A) &&
+                   (!has_patch(draft) || on_faces(draft, box_A)));
 }
 
 /// True if the outline of a single face was seen all around and a plane parallel to it lies below:
@@ -173,19 +167,17 @@ Box box_of(const BoxDraft& draft, const BoxEnds& ends) {
 
 }  // namespace
 
-bool is_rectangular(const Face& face, const DirectionIndex& sight) {
-  const BoxDraft draft = draft_of({&face}, sight);
-  return all_filled(draft, seen_part(find_ends(draft, {})));
+bool is_rectangular(const BoxDraft& draft) {
+  // On a disc the measured edges lie along the middle of its arcs, so the wider rectangle around
+  // its points is used, which the disc does not fill.
+  return filled(draft, 0, draft.reach_A);
 }
 
-std::optional<Box> measure_box(const std::vector<const Face*>& faces,
-                               const std::vector<const Detection*>& planes,
-                               const DirectionIndex& sight) {
-  const BoxDraft draft = draft_of(faces, sight);
+std::optional<Box> measure_box(const BoxDraft& draft, const std::vector<const Detection*>& planes) {
   const BoxEnds seen = find_ends(draft, planes);
   if (!is_solid(draft, seen)) return std::nullopt;
   const BoxEnds ends = bounded(draft, planes, seen);
-  if (faces.size() == 1 && !is_top(ends)) return std::nullopt;
+  if (draft.faces.size() == 1 && !is_top(ends)) return std::nullopt;
   return box_of(draft, ends);
 }
 
