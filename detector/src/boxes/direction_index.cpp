@@ -105,12 +105,15 @@ std::span<const int> DirectionIndex::points_in(int row, int from, int to) const 
 }
 
 std::vector<Eigen::Vector3d> DirectionIndex::thinned(const Tiles& tiles, int side) const {
+  const Eigen::Vector2i low = tiles.low / side, high = tiles.high / side;
   std::vector<Eigen::Vector3d> points;
-  for (int j = tiles.low.y() / side * side; j <= tiles.high.y(); j += side) {
-    for (int i = tiles.low.x() / side * side; i <= tiles.high.x(); i += side) {
-      const int to = std::min(i + side, width_) - 1, end = std::min(j + side, height_);
-      for (int row = j; row < end; ++row) {
-        const std::span<const int> some = points_in(row, i, to);
+  points.reserve(static_cast<std::size_t>((high - low + Eigen::Vector2i::Ones()).prod()));
+  for (int j = low.y(); j <= high.y(); ++j) {
+    const int end = std::min((j + 1) * side, height_);
+    for (int i = low.x(); i <= high.x(); ++i) {
+      const int to = std::min((i + 1) * side, width_) - 1;
+      for (int row = j * side; row < end; ++row) {
+        const std::span<const int> some = points_in(row, i * side, to);
         if (some.empty()) continue;
         points.push_back(cloud_.points[some.front()].cast<double>());
         break;

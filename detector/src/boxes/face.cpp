@@ -25,7 +25,7 @@ constexpr double kMaxTurn = 0.5;
 // A face is fitted at most so often to the points that its last fit explains, as long as its area
 // grows by this factor.
 constexpr int kMaxRefits = 6;
-constexpr double kMinGrowth = 1.02;
+constexpr double kMinGrowth = 1.1;
 // So many points in and around a patch suffice to tell how far it grows and whether it bends.
 constexpr std::size_t kDraftPoints = 1500;
 // This many points suffice for reach().
