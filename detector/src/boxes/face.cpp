@@ -261,15 +261,27 @@ std::optional<Piece> refitted(const Piece& piece, const Eigen::Matrix3d& R_CL,
 
 /// The piece after it was fitted to its own points again and again, as long as it grows; nullopt
 /// if there is none.
-std::optional<Piece> grown(Piece piece, const Eigen::Matrix3d& R_CL, const DirectionIndex& sight) {
+std::optional<Piece> grown(const Piece& piece, const Eigen::Matrix3d& R_CL,
+                           const DirectionIndex& sight, std::size_t max_points) {
   std::optional<Piece> best;
   for (int round = 0; round < kMaxRefits; ++round) {
-    std::optional<Piece> next = refitted(best ? *best : piece, R_CL, sight, kDraftPoints);
+    std::optional<Piece> next = refitted(best ? *best : piece, R_CL, sight, max_points);
     if (!next) break;
     if (best && area_of(next->face) < kMinGrowth * area_of(best->face)) break;
     best = std::move(next);
   }
   return best;
+}
+
+/// The face that grows from a patch; nullopt if there is none, or if it bends.
+std::optional<Face> flat_face(const FacePatch& patch, double sigma, const DirectionIndex& sight,
+                              std::size_t max_points) {
+  const std::vector<Piece> pieces = pieces_of(patch, sigma, sight, max_points);
+  if (pieces.empty()) return std::nullopt;
+  std::optional<Piece> piece = grown(pieces.front(), patch.X_CP.linear(), sight, max_points);
+  if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
+  piece->face.is_patch = true;
+  return std::move(piece->face);
 }
 
 }  // namespace
@@ -283,20 +295,13 @@ std::optional<Face> face_at(const FacePatch& patch, double sigma, const Directio
 }
 
 std::optional<Face> draft_face(const FlatPatch& flat, const DirectionIndex& sight) {
-  std::vector<Piece> pieces = pieces_of(flat.patch, flat.sigma, sight, kDraftPoints);
-  if (pieces.empty()) return std::nullopt;
-  std::optional<Piece> piece = grown(std::move(pieces.front()), flat.patch.X_CP.linear(), sight);
-  if (!piece || turn_across(*piece) > kMaxTurn) return std::nullopt;
-  piece->face.is_patch = true;
-  return std::move(piece->face);
+  return flat_face(flat.patch, flat.sigma, sight, kDraftPoints);
 }
 
 std::optional<Face> finished_face(const Face& draft, const DirectionIndex& sight) {
   Eigen::Matrix3d R_CL;
   R_CL << draft.n_C.unitOrthogonal(), Eigen::Vector3d::Zero(), draft.n_C;
-  std::optional<Face> face = face_at(patch_around(draft.points_C, R_CL), draft.sigma, sight);
-  if (face) face->is_patch = true;
-  return face;
+  return flat_face(patch_around(draft.points_C, R_CL), draft.sigma, sight, kMaxPoints);
 }
 
 std::vector<Face> faces_of(const Detection& plane, const DirectionIndex& sight) {

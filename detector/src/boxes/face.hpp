@@ -97,7 +97,7 @@ struct FlatPatch {
 /// tell so.
 std::optional<Face> draft_face(const FlatPatch& flat, const DirectionIndex& sight);
 
-/// The face fitted to all of its points; nullopt if they make none.
+/// The face that grows from a draft when all points are looked at; nullopt as for a draft.
 std::optional<Face> finished_face(const Face& draft, const DirectionIndex& sight);
 
 /// The connected pieces of a plane with their points, the largest first. One plane may hold faces
