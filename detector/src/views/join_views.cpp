@@ -1,10 +1,10 @@
 #include "views/join_views.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "surfaces/aggregate.hpp"
 #include "views/joined_samples.hpp"
+#include "views/own_surfaces.hpp"
 #include "views/unite_planes.hpp"
 
 namespace quadrille {
@@ -12,9 +12,6 @@ namespace {
 
 // Standard deviation of what is left of the errors of poses after the views were aligned [m].
 constexpr double kViewShift = 0.0007;
-
-// A surface runs over another if it explains most of its samples.
-constexpr double kMostly = 0.5;
 
 /// The numbers of a view's samples among the samples of all views.
 std::vector<int> shifted(std::vector<int> region, int first_sample) {
@@ -58,43 +55,13 @@ AllParts all_parts(const std::vector<SceneView>& views) {
   return all;
 }
 
-/// The surfaces that each view found by itself.
-class OwnSurfaces {
- public:
-  OwnSurfaces(const SurfaceSamples& samples, std::size_t views,
-              const std::vector<Candidate>& candidates)
-      : samples_(samples), regions_(views) {
-    for (const Candidate& c : candidates) {
-      if (!c.region.empty()) regions_[samples.view_of(c.region.front())].push_back(c.region);
-    }
-  }
-
-  /// True if a surface runs over two surfaces or more that another view told apart: things that
-  /// stand side by side may look like one from where only a strip of each is seen.
-  bool tell_apart(const Surface& surface) const {
-    Mask on(static_cast<std::size_t>(samples_.size()), 0);
-    for (const int i : surface.region) on[i] = 1;
-    return std::any_of(regions_.begin(), regions_.end(), [&](const auto& regions) {
-      return std::count_if(regions.begin(), regions.end(), [&](const std::vector<int>& region) {
-               const auto n =
-                   std::count_if(region.begin(), region.end(), [&](int i) { return on[i]; });
-               return static_cast<double>(n) > kMostly * static_cast<double>(region.size());
-             }) > 1;
-    });
-  }
-
- private:
-  const SurfaceSamples& samples_;
-  std::vector<std::vector<std::vector<int>>> regions_;
-};
-
 /// Chooses among the surfaces of all views.
 std::vector<Surface> choose_surfaces(const Scene& scene, AllParts parts,
                                      const DetectorOptions& options) {
   Aggregation chosen(scene.finest, options.aggregate, options.inlier, scene.context);
-  const OwnSurfaces own(scene.finest, scene.views.size(), parts.candidates);
+  const OwnSurfaces own(scene.finest, parts.candidates);
   chosen.offer(std::move(parts.candidates), SearchLevel::kFinest,
-               [&](const Surface& surface) { return own.tell_apart(surface); });
+               [&](const Surface& surface) { return own.tell_apart(surface.region); });
   for (PlaneRegion& flat : parts.flats) {
     std::erase_if(flat.samples, [&](int i) { return !chosen.free()[i]; });
   }

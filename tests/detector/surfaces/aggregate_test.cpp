@@ -147,6 +147,31 @@ TEST_CASE("a candidate whose samples are claimed is dropped", "[aggregate]") {
   CHECK(aggregation.surfaces().size() == 1);
 }
 
+TEST_CASE("a doubted surface comes after all others, if their claims leave it its samples",
+          "[aggregate]") {
+  const SurfaceSamples samples = pipe();
+  const Candidate whole = candidate_of(cylinder_quadric(kPipeRadius), 0, kPipeRows);
+  const Candidate other = candidate_of(cylinder_quadric(kPipeRadius), 10, 30);
+  std::vector<std::size_t> tried;
+  const auto observe = [&](const Candidate& c, SearchLevel, const Trial& trial) {
+    if (trial.end == TrialEnd::kAccepted) tried.push_back(c.region.size());
+  };
+  Aggregation alone(samples, {}, {}, {}, observe);
+  int asked = 0;
+  alone.offer({whole}, SearchLevel::kFinest, [&](const Surface&) { return ++asked > 0; });
+  // It is asked about once, and nothing else claims its samples.
+  CHECK(asked == 1);
+  CHECK(alone.surfaces().size() == 1);
+  tried.clear();
+  Aggregation both(samples, {}, {}, {}, observe);
+  both.offer({whole, other}, SearchLevel::kFinest,
+             [&](const Surface&) { return tried.size() == 1; });
+  // The whole pipe explains more and is tried first, but the other is accepted first. It grows over
+  // the whole pipe, so nothing is left of the doubted one.
+  CHECK(tried == std::vector{whole.region.size(), other.region.size()});
+  CHECK(both.surfaces().size() == 1);
+}
+
 namespace {
 
 /// A box edge that candidates of cylinders follow.
