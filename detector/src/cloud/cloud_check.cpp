@@ -13,6 +13,8 @@ namespace {
 // If the standard deviation of the points is larger [m], the coordinates are probably not in
 // metres.
 constexpr double kWidest = 5.0;
+// If it is smaller [m], metres were probably taken for millimetres.
+constexpr double kNarrowest = 1e-3 * kWidest;
 // Larger coordinates are no measurement, and their squares would overflow single precision.
 constexpr double kMax = 1e9;
 const char* const kTooLarge = "coordinates are too large to be a measurement in metres";
@@ -80,7 +82,8 @@ CloudCheck check_cloud(const CloudView& given) {
         "subtract an offset first");
   }
   const auto depth = [&](const auto& p) { return (p - cloud.viewpoint).norm(); };
-  if (quantile(some, 0.5, depth) > kFarthest) {
+  const double usual_depth = quantile(some, 0.5, depth);
+  if (usual_depth > kFarthest) {
     check.warnings.emplace_back(
         spread[2] > kWidest * kWidest
             ? "half of the points are more than 50 m away: the coordinates look like "
@@ -94,6 +97,12 @@ CloudCheck check_cloud(const CloudView& given) {
     check.warnings.emplace_back("all points lie on a line");
   } else {
     check.usable = true;
+    // Of points that are also too near, contradict_viewpoint() says the same.
+    if (spread[2] < kNarrowest * kNarrowest && usual_depth > kNearest) {
+      check.warnings.push_back(
+          std::string("the points lie within some millimetres of each other; ") +
+          kTakenForMillimetres);
+    }
   }
   return check;
 }

@@ -10,6 +10,11 @@ namespace quadrille {
 
 /// Nothing to grasp is this far away [m], but in coordinates given in millimetres most things are.
 inline constexpr double kFarthest = 50.0;
+/// No depth camera measures nearer than this [m].
+inline constexpr double kNearest = 0.02;
+/// How to mend a cloud that is a thousand times too small.
+inline constexpr const char* kTakenForMillimetres =
+    "if the coordinates are metres, do not read them as millimetres (--unit mm)";
 /// Least number of points that can make a surface.
 inline constexpr std::size_t kMinPoints = 50;
 

@@ -17,8 +17,9 @@ using Points = std::vector<Eigen::Vector3d>;
 // Least length of the mean of unit rays. It is (1 + cos a) / 2 for rays that fill a cone of half
 // angle a; with less, they fill more than a half space.
 constexpr double kMinMeanRay = 0.3;
-// No depth camera measures nearer than this [m], except for a share of strays.
-constexpr double kMinRange = 0.02, kMaxNearShare = 0.01;
+// Largest share of points that are nearer than kNearest: strays. If half of them are, the whole
+// cloud is probably too small.
+constexpr double kMaxNearShare = 0.01, kTooSmall = 0.5;
 // Smaller planes are faces of things, whose other sides they hide in any fused cloud [m].
 constexpr double kMinPlane = 0.15;
 // No depth camera sees larger planes, and the cells of a claimed one could exhaust the memory [m].
@@ -157,19 +158,21 @@ class SeenPlane {
   Points points_;
 };
 
+/// Share of the points that are nearer to the viewpoint than kNearest.
+double near_share(const Points& rays) {
+  const auto near = std::count_if(rays.begin(), rays.end(),
+                                  [](const auto& ray) { return ray.norm() < kNearest; });
+  return static_cast<double>(near) / static_cast<double>(rays.size());
+}
+
 /// Describes the defect if the viewpoint lies among the points; empty if it does not.
-std::string among_points(const Points& rays) {
+/// @param near  share of the points that are nearer to it than kNearest
+std::string among_points(const Points& rays, double near) {
+  if (near > kMaxNearShare) return percent(near) + " of the points lie within 20 mm of it";
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  std::size_t near = 0;
-  for (const Eigen::Vector3d& ray : rays) {
-    near += ray.norm() < kMinRange;
-    sum += ray.stableNormalized();
-  }
-  const double n = static_cast<double>(rays.size());
-  if (static_cast<double>(near) > kMaxNearShare * n) {
-    return percent(static_cast<double>(near) / n) + " of the points lie within 20 mm of it";
-  }
-  return sum.norm() < kMinMeanRay * n ? "points lie on all sides of it" : "";
+  for (const Eigen::Vector3d& ray : rays) sum += ray.stableNormalized();
+  const bool all_round = sum.norm() < kMinMeanRay * static_cast<double>(rays.size());
+  return all_round ? "points lie on all sides of it" : "";
 }
 
 /// Describes the defect if a plane hides most points around it; empty if none does.
@@ -199,11 +202,12 @@ std::string behind_plane(const CloudView& cloud, const Points& rays,
 std::string contradict_viewpoint(const CloudView& given, const std::vector<Detection>& detections) {
   const RangeCheck range = check_range(given);
   const CloudView cloud = range.kept(given);
-  const std::string remedy = "; name where the sensor stood (--viewpoint or --camera-pose)";
-  if (!cloud.viewpoint.allFinite()) return "the viewpoint of the cloud is not known" + remedy;
+  const std::string remedy = "name where the sensor stood (--viewpoint or --camera-pose)";
+  if (!cloud.viewpoint.allFinite()) return "the viewpoint of the cloud is not known; " + remedy;
   const Points rays = rays_of(cloud);
   if (rays.size() < kMinPoints) return "";
-  std::string what = among_points(rays);
+  const double near = near_share(rays);
+  std::string what = among_points(rays, near);
   if (what.empty()) what = torn_image(cloud);
   if (what.empty()) what = behind_plane(cloud, rays, detections);
   if (what.empty()) return "";
@@ -211,7 +215,8 @@ std::string contradict_viewpoint(const CloudView& given, const std::vector<Detec
   std::snprintf(at.data(), at.size(), "%.3f, %.3f, %.3f", cloud.viewpoint.x(), cloud.viewpoint.y(),
                 cloud.viewpoint.z());
   return "the cloud cannot have been seen from its viewpoint " + std::string(at.data()) + ": " +
-         what + remedy;
+         what + "; " +
+         (near > kTooSmall ? kTakenForMillimetres + std::string("; otherwise ") : "") + remedy;
 }
 
 }  // namespace quadrille

@@ -101,6 +101,22 @@ TEST_CASE("millimetres are noticed, but looked at", "[check]") {
   CHECK(warns(check, "millimetres"));
 }
 
+TEST_CASE("metres that were read as millimetres are noticed wherever the viewpoint is", "[check]") {
+  PointCloud cloud = box_of_points(1e-3, 1000);
+  cloud.viewpoint = {0.5, 0.1, 0.6};
+  const CloudCheck check = check_cloud(cloud);
+  CHECK(check.usable);
+  CHECK(warns(check, "do not read them as millimetres (--unit mm)"));
+  // Seen from their middle, they are refused with their viewpoint.
+  cloud.viewpoint.setZero();
+  CHECK(check_cloud(cloud).warnings.empty());
+  CHECK(contradict_viewpoint(cloud, {}).find("as millimetres (--unit mm)") != std::string::npos);
+  // A small thing before a camera is no mistake.
+  PointCloud small = box_of_points(0.02, 1000);
+  small.viewpoint.z() = -0.3;
+  CHECK(check_cloud(small).warnings.empty());
+}
+
 TEST_CASE("coincident points, lines and absurd numbers are refused", "[check][degenerate]") {
   PointCloud cloud = box_of_points(1.0, 1000);
   for (Eigen::Vector3f& p : cloud.points) p = {0.3f, 0.1f, 1.0f};

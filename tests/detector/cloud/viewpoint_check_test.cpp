@@ -88,6 +88,7 @@ TEST_CASE("a viewpoint among the points, on one of them or nowhere is no viewpoi
   CHECK(has(contradict_viewpoint(ball, {}), "points lie on all sides"));
   ball.viewpoint = {0.05, 0, 0};
   CHECK(has(contradict_viewpoint(ball, {}), "within 20 mm"));
+  CHECK_FALSE(has(contradict_viewpoint(ball, {}), "--unit"));
   ball.viewpoint.setConstant(std::nan(""));
   CHECK(has(contradict_viewpoint(ball, {}), "is not known"));
   ball.points.resize(3);
