@@ -518,6 +518,8 @@ class Known(unittest.TestCase):
         self.assertEqual(len(by_pose.corrections), 1)
         with self.assertRaisesRegex(ValueError, r"views\[0\].*\(4, 4\)"):
             quadrille.detect(scene, views=[(scene, np.eye(3))])
+        with self.assertRaisesRegex(ValueError, r"the points of views\[1\] of shape \(240, 2\)"):
+            quadrille.detect(scene, views=[(scene, beside), (scene[:, 0, :2], beside)])
 
     def test_a_camera_pose_gives_the_grasps_of_the_camera_elsewhere(self):
         pose = quadrille.pose((0.5, -0.2, 1.1), (0.0, 0.6, -0.8, 0.0))
@@ -533,6 +535,10 @@ class Known(unittest.TestCase):
         at = (pose @ np.append(self.at, 1))[:3]
         self.assertLess(min(np.linalg.norm(g.X_CG[:3, 3] - at) for g in plan), 1e-3)
         self.assertEqual(plan.space.states.ndim, 3)
+        for ask in (lambda: quadrille.detect(there, camera_pose=pose, viewpoint=(0, 0, 0)),
+                    lambda: quadrille.plan(there, found, "franka", camera_pose=pose, viewpoint=pose[:3, 3])):
+            with self.assertRaisesRegex(ValueError, "either viewpoint or camera_pose"):
+                ask()
 
     def test_what_is_known_is_planned_on(self):
         grasped = self.found[[d.id for d in self.found].index(self.plain[0].target)]
@@ -563,8 +569,8 @@ class Known(unittest.TestCase):
 
         for wrong, part in ((lambda: quadrille.Detection("ball", np.eye(4), {}), "sphere"),
                             (lambda: quadrille.Detection("cylinder", np.eye(4), {"radius": 1}), "radius, length"),
-                            (lambda: quadrille.Result([grasped, grasped]), "twice"),
-                            (lambda: quadrille.Result([numbered(-7)]), "-7"),
+                            (lambda: quadrille.Result([grasped, grasped]), r"detections\[1\]: .* twice"),
+                            (lambda: quadrille.Result([numbered(-7)]), r"detections\[0\]: .*-7"),
                             (lambda: quadrille.Result([numbered(2**31 - 1)]), "between 1 and")):
             with self.assertRaisesRegex(ValueError, part):
                 wrong()
@@ -581,6 +587,8 @@ class Known(unittest.TestCase):
         self.assertEqual([g.score for g in self.plan(octomap=space.octomap())],
                          [g.score for g in self.plan(octomap=space.octomap().content)])
         self.assertFalse(plan.cut)
+        self.assertEqual(repr(plan), f"<Plan: {len(plan.targets)} targets, {len(plan)} grasps, "
+                                     f"{sum(plan.rejected.values())} refused>")
 
     def test_a_map_is_made_of_points(self):
         wall = self.at + 0.002 * np.stack(np.meshgrid(*[np.arange(-15, 16)] * 3), -1).reshape(-1, 3)
@@ -592,6 +600,10 @@ class Known(unittest.TestCase):
         self.assertEqual(len(self.plan(octomap=moved, X_CM=shifted(0, 0, -1))), len(self.plan(octomap=octomap)))
         with self.assertRaisesRegex(ValueError, "resolution"):
             quadrille.OctoMap.from_voxels(wall, wall, 0.0)
+        with self.assertRaisesRegex(ValueError, r"^occupied\[1\] does not lie"):
+            quadrille.OctoMap.from_voxels([(0, 0, 0), (np.nan, 0, 0)], wall, 0.01)
+        with self.assertRaisesRegex(ValueError, "^X_CM is the pose of a map, and no octomap"):
+            self.plan(X_CM=np.eye(4))
 
     def test_a_region_may_be_turned(self):
         region = (shifted(*self.at), (0.2, 0.2, 0.2))
@@ -626,7 +638,8 @@ class Known(unittest.TestCase):
 
 class Wrong(unittest.TestCase):
     def test_wrong_arguments_are_answered_in_one_line(self):
-        p, none = ball(), quadrille.Result()
+        p, none, here = ball(), quadrille.Result(), np.eye(4)
+        known = quadrille.Detection("sphere", here, {"radius": 0.05})
         for wrong, answer in (
                 (lambda: quadrille.detect(p, viewpiont=1), "detect() has no 'viewpiont'; did you mean 'viewpoint'?"),
                 (lambda: quadrille.detect(p, viewpoint=(0, 1)),
@@ -637,6 +650,18 @@ class Wrong(unittest.TestCase):
                 (lambda: quadrille.plan(p, none, "franka", aproach=(0, 0, 1)), "did you mean 'approach'?"),
                 (lambda: quadrille.plan(p, none, "franka", targets=3),
                  "plan(): targets is of type int, and must be List[int]"),
+                (lambda: quadrille.plan(p, none, "franka", targets=[1, "two"]),
+                 "plan(): targets[1] is of type str, and must be int"),
+                (lambda: quadrille.plan(p, none, "franka", octomap=[1]), "plan(): incompatible octomap of type list"),
+                (lambda: quadrille.detect(p, views=[(p, here), p]),
+                 f"detect(): views[1] is an array of shape {p.shape}, and must be Tuple[array, array]"),
+                (lambda: quadrille.detect(p, views=[(p, here, 1)]),
+                 "detect(): views[0] is a tuple of 3, and must be Tuple[array, array]"),
+                (lambda: quadrille.detect(p, views=[(p, "here")]),
+                 "detect(): views[0][1] is of type str, and must be array"),
+                (lambda: quadrille.Result([known, known, 3]),
+                 "Result(): detections[2] is of type int, and must be Detection"),
+                (lambda: quadrille.detect(p, robot=[3]), "Robot(): shapes[0] is of type int, and must be Shape"),
                 (lambda: quadrille.Shape("box", 3), "Shape(): dimensions is of type int, and must be List[float]"),
                 (lambda: quadrille.Shape(size=3), "Shape() has no 'size'; it takes: kind, dimensions"),
                 (lambda: quadrille.OctoMap.from_voxels(1, 2, 3), "from_voxels(): occupied is of type int"),

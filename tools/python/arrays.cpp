@@ -29,16 +29,17 @@ Array array_of(const py::object& points) {
 
 PointCloud view_in_C(const PyView& view, std::size_t number) {
   const auto& [points, place] = view;
+  const std::string name = "views[" + std::to_string(number) + "]",
+                    points_name = "the points of " + name;
   if (place.ndim() == 1 && place.size() == 3) {
-    return cloud_of(view_of(points, Eigen::Vector3d(place.data())));
+    return cloud_of(view_of(points, Eigen::Vector3d(place.data()), points_name));
   }
-  const std::string name = "views[" + std::to_string(number) + "]";
   if (place.ndim() != 2 || place.shape(0) != 4 || place.shape(1) != 4) {
     throw std::invalid_argument(name + " has a place of shape " + text_of_shape(place) +
                                 "; give a viewpoint (3,), or the pose of its camera (4, 4)");
   }
   using Rows = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
-  return moved(cloud_of(view_of(points, Eigen::Vector3d::Zero())),
+  return moved(cloud_of(view_of(points, Eigen::Vector3d::Zero(), points_name)),
                pose_of(Eigen::Map<const Rows>(place.data()), "the pose of " + name));
 }
 
@@ -46,10 +47,10 @@ PointCloud view_in_C(const PyView& view, std::size_t number) {
 
 Points points_of(const py::object& points) { return array_of<Points>(points); }
 
-CloudView view_of(const Points& points, const Eigen::Vector3d& viewpoint) {
+CloudView view_of(const Points& points, const Eigen::Vector3d& viewpoint, const std::string& name) {
   const py::ssize_t dimensions = points.ndim();
   if (dimensions < 2 || dimensions > 3 || points.shape(dimensions - 1) != 3) {
-    throw std::invalid_argument("points of shape " + text_of_shape(points) +
+    throw std::invalid_argument(name + " of shape " + text_of_shape(points) +
                                 ": give (N, 3), or (H, W, 3) of an organised cloud");
   }
   static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float) &&

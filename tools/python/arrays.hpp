@@ -24,8 +24,10 @@ using Points = py::array_t<float, py::array::c_style | py::array::forcecast |
 
 /// Returns a view of points of shape (N, 3), or (H, W, 3) for an organised cloud [m]. The points
 /// are not copied, so the array must outlive the view.
-/// @throws std::invalid_argument if the array has another shape
-CloudView view_of(const Points& points, const Eigen::Vector3d& viewpoint);
+/// @param name  of the points in errors
+/// @throws std::invalid_argument naming them if the array has another shape
+CloudView view_of(const Points& points, const Eigen::Vector3d& viewpoint,
+                  const std::string& name = "points");
 
 /// Returns points as an array.
 /// @throws py::type_error if they are no numbers
@@ -47,7 +49,7 @@ using PyCloud = std::tuple<Points, Eigen::Vector3d>;
 using PyView = std::tuple<Points, py::array_t<double, py::array::c_style | py::array::forcecast>>;
 
 /// Returns views in frame C, with their own copies of the points.
-/// @throws std::invalid_argument as view_of() does
+/// @throws std::invalid_argument naming the view, as view_of() and pose_of() do
 std::vector<PointCloud> clouds_of(const std::vector<PyView>& views);
 
 /// Returns the points of a cloud as an array of shape (N, 3), or (H, W, 3), and its viewpoint.

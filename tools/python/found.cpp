@@ -1,6 +1,7 @@
 #include "python/found.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -12,15 +13,16 @@ namespace {
 /// Notes the ids of things, and finds free ones.
 class Ids {
  public:
-  void note(int id) {
+  /// @param list, n  what the thing is called in errors, such as detections[2]
+  void note(int id, const char* list, std::size_t n) {
+    const auto refuse = [&](const std::string& why) {
+      throw std::invalid_argument(std::string(list) + "[" + std::to_string(n) + "]: the id " +
+                                  std::to_string(id) + why + "; 0 stands for the next free one");
+    };
     if (id < 0 || id > kMaxId) {
-      throw std::invalid_argument("the id " + std::to_string(id) + " is not between 1 and " +
-                                  std::to_string(kMaxId) + "; 0 stands for the next free one");
+      refuse(" is not between 1 and " + std::to_string(kMaxId));
     }
-    if (id != 0 && !used_.insert(id).second) {
-      throw std::invalid_argument("the id " + std::to_string(id) +
-                                  " occurs twice; 0 stands for the next free one");
-    }
+    if (id != 0 && !used_.insert(id).second) refuse(" occurs twice");
     last_ = std::max(last_, id);
   }
   /// Numbers of what is found but not reported are below 0.
@@ -35,8 +37,10 @@ class Ids {
 
 /// Gives the next free numbers to what has the id 0.
 void number(std::vector<Detection>* detections, std::vector<Box>* boxes, Ids* ids) {
-  for (const Detection& d : *detections) ids->note(d.id);
-  for (const Box& box : *boxes) ids->note(box.id);
+  for (std::size_t n = 0; n < detections->size(); ++n) {
+    ids->note((*detections)[n].id, "detections", n);
+  }
+  for (std::size_t n = 0; n < boxes->size(); ++n) ids->note((*boxes)[n].id, "boxes", n);
   for (Detection& d : *detections) d.id = d.id == 0 ? ids->next() : d.id;
   for (Box& box : *boxes) box.id = box.id == 0 ? ids->next() : box.id;
 }

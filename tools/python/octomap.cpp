@@ -24,13 +24,16 @@ PyMap map_of(const py::bytes& content, const std::string& name) {
   return {io::parse_octree(std::as_bytes(std::span(text.data(), text.size())), name)};
 }
 
-void set_voxels(const Rows& points, float log_odds, octomap::OcTree* tree) {
+/// @param name  of the points in errors
+void set_voxels(const Rows& points, const std::string& name, float log_odds,
+                octomap::OcTree* tree) {
   for (Eigen::Index n = 0; n < points.rows(); ++n) {
     const octomap::point3d p(static_cast<float>(points(n, 0)), static_cast<float>(points(n, 1)),
                              static_cast<float>(points(n, 2)));
     octomap::OcTreeKey key;
     if (!points.row(n).allFinite() || !tree->coordToKeyChecked(p, key)) {
-      throw std::invalid_argument("points of a map must lie within 32768 voxels of its origin");
+      throw std::invalid_argument(name + "[" + std::to_string(n) +
+                                  "] does not lie within 32768 voxels of the map's origin");
     }
     tree->setNodeValue(key, log_odds, true);
   }
@@ -41,8 +44,8 @@ PyMap map_from_voxels(const Rows& occupied, const Rows& free, double resolution)
     throw std::invalid_argument("resolution must be the edge of a voxel, from 1e-6 to 1000 m");
   }
   const auto tree = std::make_shared<octomap::OcTree>(resolution);
-  set_voxels(free, tree->getClampingThresMinLog(), tree.get());
-  set_voxels(occupied, tree->getClampingThresMaxLog(), tree.get());
+  set_voxels(free, "free", tree->getClampingThresMinLog(), tree.get());
+  set_voxels(occupied, "occupied", tree->getClampingThresMaxLog(), tree.get());
   tree->updateInnerOccupancy();
   tree->prune();
   return {tree};

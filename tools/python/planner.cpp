@@ -40,6 +40,13 @@ std::shared_ptr<OccupancyGrid> space_of(const PlanInC& plan) {
   return std::make_shared<OccupancyGrid>(moves ? plan.space->moved(plan.X_CK) : *plan.space);
 }
 
+std::string shown(const PlanInC& plan) {
+  int refused = 0;
+  for (const auto& [reason, count] : plan.rejected) refused += count;
+  return "<Plan: " + std::to_string(plan.targets.size()) + " targets, " +
+         std::to_string(plan.grasps.size()) + " grasps, " + std::to_string(refused) + " refused>";
+}
+
 void bind_plan(py::module_& module) {
   py::class_<PlanInC>(module, "Plan", "What was planned on a cloud: a sequence of its grasps.")
       .def_readonly("grasps", &GraspPlan::grasps, "Best first.")
@@ -70,7 +77,8 @@ void bind_plan(py::module_& module) {
            [](const PlanInC& p, const py::object& index) {
              return py::cast(p.grasps)[index].cast<py::object>();
            })
-      .def("__len__", [](const PlanInC& p) { return p.grasps.size(); });
+      .def("__len__", [](const PlanInC& p) { return p.grasps.size(); })
+      .def("__repr__", &shown);
 }
 
 /// Position of the base, least and greatest distance.

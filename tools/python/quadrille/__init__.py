@@ -116,18 +116,27 @@ def _shapes(shapes: _Shapes) -> _Sequence[Shape]:
 def _octomap(octomap: _OctoMap) -> _Optional[OctoMap]:
     if octomap is None or isinstance(octomap, OctoMap):
         return octomap
+    if not isinstance(octomap, (str, bytes, _os.PathLike)):
+        raise TypeError(f"incompatible octomap of type {type(octomap).__name__}; give an OctoMap, the path of its file, "
+                        "or its bytes")
     return OctoMap(octomap, "octomap") if isinstance(octomap, bytes) else read_octomap(octomap)
 
 
+def _viewpoint(viewpoint: _Optional[_ArrayLike], camera_pose: _Optional[_ArrayLike]) -> _ArrayLike:
+    if viewpoint is not None and camera_pose is not None:
+        raise ValueError("give either viewpoint or camera_pose; the place of the camera is the viewpoint")
+    return _ORIGIN if viewpoint is None else viewpoint
+
+
 @_answering
-def detect(points: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN, views: _Views = (), robot: _Robot = None,
+def detect(points: _ArrayLike, *, viewpoint: _Optional[_ArrayLike] = None, views: _Views = (), robot: _Robot = None,
            camera_pose: _Optional[_ArrayLike] = None, config: _Config = None) -> Result:
     """Finds the quadrics of one cloud, or of several views of one scene.
 
     points     array of shape (N, 3), or (H, W, 3) row by row of an organised cloud, in frame C [m];
                NaN where nothing was measured. float32 in C order is read in place, without a
                copy, so do not write to it meanwhile. Other types, such as float64, are converted.
-    viewpoint  position of the sensor, in frame C [m]
+    viewpoint  position of the sensor, in frame C [m]; by default the origin
     views      further clouds of the same scene at rest, each as (points, viewpoint), in frame C, or as
                (points, X_CV), in the frame V of its camera, whose pose is X_CV, (4, 4). They are
                first brought onto each other, within the errors that the settings `views` say their
@@ -136,7 +145,8 @@ def detect(points: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN, views: _Views
                Shapes, or the path of a file (see read_robot())
     camera_pose  pose in C of the camera (z ahead, x along its rows), (4, 4), if C is another frame
                than the camera's. All work is then done in the camera's frame, where pixels lie in
-               rows; results are in C all the same, and the viewpoint is the camera's place
+               rows; results are in C all the same, and the viewpoint is the camera's place, so give no
+               other
     config     path of a TOML file, or a dict such as {"seed": 2, "only": ["sphere"],
                "planes.sigmas": 3.0}; `quadrille config` prints all settings
 
@@ -147,7 +157,7 @@ def detect(points: _ArrayLike, *, viewpoint: _ArrayLike = _ORIGIN, views: _Views
     if isinstance(points, (str, _os.PathLike)):
         raise TypeError("detect() takes an array, not a path; read it: points, viewpoint = quadrille.read_cloud(path)")
     text, source = _settings(config)
-    return _core.detect(points, viewpoint, views, _robot(robot), camera_pose, text, source)
+    return _core.detect(points, _viewpoint(viewpoint, camera_pose), views, _robot(robot), camera_pose, text, source)
 
 
 class GraspScene:
@@ -167,13 +177,16 @@ class GraspScene:
 
     @_answering
     def __init__(self, points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
-                 viewpoint: _ArrayLike = _ORIGIN, views: _Views = (), robot: _Robot = None,
+                 viewpoint: _Optional[_ArrayLike] = None, views: _Views = (), robot: _Robot = None,
                  camera_pose: _Optional[_ArrayLike] = None, octomap: _OctoMap = None,
                  X_CM: _Optional[_ArrayLike] = None, support: _Optional[_ArrayLike] = None,
                  config: _Config = None) -> None:
+        if X_CM is not None and octomap is None:
+            raise ValueError("X_CM is the pose of a map, and no octomap is given")
         text, source = _settings(config)
-        self._scene = _core.GraspScene(points, result, _gripper(gripper), viewpoint, views, _robot(robot),
-                                       camera_pose, _octomap(octomap), X_CM, support, text, source)
+        self._scene = _core.GraspScene(points, result, _gripper(gripper), _viewpoint(viewpoint, camera_pose), views,
+                                       _robot(robot), camera_pose, _octomap(octomap), X_CM, support, text,
+                                       source)
 
     @property
     def timings(self) -> _Dict[str, float]:
@@ -223,7 +236,7 @@ def _query(query: _Dict[str, _Any]) -> GraspQuery:
 
 @_answering_with(GraspQuery)
 def plan(points: _ArrayLike, result: Result, gripper: _Union[_Path, Gripper], *,
-         viewpoint: _ArrayLike = _ORIGIN, views: _Views = (), robot: _Robot = None,
+         viewpoint: _Optional[_ArrayLike] = None, views: _Views = (), robot: _Robot = None,
          camera_pose: _Optional[_ArrayLike] = None, octomap: _OctoMap = None,
          X_CM: _Optional[_ArrayLike] = None, support: _Optional[_ArrayLike] = None, config: _Config = None,
          advise: bool = False, **query: _Any) -> Plan:

@@ -88,6 +88,20 @@ def _fits(value: Any, kind: str) -> bool:
     return not kind.startswith("quadrille.") or name in (base.__name__ for base in type(value).__mro__)
 
 
+def _misfit(name: str, value: Any, kind: str) -> Tuple[str, Any, str]:
+    """Returns what does not fit in an argument that does not: the first such element of a list or tuple, with its
+    name, such as "views[1][0]", and the type that it must have; or else the whole."""
+    if kind.startswith("Optional["):
+        return _misfit(name, value, _parts(kind)[0])
+    if kind.startswith(("List[", "Tuple[")) and isinstance(value, Sequence) and not isinstance(value, (str, bytes)):
+        parts = _parts(kind) if kind.startswith("Tuple[") else _parts(kind) * len(value)
+        if len(parts) == len(value):
+            for n, (element, part) in enumerate(zip(value, parts)):
+                if not _fits(element, part):
+                    return _misfit(f"{name}[{n}]", element, part)
+    return name, value, kind
+
+
 def _wanted(kind: str) -> str:
     """Returns a type as people read it."""
     if kind.startswith("Optional["):
@@ -96,6 +110,15 @@ def _wanted(kind: str) -> str:
         sizes = _sizes(kind)
         return f"an array of shape ({sizes[0]},)" if len(sizes) == 1 else f"an array of shape ({', '.join(sizes)})"
     return _ARRAY.sub("array", kind).replace("quadrille._core.", "")
+
+
+def _has(value: Any, wanted: str) -> str:
+    """Returns what a value is that is not of the type that is wanted."""
+    shape = getattr(value, "shape", None)
+    if shape is not None:
+        return f"an array of shape {shape}"
+    kind = type(value).__name__
+    return f"a {kind} of {len(value)}" if wanted.startswith("Tuple[") and kind in ("list", "tuple") else f"of type {kind}"
 
 
 def _complaint(name: str, own: Mapping[str, _Parameter], more: Mapping[str, _Parameter],
@@ -112,9 +135,8 @@ def _complaint(name: str, own: Mapping[str, _Parameter], more: Mapping[str, _Par
             return f"{name}() has no '{keyword}'; " + (f"did you mean '{near[0]}'?" if near else takes)
         kind = accepted[keyword].kind
         if kind and not _fits(value, kind):
-            shape = getattr(value, "shape", None)
-            has = f"of type {type(value).__name__}" if shape is None else f"an array of shape {shape}"
-            return f"{name}(): {keyword} is {has}, and must be {_wanted(kind)}"
+            where, what, wanted = _misfit(keyword, value, kind)
+            return f"{name}(): {where} is {_has(what, wanted)}, and must be {_wanted(wanted)}"
     for keyword, parameter in own.items():
         if parameter.is_needed and keyword not in given:
             return f"{name}() needs '{keyword}'; {takes}"
