@@ -103,15 +103,6 @@ Eigen::AlignedBox3d whole_extent(QuadricType type, const std::vector<Dimension>&
   }
 }
 
-/// @throws std::invalid_argument if it is no pose
-Eigen::Isometry3d checked(const Eigen::Isometry3d& X, const std::string& name) {
-  constexpr double kMaxOff = 1e-6;
-  if (X.matrix().allFinite() && X.linear().isUnitary(kMaxOff) && X.linear().determinant() > 0.0) {
-    return rounded(X);
-  }
-  throw std::invalid_argument(name + " is no rotation and translation");
-}
-
 }  // namespace
 
 Detection known_detection(QuadricType type, const Eigen::Isometry3d& X_CQ,
@@ -119,7 +110,7 @@ Detection known_detection(QuadricType type, const Eigen::Isometry3d& X_CQ,
                           const Eigen::AlignedBox3d& extent_Q, bool inside) {
   Detection detection;
   detection.type = type;
-  detection.X_CQ = checked(X_CQ, "X_CQ");
+  detection.X_CQ = rounded(checked_pose(X_CQ, "X_CQ"));
   detection.dimensions = checked(type, dimensions);
   detection.extent_Q = extent_Q.isEmpty() ? whole_extent(type, detection.dimensions) : extent_Q;
   if (detection.extent_Q.isEmpty()) refuse(type, "needs an extent");
@@ -144,11 +135,22 @@ Box known_box(const Eigen::Isometry3d& X_CB, const Eigen::Vector3d& size) {
   }
   Box box;
   box.score = 1.0;
-  box.X_CB = checked(X_CB, "X_CB");
+  box.X_CB = rounded(checked_pose(X_CB, "X_CB"));
   box.size = size;
   box.seen = {true, true, true};
   box.inner_B = box.outer_B = Eigen::AlignedBox3d(-0.5 * size, 0.5 * size);
   return box;
+}
+
+Eigen::Isometry3d checked_pose(const Eigen::Isometry3d& X, const std::string& name) {
+  // Poses are used as given, so what differs from a rotation by more than this is a mistake.
+  constexpr double kMaxOff = 1e-6;
+  const bool is_rotation = X.linear().isUnitary(kMaxOff) && X.linear().determinant() > 0.0;
+  if (X.matrix().allFinite() && is_rotation &&
+      (X.matrix().row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() < kMaxOff) {
+    return X;
+  }
+  throw std::invalid_argument(name + " is no rotation and translation");
 }
 
 }  // namespace quadrille

@@ -1,5 +1,6 @@
 #include "quadrille/detector/known_detection.hpp"
 
+#include <cmath>
 #include <functional>
 #include <vector>
 
@@ -91,6 +92,23 @@ TEST_CASE("what makes no known surface is refused with the name of what is wrong
   twice.linear() *= 2.0;
   CHECK(test::error_of([&] { known_box(twice, {1, 1, 1}); }).find("X_CB") != std::string::npos);
   CHECK(test::error_of([&] { known_box(X, {1, 0, 1}); }).find("sides") != std::string::npos);
+}
+
+TEST_CASE("only rotations with a translation are poses", "[frames]") {
+  Eigen::Isometry3d X = Eigen::Translation3d(1, -2, 3) * Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5);
+  CHECK(checked_pose(X, "X_AB").matrix() == X.matrix());
+  const auto error = [](const Eigen::Matrix4d& X) {
+    return test::error_of([&] { checked_pose(Eigen::Isometry3d(X), "X_AB"); });
+  };
+  Eigen::Matrix4d mirrored = X.matrix(), skewed = X.matrix(), lost = X.matrix(),
+                  scaled = X.matrix();
+  mirrored.col(0) *= -1.0;
+  skewed(0, 0) += 1e-5;
+  lost(1, 3) = std::nan("");
+  scaled(3, 3) = 2.0;
+  for (const Eigen::Matrix4d& wrong : {mirrored, skewed, lost, scaled}) {
+    CHECK(error(wrong) == "X_AB is no rotation and translation");
+  }
 }
 
 TEST_CASE("a known box is as large as it is said to be", "[frames]") {

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "quadrille/detector/known_detection.hpp"
+
 namespace quadrille::python {
 namespace {
-
-// Poses are used as given, so a matrix that differs from a rotation by more than this is a mistake.
-constexpr double kMaxOff = 1e-6;
 
 std::string text_of_shape(const py::array& array) {
   std::string text = "(";
@@ -107,12 +106,7 @@ PyCloud cloud_to_python(const PointCloud& cloud) {
 }
 
 Eigen::Isometry3d pose_of(const Eigen::Matrix4d& X, const std::string& name) {
-  const Eigen::Matrix3d R = X.topLeftCorner<3, 3>();
-  const bool is_rotation = (R * R.transpose() - Eigen::Matrix3d::Identity()).norm() < kMaxOff &&
-                           R.determinant() > 0.0 && X.allFinite() &&
-                           (X.row(3) - Eigen::RowVector4d(0, 0, 0, 1)).norm() < kMaxOff;
-  if (!is_rotation) throw std::invalid_argument(name + " is no rotation and translation");
-  return Eigen::Isometry3d(X);
+  return checked_pose(Eigen::Isometry3d(X), name);
 }
 
 Eigen::Isometry3d working_frame(const std::optional<Eigen::Matrix4d>& camera_pose) {

@@ -59,7 +59,7 @@ PyCloud cloud_to_python(const PointCloud& cloud);
 inline Eigen::Matrix4d matrix_of(const Eigen::Isometry3d& X) { return X.matrix(); }
 
 /// Returns a pose from a matrix.
-/// @throws std::invalid_argument naming the pose if the matrix is not a rotation and translation
+/// @throws std::invalid_argument as checked_pose() does
 Eigen::Isometry3d pose_of(const Eigen::Matrix4d& X, const std::string& name);
 
 /// Returns the pose of a camera in frame C; the identity if none is given, so that work is done in

@@ -34,4 +34,10 @@ QUADRILLE_EXPORT Detection known_detection(QuadricType type, const Eigen::Isomet
 /// @throws std::invalid_argument if a side is not positive, or the pose no rotation and translation
 QUADRILLE_EXPORT Box known_box(const Eigen::Isometry3d& X_CB, const Eigen::Vector3d& size);
 
+/// Returns a pose that a caller gave.
+/// @param name  of the pose in errors
+/// @throws std::invalid_argument naming it if it is no rotation and translation, to 1e-6
+QUADRILLE_EXPORT Eigen::Isometry3d checked_pose(const Eigen::Isometry3d& X,
+                                                const std::string& name);
+
 }  // namespace quadrille
