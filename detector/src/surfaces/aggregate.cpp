@@ -7,6 +7,7 @@
 #include "fit/family_spec.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "samples/inliers.hpp"
+#include "surfaces/evidence/see_through.hpp"
 #include "surfaces/join.hpp"
 #include "surfaces/plane_surface.hpp"
 #include "surfaces/surface_fit.hpp"
@@ -60,27 +61,28 @@ Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& 
 void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level,
                         const std::function<bool(const Surface&)>& doubts) {
   const Acceptance asked = acceptance_at(level, options_);
-  for (Candidate& c : candidates) pending_.push_back(std::move(c));
+  for (Candidate& c : candidates) pending_.emplace_back(std::move(c));
   std::vector<double> value;
   std::vector<Eigen::AlignedBox3f> box;
-  for (const Candidate& c : pending_) {
-    value.push_back(support(samples_, c, inlier_, free()));
-    box.push_back(box_of(samples_, c.region));
+  for (const PendingCandidate& c : pending_) {
+    value.push_back(support(samples_, c.candidate, inlier_, free()));
+    box.push_back(box_of(samples_, c.candidate.region));
   }
-  std::vector<Candidate> later, doubtful;
+  std::vector<PendingCandidate> later;
+  std::vector<Candidate> doubtful;
   while (true) {
     const auto best = std::max_element(value.begin(), value.end());
     if (best == value.end() || *best <= 0) break;
-    Candidate& candidate = pending_[static_cast<std::size_t>(best - value.begin())];
+    PendingCandidate& pending = pending_[static_cast<std::size_t>(best - value.begin())];
     *best = 0;
-    Trial trial = try_out(candidate, asked);
-    if (observer_) observer_(candidate, level, trial);
+    Trial trial = try_out(&pending, asked);
+    if (observer_) observer_(pending.candidate, level, trial);
     if (trial.end != TrialEnd::kAccepted) {
-      if (level == SearchLevel::kCoarse) later.push_back(std::move(candidate));
+      if (level == SearchLevel::kCoarse) later.push_back(std::move(pending));
       continue;
     }
     if (doubts && doubts(*trial.surface)) {
-      doubtful.push_back(std::move(candidate));
+      doubtful.push_back(std::move(pending.candidate));
       continue;
     }
     const Surface& surface = surfaces_.emplace_back(joined(std::move(*trial.surface)));
@@ -88,7 +90,7 @@ void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level,
     const Eigen::AlignedBox3f claim = box_of(samples_, surface.region);
     for (std::size_t c = 0; c < pending_.size(); ++c) {
       if (value[c] > 0 && box[c].intersects(claim)) {
-        value[c] = support(samples_, pending_[c], inlier_, free());
+        value[c] = support(samples_, pending_[c].candidate, inlier_, free());
       }
     }
   }
@@ -107,12 +109,13 @@ void Aggregation::offer_planes(const std::vector<PlaneRegion>& planes) {
 }
 
 /// Refits the candidate's open samples, extends the fit, and weighs its evidence.
-Trial Aggregation::try_out(const Candidate& candidate, const Acceptance& asked) const {
+Trial Aggregation::try_out(PendingCandidate* pending, const Acceptance& asked) const {
   Trial trial;
-  if (!is_promising(candidate, asked, &trial)) return trial;
+  if (!is_promising(pending, asked, &trial)) return trial;
   trial.end = TrialEnd::kFit;
   std::optional<Surface>& surface = trial.surface;
-  surface = fit_surface(samples_, claims_.open_of(candidate.region), options_);
+  if (!pending->fit) pending->fit = fit_surface(samples_, pending->open, options_);
+  surface = *pending->fit;
   // The general family fits a plane by a doubled plane.
   if (surface && is_thin(*surface, samples_)) surface = plane_instead(std::move(*surface), asked);
   if (!surface ||
@@ -135,9 +138,11 @@ Trial Aggregation::try_out(const Candidate& candidate, const Acceptance& asked) 
 
 /// True if enough of a candidate's samples are open, and its own fit is good enough to try a better
 /// one.
-bool Aggregation::is_promising(const Candidate& candidate, const Acceptance& asked,
+bool Aggregation::is_promising(PendingCandidate* pending, const Acceptance& asked,
                                Trial* trial) const {
-  const std::vector<int> open = claims_.open_of(candidate.region);
+  const Candidate& candidate = pending->candidate;
+  pending->set_open(claims_.open_of(candidate.region));
+  const std::vector<int>& open = pending->open;
   const double min_open = options_.min_open * static_cast<double>(candidate.region.size());
   if (static_cast<int>(open.size()) < options_.min_samples ||
       static_cast<double>(open.size()) < min_open) {
@@ -146,12 +151,33 @@ bool Aggregation::is_promising(const Candidate& candidate, const Acceptance& ask
   trial->end = TrialEnd::kFirstLook;
   if (candidate.family == Family::kPlane) return true;
   const double min_spread = kCandidateSpreadShare * options_.min_spread;
-  if (normal_spread(samples_, open) < min_spread) return asked.takes_planes_instead;
-  const CanonicalForm form = canonical_form(candidate.Q);
-  trial->first_look = all_evidence(source(), open, candidate.Q, form, around(open));
-  const auto terms =
-      confidence_terms(*trial->first_look, family_spec(candidate.family).dof, log_prior(form.type));
-  return confidence(terms, SurfaceKind::kCurved) >= asked.min_candidate_confidence;
+  if (!pending->spread) pending->spread = normal_spread(samples_, open);
+  if (*pending->spread < min_spread) return asked.takes_planes_instead;
+  const double confidence = first_confidence(pending, asked.min_candidate_confidence);
+  trial->first_look = pending->evidence->evidence;
+  return confidence >= asked.min_candidate_confidence;
+}
+
+/// The confidence in a candidate's own fit, or an upper bound if that is less than what is asked.
+/// What is seen through the quadric costs most of all evidence, and most candidates are refused
+/// whatever it is.
+double Aggregation::first_confidence(PendingCandidate* pending, double asked) const {
+  const auto& [Q, family, region, rms] = pending->candidate;
+  const std::vector<int>& open = pending->open;
+  const CanonicalForm form = canonical_form(Q);
+  if (!pending->evidence) pending->evidence = lasting_evidence(source(), open, Q, form);
+  look_around(source(), open, around(open), &*pending->evidence);
+  Evidence& evidence = pending->evidence->evidence;
+  const auto terms = [&, dof = family_spec(family).dof] {
+    return confidence_terms(evidence, dof, log_prior(form.type));
+  };
+  if (!pending->looked_through) {
+    const double bound = highest_confidence(terms(), "see_through", SurfaceKind::kCurved);
+    if (bound < asked && !observer_) return bound;
+    evidence.see_through = see_through(context_, samples_, open, Q, form);
+    pending->looked_through = true;
+  }
+  return confidence(terms(), SurfaceKind::kCurved);
 }
 
 std::optional<Surface> Aggregation::plane_instead(Surface surface, const Acceptance& asked) const {

@@ -11,6 +11,7 @@
 #include "surfaces/acceptance.hpp"
 #include "surfaces/claims.hpp"
 #include "surfaces/extend.hpp"
+#include "surfaces/pending.hpp"
 #include "surfaces/trial.hpp"
 #include "surfaces/weigh.hpp"
 
@@ -42,8 +43,9 @@ class Aggregation {
   const std::vector<Surface>& surfaces() const { return surfaces_; }
 
  private:
-  Trial try_out(const Candidate& candidate, const Acceptance& asked) const;
-  bool is_promising(const Candidate& candidate, const Acceptance& asked, Trial* trial) const;
+  Trial try_out(PendingCandidate* pending, const Acceptance& asked) const;
+  bool is_promising(PendingCandidate* pending, const Acceptance& asked, Trial* trial) const;
+  double first_confidence(PendingCandidate* pending, double asked) const;
   bool is_acceptable(const Surface& surface, const Acceptance& asked) const;
   std::optional<Surface> plane_instead(Surface surface, const Acceptance& asked) const;
   Surface joined(Surface surface);
@@ -59,7 +61,7 @@ class Aggregation {
   SampleBuckets buckets_;
   Extender extender_;
   Claims claims_;
-  std::vector<Candidate> pending_;
+  std::vector<PendingCandidate> pending_;
   std::vector<Surface> surfaces_;
 };
 

@@ -16,18 +16,32 @@ Axis axis_of(const CanonicalForm& form, const std::optional<Eigen::Vector3d>& up
 
 }  // namespace
 
-Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, const Quadric& Q,
-                      const CanonicalForm& form, const Mask& free) {
-  Evidence evidence = collect_evidence(from.samples, region, Q, free);
-  if (from.claims) evidence.remainder = from.claims->remainder(region);
+LastingEvidence lasting_evidence(const EvidenceSource& from, std::span<const int> region,
+                                 const Quadric& Q, const CanonicalForm& form) {
+  LastingEvidence result;
+  Evidence& evidence = result.evidence;
+  evidence = collect_evidence(from.samples, region, Q, &result.border);
   add_intruders(from.samples, from.buckets, region, Q, &evidence);
   evidence.uprightness = uprightness(form, from.context.up);
-  evidence.see_through = see_through(from.context, from.samples, region, Q, form);
   const AxisNeighbours about =
       axis_neighbours(from.samples, from.buckets, region, axis_of(form, from.context.up));
   evidence.meet_axis = about.meet;
   evidence.miss_axis = about.miss;
-  return evidence;
+  return result;
+}
+
+void look_around(const EvidenceSource& from, std::span<const int> region, const Mask& free,
+                 LastingEvidence* evidence) {
+  evidence->evidence.smooth_border = evidence->border.smooth_share(free);
+  if (from.claims) evidence->evidence.remainder = from.claims->remainder(region);
+}
+
+Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, const Quadric& Q,
+                      const CanonicalForm& form, const Mask& free) {
+  LastingEvidence result = lasting_evidence(from, region, Q, form);
+  look_around(from, region, free, &result);
+  result.evidence.see_through = see_through(from.context, from.samples, region, Q, form);
+  return result.evidence;
 }
 
 void weigh(const EvidenceSource& from, Surface* surface, const Mask& free) {

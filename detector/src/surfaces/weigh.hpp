@@ -21,6 +21,21 @@ struct EvidenceSource {
   const Claims* claims;
 };
 
+/// The evidence for a quadric, which stays as it is while other surfaces claim samples. What depends
+/// on them is set by look_around(). What is seen through the quadric is missing.
+struct LastingEvidence {
+  Evidence evidence;
+  RegionBorder border;
+};
+
+/// Collects the lasting evidence for a quadric whose inliers are the region; see all_evidence().
+LastingEvidence lasting_evidence(const EvidenceSource& from, std::span<const int> region,
+                                 const Quadric& Q, const CanonicalForm& form);
+
+/// Sets the evidence about what other surfaces leave around the region.
+void look_around(const EvidenceSource& from, std::span<const int> region, const Mask& free,
+                 LastingEvidence* evidence);
+
 /// Collects all evidence for a quadric whose inliers are the region, which must not be empty.
 /// @param form    canonical form of the quadric, with its pose in frame C; its dimensions are not
 /// used

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "surfaces/evidence/confidence_model.hpp"
 #include "surfaces/evidence/evidence.hpp"
 
@@ -17,5 +19,9 @@ ConfidenceTerms confidence_terms(const Evidence& evidence, int dof, double log_p
 /// model whose log odds are a sum of weighted terms and products of two, trained on scenes with
 /// known truth.
 double confidence(const ConfidenceTerms& terms, SurfaceKind kind);
+
+/// The highest confidence() over all values of one of the terms.
+/// @param unknown  name of the term, of kConfidenceTerms
+double highest_confidence(ConfidenceTerms terms, std::string_view unknown, SurfaceKind kind);
 
 }  // namespace quadrille

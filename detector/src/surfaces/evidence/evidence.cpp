@@ -33,12 +33,13 @@ int next_along(const SurfaceSamples& samples, int j, const Eigen::Vector3f& step
   return next;
 }
 
-/// Sets the evidence about the region's border. Windows of neighbouring normals overlap, so even a
-/// crease looks smooth from one sample to the next; therefore the normals are compared across two
-/// steps.
-void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
-                     const std::vector<char>& inside, const Mask& free, Evidence* e) {
-  double border = 0, smooth = 0, open = 0, edge = 0, interior = 0;
+/// Finds the region's border, and sets the evidence about it. Windows of neighbouring normals
+/// overlap, so even a crease looks smooth from one sample to the next; therefore the normals are
+/// compared across two steps.
+RegionBorder walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
+                             const std::vector<char>& inside, Evidence* e) {
+  RegionBorder border;
+  double open = 0, edge = 0, interior = 0;
   for (const int i : region) {
     int within = 0;
     const std::span<const int> neighbours = samples.neighbours_of(i);
@@ -48,20 +49,20 @@ void walk_neighbours(const SurfaceSamples& samples, std::span<const int> region,
         continue;
       }
       const int next = next_along(samples, j, samples.raw[j] - samples.raw[i]);
-      if (next >= 0 && !inside[next] && (free.empty() || free[next])) {
-        smooth += samples.n[next].dot(samples.n[i]) > kMinSmoothCosine;
+      if (next >= 0 && !inside[next] && samples.n[next].dot(samples.n[i]) > kMinSmoothCosine) {
+        border.beyond.push_back(next);
       }
     }
-    border += kAllNeighbours - within;
+    border.places += kAllNeighbours - within;
     open += within < static_cast<int>(neighbours.size());
     edge += static_cast<int>(neighbours.size()) < kAllNeighbours;
     interior += within == kAllNeighbours;
   }
   const double n = static_cast<double>(region.size());
-  e->smooth_border = smooth / std::max(1.0, border);
   e->open_border = open / n;
   e->depth_edge = edge / n;
   e->interior = interior / n;
+  return border;
 }
 
 double thickness_of(const SurfaceSamples& samples, std::span<const int> region,
@@ -132,8 +133,15 @@ double normal_spread(const SurfaceSamples& samples, std::span<const int> region)
   return std::acos(std::clamp(nth_smallest(cosine, cosine.size() / 10), -1.0f, 1.0f));
 }
 
+double RegionBorder::smooth_share(const Mask& free) const {
+  const auto smooth =
+      free.empty() ? static_cast<std::ptrdiff_t>(beyond.size())
+                   : std::count_if(beyond.begin(), beyond.end(), [&](int i) { return free[i]; });
+  return static_cast<double>(smooth) / std::max(1.0, places);
+}
+
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
-                          const Quadric& quadric, const Mask& free) {
+                          const Quadric& quadric, RegionBorder* border) {
   Evidence e;
   const double n = static_cast<double>(region.size());
   double square = kMinSquare * n;
@@ -157,7 +165,15 @@ Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> re
   e.one_plane = std::log((one_plane_rss(samples, region) + kMinSquare * n) / square);
   compare_neighbours(samples, region, inside, distance, square / n, &e);
   e.convexity = mean_curvature(samples, region, Q) * e.size;
-  walk_neighbours(samples, region, inside, free, &e);
+  *border = walk_neighbours(samples, region, inside, &e);
+  return e;
+}
+
+Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
+                          const Quadric& quadric, const Mask& free) {
+  RegionBorder border;
+  Evidence e = collect_evidence(samples, region, quadric, &border);
+  e.smooth_border = border.smooth_share(free);
   return e;
 }
 

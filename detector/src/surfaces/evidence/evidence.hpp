@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "base/mask.hpp"
 #include "quadrille/detector/quadric.hpp"
@@ -69,8 +70,26 @@ struct Evidence {
 /// Evidence::spread. The region must not be empty.
 double normal_spread(const SurfaceSamples& samples, std::span<const int> region);
 
+/// The border of a region, across which its surface may continue smoothly.
+struct RegionBorder {
+  /// Number of places around the samples that no sample of the region takes; a place counts for
+  /// each sample next to it.
+  double places = 0.0;
+  /// Samples beyond the border into which the surface continues smoothly, one for each such place.
+  std::vector<int> beyond;
+
+  /// Evidence::smooth_border, given the samples that belong to no other surface.
+  double smooth_share(const Mask& free) const;
+};
+
 /// Collects the evidence for a quadric whose inliers are the region, except for that from its
-/// surroundings: intruders, remainder, uprightness and what is seen through it.
+/// surroundings: smooth border, intruders, remainder, uprightness and what is seen through it.
+/// @param region  not empty
+/// @param border  receives the region's border; its evidence depends on other surfaces
+Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
+                          const Quadric& Q, RegionBorder* border);
+
+/// Collects the same evidence and that of the smooth border.
 /// @param region  not empty
 /// @param free    samples that belong to no other surface
 Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> region,
