@@ -46,12 +46,14 @@ struct CellIndex {
         last_j(cells.height - 1) {}
 };
 
+// The compiler makes vectors of this only if the index comes by value and nothing branches.
 QUADRILLE_VECTOR_CLONES
-void find_cells(const CellIndex& index, const SeenPoints& t, int* cell) {
+void find_cells(CellIndex index, const SeenPoints& t, int* cell) {
   for (int k = 0; k < SeenPoints::kSize; ++k) {
     const int i = std::min(static_cast<int>((t.u[k] - index.u0) * index.step), index.last_i);
     const int j = std::min(static_cast<int>((t.v[k] - index.v0) * index.step), index.last_j);
-    cell[k] = t.w[k] > 0.0f ? j * index.width + i : -1;
+    const int unseen = -static_cast<int>(!(t.w[k] > 0.0f));
+    cell[k] = (j * index.width + i) | unseen;
   }
 }
 
