@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/stage_clock.hpp"
 #include "quadrille/detector/detector.hpp"
 #include "surfaces/find_surfaces.hpp"
 #include "views/scene.hpp"
@@ -14,6 +15,10 @@ namespace quadrille {
 /// detect() with another way to search a level.
 DetectionResult detect_with(const FindCandidates& find, const CloudView& cloud,
                             const DetectorOptions& options);
+
+/// detect(), with someone who is told when each stage ends.
+DetectionResult detect_watched(StageWatch watch, const CloudView& cloud,
+                               const DetectorOptions& options);
 
 /// Makes one scene of the scenes of each view.
 /// @param shift_C  what was added to all points of the clouds, so that they are near the origin [m]

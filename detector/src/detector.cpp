@@ -20,10 +20,11 @@
 namespace quadrille {
 namespace {
 
-/// How surfaces are found in a view, and how views are joined.
+/// How surfaces are found in a view, how views are joined, and who is told of the stages.
 struct Ways {
   FindCandidates find;
   JoinScenes join;
+  StageWatch watch;
 };
 
 /// Runs all stages on views near the origin.
@@ -119,7 +120,7 @@ DetectionResult detect_checked(const UsableViews& views, std::size_t all,
 
 DetectionResult detect_all(const Ways& ways, std::span<const CloudView> given,
                            const DetectorOptions& options) {
-  StageClock clock;
+  StageClock clock(ways.watch);
   options.check();
   std::vector<CloudCheck> checks;
   for (const CloudView& cloud : given) checks.push_back(check_cloud(cloud));
@@ -145,12 +146,17 @@ DetectionResult detect(const CloudView& cloud, const DetectorOptions& options) {
 
 DetectionResult detect_with(const FindCandidates& find, const CloudView& cloud,
                             const DetectorOptions& options) {
-  return detect_all({find, join_by(options)}, {&cloud, 1}, options);
+  return detect_all({find, join_by(options), {}}, {&cloud, 1}, options);
+}
+
+DetectionResult detect_watched(StageWatch watch, const CloudView& cloud,
+                               const DetectorOptions& options) {
+  return detect_all({{}, join_by(options), std::move(watch)}, {&cloud, 1}, options);
 }
 
 DetectionResult detect_joined(const JoinScenes& join, std::span<const CloudView> views,
                               const DetectorOptions& options) {
-  return detect_all({{}, join}, views, options);
+  return detect_all({{}, join, {}}, views, options);
 }
 
 DetectionResult detect_views(std::span<const PointCloud> views, const DetectorOptions& options) {

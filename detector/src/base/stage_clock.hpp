@@ -2,16 +2,23 @@
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "quadrille/detector/detection.hpp"
 
 namespace quadrille {
 
+/// Is told the name of each stage when it ends; a stage that is run again ends again.
+using StageWatch = std::function<void(std::string_view stage)>;
+
 /// Measures the wall time of consecutive stages.
 class StageClock {
  public:
+  explicit StageClock(StageWatch watch = {}) : watch_(std::move(watch)) {}
+
   /// Ends the current stage, which began at the end of the last one; times of equal names add up.
   void end(std::string_view stage) {
     const Clock::time_point now = Clock::now();
@@ -24,6 +31,7 @@ class StageClock {
     } else {
       timings_.push_back({std::string(stage), ms});
     }
+    if (watch_) watch_(stage);
   }
 
   /// Times of the stages in the order in which they first ended.
@@ -38,6 +46,7 @@ class StageClock {
     return std::chrono::duration<double, std::milli>(time).count();
   }
 
+  StageWatch watch_;
   std::vector<StageTime> timings_;
   Clock::time_point start_ = Clock::now(), last_ = start_;
 };

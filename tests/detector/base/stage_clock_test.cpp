@@ -1,5 +1,8 @@
 #include "base/stage_clock.hpp"
 
+#include <string>
+#include <vector>
+
 #include "support/catch.hpp"
 
 using namespace quadrille;
@@ -23,4 +26,13 @@ TEST_CASE("the times of a clock add up to no more than its total", "[stage_clock
     sum += time.ms;
   }
   CHECK(sum <= clock.total_ms());
+}
+
+TEST_CASE("whoever watches is told each end of a stage", "[stage_clock]") {
+  std::vector<std::string> ended;
+  StageClock clock([&](std::string_view stage) { ended.emplace_back(stage); });
+  const std::vector<std::string> stages = {"search", "aggregate", "search"};
+  for (const std::string& stage : stages) clock.end(stage);
+  CHECK(ended == stages);
+  CHECK(clock.timings().size() == 2);
 }
