@@ -20,9 +20,11 @@ std::string percent(double share) {
   return std::isfinite(share) ? fmt::format("{:.1f}", 100.0 * share) : "-";
 }
 
-std::string millimetres(double metres) {
-  return std::isfinite(metres) ? fmt::format("{:.2f}", 1e3 * metres) : "-";
+std::string two_decimals(double value) {
+  return std::isfinite(value) ? fmt::format("{:.2f}", value) : "-";
 }
+
+std::string millimetres(double metres) { return two_decimals(1e3 * metres); }
 
 std::string counted_name(const Row& row) { return row.counted.empty() ? "all" : row.counted; }
 
@@ -39,6 +41,21 @@ void add_rows(const Stability& cloud, Table* table) {
                 fmt::format("{} / {}", counts.sure_in_all, counts.sure_in_any),
                 share_of(counts.sure_in_all, counts.sure_in_any)});
   }
+}
+
+/// A number with one decimal; a dash if it is unknown.
+std::string one_decimal(double value) {
+  return std::isfinite(value) ? fmt::format("{:.1f}", value) : "-";
+}
+
+std::string millions(double count) { return one_decimal(1e-6 * count); }
+
+void add_row(const std::string& set, const StageSpeed& stage, Table* table) {
+  const double change = stage.change();
+  table->add({set, stage.stage, one_decimal(stage.ms), two_decimals(stage.floor_ms),
+              millions(stage.instructions), millions(stage.floor_instructions),
+              millions(stage.stored),
+              std::isfinite(change) ? fmt::format("{:+.1f}", 100.0 * change) : "-"});
 }
 
 ordered_json number(double value) {
@@ -95,6 +112,21 @@ Table to_table(const std::vector<Stability>& clouds) {
     total.shifts += cloud.shifts;
   }
   if (clouds.size() > 1) add_rows(total, &table);
+  return table;
+}
+
+Table to_table(const std::vector<SpeedSet>& sets) {
+  Table table{"",
+              {"set", "stage", "ms", "floor ms", "M instructions", "floor", "baseline", "change %"},
+              {}};
+  for (const SpeedSet& set : sets) {
+    for (const StageSpeed& stage : set.stages) add_row(set.name, stage, &table);
+    add_row(set.name, set.total, &table);
+    if (!std::isfinite(set.cgal_ms)) continue;
+    table.add({set.name, "CGAL", one_decimal(set.cgal_ms), "-", "-", "-", "-", "-"});
+    table.add(
+        {set.name, "CGAL / all", one_decimal(set.cgal_ms / set.total.ms), "-", "-", "-", "-", "-"});
+  }
   return table;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lab/bench/bench.hpp"
+#include "lab/bench/speed_summary.hpp"
 #include "lab/bench/stability.hpp"
 #include "lab/bench/stages.hpp"
 #include "lab/experiments/plot.hpp"
@@ -22,6 +23,10 @@ experiments::Table to_table(const std::vector<StageCounts>& families);
 /// Returns the counts of each cloud as text: a row for the seeds, one for the shifts, and the same
 /// for all clouds together if there are several.
 experiments::Table to_table(const std::vector<Stability>& clouds);
+
+/// Returns the costs of each stage as text: times in milliseconds, instructions in millions,
+/// changes in per cent.
+experiments::Table to_table(const std::vector<SpeedSet>& sets);
 
 /// Returns the rows with all their digits; missing values are null.
 nlohmann::ordered_json to_json(const std::vector<Row>& rows);

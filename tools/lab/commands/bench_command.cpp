@@ -21,6 +21,7 @@
 #include "lab/bench/report.hpp"
 #include "lab/bench/stability.hpp"
 #include "lab/bench/stages.hpp"
+#include "lab/commands/bench_speed.hpp"
 #include "lab/commands/output_folder.hpp"
 
 namespace quadrille {
@@ -31,8 +32,9 @@ namespace fs = std::filesystem;
 struct BenchArguments {
   std::vector<std::string> families = {"easy", "medium", "hard"}, contenders;
   std::string out = ".", config;
-  bool list = false, stages = false, stability = false;
+  bool list = false, stages = false, stability = false, speed = false;
   bench::FrameOptions frames;
+  SpeedFiles speed_files;
 };
 
 const std::map<std::string, scene::Family>& families() {
@@ -44,11 +46,15 @@ const std::map<std::string, scene::Family>& families() {
   return all;
 }
 
-/// Returns all contenders; the peers' programs lie beside this one.
-std::vector<bench::Contender> all_contenders(const io::DetectorConfig& config = {}) {
+/// The folder of this program, in which the others lie that it runs.
+std::string programs() {
   std::error_code error;
   const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  return bench::all_contenders(error ? "." : self.parent_path().string(), config);
+  return error ? "." : self.parent_path().string();
+}
+
+std::vector<bench::Contender> all_contenders(const io::DetectorConfig& config = {}) {
+  return bench::all_contenders(programs(), config);
 }
 
 /// Reads the detector's settings.
@@ -137,6 +143,28 @@ void compare(BenchArguments arguments, const io::DetectorConfig& config) {
   print(files.list() + "\n");
 }
 
+/// Adds what --speed needs.
+void add_speed_options(CLI::App& command, const std::shared_ptr<BenchArguments>& arguments,
+                       const std::vector<CLI::Option*>& others) {
+  CLI::Option* const speed = command.add_flag(
+      "--speed", arguments->speed,
+      "Only print the time and the instructions of each stage, beside a baseline; fail if all "
+      "together take 3 % more instructions. CLOUD needs no truth; without it 4 medium scenes, or "
+      "those of --family and --scenes");
+  for (CLI::Option* const other : others) speed->excludes(other);
+  command
+      .add_option("--baseline", arguments->speed_files.baseline,
+                  "Instructions to compare with, as --store writes them (default: those that came "
+                  "with the program)")
+      ->type_name("FILE")
+      ->needs(speed);
+  command
+      .add_option("--store", arguments->speed_files.store,
+                  "Store the instructions as the next baseline, and do not fail")
+      ->type_name("FILE")
+      ->needs(speed);
+}
+
 void run(BenchArguments arguments) {
   if (arguments.list) return list_contenders();
   arguments.frames.families.clear();
@@ -146,6 +174,10 @@ void run(BenchArguments arguments) {
   const io::DetectorConfig config = settings_of(arguments.config);
   if (arguments.stability) return print_stability(arguments.frames.clouds, config.detector);
   if (arguments.stages) return print_stages(arguments.frames, config.detector);
+  if (arguments.speed) {
+    return run_speed({arguments.frames, config, arguments.config, programs()},
+                     arguments.speed_files);
+  }
   compare(std::move(arguments), config);
 }
 
@@ -167,15 +199,17 @@ void add_bench_command(CLI::App& app) {
   CLI::Option* const clouds = command->add_option(
       "CLOUD", arguments->frames.clouds,
       "Clouds with their truth, as of quadrille scene --labels, instead of new scenes");
-  command->add_option("--family", arguments->families, "Families of scenes")
-      ->delimiter(',')
-      ->check(CLI::IsMember(families()))
-      ->type_name("NAME,...")
-      ->excludes(clouds);
-  command->add_option("--scenes", arguments->frames.scenes, "Scenes of each family")
-      ->check(CLI::Range(1, 100000))
-      ->capture_default_str()
-      ->excludes(clouds);
+  CLI::Option* const family =
+      command->add_option("--family", arguments->families, "Families of scenes")
+          ->delimiter(',')
+          ->check(CLI::IsMember(families()))
+          ->type_name("NAME,...")
+          ->excludes(clouds);
+  CLI::Option* const scenes =
+      command->add_option("--scenes", arguments->frames.scenes, "Scenes of each family")
+          ->check(CLI::Range(1, 100000))
+          ->capture_default_str()
+          ->excludes(clouds);
   add_seed_option(*command, arguments->frames.seed, "the first scene of each family")
       ->excludes(clouds);
   CLI::Option* const contenders =
@@ -199,16 +233,22 @@ void add_bench_command(CLI::App& app) {
           ->excludes(contenders)
           ->excludes(list)
           ->excludes(out);
-  command
-      ->add_flag("--stability", arguments->stability,
-                 "Only print which curved surfaces of each CLOUD, which needs no truth, the "
-                 "detector finds with each of 8 seeds and of 8 shifts by pixels")
-      ->needs(clouds)
-      ->excludes(contenders)
-      ->excludes(list)
-      ->excludes(out)
-      ->excludes(stages);
-  command->callback([arguments] { run(*arguments); });
+  CLI::Option* const stability =
+      command
+          ->add_flag("--stability", arguments->stability,
+                     "Only print which curved surfaces of each CLOUD, which needs no truth, the "
+                     "detector finds with each of 8 seeds and of 8 shifts by pixels")
+          ->needs(clouds)
+          ->excludes(contenders)
+          ->excludes(list)
+          ->excludes(out)
+          ->excludes(stages);
+  add_speed_options(*command, arguments, {contenders, list, out, stages, stability});
+  command->callback([arguments, family, scenes] {
+    if (arguments->speed && family->empty()) arguments->families = {"medium"};
+    if (arguments->speed && scenes->empty()) arguments->frames.scenes = 4;
+    run(*arguments);
+  });
 }
 
 }  // namespace quadrille
