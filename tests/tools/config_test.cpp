@@ -222,6 +222,17 @@ TEST_CASE("a search for spheres alone starts from the preset, and a file stands 
   CHECK(toml_of(options_of(toml_of(sphere_preset()))) == toml_of(sphere_preset()));
 }
 
+TEST_CASE("where all types count, settings that choose some are refused", "[config]") {
+  for (const std::string key : {"only", "report"}) {
+    const std::string text = key + " = [\"sphere\"]\n";
+    const io::DetectorConfig config = io::parse_detector_config(text, "c.toml");
+    const std::string refusal =
+        test::error_of([&] { io::refuse_choice_of_types(config.given, "c.toml"); });
+    CHECK(refusal == "c.toml: key '" + key + "': here surfaces of all types count");
+  }
+  io::refuse_choice_of_types({"seed", "planes.sigmas"}, "c.toml");
+}
+
 TEST_CASE("a wrong configuration is refused with its key and its line or range",
           "[config][hostile]") {
   const std::vector<std::pair<const char*, const char*>> cases = {

@@ -46,4 +46,11 @@ DetectorOptions search_options(const DetectorConfig& config) {
   return options;
 }
 
+void refuse_choice_of_types(const std::set<std::string>& given, const std::string& path) {
+  for (const char* key : {"only", "report"}) {
+    if (!given.contains(key)) continue;
+    throw FileError(path, "", std::string("key '") + key + "': here surfaces of all types count");
+  }
+}
+
 }  // namespace quadrille::io

@@ -34,4 +34,10 @@ DetectorConfig parse_detector_config(std::string_view text, const std::string& p
 /// of sphere_preset() except where the file gives others.
 DetectorOptions search_options(const DetectorConfig& config);
 
+/// Refuses settings that choose types, where surfaces of all types count.
+/// @param given  the keys that the file gives
+/// @param path   name of the file in errors
+/// @throws FileError naming the key
+void refuse_choice_of_types(const std::set<std::string>& given, const std::string& path);
+
 }  // namespace quadrille::io

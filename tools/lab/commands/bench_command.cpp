@@ -15,7 +15,6 @@
 #include "cli/output.hpp"
 #include "cli/progress_line.hpp"
 #include "cli/seed_option.hpp"
-#include "io/file_bytes.hpp"
 #include "io/settings/config.hpp"
 #include "lab/bench/bench.hpp"
 #include "lab/bench/report.hpp"
@@ -58,13 +57,10 @@ std::vector<bench::Contender> all_contenders(const io::DetectorConfig& config = 
 }
 
 /// Reads the detector's settings.
-/// @throws io::FileError also if they select types, since surfaces of all types are counted
+/// @throws io::FileError also if they choose types
 io::DetectorConfig settings_of(const std::string& path) {
   io::DetectorConfig config = io::load_detector_config(path);
-  for (const char* key : {"only", "report"}) {
-    if (!config.given.contains(key)) continue;
-    throw io::FileError(path, "", std::string("key '") + key + "': here all types are counted");
-  }
+  io::refuse_choice_of_types(config.given, path);
   // No contender uses more.
   config.detector.threads = 1;
   return config;

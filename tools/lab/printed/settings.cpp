@@ -1,5 +1,6 @@
 #include "lab/printed/settings.hpp"
 
+#include "io/settings/config.hpp"
 #include "io/settings/setting_reader.hpp"
 #include "lab/printed/printed_toml.hpp"
 
@@ -11,10 +12,7 @@ Settings read(io::SettingReader reader, const std::string& path) {
   reader.read(&settings.detector);
   reader.read(&settings.printed);
   reader.check("", settings.detector, settings.printed);
-  for (const char* key : {"only", "report"}) {
-    if (!reader.given().contains(key)) continue;
-    throw io::FileError(path, "", std::string("key '") + key + "': here all types are found");
-  }
+  io::refuse_choice_of_types(reader.given(), path);
   return settings;
 }
 
