@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "samples/inliers.hpp"
 #include "samples/region.hpp"
 #include "variants/close_distance.hpp"
+#include "variants/cluster_greedily.hpp"
 
 namespace quadrille {
 namespace {
 
-bool one_surface(const Candidate& kept, const Candidate& other, const SurfaceSamples& samples,
-                 const InlierTest& test, const AgglomerateOptions& options) {
-  const Normalisation local = normalisation_of(samples, kept.region);
+/// @param local  coordinates of the kept one's region
+bool one_surface(const Candidate& kept, const Normalisation& local, const Candidate& other,
+                 const SurfaceSamples& samples, const InlierTest& test,
+                 const AgglomerateOptions& options) {
   if (close_distance(local.to_local(other.Q), local.to_local(kept.Q), options.max_difference) <=
       options.max_close) {
     return true;
@@ -40,16 +43,15 @@ double far_distance(const Quadric& a, const Quadric& b, const SurfaceSamples& sa
 
 std::vector<Candidate> agglomerate(std::vector<Candidate> candidates, const SurfaceSamples& samples,
                                    const InlierTest& test, const AgglomerateOptions& options) {
-  std::stable_sort(
-      candidates.begin(), candidates.end(),
-      [](const Candidate& a, const Candidate& b) { return a.region.size() > b.region.size(); });
+  std::erase_if(candidates, [](const Candidate& candidate) { return candidate.region.empty(); });
+  using Cluster = GreedyCluster<Normalisation>;
+  const auto local_of = [&](const Candidate& c) { return normalisation_of(samples, c.region); };
+  const auto is_same = [&](const Cluster& next, const Cluster& known) {
+    return one_surface(known.first, known.traits, next.first, samples, test, options);
+  };
   std::vector<Candidate> kept;
-  for (Candidate& candidate : candidates) {
-    if (candidate.region.empty()) continue;
-    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Candidate& k) {
-      return one_surface(k, candidate, samples, test, options);
-    });
-    if (!known) kept.push_back(std::move(candidate));
+  for (Cluster& cluster : cluster_greedily(std::move(candidates), local_of, is_same)) {
+    kept.push_back(std::move(cluster.first));
   }
   return kept;
 }
