@@ -2,9 +2,11 @@
 
 #include <limits>
 
+#include "cloud_samples.hpp"
 #include "decoders.hpp"
+#include "found_samples.hpp"
+#include "quadrille/bus/encode.hpp"
 #include "quadrille/detector/detection.hpp"
-#include "samples.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::bus {

@@ -2,7 +2,8 @@
 #include <lcmtypes/bot_core/pointcloud2_t.hpp>
 #include <lcmtypes/drake/lcmt_point_cloud.hpp>
 
-#include "samples.hpp"
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::bus {

@@ -1,4 +1,5 @@
-#include "samples.hpp"
+#include "cloud_samples.hpp"
+#include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::bus {

@@ -1,5 +1,6 @@
+#include "cloud_samples.hpp"
 #include "quadrille/bus/cloud_message.hpp"
-#include "samples.hpp"
+#include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::bus {

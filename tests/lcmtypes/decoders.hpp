@@ -6,8 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "cloud_samples.hpp"
+#include "found_samples.hpp"
+#include "grasp_samples.hpp"
+#include "quadrille/bus/encode.hpp"
 #include "quadrille/bus/pose_message.hpp"
-#include "samples.hpp"
+#include "scene_samples.hpp"
+#include "status_samples.hpp"
 
 namespace quadrille::test {
 

@@ -5,7 +5,6 @@
 
 #include "contains.hpp"
 #include "log_files.hpp"
-#include "samples.hpp"
 
 namespace quadrille::bus {
 namespace {

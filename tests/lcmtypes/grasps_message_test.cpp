@@ -3,7 +3,9 @@
 #include <functional>
 #include <limits>
 
-#include "samples.hpp"
+#include "grasp_samples.hpp"
+#include "put_int32.hpp"
+#include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::bus {

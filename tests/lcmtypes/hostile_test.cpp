@@ -3,6 +3,9 @@
 #include <lcmtypes/bot_core/pointcloud_t.hpp>
 
 #include "decoders.hpp"
+#include "put_int32.hpp"
+#include "quadrille/bus/cloud_message.hpp"
+#include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::bus {

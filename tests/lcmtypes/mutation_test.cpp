@@ -4,6 +4,7 @@
 #include <random>
 
 #include "decoders.hpp"
+#include "put_int32.hpp"
 #include "support/catch.hpp"
 
 namespace {

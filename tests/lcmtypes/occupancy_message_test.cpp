@@ -1,6 +1,7 @@
 #include "quadrille/bus/occupancy_message.hpp"
 
-#include "samples.hpp"
+#include "grasp_samples.hpp"
+#include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::bus {

@@ -4,7 +4,8 @@
 #include <lcmtypes/bot_core/pose_t.hpp>
 #include <limits>
 
-#include "samples.hpp"
+#include "quadrille/bus/encode.hpp"
+#include "scene_samples.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::bus {

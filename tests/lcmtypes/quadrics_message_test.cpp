@@ -1,6 +1,8 @@
 #include "quadrille/bus/quadrics_message.hpp"
 
-#include "samples.hpp"
+#include "cloud_samples.hpp"
+#include "found_samples.hpp"
+#include "quadrille/bus/encode.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::bus {

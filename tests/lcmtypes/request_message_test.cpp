@@ -1,7 +1,7 @@
 #include "quadrille/bus/request_message.hpp"
 
+#include "grasp_samples.hpp"
 #include "quadrille/bus/encode.hpp"
-#include "samples.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::bus {

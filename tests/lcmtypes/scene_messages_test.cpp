@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "decoders.hpp"
+#include "put_int32.hpp"
 #include "quadrille/bus/encode.hpp"
-#include "samples.hpp"
+#include "scene_samples.hpp"
 #include "support/catch.hpp"
 #include "support/error_of.hpp"
 

@@ -1,6 +1,9 @@
 #include "quadrille/bus/status_message.hpp"
 
-#include "samples.hpp"
+#include <lcmtypes/quadrille/pose_t.hpp>
+
+#include "quadrille/bus/encode.hpp"
+#include "status_samples.hpp"
 #include "support/catch.hpp"
 
 namespace quadrille::bus {
