@@ -54,8 +54,8 @@ Aggregation::Aggregation(const SurfaceSamples& samples, const AggregateOptions& 
       inlier_(inlier),
       context_(std::move(context)),
       observer_(std::move(observer)),
-      buckets_(samples),
-      extender_(samples, buckets_, options, inlier),
+      blocks_(samples),
+      extender_(samples, blocks_, options, inlier),
       claims_(samples) {}
 
 void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level,

@@ -50,7 +50,7 @@ class Aggregation {
   std::optional<Surface> plane_instead(Surface surface, const Acceptance& asked) const;
   Surface joined(Surface surface);
   void weigh(Surface* surface) const;
-  EvidenceSource source() const { return {samples_, buckets_, context_, &claims_}; }
+  EvidenceSource source() const { return {samples_, blocks_, context_, &claims_}; }
   const Mask& around(std::span<const int> region) const;
 
   const SurfaceSamples& samples_;
@@ -58,7 +58,7 @@ class Aggregation {
   InlierTest inlier_;
   SceneContext context_;
   TrialObserver observer_;
-  SampleBuckets buckets_;
+  SampleBlocks blocks_;
   Extender extender_;
   Claims claims_;
   std::vector<PendingCandidate> pending_;

@@ -21,9 +21,9 @@ constexpr double kMaxRmsGrowth = 1.3;
 
 }  // namespace
 
-Extender::Extender(const SurfaceSamples& samples, const SampleBuckets& buckets,
+Extender::Extender(const SurfaceSamples& samples, const SampleBlocks& blocks,
                    const AggregateOptions& options, const InlierTest& inlier)
-    : samples_(samples), options_(options), inlier_(inlier), buckets_(buckets) {
+    : samples_(samples), options_(options), inlier_(inlier), blocks_(blocks) {
   inlier_.sigmas *= options.claim;
 }
 
@@ -71,11 +71,13 @@ std::vector<int> Extender::further(const Surface& surface, const Mask& free) con
   const Eigen::Vector3f margin = kMargin * box.sizes();
   box.extend(Eigen::Vector3f(box.min() - margin));
   box.extend(Eigen::Vector3f(box.max() + margin));
-  // The extended box lies within a ball of this radius.
+  // The corners of the box that lie far from all samples do not count.
   const float radius = reach + margin.norm() * scale;
   const Eigen::Matrix4f Q = surface.Q.matrix().cast<float>();
   std::vector<int> more;
-  for (const int i : buckets_.near(centre, radius)) {
+  const Eigen::Affine3f X_BC =
+      Y * Eigen::Affine3f(Eigen::Scaling(1.0f / scale)) * Eigen::Translation3f(-centre);
+  for (const int i : blocks_.in_box(X_BC, box)) {
     if (!free[i] || inside[i] || (samples_.raw[i] - centre).squaredNorm() > radius * radius) {
       continue;
     }

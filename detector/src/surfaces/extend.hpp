@@ -4,7 +4,7 @@
 
 #include "base/mask.hpp"
 #include "quadrille/detector/stage_options.hpp"
-#include "samples/sample_buckets.hpp"
+#include "surfaces/evidence/sample_blocks.hpp"
 #include "surfaces/surface.hpp"
 
 namespace quadrille {
@@ -14,8 +14,8 @@ namespace quadrille {
 class Extender {
  public:
   /// @param samples  the samples of all surfaces; must outlive this
-  /// @param buckets  buckets of the samples; must outlive this
-  Extender(const SurfaceSamples& samples, const SampleBuckets& buckets,
+  /// @param blocks  blocks of the samples; must outlive this
+  Extender(const SurfaceSamples& samples, const SampleBlocks& blocks,
            const AggregateOptions& options, const InlierTest& inlier);
 
   /// Adds to a surface all open samples on it within and near its extent, and refits it if they are
@@ -29,7 +29,7 @@ class Extender {
   const SurfaceSamples& samples_;
   AggregateOptions options_;
   InlierTest inlier_;
-  const SampleBuckets& buckets_;
+  const SampleBlocks& blocks_;
 };
 
 }  // namespace quadrille

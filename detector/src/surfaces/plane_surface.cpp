@@ -7,7 +7,7 @@
 
 #include "fit/closed_form/initial_plane.hpp"
 #include "samples/region.hpp"
-#include "samples/sample_buckets.hpp"
+#include "surfaces/evidence/sample_blocks.hpp"
 #include "surfaces/surface_fit.hpp"
 #include "surfaces/weigh.hpp"
 
@@ -52,10 +52,10 @@ Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane) {
 std::vector<Surface> weighed_planes(const SurfaceSamples& samples,
                                     const std::vector<PlaneRegion>& planes,
                                     const SceneContext& context) {
-  const SampleBuckets buckets(samples);
+  const SampleBlocks blocks(samples);
   std::vector<Surface> surfaces;
   for (const PlaneRegion& plane : planes) {
-    weigh({samples, buckets, context, nullptr},
+    weigh({samples, blocks, context, nullptr},
           &surfaces.emplace_back(plane_surface(samples, plane)));
   }
   return surfaces;

@@ -21,10 +21,10 @@ LastingEvidence lasting_evidence(const EvidenceSource& from, std::span<const int
   LastingEvidence result;
   Evidence& evidence = result.evidence;
   evidence = collect_evidence(from.samples, region, Q, &result.border);
-  add_intruders(from.samples, from.buckets, region, Q, &evidence);
+  add_intruders(from.samples, from.blocks, region, Q, &evidence);
   evidence.uprightness = uprightness(form, from.context.up);
   const AxisNeighbours about =
-      axis_neighbours(from.samples, from.buckets, region, axis_of(form, from.context.up));
+      axis_neighbours(from.samples, from.blocks, region, axis_of(form, from.context.up));
   evidence.meet_axis = about.meet;
   evidence.miss_axis = about.miss;
   return result;

@@ -4,9 +4,9 @@
 
 #include "base/mask.hpp"
 #include "quadrille/detector/quadric.hpp"
-#include "samples/sample_buckets.hpp"
 #include "samples/surface_samples.hpp"
 #include "surfaces/claims.hpp"
+#include "surfaces/evidence/sample_blocks.hpp"
 #include "surfaces/evidence/scene_context.hpp"
 #include "surfaces/surface.hpp"
 
@@ -15,14 +15,14 @@ namespace quadrille {
 /// The data from which the evidence for surfaces is collected.
 struct EvidenceSource {
   const SurfaceSamples& samples;
-  const SampleBuckets& buckets;
+  const SampleBlocks& blocks;
   const SceneContext& context;
   /// The samples of accepted surfaces; null to weigh as if nothing else had been found.
   const Claims* claims;
 };
 
-/// The evidence for a quadric, which stays as it is while other surfaces claim samples. What depends
-/// on them is set by look_around(). What is seen through the quadric is missing.
+/// The evidence for a quadric, which stays as it is while other surfaces claim samples. What
+/// depends on them is set by look_around(). What is seen through the quadric is missing.
 struct LastingEvidence {
   Evidence evidence;
   RegionBorder border;

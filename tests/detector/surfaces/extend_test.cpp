@@ -16,8 +16,8 @@ TEST_CASE("a surface is extended over open samples near its ends, once each", "[
   for (int i = 10 * kPipeColumns; i < 50 * kPipeColumns; ++i) middle.push_back(i);
   const auto piece = fit_surface(samples, middle, {});
   REQUIRE(piece);
-  const SampleBuckets buckets(samples);
-  const Extender extender(samples, buckets, {}, {});
+  const SampleBlocks blocks(samples);
+  const Extender extender(samples, blocks, {}, {});
   Mask free(samples.p.size(), 1);
   std::vector<int> region = extender.extended(*piece, free).region;
   // By a tenth and more at each end, and no farther than the margin.

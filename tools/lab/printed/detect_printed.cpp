@@ -12,8 +12,8 @@
 #include "lab/printed/pool.hpp"
 #include "lab/trials/search_samples.hpp"
 #include "samples/region.hpp"
-#include "samples/sample_buckets.hpp"
 #include "surfaces/evidence/confidence.hpp"
+#include "surfaces/evidence/sample_blocks.hpp"
 #include "surfaces/weigh.hpp"
 
 namespace quadrille::printed {
@@ -88,8 +88,8 @@ DetectionResult detect_printed(const PointCloud& cloud, const Settings& settings
   const auto scene = trials::search_samples(cloud, options);
   if (!scene) return result;
   const SurfaceSamples& samples = scene->tree->finest();
-  const SampleBuckets buckets(samples);
-  const EvidenceSource source{samples, buckets, scene->context, nullptr};
+  const SampleBlocks blocks(samples);
+  const EvidenceSource source{samples, blocks, scene->context, nullptr};
   const auto share_of = [](std::size_t part, int all) {
     return static_cast<double>(part) / static_cast<double>(all);
   };

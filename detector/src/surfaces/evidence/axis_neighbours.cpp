@@ -19,7 +19,7 @@ constexpr double kMaxRadius = 3.0;
 
 }  // namespace
 
-AxisNeighbours axis_neighbours(const SurfaceSamples& samples, const SampleBuckets& buckets,
+AxisNeighbours axis_neighbours(const SurfaceSamples& samples, const SampleBlocks& blocks,
                                std::span<const int> region, const Axis& axis) {
   const Normalisation local = normalisation_of(samples, region);
   const Eigen::Vector3d foot =
@@ -36,9 +36,9 @@ AxisNeighbours axis_neighbours(const SurfaceSamples& samples, const SampleBucket
   radius = kReach * std::min(radius, static_cast<float>(kMaxRadius * local.scale));
   low -= radius, high += radius;
   int meet = 0, miss = 0;
-  const float ball = std::hypot(radius, 0.5f * (high - low));
-  const Eigen::Vector3d middle = foot + 0.5 * (low + high) * axis.direction;
-  for (const int i : buckets.near(middle.cast<float>(), ball)) {
+  const Eigen::AlignedBox3f box(Eigen::Vector3f(-radius, -radius, low),
+                                Eigen::Vector3f(radius, radius, high));
+  for (const int i : blocks.in_box(X_AC, box)) {
     if (inside[i]) continue;
     const Eigen::Vector3f x = X_AC * samples.raw[i];
     if (x.z() < low || x.z() > high || x.head<2>().norm() > radius) continue;

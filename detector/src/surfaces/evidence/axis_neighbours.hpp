@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <span>
 
-#include "samples/sample_buckets.hpp"
 #include "samples/surface_samples.hpp"
 #include "search/axes/axis_votes.hpp"
+#include "surfaces/evidence/sample_blocks.hpp"
 
 namespace quadrille {
 
@@ -20,7 +20,7 @@ struct AxisNeighbours {
 /// one and a half times the region's largest radius, and beyond its ends by as much. Samples whose
 /// normals are nearly parallel to the axis belong to lids and supports, and are not counted.
 /// @param region  not empty
-AxisNeighbours axis_neighbours(const SurfaceSamples& samples, const SampleBuckets& buckets,
+AxisNeighbours axis_neighbours(const SurfaceSamples& samples, const SampleBlocks& blocks,
                                std::span<const int> region, const Axis& axis);
 
 }  // namespace quadrille

@@ -25,7 +25,7 @@ Eigen::Matrix3f principal_axes(const PlaneSums& sums) {
 
 }  // namespace
 
-void add_intruders(const SurfaceSamples& samples, const SampleBuckets& buckets,
+void add_intruders(const SurfaceSamples& samples, const SampleBlocks& blocks,
                    std::span<const int> region, const Quadric& quadric, Evidence* evidence) {
   const Eigen::Matrix4f Q = quadric.normalized().matrix().cast<float>();
   std::vector<char> inside(static_cast<std::size_t>(samples.size()), 0);
@@ -40,9 +40,9 @@ void add_intruders(const SurfaceSamples& samples, const SampleBuckets& buckets,
   const Eigen::Matrix3f axes = principal_axes(sums);
   Eigen::AlignedBox3f box;
   for (const int i : region) box.extend(Eigen::Vector3f(axes * (samples.raw[i] - centre)));
-  const Eigen::Vector3f middle = centre + axes.transpose() * box.center();
+  const Eigen::Affine3f X_BC = Eigen::Affine3f(axes) * Eigen::Translation3f(-centre);
   int in_front = 0, behind = 0;
-  for (const int i : buckets.near(middle, 0.5f * box.diagonal().norm())) {
+  for (const int i : blocks.in_box(X_BC, box)) {
     if (inside[i] || !box.contains(Eigen::Vector3f(axes * (samples.raw[i] - centre)))) continue;
     const float d = distance_to(Q, samples.raw[i]);
     if (std::abs(d) < kOffSigmas * samples.sigma[i] + kOffCells * samples.cell[i]) continue;

@@ -1,15 +1,16 @@
 #include "surfaces/evidence/confidence.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "detector/pipe.hpp"
 #include "detector/surfaces/evidence/confidence_examples.hpp"
 #include "fit/family_spec.hpp"
-#include "samples/sample_buckets.hpp"
 #include "support/catch.hpp"
 #include "support/surface_grid.hpp"
 #include "surfaces/evidence/confidence_weights.hpp"
 #include "surfaces/evidence/intruders.hpp"
+#include "surfaces/evidence/sample_blocks.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -21,7 +22,7 @@ ConfidenceTerms terms_of_cylinder(const SurfaceSamples& samples, const std::vect
                                   double radius) {
   const Quadric Q(diagonal(1, 1, 0, -radius * radius));
   Evidence e = collect_evidence(samples, region, Q);
-  add_intruders(samples, SampleBuckets(samples), region, Q, &e);
+  add_intruders(samples, SampleBlocks(samples), region, Q, &e);
   return confidence_terms(e, family_spec(Family::kCylinder).dof, 0.0);
 }
 
@@ -45,6 +46,25 @@ TEST_CASE("beyond what the training showed, terms say no more", "[confidence]") 
       const double at_the_end = confidence(terms, example.kind);
       terms[k] += 10.0;
       CHECK(confidence(terms, example.kind) == at_the_end);
+    }
+  }
+}
+
+TEST_CASE("the highest confidence is the highest over all values of a term", "[confidence]") {
+  constexpr int kSteps = 1000;
+  for (const ConfidenceExample& example : kConfidenceExamples) {
+    for (std::size_t k = 0; k < kConfidenceTerms.size(); ++k) {
+      CAPTURE(kConfidenceTerms[k]);
+      ConfidenceTerms terms = example.terms;
+      double highest = 0.0;
+      for (int step = 0; step <= kSteps; ++step) {
+        const double share = static_cast<double>(step) / kSteps;
+        terms[k] = kTermRanges[k].min + share * (kTermRanges[k].max - kTermRanges[k].min);
+        highest = std::max(highest, confidence(terms, example.kind));
+      }
+      const double bound = highest_confidence(example.terms, kConfidenceTerms[k], example.kind);
+      CHECK(bound >= highest - 1e-12);
+      CHECK(bound == Approx(highest).epsilon(1e-3));
     }
   }
 }

@@ -26,14 +26,14 @@ TEST_CASE("samples off the quadric within the region's box are told by their sid
   add(kPipeRadius, 0.0);
   add(-1.0, 0.0);
   const Quadric Q(diagonal(1, 1, 0, -kPipeRadius * kPipeRadius));
-  const SampleBuckets buckets(samples);
+  const SampleBlocks blocks(samples);
   Evidence e;
-  add_intruders(samples, buckets, pipe, Q, &e);
+  add_intruders(samples, blocks, pipe, Q, &e);
   CHECK(e.behind == Approx(10.0 / static_cast<double>(pipe.size())));
   CHECK(e.in_front == 0.0);
   // Seen from inside, the same samples stand in front.
   for (auto& n : samples.n) n = -n;
-  add_intruders(samples, buckets, pipe, Q, &e);
+  add_intruders(samples, blocks, pipe, Q, &e);
   CHECK(e.in_front == Approx(10.0 / static_cast<double>(pipe.size())));
   CHECK(e.behind == 0.0);
 }

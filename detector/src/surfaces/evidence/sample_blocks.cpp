@@ -1,0 +1,117 @@
+#include "surfaces/evidence/sample_blocks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "base/buckets.hpp"
+#include "base/vector_clones.hpp"
+#include "samples/voxel/voxel_grid.hpp"
+
+namespace quadrille {
+namespace {
+
+// Edge of a block in cells of a sample, so that a surface fills some dozens of blocks.
+constexpr float kEdgeCells = 16.0f;
+// Boxes are widened by this share of the coordinates, many times what rounding makes of them.
+constexpr float kRounding = 1e-5f;
+// Positions are tested in steps of this many, so their lists are longer by as much.
+constexpr int kStep = 32;
+
+/// A box in its frame and the map to it, as plain numbers.
+struct BoxTest {
+  float X[3][4];
+  float low[3], high[3];
+};
+
+BoxTest test_of(const Eigen::Affine3f& X, const Eigen::AlignedBox3f& box) {
+  BoxTest test;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 4; ++c) test.X[r][c] = X(r, c);
+    const float slack =
+        kRounding * (std::abs(X(r, 3)) + std::abs(box.min()[r]) + std::abs(box.max()[r]));
+    test.low[r] = box.min()[r] - slack;
+    test.high[r] = box.max()[r] + slack;
+  }
+  return test;
+}
+
+/// Finds those of the first `size` positions that lie in a box.
+/// @param sample  number of the sample at each position
+/// @param list    receives the samples inside; it must have room for all
+/// @return the number of samples inside
+QUADRILLE_VECTOR_CLONES
+std::size_t find_inside(BoxTest test, int size, const float* x, const float* y, const float* z,
+                        const int* sample, int* list) {
+  std::size_t found = 0;
+  for (int start = 0; start < size; start += kStep) {
+    char inside[kStep];
+    const int step = std::min(kStep, size - start);
+    for (int k = 0; k < kStep; ++k) {
+      char in = 1;
+      for (int r = 0; r < 3; ++r) {
+        const float c = test.X[r][0] * x[start + k] + test.X[r][1] * y[start + k] +
+                        test.X[r][2] * z[start + k] + test.X[r][3];
+        in &= (c >= test.low[r]) & (c <= test.high[r]);
+      }
+      inside[k] = in;
+    }
+    for (int k = 0; k < step; ++k) {
+      list[found] = sample[start + k];
+      found += static_cast<std::size_t>(inside[k]);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+SampleBlocks::SampleBlocks(const SurfaceSamples& samples) {
+  if (samples.size() == 0) return;
+  const float edge = kEdgeCells * samples.cell[static_cast<std::size_t>(samples.size()) / 2];
+  std::vector<int> voxel;
+  const VoxelGrid grid(samples.raw, {}, edge, &voxel);
+  Buckets buckets = sort_into_buckets(voxel, grid.size());
+  sample_ = std::move(buckets.list);
+  for (std::vector<float>* coordinate : {&x_, &y_, &z_}) {
+    coordinate->reserve(sample_.size() + kStep);
+  }
+  for (int b = 0; b < buckets.size(); ++b) {
+    Block block{grid.mean()[b], 0.0f, buckets.first[b], buckets.first[b + 1] - buckets.first[b]};
+    for (int k = block.first; k < block.first + block.size; ++k) {
+      const Eigen::Vector3f& p = samples.raw[sample_[k]];
+      block.radius = std::max(block.radius, (p - block.centre).norm());
+      x_.push_back(p.x()), y_.push_back(p.y()), z_.push_back(p.z());
+    }
+    blocks_.push_back(block);
+  }
+  for (std::vector<float>* coordinate : {&x_, &y_, &z_}) {
+    coordinate->resize(sample_.size() + kStep);
+  }
+}
+
+std::vector<int> SampleBlocks::in_box(const Eigen::Affine3f& X_BC,
+                                      const Eigen::AlignedBox3f& box_B) const {
+  const BoxTest test = test_of(X_BC, box_B);
+  const Eigen::Array3f low = Eigen::Array3f::Map(test.low), high = Eigen::Array3f::Map(test.high);
+  const Eigen::Array3f stretch = (1.0f + kRounding) * X_BC.linear().rowwise().norm().array();
+  std::vector<const Block*> near;
+  std::size_t size = 0;
+  for (const Block& block : blocks_) {
+    const Eigen::Array3f c = (X_BC * block.centre).array(), r = block.radius * stretch;
+    if (!((c + r >= low) && (c - r <= high)).all()) continue;
+    near.push_back(&block);
+    size += static_cast<std::size_t>(block.size);
+  }
+  std::vector<int> found(size);
+  std::size_t length = 0;
+  for (const Block* block : near) {
+    const int k = block->first;
+    length += find_inside(test, block->size, &x_[k], &y_[k], &z_[k], &sample_[k], &found[length]);
+  }
+  found.resize(length);
+  return found;
+}
+
+}  // namespace quadrille
