@@ -166,8 +166,8 @@ TEST_CASE("a doubted surface comes after all others, if their claims leave it it
   Aggregation both(samples, {}, {}, {}, observe);
   both.offer({whole, other}, SearchLevel::kFinest,
              [&](const Surface&) { return tried.size() == 1; });
-  // The whole pipe explains more and is tried first, but the other is accepted first. It claims most
-  // of the samples, so too few are left for the doubted one.
+  // The whole pipe explains more and is tried first, but the other is accepted first. It claims
+  // most of the samples, so too few are left for the doubted one.
   CHECK(tried == std::vector{whole.region.size(), other.region.size()});
   CHECK(both.surfaces().size() == 1);
 }
