@@ -48,6 +48,7 @@ std::vector<int> flat_seeds(const SurfaceSamples& samples, double angle, const M
   }
   std::sort(flat.begin(), flat.end());
   std::vector<int> seeds;
+  seeds.reserve(flat.size());
   for (const auto& [key, i] : flat) seeds.push_back(i);
   return seeds;
 }
@@ -160,6 +161,7 @@ std::vector<PlaneRegion> join_coplanar(const SurfaceSamples& samples,
     }
   }
   std::vector<PlaneRegion> joined;
+  joined.reserve(parts.size());
   for (PlanePart& part : parts) joined.push_back(std::move(part.plane));
   return joined;
 }

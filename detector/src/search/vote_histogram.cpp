@@ -30,7 +30,8 @@ VoteHistogram::VoteHistogram(const VoteOptions& options)
 void VoteHistogram::add(float lambda) {
   const float place = options_.quantisation.place_of(lambda);
   const int bin = static_cast<int>(place * static_cast<float>(options_.bins));
-  ++count_[static_cast<std::size_t>(kMargin + std::clamp(bin, 0, options_.bins - 1))];
+  const auto inside = static_cast<std::size_t>(std::clamp(bin, 0, options_.bins - 1));
+  ++count_[kMargin + inside];
   is_empty_ = false;
 }
 

@@ -103,6 +103,7 @@ Scene join_views(std::vector<SceneView> views, const DetectorOptions& options) {
 Scene join_scenes(std::vector<Scene> scenes, const DetectorOptions& options) {
   if (scenes.size() == 1) return std::move(scenes.front());
   std::vector<SceneView> views;
+  views.reserve(scenes.size());
   for (Scene& scene : scenes) views.push_back(single_view(std::move(scene)));
   return join_views(std::move(views), options);
 }

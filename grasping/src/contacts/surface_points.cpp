@@ -49,7 +49,8 @@ Thinned thinned(std::span<const Eigen::Vector3d> points, std::span<const Eigen::
   struct Keyed {
     PointBuckets::Key key;
     int eye, point;
-    auto operator<=>(const Keyed&) const = default;
+    // clang-tidy takes the zero of a comparison for a pointer.
+    auto operator<=>(const Keyed&) const = default;  // NOLINT(modernize-use-nullptr)
   };
   std::vector<Keyed> keyed;
   keyed.reserve(points.size());

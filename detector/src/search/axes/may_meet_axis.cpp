@@ -1,6 +1,7 @@
 #include "search/axes/may_meet_axis.hpp"
 
 #include <algorithm>
+#include <cstddef>
 
 #include "base/vector_clones.hpp"
 #include "search/axes/normal_line.hpp"
@@ -23,7 +24,7 @@ void compare_with_axis(const float* p, const float* d, float max_square, int siz
   constexpr float kMinSquare = squared(NormalLine::kMinSine) / kSlack;
   constexpr float kCells = kSlack * squared(NormalLine::kMaxMissCells);
   constexpr float kShare = kSlack * squared(NormalLine::kMaxMissShare);
-  for (int k = 0; k < size; ++k) {
+  for (std::ptrdiff_t k = 0; k < size; ++k) {
     const float ox = x[3 * k] - px, oy = x[3 * k + 1] - py, oz = x[3 * k + 2] - pz;
     const float nx = n[3 * k], ny = n[3 * k + 1], nz = n[3 * k + 2];
     const float along = dx * ox + dy * oy + dz * oz, height = dx * nx + dy * ny + dz * nz;
