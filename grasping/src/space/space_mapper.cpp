@@ -50,9 +50,7 @@ void SpaceMapper::mark_free(const DepthView& view, const Eigen::Vector3i& low, i
   const DepthRange range = view.range(p_V, reach);
   if (p_V.z() - reach.z() > range.max) return;
   if (p_V.z() + reach.z() < range.min) return fill_free(low, edge);
-  if (edge == 2) return mark_eight(view, low, p_V);
-  const int step = edge / 2;
-  for (int n = 0; n < 8; ++n) mark_free(view, low + step * eighth_of_cube(n), step);
+  mark_eighths(view, low, edge / 2, p_V);
 }
 
 /// True if each voxel of a cube is free or occupied, as after other views.
@@ -66,38 +64,59 @@ bool SpaceMapper::is_known(const Eigen::Vector3i& low, int edge) const {
   return true;
 }
 
-/// Marks the eight voxels around the point p_V of the view.
-void SpaceMapper::mark_eight(const DepthView& view, const Eigen::Vector3i& low,
-                             const Eigen::Vector3d& p_V) {
-  const double half = 0.5 * grid_.resolution();
+/// Marks the eighths, of a given edge, of the cube around the point p_V of the view.
+void SpaceMapper::mark_eighths(const DepthView& view, const Eigen::Vector3i& low, int edge,
+                               const Eigen::Vector3d& p_V) {
+  const double half = 0.5 * edge * grid_.resolution();
   const Eigen::Matrix3d axes_V = view.axes() * half;
   DepthView::EightPoints eight;
   for (unsigned n = 0; n < 8; ++n) {
-    eight.row(n) = (p_V + axes_V * cube_corner(n)).cast<float>().transpose().array();
+    const Eigen::Vector3d middle_V = p_V + axes_V * cube_corner(n);
+    eight.x[n] = static_cast<float>(middle_V.x());
+    eight.y[n] = static_cast<float>(middle_V.y());
+    eight.z[n] = static_cast<float>(middle_V.z());
   }
   const Eigen::Vector3d reach = view.reach(half);
   const std::array<DepthRange, 8> ranges = view.ranges(eight, reach);
   for (int n = 0; n < 8; ++n) {
-    const Eigen::Vector3i at = low + eighth_of_cube(n);
-    Voxel& state = voxel(at.x(), at.y(), at.z());
+    const Eigen::Vector3i at = low + edge * eighth_of_cube(n);
     // Depths that are equal to within the rounding of floats are compared exactly, by sees_past().
-    const double z = eight(n, 2), slack = reach.z() + kFloatRounding * (1.0 + z);
-    if (state >= Voxel::kFree || z - slack > ranges[n].max) continue;
-    if (z + slack < ranges[n].min || view.sees_past(grid_.centre(at.x(), at.y(), at.z()), half)) {
-      state = Voxel::kFree;
+    const double z = eight.z[n], slack = reach.z() + kFloatRounding * (1.0 + z);
+    if (z - slack > ranges[n].max) continue;
+    const bool free = z + slack < ranges[n].min;
+    if (edge == 1) {
+      Voxel& state = voxel(at.x(), at.y(), at.z());
+      if (state >= Voxel::kFree) continue;
+      if (free || view.sees_past(grid_.centre(at.x(), at.y(), at.z()), half)) state = Voxel::kFree;
+    } else if (free) {
+      fill_free(at, edge);
+    } else if (!is_known(at, edge)) {
+      mark_eighths(view, at, edge / 2, p_V + axes_V * cube_corner(static_cast<unsigned>(n)));
     }
   }
 }
 
 void SpaceMapper::mark_occupied(const PointCloud& cloud,
                                 const std::vector<std::uint8_t>& left_out) {
-  const Eigen::Array3f size = grid_.size().cast<float>(), corner = grid_.corner().cast<float>();
   const float scale = static_cast<float>(1.0 / grid_.resolution());
+  // No grid reaches so far; missing coordinates are moved there too.
+  constexpr float kBeyond = static_cast<float>(2.0 * OccupancyGrid::kMaxCoordinate);
+  // Avoids std::floor, which is a function call on plain x86-64.
+  const auto whole_below = [&](float x) {
+    x = x > -kBeyond ? std::min(x, kBeyond) : -kBeyond;
+    const int n = static_cast<int>(x);
+    return n - (x < static_cast<float>(n));
+  };
+  const Eigen::Vector3i corner = grid_.corner(), size = grid_.size();
+  // Unlike vectors, these do not check each access.
+  const Eigen::Vector3f* points = cloud.points.data();
+  Voxel* states = grid_.states_.data();
   for (std::size_t n = 0; n < cloud.points.size(); ++n) {
-    const Eigen::Array3f x = (cloud.points[n].array() * scale).floor() - corner;
-    if (!((x >= 0.0f).all() && (x < size).all()) || left_out[n]) continue;
-    voxel(static_cast<int>(x[0]), static_cast<int>(x[1]), static_cast<int>(x[2])) =
-        Voxel::kOccupied;
+    const int i = whole_below(points[n].x() * scale) - corner.x();
+    const int j = whole_below(points[n].y() * scale) - corner.y();
+    const int k = whole_below(points[n].z() * scale) - corner.z();
+    if (i < 0 || j < 0 || k < 0 || i >= size.x() || j >= size.y() || k >= size.z()) continue;
+    if (!left_out[n]) states[grid_.index(i, j, k)] = Voxel::kOccupied;
   }
 }
 

@@ -57,7 +57,8 @@ class SpaceMapper {
   void mark_free(const DepthView& view);
   void mark_free(const DepthView& view, const Eigen::Vector3i& low, int edge);
   bool is_known(const Eigen::Vector3i& low, int edge) const;
-  void mark_eight(const DepthView& view, const Eigen::Vector3i& low, const Eigen::Vector3d& p_V);
+  void mark_eighths(const DepthView& view, const Eigen::Vector3i& low, int edge,
+                    const Eigen::Vector3d& p_V);
   void fill_free(const Eigen::Vector3i& low, int edge);
   bool wanted(const Eigen::Vector3i& block) const;
   template <class Visit>

@@ -1,6 +1,7 @@
 #include "view/depth_bounds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <limits>
 #include <utility>
@@ -33,26 +34,30 @@ DepthBounds::Level DepthBounds::coarser(const Level& fine) {
   Level level;
   level.width = (fine.width + 1) / 2;
   level.height = (fine.height + 1) / 2;
-  const std::size_t size = static_cast<std::size_t>(level.width) * level.height;
-  level.min.resize(size), level.max.resize(size), level.surface.resize(size);
-  for (int v = 0; v < level.height; ++v) {
-    const std::size_t row0 = static_cast<std::size_t>(2 * v) * fine.width;
-    const std::size_t row1 =
-        static_cast<std::size_t>(std::min(2 * v + 1, fine.height - 1)) * fine.width;
-    for (int u = 0; u < level.width; ++u) {
-      const int u0 = 2 * u, u1 = std::min(2 * u + 1, fine.width - 1);
-      const auto join = [&](const std::vector<float>& of, auto&& better) {
-        return better(better(of[row0 + u0], of[row0 + u1]), better(of[row1 + u0], of[row1 + u1]));
-      };
-      const auto min = [](float a, float b) { return std::min(a, b); };
-      const auto max = [](float a, float b) { return std::max(a, b); };
-      const std::size_t at = static_cast<std::size_t>(v) * level.width + u;
-      level.min[at] = join(fine.min, min);
-      level.max[at] = join(fine.max, max);
-      level.surface[at] = join(fine.surface, min);
-    }
-  }
+  const auto less = [](float a, float b) { return std::min(a, b); };
+  level.min = joined(fine, fine.min, less);
+  level.max = joined(fine, fine.max, [](float a, float b) { return std::max(a, b); });
+  level.surface = joined(fine, fine.surface, less);
   return level;
+}
+
+/// Joins two by two values of a level into one.
+template <class Better>
+std::vector<float> DepthBounds::joined(const Level& fine, const std::vector<float>& values,
+                                       Better&& better) {
+  const int width = (fine.width + 1) / 2, height = (fine.height + 1) / 2;
+  std::vector<float> coarse(static_cast<std::size_t>(width) * height);
+  float* to = coarse.data();
+  for (int v = 0; v < height; ++v) {
+    const float* row0 = values.data() + static_cast<std::size_t>(2 * v) * fine.width;
+    const float* row1 = 2 * v + 1 < fine.height ? row0 + fine.width : row0;
+    for (int u = 0; u < fine.width / 2; ++u) {
+      *to++ = better(better(row0[2 * u], row0[2 * u + 1]), better(row1[2 * u], row1[2 * u + 1]));
+    }
+    // The last column of an odd number has no neighbour.
+    if (fine.width % 2 == 1) *to++ = better(row0[fine.width - 1], row1[fine.width - 1]);
+  }
+  return coarse;
 }
 
 /// Returns the level at which a span within the image is at most two pixels wide and high.
@@ -69,29 +74,23 @@ DepthRange DepthBounds::range(const PixelSpan& span) const {
       span.min_u < 0 || span.min_v < 0 || span.max_u >= width_ || span.max_v >= height_;
   const int k = level_of(s);
   const Level& level = levels_[k];
-  float min = std::numeric_limits<float>::max(), max = 0.0f;
-  for (int v = s.min_v >> k; v <= s.max_v >> k; ++v) {
-    for (int u = s.min_u >> k; u <= s.max_u >> k; ++u) {
-      const std::size_t at = static_cast<std::size_t>(v) * level.width + u;
-      min = std::min(min, level.min[at]);
-      max = std::max(max, level.max[at]);
-    }
-  }
-  return {cut ? 0.0 : min, max};
+  const std::array<std::size_t, 4> at = level.corners(s, k);
+  // Unlike vectors, these do not check each access.
+  const float *min = level.min.data(), *max = level.max.data();
+  const float least = std::min(std::min(min[at[0]], min[at[1]]), std::min(min[at[2]], min[at[3]]));
+  const float most = std::max(std::max(max[at[0]], max[at[1]]), std::max(max[at[2]], max[at[3]]));
+  return {cut ? 0.0 : least, most};
 }
 
 double DepthBounds::nearest_surface(const PixelSpan& span) const {
   const PixelSpan s = clipped(span, width_, height_);
-  float nearest = kInfinity;
-  if (s.min_u > s.max_u || s.min_v > s.max_v) return nearest;
+  if (s.min_u > s.max_u || s.min_v > s.max_v) return kInfinity;
   const int k = level_of(s);
   const Level& level = levels_[k];
-  for (int v = s.min_v >> k; v <= s.max_v >> k; ++v) {
-    for (int u = s.min_u >> k; u <= s.max_u >> k; ++u) {
-      nearest = std::min(nearest, level.surface[static_cast<std::size_t>(v) * level.width + u]);
-    }
-  }
-  return nearest;
+  const std::array<std::size_t, 4> at = level.corners(s, k);
+  const float* surface = level.surface.data();
+  return std::min(std::min(surface[at[0]], surface[at[1]]),
+                  std::min(surface[at[2]], surface[at[3]]));
 }
 
 }  // namespace quadrille

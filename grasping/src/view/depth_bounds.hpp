@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <vector>
 
 #include "view/depth_image.hpp"
@@ -37,8 +39,20 @@ class DepthBounds {
     std::vector<float> min, max;
     /// Smallest measured depth; infinite if nothing was measured.
     std::vector<float> surface;
+
+    /// The indices of the corners of a span at this level, the k-th, where it is at most two pixels
+    /// wide and high. Corners may coincide.
+    std::array<std::size_t, 4> corners(const PixelSpan& span, int k) const {
+      const std::size_t row0 = static_cast<std::size_t>(span.min_v >> k) * width;
+      const std::size_t row1 = static_cast<std::size_t>(span.max_v >> k) * width;
+      const int u0 = span.min_u >> k, u1 = span.max_u >> k;
+      return {row0 + u0, row0 + u1, row1 + u0, row1 + u1};
+    }
   };
   static Level coarser(const Level& fine);
+  template <class Better>
+  static std::vector<float> joined(const Level& fine, const std::vector<float>& values,
+                                   Better&& better);
   int level_of(const PixelSpan& span) const;
 
   int width_ = 0, height_ = 0;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "quadrille/detector/vector_clones.hpp"
+
 namespace quadrille {
 
 namespace {
@@ -19,14 +21,12 @@ constexpr int kMinAlike = 2;
 constexpr int kMinMeasured = 3;
 
 bool alike(float depth, float other) {
-  return other > 0.0f && std::abs(other - depth) < kMaxStep * depth;
+  return (other > 0.0f) & (std::abs(other - depth) < kMaxStep * depth);
 }
 
 /// Returns true if enough of the eight neighbours lie on one surface with the pixel.
 bool has_support(const DepthImage& image, int u, int v) {
   const float depth = image.at(u, v);
-  // Quick test: usually both neighbours in the row do.
-  if (alike(depth, image.at(u - 1, v)) && alike(depth, image.at(u + 1, v))) return true;
   int found = -1;  // does not count the pixel itself
   for (int y = v - 1; y <= v + 1; ++y) {
     for (int x = u - 1; x <= u + 1; ++x) found += alike(depth, image.at(x, y));
@@ -34,13 +34,28 @@ bool has_support(const DepthImage& image, int u, int v) {
   return found >= kMinAlike;
 }
 
+/// Marks the measured pixels of a row that do not lie on one surface with both neighbours in it.
+QUADRILLE_VECTOR_CLONES
+void mark_doubtful(const float* __restrict depth, int width, char* __restrict doubtful) {
+  for (int u = 1; u + 1 < width; ++u) {
+    doubtful[u] =
+        (depth[u] > 0.0f) & !(alike(depth[u], depth[u - 1]) & alike(depth[u], depth[u + 1]));
+  }
+  doubtful[0] = depth[0] > 0.0f;
+  doubtful[width - 1] = depth[width - 1] > 0.0f;
+}
+
 }  // namespace
 
 std::vector<std::size_t> find_strays(const DepthImage& image) {
   std::vector<std::size_t> strays;
+  std::vector<char> doubtful(static_cast<std::size_t>(image.width));
   for (int v = 0; v < image.height; ++v) {
-    for (int u = 0; u < image.width; ++u) {
-      if (image.at(u, v) > 0.0f && !has_support(image, u, v)) strays.push_back(image.index(u, v));
+    mark_doubtful(&image.depth[image.index(0, v)], image.width, doubtful.data());
+    for (auto at = doubtful.begin(); (at = std::find(at, doubtful.end(), 1)) != doubtful.end();
+         ++at) {
+      const int u = static_cast<int>(at - doubtful.begin());
+      if (!has_support(image, u, v)) strays.push_back(image.index(u, v));
     }
   }
   return strays;
@@ -49,8 +64,9 @@ std::vector<std::size_t> find_strays(const DepthImage& image) {
 DepthImage fill_holes(const DepthImage& raw) {
   DepthImage image = raw;
   for (int v = 1; v + 1 < image.height; ++v) {
+    const float* row = &raw.depth[raw.index(0, v)];
     for (int u = 1; u + 1 < image.width; ++u) {
-      if (raw.at(u, v) > 0.0f) continue;
+      if (row[u] > 0.0f) continue;
       int known = 0;
       float min_depth = std::numeric_limits<float>::max();
       for (int y = v - 1; y <= v + 1; ++y) {

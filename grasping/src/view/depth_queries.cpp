@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "quadrille/detector/vector_clones.hpp"
 #include "view/depth_view.hpp"
 
 namespace quadrille {
@@ -51,40 +52,51 @@ DepthRange DepthView::range(const Eigen::Vector3d& p_V, const Eigen::Vector3d& r
   return bounds_.range(s);
 }
 
-std::array<DepthRange, 8> DepthView::ranges(const EightPoints& p_V,
-                                            const Eigen::Vector3d& reach) const {
-  std::array<DepthRange, 8> result;
-  if (p_V.col(2).minCoeff() - static_cast<float>(reach.z()) <
-      2.0f * static_cast<float>(kMinDepth)) {
-    for (int n = 0; n < 8; ++n) {
-      result[n] = range(Eigen::Vector3d(p_V.row(n).cast<double>().matrix().transpose()), reach);
-    }
-    return result;
-  }
+/// The pixels whose centres lie in the projections of eight boxes.
+struct DepthView::EightSpans {
+  std::array<int, 8> min_u, max_u, min_v, max_v;
+};
+
+QUADRILLE_VECTOR_CLONES
+DepthView::EightSpans DepthView::spans(const EightPoints& p_V, const Eigen::Vector3f& reach) const {
   // Error bound of the floats in pixels. The shift makes all values positive, so that truncation
   // rounds down.
   constexpr float kRounding = 1e-3f, kShift = 8.0f;
-  using Eight = Eigen::Array<float, 8, 1>;
-  const Eigen::Array3f r = reach.cast<float>().array();
-  const Eight near = (p_V.col(2) - r.z()).inverse(), far = (p_V.col(2) + r.z()).inverse();
-  const auto below = [&](const Eight& x, double pixels, double centre, float rounding, int size) {
-    const Eight t = static_cast<float>(pixels) * x + (static_cast<float>(centre) + rounding);
-    return Eigen::Array<int, 8, 1>(
-        (t.max(-4.0f).min(static_cast<float>(size) + 4.0f) + kShift).cast<int>());
-  };
-  const Eight x0 = p_V.col(0) - r.x(), x1 = p_V.col(0) + r.x();
-  const Eight y0 = p_V.col(1) - r.y(), y1 = p_V.col(1) + r.y();
-  const auto u0 = below((x0 * near).min(x0 * far), pixels_.x(), cu_, -kRounding, image_.width);
-  const auto u1 = below((x1 * near).max(x1 * far), pixels_.x(), cu_, kRounding, image_.width);
-  const auto v0 = below((y0 * near).min(y0 * far), pixels_.y(), cv_, -kRounding, image_.height);
-  const auto v1 = below((y1 * near).max(y1 * far), pixels_.y(), cv_, kRounding, image_.height);
   constexpr int kWhole = static_cast<int>(kShift);
+  const float rx = reach.x(), ry = reach.y(), rz = reach.z();
+  const float du = static_cast<float>(pixels_.x()), dv = static_cast<float>(pixels_.y());
+  const float cu = static_cast<float>(cu_), cv = static_cast<float>(cv_);
+  const auto below = [least = -0.5f * kShift](float x, int size) {
+    const float most = static_cast<float>(size) - least;
+    x = x > least ? x : least;
+    x = x < most ? x : most;
+    return static_cast<int>(x + kShift) - kWhole;
+  };
+  const auto less = [](float a, float b) { return a < b ? a : b; };
+  const auto more = [](float a, float b) { return a > b ? a : b; };
+  EightSpans s;
   for (int n = 0; n < 8; ++n) {
-    const PixelSpan s{u0[n] + 1 - kWhole, u1[n] - kWhole, v0[n] + 1 - kWhole, v1[n] - kWhole};
-    const bool none =
-        s.min_u > s.max_u || s.min_v > s.max_v;  // no pixel centre inside: use the exact way
-    result[n] = none ? range(Eigen::Vector3d(p_V.row(n).cast<double>().matrix().transpose()), reach)
-                     : bounds_.range(s);
+    const float near = 1.0f / (p_V.z[n] - rz), far = 1.0f / (p_V.z[n] + rz);
+    const float x0 = p_V.x[n] - rx, x1 = p_V.x[n] + rx, y0 = p_V.y[n] - ry, y1 = p_V.y[n] + ry;
+    s.min_u[n] = below(du * less(x0 * near, x0 * far) + (cu - kRounding), image_.width) + 1;
+    s.max_u[n] = below(du * more(x1 * near, x1 * far) + (cu + kRounding), image_.width);
+    s.min_v[n] = below(dv * less(y0 * near, y0 * far) + (cv - kRounding), image_.height) + 1;
+    s.max_v[n] = below(dv * more(y1 * near, y1 * far) + (cv + kRounding), image_.height);
+  }
+  return s;
+}
+
+std::array<DepthRange, 8> DepthView::ranges(const EightPoints& p_V,
+                                            const Eigen::Vector3d& reach) const {
+  const float nearest = *std::min_element(p_V.z.begin(), p_V.z.end());
+  const bool near = nearest - static_cast<float>(reach.z()) < 2.0f * static_cast<float>(kMinDepth);
+  const EightSpans s = near ? EightSpans() : spans(p_V, reach.cast<float>());
+  std::array<DepthRange, 8> result;
+  for (int n = 0; n < 8; ++n) {
+    // If no pixel's centre lies inside, the exact way is used too.
+    const bool exact = near || s.min_u[n] > s.max_u[n] || s.min_v[n] > s.max_v[n];
+    result[n] = exact ? range(Eigen::Vector3d(p_V.x[n], p_V.y[n], p_V.z[n]), reach)
+                      : bounds_.range({s.min_u[n], s.max_u[n], s.min_v[n], s.max_v[n]});
   }
   return result;
 }

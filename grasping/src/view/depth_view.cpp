@@ -50,16 +50,19 @@ void DepthView::place(const PinholeView& view, const PinholeImage& image) {
 void DepthView::keep_nearest(const PointCloud& cloud) {
   measured_.depth.assign(static_cast<std::size_t>(measured_.width) * measured_.height, 0.0f);
   std::vector<std::size_t> nearest(measured_.depth.size(), 0);
+  // Unlike vectors, these do not check each access.
+  const Eigen::Vector3f* points = cloud.points.data();
+  float* depths = measured_.depth.data();
   for (std::size_t n = 0; n < cloud.points.size(); ++n) {
-    const Eigen::Vector3d p_V = to_view(cloud.points[n].cast<double>());
+    const Eigen::Vector3d p_V = to_view(points[n].cast<double>());
     // This is also false for points that are not finite.
     if (!(p_V.z() > kMinDepth)) continue;
     const Eigen::Vector2i uv = pixel(p_V);
     if (!measured_.holds(uv.x(), uv.y())) continue;
     const std::size_t at = measured_.index(uv.x(), uv.y());
     const float depth = static_cast<float>(p_V.z());
-    if (measured_.depth[at] > 0.0f && measured_.depth[at] <= depth) continue;
-    measured_.depth[at] = depth;
+    if (depths[at] > 0.0f && depths[at] <= depth) continue;
+    depths[at] = depth;
     nearest[at] = n;
   }
   for (const std::size_t at : find_strays(measured_)) {

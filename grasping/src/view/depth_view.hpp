@@ -57,7 +57,9 @@ class DepthView {
   /// Bounds of the depth over all pixels whose rays may pass the box p_V ± reach.
   DepthRange range(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
   /// Like range(), for eight boxes at once; their depths are rounded to within 1 µm.
-  using EightPoints = Eigen::Array<float, 8, 3>;
+  struct EightPoints {
+    std::array<float, 8> x, y, z;
+  };
   std::array<DepthRange, 8> ranges(const EightPoints& p_V, const Eigen::Vector3d& reach) const;
   /// Returns true if every pixel whose ray passes through the cube measured something beyond it.
   bool sees_past(const Eigen::Vector3d& centre_C, double half) const;
@@ -81,6 +83,8 @@ class DepthView {
   template <class Visitor>
   bool visit_blockers(const Eigen::Vector3d& centre_C, double half, Visitor&& visit) const;
   PixelSpan span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
+  struct EightSpans;
+  EightSpans spans(const EightPoints& p_V, const Eigen::Vector3f& reach) const;
   /// Returns the column of the nearer measured pixel at the ends of the gap at (u, v); -1 if there
   /// is none.
   int nearer_end_of_gap(int u, int v) const;

@@ -77,11 +77,12 @@ TEST_CASE("eight boxes at once have the bounds of each, or wider ones", "[view]"
                                    Eigen::Vector3d(0.3, 0.3, 1.2));
     const Eigen::Vector3d reach = Eigen::Vector3d::Constant(uniform(random, 0.001, 0.01));
     for (int k = 0; k < 8; ++k) {
-      eight.row(k) = random_point(random, near).cast<float>().transpose().array();
+      const Eigen::Vector3f p_V = random_point(random, near).cast<float>();
+      eight.x[k] = p_V.x(), eight.y[k] = p_V.y(), eight.z[k] = p_V.z();
     }
     const auto ranges = view.ranges(eight, reach);
     for (int k = 0; k < 8; ++k) {
-      const Eigen::Vector3d p_V = eight.row(k).matrix().transpose().cast<double>();
+      const Eigen::Vector3d p_V(eight.x[k], eight.y[k], eight.z[k]);
       const DepthRange one = view.range(p_V, reach);
       REQUIRE(ranges[k].min <= one.min);
       REQUIRE(ranges[k].max >= one.max);
