@@ -60,18 +60,20 @@ std::optional<Body> upright(Body body, const Eigen::Vector3d& up_C) {
 /// Calls visit(p_C) for each point within the bounding sphere of a body, which also includes some
 /// points outside the body.
 template <class Visitor>
-void each_point_near(const PointCloud& cloud, const Body& body, Visitor&& visit) {
+void each_point_near(const CloudRuns& cloud, const Body& body, Visitor&& visit) {
   const Eigen::AlignedBox3d box = body.bounds_Q();
   const Eigen::Vector3f middle = (body.X_CQ * Eigen::Vector3d(box.center())).cast<float>();
   const float radius = static_cast<float>(1e-4 + 0.5 * box.diagonal().norm());
-  for (const Eigen::Vector3f& p : cloud.points) {
+  const Eigen::Vector3f reach = Eigen::Vector3f::Constant(1.001f * radius);
+  cloud.each_in({middle - reach, middle + reach}, [&](std::size_t n) {
+    const Eigen::Vector3f& p = cloud.points_C()[n];
     if ((p - middle).squaredNorm() <= radius * radius) visit(Eigen::Vector3d(p.cast<double>()));
-  }
+  });
 }
 
 /// Detections end short of the outermost points. This moves the rim up to where the points on the
 /// wall end: as long as every millimetre holds at least a third of the average count below the rim.
-void raise_to_points(const PointCloud& cloud, Shell& shell) {
+void raise_to_points(const CloudRuns& cloud, Shell& shell) {
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
   const double bottom = shell.body.z_max - kBelowRim;
   shell.body.z_max += kMaxRaised;
@@ -91,7 +93,7 @@ void raise_to_points(const PointCloud& cloud, Shell& shell) {
 }
 
 /// Cuts the body where the points measured on it end; returns false if there are too few.
-bool cut_at_points(const PointCloud& cloud, Shell& shell) {
+bool cut_at_points(const CloudRuns& cloud, Shell& shell) {
   std::vector<double> heights;
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
   const Eigen::AlignedBox3d box = shell.body.bounds_Q();
@@ -125,7 +127,7 @@ bool open_at_top(const Shell& shell, std::span<const DepthView> views) {
 
 }  // namespace
 
-std::optional<Shell> find_shell(const Body& body, bool seen_inside, const PointCloud& cloud,
+std::optional<Shell> find_shell(const Body& body, bool seen_inside, const CloudRuns& cloud,
                                 std::span<const DepthView> views, const Eigen::Vector3d& up_C,
                                 const WallThickness& wall) {
   if (body.profile == Profile::kBox) return std::nullopt;

@@ -77,7 +77,7 @@ using WallPoint = std::pair<Eigen::Vector3d, double>;
 
 /// Returns the points of the wall that count for any of the lines.
 std::vector<WallPoint> points_near(const std::vector<ContactLine>& lines, double reach,
-                                   const Shell& shell, const PointCloud& cloud) {
+                                   const Shell& shell, const CloudRuns& cloud) {
   const Eigen::Isometry3d X_QC = shell.body.X_CQ.inverse();
   const double lowest =
       shell.body.z_max - std::min(kBites.front(), kMaxBitesToReach.front() * reach) - reach;
@@ -86,13 +86,13 @@ std::vector<WallPoint> points_near(const std::vector<ContactLine>& lines, double
   near.min().array() -= reach;
   near.max().array() += reach;
   std::vector<WallPoint> points;
-  for (const Eigen::Vector3f& p : cloud.points) {
-    const Eigen::Vector3d p_C = p.cast<double>();
-    if (!near.contains(p_C) || !((X_QC * p_C).z() >= lowest)) continue;
-    if (!shell.in_wall(p_C, kWallNoise)) continue;
+  cloud.each_in(with_rounding(near), [&](std::size_t n) {
+    const Eigen::Vector3d p_C = cloud.points_C()[n].cast<double>();
+    if (!near.contains(p_C) || !((X_QC * p_C).z() >= lowest)) return;
+    if (!shell.in_wall(p_C, kWallNoise)) return;
     const double off = shell.offset(p_C);
     points.emplace_back(p_C, off - std::clamp(off, shell.inner(), shell.outer()));
-  }
+  });
   return points;
 }
 
@@ -113,7 +113,7 @@ std::vector<ContactLine> rim_lines(const Shell& shell, const Gripper& gripper) {
 
 std::vector<ContactLine> measured_lines(const Shell& shell, const Gripper& gripper,
                                         const std::vector<ContactLine>& lines,
-                                        const PointCloud& cloud) {
+                                        const CloudRuns& cloud) {
   const double reach = rim_reach(gripper);
   const std::vector<WallPoint> wall = points_near(lines, reach, shell, cloud);
   std::vector<ContactLine> measured;

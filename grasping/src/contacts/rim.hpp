@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "base/cloud_runs.hpp"
 #include "body/shell.hpp"
 #include "contacts/contact_line.hpp"
-#include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/grasping/gripper.hpp"
 
 namespace quadrille {
@@ -23,6 +23,6 @@ std::vector<ContactLine> rim_lines(const Shell& shell, const Gripper& gripper);
 /// not.
 std::vector<ContactLine> measured_lines(const Shell& shell, const Gripper& gripper,
                                         const std::vector<ContactLine>& lines,
-                                        const PointCloud& cloud);
+                                        const CloudRuns& cloud);
 
 }  // namespace quadrille

@@ -172,10 +172,10 @@ class SceneMaker {
   }
 
   void choose_targets(const std::vector<SceneBody>& bodies) {
-    add(quadrille::choose_targets(views_.all(), detections_, parts_.views, parts_.gripper,
-                                  parts_.options, half_));
-    add(choose_boxes(views_.all(), parts_.boxes, detections_, parts_.gripper, parts_.options,
-                     half_));
+    const CloudRuns cloud(views_.all());
+    add(quadrille::choose_targets(cloud, detections_, parts_.views, parts_.gripper, parts_.options,
+                                  half_));
+    add(choose_boxes(cloud, parts_.boxes, detections_, parts_.gripper, parts_.options, half_));
     std::vector<Target> unshaped =
         choose_unshaped(bodies, parts_.targets, detections_, parts_.options);
     std::move(unshaped.begin(), unshaped.end(), std::back_inserter(parts_.targets));
@@ -262,6 +262,7 @@ class SceneMaker {
       keep_points(v, region, left_out);
       if (v + 1 < parts_.views.size()) cover.add(views_[v].things->points, left_out);
     }
+    parts_.points.runs = CloudRuns(parts_.points.p_C);
     const bool occupied_by_map = known_.map.tree && mapper.add(known_.map);
     for (const SolidShape& shape : known_.robot.shapes) {
       mapper.free_within(NearShape(shape, known_.robot.padding));
@@ -287,13 +288,14 @@ class SceneMaker {
 
   void keep_points(std::size_t view, const Eigen::AlignedBox3d& region,
                    const std::vector<std::uint8_t>& left_out) {
-    const PointCloud& cloud = *views_[view].things;
+    const std::vector<Eigen::Vector3f>& points = views_[view].things->points;
     const Eigen::AlignedBox3f near = region.cast<float>();
-    for (std::size_t n = 0; n < cloud.points.size(); ++n) {
-      if (near.contains(cloud.points[n]) && !left_out[n]) {
-        parts_.points.push_back({cloud.points[n], static_cast<int>(view)});
+    for (std::size_t n = 0; n < points.size(); ++n) {
+      if (near.contains(points.data()[n]) && !left_out.data()[n]) {
+        parts_.points.p_C.push_back(points.data()[n]);
       }
     }
+    parts_.points.view.resize(parts_.points.p_C.size(), static_cast<int>(view));
   }
 
   /// The view with the most points in the box around a target.

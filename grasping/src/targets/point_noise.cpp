@@ -19,19 +19,20 @@ constexpr double kSigmaPerMedian = 1.4826;
 
 }  // namespace
 
-double point_noise(const Detection& detection, const PointCloud& cloud) {
+double point_noise(const Detection& detection, const CloudRuns& cloud) {
   const Eigen::Isometry3d X_QC = detection.X_CQ.inverse();
   Eigen::AlignedBox3d near_Q = detection.extent_Q;
   near_Q.min().array() -= kMaxDistance;
   near_Q.max().array() += kMaxDistance;
-  const std::size_t step = cloud.points.size() / kMaxPoints + 1;
+  const std::size_t step = cloud.points_C().size() / kMaxPoints + 1;
   std::vector<double> distances;
-  for (std::size_t i = 0; i < cloud.points.size(); i += step) {
-    const Eigen::Vector3d p_C = cloud.points[i].cast<double>();
-    if (!near_Q.contains(X_QC * p_C)) continue;  // this also skips points without coordinates
+  cloud.each_in(with_rounding(near_Q.transformed(detection.X_CQ)), [&](std::size_t n) {
+    if (n % step != 0) return;
+    const Eigen::Vector3d p_C = cloud.points_C()[n].cast<double>();
+    if (!near_Q.contains(X_QC * p_C)) return;
     const double distance = std::abs(detection.Q_C.distance(p_C));
     if (distance < kMaxDistance) distances.push_back(distance);
-  }
+  });
   if (distances.empty()) return 0.0;
   const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
   std::nth_element(distances.begin(), middle, distances.end());

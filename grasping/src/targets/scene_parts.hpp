@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/cloud_runs.hpp"
 #include "base/deadline.hpp"
 #include "quadrille/detector/detection.hpp"
 #include "quadrille/grasping/collision_shape.hpp"
@@ -28,11 +29,13 @@ struct ShapeOwner {
   double size = 0.0;
 };
 
-/// A point of one of the views.
-struct ViewedPoint {
-  Eigen::Vector3f p_C;
-  /// Index of the view.
-  int view = 0;
+/// Points of several views.
+struct ViewedPoints {
+  std::vector<Eigen::Vector3f> p_C;
+  /// For each point, the index of the view.
+  std::vector<int> view;
+  /// The points once more, to look at some of them.
+  CloudRuns runs;
 };
 
 /// A cloud prepared for grasp queries, with all that the queries need.
@@ -52,7 +55,7 @@ struct SceneParts {
   /// The views, the cloud's own first.
   std::vector<DepthView> views;
   /// The points of all views around the targets, without strays.
-  std::vector<ViewedPoint> points;
+  ViewedPoints points;
   std::vector<Target> targets;
   /// The view that shows most of a target.
   const DepthView& view_of(const Target& target) const { return views[target.view]; }

@@ -58,7 +58,7 @@ Body box_around(const SceneBody& body) {
 /// Finds the wall of a hollow target, such as a cup, and the contact lines across its rim at which
 /// points measured the wall.
 /// @return number of contact lines at which no points did
-int find_rim(const PointCloud& cloud, std::span<const DepthView> views, const Gripper& gripper,
+int find_rim(const CloudRuns& cloud, std::span<const DepthView> views, const Gripper& gripper,
              const PlanOptions& options, bool inside, Target& target) {
   if (target.body.bounds_Q().sizes().maxCoeff() > kMaxTableware) return 0;
   target.shell = find_shell(target.body, inside, cloud, views, target.up_C(),
@@ -79,7 +79,7 @@ Eigen::Vector3d Target::up_C() const {
   return supports.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : supports.front().n_C();
 }
 
-ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detection>& detections,
+ChosenTargets choose_targets(const CloudRuns& cloud, const std::vector<Detection>& detections,
                              std::span<const DepthView> views, const Gripper& gripper,
                              const PlanOptions& options, const Deadline& deadline) {
   ChosenTargets chosen;
@@ -114,7 +114,7 @@ ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detectio
   return chosen;
 }
 
-ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxes,
+ChosenTargets choose_boxes(const CloudRuns& cloud, const std::vector<Box>& boxes,
                            const std::vector<Detection>& detections, const Gripper& gripper,
                            const PlanOptions& options, const Deadline& deadline) {
   ChosenTargets chosen;

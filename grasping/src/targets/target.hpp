@@ -7,13 +7,13 @@
 #include <span>
 #include <vector>
 
+#include "base/cloud_runs.hpp"
 #include "base/deadline.hpp"
 #include "body/body.hpp"
 #include "body/shell.hpp"
 #include "contacts/contact_line.hpp"
 #include "quadrille/detector/body.hpp"
 #include "quadrille/detector/detection.hpp"
-#include "quadrille/detector/point_cloud.hpp"
 #include "quadrille/grasping/gripper.hpp"
 #include "quadrille/grasping/plan_options.hpp"
 #include "quadrille/grasping/refusal.hpp"
@@ -70,12 +70,12 @@ struct ChosenTargets {
   /// Number of lines across rims that were not measured.
   int unmeasured = 0;
 };
-ChosenTargets choose_targets(const PointCloud& cloud, const std::vector<Detection>& detections,
+ChosenTargets choose_targets(const CloudRuns& cloud, const std::vector<Detection>& detections,
                              std::span<const DepthView> views, const Gripper& gripper,
                              const PlanOptions& options, const Deadline& deadline);
 
 /// Chooses the boxes that the hand may hold across two parallel faces, and counts the refusals.
-ChosenTargets choose_boxes(const PointCloud& cloud, const std::vector<Box>& boxes,
+ChosenTargets choose_boxes(const CloudRuns& cloud, const std::vector<Box>& boxes,
                            const std::vector<Detection>& detections, const Gripper& gripper,
                            const PlanOptions& options, const Deadline& deadline);
 

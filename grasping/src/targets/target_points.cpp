@@ -57,17 +57,16 @@ TargetPoints points_about(const Target& target, const SceneParts& parts) {
   const Eigen::AlignedBox3d region = around(target.body, parts.gripper.max_opening);
   const Eigen::AlignedBox3f near = region.cast<float>();
   std::vector<Eigen::Vector3d> points, eyes;
-  for (const ViewedPoint& point : parts.points) {
-    if (!near.contains(point.p_C)) continue;
-    const Eigen::Vector3d p_C = point.p_C.cast<double>();
+  parts.points.runs.each_in(near, [&](std::size_t n) {
+    const Eigen::Vector3d p_C = parts.points.p_C[n].cast<double>();
     const auto holds_up = [&](const SupportPlane& plane) {
       return plane.distance(p_C) < kOnSupport;
     };
     if (std::none_of(target.supports.begin(), target.supports.end(), holds_up)) {
       points.push_back(p_C);
-      eyes.push_back(parts.views[point.view].p_CV());
+      eyes.push_back(parts.views[parts.points.view[n]].p_CV());
     }
-  }
+  });
   TargetPoints found{surface_points(points, kCell, eyes), {}};
   for (const Eigen::Vector3d& p : found.all.p_C) found.own.push_back(target.body.contains(p, kOwn));
   if (target.whole) return found;

@@ -62,11 +62,10 @@ class UnexplainedVoxels {
     const double explained = explained_distance(target, parts);
     const Eigen::AlignedBox3f near =
         around(target.body, carve_margin(parts, target) + edge_).cast<float>();
-    for (const ViewedPoint& point : parts.points) {
-      if (!near.contains(point.p_C)) continue;
-      const Eigen::Vector3d p_C = point.p_C.cast<double>();
+    parts.points.runs.each_in(near, [&](std::size_t n) {
+      const Eigen::Vector3d p_C = parts.points.p_C[n].cast<double>();
       outside_[key_of(p_C)] += target.body.contains(p_C, explained) ? -1 : 1;
-    }
+    });
   }
 
   bool contains(const Eigen::Vector3d& centre_C) const {

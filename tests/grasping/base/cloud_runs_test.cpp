@@ -1,0 +1,39 @@
+#include "base/cloud_runs.hpp"
+
+#include <limits>
+#include <random>
+
+#include "support/catch.hpp"
+
+namespace quadrille {
+
+TEST_CASE("all points in a box are found in order, missing ones never", "[cloud_runs]") {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> step(-0.01f, 0.01f);
+  PointCloud cloud;
+  Eigen::Vector3f p(0.0f, 0.0f, 0.5f);
+  for (int n = 0; n < 1000; ++n) {
+    p += Eigen::Vector3f(step(random), step(random), step(random));
+    cloud.points.push_back(p);
+    if (n % 7 == 0) cloud.points.back().y() = std::numeric_limits<float>::quiet_NaN();
+  }
+  // A whole run without a point.
+  for (int n = 320; n < 400; ++n) {
+    cloud.points[n] = Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
+  }
+  const CloudRuns runs(cloud);
+  for (const float half : {0.0f, 0.01f, 0.05f, 10.0f}) {
+    const Eigen::Vector3f middle = cloud.points[501], reach = Eigen::Vector3f::Constant(half);
+    const Eigen::AlignedBox3f box(middle - reach, middle + reach);
+    std::vector<std::size_t> expected, found;
+    for (std::size_t n = 0; n < cloud.points.size(); ++n) {
+      if (cloud.points[n].allFinite() && box.contains(cloud.points[n])) expected.push_back(n);
+    }
+    runs.each_in(box, [&](std::size_t n) { found.push_back(n); });
+    CHECK(found == expected);
+    CHECK(!found.empty());
+  }
+  CloudRuns().each_in({p, p}, [](std::size_t) { FAIL("there are no points"); });
+}
+
+}  // namespace quadrille
