@@ -53,5 +53,7 @@ int main() {
               << grasp.X_CG.translation().transpose() << " m, approaching along "
               << grasp.X_CG.linear().col(2).transpose() << '\n';
   }
-  for (const auto& [reason, count] : plan.rejected) std::cout << reason << ": " << count << '\n';
+  std::cout << "refused candidates by reason:";
+  for (const auto& [reason, count] : plan.rejected) std::cout << "  " << reason << ' ' << count;
+  std::cout << '\n';
 }

@@ -76,6 +76,11 @@ int main(int argc, char** argv) {
     for (const quadrille::grasp_t& grasp : answer->grasps) {
       std::cout << "  on " << grasp.target << " score " << grasp.score;
     }
+    if (answer->grasps.empty()) {
+      for (const quadrille::count_t& refused : answer->rejected) {
+        std::cout << "  refused " << refused.count << ": " << refused.name;
+      }
+    }
     for (const std::string& warning : answer->warnings) std::cout << "  " << warning;
     std::cout << '\n';
   }

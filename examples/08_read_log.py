@@ -12,6 +12,8 @@ try:
 except ImportError:  # LCM's own module, which Debian does not have
     from quadrille import lcm
 
+if len(sys.argv) != 2:
+    sys.exit("usage: 08_read_log.py LOG.lcm")
 for event in lcm.EventLog(sys.argv[1]):
     if event.channel != "QUADRICS":
         continue

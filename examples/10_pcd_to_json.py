@@ -8,6 +8,8 @@ import sys
 
 import quadrille
 
+if len(sys.argv) != 2:
+    sys.exit("usage: 10_pcd_to_json.py CLOUD.pcd")
 points, viewpoint = quadrille.read_cloud(sys.argv[1])
 found = [
     {"type": detection.type, "pose": detection.X_CQ.tolist(), "dimensions": dict(detection.dimensions)}

@@ -67,7 +67,9 @@ int main() {
     std::cout << plan.grasps.size() << " grasps; the best, of " << best.target << ", closes to "
               << best.width << " m at " << best.X_CG.translation().transpose() << '\n';
   }
-  for (const auto& [reason, count] : plan.rejected) std::cout << reason << ": " << count << '\n';
+  std::cout << "refused candidates by reason:";
+  for (const auto& [reason, count] : plan.rejected) std::cout << "  " << reason << ' ' << count;
+  std::cout << '\n';
 
   // The map holds free and occupied space around the targets, in the format of octovis and your
   // planner.

@@ -35,6 +35,8 @@ def to_message(points: np.ndarray, utime: int) -> lcmt_point_cloud:
     return message
 
 
+if len(sys.argv) not in (2, 3):
+    sys.exit("usage: 13_publish_cloud.py CLOUD.pcd [COUNT]")
 points, _ = quadrille.read_cloud(sys.argv[1])
 count = int(sys.argv[2]) if len(sys.argv) > 2 else sys.maxsize
 connection = lcm.LCM()
