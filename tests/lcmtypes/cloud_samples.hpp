@@ -27,7 +27,7 @@ inline bus::CloudMessage make_cloud() {
   return message;
 }
 
-/// The same points as a row, the missing ones dropped.
+/// The points of make_cloud() that are not missing, as a cloud without rows.
 inline bus::CloudMessage make_unorganised_cloud() {
   bus::CloudMessage message = make_cloud();
   message.cloud.width = message.cloud.height = 0;

@@ -79,7 +79,8 @@ TEST_CASE("a cloud in millimetres yields the results of the same cloud in metres
   CHECK(same["detections"] == metres["detections"]);
   CHECK(same["bodies"] == metres["bodies"]);
   CHECK(contains(run_quadrille("detect " + large).err, "--unit mm"));
-  // The same the other way round, whether or not the sensor is told to stand elsewhere.
+  // A cloud in metres that is read as millimetres has the warning too, also if a place of the
+  // sensor is given.
   for (const char* place : {"", " --viewpoint 0,0,-0.5", " --camera-pose 0.5,0,1,1,0,0,0"}) {
     CAPTURE(place);
     CHECK(contains(run_quadrille("detect --unit mm " + small + place).err, "(--unit mm)"));

@@ -97,7 +97,7 @@ CloudCheck check_cloud(const CloudView& given) {
     check.warnings.emplace_back("all points lie on a line");
   } else {
     check.usable = true;
-    // Of points that are also too near, contradict_viewpoint() says the same.
+    // If the points are also too near the sensor, contradict_viewpoint() already has this warning.
     if (spread[2] < kNarrowest * kNarrowest && usual_depth > kNearest) {
       check.warnings.push_back(
           std::string("the points lie within some millimetres of each other; ") +

@@ -159,8 +159,8 @@ bool Aggregation::is_promising(PendingCandidate* pending, const Acceptance& aske
 }
 
 /// The confidence in a candidate's own fit, or an upper bound if that is less than what is asked.
-/// What is seen through the quadric costs most of all evidence, and most candidates are refused
-/// whatever it is.
+/// Counting the points that were seen through the quadric takes longer than all other evidence. It
+/// is left out if the candidate is refused for any result of it, as most are.
 double Aggregation::first_confidence(PendingCandidate* pending, double asked) const {
   const auto& [Q, family, region, rms] = pending->candidate;
   const std::vector<int>& open = pending->open;

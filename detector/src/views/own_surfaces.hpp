@@ -8,7 +8,7 @@
 
 namespace quadrille {
 
-/// What each of several views found by itself.
+/// The surfaces that were found in each view before the views were joined.
 class OwnSurfaces {
  public:
   /// @param samples     of all views; they must outlive this

@@ -48,7 +48,8 @@ PointBuckets::Key PointBuckets::key_of(const Eigen::Vector3d& p_C, double edge) 
 std::vector<PointBuckets::Near> PointBuckets::near_each() const {
   std::vector<Near> all(keys_.size());
   for (std::size_t row = 0; row < 9; ++row) {
-    // As cubes come in ascending order, so do the rows beside them.
+    // Cubes are sorted by key. The row of three cubes beside each has keys that ascend, too, so one
+    // pass over all cubes finds these rows.
     const Key beside = row / 3 * kAlongX + row % 3 * kAlongY - kAlongX - kAlongY;
     std::size_t first = 0, end = 0;
     for (std::size_t n = 0; n < keys_.size(); ++n) {

@@ -7,15 +7,17 @@ namespace quadrille::trials {
 namespace {
 
 TEST_CASE("the search sees the balls, but not the wall behind them", "[trials]") {
-  const auto found = search_samples(test::make_known_frame().cloud, {});
+  // Cells of one pixel: wider ones at the outlines of the balls hold points of the wall, too.
+  DetectorOptions options;
+  options.sampling.max_cells = 1'000'000;
+  const auto found = search_samples(test::make_known_frame().cloud, options);
   REQUIRE(found);
   CHECK_FALSE(found->planes.empty());
   const SurfaceSamples& samples = found->tree->finest();
   REQUIRE(samples.size() > 100);
   int behind = 0;
   for (int i = 0; i < samples.size(); ++i) behind += samples.raw[i].z() > 1.4f;
-  // What is left of the wall are cells at the outlines of the balls.
-  CHECK(behind < 0.1 * samples.size());
+  CHECK(behind < 0.02 * samples.size());
 }
 
 TEST_CASE("a cloud without points has no samples", "[trials][degenerate]") {

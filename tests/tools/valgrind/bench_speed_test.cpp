@@ -39,7 +39,7 @@ TEST_CASE("a detector that takes more instructions than before is noticed", "[co
   ordered_json before = ordered_json::parse(test::content_of(stored));
   CHECK(sum_of(before) > 1e7);
 
-  // As if the detector had taken less before.
+  // A baseline that is a tenth lower stands for a detector that has become slower.
   for (ordered_json& count : (*before["clouds"].begin())["instructions"]) {
     count = static_cast<long>(0.9 * count.get<double>());
   }

@@ -28,7 +28,8 @@ int compare_with_line(float k, float r0, float min_square, int size, const float
   return count;
 }
 
-/// The same for an arc.
+/// Compares points of a profile, as compare_with_line() does, with the arc of a sphere whose centre
+/// is on the axis.
 QUADRILLE_VECTOR_CLONES
 int compare_with_arc(float c, float R, float min_square, int size, const float* rows,
                      float* __restrict share, int* __restrict is_on) {

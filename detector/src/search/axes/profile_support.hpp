@@ -9,7 +9,7 @@
 
 namespace quadrille {
 
-/// What a profile needs to count.
+/// Which points support a profile, and how many it needs to be taken for a surface.
 struct SupportTest {
   /// Least cosine between the normals of a point and of the profile.
   float min_cosine = 0.0f;
