@@ -1,7 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
-
 #include "fit/posed_quadric.hpp"
 #include "quadrille/detector/quadric.hpp"
 
@@ -15,8 +13,6 @@ struct FamilyFit {
   double rss = 0.0;
   /// Number of points.
   int points = 0;
-  /// JᵀJ of the residuals with respect to the family's parameters: shapes, then motions.
-  Eigen::MatrixXd information;
 };
 
 }  // namespace quadrille

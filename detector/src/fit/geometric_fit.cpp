@@ -16,7 +16,7 @@ constexpr double kMaxPromised = 4.0;
 // A step is the last if it gained less than this many times the least worthwhile gain.
 constexpr double kLastGain = 10.0;
 
-using Normal = Eigen::Matrix<double, 11, 11>;
+using Normal = Matrix11d;
 
 /// The generator of a motion as a 4x4 matrix of se(3).
 Eigen::Matrix4d generator(int motion) {
@@ -88,16 +88,17 @@ PosedQuadric moved(Family family, PosedQuadric q, const Eigen::Ref<const Eigen::
 }
 
 template <typename Scalar>
-std::optional<FamilyFit> refine(const OrientedPoints<Scalar>& points, Family family,
+std::optional<FamilyFit> refine(DistanceSums<Scalar>* points, Family family,
                                 const PosedQuadric& start, int iterations, double wanted,
                                 double min_gain) {
   const FamilySpec& spec = family_spec(family);
-  if (points.size() < spec.dof) return std::nullopt;
+  if (points->points() < spec.dof) return std::nullopt;
   FamilyFit fit;
   fit.family = family;
   fit.posed = start;
-  fit.points = static_cast<int>(points.size());
-  Normal N = normal_equations(points, start.matrix());
+  fit.points = static_cast<int>(points->points());
+  points->evaluate(start.matrix());
+  const Normal N = points->normal_equations();
   if (!N.allFinite()) return std::nullopt;
   fit.rss = N(10, 10);
   Step step(spec, fit.posed, N);
@@ -109,27 +110,31 @@ std::optional<FamilyFit> refine(const OrientedPoints<Scalar>& points, Family fam
     if (gain < min_gain * fit.rss) break;
     if (i > 0 && fit.rss - gain > kMaxPromised * wanted) break;
     const PosedQuadric next = moved(family, fit.posed, change);
-    const Normal M = normal_equations(points, next.matrix());
-    if (M.allFinite() && M(10, 10) < fit.rss) {
-      const bool converged = M(10, 10) > (1.0 - kLastGain * min_gain) * fit.rss;
+    points->evaluate(next.matrix());
+    const double rss = points->squares();
+    if (rss < fit.rss) {
+      const bool converged = rss > (1.0 - kLastGain * min_gain) * fit.rss;
       fit.posed = next;
-      fit.rss = M(10, 10);
-      N = M;
-      step = Step(spec, fit.posed, N);
+      fit.rss = rss;
+      if (converged || i + 1 == iterations) break;
+      step = Step(spec, fit.posed, points->normal_equations());
       damping *= 0.1;
-      if (converged) break;
     } else {
       damping *= 10.0;
       if (damping > 1e3) break;
     }
   }
-  fit.information = step.A;
   return fit;
 }
 
-template std::optional<FamilyFit> refine(const OrientedPointsf&, Family, const PosedQuadric&, int,
+template std::optional<FamilyFit> refine(DistanceSums<float>*, Family, const PosedQuadric&, int,
                                          double, double);
-template std::optional<FamilyFit> refine(const OrientedPointsd&, Family, const PosedQuadric&, int,
+template std::optional<FamilyFit> refine(DistanceSums<double>*, Family, const PosedQuadric&, int,
                                          double, double);
+
+Eigen::MatrixXd information(const OrientedPointsf& points, const FamilyFit& fit) {
+  const Normal N = normal_equations(points, fit.posed.matrix());
+  return Step(family_spec(fit.family), fit.posed, N).A;
+}
 
 }  // namespace quadrille

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "fit/family_fit.hpp"
+#include "fit/normal_equations.hpp"
 #include "fit/oriented_points.hpp"
 #include "quadrille/detector/quadric.hpp"
 
@@ -19,13 +20,27 @@ PosedQuadric moved(Family family, PosedQuadric quadric,
 /// Minimises the sum of squared first-order distances f / |∇f| within a family by
 /// Levenberg-Marquardt. Residuals and derivatives are taken with respect to q, where they are the
 /// same for all families, and projected onto the family's tangent space dq/dθ.
+/// @param points  left at any quadric
 /// @param wanted  sum of squares of interest; the fit may stop early if it will not reach it
 /// @param min_gain  a step that promises a smaller share of the residual is not evaluated
 /// @return nullopt if the start is degenerate or no finite step exists
 template <typename Scalar>
-std::optional<FamilyFit> refine(const OrientedPoints<Scalar>& points, Family family,
+std::optional<FamilyFit> refine(DistanceSums<Scalar>* points, Family family,
                                 const PosedQuadric& start, int iterations,
                                 double wanted = std::numeric_limits<double>::infinity(),
                                 double min_gain = 1e-4);
+
+/// The same for points that are used once.
+template <typename Scalar>
+std::optional<FamilyFit> refine(const OrientedPoints<Scalar>& points, Family family,
+                                const PosedQuadric& start, int iterations,
+                                double wanted = std::numeric_limits<double>::infinity(),
+                                double min_gain = 1e-4) {
+  DistanceSums<Scalar> sums(points);
+  return refine(&sums, family, start, iterations, wanted, min_gain);
+}
+
+/// JᵀJ of the residuals of a fit with respect to the family's parameters: shapes, then motions.
+Eigen::MatrixXd information(const OrientedPointsf& points, const FamilyFit& fit);
 
 }  // namespace quadrille

@@ -91,14 +91,18 @@ class Starts {
 };
 
 /// Refines the best of a family's starts.
-std::optional<FamilyFit> fit_from(Starts* starts, const OrientedPointsf& points, Family family,
+std::optional<FamilyFit> fit_from(Starts* starts, DistanceSums<float>* points, Family family,
                                   const std::vector<FamilyFit>& known, int iterations,
                                   double wanted) {
   const PosedQuadric* best = nullptr;
   double least = 0.0;
   const std::vector<PosedQuadric> list = starts->of(family, known);
   for (const PosedQuadric& start : list) {
-    const double rss = list.size() > 1 ? sum_of_squares(points, start.matrix()) : 0.0;
+    double rss = 0.0;
+    if (list.size() > 1) {
+      points->evaluate(start.matrix());
+      rss = points->squares();
+    }
     if (!best || rss < least) best = &start, least = rss;
   }
   if (!best) return std::nullopt;
@@ -131,13 +135,15 @@ double bic(const FamilyFit& fit, const SelectionOptions& options) {
 
 std::optional<FamilyFit> fit_family(const OrientedPointsf& points, Family family, int iterations) {
   Starts starts(points);
-  return fit_from(&starts, points, family, {}, iterations, std::numeric_limits<double>::infinity());
+  DistanceSums<float> sums(points);
+  return fit_from(&starts, &sums, family, {}, iterations, std::numeric_limits<double>::infinity());
 }
 
 Selection select_family(const OrientedPointsf& points, std::span<const Family> families,
                         const FamilyFit& general, const SelectionOptions& options) {
   const int size = static_cast<int>(points.size());
   Starts starts(points);
+  DistanceSums<float> sums(points);
   Selection selection;
   selection.best = general;
   selection.bic = bic(general, options);
@@ -149,7 +155,7 @@ Selection select_family(const OrientedPointsf& points, std::span<const Family> f
     if (bic(0.95 * general.rss, size, dof, options) >= selection.bic) continue;
     const double wanted = rss_for(selection.bic, size, dof, options);
     std::optional<FamilyFit> fit =
-        fit_from(&starts, points, family, selection.fits, options.iterations, wanted);
+        fit_from(&starts, &sums, family, selection.fits, options.iterations, wanted);
     if (!fit) continue;
     const double value = bic(*fit, options);
     if (value < selection.bic) {

@@ -19,9 +19,11 @@ constexpr float kWeakGradient = 0.05f;
 constexpr int kChunk = 128;
 constexpr int kColumns = 11;
 
-/// A chunk of points; the entries beyond the last point are zero.
+}  // namespace
+
+/// A chunk of points; the coordinates beyond the last point are zero.
 template <typename Scalar>
-struct alignas(kLanes * sizeof(Scalar)) Chunk {
+struct alignas(kLanes * sizeof(Scalar)) PointChunk {
   Scalar x[kChunk], y[kChunk], z[kChunk];
   /// Half gradients, their length, and f.
   Scalar gx[kChunk], gy[kChunk], gz[kChunk], slope[kChunk], f[kChunk];
@@ -36,6 +38,8 @@ struct alignas(kLanes * sizeof(Scalar)) Chunk {
     copy(p.x(), x), copy(p.y(), y), copy(p.z(), z);
   }
 };
+
+namespace {
 
 template <typename Scalar>
 struct alignas(kLanes * sizeof(Scalar)) Jacobian {
@@ -59,7 +63,7 @@ struct StrandsOf<double> {
 #define QUADRILLE_INTO_CLONES inline __attribute__((always_inline))
 
 template <typename Scalar>
-QUADRILLE_INTO_CLONES void evaluate_points(const Coefficients<Scalar>& q, Chunk<Scalar>* c) {
+QUADRILLE_INTO_CLONES void evaluate_points(const Coefficients<Scalar>& q, PointChunk<Scalar>* c) {
   for (int k = 0; k < kChunk; ++k) {
     const HalfGradient<Scalar> g = half_gradient(q, c->x[k], c->y[k], c->z[k]);
     c->gx[k] = g.x, c->gy[k] = g.y, c->gz[k] = g.z;
@@ -71,7 +75,7 @@ QUADRILLE_INTO_CLONES void evaluate_points(const Coefficients<Scalar>& q, Chunk<
 /// The derivative dr/dq = (v − r ∇vᵀ g / |g|) / |g|, where g is the gradient; the chunk holds its
 /// half.
 template <typename Scalar>
-QUADRILLE_INTO_CLONES void differentiate_points(const Chunk<Scalar>& c, Scalar min_slope,
+QUADRILLE_INTO_CLONES void differentiate_points(const PointChunk<Scalar>& c, Scalar min_slope,
                                                 Jacobian<Scalar>* J) {
   const Scalar half(0.5), two(2);
   auto& col = J->column;
@@ -96,6 +100,27 @@ QUADRILLE_INTO_CLONES void differentiate_points(const Chunk<Scalar>& c, Scalar m
   }
 }
 
+/// The sum of all strands.
+template <typename Strands>
+QUADRILLE_INTO_CLONES double joined(const Strands& s) {
+  return static_cast<double>((s[0] + s[4]) + (s[1] + s[5]) + ((s[2] + s[6]) + (s[3] + s[7])));
+}
+
+/// The sum of r², in the same order as the last element of JᵀJ.
+template <typename Scalar>
+QUADRILLE_INTO_CLONES double square_of_points(const PointChunk<Scalar>& c, Scalar min_slope) {
+  alignas(kLanes * sizeof(Scalar)) Scalar r[kChunk];
+  for (int k = 0; k < kChunk; ++k) {
+    r[k] = c.f[k] * (Scalar(0.5) / std::max(c.slope[k], min_slope));
+  }
+  typename StrandsOf<Scalar>::Type sum = {};
+  for (int k = 0; k < c.size; k += kLanes) {
+    const auto v = reinterpret_cast<const typename StrandsOf<Scalar>::Type&>(r[k]);
+    sum += v * v;
+  }
+  return joined(sum);
+}
+
 /// Adds row a of JᵀJ from the diagonal on. Since `a` is known at compile time, the sums stay in
 /// registers.
 template <int a, typename Scalar>
@@ -107,10 +132,7 @@ QUADRILLE_INTO_CLONES void add_row(const Jacobian<Scalar>& J, int size, double* 
     for (int b = a; b < kColumns; ++b)
       sum[b - a] += left * reinterpret_cast<const Strands&>(J.column[b][k]);
   }
-  for (int b = a; b < kColumns; ++b) {
-    const Strands& s = sum[b - a];
-    N[a * kColumns + b] += (s[0] + s[4]) + (s[1] + s[5]) + ((s[2] + s[6]) + (s[3] + s[7]));
-  }
+  for (int b = a; b < kColumns; ++b) N[a * kColumns + b] += joined(sum[b - a]);
 }
 
 /// Adds the upper triangle of JᵀJ.
@@ -125,74 +147,91 @@ QUADRILLE_INTO_CLONES void add_all_rows(const Jacobian<Scalar>& J, int size, dou
 #undef QUADRILLE_INTO_CLONES
 
 QUADRILLE_VECTOR_CLONES
-void evaluate(Coefficients<float> q, Chunk<float>* c) { evaluate_points(q, c); }
-void evaluate(Coefficients<double> q, Chunk<double>* c) { evaluate_points(q, c); }
+void evaluate_at(Coefficients<float> q, PointChunk<float>* c) { evaluate_points(q, c); }
+void evaluate_at(Coefficients<double> q, PointChunk<double>* c) { evaluate_points(q, c); }
 
 QUADRILLE_VECTOR_CLONES
-void differentiate(const Chunk<float>& c, float min_slope, Jacobian<float>* J) {
+void differentiate(const PointChunk<float>& c, float min_slope, Jacobian<float>* J) {
   differentiate_points(c, min_slope, J);
 }
-void differentiate(const Chunk<double>& c, double min_slope, Jacobian<double>* J) {
+void differentiate(const PointChunk<double>& c, double min_slope, Jacobian<double>* J) {
   differentiate_points(c, min_slope, J);
+}
+
+QUADRILLE_VECTOR_CLONES
+double sum_squares(const PointChunk<float>& c, float min_slope) {
+  return square_of_points(c, min_slope);
+}
+double sum_squares(const PointChunk<double>& c, double min_slope) {
+  return square_of_points(c, min_slope);
 }
 
 QUADRILLE_VECTOR_CLONES
 void add_products(const Jacobian<float>& J, int size, double* N) { add_all_rows(J, size, N); }
 void add_products(const Jacobian<double>& J, int size, double* N) { add_all_rows(J, size, N); }
 
+/// The number of points, rounded up to whole vectors.
+int padded(int size) { return (size + kLanes - 1) / kLanes * kLanes; }
+
+/// Clears the columns from the last point to the end of its vector.
 template <typename Scalar>
 void clear_beyond(int size, Jacobian<Scalar>* J) {
-  for (auto& column : J->column) std::fill(column + size, column + kChunk, Scalar(0));
+  for (auto& column : J->column) {
+    for (int k = size; k < padded(size); ++k) column[k] = 0;
+  }
 }
-
-/// All points in chunks, with f and its gradient evaluated.
-template <typename Scalar>
-class Evaluation {
- public:
-  Evaluation(const OrientedPoints<Scalar>& points, const Eigen::Matrix4d& Q)
-      : size_(static_cast<std::size_t>((points.size() + kChunk - 1) / kChunk)),
-        chunks_(std::make_unique_for_overwrite<Chunk<Scalar>[]>(size_)) {
-    const Coefficients<Scalar> q(Q);
-    double slopes = 0;
-    for (std::size_t i = 0; i < size_; ++i) {
-      Chunk<Scalar>& chunk = chunks_[i];
-      chunk.load(points, static_cast<int>(i) * kChunk);
-      evaluate(q, &chunk);
-      slopes += static_cast<double>(Map(chunk.slope, chunk.size).sum());
-    }
-    const double n = std::max(1.0, static_cast<double>(points.size()));
-    min_slope_ = std::max(Scalar(1e-20), Scalar(kWeakGradient) * static_cast<Scalar>(slopes / n));
-  }
-  std::span<const Chunk<Scalar>> chunks() const { return {chunks_.get(), size_}; }
-  Scalar min_slope() const { return min_slope_; }
-  double sum_of_squares() const {
-    double sum = 0;
-    for (const Chunk<Scalar>& chunk : chunks()) {
-      const Map f(chunk.f, chunk.size), slope(chunk.slope, chunk.size);
-      sum += 0.25 * static_cast<double>((f / slope.max(min_slope_)).square().sum());
-    }
-    return sum;
-  }
-
- private:
-  using Map = Eigen::Map<const Eigen::Array<Scalar, Eigen::Dynamic, 1>>;
-
-  std::size_t size_;
-  std::unique_ptr<Chunk<Scalar>[]> chunks_;
-  Scalar min_slope_;
-};
 
 }  // namespace
 
 template <typename Scalar>
-Eigen::Matrix<double, 11, 11> normal_equations(const OrientedPoints<Scalar>& points,
-                                               const Eigen::Matrix4d& Q) {
-  const Evaluation<Scalar> evaluation(points, Q);
+DistanceSums<Scalar>::DistanceSums(const OrientedPoints<Scalar>& points)
+    : points_(points.size()),
+      chunks_(std::make_unique_for_overwrite<PointChunk<Scalar>[]>(
+          static_cast<std::size_t>((points.size() + kChunk - 1) / kChunk))) {
+  int first = 0;
+  for (PointChunk<Scalar>& chunk : chunks()) {
+    chunk.load(points, first);
+    first += kChunk;
+  }
+}
+
+template <typename Scalar>
+DistanceSums<Scalar>::~DistanceSums() = default;
+
+template <typename Scalar>
+std::span<PointChunk<Scalar>> DistanceSums<Scalar>::chunks() const {
+  return {chunks_.get(), static_cast<std::size_t>((points_ + kChunk - 1) / kChunk)};
+}
+
+template <typename Scalar>
+void DistanceSums<Scalar>::evaluate(const Eigen::Matrix4d& Q) {
+  using Map = Eigen::Map<const Eigen::Array<Scalar, Eigen::Dynamic, 1>>;
+  const Coefficients<Scalar> q(Q);
+  double slopes = 0;
+  for (PointChunk<Scalar>& chunk : chunks()) {
+    evaluate_at(q, &chunk);
+    slopes += static_cast<double>(Map(chunk.slope, chunk.size).sum());
+    // The places that fill up the last vector count as points on the quadric.
+    for (int k = chunk.size; k < padded(chunk.size); ++k) chunk.f[k] = 0;
+  }
+  const double n = std::max(1.0, static_cast<double>(points_));
+  min_slope_ = std::max(Scalar(1e-20), Scalar(kWeakGradient) * static_cast<Scalar>(slopes / n));
+}
+
+template <typename Scalar>
+double DistanceSums<Scalar>::squares() const {
+  double sum = 0;
+  for (const PointChunk<Scalar>& chunk : chunks()) sum += sum_squares(chunk, min_slope_);
+  return sum;
+}
+
+template <typename Scalar>
+Matrix11d DistanceSums<Scalar>::normal_equations() const {
   Eigen::Matrix<double, 11, 11, Eigen::RowMajor> N;
   N.setZero();
   Jacobian<Scalar> J;
-  for (const Chunk<Scalar>& chunk : evaluation.chunks()) {
-    differentiate(chunk, evaluation.min_slope(), &J);
+  for (const PointChunk<Scalar>& chunk : chunks()) {
+    differentiate(chunk, min_slope_, &J);
     clear_beyond(chunk.size, &J);
     add_products(J, chunk.size, N.data());
   }
@@ -200,11 +239,21 @@ Eigen::Matrix<double, 11, 11> normal_equations(const OrientedPoints<Scalar>& poi
 }
 
 template <typename Scalar>
-double sum_of_squares(const OrientedPoints<Scalar>& points, const Eigen::Matrix4d& Q) {
-  return Evaluation<Scalar>(points, Q).sum_of_squares();
+Matrix11d normal_equations(const OrientedPoints<Scalar>& points, const Eigen::Matrix4d& Q) {
+  DistanceSums<Scalar> sums(points);
+  sums.evaluate(Q);
+  return sums.normal_equations();
 }
 
-using Matrix11d = Eigen::Matrix<double, 11, 11>;
+template <typename Scalar>
+double sum_of_squares(const OrientedPoints<Scalar>& points, const Eigen::Matrix4d& Q) {
+  DistanceSums<Scalar> sums(points);
+  sums.evaluate(Q);
+  return sums.squares();
+}
+
+template class DistanceSums<float>;
+template class DistanceSums<double>;
 template Matrix11d normal_equations(const OrientedPointsf&, const Eigen::Matrix4d&);
 template Matrix11d normal_equations(const OrientedPointsd&, const Eigen::Matrix4d&);
 template double sum_of_squares(const OrientedPointsf&, const Eigen::Matrix4d&);

@@ -1,20 +1,52 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
+#include <span>
 
 #include "fit/oriented_points.hpp"
 
 namespace quadrille {
 
-/// Returns the 11x11 matrix [JᵀJ Jᵀr; rᵀJ rᵀr], where r = f / |∇f| are the points' first-order
-/// distances and J = dr/dq. Rows are in the order of q, the residual last; coordinates and unit are
-/// those of the points.
-template <typename Scalar>
-Eigen::Matrix<double, 11, 11> normal_equations(const OrientedPoints<Scalar>& points,
-                                               const Eigen::Matrix4d& Q);
+using Matrix11d = Eigen::Matrix<double, 11, 11>;
 
-/// Sum of the points' squared first-order distances, which is the last element of
-/// normal_equations().
+/// Some of the points of a fit, and a quadric's values there.
+template <typename Scalar>
+struct PointChunk;
+
+/// Sums over the first-order distances r = f / |∇f| of points from quadrics, in the coordinates and
+/// the unit of the points. The points are laid out once for all quadrics. Most of the time goes
+/// into the normal equations, which a fit does not need where it ends.
+template <typename Scalar>
+class DistanceSums {
+ public:
+  explicit DistanceSums(const OrientedPoints<Scalar>& points);
+  ~DistanceSums();
+
+  /// Number of points.
+  Eigen::Index points() const { return points_; }
+  /// Chooses the quadric of which the other functions tell.
+  void evaluate(const Eigen::Matrix4d& Q);
+  /// Sum of the squares of r.
+  double squares() const;
+  /// The 11x11 matrix [JᵀJ Jᵀr; rᵀJ rᵀr], where J = dr/dq. Rows are in the order of q, the residual
+  /// last; its last element is squares().
+  Matrix11d normal_equations() const;
+
+ private:
+  std::span<PointChunk<Scalar>> chunks() const;
+
+  Eigen::Index points_;
+  std::unique_ptr<PointChunk<Scalar>[]> chunks_;
+  /// The least length that a gradient counts as.
+  Scalar min_slope_ = 0;
+};
+
+/// DistanceSums::normal_equations() for one quadric.
+template <typename Scalar>
+Matrix11d normal_equations(const OrientedPoints<Scalar>& points, const Eigen::Matrix4d& Q);
+
+/// DistanceSums::squares() for one quadric.
 template <typename Scalar>
 double sum_of_squares(const OrientedPoints<Scalar>& points, const Eigen::Matrix4d& Q);
 

@@ -59,7 +59,7 @@ Surface last_fit(Surface surface, const SurfaceSamples& samples,
   if (!fit || canonical_form(fit->posed).type != canonical_form(surface.fit.posed).type) {
     return surface;
   }
-  Surface refitted = surface_of(std::move(surface.region), surface.local, std::move(*fit));
+  Surface refitted = surface_of(std::move(surface.region), surface.local, std::move(*fit), points);
   refitted.evidence = surface.evidence;
   refitted.confidence = surface.confidence;
   refitted.effective_size = surface.effective_size;

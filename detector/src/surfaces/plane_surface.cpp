@@ -44,7 +44,7 @@ Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane) {
   const OrientedPointsf points = fit_points(samples, plane.samples, local, kFitPoints);
   const PosedQuadric start = initial_plane(points).value_or(PosedQuadric());
   std::optional<FamilyFit> fit = refine(points, Family::kPlane, start, kIterations);
-  Surface surface = surface_of(plane.samples, local, fit ? std::move(*fit) : FamilyFit());
+  Surface surface = surface_of(plane.samples, local, fit ? std::move(*fit) : FamilyFit(), points);
   surface.effective_size = kEffectiveShare * static_cast<double>(surface.region.size());
   return surface;
 }

@@ -19,6 +19,8 @@ struct Surface {
   /// Fit in local coordinates, and the map to them.
   FamilyFit fit;
   Normalisation local;
+  /// How well the points determine the fit; see information().
+  Eigen::MatrixXd information;
   std::vector<int> region;
   /// Root mean square distance of the region's samples [m].
   double rms = 0.0;

@@ -14,11 +14,13 @@ constexpr int kIterations = 6;
 
 }  // namespace
 
-Surface surface_of(std::vector<int> region, const Normalisation& local, FamilyFit fit) {
+Surface surface_of(std::vector<int> region, const Normalisation& local, FamilyFit fit,
+                   const OrientedPointsf& points) {
   Surface surface;
   surface.local = local;
   surface.Q = local.to_frame(fit.posed.matrix()).normalized();
   surface.rms = local.scale * std::sqrt(fit.rss / fit.points);
+  surface.information = information(points, fit);
   surface.fit = std::move(fit);
   surface.region = std::move(region);
   return surface;
@@ -41,7 +43,7 @@ std::optional<Surface> fit_surface(const SurfaceSamples& samples, std::vector<in
   const double common_noise = samples.common_noise * mean_sigma(samples, region) / local.scale;
   selection.common_noise = std::hypot(common_noise, kFlawShare);
   FamilyFit best = select_family(points, options.families, *general, selection).best;
-  Surface surface = surface_of(std::move(region), local, std::move(best));
+  Surface surface = surface_of(std::move(region), local, std::move(best), points);
   surface.effective_size = effective_size;
   return surface;
 }
@@ -52,7 +54,7 @@ std::optional<Surface> fit_plane(const SurfaceSamples& samples, std::vector<int>
   const OrientedPointsf points = fit_points(samples, region, local, options.fit_points);
   std::optional<FamilyFit> fit = fit_family(points, Family::kPlane, kIterations);
   if (!fit) return std::nullopt;
-  Surface surface = surface_of(std::move(region), local, std::move(*fit));
+  Surface surface = surface_of(std::move(region), local, std::move(*fit), points);
   if (surface.rms > options.max_residual_plane * mean_sigma(samples, surface.region)) {
     return std::nullopt;
   }

@@ -10,7 +10,9 @@ namespace quadrille {
 
 /// Makes the surface of a region from a fit to some of its points, without evidence.
 /// @param local  map to the coordinates of the fit
-Surface surface_of(std::vector<int> region, const Normalisation& local, FamilyFit fit);
+/// @param points  the points of the fit
+Surface surface_of(std::vector<int> region, const Normalisation& local, FamilyFit fit,
+                   const OrientedPointsf& points);
 
 /// Fits the surface of the family that explains a region best, without evidence; nullopt if nothing
 /// fits.

@@ -38,9 +38,9 @@ Information information_of(const Surface& surface, const SurfaceSamples& samples
   if (type == QuadricType::kEllipsoid && fit.family != Family::kGeneral) {
     const OrientedPointsf points = fit_points(samples, surface.region, surface.local, fit.points);
     const std::optional<FamilyFit> at = refine(points, Family::kGeneral, fit.posed, 0);
-    if (at) return {Family::kGeneral, at->information, static_cast<double>(at->points)};
+    if (at) return {Family::kGeneral, information(points, *at), static_cast<double>(at->points)};
   }
-  return {fit.family, fit.information, static_cast<double>(fit.points)};
+  return {fit.family, surface.information, static_cast<double>(fit.points)};
 }
 
 /// Variance of the mean of the noise [squared unit of the fit].

@@ -25,6 +25,7 @@ Surface fitted(const SurfaceSamples& samples, Family family, const Quadric& star
   at.D.topLeftCorner<3, 3>() *= surface.local.scale * surface.local.scale;
   at.D /= -at.D(3, 3);
   surface.fit = refine(points, family, at, 20).value();
+  surface.information = information(points, surface.fit);
   surface.Q = surface.local.to_frame(surface.fit.posed.matrix()).normalized();
   surface.evidence = collect_evidence(samples, surface.region, surface.Q);
   return surface;
