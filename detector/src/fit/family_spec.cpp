@@ -5,33 +5,26 @@
 namespace quadrille {
 namespace {
 
-/// Symmetric matrix with ones at (i, j) and (j, i).
-Eigen::Matrix4d unit(int i, int j) {
-  Eigen::Matrix4d E = Eigen::Matrix4d::Zero();
-  E(i, j) = E(j, i) = 1.0;
-  return E;
-}
-
-std::vector<Eigen::Matrix4d> all_units() {
-  std::vector<Eigen::Matrix4d> shapes;
+std::vector<std::pair<int, int>> all_entries() {
+  std::vector<std::pair<int, int>> entries;
   for (int i = 0; i < 4; ++i) {
-    for (int j = i; j < 4; ++j) shapes.push_back(unit(i, j));
+    for (int j = i; j < 4; ++j) entries.emplace_back(i, j);
   }
-  return shapes;
+  return entries;
 }
 
 std::array<FamilySpec, kFamilyCount> make_specs() {
   constexpr int tx = 0, ty = 1, tz = 2, rx = 3, ry = 4;
   return {{
       {"plane", {}, {tz, rx, ry}, 3},
-      {"sphere", {unit(3, 3)}, {tx, ty, tz}, 4},
-      {"cylinder", {unit(3, 3)}, {tx, ty, rx, ry}, 5},
-      {"cone", {unit(2, 2)}, {tx, ty, tz, rx, ry}, 6},
-      {"paraboloid", {unit(2, 3)}, {tx, ty, tz, rx, ry}, 6},
-      {"revolution", {unit(2, 2), unit(2, 3), unit(3, 3)}, {tx, ty, rx, ry}, 7},
-      {"elliptic_cylinder", {unit(0, 0), unit(0, 1), unit(1, 1)}, {tx, ty, rx, ry}, 7},
-      {"parabolic", {unit(0, 0), unit(0, 1), unit(1, 1)}, {tx, ty, tz, rx, ry}, 8},
-      {"general", all_units(), {}, 9},
+      {"sphere", {{3, 3}}, {tx, ty, tz}, 4},
+      {"cylinder", {{3, 3}}, {tx, ty, rx, ry}, 5},
+      {"cone", {{2, 2}}, {tx, ty, tz, rx, ry}, 6},
+      {"paraboloid", {{2, 3}}, {tx, ty, tz, rx, ry}, 6},
+      {"revolution", {{2, 2}, {2, 3}, {3, 3}}, {tx, ty, rx, ry}, 7},
+      {"elliptic_cylinder", {{0, 0}, {0, 1}, {1, 1}}, {tx, ty, rx, ry}, 7},
+      {"parabolic", {{0, 0}, {0, 1}, {1, 1}}, {tx, ty, tz, rx, ry}, 8},
+      {"general", all_entries(), {}, 9},
   }};
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "quadrille/detector/quadric.hpp"
@@ -12,8 +12,8 @@ namespace quadrille {
 /// shapes, and the pose X by the motions.
 struct FamilySpec {
   std::string_view name;
-  /// Symmetric 4x4 matrices, the directions in which D may vary.
-  std::vector<Eigen::Matrix4d> shapes;
+  /// Row and column of the entries of D that may vary, each together with its mirror image.
+  std::vector<std::pair<int, int>> shapes;
   /// Generators in the canonical frame: translations x y z are 0 1 2, rotations 3 4 5.
   std::vector<int> motions;
   /// Degrees of freedom of the surface (the scale of Q does not count).

@@ -18,35 +18,42 @@ constexpr double kLastGain = 10.0;
 
 using Normal = Matrix11d;
 
-/// The generator of a motion as a 4x4 matrix of se(3).
-Eigen::Matrix4d generator(int motion) {
-  Eigen::Matrix4d G = Eigen::Matrix4d::Zero();
-  if (motion < 3) {
-    G(motion, 3) = 1.0;
-  } else {
-    const int a = (motion - 3 + 1) % 3, b = (motion - 3 + 2) % 3;
-    G(b, a) = 1.0;
-    G(a, b) = -1.0;
-  }
-  return G;
-}
-
 // There are at most ten parameters, so no memory is allocated on the heap.
 using Tangent = Eigen::Matrix<double, 10, Eigen::Dynamic, 0, 10, 10>;
 using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 10, 10>;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 10, 1>;
+
+/// The derivative dD/dt = -(Gᵀ D + D G) of a quadric by a motion exp(t G) of its pose. The
+/// generator G has a one in the last column for a translation, and a one and its opposite for a
+/// rotation, so its products only pick rows and columns of D.
+Eigen::Matrix4d derivative_by_motion(const Eigen::Matrix4d& D, int motion) {
+  Eigen::Matrix4d rows = Eigen::Matrix4d::Zero(), columns = Eigen::Matrix4d::Zero();
+  if (motion < 3) {
+    rows.row(3) = D.row(motion);
+    columns.col(3) = D.col(motion);
+  } else {
+    const int a = (motion - 3 + 1) % 3, b = (motion - 3 + 2) % 3;
+    rows.row(a) = D.row(b), rows.row(b) = -D.row(a);
+    columns.col(a) = D.col(b), columns.col(b) = -D.col(a);
+  }
+  return -(rows + columns);
+}
 
 /// The derivative dq/dθ of a family at a posed quadric: 10 x (shapes + motions).
 Tangent tangent_space(const FamilySpec& spec, const PosedQuadric& q) {
   const Eigen::Matrix4d Y = q.X.inverse().matrix();
   Tangent T(10, static_cast<Eigen::Index>(spec.shapes.size() + spec.motions.size()));
   Eigen::Index column = 0;
-  for (const Eigen::Matrix4d& shape : spec.shapes) {
-    T.col(column++) = Quadric(Eigen::Matrix4d(Y.transpose() * shape * Y)).coefficients();
+  for (const auto& [i, j] : spec.shapes) {
+    const auto y_i = Y.row(i), y_j = Y.row(j);
+    const auto at = [&](int r, int c) {
+      return i == j ? y_i[r] * y_i[c] : y_j[r] * y_i[c] + y_i[r] * y_j[c];
+    };
+    T.col(column++) << at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(0, 2), at(1, 2), at(0, 3),
+        at(1, 3), at(2, 3), at(3, 3);
   }
   for (const int motion : spec.motions) {
-    const Eigen::Matrix4d G = generator(motion);
-    const Eigen::Matrix4d dD = -(G.transpose() * q.D + q.D * G);
+    const Eigen::Matrix4d dD = derivative_by_motion(q.D, motion);
     T.col(column++) = Quadric(Eigen::Matrix4d(Y.transpose() * dD * Y)).coefficients();
   }
   return T;
@@ -54,14 +61,43 @@ Tangent tangent_space(const FamilySpec& spec, const PosedQuadric& q) {
 
 /// The Gauss-Newton equations A step = -b in a family's parameters.
 struct Step {
-  Tangent T;
   Square A;
   Vector b;
 
-  Step(const FamilySpec& spec, const PosedQuadric& q, const Normal& N)
-      : T(tangent_space(spec, q)),
-        A(T.transpose().lazyProduct(Tangent(N.topLeftCorner<10, 10>().lazyProduct(T)))),
-        b(T.transpose().lazyProduct(N.topRightCorner<10, 1>())) {}
+  Step(const FamilySpec& spec, const PosedQuadric& q, const Normal& N) {
+    const Tangent T = tangent_space(spec, q);
+    switch (T.cols()) {
+      case 3:
+        project<3>(T, N);
+        break;
+      case 4:
+        project<4>(T, N);
+        break;
+      case 5:
+        project<5>(T, N);
+        break;
+      case 6:
+        project<6>(T, N);
+        break;
+      case 7:
+        project<7>(T, N);
+        break;
+      case 8:
+        project<8>(T, N);
+        break;
+      default:
+        project<10>(T, N);
+    }
+  }
+
+  /// Sets A and b. The number of parameters is known at compile time, so the loops are unrolled.
+  template <int n>
+  void project(const Tangent& tangent, const Normal& N) {
+    const Eigen::Matrix<double, 10, n> T = tangent.leftCols<n>();
+    const Eigen::Matrix<double, 10, n> NT = N.topLeftCorner<10, 10>().lazyProduct(T);
+    A = T.transpose().lazyProduct(NT);
+    b = T.transpose().lazyProduct(N.topRightCorner<10, 1>());
+  }
 
   Vector solve(double damping) const {
     Square damped = A;
@@ -75,7 +111,10 @@ struct Step {
 PosedQuadric moved(Family family, PosedQuadric q, const Eigen::Ref<const Eigen::VectorXd>& step) {
   const FamilySpec& spec = family_spec(family);
   Eigen::Index k = 0;
-  for (const Eigen::Matrix4d& shape : spec.shapes) q.D += step[k++] * shape;
+  for (const auto& [i, j] : spec.shapes) {
+    q.D(i, j) += step[k++];
+    q.D(j, i) = q.D(i, j);
+  }
   Eigen::Vector3d t = Eigen::Vector3d::Zero(), r = Eigen::Vector3d::Zero();
   for (const int motion : spec.motions) (motion < 3 ? t[motion] : r[motion - 3]) = step[k++];
   Eigen::Isometry3d dX = Eigen::Isometry3d::Identity();
