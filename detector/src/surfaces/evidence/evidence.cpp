@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "base/quantile.hpp"
 #include "samples/inliers.hpp"
@@ -96,9 +97,11 @@ double one_plane_rss(const SurfaceSamples& samples, std::span<const int> region)
 void compare_neighbours(const SurfaceSamples& samples, std::span<const int> region,
                         const std::vector<char>& inside, const std::vector<float>& distance,
                         double square, Evidence* e) {
-  std::vector<float> distance_of(static_cast<std::size_t>(samples.size()), 0.0f);
+  // Only the region's distances are set and read; clearing all would take longer than the sums.
+  const auto distance_of =
+      std::make_unique_for_overwrite<float[]>(static_cast<std::size_t>(samples.size()));
   for (std::size_t k = 0; k < region.size(); ++k) distance_of[region[k]] = distance[k];
-  const NeighbourSums sums = sum_neighbours(samples, region, inside, distance_of);
+  const NeighbourSums sums = sum_neighbours(samples, region, inside, distance_of.get());
   e->residual = std::sqrt(square) / e->sigma;
   if (sums.pairs == 0) return;
   e->roughness = std::sqrt(0.5 * sums.difference / sums.pairs) / e->sigma;

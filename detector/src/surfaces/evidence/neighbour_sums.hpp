@@ -17,8 +17,8 @@ struct NeighbourSums {
 
 /// Sums over the pairs of neighbours.
 /// @param inside    per sample, nonzero if it belongs to the region
-/// @param distance  per sample, its distance from the quadric [m]
+/// @param distance  per sample, its distance from the quadric [m]; read only inside the region
 NeighbourSums sum_neighbours(const SurfaceSamples& samples, std::span<const int> region,
-                             const std::vector<char>& inside, const std::vector<float>& distance);
+                             const std::vector<char>& inside, const float* distance);
 
 }  // namespace quadrille
