@@ -1,6 +1,5 @@
 #include "fit/geometric_fit.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
@@ -99,10 +98,28 @@ struct Step {
     b = T.transpose().lazyProduct(N.topRightCorner<10, 1>());
   }
 
+  /// Solves the damped equations by their factors L D Lᵀ. The damping makes them positive definite,
+  /// so the factors need no pivots; not finite if rounding has won all the same.
   Vector solve(double damping) const {
-    Square damped = A;
-    damped.diagonal().array() += damping * A.diagonal().array() + 1e-9 * A.diagonal().maxCoeff();
-    return -damped.ldlt().solve(b);
+    const Eigen::Index n = b.size();
+    Square L = A;
+    L.diagonal().array() += damping * A.diagonal().array() + 1e-9 * A.diagonal().maxCoeff();
+    Vector step = -b;
+    for (Eigen::Index j = 0; j < n; ++j) {
+      // Below the diagonal, column j holds L D so far, and is divided by D last.
+      const double over = 1.0 / L(j, j);
+      for (Eigen::Index k = j + 1; k < n; ++k) {
+        const double factor = L(k, j) * over;
+        for (Eigen::Index i = k; i < n; ++i) L(i, k) -= factor * L(i, j);
+        step[k] -= factor * step[j];
+      }
+      for (Eigen::Index k = j + 1; k < n; ++k) L(k, j) *= over;
+      step[j] *= over;
+    }
+    for (Eigen::Index j = n - 1; j > 0; --j) {
+      for (Eigen::Index k = 0; k < j; ++k) step[k] -= L(j, k) * step[j];
+    }
+    return step;
   }
 };
 
