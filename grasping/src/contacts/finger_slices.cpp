@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "quadrille/detector/vector_clones.hpp"
+
 namespace quadrille {
 namespace {
 
@@ -47,11 +49,13 @@ const std::vector<FingerSlice>& FingerSlices::cut(const Eigen::Matrix3d& R) {
   if (!(low <= high)) return slices_;
   const int steps = static_cast<int>((high - low) / step_) + 1;
   const double first = 0.5 * (low + high) - 0.5 * step_ * (steps - 1);
-  const std::vector<OwnRange> ranges = own_ranges(R, first, steps);
-  fill(R, first, ranges);
-  for (std::size_t n = 0; n < ranges.size(); ++n) {
-    if (members_[n].empty()) continue;
-    slices_.push_back({first + static_cast<int>(n) * step_, ranges[n].top, members_[n]});
+  find_own_ranges(R, first, steps);
+  fill(R, first);
+  for (std::size_t n = 0; n < ranges_.size(); ++n) {
+    const Limits& slice = limits_[n + 1];
+    if (slice.first == slice.end) continue;
+    slices_.push_back({first + static_cast<int>(n) * step_, ranges_[n].top,
+                       std::span(members_).subspan(slice.first, slice.end - slice.first)});
   }
   return slices_;
 }
@@ -85,51 +89,81 @@ void FingerSlices::sort_along(const Eigen::Vector3d& closing) {
 /// Finds the strip of each point, and how far it lies along the approach. The strips are the parts
 /// that two neighbouring slices share, and the halves of the outermost ones: slice n consists of
 /// strips n + 1 and n + 2. Points before and beyond are in strips 0 and `steps` + 2.
+QUADRILLE_VECTOR_CLONES
 void FingerSlices::find_strips(const Eigen::Matrix3d& R, const Points& points, double first,
                                int steps) {
-  // The shift makes all values positive, so that truncation rounds down.
-  places_ = ((along(R.col(0), points) - first) / step_).max(-2.0).min(steps) + 2.0;
-  strips_ = places_.cast<int>();
-  z_ = along(R.col(2), points).cast<float>();
+  strips_.resize(points.rows()), z_.resize(points.rows());
+  const double *x = points.col(0).data(), *y = points.col(1).data(), *z = points.col(2).data();
+  const double ax = R(0, 0), ay = R(1, 0), az = R(2, 0), bx = R(0, 2), by = R(1, 2), bz = R(2, 2);
+  const double step = step_, most = steps;
+  int* __restrict strips = strips_.data();
+  float* __restrict heights = z_.data();
+  const auto count = static_cast<std::size_t>(points.rows());
+  for (std::size_t i = 0; i < count; ++i) {
+    double place = (x[i] * ax + y[i] * ay + z[i] * az - first) / step;
+    // NaN, which is not of these points, would become -2.
+    place = place > -2.0 ? place : -2.0;
+    place = place < most ? place : most;
+    // The shift makes all values positive, so that truncation rounds down.
+    strips[i] = static_cast<int>(place + 2.0);
+    heights[i] = static_cast<float>(x[i] * bx + y[i] * by + z[i] * bz);
+  }
 }
 
-std::vector<FingerSlices::OwnRange> FingerSlices::own_ranges(const Eigen::Matrix3d& R, double first,
-                                                             int steps) {
+void FingerSlices::find_own_ranges(const Eigen::Matrix3d& R, double first, int steps) {
   find_strips(R, own_, first, steps);
-  std::vector<OwnRange> strips(static_cast<std::size_t>(steps) + 3);
+  own_strips_.assign(static_cast<std::size_t>(steps) + 3, {});
+  // Unlike vectors, these do not check each access.
+  OwnRange* strips = own_strips_.data();
   for (Eigen::Index i = 0; i < own_.rows(); ++i) {
-    OwnRange& strip = strips[static_cast<std::size_t>(strips_[i])];
-    strip.join({z_[i], own_y_[i], own_y_[i]});
+    strips[strips_[i]].join({z_[i], own_y_[i], own_y_[i]});
   }
-  std::vector<OwnRange> slices;
+  ranges_.clear();
   for (int n = 0; n < steps; ++n) {
-    slices.push_back(strips[static_cast<std::size_t>(n) + 1]);
-    slices.back().join(strips[static_cast<std::size_t>(n) + 2]);
+    ranges_.push_back(strips[n + 1]);
+    ranges_.back().join(strips[n + 2]);
   }
-  return slices;
 }
 
 /// Fills the slices with the points near their own ones.
-void FingerSlices::fill(const Eigen::Matrix3d& R, double first,
-                        const std::vector<OwnRange>& ranges) {
-  const int steps = static_cast<int>(ranges.size());
-  if (members_.size() < ranges.size()) members_.resize(ranges.size());
-  for (std::vector<InSlice>& slice : members_) slice.clear();
+void FingerSlices::fill(const Eigen::Matrix3d& R, double first) {
+  const int steps = static_cast<int>(ranges_.size());
   find_strips(R, sorted_, first, steps);
+  // A slice holds no more points than its two strips do. The two outermost slices, before the first
+  // and beyond the last one, are there so that each strip belongs to two; they stay empty.
+  const std::size_t size = ranges_.size() + 2;
+  counts_.assign(size + 1, 0);
+  std::size_t* counts = counts_.data();
+  for (Eigen::Index k = 0; k < strips_.size(); ++k) ++counts[strips_[k]];
   const auto beyond = static_cast<float>(reach_ + kRoundingSlack);
-  const auto add = [&](const InSlice& point, int n) {
-    const OwnRange& own = *(ranges.data() + n);
-    const bool near = point.z < own.top + heights_.below && point.z > own.top - heights_.above &&
-                      point.y >= own.low - beyond && point.y <= own.high + beyond;
-    if (near) members_[static_cast<std::size_t>(n)].push_back(point);
+  limits_.assign(size, {});
+  Limits* limits = limits_.data();
+  std::size_t start = 0;
+  for (std::size_t n = 0; n + 2 < size; ++n) {
+    const OwnRange& own = ranges_[n];
+    limits[n + 1] = {own.top - heights_.above,
+                     own.top + heights_.below,
+                     own.low - beyond,
+                     own.high + beyond,
+                     start,
+                     start};
+    // One place more, since points are written before it is known whether they count.
+    start += counts[n + 1] + counts[n + 2] + 1;
+  }
+  limits[0].first = limits[0].end = limits[size - 1].first = limits[size - 1].end = start;
+  if (members_.size() <= start) members_.resize(start + 1);
+  InSlice* members = members_.data();
+  const auto add = [&](const InSlice& point, Limits& slice) {
+    members[slice.end] = point;
+    slice.end += (point.z < slice.high_z) & (point.z > slice.low_z) & (point.y >= slice.low_y) &
+                 (point.y <= slice.high_y);
   };
-  // Eigen's arrays are not checked at each access, as vectors are.
   for (Eigen::Index k = 0; k < strips_.size(); ++k) {
     const int strip = strips_[k];
     if (strip == 0 || strip == steps + 2) continue;
     const InSlice point{y_[k], z_[k], index_[k]};
-    if (strip > 1) add(point, strip - 2);
-    if (strip <= steps) add(point, strip - 1);
+    add(point, limits[strip - 1]);
+    add(point, limits[strip]);
   }
 }
 

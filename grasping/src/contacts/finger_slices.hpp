@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -62,10 +63,17 @@ class FingerSlices {
     }
   };
 
+  /// The limits of the points that belong to a slice [m], none by default, and where its points
+  /// begin and end among the members.
+  struct Limits {
+    float low_z = 0.0f, high_z = 0.0f, low_y = 0.0f, high_y = 0.0f;
+    std::size_t first = 0, end = 0;
+  };
+
   void sort_along(const Eigen::Vector3d& closing);
   void find_strips(const Eigen::Matrix3d& R, const Points& points, double first, int steps);
-  std::vector<OwnRange> own_ranges(const Eigen::Matrix3d& R, double first, int steps);
-  void fill(const Eigen::Matrix3d& R, double first, const std::vector<OwnRange>& ranges);
+  void find_own_ranges(const Eigen::Matrix3d& R, double first, int steps);
+  void fill(const Eigen::Matrix3d& R, double first);
 
   /// The width of a step, and what a hand spans beside an own point, with one gap farther [m].
   double step_, reach_;
@@ -84,7 +92,10 @@ class FingerSlices {
   Eigen::ArrayXd places_;
   Eigen::ArrayXi strips_;
   Eigen::ArrayXf z_;
-  std::vector<std::vector<InSlice>> members_;
+  std::vector<OwnRange> own_strips_, ranges_;
+  std::vector<std::size_t> counts_;
+  std::vector<Limits> limits_;
+  std::vector<InSlice> members_;
   std::vector<FingerSlice> slices_;
 };
 
