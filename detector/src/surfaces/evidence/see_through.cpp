@@ -145,14 +145,18 @@ RayCounts count_rays(const Sight& sight, const VouchedPart& part) {
 double see_through(const SceneContext& context, const SurfaceSamples& samples,
                    std::span<const int> region, const Quadric& Q, const CanonicalForm& form) {
   RayCounts sum;
-  for (const Sight& sight : context.sights) {
+  const std::vector<Sight>& sights = context.sights;
+  for (const Sight& sight : sights) {
     if (sight.w.empty()) continue;
     const RayCounts count = count_rays(
         sight, vouched_part(sight.X_VC.cast<double>(), samples, region, Q, form, context.up));
     sum.through += count.through;
     sum.all += count.all;
   }
-  return sum.all == 0 ? 0.0 : static_cast<double>(sum.through) / sum.all;
+  if (sum.all > 0) return static_cast<double>(sum.through) / sum.all;
+  const bool blind =
+      std::all_of(sights.begin(), sights.end(), [](const Sight& sight) { return sight.w.empty(); });
+  return blind ? kUnknownShare : 0.0;
 }
 
 }  // namespace quadrille

@@ -153,5 +153,16 @@ TEST_CASE("a pipe reaches no farther along its axis than its region", "[evidence
   CHECK(share(seen_from_x(pipe)) == Approx(0.0).margin(0.02));
   const auto wall = [](double, double) { return kDistance + kWallBehind; };
   CHECK(share(seen_from_x(wall)) == 1.0);
-  CHECK(share({}) == 0.0);
+}
+
+TEST_CASE("without rays it is unknown whether something is seen through",
+          "[evidence][see_through]") {
+  SceneContext blind;
+  CHECK(share_of_ball(blind) == kUnknownShare);
+  blind.sights.resize(2);
+  CHECK(share_of_ball(blind) == kUnknownShare);
+  // One view with rays knows enough, even if all of them pass beside the ball.
+  SceneContext elsewhere = seen_from_x([](double, double) { return kDistance; });
+  elsewhere.sights[0].corner = {1.0f, 1.0f};
+  CHECK(share_of_ball(elsewhere) == 0.0);
 }
