@@ -36,10 +36,13 @@ bool TrueBody::is_convex() const {
   if (is_box) return true;
   constexpr int kSteps = 16;
   const double step = (z_max() - z_min()) / kSteps;
+  // Rounding at an apex, where s is the root of almost nothing, is small beside the whole body, but
+  // not beside the sections near the apex.
+  const double rounding = 1e-6 * std::max(scale(z_min()), scale(z_max()));
   for (int i = 1; i < kSteps; ++i) {
     const double z = z_min() + i * step;
     const double chord = 0.5 * (scale(z - step) + scale(z + step));
-    if (chord > scale(z) * (1.0 + 1e-6)) return false;
+    if (chord > scale(z) + rounding) return false;
   }
   return true;
 }
