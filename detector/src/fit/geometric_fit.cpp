@@ -44,9 +44,9 @@ Tangent tangent_space(const FamilySpec& spec, const PosedQuadric& q) {
   Tangent T(10, static_cast<Eigen::Index>(spec.shapes.size() + spec.motions.size()));
   Eigen::Index column = 0;
   for (const auto& [i, j] : spec.shapes) {
-    const auto y_i = Y.row(i), y_j = Y.row(j);
-    const auto at = [&](int r, int c) {
-      return i == j ? y_i[r] * y_i[c] : y_j[r] * y_i[c] + y_i[r] * y_j[c];
+    const Eigen::RowVector4d y_i = Y.row(i), y_j = Y.row(j);
+    const auto at = [&, same = i == j](int r, int c) {
+      return same ? y_i[r] * y_i[c] : y_j[r] * y_i[c] + y_i[r] * y_j[c];
     };
     T.col(column++) << at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(0, 2), at(1, 2), at(0, 3),
         at(1, 3), at(2, 3), at(3, 3);
