@@ -231,6 +231,7 @@ TEST_CASE("options out of range are refused by name", "[plan]") {
       {"max_grasps", [](PlanOptions& o) { o.max_grasps = 0; }},
       {"max_detections", [](PlanOptions& o) { o.max_detections = 0; }},
       {"deadline_ms", [](PlanOptions& o) { o.deadline_ms = -1.0; }},
+      {"threads", [](PlanOptions& o) { o.threads = 0; }},
       {"reach.base",
        [](PlanOptions& o) {
          o.reach.base = {0.0, std::nan(""), 0.0};
@@ -257,13 +258,13 @@ TEST_CASE("a visit reaches each option of the planner", "[plan]") {
   // A new field stops these lines from compiling until it is listed here, and visited.
   PlanOptions options;
   auto& [unknown, types, resolution, friction, approach, pad_margin, baseline, min_wall, max_wall,
-         clear_above, min_score, per_target, max_grasps, max_detections, deadline_ms, reach] =
-      options;
+         clear_above, min_score, per_target, max_grasps, max_detections, deadline_ms, threads,
+         reach] = options;
   auto& [base, min, max] = reach;
   const std::set<const void*> fields = {
-      &unknown,    &types,          &resolution,  &friction,    &approach,  &pad_margin,
-      &baseline,   &min_wall,       &max_wall,    &clear_above, &min_score, &per_target,
-      &max_grasps, &max_detections, &deadline_ms, &base,        &min,       &max};
+      &unknown,     &types,    &resolution,  &friction,  &approach,   &pad_margin, &baseline,
+      &min_wall,    &max_wall, &clear_above, &min_score, &per_target, &max_grasps, &max_detections,
+      &deadline_ms, &threads,  &base,        &min,       &max};
   std::set<const void*> visited;
   PlanOptions::visit(options, [&](auto& field, const Setting&) { visited.insert(&field); });
   CHECK(visited == fields);

@@ -116,7 +116,7 @@ PlanSetup setup_of(const PlanArguments& arguments) {
   setup.config = io::load_config(arguments.detector.config);
   setup.detector = arguments.detector.overrule_for_planning(setup.config);
   setup.gripper = arguments.planner.gripper();
-  setup.options = arguments.planner.overrule(setup.config.planner);
+  setup.options = arguments.planner.overrule(setup.config.planner, arguments.detector.threads);
   setup.config.detector = setup.detector.options;
   setup.config.planner = setup.options;
   setup.info.seed = setup.detector.options.seed;

@@ -55,7 +55,7 @@ Job job_of(const TryArguments& arguments) {
   io::Config config = io::load_config(arguments.detector.config);
   const DetectorSetup setup = arguments.detector.overrule_for_planning(config);
   config.detector = setup.options;
-  config.planner = arguments.planner.overrule(config.planner);
+  config.planner = arguments.planner.overrule(config.planner, arguments.detector.threads);
   return {gripper, config.detector, config.planner, config};
 }
 

@@ -54,7 +54,7 @@ view::PlanSetup setup_of(const ViewArguments& arguments) {
   const io::Config config = io::load_config(arguments.detector.config);
   const DetectorSetup detector = arguments.detector.overrule_for_planning(config);
   return {detector.options,
-          arguments.planner.overrule(config.planner),
+          arguments.planner.overrule(config.planner, arguments.detector.threads),
           arguments.planner.gripper(),
           {},
           arguments.limits};

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hand/reachable_places.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 #include "targets/asked_for.hpp"
 #include "targets/spread.hpp"
 #include "targets/target_grasps.hpp"
@@ -32,6 +33,12 @@ Eigen::AlignedBox3d bounds_of(const CollisionShape& shape) {
   const auto& box = shape.geometry->aabb_local;
   return Eigen::AlignedBox3d(box.min_, box.max_).transformed(shape.X_CS);
 }
+
+/// What the search of one target found.
+struct Outcome {
+  std::vector<Grasp> grasps;
+  RefusalCounts refusals;
+};
 
 /// Answers one query.
 class QueryPlanner {
@@ -56,7 +63,7 @@ class QueryPlanner {
       explain(asked);
     }
     add_refused();
-    for (const Target* target : asked) plan_target(*target);
+    plan_targets(asked);
     warn_of_cut();
     select();
     for (const auto& [why, count] : refusals_) {
@@ -100,27 +107,41 @@ class QueryPlanner {
                        [&](const Target& target) { return target.id == id; });
   }
 
-  void plan_target(const Target& target) {
+  /// Plans the targets side by side, and adds what was found in their order.
+  void plan_targets(const std::vector<const Target*>& asked) {
+    const int count = static_cast<int>(asked.size());
+    // The caller's own condition may not be safe for several threads.
+    const int threads = query_.accept ? 1 : parts_.options.threads;
+    std::vector<Outcome> outcomes(asked.size());
+    parallel_for(count, threads, [&](int k) { outcomes[k] = search(*asked[k]); });
+    for (int k = 0; k < count; ++k) add(*asked[k], std::move(outcomes[k]));
+  }
+
+  Outcome search(const Target& target) const {
     // No hand that holds the target is farther from it than this.
     const Eigen::AlignedBox3d hands_C = around(target.body, parts_.reach);
-    RefusalCounts refusals;
-    std::vector<Grasp> grasps;
+    Outcome found;
     if (query_.reach && !may_reach(*query_.reach, Eigen::Isometry3d::Identity(), hands_C)) {
-      ++refusals[Refusal::kReach];
-    } else {
-      const bool cut = deadline_.passed() || try_holds(target, grasps, refusals);
-      if (cut) ++refusals[Refusal::kDeadline];
-      keep(grasps, target);
+      ++found.refusals[Refusal::kReach];
+    } else if (deadline_.passed() || try_holds(target, found.grasps, found.refusals)) {
+      ++found.refusals[Refusal::kDeadline];
     }
-    for (const auto& [why, number] : refusals) refusals_[why] += number;
+    return found;
+  }
+
+  void add(const Target& target, Outcome found) {
+    keep(found.grasps, target);
+    for (const auto& [why, number] : found.refusals) refusals_[why] += number;
+    RefusalCounts refusals = std::move(found.refusals);
     if (target.unmeasured > 0) refusals[Refusal::kUnmeasured] += target.unmeasured;
     // A detection that the hand cannot hold by its shape was refused as a target. Its points were
     // tried all the same, so this refusal belongs to the same outcome.
-    if (const auto found = parts_.refused.find(target.id); found != parts_.refused.end()) {
-      ++refusals[found->second];
+    if (const auto refused = parts_.refused.find(target.id); refused != parts_.refused.end()) {
+      ++refusals[refused->second];
     }
     std::erase_if(refusals, [](const auto& refusal) { return refusal.second == 0; });
-    plan_.targets.push_back({target.id, static_cast<int>(grasps.size()), std::move(refusals)});
+    plan_.targets.push_back(
+        {target.id, static_cast<int>(found.grasps.size()), std::move(refusals)});
   }
 
   /// Tries holds by the tips, and then by the points, only if the target is not held in another way
@@ -128,7 +149,7 @@ class QueryPlanner {
   /// @param grasps  receives the grasps
   /// @param refusals  receives the refusals
   /// @return whether the deadline ended the search early
-  bool try_holds(const Target& target, std::vector<Grasp>& grasps, RefusalCounts& refusals) {
+  bool try_holds(const Target& target, std::vector<Grasp>& grasps, RefusalCounts& refusals) const {
     const auto task = [&](const CollisionScene& scene) {
       return TargetTask{parts_, query_, deadline_, target, scene, {}, attached_G_};
     };

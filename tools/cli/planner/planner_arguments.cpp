@@ -80,11 +80,12 @@ void PlannerArguments::add_to(CLI::App& app, const std::string& default_gripper)
       ->type_name("T");
 }
 
-PlanOptions PlannerArguments::overrule(PlanOptions file) const {
+PlanOptions PlannerArguments::overrule(PlanOptions file, std::optional<int> threads) const {
   file.unknown = unknown.value_or(file.unknown);
   file.min_score = min_score.value_or(file.min_score);
   file.per_target = per_target.value_or(file.per_target);
   file.reach = reach.value_or(file.reach);
+  file.threads = threads.value_or(file.threads);
   file.deadline_ms = deadline_ms.value_or(file.deadline_ms);
   return file;
 }

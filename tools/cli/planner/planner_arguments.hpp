@@ -25,7 +25,8 @@ struct PlannerArguments {
   /// @param default_gripper  if empty, --gripper is required
   void add_to(CLI::App& app, const std::string& default_gripper);
   /// Returns the settings of the file, overridden by those of the command line.
-  PlanOptions overrule(PlanOptions file) const;
+  /// @param threads  of --threads, which holds for detector and planner alike
+  PlanOptions overrule(PlanOptions file, std::optional<int> threads = std::nullopt) const;
   /// Returns the gripper that is named.
   /// @throws CLI::ValidationError if there is none of that name
   /// @throws io::FileError if its file is wrong

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "base/parallel.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 
 namespace quadrille::study {
 namespace {

@@ -2,9 +2,9 @@
 #include <array>
 #include <cmath>
 
-#include "base/parallel.hpp"
 #include "base/quantile.hpp"
 #include "cloud/some_points.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 #include "samples/cell_pyramid.hpp"
 #include "samples/depth/depth_cells.hpp"
 #include "samples/depth/depth_samples.hpp"

@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/parallel.hpp"
 #include "cloud/some_points.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 #include "samples/cell_pyramid.hpp"
 #include "samples/voxel/voxel_grid.hpp"
 #include "samples/voxel/voxel_noise.hpp"

@@ -58,6 +58,7 @@ struct PlanOptions {
   int max_grasps = 50;
   int max_detections = 256;
   double deadline_ms = 0.0;
+  int threads = 1;
   ReachOptions reach;
 
   /// Calls v(field, Setting) for each option, in the order of the configuration file. The Setting
@@ -109,6 +110,10 @@ struct PlanOptions {
        "Time after which a plan ends with the grasps that it has, and says so. 0: none, so that "
        "the same input always gives the same plan. On the bus the planner has 500 ms if nothing "
        "else is set."});
+    v(o.threads,
+      {"planner.threads", "", 1, 256,
+       "Threads that search for grasps, each on another target; never changes the result. A query "
+       "with a condition of the caller's own is answered by one."});
     constexpr double kMaxPlace = ReachOptions::kMaxPlace, kMaxReach = ReachOptions::kMaxReach;
     v(o.reach.base,
       {"planner.reach.base", "m", -kMaxPlace, kMaxPlace,

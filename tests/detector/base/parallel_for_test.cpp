@@ -1,4 +1,4 @@
-#include "base/parallel.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 
 #include <atomic>
 #include <stdexcept>
