@@ -5,9 +5,9 @@
 namespace quadrille {
 namespace {
 
-/// Edge of a bucket: a dozen cells of a sample, so that a surface fills some dozens of buckets.
+/// Edge of a bucket: five cells of a sample, so that few lie around a ball of some cells.
 float edge_for(const SurfaceSamples& samples) {
-  return samples.size() == 0 ? 1.0f : 12.0f * samples.cell[samples.size() / 2];
+  return samples.size() == 0 ? 1.0f : 5.0f * samples.cell[samples.size() / 2];
 }
 
 }  // namespace

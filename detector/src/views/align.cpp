@@ -44,11 +44,25 @@ class Target {
  public:
   explicit Target(const SurfaceSamples& samples) : samples_(samples), buckets_(samples) {}
 
+  /// The samples within a radius of a place.
+  struct Ball {
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+    float radius = -1.0f;
+    std::vector<int> samples;
+
+    bool contains_ball(const Eigen::Vector3f& p, float reach) const {
+      return (p - centre).norm() + reach <= radius;
+    }
+  };
+
   /// The nearest sample with a similar normal within a distance; −1 if there is none.
-  int nearest(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float reach) const {
+  /// @param ball  samples about the place; it is filled anew if it does not reach far enough. The
+  ///              next steps move a sample little, and need no other ball.
+  int nearest(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float reach, Ball* ball) const {
+    if (!ball->contains_ball(p, reach)) *ball = around(p, reach);
     int best = -1;
     float least = reach * reach;
-    for (const int j : buckets_.near(p, reach)) {
+    for (const int j : ball->samples) {
       const float square = (samples_.raw[j] - p).squaredNorm();
       if (square >= least || samples_.n[j].dot(n) < kMinCosine) continue;
       least = square;
@@ -58,6 +72,14 @@ class Target {
   }
 
  private:
+  Ball around(const Eigen::Vector3f& p, float reach) const {
+    Ball ball{p, reach, {}};
+    for (const int j : buckets_.near(p, reach)) {
+      if ((samples_.raw[j] - p).squaredNorm() < reach * reach) ball.samples.push_back(j);
+    }
+    return ball;
+  }
+
   const SurfaceSamples& samples_;
   SampleBuckets buckets_;
 };
@@ -113,18 +135,20 @@ std::optional<Eigen::Isometry3d> align(const SurfaceSamples& view, const Eigen::
       Eigen::Vector3d::Constant(std::pow(std::max(kTrusted, options.shift), -2));
   Vector6d motion = Vector6d::Zero();
   const std::vector<int> some = evenly_oriented(view);
+  std::vector<Target::Ball> balls(some.size());
   int matches = 0;
   for (int step = 0; step < kIterations; ++step) {
     matches = 0;
     std::array<Equations, kWays> ways;
     // The first steps look for what poses may be off, the later ones for what is left of it.
     const double errors = std::max(kLastReach, kReach * std::pow(kNarrowing, step));
-    for (const int i : some) {
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      const int i = some[k];
       const Eigen::Vector3d p = X * view.raw[i].cast<double>();
       const Eigen::Vector3f n = (X.linear() * view.n[i].cast<double>()).cast<float>();
       const double off = errors * (options.shift + options.turn * (p - eye).norm());
       const float reach = kMatchCells * view.cell[i] + static_cast<float>(off);
-      const int j = target.nearest(p.cast<float>(), n, reach);
+      const int j = target.nearest(p.cast<float>(), n, reach, &balls[k]);
       if (j < 0) continue;
       const Eigen::Vector3d normal = before.n[j].cast<double>();
       const double residual = normal.dot(p - before.raw[j].cast<double>());
