@@ -21,13 +21,16 @@ class ObstaclePoints {
 
  private:
   using Points = Eigen::Matrix<float, Eigen::Dynamic, 3>;
-  template <class Visit>
-  static bool any_inside(const Points& points_C, Eigen::Index first, Eigen::Index end,
-                         const OrientedBox& box, Visit&& visit);
+  /// The bounds of some neighbouring cubes' points [m].
+  struct Bounds {
+    Eigen::Array3f low, high;
+  };
 
   /// The points, those of a cube side by side; where those of each cube begin, and their middle.
   Points points_C_, centres_C_;
   std::vector<Eigen::Index> first_;
+  /// The bounds of each kRun cubes.
+  std::vector<Bounds> runs_;
 };
 
 }  // namespace quadrille
