@@ -88,14 +88,16 @@ void FingerSlices::sort_along(const Eigen::Vector3d& closing) {
 
 /// Finds the strip of each point, and how far it lies along the approach. The strips are the parts
 /// that two neighbouring slices share, and the halves of the outermost ones: slice n consists of
-/// strips n + 1 and n + 2. Points before and beyond are in strips 0 and `steps` + 2.
+/// strips n + 1 and n + 2. Points before and beyond are in strips 0 and `steps` + 2, and those
+/// outside of the window in strip 0.
 QUADRILLE_VECTOR_CLONES
 void FingerSlices::find_strips(const Eigen::Matrix3d& R, const Points& points, double first,
-                               int steps) {
+                               int steps, const Window& window) {
   strips_.resize(points.rows()), z_.resize(points.rows());
   const double *x = points.col(0).data(), *y = points.col(1).data(), *z = points.col(2).data();
   const double ax = R(0, 0), ay = R(1, 0), az = R(2, 0), bx = R(0, 2), by = R(1, 2), bz = R(2, 2);
   const double step = step_, most = steps;
+  const float low = window.low, high = window.high;
   int* __restrict strips = strips_.data();
   float* __restrict heights = z_.data();
   const auto count = static_cast<std::size_t>(points.rows());
@@ -105,13 +107,15 @@ void FingerSlices::find_strips(const Eigen::Matrix3d& R, const Points& points, d
     place = place > -2.0 ? place : -2.0;
     place = place < most ? place : most;
     // The shift makes all values positive, so that truncation rounds down.
-    strips[i] = static_cast<int>(place + 2.0);
-    heights[i] = static_cast<float>(x[i] * bx + y[i] * by + z[i] * bz);
+    const auto height = static_cast<float>(x[i] * bx + y[i] * by + z[i] * bz);
+    const int in_window = static_cast<int>(height > low) & static_cast<int>(height < high);
+    strips[i] = static_cast<int>(place + 2.0) * in_window;
+    heights[i] = height;
   }
 }
 
 void FingerSlices::find_own_ranges(const Eigen::Matrix3d& R, double first, int steps) {
-  find_strips(R, own_, first, steps);
+  find_strips(R, own_, first, steps, {});
   own_strips_.assign(static_cast<std::size_t>(steps) + 3, {});
   // Unlike vectors, these do not check each access.
   OwnRange* strips = own_strips_.data();
@@ -125,10 +129,21 @@ void FingerSlices::find_own_ranges(const Eigen::Matrix3d& R, double first, int s
   }
 }
 
+/// Returns the heights that matter in any slice.
+FingerSlices::Window FingerSlices::window() const {
+  Window all{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
+  for (const OwnRange& own : ranges_) {
+    if (own.low > own.high) continue;  // without own points
+    all.low = std::min(all.low, own.top - heights_.above);
+    all.high = std::max(all.high, own.top + heights_.below);
+  }
+  return all;
+}
+
 /// Fills the slices with the points near their own ones.
 void FingerSlices::fill(const Eigen::Matrix3d& R, double first) {
   const int steps = static_cast<int>(ranges_.size());
-  find_strips(R, sorted_, first, steps);
+  find_strips(R, sorted_, first, steps, window());
   // A slice holds no more points than its two strips do. The two outermost slices, before the first
   // and beyond the last one, are there so that each strip belongs to two; they stay empty.
   const std::size_t size = ranges_.size() + 2;

@@ -71,7 +71,14 @@ class FingerSlices {
   };
 
   void sort_along(const Eigen::Vector3d& closing);
-  void find_strips(const Eigen::Matrix3d& R, const Points& points, double first, int steps);
+  /// The heights above and below which no slice has points [m].
+  struct Window {
+    float low = -std::numeric_limits<float>::infinity(), high = -low;
+  };
+
+  void find_strips(const Eigen::Matrix3d& R, const Points& points, double first, int steps,
+                   const Window& window);
+  Window window() const;
   void find_own_ranges(const Eigen::Matrix3d& R, double first, int steps);
   void fill(const Eigen::Matrix3d& R, double first);
 
