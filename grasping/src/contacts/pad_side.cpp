@@ -7,11 +7,6 @@
 namespace quadrille {
 namespace {
 
-// A point faces the pad, or faces away from it, if its normal does with at least this cosine.
-constexpr double kTowards = 0.25;
-// A side is seen if at least this share of the points near the outermost one face the pad. Nothing
-// tells where a hidden side is if at least the second share face away from it.
-constexpr double kMinTowards = 0.2, kMinAway = 0.5;
 // The strip along the borders of a pad in which a slope would show, and how far the points in it
 // may lie outside of the others [m]: on a slope of 14° they lie as far.
 constexpr double kBorder = 0.004, kWidening = 0.001;
@@ -24,7 +19,7 @@ PadSide pad_side(std::span<const BetweenPads> points, double sign, double x, dou
   Eigen::Vector3d near = Eigen::Vector3d::Zero(), normals = near;
   double within = std::numeric_limits<double>::infinity(), at_border = within;
   double top = tip, bottom = std::numeric_limits<double>::lowest();
-  int count = 0, towards = 0, away = 0;
+  FacingCount facing;
   PadSide side;
   for (const BetweenPads& point : points) {
     const double inward = std::abs(point.p_G.y() - y);
@@ -32,19 +27,19 @@ PadSide pad_side(std::span<const BetweenPads> points, double sign, double x, dou
     const bool border = tip - point.p_G.z() < kBorder ||
                         std::abs(point.p_G.x() - x) > 0.5 * gripper.finger.x() - kBorder;
     (border ? at_border : within) = std::min(border ? at_border : within, inward);
-    near += point.p_G, ++count;
+    near += point.p_G;
     top = std::min(top, point.p_G.z());
     bottom = std::max(bottom, point.p_G.z());
     const double cosine = sign * point.n_G.y();
     side.facing += std::max(0.0, cosine);
-    away += cosine < -kTowards;
-    if (cosine > kTowards) normals += point.n_G, ++towards;
+    facing.add(cosine);
+    if (FacingCount::faces_pad(cosine)) normals += point.n_G;
   }
-  near /= count, side.facing /= count;
+  near /= facing.count(), side.facing /= facing.count();
   side.height = bottom - top;
   side.p_G = {near.x(), y, near.z()};
-  side.seen = towards > kMinTowards * count;
-  side.behind = !side.seen && away > kMinAway * count;
+  side.seen = facing.seen();
+  side.behind = facing.behind();
   side.inner = within - at_border < kWidening;
   const bool leans = side.seen && !side.inner;
   side.n_G = leans ? Eigen::Vector3d(normals.normalized())

@@ -21,6 +21,32 @@ struct BetweenPads {
 /// are of no effect. It is more than the noise of a depth camera.
 inline constexpr double kPadBand = 0.004;
 
+/// Counts how many of the points near the outermost one face the pad, and how many face away.
+class FacingCount {
+ public:
+  /// @param cosine  between the pad's direction and the normal of a point; 0 if it is not known
+  void add(double cosine) {
+    ++count_;
+    towards_ += faces_pad(cosine);
+    away_ += cosine < -kTowards;
+  }
+  static bool faces_pad(double cosine) { return cosine > kTowards; }
+
+  int count() const { return count_; }
+  /// Whether the side counts as seen, and whether nothing tells where it is, as in PadSide.
+  bool seen() const { return towards_ > kMinTowards * count_; }
+  bool behind() const { return !seen() && away_ > kMinAway * count_; }
+
+ private:
+  // A point faces the pad, or faces away from it, if its normal does with at least this cosine.
+  static constexpr double kTowards = 0.25;
+  // A side is seen if at least this share of the points near the outermost one face the pad.
+  // Nothing tells where a hidden side is if at least the second share face away from it.
+  static constexpr double kMinTowards = 0.2, kMinAway = 0.5;
+
+  int count_ = 0, towards_ = 0, away_ = 0;
+};
+
 /// The side of some points that a pad touches.
 struct PadSide {
   /// The contact: the mean of the points near the outermost one, moved out as far as it [m].

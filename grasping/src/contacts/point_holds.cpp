@@ -1,6 +1,7 @@
 #include "contacts/point_holds.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -15,8 +16,9 @@ namespace quadrille {
 namespace {
 
 // The tips reach so deep below the highest point of the target between the fingers, in lengths of
-// the fingers.
-constexpr float kDepthsToFinger[] = {0.75f, 0.55f, 0.4f, 0.28f, 0.16f};
+// the fingers; deepest first.
+constexpr std::array kDepthsToFinger = {0.75f, 0.55f, 0.4f, 0.28f, 0.16f};
+constexpr std::size_t kDepths = kDepthsToFinger.size();
 // Fewer points between the fingers may be noise.
 constexpr std::size_t kMinBetween = 8;
 // Weights of what makes a hold promising beside contacts that face the pads: from above, deep,
@@ -39,9 +41,8 @@ constexpr double kEndDepth = kPadBand + 1e-4;
 /// The heights of points that fingers meet at any of the depths, and of those just below.
 SliceHeights heights_of(const Gripper& gripper) {
   const auto finger = static_cast<float>(gripper.finger.z());
-  const auto [least, most] =
-      std::minmax_element(std::begin(kDepthsToFinger), std::end(kDepthsToFinger));
-  return {(1.0f - *least) * finger, *most * finger + static_cast<float>(kGoesOn)};
+  return {(1.0f - kDepthsToFinger.back()) * finger,
+          kDepthsToFinger.front() * finger + static_cast<float>(kGoesOn)};
 }
 
 class PointHoldFinder {
@@ -64,7 +65,7 @@ class PointHoldFinder {
     }
     FingerSlices slices(offsets_C_, own_, gripper_, heights_of(gripper_));
     for (const Eigen::Matrix3d& R_CG : hand_directions(std::move(normals), space_)) {
-      R_CG_ = R_CG;
+      set_orientation(R_CG);
       for (const FingerSlice& slice : slices.cut(R_CG)) lower(slice);
     }
     std::stable_sort(ranked_.begin(), ranked_.end(),
@@ -81,20 +82,36 @@ class PointHoldFinder {
     double rank;
   };
 
+  /// How far a point lies along the closing direction [m], and the part of its normal along it.
+  struct AlongClosing {
+    double y = 0.0, n_y = 0.0;
+  };
+
   /// Points without a gap between them: the first and the last one, and how many they are.
   struct Run {
     std::size_t first, last, count;
   };
 
+  void set_orientation(const Eigen::Matrix3d& R_CG) {
+    const bool same_closing = !along_.empty() && R_CG.col(1) == R_CG_.col(1);
+    R_CG_ = R_CG;
+    if (same_closing) return;
+    const Eigen::Matrix3d R_GC = R_CG_.transpose();
+    along_.resize(offsets_C_.size());
+    for (std::size_t i = 0; i < along_.size(); ++i) {
+      const Eigen::Vector3d p_G = R_GC * offsets_C_[i], n_G = R_GC * points_.n_C[i];
+      along_[i] = {p_G.y(), n_G.y()};
+    }
+  }
+
   /// Lowers the fingers on the points of a slice.
   void lower(const FingerSlice& slice) {
     if (slice.points.size() < kMinBetween) return;
     reached_ = slice.points;
-    const auto finger = static_cast<float>(gripper_.finger.z());
-    for (const float share : kDepthsToFinger) {
-      tip_ = slice.top + share * finger;
-      root_ = tip_ - finger;
-      hold_runs(slice.x);
+    find_runs(slice.top);
+    for (std::size_t n = 0; n < kDepths; ++n) {
+      tip_ = tips_[n], root_ = roots_[n];
+      hold_runs(runs_[n], slice.x);
     }
   }
 
@@ -102,36 +119,49 @@ class PointHoldFinder {
     return (point.z < tip_) & (point.z > root_);
   }
 
-  void find_runs() {
+  /// Finds the runs of points at all depths in one pass over the points.
+  void find_runs(float top) {
+    const auto finger = static_cast<float>(gripper_.finger.z());
     const auto gap = static_cast<float>(gripper_.finger.y());
-    runs_.clear();
-    Run run{0, 0, 0};
-    float last_y = 0.0f;
-    std::size_t k = 0;
-    for (const InSlice& point : reached_) {
-      const std::size_t here = k++;
-      if (!reached_by_fingers(point)) continue;
-      if (run.count > 0 && point.y - last_y > gap) {
-        runs_.push_back(run);
-        run.count = 0;
-      }
-      if (run.count == 0) run.first = here;
-      run.last = here;
-      ++run.count;
-      last_y = point.y;
+    std::array<Run, kDepths> open{};
+    std::array<float, kDepths> last_y{};
+    for (std::size_t n = 0; n < kDepths; ++n) {
+      tips_[n] = top + kDepthsToFinger[n] * finger;
+      roots_[n] = tips_[n] - finger;
+      runs_[n].clear();
     }
-    if (run.count > 0) runs_.push_back(run);
+    std::size_t here = 0;
+    for (const InSlice& point : reached_) {
+      // What the tips do not reach, they reach at no smaller depth either.
+      for (std::size_t n = 0; n < kDepths && point.z < tips_[n]; ++n) {
+        if (point.z <= roots_[n]) continue;
+        Run& run = open[n];
+        if (run.count > 0 && point.y - last_y[n] > gap) {
+          runs_[n].push_back(run);
+          run.count = 0;
+        }
+        if (run.count == 0) run.first = here;
+        run.last = here;
+        ++run.count;
+        last_y[n] = point.y;
+      }
+      ++here;
+    }
+    for (std::size_t n = 0; n < kDepths; ++n) {
+      if (open[n].count > 0) runs_[n].push_back(open[n]);
+    }
   }
 
   /// Holds each run of points in which there is no gap for a finger, and neighbouring runs
   /// together.
-  void hold_runs(double x) {
-    find_runs();
-    for (std::size_t a = 0; a < runs_.size(); ++a) {
-      Run run{runs_[a].first, 0, 0};
-      for (std::size_t b = a; b < runs_.size(); ++b) {
-        run.last = runs_[b].last;
-        run.count += runs_[b].count;
+  void hold_runs(const std::vector<Run>& runs, double x) {
+    for (std::size_t a = 0; a < runs.size(); ++a) {
+      Run run{runs[a].first, 0, 0};
+      for (std::size_t b = a; b < runs.size(); ++b) {
+        run.last = runs[b].last;
+        run.count += runs[b].count;
+        // With more runs it only becomes wider.
+        if (reached_[run.last].y - reached_[run.first].y > gripper_.max_opening) break;
         if (may_hold(run)) hold(x, tip_, run);
       }
     }
@@ -139,8 +169,7 @@ class PointHoldFinder {
 
   bool may_hold(const Run& run) const {
     const InSlice &first = reached_[run.first], &last = reached_[run.last];
-    return run.count >= kMinBetween && (own_[first.index] || own_[last.index]) &&
-           last.y - first.y <= gripper_.max_opening;
+    return run.count >= kMinBetween && (own_[first.index] || own_[last.index]);
   }
 
   /// Returns the last of the points of a run that lie near its first one.
@@ -169,10 +198,36 @@ class PointHoldFinder {
     return between_;
   }
 
+  /// Counts how the points of a range of a run face the pad at `outermost`, as pad_side() does.
+  FacingCount facing(std::size_t first, std::size_t last, std::size_t outermost,
+                     double sign) const {
+    // Unlike vectors, these do not check each access.
+    const AlongClosing* along = along_.data();
+    const double y = along[reached_[outermost].index].y;
+    FacingCount found;
+    for (std::size_t k = first; k <= last; ++k) {
+      if (!reached_by_fingers(reached_[k])) continue;
+      const AlongClosing& point = along[reached_[k].index];
+      if (std::abs(point.y - y) <= kPadBand) found.add(sign * point.n_y);
+    }
+    return found;
+  }
+
+  /// Returns false if the two sides of a run certainly give no hold: neither was seen, or one is
+  /// hidden behind the other, which is too far away for a wall. Most runs end here.
+  bool may_touch(const Run& run, std::size_t head, std::size_t tail) const {
+    const FacingCount left = facing(run.first, head, run.first, -1.0);
+    const FacingCount right = facing(tail, run.last, run.last, 1.0);
+    if (!left.seen() && !right.seen()) return false;
+    const double width = along_[reached_[run.last].index].y - along_[reached_[run.first].index].y;
+    return !(left.behind() || right.behind()) || width < walls_.max;
+  }
+
   void hold(double x, double tip, const Run& run) {
-    PadSide left = pad_side(in_hand(run.first, end_of_head(run)), -1.0, x, tip, gripper_);
-    PadSide right = pad_side(in_hand(start_of_tail(run), run.last), 1.0, x, tip, gripper_);
-    if (!left.seen && !right.seen) return;
+    const std::size_t head = end_of_head(run), tail = start_of_tail(run);
+    if (!may_touch(run, head, tail)) return;
+    PadSide left = pad_side(in_hand(run.first, head), -1.0, x, tip, gripper_);
+    PadSide right = pad_side(in_hand(tail, run.last), 1.0, x, tip, gripper_);
     const bool behind = left.behind || right.behind;
     double width = right.p_G.y() - left.p_G.y(), opening = width;
     if (behind) {
@@ -202,10 +257,13 @@ class PointHoldFinder {
   }
 
   /// Returns how far the highest point of a run lies along the approach.
-  double top_of(const Run& run, double tip) {
+  double top_of(const Run& run, double tip) const {
+    const Eigen::Matrix3d R_GC = R_CG_.transpose();
     double top = tip;
-    for (const BetweenPads& point : in_hand(run.first, run.last)) {
-      top = std::min(top, point.p_G.z());
+    for (std::size_t k = run.first; k <= run.last; ++k) {
+      if (!reached_by_fingers(reached_[k])) continue;
+      const Eigen::Vector3d p_G = R_GC * offsets_C_[reached_[k].index];
+      top = std::min(top, p_G.z());
     }
     return top;
   }
@@ -255,13 +313,16 @@ class PointHoldFinder {
   /// The points, from the target's centre on.
   std::vector<Eigen::Vector3d> offsets_C_;
   Eigen::Matrix3d R_CG_ = Eigen::Matrix3d::Identity();
+  /// Of each point, what lies along the closing direction that is being tried.
+  std::vector<AlongClosing> along_;
   /// How far the tips and the roots of the fingers reach along the approach, at the depth that is
   /// being tried [m].
   float tip_ = 0.0f, root_ = 0.0f;
-  /// The points of one slice that the fingers reach at any depth, and those just below; and the
-  /// runs of the points that they reach at the depth that is being tried.
+  /// The points of one slice that the fingers reach at any depth, and those just below.
   std::span<const InSlice> reached_;
-  std::vector<Run> runs_;
+  /// How far tips and roots reach at each depth [m], and the runs of the points in between.
+  std::array<float, kDepths> tips_{}, roots_{};
+  std::array<std::vector<Run>, kDepths> runs_;
   /// Points of one run.
   std::vector<BetweenPads> between_;
   std::vector<Ranked> ranked_;
