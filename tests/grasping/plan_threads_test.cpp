@@ -30,6 +30,7 @@ TEST_CASE("the number of threads never changes a plan", "[plan][threads]") {
     const GraspPlan several = plan_balls(five_balls(), on_threads(threads));
     check_same_grasps(one, several);
     CHECK(several.rejected == one.rejected);
+    CHECK(several.space->states() == one.space->states());
     REQUIRE(several.targets.size() == one.targets.size());
     for (std::size_t k = 0; k < one.targets.size(); ++k) {
       CHECK(several.targets[k].target == one.targets[k].target);

@@ -254,7 +254,7 @@ class SceneMaker {
            << " mm; crop the cloud for a finer map";
       warn(text.str());
     }
-    SpaceMapper mapper(region, resolution, std::move(boxes));
+    SpaceMapper mapper(region, resolution, std::move(boxes), parts_.options.threads);
     SurfaceCover cover(region, resolution);
     for (std::size_t v = 0; v < parts_.views.size(); ++v) {
       const std::vector<std::uint8_t> left_out = without_repeats(v, cover);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <vector>
 
 #include "base/rounding.hpp"
+#include "quadrille/detector/parallel_for.hpp"
 #include "space/each_cube.hpp"
 
 namespace quadrille {
@@ -36,10 +38,14 @@ Eigen::Vector3d SpaceMapper::middle_V(const DepthView& view, const Eigen::Vector
 }
 
 void SpaceMapper::mark_free(const DepthView& view) {
+  std::vector<Eigen::Vector3i> blocks;
   each_cube(Eigen::Vector3i::Zero(), grid_.size(), OccupancyGrid::kBlock,
             [&](const Eigen::Vector3i& block) {
-              if (wanted(block)) mark_free(view, block, OccupancyGrid::kBlock);
+              if (wanted(block)) blocks.push_back(block);
             });
+  // Blocks have no voxel in common.
+  parallel_for(static_cast<int>(blocks.size()), threads_,
+               [&](int n) { mark_free(view, blocks[n], OccupancyGrid::kBlock); });
 }
 
 /// Works top-down: a block that the image shows at once to be free or hidden is not divided.

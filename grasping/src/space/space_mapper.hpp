@@ -21,9 +21,10 @@ class SpaceMapper {
   /// The region and the resolution are those of OccupancyGrid, with the same errors.
   /// @param boxes_C  to save time, free space is sought only in blocks that meet one of these
   ///   boxes; all others stay unknown, except for voxels that contain points. No boxes: everywhere.
+  /// @param threads  number of threads that mark free space; it never changes the map
   SpaceMapper(const Eigen::AlignedBox3d& region, double resolution,
-              std::vector<Eigen::AlignedBox3d> boxes_C = {})
-      : grid_(region, resolution), boxes_C_(std::move(boxes_C)) {}
+              std::vector<Eigen::AlignedBox3d> boxes_C = {}, int threads = 1)
+      : grid_(region, resolution), boxes_C_(std::move(boxes_C)), threads_(threads) {}
 
   /// @param view  the view of that cloud
   /// @param left_out  nonzero for points that occupy no voxel
@@ -71,6 +72,7 @@ class SpaceMapper {
 
   OccupancyGrid grid_;
   std::vector<Eigen::AlignedBox3d> boxes_C_;
+  int threads_;
 };
 
 }  // namespace quadrille

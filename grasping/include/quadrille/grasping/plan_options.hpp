@@ -112,8 +112,8 @@ struct PlanOptions {
        "else is set."});
     v(o.threads,
       {"planner.threads", "", 1, 256,
-       "Threads that search for grasps, each on another target; never changes the result. A query "
-       "with a condition of the caller's own is answered by one."});
+       "Threads that map space and search for grasps, each on another target; never changes the "
+       "result. A query with a condition of the caller's own is answered by one."});
     constexpr double kMaxPlace = ReachOptions::kMaxPlace, kMaxReach = ReachOptions::kMaxReach;
     v(o.reach.base,
       {"planner.reach.base", "m", -kMaxPlace, kMaxPlace,
