@@ -34,9 +34,9 @@ bool is_sound(const Detection& plane) {
 /// only.
 class BoxMaker {
  public:
-  BoxMaker(DirectionIndex sight, const std::vector<Detection>& detections,
+  BoxMaker(const DirectionIndex& sight, const std::vector<Detection>& detections,
            const std::vector<FlatPatch>& patches)
-      : sight_(std::move(sight)) {
+      : sight_(sight) {
     for (const Detection& d : detections) {
       last_id_ = std::max(last_id_, d.id);
       if (d.type != QuadricType::kPlane || !is_sound(d)) continue;
@@ -137,7 +137,7 @@ class BoxMaker {
     return measure_box(draft_of(faces, sight_), others);
   }
 
-  DirectionIndex sight_;
+  const DirectionIndex& sight_;
   std::vector<const Detection*> planes_;
   std::vector<Face> faces_;
   std::vector<Box> boxes_;
@@ -146,7 +146,7 @@ class BoxMaker {
 
 }  // namespace
 
-std::vector<Box> find_boxes(const CloudView& cloud, const PinholeView* view,
+std::vector<Box> find_boxes(DirectionsOnDemand& directions,
                             const std::vector<Detection>& detections,
                             const std::vector<FlatPatch>& patches) {
   const bool has_plane = std::any_of(detections.begin(), detections.end(), [](const Detection& d) {
@@ -154,8 +154,7 @@ std::vector<Box> find_boxes(const CloudView& cloud, const PinholeView* view,
   });
   // Without a face there is no box, and the maker indexes the whole cloud before it looks for one.
   if (!has_plane && patches.empty()) return {};
-  DirectionIndex sight = view ? DirectionIndex(cloud, *view) : DirectionIndex(cloud);
-  return BoxMaker(std::move(sight), detections, patches).make();
+  return BoxMaker(directions.index(), detections, patches).make();
 }
 
 std::vector<Box> find_boxes(const CloudView& given, const std::vector<Detection>& detections) {
@@ -166,12 +165,15 @@ std::vector<Box> find_boxes(const CloudView& given, const std::vector<Detection>
   if (!some.empty()) shift = shift_to_origin(middle_of(some));
   std::vector<Box> boxes;
   if (shift.isZero(0.0)) {
-    boxes = find_boxes(cloud, nullptr, detections, {});
+    DirectionsOnDemand directions(cloud, nullptr);
+    boxes = find_boxes(directions, detections, {});
   } else {
     std::vector<Detection> shifted;
     shifted.reserve(detections.size());
     for (const Detection& d : detections) shifted.push_back(translated(d, shift));
-    boxes = find_boxes(translated(cloud, shift), nullptr, shifted, {});
+    const PointCloud near = translated(cloud, shift);
+    DirectionsOnDemand directions(near, nullptr);
+    boxes = find_boxes(directions, shifted, {});
   }
   for (Box& box : boxes) box.X_CB = rounded(box.X_CB.pretranslate(-shift));
   return boxes;

@@ -1,10 +1,13 @@
 #include "surfaces/last_fit.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "surfaces/closed_fit.hpp"
 #include "surfaces/surface_fit.hpp"
+#include "surfaces/uncertainty.hpp"
 
 namespace quadrille {
 namespace {
@@ -49,21 +52,46 @@ OrientedPointsf points_on(const Surface& surface, const SurfaceSamples& samples,
   return points.first(kept);
 }
 
+/// The surface with another fit.
+Surface refitted(const Surface& surface, FamilyFit fit, const OrientedPointsf& points) {
+  Surface result = surface_of(surface.region, surface.local, std::move(fit), points);
+  result.evidence = surface.evidence;
+  result.confidence = surface.confidence;
+  result.effective_size = surface.effective_size;
+  return result;
+}
+
+/// True if two surfaces are of the same type and the first has the smaller deviations.
+bool is_surer(const Surface& a, const Surface& b, const SurfaceSamples& samples) {
+  const CanonicalForm form_a = canonical_form(a.fit.posed), form_b = canonical_form(b.fit.posed);
+  if (form_a.type != form_b.type) return false;
+  const std::vector<double> std_a = uncertainty_of(a, samples, form_a).std;
+  const std::vector<double> std_b = uncertainty_of(b, samples, form_b).std;
+  return *std::max_element(std_a.begin(), std_a.end()) <
+         *std::max_element(std_b.begin(), std_b.end());
+}
+
 }  // namespace
 
 Surface last_fit(Surface surface, const SurfaceSamples& samples,
-                 const std::vector<Eigen::Matrix3f>& scatter, const std::vector<Sight>& sights) {
+                 const std::vector<Eigen::Matrix3f>& scatter, const std::vector<Sight>& sights,
+                 std::span<const OutlinePoint> outline) {
   if (is_flat(surface)) return surface;
   const OrientedPointsf points = points_on(surface, samples, scatter, sights);
   std::optional<FamilyFit> fit = refine(points, surface.fit.family, surface.fit.posed, kIterations);
   if (!fit || canonical_form(fit->posed).type != canonical_form(surface.fit.posed).type) {
     return surface;
   }
-  Surface refitted = surface_of(std::move(surface.region), surface.local, std::move(*fit), points);
-  refitted.evidence = surface.evidence;
-  refitted.confidence = surface.confidence;
-  refitted.effective_size = surface.effective_size;
-  return refitted;
+  const Surface alone = refitted(surface, *fit, points);
+  if (outline.empty()) return alone;
+  const double noise = samples.common_noise * mean_sigma(samples, surface.region);
+  const double common_noise = std::hypot(noise / surface.local.scale, kFlawShare);
+  const auto closed = fit_closed({std::move(*fit), points, surface.effective_size, common_noise},
+                                 local_outline(outline, surface.local));
+  if (!closed) return alone;
+  Surface with_lid = refitted(surface, closed->fit, closed->points);
+  with_lid.common_error = closed->common_error;
+  return is_surer(alone, with_lid, samples) ? alone : with_lid;
 }
 
 }  // namespace quadrille

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "samples/sight.hpp"
+#include "surfaces/lid_outline.hpp"
 #include "surfaces/surface.hpp"
 
 namespace quadrille {
@@ -18,8 +20,13 @@ namespace quadrille {
 /// @param scatter  covariance of the points in each finest cell [m²]; see scatter_in_cells()
 /// @param sights   the views, whose depth noise does not count as scatter; in a view without cells,
 ///   the noise is taken to lie along the normals
-/// @return the surface unchanged if it is a plane or if the refit is of another type
+/// @param outline  of lids that may close the surface, a cylinder, which shows whether its section
+/// is
+///   round or elliptic; see fit_closed(). If the choice stays the same, the surer of both fits is
+///   taken
+/// @return the surface unchanged if it is a plane or if the refit to its samples is of another type
 Surface last_fit(Surface surface, const SurfaceSamples& samples,
-                 const std::vector<Eigen::Matrix3f>& scatter, const std::vector<Sight>& sights);
+                 const std::vector<Eigen::Matrix3f>& scatter, const std::vector<Sight>& sights,
+                 std::span<const OutlinePoint> outline = {});
 
 }  // namespace quadrille

@@ -28,6 +28,9 @@ struct Surface {
   double confidence = 0.0;
   /// Number of independent measurements on which the fit rests.
   double effective_size = 1.0;
+  /// Standard deviation of what points of the fit that are no samples may be off together, in local
+  /// coordinates; see fit_closed().
+  double common_error = 0.0;
 };
 
 /// True if the surface is a plane.

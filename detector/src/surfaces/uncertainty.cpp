@@ -49,7 +49,8 @@ double variance_of_mean(const Surface& surface) {
   const double free = std::max(1.0, n - family_spec(surface.fit.family).dof);
   const double variance = surface.fit.rss / n;
   const double correlation = surface.evidence.correlation;
-  const double averaged = variance / (free * effective_share(correlation));
+  const double averaged = variance / (free * effective_share(correlation)) +
+                          surface.common_error * surface.common_error;
   // The correlation of N samples with about 4 N pairs of neighbours varies by 1 / √(4 N) if there
   // is none; twice that counts as chance.
   if (correlation < 1.0 / std::sqrt(static_cast<double>(surface.region.size()))) return averaged;

@@ -20,10 +20,11 @@ struct Uncertainty {
 /// the variance of their mean noise, and from it, through the derivatives by the family's
 /// parameters, that of q and of the dimensions.
 ///
-/// V has two parts. Noise is averaged over the samples, over fewer where neighbours share it; see
-/// effective_share(). What the residuals exceed the measured noise by is not averaged at all: waves
-/// longer than the patches in which noise is measured, a bent depth image or a flaw of the body are
-/// followed by the fit like the surface itself.
+/// V has several parts. Noise is averaged over the samples, over fewer where neighbours share it;
+/// see effective_share(). What the residuals exceed the measured noise by is not averaged at all:
+/// waves longer than the patches in which noise is measured, a bent depth image or a flaw of the
+/// body are followed by the fit like the surface itself. Nor is what the points of a lid's outline
+/// may be off together.
 /// @param form  canonical form of the surface's fit, in its local coordinates
 Uncertainty uncertainty_of(const Surface& surface, const SurfaceSamples& samples,
                            const CanonicalForm& form);

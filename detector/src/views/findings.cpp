@@ -20,6 +20,7 @@
 #include "surfaces/point_rms.hpp"
 #include "views/body_views.hpp"
 #include "views/joined_samples.hpp"
+#include "views/lids_of_views.hpp"
 #include "views/seen_through.hpp"
 
 namespace quadrille {
@@ -65,7 +66,8 @@ struct Measured {
   std::map<int, std::vector<Eigen::Vector3d>> places;
 };
 
-void measure_surfaces(const Scene& scene, Measured* measured) {
+void measure_surfaces(const Scene& scene, std::span<DirectionsOnDemand> directions,
+                      Measured* measured) {
   std::vector<Surface> surfaces;
   for (const Surface& surface : scene.surfaces) {
     if (is_flat(surface) && is_part_of(surface, scene.finest, scene.planes, scene.coarse)) continue;
@@ -84,7 +86,8 @@ void measure_surfaces(const Scene& scene, Measured* measured) {
   }
   const std::vector<Sight>& sights = scene.context.sights;
   for (Surface& surface : surfaces) {
-    surface = last_fit(std::move(surface), scene.finest, scatter, sights);
+    const std::vector<OutlinePoint> outline = outline_of_lids(surface, scene, directions);
+    surface = last_fit(std::move(surface), scene.finest, scatter, sights, outline);
     measured->detections.push_back(measure(surface, scene.finest, scene.viewpoint(), sights));
   }
 }
@@ -159,7 +162,8 @@ std::size_t count_points(const Scene& scene) {
 /// Finds boxes in each view, in which all detections are known, and joins them.
 /// @param unexplained  nonzero for samples that lie on no detection
 std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& detections,
-                          const Mask& unexplained, const DetectorOptions& options) {
+                          const Mask& unexplained, const DetectorOptions& options,
+                          std::span<DirectionsOnDemand> directions) {
   const bool seeks_faces = lets_pass(options.only, QuadricType::kPlane) &&
                            lets_pass(options.report, QuadricType::kPlane);
   std::vector<std::vector<Box>> of_views;
@@ -175,7 +179,7 @@ std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& dete
     }
     std::vector<FlatPatch> patches;
     if (seeks_faces) patches = find_flat_patches(scene.finest, options.planes, free);
-    of_views.push_back(find_boxes(view.cloud, view.pyramid->view(), detections, patches));
+    of_views.push_back(find_boxes(directions[v], detections, patches));
   }
   return join_boxes(std::move(of_views));
 }
@@ -184,7 +188,8 @@ std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& dete
 
 Findings measure_scene(const Scene& scene, const DetectorOptions& options, StageClock& clock) {
   Measured measured{{}, std::vector<int>(scene.plane_of_cell.size(), -1), {}, {}};
-  measure_surfaces(scene, &measured);
+  std::vector<DirectionsOnDemand> directions = directions_of(scene);
+  measure_surfaces(scene, directions, &measured);
   if (lets_pass(options.only, QuadricType::kPlane)) {
     measure_planes(scene, options.aggregate.min_plane_confidence, &measured);
   }
@@ -216,7 +221,7 @@ Findings measure_scene(const Scene& scene, const DetectorOptions& options, Stage
     owner.push_back(k < 0 ? 0 : ids[k] == 0 ? kNotAsked : ids[k]);
     unexplained.push_back(k < 0);
   }
-  findings.boxes = boxes_of(scene, findings.detections, unexplained, options);
+  findings.boxes = boxes_of(scene, findings.detections, unexplained, options, directions);
   clock.end("boxes");
   const bool all_types = options.only.empty() && options.report.empty();
   PlacesOnPlanes places;
