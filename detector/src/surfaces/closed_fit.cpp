@@ -78,14 +78,24 @@ PosedQuadric round_start(const PosedQuadric& elliptic) {
   return start;
 }
 
-/// The cylinder that explains the points best.
-std::optional<FamilyFit> best_cylinder(const Wall& wall, const OrientedPointsf& points) {
+/// Root mean square of the deviations of an outline's points.
+double rms_std(const std::vector<OutlinePoint>& outline) {
+  double sum = 0.0;
+  for (const OutlinePoint& o : outline) sum += o.std * o.std;
+  return std::sqrt(sum / static_cast<double>(outline.size()));
+}
+
+/// The cylinder that explains a wall and an outline best. A sensor may blur
+/// edges along one direction more than along others, so a residual below the outline's deviation is
+/// no evidence for an ellipse.
+std::optional<FamilyFit> best_cylinder(const Wall& wall, const std::vector<OutlinePoint>& outline,
+                                       const OrientedPointsf& points) {
   const auto elliptic = elliptic_start(points, canonical_form(wall.fit.posed).X);
   if (!elliptic) return std::nullopt;
   SelectionOptions options;
-  const double outline = static_cast<double>(points.size() - wall.points.size());
-  options.effective_share = (wall.effective_size + outline) / static_cast<double>(points.size());
-  options.common_noise = wall.common_noise;
+  options.effective_share = (wall.effective_size + static_cast<double>(outline.size())) /
+                            static_cast<double>(points.size());
+  options.common_noise = std::hypot(wall.common_noise, rms_std(outline));
   DistanceSums<float> sums(points);
   std::optional<FamilyFit> best = refine(&sums, Family::kCylinder, round_start(*elliptic), kSteps);
   const auto other = refine(&sums, Family::kEllipticCylinder, *elliptic, kSteps);
@@ -122,7 +132,7 @@ std::vector<OutlinePoint> local_outline(std::span<const OutlinePoint> outline,
 std::optional<ClosedFit> fit_closed(const Wall& wall, const std::vector<OutlinePoint>& outline) {
   if (outline.size() < kMinOutline) return std::nullopt;
   OrientedPointsf points = all_points(wall.points, outline);
-  std::optional<FamilyFit> fit = best_cylinder(wall, points);
+  std::optional<FamilyFit> fit = best_cylinder(wall, outline, points);
   if (!fit) return std::nullopt;
   const std::vector<OutlinePoint> on = points_on(fit->posed, outline);
   const bool closes =
@@ -131,16 +141,14 @@ std::optional<ClosedFit> fit_closed(const Wall& wall, const std::vector<OutlineP
   if (!closes) return std::nullopt;
   if (on.size() < outline.size()) {
     points = all_points(wall.points, on);
-    fit = best_cylinder(wall, points);
+    fit = best_cylinder(wall, on, points);
     if (!fit) return std::nullopt;
   }
   const double alone = sum_of_squares(wall.points, wall.fit.posed.matrix());
   const double now = sum_of_squares(wall.points, fit->posed.matrix());
   if (now > kMaxWorse * kMaxWorse * alone) return std::nullopt;
   fit->rss = now * static_cast<double>(points.size()) / static_cast<double>(wall.points.size());
-  double square = 0.0;
-  for (const OutlinePoint& o : on) square += o.std * o.std / static_cast<double>(on.size());
-  return ClosedFit{std::move(*fit), std::move(points), kCommonShare * std::sqrt(square)};
+  return ClosedFit{std::move(*fit), std::move(points), kCommonShare * rms_std(on)};
 }
 
 }  // namespace quadrille
