@@ -1,8 +1,11 @@
 // Plans on several threads: the same bits as on one.
+#include <stdexcept>
 #include <thread>
+#include <vector>
 
 #include "grasping/plans.hpp"
 #include "quadrille/grasping/grasp_scene.hpp"
+#include "support/catch.hpp"
 
 using namespace quadrille;
 using namespace quadrille::test;
@@ -23,7 +26,7 @@ PlanOptions on_threads(int threads) {
 
 }  // namespace
 
-TEST_CASE("the number of threads never changes a plan", "[plan][threads]") {
+TEST_CASE("the number of threads never changes a plan", "[plan][threads][determinism]") {
   const GraspPlan one = plan_balls(five_balls(), on_threads(1));
   CHECK(targets_of(one).size() == 5);
   for (const int threads : {2, 3, 16}) {
@@ -53,4 +56,17 @@ TEST_CASE("the caller's own condition is asked by the caller's own thread", "[pl
   CHECK_FALSE(scene.plan(query).grasps.empty());
   CHECK(asked);
   CHECK_FALSE(by_another);
+}
+
+TEST_CASE("the search ends at once when the caller's own condition throws", "[plan][threads]") {
+  const std::vector<Ball> balls = five_balls();
+  const GraspScene scene(render(balls), detections_of(balls), franka_hand(), on_threads(4));
+  GraspQuery query;
+  int calls = 0;
+  query.accept = [&](const Grasp&) -> bool {
+    ++calls;
+    throw std::domain_error("the arm is off");
+  };
+  CHECK_THROWS_AS(scene.plan(query), std::domain_error);
+  CHECK(calls == 1);
 }

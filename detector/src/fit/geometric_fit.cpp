@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "fit/family_spec.hpp"
 #include "fit/normal_equations.hpp"
@@ -84,8 +85,11 @@ struct Step {
       case 8:
         project<8>(T, N);
         break;
-      default:
+      case 10:
         project<10>(T, N);
+        break;
+      default:
+        throw std::logic_error("no family has so many parameters");
     }
   }
 
@@ -99,7 +103,8 @@ struct Step {
   }
 
   /// Solves the damped equations by their factors L D Lᵀ. The damping makes them positive definite,
-  /// so the factors need no pivots; not finite if rounding has won all the same.
+  /// so the factors need no pivots. If rounding has made a pivot negative all the same, the step
+  /// promises too little and ends the fit.
   Vector solve(double damping) const {
     const Eigen::Index n = b.size();
     Square L = A;

@@ -25,7 +25,7 @@ class DistanceSums {
 
   /// Number of points.
   Eigen::Index points() const { return points_; }
-  /// Chooses the quadric of which the other functions tell.
+  /// Sets the quadric for squares() and normal_equations(), before which it must be called.
   void evaluate(const Eigen::Matrix4d& Q);
   /// Sum of the squares of r.
   double squares() const;

@@ -20,10 +20,9 @@ namespace quadrille {
 /// @param scatter  covariance of the points in each finest cell [m²]; see scatter_in_cells()
 /// @param sights   the views, whose depth noise does not count as scatter; in a view without cells,
 ///   the noise is taken to lie along the normals
-/// @param outline  of lids that may close the surface, a cylinder, which shows whether its section
-/// is
-///   round or elliptic; see fit_closed(). If the choice stays the same, the surer of both fits is
-///   taken
+/// @param outline  the outline of lids that may close the surface; empty if it is no cylinder. It
+///   shows whether the section is round or elliptic; see fit_closed(). If the fits with and without
+///   it have the same type, the one with the smaller deviations is taken
 /// @return the surface unchanged if it is a plane or if the refit to its samples is of another type
 Surface last_fit(Surface surface, const SurfaceSamples& samples,
                  const std::vector<Eigen::Matrix3f>& scatter, const std::vector<Sight>& sights,

@@ -22,6 +22,8 @@ constexpr double kBeyondCells = 3.0;
 // it is at least this share as far behind; others are mixed of both.
 constexpr std::size_t kBehindPoints = 5;
 constexpr double kBehindShare = 0.93;
+// Least sine of the elevation of the eye over a lid (10°); lower, gaps between rows hide its edges.
+constexpr double kMinSine = 0.17;
 // Least number of points on a lid whose outline is sought.
 constexpr std::size_t kMinPoints = 40;
 
@@ -81,6 +83,8 @@ std::vector<OutlinePoint> outline_of(const Lid& lid, std::span<const Eigen::Vect
                                      const Eigen::Vector3d& eye_C) {
   const Eigen::Isometry3d X_LC = lid.X_CL.inverse();
   const Eigen::Vector3d eye = X_LC * eye_C;
+  const double sine = eye.z() / eye.norm();
+  if (!(sine > kMinSine)) return {};
   double reach = 0.0;
   for (const Eigen::Vector3d& p : lid.places_C) {
     reach = std::max(reach, (X_LC * p).head<2>().norm());
@@ -101,7 +105,6 @@ std::vector<OutlinePoint> outline_of(const Lid& lid, std::span<const Eigen::Vect
   if (heights.size() < kMinPoints) return {};
   const double pitch = 0.5 * reach * std::sqrt(std::numbers::pi / double(heights.size()));
   const double tolerance = kMaxSigmas * robust_std(heights);
-  const double sine = eye.z() / eye.norm();
   const double max_gap = kMaxGapPitches * pitch / std::sqrt(sine);
   const int count = static_cast<int>(2.0 * std::numbers::pi * reach / (kSectorPitches * pitch));
   std::vector<std::vector<Seen>> sectors(static_cast<std::size_t>(std::max(8, count)));
@@ -115,6 +118,7 @@ std::vector<OutlinePoint> outline_of(const Lid& lid, std::span<const Eigen::Vect
     const auto edge = edge_in(std::move(sector), tolerance, max_gap);
     if (!edge || (eye.head<2>() - edge->on_L).dot(edge->on_L) > 0.0) continue;
     const Eigen::Vector3d on_L(edge->on_L.x(), edge->on_L.y(), 0.0);
+    // The edge may lie anywhere within the gap, with equal chance, which has this deviation.
     outline.push_back({lid.X_CL * on_L, edge->gap / std::sqrt(12.0)});
   }
   return outline;

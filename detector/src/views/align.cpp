@@ -33,6 +33,9 @@ constexpr std::size_t kSamples = 200;
 // Standard deviation of the sensor's own, slowly varying error of depth [m], and the number of
 // places of one orientation in a view at which it is independent.
 constexpr double kSensorError = 0.001, kPlaces = 15.0;
+// Largest number of samples about a place that are kept for the next steps. More lie there only if
+// the poses are off by much, and would fill the memory.
+constexpr std::size_t kMostKept = 4096;
 // Samples at a depth edge have fewer neighbours than this; they lie partly beside the surface.
 constexpr std::size_t kMinNeighbours = 8;
 
@@ -50,16 +53,17 @@ class Target {
     float radius = -1.0f;
     std::vector<int> samples;
 
-    bool contains_ball(const Eigen::Vector3f& p, float reach) const {
-      return (p - centre).norm() + reach <= radius;
+    /// True if all samples within a reach of p are here, and not many others.
+    bool serves(const Eigen::Vector3f& p, float reach) const {
+      return (p - centre).norm() + reach <= radius && radius < 2.0f * reach;
     }
   };
 
   /// The nearest sample with a similar normal within a distance; −1 if there is none.
-  /// @param ball  samples about the place; it is filled anew if it does not reach far enough. The
-  ///              next steps move a sample little, and need no other ball.
+  /// @param ball  samples about the place; it is filled anew if it does not serve. The next steps
+  ///              move a sample little, and seldom need another ball.
   int nearest(const Eigen::Vector3f& p, const Eigen::Vector3f& n, float reach, Ball* ball) const {
-    if (!ball->contains_ball(p, reach)) *ball = around(p, reach);
+    if (!ball->serves(p, reach)) *ball = around(p, reach);
     int best = -1;
     float least = reach * reach;
     for (const int j : ball->samples) {
@@ -68,6 +72,7 @@ class Target {
       least = square;
       best = j;
     }
+    if (ball->samples.size() > kMostKept) *ball = Ball();
     return best;
   }
 

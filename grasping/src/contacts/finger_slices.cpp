@@ -103,7 +103,7 @@ void FingerSlices::find_strips(const Eigen::Matrix3d& R, const Points& points, d
   const auto count = static_cast<std::size_t>(points.rows());
   for (std::size_t i = 0; i < count; ++i) {
     double place = (x[i] * ax + y[i] * ay + z[i] * az - first) / step;
-    // NaN, which is not of these points, would become -2.
+    // No point has a NaN; it would become -2.
     place = place > -2.0 ? place : -2.0;
     place = place < most ? place : most;
     // The shift makes all values positive, so that truncation rounds down.

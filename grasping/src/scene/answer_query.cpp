@@ -109,11 +109,14 @@ class QueryPlanner {
 
   /// Plans the targets side by side, and adds what was found in their order.
   void plan_targets(const std::vector<const Target*>& asked) {
+    if (query_.accept) {
+      // The caller's own condition may not be safe for several threads, and may throw.
+      for (const Target* target : asked) add(*target, search(*target));
+      return;
+    }
     const int count = static_cast<int>(asked.size());
-    // The caller's own condition may not be safe for several threads.
-    const int threads = query_.accept ? 1 : parts_.options.threads;
     std::vector<Outcome> outcomes(asked.size());
-    parallel_for(count, threads, [&](int k) { outcomes[k] = search(*asked[k]); });
+    parallel_for(count, parts_.options.threads, [&](int k) { outcomes[k] = search(*asked[k]); });
     for (int k = 0; k < count; ++k) add(*asked[k], std::move(outcomes[k]));
   }
 

@@ -117,8 +117,9 @@ study::StudyOptions StudyArguments::options() const {
   // The planner needs detections of all types, so --only limits the report instead of the search.
   if (options.detector.report.empty()) options.detector.report = options.detector.only;
   options.detector.only.clear();
-  // Threads are used across scenes, so each detector gets one.
+  // Threads are used across scenes, so each detector and each planner gets one.
   options.detector.threads = 1;
+  options.plan.threads = 1;
   return options;
 }
 
