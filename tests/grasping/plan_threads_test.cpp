@@ -14,6 +14,7 @@ namespace {
 
 std::vector<Ball> five_balls() {
   std::vector<Ball> balls;
+  balls.reserve(5);
   for (int k = 0; k < 5; ++k) balls.push_back(ball_on_table(0.1 * k - 0.2, 0.0, 0.02 + 0.004 * k));
   return balls;
 }

@@ -82,7 +82,7 @@ Surface last_fit(Surface surface, const SurfaceSamples& samples,
   if (!fit || canonical_form(fit->posed).type != canonical_form(surface.fit.posed).type) {
     return surface;
   }
-  const Surface alone = refitted(surface, *fit, points);
+  Surface alone = refitted(surface, *fit, points);
   if (outline.empty()) return alone;
   const double noise = samples.common_noise * mean_sigma(samples, surface.region);
   const double common_noise = std::hypot(noise / surface.local.scale, kFlawShare);

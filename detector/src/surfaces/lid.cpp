@@ -52,10 +52,9 @@ class SightCells {
     return sight_.w[cell] > 0.0f ? cell : -1;
   }
   Eigen::Vector3d place_of(int cell) const {
-    const float u =
-        sight_.corner.x() + (static_cast<float>(cell % sight_.width) + 0.5f) * sight_.step;
-    const float v =
-        sight_.corner.y() + (static_cast<float>(cell / sight_.width) + 0.5f) * sight_.step;
+    const int i = cell % sight_.width, j = cell / sight_.width;
+    const float u = sight_.corner.x() + (static_cast<float>(i) + 0.5f) * sight_.step;
+    const float v = sight_.corner.y() + (static_cast<float>(j) + 0.5f) * sight_.step;
     return (X_CV_ * (Eigen::Vector3f(u, v, 1.0f) / sight_.w[cell])).cast<double>();
   }
   /// Calls a function with each of the four neighbours that saw something.

@@ -36,6 +36,22 @@ struct ReachOptions {
   std::vector<double> base = {0.0, 0.0, 0.0};
   double min = 0.0;
   double max = 0.0;
+
+  /// Calls v(field, Setting) for each value.
+  template <class Options, class Visitor>
+  static void visit(Options& o, Visitor&& v) {
+    v(o.base,
+      {"planner.reach.base", "m", -kMaxPlace, kMaxPlace,
+       "Where the arm's base stands: three numbers, in the frame of the results. For the planner "
+       "on the bus, in the fixed frame of the camera's poses if these come, else in the camera's "
+       "frame."});
+    v(o.min,
+      {"planner.reach.min", "m", 0.0, kMaxReach,
+       "Least distance between the base and the middle between the pads, at the grasp and at the "
+       "start of the approach: nearer, the arm would be in its own way."});
+    v(o.max, {"planner.reach.max", "m", 0.0, kMaxReach,
+              "Greatest such distance, as far as the arm reaches. 0: any distance is good."});
+  }
 };
 
 /// Options of the grasp planner.
@@ -114,18 +130,7 @@ struct PlanOptions {
       {"planner.threads", "", 1, 256,
        "Threads that map space and search for grasps, each on another target; never changes the "
        "result. A query with a condition of the caller's own is answered by one."});
-    constexpr double kMaxPlace = ReachOptions::kMaxPlace, kMaxReach = ReachOptions::kMaxReach;
-    v(o.reach.base,
-      {"planner.reach.base", "m", -kMaxPlace, kMaxPlace,
-       "Where the arm's base stands: three numbers, in the frame of the results. For the planner "
-       "on the bus, in the fixed frame of the camera's poses if these come, else in the camera's "
-       "frame."});
-    v(o.reach.min,
-      {"planner.reach.min", "m", 0.0, kMaxReach,
-       "Least distance between the base and the middle between the pads, at the grasp and at the "
-       "start of the approach: nearer, the arm would be in its own way."});
-    v(o.reach.max, {"planner.reach.max", "m", 0.0, kMaxReach,
-                    "Greatest such distance, as far as the arm reaches. 0: any distance is good."});
+    ReachOptions::visit(o.reach, v);
   }
 
   /// @throws std::invalid_argument naming the field that is out of range
