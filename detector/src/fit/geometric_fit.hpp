@@ -30,7 +30,8 @@ std::optional<FamilyFit> refine(DistanceSums<Scalar>* points, Family family,
                                 double wanted = std::numeric_limits<double>::infinity(),
                                 double min_gain = 1e-4);
 
-/// The same for points that are used once.
+/// Refines a single fit to these points. To fit several families to the same points, lay them out
+/// once as DistanceSums.
 template <typename Scalar>
 std::optional<FamilyFit> refine(const OrientedPoints<Scalar>& points, Family family,
                                 const PosedQuadric& start, int iterations,

@@ -132,7 +132,8 @@ class PointHoldFinder {
     }
     std::size_t here = 0;
     for (const InSlice& point : reached_) {
-      // What the tips do not reach, they reach at no smaller depth either.
+      // Depths fall from one to the next, so tips that end above a point end above it at all later
+      // depths too.
       for (std::size_t n = 0; n < kDepths && point.z < tips_[n]; ++n) {
         if (point.z <= roots_[n]) continue;
         Run& run = open[n];
@@ -313,7 +314,7 @@ class PointHoldFinder {
   /// The points, from the target's centre on.
   std::vector<Eigen::Vector3d> offsets_C_;
   Eigen::Matrix3d R_CG_ = Eigen::Matrix3d::Identity();
-  /// Of each point, what lies along the closing direction that is being tried.
+  /// The position and the normal of each point along the closing direction that is being tried.
   std::vector<AlongClosing> along_;
   /// How far the tips and the roots of the fingers reach along the approach, at the depth that is
   /// being tried [m].

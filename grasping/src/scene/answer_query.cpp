@@ -34,7 +34,7 @@ Eigen::AlignedBox3d bounds_of(const CollisionShape& shape) {
   return Eigen::AlignedBox3d(box.min_, box.max_).transformed(shape.X_CS);
 }
 
-/// What the search of one target found.
+/// The grasps that were found on one target, and the candidates that were refused.
 struct Outcome {
   std::vector<Grasp> grasps;
   RefusalCounts refusals;
