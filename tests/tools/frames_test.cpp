@@ -86,6 +86,14 @@ TEST_CASE("a cloud in millimetres yields the results of the same cloud in metres
     CHECK(contains(run_quadrille("detect --unit mm " + small + place).err, "(--unit mm)"));
   }
   CHECK(run_quadrille("detect --unit inch " + large).code == 2);
+  // A log is in metres, as the readers of others expect.
+  const std::string from_metres = folder.path("m.lcm"), from_millimetres = folder.path("mm.lcm");
+  REQUIRE(run_quadrille("log " + from_metres + " " + small).code == 0);
+  REQUIRE(run_quadrille("log --unit mm " + from_millimetres + " " + large).code == 0);
+  const json logged = json::parse(run_quadrille("detect --json - " + from_metres).out);
+  REQUIRE(!logged["detections"].empty());
+  CHECK(json::parse(run_quadrille("detect --json - " + from_millimetres).out)["detections"] ==
+        logged["detections"]);
 }
 
 TEST_CASE("detections, shapes and tables are in the cloud's own frame", "[command][frames]") {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -11,6 +12,7 @@
 #include "cli/choice_option.hpp"
 #include "cli/process_arguments.hpp"
 #include "cli/rate_option.hpp"
+#include "cli/unit_option.hpp"
 #include "io/cloud_file.hpp"
 #include "io/describe.hpp"
 #include "io/new_file.hpp"
@@ -23,6 +25,7 @@ namespace {
 struct LogArguments {
   std::string out;
   std::vector<std::string> inputs;
+  double unit = 1.0;  ///< of the inputs' coordinates [m]
   logs::CloudLogOptions options;
 };
 
@@ -30,7 +33,7 @@ void run(const LogArguments& arguments) {
   io::NewFile file(arguments.out);
   logs::CloudLogWriter writer(file.path(), arguments.options, arguments.out);
   for (const std::string& input : arguments.inputs) {
-    const PointCloud cloud = io::read_cloud(input);
+    const PointCloud cloud = io::read_cloud(input, Eigen::Affine3d(Eigen::Scaling(arguments.unit)));
     if (!cloud.viewpoint.isZero(0.0)) {
       fmt::print(stderr, "{}: LCM clouds have no viewpoint; readers will assume the origin\n",
                  printable(input, kMaxPath));
@@ -52,6 +55,7 @@ void add_log_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("log", "Write clouds as an LCM log");
   command->add_option("OUT", arguments->out, "The log to write (.lcm)")->required();
   command->add_option("INPUT", arguments->inputs, "Clouds (.ply, .pcd), in order")->required();
+  add_unit_option(*command, arguments->unit);
   add_rate_option(*command, arguments->options.rate, logs::kMinRate, logs::kMaxRate);
   add_channel_option(*command, "--channel", arguments->options.channel, "clouds");
   Choices<bus::CloudFormat> formats;
