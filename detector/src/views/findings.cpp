@@ -66,8 +66,11 @@ struct Measured {
   std::map<int, std::vector<Eigen::Vector3d>> places;
 };
 
-void measure_surfaces(const Scene& scene, std::span<DirectionsOnDemand> directions,
-                      Measured* measured) {
+/// @param only  the types that are asked for
+void measure_surfaces(const Scene& scene, const std::vector<QuadricType>& only,
+                      std::span<DirectionsOnDemand> directions, Measured* measured) {
+  const bool seeks_cylinders =
+      lets_pass(only, QuadricType::kCylinder) || lets_pass(only, QuadricType::kEllipticCylinder);
   std::vector<Surface> surfaces;
   for (const Surface& surface : scene.surfaces) {
     if (is_flat(surface) && is_part_of(surface, scene.finest, scene.planes, scene.coarse)) continue;
@@ -86,7 +89,8 @@ void measure_surfaces(const Scene& scene, std::span<DirectionsOnDemand> directio
   }
   const std::vector<Sight>& sights = scene.context.sights;
   for (Surface& surface : surfaces) {
-    const std::vector<OutlinePoint> outline = outline_of_lids(surface, scene, directions);
+    std::vector<OutlinePoint> outline;
+    if (seeks_cylinders) outline = outline_of_lids(surface, scene, directions);
     surface = last_fit(std::move(surface), scene.finest, scatter, sights, outline);
     measured->detections.push_back(measure(surface, scene.finest, scene.viewpoint(), sights));
   }
@@ -189,7 +193,7 @@ std::vector<Box> boxes_of(const Scene& scene, const std::vector<Detection>& dete
 Findings measure_scene(const Scene& scene, const DetectorOptions& options, StageClock& clock) {
   Measured measured{{}, std::vector<int>(scene.plane_of_cell.size(), -1), {}, {}};
   std::vector<DirectionsOnDemand> directions = directions_of(scene);
-  measure_surfaces(scene, directions, &measured);
+  measure_surfaces(scene, options.only, directions, &measured);
   if (lets_pass(options.only, QuadricType::kPlane)) {
     measure_planes(scene, options.aggregate.min_plane_confidence, &measured);
   }

@@ -46,7 +46,7 @@ def click(page, selector):
 
 def check_request(page):
     """The planner plans on requests alone: before one there is no grasp, after it those of one object."""
-    objects = [item.get_attribute("data-object") for item in page.all("#list .item")]
+    objects = page.each("#list .item", "item.dataset.object")
     expect(len(page.all("#list .side.none")), len(objects), "objects without a grasp before a request")
     for number in objects:
         click(page, f'#list [data-object="{number}"]')
@@ -55,11 +55,11 @@ def check_request(page):
         if page.all("tr.grasp"):
             break
     assert page.all("tr.grasp"), "one of the objects can be grasped"
-    chosen = page.all('#list [aria-pressed="true"] .side')[0].text
+    chosen, = page.each('#list [aria-pressed="true"] .side', "item.innerText")
     assert "grasp" in chosen and chosen != "no grasp", chosen
-    others = [item.text for item in page.all('#list [aria-pressed="false"] .side')]
+    others = page.each('#list [aria-pressed="false"] .side', "item.innerText")
     assert "not planned" in others, f"what was not asked for was not planned: {others}"
-    assert "planned on request" in page.all("#asked")[0].text, "the page says that this is an answer"
+    assert "planned on request" in page.each("#asked", "item.innerText")[0], "the page says that this is an answer"
     page.photograph("live_asked")
 
 

@@ -72,6 +72,11 @@ class Page:
     def all(self, selector):
         return self.browser.find_elements(By.CSS_SELECTOR, selector)
 
+    def each(self, selector, expression):
+        """What a script's expression makes of each `item`. All are read at once, since a new scene may replace them."""
+        return self.browser.execute_script(
+            f"return Array.from(document.querySelectorAll(arguments[0]), (item) => {expression});", selector)
+
     def press(self, key):
         self.browser.find_element(By.TAG_NAME, "body").send_keys(key)
 
