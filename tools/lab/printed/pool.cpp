@@ -21,17 +21,20 @@ constexpr Eigen::Index kRank = 9;
 // distance within which it would lie on the quadric anyway.
 constexpr double kMinHeightLimits = 2.0;
 
-/// Draws three of the open samples that lie near to each other; nullopt if a basis of them was
-/// drawn before, or two of them are one.
+/// Draws three of the open samples, the others within `radius` cells of the first; nullopt if a
+/// basis of them was drawn before, or two of them are one.
 std::optional<std::array<int, 3>> draw_triplet(const SurfaceSamples& samples,
                                                const SampleBuckets& buckets,
                                                const std::vector<int>& all, const Mask& open,
                                                double radius, RandomStream& random,
                                                TripletSet* seen) {
   const int first = all[static_cast<std::size_t>(random.below(static_cast<int>(all.size())))];
-  std::vector<int> near =
-      buckets.near(samples.raw[first], static_cast<float>(radius) * samples.cell[first]);
-  std::erase_if(near, [&](int i) { return i == first || (!open.empty() && !open[i]); });
+  const float far = static_cast<float>(radius) * samples.cell[first];
+  std::vector<int> near = buckets.near(samples.raw[first], far);
+  std::erase_if(near, [&](int i) {
+    return i == first || (!open.empty() && !open[i]) ||
+           (samples.raw[i] - samples.raw[first]).norm() > far;
+  });
   if (near.size() < 2) return std::nullopt;
   const int count = static_cast<int>(near.size());
   const int second = random.below(count), third = random.below(count);
