@@ -28,6 +28,10 @@ constexpr int kBinsAround = 24, kBinsAlong = 8;
 constexpr double kLostCells = 1.0, kLostSigmas = 4.0, kLostStd = 0.5;
 // Standard deviation of a side of a plane's patch [cells].
 constexpr double kPatchEdgeCells = 3.0;
+// A surface of which more than this share was seen, and less than this majority of the samples from
+// one side, was joined from views all round it. A single view sees as much only of the inside of a
+// bowl, and both sides only of a thin shell, of which more stays hidden.
+constexpr double kSeenAllRound = 0.75, kMinMajority = 0.5;
 // Factor on the score if a dimension is a guess, since the surface is then only partly right.
 constexpr double kGuessFactor = 0.9;
 
@@ -165,11 +169,14 @@ Detection measure(const Surface& surface, const SurfaceSamples& samples, const E
   d.Q_C = surface.Q;
   d.score = surface.confidence;
   d.rms = surface.rms;
-  double side = 0;
+  double side = 0.0, both = 0.0;
   double cell = 0;
   for (const int i : surface.region) {
     d.inliers += samples.count[i];
-    side += d.Q_C.gradient(samples.raw[i].cast<double>()).dot(samples.n[i].cast<double>());
+    const double slope =
+        d.Q_C.gradient(samples.raw[i].cast<double>()).dot(samples.n[i].cast<double>());
+    side += slope;
+    both += std::abs(slope);
     cell = std::max(cell, static_cast<double>(samples.cell[i]));
   }
   if (side < 0) d.Q_C = d.Q_C.flipped();
@@ -180,6 +187,9 @@ Detection measure(const Surface& surface, const SurfaceSamples& samples, const E
   const std::vector<Eigen::Vector3d> points = canonical_points(surface, samples, d.X_CQ);
   d.extent_Q = trimmed_box(points);
   d.seen = share_seen(points, d.extent_Q, form.type);
+  // The normals of its far side point to the viewpoint through it, but the outside was seen.
+  const bool all_round = d.seen > kSeenAllRound && std::abs(side) < kMinMajority * both;
+  if (all_round && shows_inside(d)) d.Q_C = d.Q_C.flipped();
 
   Uncertainty uncertainty = uncertainty_of(surface, samples, form);
   bool guessed = false;

@@ -72,6 +72,34 @@ TEST_CASE("normals that look inwards turn the gradient inwards", "[measure]") {
   CHECK(d.X_CQ.translation().norm() < 0.002);
 }
 
+TEST_CASE("a can in a cloud joined from views all round shows its outside", "[measure]") {
+  constexpr double kRadius = 0.05;
+  // 79 columns of 4 mm go once round.
+  SurfaceSamples samples = cylinder_grid(79, 41, kRadius, 0.004, 0.0003, 3);
+  const Quadric can(diagonal(1, 1, 0, -kRadius * kRadius));
+  const auto inside_seen = [&] {
+    const auto surface = surface_of(samples, can, Family::kCylinder);
+    REQUIRE(surface);
+    const Detection d = measure(*surface, samples, kEye);
+    CHECK(d.seen > 0.9);
+    return shows_inside(d);
+  };
+  // Normals towards the eye: a little more than half of them look into the can.
+  int inwards = 0;
+  for (int i = 0; i < samples.size(); ++i) {
+    if (samples.n[i].dot(kEye.cast<float>() - samples.raw[i]) > 0.0f) continue;
+    samples.n[i] = -samples.n[i];
+    ++inwards;
+  }
+  CHECK(2 * inwards > samples.size());
+  CHECK_FALSE(inside_seen());
+  // Of a bowl seen from above, all of them do.
+  for (int i = 0; i < samples.size(); ++i) {
+    if (samples.n[i].dot(samples.raw[i]) > 0.0f) samples.n[i] = -samples.n[i];
+  }
+  CHECK(inside_seen());
+}
+
 TEST_CASE("a plane has its normal towards the viewpoint, and width and height", "[measure]") {
   for (const double side : {1.0, -1.0}) {
     const SurfaceSamples samples = plane_grid(61, 31, 0.01, 0.0005, 3);
