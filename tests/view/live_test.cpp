@@ -147,6 +147,38 @@ TEST_CASE("quadrics are shown with their own boxes and lumps", "[view][live]") {
   CHECK(view::live_scene(messages, find_gripper).boxes.empty());
 }
 
+TEST_CASE("a body and its parts say how many views show them, and since when none does",
+          "[view][live]") {
+  SceneBody ball, lump;
+  ball.id = 3;
+  ball.parts = {3, 8};
+  ball.views = 2;
+  ball.unseen = 1.5;
+  lump.id = 7;
+  lump.kind = BodyKind::kLump;
+  view::LatestMessages messages;
+  messages.clouds = {cloud_bytes(200, 0.2f)};
+  messages.quadrics = quadrics_bytes(200, 3);
+  messages.boxes = boxes_bytes(200, 8);
+  const auto objects = [&] {
+    const std::string pack = view::pack_scene(view::live_scene(messages, find_gripper));
+    std::uint32_t size = 0;
+    std::memcpy(&size, pack.data() + 4, sizeof size);
+    return nlohmann::json::parse(pack.substr(8, size))["objects"];
+  };
+  CHECK_FALSE(objects().at(0).contains("views"));
+  messages.bodies =
+      shared(bus::encode(bus::to_message(cloud_at(200), std::vector<SceneBody>{ball, lump})));
+  const auto shown = objects();
+  REQUIRE(shown.size() == 3);
+  for (const std::size_t n : {0, 1}) {
+    CHECK(shown[n]["views"] == 2);
+    CHECK(shown[n]["unseen"] == 1.5);
+  }
+  CHECK(shown[2]["views"] == 1);
+  CHECK(shown[2]["unseen"] == 0.0);
+}
+
 TEST_CASE("grasps of an earlier cloud are shown on the surface of their track", "[view][live]") {
   view::LatestMessages messages;
   messages.clouds = {cloud_bytes(200, 0.2f)};

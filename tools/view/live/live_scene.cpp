@@ -149,7 +149,10 @@ void add_quadrics(bus::QuadricsMessage message, const LatestMessages& messages, 
   const auto bodies =
       find_of<bus::BodiesMessage>(message, messages.bodies, messages.bodies_before,
                                   [](const auto& b) { return bus::decode_bodies(b); });
-  if (bodies) scene->lumps = lumps_of(bodies->bodies);
+  if (bodies) {
+    scene->lumps = lumps_of(bodies->bodies);
+    scene->sightings = sightings_of(bodies->bodies);
+  }
   scene->utime = message.utime;
   scene->seq = message.seq;
   scene->detections = std::move(message.detections);

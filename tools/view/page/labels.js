@@ -2,6 +2,7 @@
 import { isPlane, objectColour } from "./colours.js";
 import { element, words } from "./dom.js";
 import { cornersOf } from "./shapes.js";
+import { isUnseen, lastSeen } from "./sighting.js";
 
 const kGap = 10, kMargin = 6;
 
@@ -19,10 +20,12 @@ export class Labels {
     for (const object of scene.objects) {
       if (isPlane(object) && object.id !== view.chosen) continue;
       const track = object.track ? ` · track ${object.track}` : "";
-      const box = element("div", { class: object.id === view.chosen ? "label chosen" : "label" }, [
+      const lines = object.lines.slice(0, 3).concat(isUnseen(object) ? `seen ${lastSeen(object)}` : []);
+      const names = ["label", object.id === view.chosen && "chosen", isUnseen(object) && "unseen"];
+      const box = element("div", { class: names.filter(Boolean).join(" ") }, [
         element("b", { text: `${object.id} ${words(object.type)}` }),
         element("span", { text: track }),
-        ...object.lines.slice(0, 3).map((line) => element("small", { text: line }))]);
+        ...lines.map((line) => element("small", { text: line }))]);
       box.style.borderLeftColor = objectColour(object);
       this.layer.append(box);
       this.labels.push({ object, box, corners: cornersOf(object), size: null });

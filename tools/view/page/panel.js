@@ -2,6 +2,7 @@
 import { isPlane, objectColour, scoreColour } from "./colours.js";
 import { byId, element, words } from "./dom.js";
 import { kColours, kLayers } from "./link.js";
+import { isUnseen, lastSeen, viewsOf } from "./sighting.js";
 
 const kMaxRows = 20;
 const mm = (metres) => (1000 * metres).toFixed(0);
@@ -57,13 +58,14 @@ export function fillList(scene, view, choose) {
     const count = scene.grasps.filter((grasp) => grasp.target === object.id).length;
     const dot = element("span", { class: "dot" });
     dot.style.background = objectColour(object);
+    const facts = object.lines.slice(0, 2).concat(isUnseen(object) ? `seen ${lastSeen(object)}` : []);
     const side = isPlane(object) ? "" : countOf(scene, object, count);
     rows[isPlane(object) ? 1 : 0].push(element("button", {
-      class: "item", "aria-pressed": String(object.id === view.chosen), "data-object": object.id,
+      class: isUnseen(object) ? "item unseen" : "item", "aria-pressed": String(object.id === view.chosen), "data-object": object.id,
       onclick: () => choose(object.id === view.chosen ? null : object.id) }, [
       dot,
       element("span", { text: `${object.id} ${words(object.type)}` }, [
-        element("small", { text: object.lines.slice(0, 2).join(", ") })]),
+        element("small", { text: facts.join(", ") })]),
       element("span", { class: count ? "side" : "side none", text: side })]));
   }
   const none = element("p", { text: "No object was found in this cloud." });
@@ -99,6 +101,7 @@ function factsOf(object) {
     const [, name, value] = line.match(/^(\D*?) (\S*\d.*)$/) || ["", line, ""];
     facts.push([name, value]);
   }
+  facts.push(...viewsOf(object));
   if (object.rms !== undefined) facts.push(["points", object.inliers], ["spread", `${(1000 * object.rms).toFixed(2)} mm`],
     ["seen", `${(100 * object.seen).toFixed(0)} %`]);
   const list = element("dl", {}, facts.flatMap(([name, value]) =>

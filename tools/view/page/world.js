@@ -6,6 +6,7 @@ import { contactsOf, handAt, marksOf, poseMatrix } from "./hand.js";
 import { byId } from "./dom.js";
 import { coloursOf } from "./paint.js";
 import { cornersOf, isBox, meshGeometry, voxelMesh } from "./shapes.js";
+import { isUnseen, kPale } from "./sighting.js";
 import { frustumOf, pathOf, solidsOf } from "./surroundings.js";
 
 const kClickSlack = 5;
@@ -93,7 +94,7 @@ export class World {
   show(scene, view, dark) {
     this.data = scene;
     this.dark = dark;
-    this.renderer.setClearColor(dark ? 0x121a22 : 0xffffff, 1);
+    this.renderer.setClearColor(this.paper(), 1);
     if (!this.controls || (this.awaitsThings && this.things().length)) this.lookFromSensor();
     this.putCloud(view);
     this.putObjects(view);
@@ -101,6 +102,9 @@ export class World {
     this.putGrasps(view);
     this.putSurroundings(view);
   }
+
+  /// The colour of the background.
+  paper() { return this.dark ? 0x121a22 : 0xffffff; }
 
   putCloud(view) {
     const { positions } = this.data.points;
@@ -147,7 +151,7 @@ export class World {
     const geometry = isBox(object) ? new THREE.BoxBufferGeometry(...object.size) : meshGeometry(object.mesh);
     if (!geometry) return null;
     const colour = new THREE.Color(objectColour(object));
-    const opacity = isPlane(object) ? (chosen ? 0.35 : 0.1) : chosen ? 0.75 : 0.42;
+    const opacity = (isPlane(object) ? (chosen ? 0.35 : 0.1) : chosen ? 0.75 : 0.42) * (isUnseen(object) ? kPale : 1);
     part.add(new THREE.Mesh(geometry, new THREE.MeshLambertMaterial(
       { color: colour, side: THREE.DoubleSide, transparent: true, opacity, depthWrite: false })));
     part.add(this.rims(object, geometry, colour, isPlane(object) ? 1 : chosen ? 4 : 2.6));
@@ -159,7 +163,8 @@ export class World {
     if (isBox(object)) ends.push(...new THREE.EdgesGeometry(geometry).attributes.position.array);
     else for (const i of object.mesh.rims) ends.push(...object.mesh.vertices.subarray(3 * i, 3 * i + 3));
     const material = this.lineMaterial({ linewidth, transparent: true, opacity: isPlane(object) ? 0.7 : 0.95 });
-    material.color = colour;
+    // These lines are drawn opaque, whatever their opacity.
+    material.color = isUnseen(object) ? colour.clone().lerp(new THREE.Color(this.paper()), 1 - kPale) : colour;
     const lines = new THREE.LineSegmentsGeometry();
     lines.setPositions(ends);
     return new THREE.LineSegments2(lines, material);

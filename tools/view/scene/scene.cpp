@@ -136,6 +136,10 @@ void add_common(const Scene& scene, int id, Json* object) {
   if (found != scene.rejected_of.end()) {
     (*object)["rejected"] = refusals_of(found->second, scene.unknown);
   }
+  if (const auto sighting = scene.sightings.find(id); sighting != scene.sightings.end()) {
+    (*object)["views"] = sighting->second.views;
+    (*object)["unseen"] = sighting->second.unseen;
+  }
 }
 
 Json objects_of(const Scene& scene, const PackLimits& limits, Arrays* arrays, Json* points) {
@@ -184,6 +188,16 @@ std::vector<SceneBody> lumps_of(const std::vector<SceneBody>& bodies) {
   std::copy_if(bodies.begin(), bodies.end(), std::back_inserter(lumps),
                [](const SceneBody& body) { return body.kind == BodyKind::kLump; });
   return lumps;
+}
+
+std::map<int, Sighting> sightings_of(const std::vector<SceneBody>& bodies) {
+  std::map<int, Sighting> sightings;
+  for (const SceneBody& body : bodies) {
+    const Sighting sighting{body.views, body.unseen};
+    sightings[body.id] = sighting;
+    for (const int part : body.parts) sightings[part] = sighting;
+  }
+  return sightings;
 }
 
 Json plan_json(const Scene& scene, const PackLimits& limits) {

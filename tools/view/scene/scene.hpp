@@ -19,6 +19,14 @@ namespace quadrille::view {
 /// Number of refused candidates by the name of the reason.
 using Rejected = std::map<std::string, std::int64_t>;
 
+/// How well remembered views show a body; see SceneBody.
+struct Sighting {
+  /// Number of views that show it.
+  int views = 1;
+  /// Time since the newest of them [s].
+  double unseen = 0.0;
+};
+
 /// Everything that is shown of one cloud, in one frame C.
 struct Scene {
   /// Name of the input or of the channel.
@@ -30,6 +38,8 @@ struct Scene {
   std::vector<Box> boxes;
   /// The bodies of unknown shape.
   std::vector<SceneBody> lumps;
+  /// By the id of each body and of each of its parts.
+  std::map<int, Sighting> sightings;
   /// The grasps, best first.
   std::vector<Grasp> grasps;
   /// Outcome of the trial of each grasp; empty if none was tried.
@@ -60,6 +70,9 @@ struct Scene {
 
 /// Returns those of the bodies that are lumps.
 std::vector<SceneBody> lumps_of(const std::vector<SceneBody>& bodies);
+
+/// Returns how well the bodies and their parts are shown, by id.
+std::map<int, Sighting> sightings_of(const std::vector<SceneBody>& bodies);
 
 /// Limits of how much of a scene is shown.
 struct PackLimits {

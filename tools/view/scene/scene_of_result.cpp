@@ -45,6 +45,7 @@ Scene scene_of_result(const PointCloud& cloud, const DetectionResult& result,
   scene.boxes = moved(result.boxes, X_CK);
   std::erase_if(scene.boxes, [](const Box& box) { return !is_reported(box); });
   scene.lumps = lumps_of(moved(result.bodies, X_CK));
+  scene.sightings = sightings_of(result.bodies);
   scene.timings = {{"detect", result.total_ms}};
   scene.warnings = result.warnings;
   return scene;
