@@ -1,5 +1,5 @@
 // Further cameras that look at the scene of the first one.
-#include "process/planner/view_camera.hpp"
+#include "process/runtime/poses/view_camera.hpp"
 
 #include <CLI/CLI.hpp>
 #include <string>

@@ -45,19 +45,7 @@ PlannerCommandLine::PlannerCommandLine(CLI::App& app) {
                "Also publish the hand at the best grasp for Meldis, Drake's viewer");
   camera_.add_to(app, "--pose-channel");
   settings_.frames.add_to(app);
-  app.add_option_function<std::vector<std::string>>(
-         kViewCameraOption,
-         [this](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts) {
-             settings_.view_cameras.push_back(view_camera_of(text));
-           }
-         },
-         "Clouds of one more camera that looks at the scene, and its poses or, at rest, its pose "
-         "in "
-         "the fixed frame; may be repeated")
-      ->type_name("CLOUDS=POSES")
-      ->allow_extra_args(false)
-      ->expected(1, ViewCamera::kMost);
+  add_view_camera_option(app, settings_.view_cameras);
   planner_.add_to(app, "franka");
   const std::string frame = "the fixed frame of the camera's poses, else in the camera's";
   add_approach_option(app, settings_.approach, frame);
@@ -91,15 +79,7 @@ PlannerSettings PlannerCommandLine::settings() const {
   });
   check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,
               {settings.cloud_channel, settings.quadrics_channel, settings.request_channel});
-  if (!settings.view_cameras.empty() && !settings.has_fixed_frame()) {
-    throw CLI::ValidationError(
-        kViewCameraOption,
-        "needs the pose of the first camera too; give --pose-channel or --camera-pose");
-  }
-  if (!settings.view_cameras.empty() && !settings.remembers()) {
-    throw CLI::ValidationError(kViewCameraOption,
-                               "is of no use without memory; set views.remember above 0");
-  }
+  check_view_cameras(settings.view_cameras, settings.has_fixed_frame(), settings.remembers());
   std::vector<NamedChannel> channels = channels_of(settings);
   PlannerSettings::visit_viewer(settings, [&](std::string& name) {
     name = settings.process.prefixed(name);

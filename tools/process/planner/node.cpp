@@ -29,14 +29,13 @@ PlannerNode::PlannerNode(const PlannerSettings& settings, bus::Publish publish)
       settings_hash_(hash_of(settings)),
       posed_clouds_({settings.pose_channel, settings.X_WK, settings.pose_age, settings.pose_wait},
                     settings.frames.need_pose() ? "planned on" : "placed in the fixed frame"),
+      posed_views_(settings.view_cameras, settings.pose_age, settings.pose_wait,
+                   [this](int camera, const bus::CloudMessage& cloud, const CameraPose& pose) {
+                     remember_view(camera, cloud, pose);
+                   }),
       knowledge_(settings_),
       planner_(settings_),
       occupancies_(settings, publish_) {
-  for (const ViewCamera& camera : settings.view_cameras) {
-    posed_views_.emplace_back(
-        PoseSource{camera.pose_channel, camera.X_WK, settings.pose_age, settings.pose_wait},
-        "remembered", kMaxBytesWaiting / settings.view_cameras.size());
-  }
   if (settings.viz) viewer_.emplace(settings.viewer, publish_);
   log_info(fmt::format("plans for the hand {}", settings.gripper.name));
 }
@@ -71,9 +70,7 @@ std::vector<OutChannel> PlannerNode::out_channels() const {
 std::vector<Job> PlannerNode::find_due_jobs(Time now) {
   const std::lock_guard lock(mutex_);
   std::vector<Job> jobs = posed_clouds_.take_due(now);
-  for (PosedClouds& views : posed_views_) {
-    for (Job& job : views.take_due(now)) jobs.push_back(std::move(job));
-  }
+  posed_views_.take_due(now, &jobs);
   return jobs;
 }
 

@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <deque>
 #include <lcmtypes/quadrille/planner_status_t.hpp>
 #include <memory>
 #include <mutex>
@@ -22,6 +21,7 @@
 #include "process/runtime/limited_log.hpp"
 #include "process/runtime/node.hpp"
 #include "process/runtime/poses/posed_clouds.hpp"
+#include "process/runtime/poses/posed_views.hpp"
 #include "process/runtime/refusals.hpp"
 #include "process/runtime/status/rate.hpp"
 #include "process/runtime/status/stages.hpp"
@@ -88,11 +88,11 @@ class PlannerNode : public Node {
   planner_status_t counts_{};
   std::int64_t grasps_ = 0;
   PosedClouds posed_clouds_;
-  /// The same for each of the further cameras.
-  std::deque<PosedClouds> posed_views_;
+  /// The clouds of further cameras.
+  PosedViews posed_views_;
   std::int64_t requests_ = 0, unmet_ = 0;
   Refusals refused_clouds_, refused_quadrics_, refused_boxes_, refused_bodies_;
-  Refusals refused_views_, refused_poses_, refused_requests_, refused_knowledge_;
+  Refusals refused_poses_, refused_requests_, refused_knowledge_;
   Knowledge knowledge_;
   LimitedLog unpaired_log_;
   SequenceGaps gaps_;

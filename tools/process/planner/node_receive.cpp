@@ -32,15 +32,9 @@ std::optional<Job> PlannerNode::receive(const std::string& channel,
     posed_clouds_.receive_pose(bytes, &refused_poses_);
     return std::nullopt;
   }
-  for (std::size_t n = 0; n < settings_.view_cameras.size(); ++n) {
-    const ViewCamera& camera = settings_.view_cameras[n];
-    if (channel == camera.cloud_channel) return receive_view(static_cast<int>(n) + 1, bytes);
-    if (channel != camera.pose_channel) continue;
-    const std::lock_guard lock(mutex_);
-    posed_views_[n].receive_pose(bytes, &refused_poses_);
-    return std::nullopt;
-  }
+  if (const int camera = posed_views_.camera_of(channel)) return receive_view(camera, bytes);
   const std::lock_guard lock(mutex_);
+  if (posed_views_.receive_pose(channel, bytes, &refused_poses_)) return std::nullopt;
   if (knowledge_.receive(channel, bytes, &refused_knowledge_)) {
     counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
   }
@@ -70,24 +64,11 @@ std::optional<Job> PlannerNode::receive_cloud(const std::string& channel,
 }
 
 std::optional<Job> PlannerNode::receive_view(int camera, std::span<const std::byte> bytes) {
-  const auto n = static_cast<std::size_t>(camera) - 1;
-  const std::string& channel = settings_.view_cameras[n].cloud_channel;
   auto decoded = bus::decode_cloud(bytes, bus::kMaxMessageBytes, bus::CloudColours::kDrop,
                                    settings_.frames.unit);
   const std::lock_guard lock(mutex_);
   counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
-  auto cloud = refused_views_.accept(channel, std::move(decoded));
-  if (!cloud) return std::nullopt;
-  ++counts_.decoded_views;
-  const auto shared = std::make_shared<const bus::CloudMessage>(*std::move(cloud));
-  return posed_views_[n].add(
-      shared->utime, memory_of(shared->cloud),
-      [this, camera, channel, shared](const CameraPose& pose) {
-        return Job{shared->utime,
-                   [this, camera, shared, pose] { remember_view(camera, *shared, pose); },
-                   {},
-                   channel};
-      });
+  return posed_views_.add(camera, std::move(decoded));
 }
 
 std::optional<Job> PlannerNode::receive_quadrics(const std::string& channel,

@@ -1,8 +1,6 @@
 // Reports on the planner's node: status messages, statistics, the last line of a run.
 #include <fmt/format.h>
 
-#include <deque>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,24 +13,6 @@
 #include "quadrille/bus/status_message.hpp"
 
 namespace quadrille {
-namespace {
-
-/// Clouds of all further cameras that got no pose, by reason.
-std::vector<count_t> count_poseless(const std::deque<PosedClouds>& views) {
-  std::map<std::string, std::int64_t> counts;
-  for (const PosedClouds& camera : views) {
-    for (const count_t& count : camera.count_poseless()) counts[count.name] += count.count;
-  }
-  std::vector<count_t> summed;
-  for (const auto& [name, count] : counts) {
-    summed.emplace_back();
-    summed.back().name = name;
-    summed.back().count = count;
-  }
-  return summed;
-}
-
-}  // namespace
 
 std::string PlannerNode::publish_status(const RunState& run) {
   planner_status_t status{};
@@ -62,8 +42,6 @@ void PlannerNode::fill_counts(planner_status_t* filled) {
   status.unmet = unmet_;
   status.rejected_clouds = bus::to_message(refused_clouds_.counts());
   status.num_rejected_clouds = static_cast<std::int32_t>(status.rejected_clouds.size());
-  status.rejected_views = bus::to_message(refused_views_.counts());
-  status.num_rejected_views = static_cast<std::int32_t>(status.rejected_views.size());
   status.rejected_quadrics = bus::to_message(refused_quadrics_.counts());
   status.num_rejected_quadrics = static_cast<std::int32_t>(status.rejected_quadrics.size());
   status.rejected_requests = bus::to_message(refused_requests_.counts());
@@ -75,8 +53,7 @@ void PlannerNode::fill_counts(planner_status_t* filled) {
   status.pose_age = posed_clouds_.last_age_ms();
   status.unplaced = posed_clouds_.count_poseless();
   status.num_unplaced = static_cast<std::int32_t>(status.unplaced.size());
-  status.unplaced_views = count_poseless(posed_views_);
-  status.num_unplaced_views = static_cast<std::int32_t>(status.unplaced_views.size());
+  posed_views_.fill(&status);
   set_stages(stages_, filled);
 }
 
@@ -125,15 +102,7 @@ std::vector<std::string> PlannerNode::find_oddities() const {
     oddities.push_back(fmt::format("of the messages on the robot and its surroundings {}",
                                    describe(refused_knowledge_.counts())));
   }
-  if (refused_views_.counts().total() > 0) {
-    oddities.push_back(
-        fmt::format("of the clouds of further cameras {}", describe(refused_views_.counts())));
-  }
-  if (const std::vector<count_t> unplaced = count_poseless(posed_views_); !unplaced.empty()) {
-    oddities.push_back(
-        fmt::format("clouds of further cameras had no pose ({}) and were not remembered",
-                    list_counts(unplaced)));
-  }
+  for (std::string& oddity : posed_views_.find_oddities()) oddities.push_back(std::move(oddity));
   if (const std::string oddity = posed_clouds_.find_oddity(counts_.decoded_clouds);
       !oddity.empty()) {
     oddities.push_back(oddity);

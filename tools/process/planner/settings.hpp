@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "cli/process_arguments.hpp"
-#include "process/planner/view_camera.hpp"
 #include "process/runtime/poses/cloud_frame.hpp"
+#include "process/runtime/poses/view_camera.hpp"
 #include "process/runtime/viewer.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/tracker.hpp"
@@ -107,11 +107,7 @@ struct PlannerSettings {
     visit(Way::kOut, "--status-channel", settings.status_channel, "status");
     visit(Way::kIn, "--pose-channel", settings.pose_channel,
           "camera's poses (bot_core.pose_t) in a fixed frame");
-    for (auto& camera : settings.view_cameras) {
-      visit(Way::kIn, kViewCameraOption, camera.cloud_channel, "clouds of a further camera");
-      if (camera.X_WK) continue;
-      visit(Way::kIn, kViewCameraOption, camera.pose_channel, "poses of a further camera");
-    }
+    visit_view_cameras(settings.view_cameras, visit);
   }
 
   /// Lists the channels of the viewer, if there is one.

@@ -77,12 +77,7 @@ std::string to_exposition(const planner_status_t& status, const PlannerSettings&
   out.add_counter("pairs_failed", "Pairs, and clouds of further cameras, on which the work failed.",
                   status.failed);
   out.add_counter("grasps_published", "Messages of grasps.", status.published);
-  out.add_counter("views_decoded", "Clouds of further cameras that passed all checks.",
-                  status.decoded_views);
-  out.add_gauge("views_remembered", "Views that are remembered for later plans.",
-                static_cast<double>(status.remembered_views));
-  out.add_gauge("pose_correction_metres", "How far the last pose was moved to fit the views.",
-                status.pose_correction);
+  out.add_views(status);
   out.add_counter("plans_cut", "Plans that their deadline cut short.", status.cut);
   out.add_counter("requests_received", "Requests for grasps.", status.requests);
   out.add_counter("requests_answered", "Requests that were answered.", status.answered);
@@ -93,8 +88,6 @@ std::string to_exposition(const planner_status_t& status, const PlannerSettings&
   out.add_counters("poses_refused", "Poses refused.", status.rejected_poses);
   out.add_counters("knowledge_refused", "Messages on the robot and its surroundings refused.",
                    status.rejected_knowledge);
-  out.add_counters("views_refused", "Clouds of further cameras refused.", status.rejected_views);
-  out.add_counters("views_unplaced", "The same without a pose.", status.unplaced_views);
   out.add_counters("clouds_unplaced", "Clouds without the camera's pose.", status.unplaced);
   out.add_pose_age(status.pose_age);
   out.add_gauge("clouds_per_second", "Over the last ten seconds.", status.received_rate);

@@ -33,6 +33,20 @@ class Exposition {
   void add_process(const process_t& process);
   void add_transport(const transport_t& transport);
 
+  /// Adds what is remembered, and what came of the clouds of further cameras.
+  template <class Status>
+  void add_views(const Status& status) {
+    add_counter("views_decoded", "Clouds of further cameras that passed all checks.",
+                status.decoded_views);
+    add_counters("views_refused", "Clouds of further cameras refused.", status.rejected_views);
+    add_counters("views_unplaced", "Clouds of further cameras without a pose.",
+                 status.unplaced_views);
+    add_gauge("views_remembered", "Views that are remembered for later clouds.",
+              static_cast<double>(status.remembered_views));
+    add_gauge("pose_correction_metres", "How far the last pose was moved to fit the views.",
+              status.pose_correction);
+  }
+
   /// Adds the values that the status messages of all processes have in common.
   template <class Status>
   void add_common(const Status& status) {

@@ -1,4 +1,4 @@
-#include "process/planner/view_camera.hpp"
+#include "process/runtime/poses/view_camera.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <cstddef>
 
 #include "cli/frame_arguments.hpp"
-#include "cli/process_arguments.hpp"
 #include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
@@ -33,6 +32,33 @@ ViewCamera view_camera_of(const std::string& text) {
   check_channel(kViewCameraOption, camera.cloud_channel);
   if (!camera.X_WK) check_channel(kViewCameraOption, camera.pose_channel);
   return camera;
+}
+
+void add_view_camera_option(CLI::App& app, std::vector<ViewCamera>& cameras) {
+  app.add_option_function<std::vector<std::string>>(
+         kViewCameraOption,
+         [&cameras](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) cameras.push_back(view_camera_of(text));
+         },
+         "Clouds of one more camera that looks at the scene, and its poses or, at rest, its pose "
+         "in the fixed frame; may be repeated")
+      ->type_name("CLOUDS=POSES")
+      ->allow_extra_args(false)
+      ->expected(1, ViewCamera::kMost);
+}
+
+void check_view_cameras(const std::vector<ViewCamera>& cameras, bool has_fixed_frame,
+                        bool remembers) {
+  if (cameras.empty()) return;
+  if (!has_fixed_frame) {
+    throw CLI::ValidationError(
+        kViewCameraOption,
+        "needs the pose of the first camera too; give --pose-channel or --camera-pose");
+  }
+  if (!remembers) {
+    throw CLI::ValidationError(kViewCameraOption,
+                               "is of no use without memory; set views.remember above 0");
+  }
 }
 
 }  // namespace quadrille
