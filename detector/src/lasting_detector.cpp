@@ -74,6 +74,10 @@ DetectionResult LastingDetector::detect(std::int64_t utime, const CloudView& clo
   return result;
 }
 
+Eigen::Isometry3d LastingDetector::correction(int camera) const {
+  return views_->kept.correction(camera);
+}
+
 void LastingDetector::forget() { views_->kept.forget(); }
 
 void LastingDetector::forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R) {

@@ -18,6 +18,10 @@ TEST_CASE("the status of a detector or a planner survives its message", "[bus][s
   CHECK(detector.stages[1].p99 == 41.5);
   CHECK(detector.warnings[0] == "buffer too small");
   const auto other = decode_planner_status(encode(test::make_planner_status()));
+  CHECK(detector.remembered_views == 5);
+  CHECK(detector.pose_correction == 0.003);
+  CHECK(detector.rejected_views[0].name == "cut_short");
+  CHECK(detector.unplaced_views[0].count == 6);
   const auto& planner = std::get<planner_status_t>(other);
   CHECK(planner.unpaired_quadrics == 9);
   CHECK(planner.rejected_requests[0].name == "cut_short");

@@ -13,8 +13,14 @@ inline detector_status_t make_detector_status() {
   m.process.version = "0.1.0";
   m.rejected = {{"bad_length", 2}};
   m.num_rejected = 1;
+  m.remembered_views = 5;
+  m.pose_correction = 0.003;
+  m.rejected_views = {{"cut_short", 8}};
+  m.num_rejected_views = 1;
   m.untracked = {{"no_pose", 5}};
   m.num_untracked = 1;
+  m.unplaced_views = {{"old_pose", 6}};
+  m.num_unplaced_views = 1;
   m.stages.resize(2);
   m.stages[1].name = "quadrics";
   m.stages[1].p99 = 41.5;

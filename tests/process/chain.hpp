@@ -57,6 +57,11 @@ class Chain {
   bus::QuadricsMessage quadrics() const {
     return std::get<bus::QuadricsMessage>(bus::decode_quadrics(published_.at("QUADRICS")));
   }
+  detector_status_t detector_status() {
+    detector_.publish_status({});
+    return std::get<detector_status_t>(
+        bus::decode_detector_status(published_.at("QUADRILLE_DETECTOR_STATUS")));
+  }
   planner_status_t planner_status() {
     planner_.publish_status({});
     return std::get<planner_status_t>(

@@ -95,7 +95,10 @@ class KeptViews {
   }
 
   /// The motion within W that corrects the pose of a camera's last view.
-  const Eigen::Isometry3d& correction(int camera) const { return cameras_.at(camera).X_WW; }
+  Eigen::Isometry3d correction(int camera) const {
+    const auto known = cameras_.find(camera);
+    return known == cameras_.end() ? Eigen::Isometry3d::Identity() : known->second.X_WW;
+  }
 
   /// The views but the one that this camera had at this time, the newest first.
   /// @param X_WC  pose of C in W; that of the camera's last view is corrected as this one was

@@ -18,6 +18,7 @@ DetectorCommandLine::DetectorCommandLine(CLI::App& app) {
                "Also publish the cloud and what is found for Meldis, Drake's viewer");
   camera_.add_to(app, "--pose-channel");
   settings_.frames.add_to(app);
+  add_view_camera_option(app, settings_.view_cameras);
   add_robot_option(app, settings_.robot,
                    "the fixed frame of the camera's poses, else in the camera's");
   detector_.add_to(app);
@@ -42,6 +43,7 @@ DetectorSettings DetectorCommandLine::settings() const {
         "a pattern stands for several cameras, and poses are those of one; start a process for "
         "each");
   }
+  check_view_cameras(settings.view_cameras, settings.has_fixed_frame(), settings.remembers());
   std::vector<NamedChannel> channels = channels_of(settings);
   DetectorSettings::visit_viewer(settings, [&](const std::string& name) {
     channels.push_back({"--viz", name});

@@ -30,6 +30,9 @@ std::string hash_of(const DetectorSettings& settings) {
   text.add_all(settings.track);
   text.add_channels(channels_of(settings));
   text.add_frames(settings.frames, settings.X_WK);
+  for (const ViewCamera& camera : settings.view_cameras) {
+    text.add_frames(settings.frames, camera.X_WK);
+  }
   text.add("padding", fmt::format("{}", settings.robot.padding));
   for (const SolidShape& shape : settings.robot.shapes) {
     text.add("robot", io::to_json(shape).dump());
@@ -60,6 +63,10 @@ DetectorNode::DetectorNode(const DetectorSettings& settings, bus::Publish publis
       trackers_(settings.track),
       lasting_(settings.detector),
       posed_clouds_(pose_source(settings), settings.frames.need_pose() ? "searched" : "tracked"),
+      posed_views_(settings.view_cameras, settings.track.pose_age, settings.track.pose_wait,
+                   [this](int camera, const bus::CloudMessage& cloud, const CameraPose& pose) {
+                     remember_view(camera, cloud, pose);
+                   }),
       cloud_channels_(settings_),
       robot_({0,
               std::string(
@@ -96,6 +103,9 @@ std::optional<Job> DetectorNode::receive(const std::string& channel,
     robot_.receive(channel, bytes, &refusals_);
   }
   if (channel == settings_.forget_channel) return receive_forget(channel, bytes);
+  if (const int camera = posed_views_.camera_of(channel)) return receive_view(camera, bytes);
+  const std::lock_guard lock(mutex_);
+  posed_views_.receive_pose(channel, bytes, &refusals_);
   return std::nullopt;
 }
 
@@ -126,11 +136,15 @@ void DetectorNode::forget(const forget_t& message) {
   } else {
     lasting_.forget();
   }
+  const std::lock_guard lock(mutex_);
+  counts_.remembered_views = static_cast<std::int64_t>(lasting_.size());
 }
 
 std::vector<Job> DetectorNode::find_due_jobs(Time now) {
   const std::lock_guard lock(mutex_);
-  return posed_clouds_.take_due(now);
+  std::vector<Job> jobs = posed_clouds_.take_due(now);
+  posed_views_.take_due(now, &jobs);
+  return jobs;
 }
 
 std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
@@ -162,6 +176,48 @@ std::optional<Job> DetectorNode::receive_cloud(const std::string& channel,
                            });
 }
 
+std::optional<Job> DetectorNode::receive_view(int camera, std::span<const std::byte> bytes) {
+  auto decoded = bus::decode_cloud(bytes, bus::kMaxMessageBytes, bus::CloudColours::kDrop,
+                                   settings_.frames.unit);
+  const std::lock_guard lock(mutex_);
+  counts_.received_bytes += static_cast<std::int64_t>(bytes.size());
+  return posed_views_.add(camera, std::move(decoded));
+}
+
+/// Detects in a cloud and in what others showed before it, and remembers it.
+/// @param cloud_K  the cloud in the camera's frame, without points on the robot
+DetectionResult DetectorNode::detect_lasting(const bus::CloudMessage& cloud,
+                                             const PointCloud& cloud_K,
+                                             const Eigen::Isometry3d& X_WK, int camera) {
+  DetectionResult result = lasting_.detect(cloud.utime, cloud_K, X_WK, camera);
+  const Eigen::Vector3d p_W = X_WK.translation();
+  const std::lock_guard lock(mutex_);
+  counts_.remembered_views = static_cast<std::int64_t>(lasting_.size());
+  counts_.pose_correction = (lasting_.correction(camera) * p_W - p_W).norm();
+  return result;
+}
+
+/// Remembers what a further camera saw. What is found there serves later clouds alone.
+void DetectorNode::remember_view(int camera, const bus::CloudMessage& cloud,
+                                 const CameraPose& pose) {
+  if (!pose.X_WK || forgotten_.is_after(cloud.utime)) return;
+  RobotShapes robot_W;
+  {
+    const std::lock_guard lock(mutex_);
+    try {
+      robot_W = robot_.in_world(cloud.utime);
+    } catch (const std::invalid_argument& error) {
+      refusals_.add(settings_.robot_channel, {bus::RejectReason::kBadValue, error.what()});
+      return;
+    }
+  }
+  const RobotShapes robot_K = moved(robot_W, pose.X_WK->inverse());
+  const Placement placement = place(settings_.frames, pose);
+  detect_lasting(cloud,
+                 robot_K.taken_from(in_camera_frame(cloud.cloud, placement, settings_.frames)),
+                 *pose.X_WK, camera);
+}
+
 /// Detects and tracks in a cloud and returns the result in the frame of the results. The result is
 /// empty if that needs a pose which is not known.
 DetectionResult DetectorNode::detect_placed(const std::string& channel,
@@ -183,8 +239,8 @@ DetectionResult DetectorNode::detect_placed(const std::string& channel,
   const PointCloud cloud_K =
       robot.taken_from(in_camera_frame(cloud.cloud, placement, settings_.frames));
   const bool lasts = settings_.remembers() && pose.X_WK && !forgotten_.is_after(cloud.utime);
-  DetectionResult result = lasts ? lasting_.detect(cloud.utime, cloud_K, *pose.X_WK)
-                                 : detect(cloud_K, settings_.detector);
+  DetectionResult result =
+      lasts ? detect_lasting(cloud, cloud_K, *pose.X_WK) : detect(cloud_K, settings_.detector);
   if (pose.X_WK) track(channel, cloud, *pose.X_WK, &result.detections);
   result.detections = moved(std::move(result.detections), placement.X_RK);
   result.boxes = moved(std::move(result.boxes), placement.X_RK);

@@ -17,6 +17,7 @@
 #include "process/runtime/poses/forgetting.hpp"
 #include "process/runtime/poses/placement.hpp"
 #include "process/runtime/poses/posed_clouds.hpp"
+#include "process/runtime/poses/posed_views.hpp"
 #include "process/runtime/refusals.hpp"
 #include "process/runtime/robot/robot_history.hpp"
 #include "process/runtime/status/rate.hpp"
@@ -47,11 +48,15 @@ class DetectorNode : public Node {
   using TimePoint = std::chrono::steady_clock::time_point;
 
   std::optional<Job> receive_cloud(const std::string& channel, std::span<const std::byte> bytes);
+  std::optional<Job> receive_view(int camera, std::span<const std::byte> bytes);
   void track(const std::string& channel, const bus::CloudMessage& cloud,
              const Eigen::Isometry3d& X_WK, std::vector<Detection>* detections);
   std::optional<Job> receive_forget(const std::string& channel, std::span<const std::byte> bytes);
   void forget(const forget_t& message);
   RobotShapes robot_at(const bus::CloudMessage& cloud, const Placement& placement);
+  DetectionResult detect_lasting(const bus::CloudMessage& cloud, const PointCloud& cloud_K,
+                                 const Eigen::Isometry3d& X_WK, int camera = 0);
+  void remember_view(int camera, const bus::CloudMessage& cloud, const CameraPose& pose);
   DetectionResult detect_placed(const std::string& channel, const bus::CloudMessage& cloud,
                                 const CameraPose& pose, const Placement& placement);
   void detect_and_publish(const std::string& channel, const bus::CloudMessage& cloud,
@@ -84,6 +89,8 @@ class DetectorNode : public Node {
   detector_status_t counts_{};
   std::int64_t detections_ = 0;
   PosedClouds posed_clouds_;
+  /// The clouds of further cameras.
+  PosedViews posed_views_;
   SequenceGaps gaps_;
   Refusals refusals_;
   CloudChannels cloud_channels_;

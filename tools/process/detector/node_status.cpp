@@ -26,6 +26,7 @@ std::string to_exposition(const detector_status_t& status, const DetectorSetting
   out.add_counter("quadrics_published", "Messages of quadrics.", status.published);
   out.add_counters("messages_refused", "Messages refused.", status.rejected);
   out.add_counters("clouds_untracked", "Clouds without tracks.", status.untracked);
+  out.add_views(status);
   out.add_pose_age(status.pose_age);
   out.add_gauge("clouds_per_second", "Over the last ten seconds.", status.received_rate);
   out.add_gauge("quadrics_per_second", "Over the last ten seconds.", status.published_rate);
@@ -56,6 +57,7 @@ void DetectorNode::fill_counts(detector_status_t* status) {
   status->pose_age = posed_clouds_.last_age_ms();
   status->untracked = posed_clouds_.count_poseless();
   status->num_untracked = static_cast<std::int32_t>(status->untracked.size());
+  posed_views_.fill(status);
   set_stages(stages_, status);
 }
 
@@ -69,8 +71,10 @@ std::string DetectorNode::summary() const {
 
 std::vector<std::string> DetectorNode::find_oddities() const {
   const std::lock_guard lock(mutex_);
+  std::vector<std::string> oddities = posed_views_.find_oddities();
   const std::string oddity = posed_clouds_.find_oddity(counts_.decoded);
-  return oddity.empty() ? std::vector<std::string>{} : std::vector{oddity};
+  if (!oddity.empty()) oddities.push_back(oddity);
+  return oddities;
 }
 
 }  // namespace quadrille

@@ -3,9 +3,11 @@
 #include <Eigen/Geometry>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cli/process_arguments.hpp"
 #include "process/runtime/poses/cloud_frame.hpp"
+#include "process/runtime/poses/view_camera.hpp"
 #include "process/runtime/viewer.hpp"
 #include "quadrille/detector/options.hpp"
 #include "quadrille/detector/robot_shapes.hpp"
@@ -30,6 +32,8 @@ struct DetectorSettings {
   /// Pose of a camera at rest in W; nullopt if it is not known.
   std::optional<Eigen::Isometry3d> X_WK;
   CloudFrames frames;
+  /// Further cameras that look at the scene.
+  std::vector<ViewCamera> view_cameras;
   /// Whether messages for the viewer are published, and the channels, which Meldis knows.
   bool viz = false;
   ViewerChannels viewer = {"DRAKE_VIEWER_LOAD_ROBOT", "DRAKE_VIEWER_DRAW"};
@@ -43,9 +47,12 @@ struct DetectorSettings {
   /// Returns true if the camera's pose in W is given, or comes on a channel.
   bool has_fixed_frame() const { return X_WK || !pose_channel.empty(); }
 
-  /// Returns true if what earlier clouds showed serves later ones. A camera at rest shows the same
+  /// Returns true if what other clouds showed serves later ones. A camera at rest shows the same
   /// again.
-  bool remembers() const { return !pose_channel.empty() && detector.views.remember > 0.0; }
+  bool remembers() const {
+    const bool others = !pose_channel.empty() || !view_cameras.empty();
+    return others && detector.views.remember > 0.0;
+  }
 
   /// Lists each channel: the direction of its messages, the option that names it, its name, and its
   /// content.
@@ -62,6 +69,7 @@ struct DetectorSettings {
           "what to forget of earlier clouds (quadrille.forget_t)");
     visit(Way::kIn, "--pose-channel", settings.pose_channel,
           "camera's poses (bot_core.pose_t) in a fixed frame");
+    visit_view_cameras(settings.view_cameras, visit);
   }
 
   /// Lists the channels of the viewer, if there is one.

@@ -47,6 +47,10 @@ class LastingDetector {
   /// @param X_WR  pose of the box's frame R in W
   QUADRILLE_EXPORT void forget(const Eigen::Isometry3d& X_WR, const Eigen::AlignedBox3d& box_R);
 
+  /// The motion within W that corrects the pose of a camera's last view; the identity if there was
+  /// nothing to compare it with.
+  QUADRILLE_EXPORT Eigen::Isometry3d correction(int camera = 0) const;
+
   /// Number of kept views.
   QUADRILLE_EXPORT std::size_t size() const;
 
