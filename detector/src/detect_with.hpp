@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,9 +21,11 @@ DetectionResult detect_with(const FindCandidates& find, const CloudView& cloud,
 DetectionResult detect_watched(StageWatch watch, const CloudView& cloud,
                                const DetectorOptions& options);
 
-/// Makes one scene of the scenes of each view.
+/// Makes one scene of the scenes of each view; nullopt if there is nothing to make it of.
+/// @param scenes   those of the usable views; none if there are no such views
 /// @param shift_C  what was added to all points of the clouds, so that they are near the origin [m]
-using JoinScenes = std::function<Scene(std::vector<Scene> scenes, const Eigen::Vector3d& shift_C)>;
+using JoinScenes =
+    std::function<std::optional<Scene>(std::vector<Scene> scenes, const Eigen::Vector3d& shift_C)>;
 
 /// detect_views() with another way to join the views.
 DetectionResult detect_joined(const JoinScenes& join, std::span<const CloudView> views,

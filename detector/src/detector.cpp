@@ -36,10 +36,10 @@ Findings find_all(std::span<const CloudView> clouds, const Eigen::Vector3d& shif
     if (auto view = search_view(cloud, options, ways.find, clock))
       views.push_back(std::move(*view));
   }
-  if (views.empty()) return {};
-  const Scene scene = ways.join(std::move(views), shift);
-  if (scene.views.size() > 1) clock.end("join");
-  return measure_scene(scene, options, clock);
+  const std::optional<Scene> scene = ways.join(std::move(views), shift);
+  if (!scene) return {};
+  if (scene->views.size() > 1) clock.end("join");
+  return measure_scene(*scene, options, clock);
 }
 
 /// Runs all stages on views anywhere. Those far from the origin are shifted first, since their
@@ -63,7 +63,7 @@ struct UsableViews {
   std::vector<CloudView> clouds;
   /// Their numbers among all views, from 0 on.
   std::vector<std::size_t> numbers;
-  /// Middle of the first of them [m].
+  /// Middle of the first of them [m]; of none, the viewpoint from which nothing was seen.
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
 };
 
@@ -86,6 +86,8 @@ UsableViews usable_views(std::span<const CloudView> given, std::span<const Cloud
     usable.clouds.push_back(checks[v].range.kept(given[v]));
     usable.numbers.push_back(v);
   }
+  const Eigen::Vector3d& eye = given.front().viewpoint;
+  if (usable.clouds.empty() && eye.allFinite()) usable.centre = eye;
   return usable;
 }
 
@@ -103,7 +105,6 @@ void round_poses(Findings* found) {
 DetectionResult detect_checked(const UsableViews& views, std::size_t all,
                                const DetectorOptions& options, const Ways& ways,
                                DetectionResult result, StageClock& clock) {
-  if (views.clouds.empty()) return result;
   Findings found = find_anywhere(views.clouds, views.centre, options, ways, clock);
   round_poses(&found);
   result.detections = std::move(found.detections);
@@ -133,7 +134,8 @@ DetectionResult detect_all(const Ways& ways, std::span<const CloudView> given,
 }
 
 JoinScenes join_by(const DetectorOptions& options) {
-  return [&options](std::vector<Scene> scenes, const Eigen::Vector3d&) {
+  return [&options](std::vector<Scene> scenes, const Eigen::Vector3d&) -> std::optional<Scene> {
+    if (scenes.empty()) return std::nullopt;
     return join_scenes(std::move(scenes), options);
   };
 }

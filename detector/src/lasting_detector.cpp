@@ -1,7 +1,11 @@
 #include "quadrille/detector/lasting_detector.hpp"
 
 #include <algorithm>
+#include <iomanip>
+#include <optional>
 #include <span>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,6 +26,15 @@ SceneView placed(const KeptView<KeptParts>& view, const Eigen::Isometry3d& X_CV,
   cells.boxes = moved(kept.lasting_boxes(), X_CV);
   cells.age = std::max(0.0, age);
   return {std::move(cells), moved(kept.parts, X_CV), moved(kept.sight, X_CV)};
+}
+
+/// Says what is given in place of a cloud that shows nothing.
+std::string describe_remembered(const Scene& scene) {
+  std::ostringstream text;
+  text << "this cloud shows nothing: the result is what " << scene.views.size()
+       << (scene.views.size() == 1 ? " other showed, " : " others showed, the newest ")
+       << std::fixed << std::setprecision(2) << scene.views.front().age << " s before";
+  return text.str();
 }
 
 }  // namespace
@@ -45,6 +58,20 @@ struct LastingDetector::Views {
     }
     return join_views(std::move(views), options);
   }
+
+  /// Joins the kept views if the new cloud shows nothing; nullopt if there are none.
+  /// @param eye_C  the viewpoint of the new cloud
+  std::optional<Scene> remembered(std::int64_t utime, const Eigen::Isometry3d& X_WC,
+                                  const Eigen::Vector3d& eye_C, int camera) const {
+    std::vector<SceneView> views;
+    for (const auto& [view, X_CV] : kept.others(utime, X_WC, camera)) {
+      views.push_back(placed(*view, X_CV, elapsed_seconds(view->utime, utime)));
+    }
+    if (views.empty()) return std::nullopt;
+    Scene scene = join_views(std::move(views), options);
+    scene.views.front().cloud.viewpoint = eye_C;
+    return scene;
+  }
 };
 
 LastingDetector::LastingDetector(const DetectorOptions& options) {
@@ -60,13 +87,22 @@ DetectionResult LastingDetector::detect(std::int64_t utime, const CloudView& clo
   if (views_->options.views.remember == 0.0) return quadrille::detect(cloud, views_->options);
   views_->kept.begin(utime, camera);
   Eigen::Vector3d shift_C = Eigen::Vector3d::Zero();
-  const auto join = [&](std::vector<Scene> scenes, const Eigen::Vector3d& shift) {
+  bool shows_something = false;
+  std::string warning;
+  const auto join = [&](std::vector<Scene> scenes,
+                        const Eigen::Vector3d& shift) -> std::optional<Scene> {
     shift_C = shift;
-    return views_->add(utime, std::move(scenes.front()), X_WC * Eigen::Translation3d(-shift),
-                       camera);
+    shows_something = !scenes.empty();
+    const Eigen::Isometry3d X_WS = X_WC * Eigen::Translation3d(-shift);
+    if (shows_something) return views_->add(utime, std::move(scenes.front()), X_WS, camera);
+    std::optional<Scene> scene = views_->remembered(utime, X_WS, cloud.viewpoint + shift_C, camera);
+    if (scene) warning = describe_remembered(*scene);
+    return scene;
   };
   DetectionResult result = detect_joined(join, {&cloud, 1}, views_->options);
-  if (KeptParts* parts = views_->kept.content(utime, camera)) {
+  if (!warning.empty()) result.warnings.push_back(warning);
+  KeptParts* const parts = views_->kept.content(utime, camera);
+  if (shows_something && parts != nullptr) {
     std::vector<Box> boxes = result.boxes;
     for (Box& box : boxes) box.X_CB.pretranslate(shift_C);
     keep_boxes(boxes, parts);

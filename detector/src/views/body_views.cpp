@@ -61,9 +61,9 @@ void note_views(const Scene& scene, const std::vector<int>& owner,
       ++views;
       unseen = std::min(unseen, scene.views[v].age);
     }
-    if (views == 0) continue;
-    body.views = views;
-    body.unseen = unseen;
+    // The newest view is the first, and none is newer if a body has no samples.
+    body.views = std::max(views, 1);
+    body.unseen = views == 0 ? scene.views.front().age : unseen;
   }
 }
 

@@ -234,7 +234,7 @@ Findings measure_scene(const Scene& scene, const DetectorOptions& options, Stage
   if (scene.views.size() > 1) linked = linked_views(scene.finest, unexplained);
   findings.bodies = find_bodies({findings.detections, findings.boxes,
                                  linked ? *linked : scene.finest, owner, places, all_types});
-  if (scene.views.size() > 1) {
+  if (scene.views.size() > 1 || !scene.views.front().has_points()) {
     for (int& k : measured.of_plane) k = k < 0 ? 0 : ids[k];
     note_views(scene, owner, measured.of_plane, &findings.bodies);
   }

@@ -17,7 +17,8 @@ namespace quadrille {
 /// The finest cells of a view: with its points, if it is the newest one or given beside it, and
 /// without them if it is kept from earlier.
 struct ViewCells {
-  /// The points, which must outlive this, and their cells; no points and null for a kept view.
+  /// The points, which must outlive this, and their cells; no points and null for a kept view. Only
+  /// the first view's viewpoint counts.
   CloudView cloud;
   std::shared_ptr<const CellPyramid> pyramid;
   /// The scatter in each cell of a kept view [m²]; see scatter_in_cells().

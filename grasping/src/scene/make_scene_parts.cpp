@@ -72,6 +72,8 @@ class SceneMaker {
     const bool seen_so = has_viewpoint();
     if (seen_so && !sighted()) {
       warn("no point lies before the viewpoint: all space counts as unknown");
+    } else if (seen_so && !parts_.views.front().valid()) {
+      warn("the cloud shows nothing: the plan is on what the further views show");
     }
     if (seen_so) stage("targets", [&] { choose_targets(bodies); });
     if (deadline_.passed()) {

@@ -271,13 +271,64 @@ TEST_CASE("an empty cloud and bad options do no harm to a lasting scene", "[view
   CHECK_THROWS_AS(LastingDetector(bad), std::invalid_argument);
   LastingDetector detector;
   add_view(detector, 1, seen_from(0));
-  const DetectionResult empty =
-      detector.detect(2 * kSecond, PointCloud{}, Eigen::Isometry3d::Identity());
-  CHECK(empty.detections.empty());
-  CHECK_FALSE(empty.warnings.empty());
+  CHECK_FALSE(
+      detector.detect(2 * kSecond, PointCloud{}, Eigen::Isometry3d::Identity()).warnings.empty());
   PointCloud invalid = seen_from(60).cloud;
   for (Eigen::Vector3f& p : invalid.points) p.setConstant(std::numeric_limits<float>::quiet_NaN());
-  CHECK(detector.detect(3 * kSecond, invalid, Eigen::Isometry3d::Identity()).detections.empty());
+  CHECK(detector.detect(3 * kSecond, invalid, Eigen::Isometry3d::Identity()).points_used == 0);
   CHECK(detector.size() == 1);
   CHECK(ball_of(add_view(detector, 4, seen_from(60))) != nullptr);
+}
+
+TEST_CASE("a cloud that shows nothing gives what other views showed, and since when it is unseen",
+          "[views][lasting]") {
+  LastingDetector detector;
+  add_view(detector, 1, seen_from(0));
+  const DetectionResult both = add_view(detector, 2, seen_from(120));
+  PointCloud nothing;
+  const Taken from_aside = seen_from(120);
+  if (GENERATE(true, false)) {
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    nothing = from_aside.cloud;
+    for (Eigen::Vector3f& p : nothing.points) p.setConstant(nan);
+  }
+  const DetectionResult later = add_view(detector, 5, {nothing, from_aside.X_WK});
+  REQUIRE(ball_of(later) != nullptr);
+  REQUIRE(can_of(later) != nullptr);
+  CHECK(later.detections.size() == both.detections.size());
+  CHECK(later.points_used == 0);
+  CHECK(later.warnings.back() ==
+        "this cloud shows nothing: the result is what 2 others showed, the newest 3.00 s before");
+  const SceneBody* ball = body_of(later, ball_of(later)->id);
+  REQUIRE(ball != nullptr);
+  CHECK(ball->views == 2);
+  CHECK(ball->unseen == Approx(3.0));
+  // The views stay as they were.
+  CHECK(detector.size() == 2);
+  CHECK(ball_of(add_view(detector, 6, seen_from(240))) != nullptr);
+  detector.forget();
+  CHECK(add_view(detector, 7, {nothing, from_aside.X_WK}).detections.empty());
+}
+
+TEST_CASE("a map's frame kilometres away does not spoil what is remembered", "[views][lasting]") {
+  const Eigen::Vector3d far(3000.0, -2000.0, 0.0);
+  LastingDetector near, distant;
+  const Taken view = seen_from(0);
+  const auto in_frame = [&](PointCloud cloud, const Eigen::Vector3d& shift) {
+    return moved(std::move(cloud), Eigen::Translation3d(shift) * view.X_WK);
+  };
+  PointCloud nothing;
+  for (const auto& [detector, shift] :
+       {std::pair(&near, Eigen::Vector3d(0, 0, 0)), std::pair(&distant, far)}) {
+    detector->detect(kSecond, in_frame(view.cloud, shift), Eigen::Isometry3d::Identity());
+  }
+  const DetectionResult here =
+      near.detect(2 * kSecond, in_frame(nothing, {0, 0, 0}), Eigen::Isometry3d::Identity());
+  DetectionResult there =
+      distant.detect(2 * kSecond, in_frame(nothing, far), Eigen::Isometry3d::Identity());
+  there.detections =
+      moved(std::move(there.detections), Eigen::Isometry3d(Eigen::Translation3d(-far)));
+  REQUIRE(ball_of(here) != nullptr);
+  REQUIRE(ball_of(there) != nullptr);
+  CHECK((ball_of(here)->X_CQ.translation() - ball_of(there)->X_CQ.translation()).norm() < 1e-3);
 }

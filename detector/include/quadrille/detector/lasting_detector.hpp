@@ -20,8 +20,9 @@ namespace quadrille {
 /// seconds, without what newer views contradict. The surfaces of all kept views are candidates
 /// together with those of the new cloud: each is refitted to all that the views show of it, and
 /// judged by their evidence. So sides that one view did not show become seen, hidden things stay,
-/// and things that a newer view sees through go. A view that stands alone gives the bits of
-/// detect(), and the same views in the same order give the same bits.
+/// and things that a newer view sees through go. A cloud in which nothing can be found contradicts
+/// nothing: the result is then what the kept views show, and a warning says so. A view that stands
+/// alone gives the bits of detect(), and the same views in the same order give the same bits.
 class LastingDetector {
  public:
   /// @throws std::invalid_argument if an option is out of range
