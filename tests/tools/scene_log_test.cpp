@@ -7,6 +7,8 @@
 #include "log/event_log.hpp"
 #include "quadrille/bus/cloud_message.hpp"
 #include "quadrille/bus/pose_message.hpp"
+#include "quadrille/bus/scene_messages.hpp"
+#include "quadrille/detector/robot_shapes.hpp"
 #include "support/catch.hpp"
 #include "tools/support_files.hpp"
 
@@ -16,10 +18,11 @@ using test::run_quadrille;
 
 namespace {
 
-/// The clouds and poses of a log.
+/// The clouds and poses of a log, and the hand's shapes.
 struct Recording {
   std::vector<bus::CloudMessage> clouds;
   std::vector<bus::PoseMessage> poses;
+  std::vector<robot_t> hands;
 };
 
 Recording read(const std::string& path) {
@@ -28,8 +31,12 @@ Recording read(const std::string& path) {
   while (const auto event = reader.next()) {
     if (event->channel == "CAMERA_POSE") {
       recording.poses.push_back(std::get<bus::PoseMessage>(bus::decode_pose(event->bytes)));
+    } else if (event->channel == "ROBOT") {
+      recording.hands.push_back(std::get<robot_t>(bus::decode_robot(event->bytes)));
     } else {
       REQUIRE(event->channel == "POINT_CLOUD");
+      // The hand is told before the cloud.
+      if (!recording.hands.empty()) CHECK(recording.hands.size() == recording.clouds.size() + 1);
       recording.clouds.push_back(std::get<bus::CloudMessage>(bus::decode_cloud(event->bytes)));
     }
   }
@@ -129,6 +136,49 @@ TEST_CASE("the same seed gives the same log, whatever the error of its poses the
   CHECK(shift < 0.03);
 }
 
+TEST_CASE("the hand that a log shows is told with each cloud, and changes nothing else",
+          "[command][scene][path][robot]") {
+  const std::string gripper = GENERATE("franka", "robotiq_2f85", "robotiq_2f140", "wsg50");
+  CAPTURE(gripper);
+  const test::TempFolder folder;
+  const std::string plain = folder.path("plain.lcm"), hand = folder.path("hand.lcm");
+  const std::string command = "scene --family tabletop --seed 3 --path 2 --rate 1 ";
+  REQUIRE(run_quadrille(command + plain).code == 0);
+  REQUIRE(run_quadrille(command + hand + " --hand " + gripper).code == 0);
+  const Recording without = read(plain), with = read(hand);
+  REQUIRE(without.hands.empty());
+  REQUIRE(with.hands.size() == 2);
+  REQUIRE(with.poses.size() == without.poses.size());
+  const auto last_pose = [](const Recording& recording) {
+    return recording.poses.back().X_WC.matrix();
+  };
+  CHECK(last_pose(with) == last_pose(without));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const robot_t& told = with.hands[i];
+    CHECK(told.utime == with.clouds[i].utime);
+    CHECK(told.frame == "camera");
+    RobotShapes robot;
+    robot.padding = told.padding;
+    for (const collision_shape_t& shape : told.shapes) {
+      robot.shapes.push_back(bus::from_message(shape));
+    }
+    const auto points_in = [](const PointCloud& cloud) {
+      return std::count_if(cloud.points.begin(), cloud.points.end(),
+                           [](const Eigen::Vector3f& p) { return p.allFinite(); });
+    };
+    const PointCloud &seen = with.clouds[i].cloud, &bare = without.clouds[i].cloud;
+    const PointCloud rest = robot.taken_from(seen);
+    const auto on_hand = points_in(seen) - points_in(rest);
+    // Two fingers; nothing else is so near, but for rays that are mixed at their edges, and strays.
+    CHECK(on_hand > 0.01 * static_cast<double>(points_in(seen)));
+    CHECK(on_hand < 0.2 * static_cast<double>(points_in(seen)));
+    CHECK(points_in(robot.taken_from(bare)) == points_in(bare));
+    const auto near = std::count_if(rest.points.begin(), rest.points.end(),
+                                    [](const Eigen::Vector3f& p) { return p.norm() < 0.25f; });
+    CHECK(near < 0.01 * static_cast<double>(on_hand));
+  }
+}
+
 TEST_CASE("wrong options of a log of a scene are refused", "[command][scene][path]") {
   const std::pair<const char*, const char*> cases[] = {
       {"s.ply --path 3", "'s.ply' must end in .lcm"},
@@ -140,6 +190,8 @@ TEST_CASE("wrong options of a log of a scene are refused", "[command][scene][pat
       {"s.lcm --path 3 --pose-error 0.2,1", "'0.2,1' must be from 0 to 0.1 m"},
       {"s.lcm --path 3 --pose-error 0.01", "--pose-error"},
       {"s.lcm --path 3 --labels", "excludes"},
+      {"s.lcm --path 3 --hand claw", "--hand: "},
+      {"s.ply --hand franka", "requires --path"},
       {"s.ply --rate 3", "requires --path"},
       {"s.ply --pose-error 0,0", "requires --path"}};
   for (const auto& [arguments, part] : cases) {

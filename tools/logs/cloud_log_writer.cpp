@@ -43,9 +43,13 @@ void CloudLogWriter::write(const PointCloud& cloud) {
 }
 
 void CloudLogWriter::write(const bus::PoseMessage& pose, const std::string& channel) {
-  const auto encoded = bus::encode_pose(pose);
-  log_.write(pose.utime, channel, encoded);
-  bytes_ += static_cast<std::int64_t>(encoded.size());
+  write(pose.utime, channel, bus::encode_pose(pose));
+}
+
+void CloudLogWriter::write(std::int64_t utime, const std::string& channel,
+                           std::span<const std::byte> bytes) {
+  log_.write(utime, channel, bytes);
+  bytes_ += static_cast<std::int64_t>(bytes.size());
 }
 
 }  // namespace quadrille::logs

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 
 #include "log/event_log.hpp"
@@ -43,6 +45,10 @@ class CloudLogWriter {
   /// Appends a pose at its own time.
   /// @throws std::runtime_error if it cannot be written
   void write(const bus::PoseMessage& pose, const std::string& channel);
+
+  /// Appends any message at a time [us].
+  /// @throws std::runtime_error if it cannot be written
+  void write(std::int64_t utime, const std::string& channel, std::span<const std::byte> bytes);
 
   /// Passes everything written so far to the operating system.
   /// @throws std::runtime_error if that fails

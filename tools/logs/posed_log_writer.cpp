@@ -33,8 +33,17 @@ PosedLogWriter::PosedLogWriter(const std::string& path, const CloudLogOptions& o
 }
 
 void PosedLogWriter::write(const PointCloud& cloud) {
-  while (utime_ <= options_.utime_of(clouds_.clouds() + 1)) write_pose();
+  write_poses_until_next();
   clouds_.write(cloud);
+}
+
+void PosedLogWriter::write_before(const std::string& channel, std::span<const std::byte> bytes) {
+  write_poses_until_next();
+  clouds_.write(next_utime(), channel, bytes);
+}
+
+void PosedLogWriter::write_poses_until_next() {
+  while (utime_ <= next_utime()) write_pose();
 }
 
 void PosedLogWriter::finish() {

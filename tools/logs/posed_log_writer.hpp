@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 
 #include "logs/cloud_log_writer.hpp"
@@ -31,6 +33,13 @@ class PosedLogWriter {
   /// @throws as CloudLogWriter does
   void write(const PointCloud& cloud);
 
+  /// Time of the next cloud [us].
+  std::int64_t next_utime() const { return options_.utime_of(clouds_.clouds() + 1); }
+
+  /// Appends a message that is to come at the time of the next cloud, before it.
+  /// @throws std::runtime_error if it cannot be written
+  void write_before(const std::string& channel, std::span<const std::byte> bytes);
+
   /// Appends the pose after the last cloud, and passes everything to the operating system.
   /// @throws std::runtime_error if that fails
   void finish();
@@ -40,6 +49,7 @@ class PosedLogWriter {
 
  private:
   void write_pose();
+  void write_poses_until_next();
 
   CloudLogOptions options_;
   std::string pose_channel_;

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 
 #include "cli/choice_option.hpp"
@@ -13,6 +14,7 @@
 #include "cli/rate_option.hpp"
 #include "cli/seed_option.hpp"
 #include "io/describe.hpp"
+#include "io/planner/gripper_file.hpp"
 #include "lab/scene/scene.hpp"
 #include "lab/scene/scene_files.hpp"
 #include "logs/posed_log_writer.hpp"
@@ -53,6 +55,15 @@ scene::PoseErrorSize pose_error_of(const std::string& list) {
                             kMostShift, kMostTurn));
   }
   return {v[0], v[1] * std::numbers::pi / 180.0};
+}
+
+/// Reads --hand.
+Gripper hand_of(const std::string& name) {
+  try {
+    return io::load_gripper(name);
+  } catch (const std::invalid_argument& error) {
+    throw CLI::ValidationError("--hand", std::string(error.what()) + ", or a .toml file");
+  }
 }
 
 void write_picture(const SceneArguments& arguments) {
@@ -108,6 +119,15 @@ void add_path_options(CLI::App& command, SceneArguments& arguments) {
           "Standard deviations of a slow error of the poses, of position and direction along and "
           "about each axis of the camera")
       ->type_name("M,DEGREES")
+      ->needs(path);
+  command
+      .add_option_function<std::string>(
+          "--hand",
+          [&arguments](const std::string& name) { arguments.options.hand = hand_of(name); },
+          fmt::format("A hand, by built-in name or as a TOML file, whose fingers the camera at its "
+                      "wrist has in the picture; its shapes are told on {}",
+                      kHandChannel))
+      ->type_name("NAME|FILE")
       ->needs(path);
   command.get_option("--labels")->excludes(path);
 }

@@ -44,6 +44,7 @@ void run(const std::vector<std::string>& words) {
   if (command == "check-remembered" && words.size() == 3) {
     return check_remembered(words[1], words[2]);
   }
+  if (command == "check-own-hand" && words.size() == 3) return check_own_hand(words[1], words[2]);
   throw std::invalid_argument(
       "use: make-logs FOLDER | check-quadrics LOG | check-status LOG | check-hostile-status LOG | "
       "check-same LIVE OFFLINE CHANNEL | check-copy SOURCE COPY | check-plan LOG JSON | "
@@ -51,7 +52,8 @@ void run(const std::vector<std::string>& words) {
       "rename-channel SOURCE COPY FROM TO | load URL LOG BURSTS CLOUDS HZ [lossy] | "
       "hostile URL LOG MESSAGES SEED [AT_ONCE] | "
       "make-poses LOG CLOUDS PERCENT_DISORDERED POSES_LATE_MS CLOUDS_LATE_MS | "
-      "check-poses LOG PLACED REFUSED | check-equal LOG LOG | check-remembered LOG LOG");
+      "check-poses LOG PLACED REFUSED | check-equal LOG LOG | check-remembered LOG LOG | "
+      "check-own-hand TOLD UNTOLD");
 }
 
 }  // namespace

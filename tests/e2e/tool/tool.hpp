@@ -103,6 +103,10 @@ void check_equal_results(const std::string& log, const std::string& other);
 /// clouds showed have fewer hands refused because space is unknown.
 void check_remembered(const std::string& remembering, const std::string& forgetful);
 
+/// Counts what is found and grasped on the hand of which ROBOT tells in both logs, and checks that
+/// there is nothing in the first, and something in the second.
+void check_own_hand(const std::string& told, const std::string& untold);
+
 /// Copies a log with one channel under another name.
 void rename_channel(const std::string& source, const std::string& copy, const std::string& from,
                     const std::string& to);

@@ -207,8 +207,11 @@ Body random_quadric(double scale, Random* random) {
 }
 
 Body random_box(double scale, Random* random) {
-  const Vector3d half = scale * Vector3d(random->uniform(0.03, 0.09), random->uniform(0.03, 0.07),
-                                         random->uniform(0.02, 0.08));
+  return make_box(scale * Vector3d(random->uniform(0.03, 0.09), random->uniform(0.03, 0.07),
+                                   random->uniform(0.02, 0.08)));
+}
+
+Body make_box(const Vector3d& half) {
   Body body{"box", {}, {}, Isometry3d::Identity(), half.head<2>().norm()};
   for (int axis = 0; axis < 3; ++axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;

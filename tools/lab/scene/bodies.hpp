@@ -12,6 +12,9 @@ Body random_quadric(double scale, Random* random);
 /// Makes a random box that stands on z = 0 of its frame B.
 Body random_box(double scale, Random* random);
 
+/// Makes a box with these half sides along x, y, z that stands on z = 0 of its frame B.
+Body make_box(const Eigen::Vector3d& half);
+
 /// Makes a circular cylinder with both ends that stands on z = 0 of its frame B; its surfaces are
 /// side, end, end.
 Body make_cylinder(double radius, double length);
