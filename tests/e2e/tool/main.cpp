@@ -44,6 +44,8 @@ void run(const std::vector<std::string>& words) {
   if (command == "check-remembered" && words.size() == 3) {
     return check_remembered(words[1], words[2]);
   }
+  if (command == "make-cameras" && words.size() == 2) return make_camera_logs(words[1]);
+  if (command == "check-cameras" && words.size() == 3) return check_cameras(words[1], words[2]);
   if (command == "check-own-hand" && words.size() == 3) return check_own_hand(words[1], words[2]);
   throw std::invalid_argument(
       "use: make-logs FOLDER | check-quadrics LOG | check-status LOG | check-hostile-status LOG | "
@@ -53,7 +55,7 @@ void run(const std::vector<std::string>& words) {
       "hostile URL LOG MESSAGES SEED [AT_ONCE] | "
       "make-poses LOG CLOUDS PERCENT_DISORDERED POSES_LATE_MS CLOUDS_LATE_MS | "
       "check-poses LOG PLACED REFUSED | check-equal LOG LOG | check-remembered LOG LOG | "
-      "check-own-hand TOLD UNTOLD");
+      "make-cameras FOLDER | check-cameras TWO ONE | check-own-hand TOLD UNTOLD");
 }
 
 }  // namespace

@@ -103,6 +103,13 @@ void check_equal_results(const std::string& log, const std::string& other);
 /// clouds showed have fewer hands refused because space is unknown.
 void check_remembered(const std::string& remembering, const std::string& forgetful);
 
+/// Writes two views of a table: FOLDER/one.lcm with both on the channels of one camera,
+/// FOLDER/front.lcm with the second there, and FOLDER/side.lcm with the first on those of another.
+void make_camera_logs(const std::string& folder);
+
+/// Checks that a log holds the same results on the second of these views as another one.
+void check_cameras(const std::string& two, const std::string& one);
+
 /// Counts what is found and grasped on the hand of which ROBOT tells in both logs, and checks that
 /// there is nothing in the first, and something in the second.
 void check_own_hand(const std::string& told, const std::string& untold);
