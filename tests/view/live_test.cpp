@@ -1,9 +1,11 @@
 #include <octomap/OcTree.h>
 
+#include <algorithm>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "io/json/json.hpp"
 #include "io/planner/gripper_file.hpp"
 #include "io/planner/octree_file.hpp"
 #include "quadrille/bus/bodies_message.hpp"
@@ -13,6 +15,7 @@
 #include "quadrille/bus/grasps_message.hpp"
 #include "quadrille/bus/occupancy_message.hpp"
 #include "quadrille/bus/quadrics_message.hpp"
+#include "quadrille/bus/status_message.hpp"
 #include "support/catch.hpp"
 #include "view/live/live_scene.hpp"
 
@@ -260,6 +263,26 @@ TEST_CASE("damaged messages are left out", "[view][live][hostile]") {
   CHECK(scene.cloud.points.empty());
   CHECK(view::live_status(messages).empty());
   CHECK(view::pack_scene(scene).starts_with("QVW1"));
+}
+
+TEST_CASE("the page tells how much both processes remember", "[view][live]") {
+  detector_status_t detector{};
+  planner_status_t planner{};
+  view::LatestMessages messages;
+  const auto has_memory = [&](const std::string& process) {
+    messages.detector_status = shared(bus::encode(detector));
+    messages.planner_status = shared(bus::encode(planner));
+    const auto facts = view::live_status(messages)[process]["facts"];
+    const auto views = io::Json::array({"views remembered", "5"});
+    const auto shift = io::Json::array({"pose corrected by", "1.5 mm"});
+    return std::count(facts.begin(), facts.end(), views) == 1 &&
+           std::count(facts.begin(), facts.end(), shift) == 1;
+  };
+  CHECK_FALSE(has_memory("detector"));
+  detector.remembered_views = planner.remembered_views = 5;
+  detector.pose_correction = planner.pose_correction = 0.0015;
+  CHECK(has_memory("detector"));
+  CHECK(has_memory("planner"));
 }
 
 TEST_CASE("clouds are kept only while somebody looks, and never more than a few", "[view][live]") {

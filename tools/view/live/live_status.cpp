@@ -29,6 +29,11 @@ void add_figures(const Status& status, const std::string& stage, Json* facts) {
   if (status.transport.dropped_datagrams >= 0) {
     facts->push_back(fact("datagrams lost", fmt::format("{}", status.transport.dropped_datagrams)));
   }
+  if (status.remembered_views > 0) {
+    facts->push_back(fact("views remembered", fmt::format("{}", status.remembered_views)));
+    facts->push_back(
+        fact("pose corrected by", fmt::format("{:.1f} mm", 1e3 * status.pose_correction)));
+  }
 }
 
 }  // namespace
