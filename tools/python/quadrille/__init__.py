@@ -345,8 +345,9 @@ class LastingDetector(_Memory):
     """Detects the quadrics of a scene that lasts while cameras move about it.
 
     It keeps what the views of each cloud showed, as ViewMemory keeps the clouds, and fits each surface to
-    all that the views show of it. A view that stands alone gives the bits of detect(). Other Python
-    threads wait while it detects.
+    all that the views show of it. If a cloud shows nothing, the result is what the other views showed, and
+    a warning says so. A view that stands alone gives the bits of detect(). Other Python threads wait while
+    it detects.
 
         found = detector.detect(utime, points, X_WC)
 
