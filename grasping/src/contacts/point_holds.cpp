@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "contacts/directions.hpp"
+#include "contacts/finger_runs.hpp"
 #include "contacts/finger_slices.hpp"
 #include "contacts/hand_directions.hpp"
 #include "contacts/pad_side.hpp"
@@ -54,7 +55,8 @@ class PointHoldFinder {
         gripper_(gripper),
         space_(space),
         walls_(walls),
-        max_friction_(max_friction) {
+        max_friction_(max_friction),
+        runs_(static_cast<float>(gripper.finger.y())) {
     for (const Eigen::Vector3d& p_C : points.p_C) offsets_C_.push_back(p_C - space.centre_C);
   }
 
@@ -87,11 +89,6 @@ class PointHoldFinder {
     double y = 0.0, n_y = 0.0;
   };
 
-  /// Points without a gap between them: the first and the last one, and how many they are.
-  struct Run {
-    std::size_t first, last, count;
-  };
-
   void set_orientation(const Eigen::Matrix3d& R_CG) {
     const bool same_closing = !along_.empty() && R_CG.col(1) == R_CG_.col(1);
     R_CG_ = R_CG;
@@ -111,7 +108,7 @@ class PointHoldFinder {
     find_runs(slice.top);
     for (std::size_t n = 0; n < kDepths; ++n) {
       tip_ = tips_[n], root_ = roots_[n];
-      hold_runs(runs_[n], slice.x);
+      hold_runs(runs_.at(n), slice.x);
     }
   }
 
@@ -119,38 +116,14 @@ class PointHoldFinder {
     return (point.z < tip_) & (point.z > root_);
   }
 
-  /// Finds the runs of points at all depths in one pass over the points.
+  /// Finds the runs of points at all depths.
   void find_runs(float top) {
     const auto finger = static_cast<float>(gripper_.finger.z());
-    const auto gap = static_cast<float>(gripper_.finger.y());
-    std::array<Run, kDepths> open{};
-    std::array<float, kDepths> last_y{};
     for (std::size_t n = 0; n < kDepths; ++n) {
       tips_[n] = top + kDepthsToFinger[n] * finger;
       roots_[n] = tips_[n] - finger;
-      runs_[n].clear();
     }
-    std::size_t here = 0;
-    for (const InSlice& point : reached_) {
-      // Depths fall from one to the next, so tips that end above a point end above it at all later
-      // depths too.
-      for (std::size_t n = 0; n < kDepths && point.z < tips_[n]; ++n) {
-        if (point.z <= roots_[n]) continue;
-        Run& run = open[n];
-        if (run.count > 0 && point.y - last_y[n] > gap) {
-          runs_[n].push_back(run);
-          run.count = 0;
-        }
-        if (run.count == 0) run.first = here;
-        run.last = here;
-        ++run.count;
-        last_y[n] = point.y;
-      }
-      ++here;
-    }
-    for (std::size_t n = 0; n < kDepths; ++n) {
-      if (open[n].count > 0) runs_[n].push_back(open[n]);
-    }
+    runs_.find(reached_, tips_, roots_);
   }
 
   /// Holds each run of points in which there is no gap for a finger, and neighbouring runs
@@ -323,7 +296,7 @@ class PointHoldFinder {
   std::span<const InSlice> reached_;
   /// How far tips and roots reach at each depth [m], and the runs of the points in between.
   std::array<float, kDepths> tips_{}, roots_{};
-  std::array<std::vector<Run>, kDepths> runs_;
+  FingerRuns runs_;
   /// Points of one run.
   std::vector<BetweenPads> between_;
   std::vector<Ranked> ranked_;
