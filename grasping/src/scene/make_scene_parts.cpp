@@ -64,10 +64,13 @@ class SceneMaker {
     check_support();
     const PlanOptions& options = parts_.options;
     stage("view", [&] {
-      parts_.views.reserve(views_.size());
+      std::vector<DepthView> views;
+      views.reserve(views_.size());
       for (const ViewClouds::View& view : views_) {
-        parts_.views.emplace_back(*view.seen, options.baseline, options.resolution);
+        views.emplace_back(*view.seen, options.baseline, options.resolution);
       }
+      parts_.shared_views = std::make_shared<const std::vector<DepthView>>(std::move(views));
+      parts_.views = *parts_.shared_views;
     });
     const bool seen_so = has_viewpoint();
     if (seen_so && !sighted()) {
@@ -260,7 +263,7 @@ class SceneMaker {
     SurfaceCover cover(region, resolution);
     for (std::size_t v = 0; v < parts_.views.size(); ++v) {
       const std::vector<std::uint8_t> left_out = without_repeats(v, cover);
-      mapper.add(*views_[v].things, parts_.views[v], left_out);
+      mapper.add_points(*views_[v].things, left_out);
       keep_points(v, region, left_out);
       if (v + 1 < parts_.views.size()) cover.add(views_[v].things->points, left_out);
     }
@@ -270,7 +273,7 @@ class SceneMaker {
       mapper.free_within(NearShape(shape, known_.robot.padding));
     }
     parts_.space = std::make_shared<OccupancyGrid>(
-        std::move(mapper).take_cleared(parts_.views.front(), up_to_clear()));
+        std::move(mapper).take_on_demand(parts_.shared_views, up_to_clear()));
     if (parts_.targets.empty()) return;
     const UnknownPolicy unknown = parts_.options.unknown;
     parts_.map.emplace(

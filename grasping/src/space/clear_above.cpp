@@ -1,9 +1,9 @@
 // Finds the space beside the image and at missing pixels that lies over seen space.
-#include <cmath>
 #include <vector>
 
 #include "space/each_cube.hpp"
 #include "space/space_mapper.hpp"
+#include "space/upward_steps.hpp"
 
 namespace quadrille {
 namespace {
@@ -30,51 +30,47 @@ struct SpaceMapper::Tile {
   bool partly;
 };
 
-/// Works layer by layer along the axis nearest to up_C. Each voxel stands on the one below it on a
-/// straight line along up_C. The sideways shift is rounded as a whole, so that rounding errors do
-/// not add up.
+/// Works layer by layer, as UpwardSteps count them.
 OccupancyGrid SpaceMapper::take_cleared(const DepthView& view, const Eigen::Vector3d& up_C) && {
-  int axis = 0;
-  if (grid_.states().empty() || !(up_C.cwiseAbs().maxCoeff(&axis) > 0.5)) return std::move(grid_);
-  const int layers = grid_.size()[axis];
-  std::vector<std::vector<Tile>> slices(layers / kTileEdge);
+  const UpwardSteps up(up_C, size());
+  if (states_.empty() || !up.known()) return std::move(*this).take();
+  const int axis = up.axis();
+  std::vector<std::vector<Tile>> slices(up.layers() / kTileEdge);
   for (const Tile& tile : tiles_beside(view)) {
     const int first = tile.low[axis] / kTileEdge;
     for (int n = first; n < first + tile.edge / kTileEdge; ++n) slices[n].push_back(tile);
   }
-  const Eigen::Vector3d slope = up_C / std::abs(up_C[axis]);
-  const auto shift = [&](int n) -> Eigen::Vector3i {
-    return (n * slope).array().round().cast<int>().matrix();
-  };
-  for (int n = 1; n < layers; ++n) {
-    const int layer = up_C[axis] > 0.0 ? n : layers - 1 - n;
+  for (int n = 1; n < up.layers(); ++n) {
+    const int layer = up.place(n);
     for (Tile tile : slices[layer / kTileEdge]) {
       tile.low[axis] = layer;
-      clear_layer(tile.partly ? &view : nullptr, tile, axis, shift(n) - shift(n - 1));
+      clear_layer(tile.partly ? &view : nullptr, tile, axis, up.step(n));
     }
   }
-  return std::move(grid_);
+  return std::move(*this).take();
 }
 
 /// Returns all blocks, or tiles of them, except blocks that the image shows to be entirely free or
 /// hidden.
 std::vector<SpaceMapper::Tile> SpaceMapper::tiles_beside(const DepthView& view) const {
-  constexpr int kBlock = OccupancyGrid::kBlock;
-  const Eigen::Vector3d reach = view.reach(0.5 * kBlock * grid_.resolution());
   std::vector<Tile> tiles;
   each_cube(Eigen::Vector3i::Zero(), grid_.size(), kBlock, [&](const Eigen::Vector3i& block) {
-    if (!wanted(block)) return;
-    const Eigen::Vector3d p_V = middle_V(view, block, kBlock);
-    const DepthRange range = view.range(p_V, reach);
-    const bool free = range.min > p_V.z() + reach.z();
-    const bool hidden = range.min > 0.0 && range.max < p_V.z() - reach.z();
-    if (free || hidden) return;
+    if (!wanted(block) || !is_beside(view, block)) return;
     const int edge = is_clear(view, block, kBlock) ? kBlock : kTileEdge;
     each_cube(block, block.array() + kBlock, edge, [&](const Eigen::Vector3i& low) {
       tiles.push_back({low, edge, edge < kBlock && !is_clear(view, low, edge)});
     });
   });
   return tiles;
+}
+
+bool SpaceMapper::is_beside(const DepthView& view, const Eigen::Vector3i& block) const {
+  const Eigen::Vector3d reach = view.reach(0.5 * kBlock * grid_.resolution());
+  const Eigen::Vector3d p_V = middle_V(view, block, kBlock);
+  const DepthRange range = view.range(p_V, reach);
+  const bool free = range.min > p_V.z() + reach.z();
+  const bool hidden = range.min > 0.0 && range.max < p_V.z() - reach.z();
+  return !free && !hidden;
 }
 
 /// Returns true if nothing was measured before or in a cube, so that no voxel in it meets a

@@ -22,7 +22,7 @@ Eigen::AlignedBox3d within_tree(const Eigen::AlignedBox3d& region_M, const octom
 
 }  // namespace
 
-/// Calls visit(p_C, voxel) for each voxel with its middle p_C in the box.
+/// Calls visit(at) for each voxel with its middle in the box.
 template <class Visit>
 void SpaceMapper::each_voxel(const Eigen::AlignedBox3d& box_C, Visit&& visit) {
   const auto numbers = [&](const Eigen::Vector3d& p_C) -> Eigen::Array3d {
@@ -32,14 +32,12 @@ void SpaceMapper::each_voxel(const Eigen::AlignedBox3d& box_C, Visit&& visit) {
   const Eigen::Array3d low = numbers(box_C.min()).ceil().max(0.0);
   const Eigen::Array3d high = numbers(box_C.max()).floor().min(last);
   if ((low > high).any()) return;
-  each_cube(low.cast<int>(), high.cast<int>() + 1, 1, [&](const Eigen::Vector3i& at) {
-    visit(grid_.centre(at.x(), at.y(), at.z()), voxel(at.x(), at.y(), at.z()));
-  });
+  each_cube(low.cast<int>(), high.cast<int>() + 1, 1, visit);
 }
 
 bool SpaceMapper::add(const KnownMap& map) {
   const octomap::OcTree& tree = *map.tree;
-  if (grid_.states().empty() || tree.getRoot() == nullptr) return false;
+  if (states_.empty() || tree.getRoot() == nullptr) return false;
   const Eigen::Isometry3d X_MC = map.X_CM.inverse();
   const Eigen::AlignedBox3d region_M = within_tree(grid_.bounds().transformed(X_MC), tree);
   if (region_M.isEmpty()) return false;
@@ -49,29 +47,30 @@ bool SpaceMapper::add(const KnownMap& map) {
        leaf != end; ++leaf) {
     const bool occupied = tree.isNodeOccupied(*leaf);
     const Voxel state = occupied ? Voxel::kOccupied : Voxel::kFree;
-    const auto mark = [&](Voxel& voxel) {
-      if (voxel < state) voxel = state;
+    const auto mark = [&](const Eigen::Vector3i& at) {
+      Voxel& here = voxel(at.x(), at.y(), at.z());
+      if (here < state) here = state;
+      if (occupied) occupied_[block_index(at)] = 1;
       any_occupied |= occupied;
     };
     const double half = 0.5 * leaf.getSize();
     const Eigen::Vector3d middle_M = to_eigen(leaf.getCoordinate());
     const Eigen::AlignedBox3d cube_M(middle_M.array() - half, middle_M.array() + half);
-    each_voxel(cube_M.transformed(map.X_CM), [&](const Eigen::Vector3d& p_C, Voxel& voxel) {
-      if (cube_M.contains(X_MC * p_C)) mark(voxel);
+    each_voxel(cube_M.transformed(map.X_CM), [&](const Eigen::Vector3i& at) {
+      if (cube_M.contains(X_MC * centre(at))) mark(at);
     });
     // The voxel at the middle of a small or turned leaf may have its own middle elsewhere.
     const Eigen::Vector3d middle_C = map.X_CM * middle_M;
     const double reach = 0.5 * grid_.resolution();
     if (!occupied) continue;
-    each_voxel({middle_C.array() - reach, middle_C.array() + reach},
-               [&](const Eigen::Vector3d&, Voxel& voxel) { mark(voxel); });
+    each_voxel({middle_C.array() - reach, middle_C.array() + reach}, mark);
   }
   return any_occupied;
 }
 
 void SpaceMapper::free_within(const NearShape& shape) {
-  each_voxel(shape.bounds_C(), [&](const Eigen::Vector3d& p_C, Voxel& voxel) {
-    if (shape.contains(p_C)) voxel = Voxel::kFree;
+  each_voxel(shape.bounds_C(), [&](const Eigen::Vector3i& at) {
+    if (shape.contains(centre(at))) voxel(at.x(), at.y(), at.z()) = Voxel::kFree;
   });
 }
 

@@ -39,7 +39,7 @@ Voxel OccupancyGrid::most_cautious(const Eigen::AlignedBox3d& box_C) const {
 }
 
 OccupancyGrid OccupancyGrid::moved(const Eigen::Isometry3d& X_FC) const {
-  if (states_.empty()) return *this;
+  if (size_.isZero()) return *this;
   const Eigen::AlignedBox3d here = bounds();
   const Eigen::Matrix3d R_FC = X_FC.linear();
   const Eigen::Vector3d reach_F = R_FC.cwiseAbs() * (0.5 * here.sizes());

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/rounding.hpp"
+#include "space/space_on_demand.hpp"
 
 namespace quadrille {
 namespace {
@@ -94,20 +95,45 @@ ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks,
       divide_occupied_(divide_occupied && views.size() == 1),
       views_(views),
       corner_(grid.corner().cast<double>() * grid.resolution()) {
-  levels_[0].size = grid.size();
-  levels_[0].flags.resize(grid.states().size());
-  const std::uint8_t unknown = unknown_blocks ? kAnyUnknown | kAll : 0;
+  for (int n = 0; n < kLevels; ++n) {
+    levels_[n].size = grid.size().unaryExpr([&](int x) { return x >> n; });
+    levels_[n].flags = ZeroedVector<std::uint8_t>(levels_[n].size.cast<std::size_t>().prod());
+  }
+  if (levels_[0].flags.empty()) return;
+  // Only unknown voxels need more than those that hold points.
+  if (grid.source_ && !unknown_blocks) {
+    mark_occupied(grid);
+  } else {
+    mark_all(grid);
+  }
+}
+
+void ObstacleMap::mark_all(const OccupancyGrid& grid) {
+  const std::uint8_t unknown = unknown_blocks_ ? kAnyUnknown | kAll : 0;
   const std::uint8_t occupied = kAnyOccupied | kAll;
   std::transform(
       grid.states().begin(), grid.states().end(), levels_[0].flags.begin(),
       [=](Voxel state) -> std::uint8_t {
         return state == Voxel::kUnknown ? unknown : state == Voxel::kOccupied ? occupied : 0;
       });
-  for (int n = 1; n < kLevels; ++n) {
-    levels_[n].size = levels_[n - 1].size / 2;
-    levels_[n].flags.resize(levels_[n].size.cast<std::size_t>().prod());
+  refresh({Eigen::Vector3i::Zero(), grid.size().array() - 1});
+}
+
+void ObstacleMap::mark_occupied(const OccupancyGrid& grid) {
+  constexpr int kEdge = OccupancyGrid::kBlock;
+  const SpaceMapper& voxels = grid.source_->occupied();
+  for (const Eigen::Vector3i& block : voxels.occupied_blocks()) {
+    for (int k = block.z(); k < block.z() + kEdge; ++k) {
+      for (int j = block.y(); j < block.y() + kEdge; ++j) {
+        const Voxel* row = &voxels.voxel(block.x(), j, k);
+        std::uint8_t* flags = &levels_[0].flags[levels_[0].index(block.x(), j, k)];
+        for (int i = 0; i < kEdge; ++i) {
+          flags[i] = row[i] == Voxel::kOccupied ? kAnyOccupied | kAll : 0;
+        }
+      }
+    }
+    refresh({block, block.array() + (kEdge - 1)});
   }
-  if (!levels_[0].flags.empty()) refresh({Eigen::Vector3i::Zero(), grid.size().array() - 1});
 }
 
 ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
@@ -122,20 +148,33 @@ ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
   const Eigen::Vector3i size = ((range.second.array() + kEdge) / kEdge * kEdge).matrix() - low;
   map.corner_ = corner_ + resolution_ * low.cast<double>();
   for (int n = 0; n < kLevels; ++n) {
-    const Level& from = levels_[n];
-    Level& to = map.levels_[n];
-    to.size = size.unaryExpr([&](int x) { return x >> n; });
-    to.flags.reserve(to.size.cast<std::size_t>().prod());
-    for (int k = 0; k < to.size.z(); ++k) {
-      for (int j = 0; j < to.size.y(); ++j) {
-        const auto row =
-            from.flags.begin() + static_cast<std::ptrdiff_t>(from.index(
-                                     low.x() >> n, (low.y() >> n) + j, (low.z() >> n) + k));
-        to.flags.insert(to.flags.end(), row, row + to.size.x());
-      }
+    map.levels_[n].size = size.unaryExpr([&](int x) { return x >> n; });
+    map.levels_[n].flags =
+        ZeroedVector<std::uint8_t>(map.levels_[n].size.cast<std::size_t>().prod());
+  }
+  constexpr int kTop = kLevels - 1;
+  each_cube(low, low + size, kEdge, [&](const Eigen::Vector3i& block) {
+    const Level& top = levels_[kTop];
+    // Most blocks hold nothing.
+    if (top.flags[top.index(block.x() >> kTop, block.y() >> kTop, block.z() >> kTop)] == 0) return;
+    for (int n = 0; n < kLevels; ++n) copy_cubes(levels_[n], block, low, n, map.levels_[n]);
+  });
+  return map;
+}
+
+/// Copies the cubes of one level in a block to a map whose first voxel is `low` of this one.
+void ObstacleMap::copy_cubes(const Level& from, const Eigen::Vector3i& block,
+                             const Eigen::Vector3i& low, int level, Level& to) {
+  const int edge = OccupancyGrid::kBlock >> level;
+  const auto at_level = [&](int x) { return x >> level; };
+  const Eigen::Vector3i here = block.unaryExpr(at_level);
+  const Eigen::Vector3i there = (block - low).unaryExpr(at_level);
+  for (int k = 0; k < edge; ++k) {
+    for (int j = 0; j < edge; ++j) {
+      const std::uint8_t* row = &from.flags[from.index(here.x(), here.y() + j, here.z() + k)];
+      std::copy_n(row, edge, &to.flags[to.index(there.x(), there.y() + j, there.z() + k)]);
     }
   }
-  return map;
 }
 
 void ObstacleMap::refresh(const Range& range) {

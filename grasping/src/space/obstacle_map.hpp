@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/zeroed_vector.hpp"
 #include "body/body.hpp"
 #include "hand/oriented_box.hpp"
 #include "quadrille/grasping/occupancy.hpp"
@@ -67,11 +68,15 @@ class ObstacleMap {
   static constexpr std::uint8_t kAnyOccupied = 1, kAnyUnknown = 2, kAll = 4;
   struct Level {
     Eigen::Vector3i size;
-    std::vector<std::uint8_t> flags;
+    ZeroedVector<std::uint8_t> flags;
     std::size_t index(int i, int j, int k) const {
       return (static_cast<std::size_t>(k) * size.y() + j) * size.x() + i;
     }
   };
+  static void copy_cubes(const Level& from, const Eigen::Vector3i& block,
+                         const Eigen::Vector3i& low, int level, Level& to);
+  void mark_all(const OccupancyGrid& grid);
+  void mark_occupied(const OccupancyGrid& grid);
   struct Query;
   struct Cone;
   using Range = std::pair<Eigen::Vector3i, Eigen::Vector3i>;

@@ -11,6 +11,21 @@
 
 namespace quadrille {
 
+static_assert(static_cast<int>(Voxel::kUnknown) == 0, "zeroed memory holds unknown voxels");
+
+SpaceMapper::SpaceMapper(const Eigen::AlignedBox3d& region, double resolution,
+                         std::vector<Eigen::AlignedBox3d> boxes_C, int threads)
+    : grid_(OccupancyGrid::without_states(region, resolution)),
+      states_(grid_.size().cast<std::size_t>().prod()),
+      occupied_(blocks()),
+      boxes_C_(std::move(boxes_C)),
+      threads_(threads) {}
+
+OccupancyGrid SpaceMapper::take() && {
+  grid_.states_.assign(states_.begin(), states_.end());
+  return std::move(grid_);
+}
+
 void SpaceMapper::add(const PointCloud& cloud, const DepthView& view,
                       const std::vector<std::uint8_t>& left_out) {
   if (view.stray().size() != cloud.points.size() || left_out.size() != cloud.points.size()) {
@@ -18,11 +33,18 @@ void SpaceMapper::add(const PointCloud& cloud, const DepthView& view,
   }
   // Occupied voxels are marked first, so that they need not be tested for being free.
   mark_occupied(cloud, left_out);
-  if (view.valid()) mark_free(view);
+  if (view.valid()) mark_free(view, std::vector<char>());
+}
+
+void SpaceMapper::add_points(const PointCloud& cloud, const std::vector<std::uint8_t>& left_out) {
+  if (left_out.size() != cloud.points.size()) {
+    throw std::invalid_argument("occupancy: the marks are not those of the cloud");
+  }
+  mark_occupied(cloud, left_out);
 }
 
 bool SpaceMapper::wanted(const Eigen::Vector3i& block) const {
-  const double edge = OccupancyGrid::kBlock * grid_.resolution();
+  const double edge = kBlock * grid_.resolution();
   const Eigen::Vector3d low = (grid_.corner() + block).cast<double>() * grid_.resolution();
   const Eigen::AlignedBox3d box(low, low + Eigen::Vector3d::Constant(edge));
   return boxes_C_.empty() ||
@@ -37,15 +59,19 @@ Eigen::Vector3d SpaceMapper::middle_V(const DepthView& view, const Eigen::Vector
                       grid_.resolution());
 }
 
-void SpaceMapper::mark_free(const DepthView& view) {
+void SpaceMapper::mark_free(const DepthView& view, const std::vector<char>& marked) {
   std::vector<Eigen::Vector3i> blocks;
-  each_cube(Eigen::Vector3i::Zero(), grid_.size(), OccupancyGrid::kBlock,
-            [&](const Eigen::Vector3i& block) {
-              if (wanted(block)) blocks.push_back(block);
-            });
+  each_cube(Eigen::Vector3i::Zero(), grid_.size(), kBlock, [&](const Eigen::Vector3i& block) {
+    const bool is_marked = !marked.empty() && marked[block_index(block)] != 0;
+    if (!is_marked && wanted(block)) blocks.push_back(block);
+  });
   // Blocks have no voxel in common.
   parallel_for(static_cast<int>(blocks.size()), threads_,
-               [&](int n) { mark_free(view, blocks[n], OccupancyGrid::kBlock); });
+               [&](int n) { mark_free(view, blocks[n]); });
+}
+
+void SpaceMapper::mark_free(const DepthView& view, const Eigen::Vector3i& block) {
+  mark_free(view, block, kBlock);
 }
 
 /// Works top-down: a block that the image shows at once to be free or hidden is not divided.
@@ -63,7 +89,7 @@ void SpaceMapper::mark_free(const DepthView& view, const Eigen::Vector3i& low, i
 bool SpaceMapper::is_known(const Eigen::Vector3i& low, int edge) const {
   for (int k = low.z(); k < low.z() + edge; ++k) {
     for (int j = low.y(); j < low.y() + edge; ++j) {
-      const Voxel* row = &grid_.states()[grid_.index(low.x(), j, k)];
+      const Voxel* row = &voxel(low.x(), j, k);
       if (*std::min_element(row, row + edge) < Voxel::kFree) return false;
     }
   }
@@ -116,14 +142,30 @@ void SpaceMapper::mark_occupied(const PointCloud& cloud,
   const Eigen::Vector3i corner = grid_.corner(), size = grid_.size();
   // Unlike vectors, these do not check each access.
   const Eigen::Vector3f* points = cloud.points.data();
-  Voxel* states = grid_.states_.data();
+  Voxel* states = states_.data();
+  char* occupied = occupied_.data();
   for (std::size_t n = 0; n < cloud.points.size(); ++n) {
     const int i = whole_below(points[n].x() * scale) - corner.x();
     const int j = whole_below(points[n].y() * scale) - corner.y();
     const int k = whole_below(points[n].z() * scale) - corner.z();
     if (i < 0 || j < 0 || k < 0 || i >= size.x() || j >= size.y() || k >= size.z()) continue;
-    if (!left_out[n]) states[grid_.index(i, j, k)] = Voxel::kOccupied;
+    if (left_out[n]) continue;
+    states[grid_.index(i, j, k)] = Voxel::kOccupied;
+    const auto block = [](int x) { return static_cast<std::size_t>(x) / kBlock; };
+    occupied[(block(k) * block(size.y()) + block(j)) * block(size.x()) + block(i)] = 1;
   }
+}
+
+void SpaceMapper::replace(Voxel old_state, Voxel new_state) {
+  std::replace(states_.begin(), states_.end(), old_state, new_state);
+}
+
+std::vector<Eigen::Vector3i> SpaceMapper::occupied_blocks() const {
+  std::vector<Eigen::Vector3i> blocks;
+  each_cube(Eigen::Vector3i::Zero(), grid_.size(), kBlock, [&](const Eigen::Vector3i& block) {
+    if (occupied_[block_index(block)] != 0) blocks.push_back(block);
+  });
+  return blocks;
 }
 
 /// Marks the voxels as free, except those that another view found occupied.

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -52,8 +53,9 @@ struct SceneParts {
   std::vector<CollisionShape> shapes;
   /// Owner of each shape.
   std::vector<ShapeOwner> owners;
-  /// The views, the cloud's own first.
-  std::vector<DepthView> views;
+  /// The views, the cloud's own first. The space keeps them, too.
+  std::shared_ptr<const std::vector<DepthView>> shared_views;
+  std::span<const DepthView> views;
   /// The points of all views around the targets, without strays.
   ViewedPoints points;
   std::vector<Target> targets;

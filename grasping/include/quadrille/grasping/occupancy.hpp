@@ -32,8 +32,9 @@ constexpr auto words_of(Voxel) {
 ///
 /// A voxel is occupied if it holds a point, free if every ray through it was seen to pass, and
 /// unknown otherwise (behind a surface, outside the image, at missing pixels). GraspPlan::space
-/// holds the grid of a plan. Voxel (i, j, k) covers [i, i + 1) × … times the resolution, counted
-/// from a corner on OctoMap's own lattice.
+/// holds the grid of a plan; most of its voxels are decided when they are asked for, so the first
+/// look at all of them takes longer. Voxel (i, j, k) covers [i, i + 1) × … times the resolution,
+/// counted from a corner on OctoMap's own lattice.
 class OccupancyGrid {
  public:
   /// Edge length of the blocks that make up the grid, in voxels.
@@ -60,7 +61,7 @@ class OccupancyGrid {
   QUADRILLE_EXPORT Eigen::AlignedBox3d bounds() const;
   /// State at a point in frame C; unknown outside the grid.
   QUADRILLE_EXPORT Voxel at(const Eigen::Vector3d& p_C) const;
-  Voxel at(int i, int j, int k) const { return states_[index(i, j, k)]; }
+  Voxel at(int i, int j, int k) const { return states()[index(i, j, k)]; }
   std::size_t index(int i, int j, int k) const {
     return (static_cast<std::size_t>(k) * size_.y() + j) * size_.x() + i;
   }
@@ -68,7 +69,7 @@ class OccupancyGrid {
   Eigen::Vector3d centre(int i, int j, int k) const {
     return ((corner_ + Eigen::Vector3i(i, j, k)).cast<double>().array() + 0.5) * resolution_;
   }
-  const std::vector<Voxel>& states() const { return states_; }
+  const std::vector<Voxel>& states() const { return source_ ? all_of_source() : states_; }
 
   /// Resamples the grid in frame F. The resolution stays the same, but is coarser if the grid would
   /// otherwise exceed kMaxVoxels. If the lattice is rotated, a voxel overlaps several old ones and
@@ -82,11 +83,21 @@ class OccupancyGrid {
 
  private:
   friend class SpaceMapper;
+  friend class ObstacleMap;
+  /// Decides voxels when they are asked for.
+  class Source;
+
+  OccupancyGrid() = default;
+  /// Makes the grid without any states, which must be added.
+  static OccupancyGrid without_states(const Eigen::AlignedBox3d& region, double resolution);
+  QUADRILLE_EXPORT const std::vector<Voxel>& all_of_source() const;
   Voxel most_cautious(const Eigen::AlignedBox3d& box_C) const;
 
   double resolution_ = 0.0;
   Eigen::Vector3i corner_ = Eigen::Vector3i::Zero(), size_ = Eigen::Vector3i::Zero();
   std::vector<Voxel> states_;
+  /// Set if the voxels are decided on demand; there are no states then.
+  std::shared_ptr<Source> source_;
 };
 
 }  // namespace quadrille

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "quadrille/grasping/occupancy.hpp"
+#include "space/space_mapper.hpp"
+#include "space/upward_steps.hpp"
+#include "view/depth_view.hpp"
+
+namespace quadrille {
+
+/// Decides the voxels of a grid when they are asked for. Hands come near few of them, so most need
+/// never be decided.
+///
+/// Occupied voxels are known from the start. Free ones are sought block by block, clear ones voxel
+/// by voxel down to what they stand on. All answers are those of SpaceMapper::take_cleared().
+/// Several threads may ask at once.
+class OccupancyGrid::Source {
+ public:
+  /// @param mapper  knows all occupied voxels, and free ones that no view tells of
+  /// @param views  the views that tell which others are free
+  /// @param up_C  as in SpaceMapper::take_cleared(), for the first view
+  Source(SpaceMapper mapper, std::shared_ptr<const std::vector<DepthView>> views,
+         const Eigen::Vector3d& up_C);
+
+  /// Returns the state of a voxel.
+  Voxel at(const Eigen::Vector3i& voxel);
+  /// Returns the states of all voxels, as OccupancyGrid::states().
+  const std::vector<Voxel>& all();
+  /// Tells which voxels are occupied, but not which of the others are free.
+  const SpaceMapper& occupied() const { return mapper_; }
+
+ private:
+  std::atomic<bool>& decided(const Eigen::Vector3i& voxel);
+  void decide(const Eigen::Vector3i& voxel);
+  void settle(Eigen::Vector3i voxel);
+  bool may_be_clear(const Eigen::Vector3i& voxel) const;
+
+  SpaceMapper mapper_;
+  std::shared_ptr<const std::vector<DepthView>> views_;
+  Eigen::Vector3d up_C_;
+  UpwardSteps up_;
+  /// Held by whoever decides or settles voxels.
+  std::mutex mutex_;
+  /// For each block, whether its free voxels are marked.
+  std::vector<std::atomic<bool>> decided_;
+  std::once_flag once_;
+  std::vector<Voxel> all_;
+};
+
+}  // namespace quadrille
