@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <span>
 #include <utility>
 #include <vector>
@@ -81,6 +83,17 @@ class ObstacleMap {
   struct Cone;
   using Range = std::pair<Eigen::Vector3i, Eigen::Vector3i>;
 
+  /// Returns true if one of some bytes in a row is not zero.
+  static bool any_set(const std::uint8_t* bytes, int count) {
+    std::uint32_t any = 0, four = 0;
+    // Four bytes at once; the last four may overlap those before them.
+    for (int i = 0; count >= 4 && i < count; i += 4) {
+      std::memcpy(&four, bytes + std::min(i, count - 4), sizeof(four));
+      any |= four;
+    }
+    for (int i = 0; count < 4 && i < count; ++i) any |= bytes[i];
+    return any != 0;
+  }
   Range voxels(const Eigen::AlignedBox3d& box) const;
   template <class Frees>
   void free(const Range& range, Frees&& frees);
@@ -113,10 +126,18 @@ class ObstacleMap {
 /// Frees the voxels of a range for which frees(centre) holds. The pyramid over them stays as it is.
 template <class Frees>
 void ObstacleMap::free(const Range& range, Frees&& frees) {
-  each_cube(range.first, range.second.array() + 1, 1, [&](const Eigen::Vector3i& at) {
-    std::uint8_t& flags = levels_[0].flags[levels_[0].index(at.x(), at.y(), at.z())];
-    if (flags != 0 && frees(centre(at.x(), at.y(), at.z()))) flags = 0;
-  });
+  const Eigen::Vector3i &first = range.first, &last = range.second;
+  for (int k = first.z(); k <= last.z(); ++k) {
+    for (int j = first.y(); j <= last.y(); ++j) {
+      // Unlike vectors, this does not check each access.
+      std::uint8_t* flags = levels_[0].flags.data() + levels_[0].index(0, j, k);
+      // Most rows hold nothing.
+      if (!any_set(flags + first.x(), last.x() - first.x() + 1)) continue;
+      for (int i = first.x(); i <= last.x(); ++i) {
+        if (flags[i] != 0 && frees(centre(i, j, k))) flags[i] = 0;
+      }
+    }
+  }
 }
 
 template <class Keep>
