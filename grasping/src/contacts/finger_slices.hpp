@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -63,14 +64,15 @@ class FingerSlices {
     }
   };
 
-  /// The limits of the points that belong to a slice [m], none by default, and where its points
-  /// begin and end among the members.
+  /// The limits below which z, −z, y and −y of the points of a slice lie [m], by default of none,
+  /// and where its points begin and end among the members.
   struct Limits {
-    float low_z = 0.0f, high_z = 0.0f, low_y = 0.0f, high_y = 0.0f;
+    alignas(16) std::array<float, 4> below = {};
     std::size_t first = 0, end = 0;
   };
 
   void sort_along(const Eigen::Vector3d& closing);
+  void sort_keys();
   /// The heights above and below which no slice has points [m].
   struct Window {
     float low = -std::numeric_limits<float>::infinity(), high = -low;
@@ -95,7 +97,8 @@ class FingerSlices {
   Eigen::Array<std::uint32_t, Eigen::Dynamic, 1> index_;
   Eigen::ArrayXf own_y_;
   // Kept to reuse their memory:
-  std::vector<std::int64_t> keys_;
+  std::vector<std::int64_t> keys_, sorted_keys_;
+  std::vector<std::uint32_t> kept_;
   Eigen::ArrayXd places_;
   Eigen::ArrayXi strips_;
   Eigen::ArrayXf z_;
