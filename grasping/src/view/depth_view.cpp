@@ -1,7 +1,11 @@
 #include "view/depth_view.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <optional>
 
+#include "quadrille/detector/vector_clones.hpp"
 #include "view/gaps.hpp"
 
 namespace quadrille {
@@ -46,24 +50,65 @@ void DepthView::place(const PinholeView& view, const PinholeImage& image) {
   measured_.height = image.height;
 }
 
+/// Some points in V, and where they lie in the image: pixel (u, v) reaches from there to the next
+/// whole numbers.
+struct DepthView::Projected {
+  static constexpr std::size_t kMost = 64;
+  std::array<double, kMost> x, y, z, u, v;
+};
+
+/// Does for many points what to_view() and pixel() do for one, with the same bits.
+/// @param points  positions from the viewpoint on, along the axes of C; replaced by those in V
+QUADRILLE_VECTOR_CLONES
+void DepthView::project(Projected& points) const {
+  const Eigen::Matrix3d& R = R_VC_;
+  const double xx = R(0, 0), xy = R(0, 1), xz = R(0, 2), yx = R(1, 0), yy = R(1, 1), yz = R(1, 2);
+  const double zx = R(2, 0), zy = R(2, 1), zz = R(2, 2);
+  const double du = pixels_.x(), dv = pixels_.y(), cu = cu_, cv = cv_;
+  // Unlike arrays, these do not check each access.
+  double *px = points.x.data(), *py = points.y.data(), *pz = points.z.data();
+  double* __restrict u = points.u.data(), * __restrict v = points.v.data();
+  for (std::size_t n = 0; n < Projected::kMost; ++n) {
+    // The order of these sums is that of Eigen's product.
+    const double x = (xx * px[n] + xy * py[n]) + xz * pz[n];
+    const double y = (yx * px[n] + yy * py[n]) + yz * pz[n];
+    const double z = zx * px[n] + (zy * py[n] + zz * pz[n]), inverse = 1.0 / z;
+    px[n] = x, py[n] = y, pz[n] = z;
+    u[n] = x * inverse * du + cu + 0.5;
+    v[n] = y * inverse * dv + cv + 0.5;
+  }
+}
+
 /// Keeps the nearest point of each pixel, unless it is a stray.
 void DepthView::keep_nearest(const PointCloud& cloud) {
   measured_.depth.assign(static_cast<std::size_t>(measured_.width) * measured_.height, 0.0f);
-  std::vector<std::size_t> nearest(measured_.depth.size(), 0);
+  std::vector<std::uint32_t> nearest(measured_.depth.size(), 0);
   // Unlike vectors, these do not check each access.
   const Eigen::Vector3f* points = cloud.points.data();
   float* depths = measured_.depth.data();
-  for (std::size_t n = 0; n < cloud.points.size(); ++n) {
-    const Eigen::Vector3d p_V = to_view(points[n].cast<double>());
-    // This is also false for points that are not finite.
-    if (!(p_V.z() > kMinDepth)) continue;
-    const Eigen::Vector2i uv = pixel(p_V);
-    if (!measured_.holds(uv.x(), uv.y())) continue;
-    const std::size_t at = measured_.index(uv.x(), uv.y());
-    const float depth = static_cast<float>(p_V.z());
-    if (depths[at] > 0.0f && depths[at] <= depth) continue;
-    depths[at] = depth;
-    nearest[at] = n;
+  std::uint32_t* indices = nearest.data();
+  Projected some{};
+  for (std::size_t first = 0; first < cloud.points.size(); first += Projected::kMost) {
+    const std::size_t count = std::min(Projected::kMost, cloud.points.size() - first);
+    for (std::size_t n = 0; n < count; ++n) {
+      const Eigen::Vector3f& p_C = points[first + n];
+      some.x.data()[n] = static_cast<double>(p_C.x()) - p_CV_.x();
+      some.y.data()[n] = static_cast<double>(p_C.y()) - p_CV_.y();
+      some.z.data()[n] = static_cast<double>(p_C.z()) - p_CV_.z();
+    }
+    project(some);
+    for (std::size_t n = 0; n < count; ++n) {
+      const double u = some.u.data()[n], v = some.v.data()[n], z = some.z.data()[n];
+      // This is also false for points that are not finite.
+      const bool seen =
+          z > kMinDepth && u >= 0.0 && v >= 0.0 && u < measured_.width && v < measured_.height;
+      if (!seen) continue;
+      const std::size_t at = measured_.index(static_cast<int>(u), static_cast<int>(v));
+      const float depth = static_cast<float>(z);
+      if (depths[at] > 0.0f && depths[at] <= depth) continue;
+      depths[at] = depth;
+      indices[at] = static_cast<std::uint32_t>(first + n);
+    }
   }
   for (const std::size_t at : find_strays(measured_)) {
     measured_.depth[at] = 0.0f;

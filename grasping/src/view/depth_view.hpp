@@ -90,6 +90,8 @@ class DepthView {
   int nearer_end_of_gap(int u, int v) const;
   bool measured(int u, int v) const { return measured_.at(u, v) > 0.0f; }
   void place(const PinholeView& view, const PinholeImage& image);
+  struct Projected;
+  void project(Projected& points) const;
   void keep_nearest(const PointCloud& cloud);
 
   Eigen::Matrix3d R_VC_ = Eigen::Matrix3d::Identity();
