@@ -2,11 +2,15 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <compare>
+#include <cstring>
+#include <limits>
 #include <tuple>
 #include <utility>
 
 #include "base/point_buckets.hpp"
+#include "quadrille/detector/vector_clones.hpp"
 
 namespace quadrille {
 namespace {
@@ -73,32 +77,76 @@ Thinned thinned(std::span<const Eigen::Vector3d> points, std::span<const Eigen::
   return means;
 }
 
-/// The sums over some points that their principal components need.
+constexpr int kLanes = 4;
+using Lanes __attribute__((vector_size(kLanes * sizeof(double)), may_alias)) = double;
+using Masks __attribute__((vector_size(kLanes * sizeof(double)), may_alias)) = long long;
+
+inline __attribute__((always_inline)) void clear_outside(const Masks& in, Lanes& values) {
+  values = reinterpret_cast<Lanes>(in & reinterpret_cast<Masks>(values));
+}
+
+/// The sums over the points near some points that their principal components need, each in the
+/// lanes of these points.
 struct Moments {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  /// Sums of xx, xy, xz, yy, yz and zz.
-  Eigen::Array<double, 6, 1> squares = Eigen::Array<double, 6, 1>::Zero();
-  int count = 0;
+  /// Positions of these points, and the numbers of their eyes; NaN in lanes that are not used.
+  alignas(32) std::array<double, kLanes> x, y, z;
+  alignas(32) std::array<long long, kLanes> eye;
+  /// Sums of x, y, z, xx, xy, xz, yy, yz and zz, and the numbers of points.
+  std::array<std::array<double, kLanes>, 9> sums;
+  std::array<long long, kLanes> counts;
 
-  void add(const Eigen::Vector3d& d) {
-    sum += d;
-    squares += (Eigen::Array<double, 6, 1>() << d.x() * d.x(), d.x() * d.y(), d.x() * d.z(),
-                d.y() * d.y(), d.y() * d.z(), d.z() * d.z())
-                   .finished();
-    ++count;
-  }
-
-  /// Returns the direction along which the points spread least.
-  Eigen::Vector3d normal() const {
-    const Eigen::Array<double, 6, 1>& s = squares;
+  /// Returns the direction along which the points near one of these points spread least.
+  Eigen::Vector3d normal(int lane) const {
+    const auto s = [&](int n) { return sums[n][lane]; };
+    const auto count = static_cast<double>(counts[lane]);
     Eigen::Matrix3d all;
-    all << s[0], s[1], s[2], s[1], s[3], s[4], s[2], s[4], s[5];
-    const Eigen::Vector3d mean = sum / count;
+    all << s(3), s(4), s(5), s(4), s(6), s(7), s(5), s(7), s(8);
+    const Eigen::Vector3d mean = Eigen::Vector3d(s(0), s(1), s(2)) / count;
     Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
     solver.computeDirect(all / count - mean * mean.transpose());
     return solver.eigenvectors().col(0);
   }
 };
+
+Moments gathered(const Eigen::Vector3d* points, const int* eye_of, std::span<const int> some) {
+  Moments moments;
+  moments.x.fill(std::numeric_limits<double>::quiet_NaN());
+  moments.y = moments.z = moments.x;
+  moments.eye.fill(-1);
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    const Eigen::Vector3d& p = points[some[k]];
+    moments.x[k] = p.x(), moments.y[k] = p.y(), moments.z[k] = p.z();
+    moments.eye[k] = eye_of[some[k]];
+  }
+  return moments;
+}
+
+/// Sums over the points that lie within a distance, and that the same eye saw.
+QUADRILLE_VECTOR_CLONES
+void sum_near(const Eigen::Vector3d* points, const int* eye_of, const PointBuckets::Near& near,
+              double reach, Moments* moments) {
+  const auto px = reinterpret_cast<const Lanes&>(moments->x);
+  const auto py = reinterpret_cast<const Lanes&>(moments->y);
+  const auto pz = reinterpret_cast<const Lanes&>(moments->z);
+  const auto eye = reinterpret_cast<const Masks&>(moments->eye);
+  const double most = reach * reach;
+  Lanes x = {}, y = {}, z = {}, xx = {}, xy = {}, xz = {}, yy = {}, yz = {}, zz = {};
+  Masks count = {};
+  for (const std::span<const int> row : near) {
+    for (const int j : row) {
+      Lanes dx = points[j].x() - px, dy = points[j].y() - py, dz = points[j].z() - pz;
+      const Masks in = (dx * dx + dy * dy + dz * dz <= most) & (eye == eye_of[j]);
+      clear_outside(in, dx), clear_outside(in, dy), clear_outside(in, dz);
+      x += dx, y += dy, z += dz;
+      xx += dx * dx, xy += dx * dy, xz += dx * dz;
+      yy += dy * dy, yz += dy * dz, zz += dz * dz;
+      count -= in;
+    }
+  }
+  const Lanes sums[9] = {x, y, z, xx, xy, xz, yy, yz, zz};
+  std::memcpy(moments->sums.data(), sums, sizeof(sums));
+  std::memcpy(moments->counts.data(), &count, sizeof(count));
+}
 
 }  // namespace
 
@@ -116,20 +164,19 @@ SurfacePoints surface_points(std::span<const Eigen::Vector3d> points_C, double c
   const Eigen::Vector3d* points = surface.p_C.data();
   const int* eye_of = means.eyes.data();
   for (std::size_t n = 0; n < near.size(); ++n) {
-    for (const int i : buckets.members(n)) {
-      const Eigen::Vector3d& p = points[i];
-      const int eye = eye_of[i];
-      Moments moments;
-      for (const std::span<const int> row : near[n]) {
-        for (const int j : row) {
-          const Eigen::Vector3d d = points[j] - p;
-          if (d.squaredNorm() <= reach * reach && eye == eye_of[j]) moments.add(d);
-        }
+    // The points of a cube have the same points near them.
+    for (std::span<const int> rest = buckets.members(n); !rest.empty();) {
+      const std::span<const int> some = rest.first(std::min<std::size_t>(kLanes, rest.size()));
+      rest = rest.subspan(some.size());
+      Moments moments = gathered(points, eye_of, some);
+      sum_near(points, eye_of, near[n], reach, &moments);
+      for (int k = 0; k < static_cast<int>(some.size()); ++k) {
+        if (moments.counts[k] < kMinNeighbours) continue;
+        const int i = some[k];
+        const Eigen::Vector3d n_C = moments.normal(k);
+        const bool away = n_C.dot(eyes[eye_of[i]] - points[i]) < 0.0;
+        surface.n_C[i] = away ? Eigen::Vector3d(-n_C) : n_C;
       }
-      if (moments.count < kMinNeighbours) continue;
-      const Eigen::Vector3d n_C = moments.normal();
-      const bool away = n_C.dot(eyes[eye] - p) < 0.0;
-      surface.n_C[i] = away ? Eigen::Vector3d(-n_C) : n_C;
     }
   }
   return surface;
