@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "contacts/quality.hpp"
+#include "quadrille/detector/vector_clones.hpp"
 
 namespace quadrille {
 namespace {
@@ -34,6 +36,29 @@ constexpr double kColumnsAcross[] = {0.0, -0.5, 0.5, -1.0, 1.0};
 constexpr double kFrictionSlack = 0.01;
 // Marks a chord that meets no surface: it lies deeper inside than the end of any chord.
 constexpr float kNoSurface = -std::numeric_limits<float>::infinity();
+
+constexpr int kChordLanes = 8;
+using ChordLanes __attribute__((vector_size(kChordLanes * sizeof(float)), may_alias)) = float;
+using ChordMasks __attribute__((vector_size(kChordLanes * sizeof(float)), may_alias)) = int;
+
+inline __attribute__((always_inline)) void load(const float* from, ChordLanes& lanes) {
+  std::memcpy(&lanes, from, sizeof(lanes));
+}
+
+/// Replaces the values outside of a mask by others.
+inline __attribute__((always_inline)) void replace_outside(const ChordMasks& mask,
+                                                           const ChordLanes& others,
+                                                           ChordLanes& values) {
+  values = reinterpret_cast<ChordLanes>((mask & reinterpret_cast<const ChordMasks&>(values)) |
+                                        (~mask & reinterpret_cast<const ChordMasks&>(others)));
+}
+
+inline __attribute__((always_inline)) void take_roots(ChordLanes& values) {
+  std::array<float, kChordLanes> roots;
+  std::memcpy(roots.data(), &values, sizeof(values));
+  for (float& root : roots) root = std::sqrt(root);
+  load(roots.data(), values);
+}
 
 }  // namespace
 
@@ -75,27 +100,55 @@ bool PadMeetingFinder::too_wide(const Eigen::Vector3d& q_Q) const {
   return std::min(z0, z1) >= body_.z_min && std::max(z0, z1) <= body_.z_max;
 }
 
-/// Computes the ends of the chords from the roots t of At² + 2Bt + C along q + t·y; returns false
-/// if no chord has any.
+/// The chords, and the numbers that all of them share.
+struct PadMeetingFinder::Crossing {
+  const float *product, *square, *x, *y, *z;
+  float B, C, A, inverse, g_x, g_y, g_z, p_z, y_z, z_min, z_max;
+};
+
+/// Computes the ends of the chords from the roots t of At² + 2Bt + C along q + t·y, and the
+/// farthest ends on either side; returns false if no chord has any.
+QUADRILLE_VECTOR_CLONES
+bool PadMeetingFinder::cross_all(const Crossing& c) {
+  const ChordLanes zero = {}, none = zero + kNoSurface;
+  ChordLanes far0 = none, far1 = none;
+  for (int n = 0; n < kChords; n += kChordLanes) {
+    ChordLanes product, square, x, y, z;
+    load(c.product + n, product), load(c.square + n, square);
+    load(c.x + n, x), load(c.y + n, y), load(c.z + n, z);
+    const ChordLanes B = product + c.B;
+    const ChordLanes C = square + c.C + c.g_x * x + c.g_y * y + c.g_z * z;
+    const ChordLanes D = B * B - c.A * C;
+    ChordLanes root = D;
+    replace_outside(D > zero, zero, root);
+    take_roots(root);
+    ChordLanes t0 = (-B - root) * c.inverse, t1 = (root - B) * c.inverse;
+    const ChordLanes along = z + c.p_z, z0 = along + t0 * c.y_z, z1 = along + t1 * c.y_z;
+    const ChordMasks meets =
+        (D > zero) & (z0 >= c.z_min) & (z1 >= c.z_min) & (z0 <= c.z_max) & (z1 <= c.z_max);
+    t0 = -t0;
+    replace_outside(meets, none, t1), replace_outside(meets, none, t0);
+    std::memcpy(out_[0].data() + n, &t1, sizeof(t1));
+    std::memcpy(out_[1].data() + n, &t0, sizeof(t0));
+    replace_outside(far0 > t1, t1, far0), replace_outside(far1 > t0, t0, far1);
+  }
+  for (int k = 0; k < kChordLanes; ++k) {
+    farthest_[0] = k == 0 || far0[k] > farthest_[0] ? far0[k] : farthest_[0];
+    farthest_[1] = k == 0 || far1[k] > farthest_[1] ? far1[k] : farthest_[1];
+  }
+  return farthest_[0] > kNoSurface;
+}
+
 bool PadMeetingFinder::cross(const Eigen::Vector3d& p_Q) {
   const Eigen::Vector3d half_gradient = quadric_.M.cwiseProduct(p_Q) + 0.5 * quadric_.g;
   const double C_p = p_Q.dot(half_gradient) + 0.5 * quadric_.g.dot(p_Q) + quadric_.k;
-  const Chords B = product_ + static_cast<float>(half_gradient.dot(y_Q_));
   const Eigen::Vector3f g = (2.0 * half_gradient).cast<float>();
-  const Chords C = square_ + static_cast<float>(C_p) + g.x() * offsets_[0] + g.y() * offsets_[1] +
-                   g.z() * offsets_[2];
-  const float A = static_cast<float>(curvature_), inverse = 1.0f / A;
-  const Chords D = B * B - A * C, root = D.max(0.0f).sqrt();
-  const Chords t0 = (-B - root) * inverse, t1 = (root - B) * inverse;
-  const Chords z = offsets_[2] + static_cast<float>(p_Q.z());
-  const float y_z = static_cast<float>(y_Q_.z());
-  const Chords z0 = z + t0 * y_z, z1 = z + t1 * y_z;
-  const auto meets = (D > 0.0f && z0.min(z1) >= static_cast<float>(body_.z_min) &&
-                      z0.max(z1) <= static_cast<float>(body_.z_max))
-                         .eval();
-  out_[0] = meets.select(t1, kNoSurface);
-  out_[1] = meets.select(-t0, kNoSurface);
-  return meets.any();
+  const float A = static_cast<float>(curvature_);
+  return cross_all({product_.data(), square_.data(), offsets_[0].data(), offsets_[1].data(),
+                    offsets_[2].data(), static_cast<float>(half_gradient.dot(y_Q_)),
+                    static_cast<float>(C_p), A, 1.0f / A, g.x(), g.y(), g.z(),
+                    static_cast<float>(p_Q.z()), static_cast<float>(y_Q_.z()),
+                    static_cast<float>(body_.z_min), static_cast<float>(body_.z_max)});
 }
 
 /// Returns tan θ, where cos θ is the mean cosine between the closing direction and the normals at
@@ -148,9 +201,13 @@ std::optional<PadMeeting> PadMeetingFinder::at(const Eigen::Vector3d& p_C, doubl
     if (too_wide(p_Q + from_origin_Q_.col(n))) return std::nullopt;
   }
   if (!cross(p_Q)) return std::nullopt;
-  std::array<int, 2> at;
-  const std::array<double, 2> out = {out_[0].maxCoeff(&at[0]), out_[1].maxCoeff(&at[1])};
+  const std::array<double, 2> out = {farthest_[0], farthest_[1]};
   if (out[0] + out[1] > gripper_.max_opening) return std::nullopt;
+  std::array<int, 2> at;
+  for (int i = 0; i < 2; ++i) {
+    at[i] =
+        static_cast<int>(std::find(out_[i].begin(), out_[i].end(), farthest_[i]) - out_[i].begin());
+  }
   // The friction at the ends alone rules out most holds that need too much of it.
   const std::array<Eigen::Vector3d, 2> ends_Q = {p_Q + from_origin_Q_.col(at[0]) + out[0] * y_Q_,
                                                  p_Q + from_origin_Q_.col(at[1]) - out[1] * y_Q_};

@@ -47,6 +47,8 @@ class PadMeetingFinder {
 
   bool on_edge(const ContactLine& line) const;
   bool too_wide(const Eigen::Vector3d& q_Q) const;
+  struct Crossing;
+  bool cross_all(const Crossing& crossing);
   bool cross(const Eigen::Vector3d& p_Q);
   double friction_between(const std::array<Eigen::Vector3d, 2>& ends_Q) const;
   double lean(int side, double outermost, const Eigen::Vector3d& p_Q) const;
@@ -62,8 +64,9 @@ class PadMeetingFinder {
   Chords square_, product_;
   double curvature_ = 0.0;
   /// How far out the ends of each chord lie on either side; far inside if the chord meets no
-  /// surface.
+  /// surface. The farthest on either side.
   std::array<Chords, 2> out_;
+  std::array<float, 2> farthest_;
 };
 
 }  // namespace quadrille
