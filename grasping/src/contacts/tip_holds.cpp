@@ -10,6 +10,7 @@
 
 #include "contacts/directions.hpp"
 #include "contacts/pad_meeting.hpp"
+#include "quadrille/detector/vector_clones.hpp"
 
 namespace quadrille {
 namespace {
@@ -40,21 +41,52 @@ constexpr double kTilts[] = {0.0, -0.2, 0.2, -0.4, 0.4};
 // hold.
 constexpr double kMaxTiltOnStraight = 0.3;
 
+constexpr std::size_t kHeights = 9, kAngles = 16, kPoints = kHeights * kAngles;
+
+/// Points all over a surface, coordinate by coordinate.
+struct SurfaceGrid {
+  std::array<double, kPoints> x, y, z;
+};
+
 /// Returns points all over the surface, in frame C.
-Eigen::Matrix3Xd surface(const Body& body) {
-  constexpr int kHeights = 9, kAngles = 16;
-  Eigen::Matrix3Xd points(3, kHeights * kAngles);
-  for (int i = 0; i < kHeights; ++i) {
+SurfaceGrid surface(const Body& body) {
+  SurfaceGrid points;
+  for (std::size_t i = 0; i < kHeights; ++i) {
     // Points lie denser towards the ends, where a profile may close quickly.
-    const double u = 0.5 - 0.5 * std::cos(kPi * i / (kHeights - 1));
+    const double u = 0.5 - 0.5 * std::cos(kPi * static_cast<double>(i) / (kHeights - 1));
     const double z = (1.0 - u) * body.z_min + u * body.z_max, s = body.scale(z);
-    for (int k = 0; k < kAngles; ++k) {
-      const double t = 2.0 * kPi * k / kAngles;
-      points.col(i * kAngles + k) =
+    for (std::size_t k = 0; k < kAngles; ++k) {
+      const double t = 2.0 * kPi * static_cast<double>(k) / kAngles;
+      const Eigen::Vector3d p_C =
           body.X_CQ * Eigen::Vector3d(body.a * s * std::cos(t), body.b * s * std::sin(t), z);
+      const std::size_t n = i * kAngles + k;
+      points.x[n] = p_C.x(), points.y[n] = p_C.y(), points.z[n] = p_C.z();
     }
   }
   return points;
+}
+
+/// Turns points into the axes of an orientation.
+QUADRILLE_VECTOR_CLONES
+void turn_points(const SurfaceGrid& points_C, const Eigen::Matrix3d& R_CG, SurfaceGrid* points_G) {
+  const double *x = points_C.x.data(), *y = points_C.y.data(), *z = points_C.z.data();
+  double *__restrict x_G = points_G->x.data(), *__restrict y_G = points_G->y.data(),
+                     *__restrict z_G = points_G->z.data();
+  const double xx = R_CG(0, 0), yx = R_CG(1, 0), zx = R_CG(2, 0);
+  const double xy = R_CG(0, 1), yy = R_CG(1, 1), zy = R_CG(2, 1);
+  const double xz = R_CG(0, 2), yz = R_CG(1, 2), zz = R_CG(2, 2);
+  for (std::size_t n = 0; n < kPoints; ++n) {
+    x_G[n] = x[n] * xx + y[n] * yx + z[n] * zx;
+    y_G[n] = x[n] * xy + y[n] * yy + z[n] * zy;
+    z_G[n] = x[n] * xz + y[n] * yz + z[n] * zz;
+  }
+}
+
+double least(const std::array<double, kPoints>& values) {
+  return *std::min_element(values.begin(), values.end());
+}
+double greatest(const std::array<double, kPoints>& values) {
+  return *std::max_element(values.begin(), values.end());
 }
 
 /// Returns closing directions over half a sphere: all of it for ellipsoids, otherwise up to 22°
@@ -98,7 +130,11 @@ int band(double friction) {
 class Search {
  public:
   Search(const Body& body, const Gripper& gripper, const TipLimits& limits)
-      : body_(body), gripper_(gripper), limits_(limits), points_(surface(body)) {
+      : body_(body),
+        gripper_(gripper),
+        limits_(limits),
+        points_(surface(body)),
+        points_G_(points_) {
     for (const double dip : kDips) {
       if (dips_.empty() || dip <= kMaxDipToFinger * gripper.finger.z()) dips_.push_back(dip);
     }
@@ -113,10 +149,11 @@ class Search {
     const Eigen::AlignedBox3d bounds_G = bounds(places_G);
     if (limits_.out_of_reach && limits_.out_of_reach(X_CG, bounds_G)) return;
     if (blocked(X_CG, bounds_G)) return;
+    const std::vector<double> heights = safe_heights(X_CG.linear());
     PadMeetingFinder finder(body_, gripper_, closing_C, approach_C);
     for (const Eigen::Vector3d& p_G : places_G) {
       X_CG.translation() = X_CG.linear() * p_G;
-      if (sinks(X_CG)) continue;
+      if (may_sink(X_CG.translation(), heights) && sinks(X_CG)) continue;
       const std::optional<PadMeeting> met = finder.at(X_CG.translation(), limits_.friction);
       if (!met || met->line.width < gripper_.min_opening) continue;
       const double value = prior - 2.0 * met->friction;
@@ -141,16 +178,17 @@ class Search {
  private:
   /// Returns the places at which the origin of G is put, in the axes of an orientation.
   std::vector<Eigen::Vector3d> places(const Eigen::Isometry3d& X_CG) {
-    points_G_.noalias() = X_CG.linear().transpose() * points_;
-    const double nearest = points_G_.row(2).minCoeff(), farthest = points_G_.row(2).maxCoeff();
-    const std::vector<Eigen::AlignedBox3d> between = between_dips(nearest);
+    turn_points(points_, X_CG.linear(), &points_G_);
+    const double nearest = least(points_G_.z), farthest = greatest(points_G_.z);
+    const std::vector<Eigen::AlignedBox2d> between = between_dips(nearest);
     std::vector<Eigen::Vector3d> places;
-    Eigen::AlignedBox3d reached_G;
+    places.reserve(dips_.size() * (std::size(kOffMiddle) + std::size(kSharesBeside)));
+    Eigen::AlignedBox2d reached_G;
     for (std::size_t n = 0; n < dips_.size(); ++n) {
       if (nearest + dips_[n] > farthest + kMaxBeyond) break;
       reached_G.extend(between[n]);
-      Eigen::Vector3d p_G = reached_G.center();
-      p_G.z() = nearest + dips_[n] - gripper_.finger_front;
+      const Eigen::Vector2d middle = reached_G.center();
+      const Eigen::Vector3d p_G(middle.x(), middle.y(), nearest + dips_[n] - gripper_.finger_front);
       const auto add = [&](double beside) {
         places.emplace_back(p_G + beside * Eigen::Vector3d::UnitX());
       };
@@ -160,15 +198,15 @@ class Search {
     return places;
   }
 
-  /// Returns the bounds of the parts of the surface that each dip reaches beyond the previous one.
-  std::vector<Eigen::AlignedBox3d> between_dips(double nearest) const {
-    std::vector<Eigen::AlignedBox3d> boxes_G(dips_.size());
-    for (const auto& p_G : points_G_.colwise()) {
-      const double deep = p_G.z() - nearest;
-      const auto dip =
-          deep <= kMinReached ? dips_.begin() : std::lower_bound(dips_.begin(), dips_.end(), deep);
-      if (dip == dips_.end()) continue;
-      boxes_G[static_cast<std::size_t>(dip - dips_.begin())].extend(Eigen::Vector3d(p_G));
+  /// Returns the bounds, across the approach, of the parts of the surface that each dip reaches
+  /// beyond the previous one.
+  std::vector<Eigen::AlignedBox2d> between_dips(double nearest) const {
+    std::vector<Eigen::AlignedBox2d> boxes_G(dips_.size());
+    for (std::size_t n = 0; n < kPoints; ++n) {
+      const double deep = points_G_.z[n] - nearest;
+      std::size_t dip = 0;
+      while (deep > kMinReached && dip < dips_.size() && dips_[dip] < deep) ++dip;
+      if (dip < dips_.size()) boxes_G[dip].extend(Eigen::Vector2d(points_G_.x[n], points_G_.y[n]));
     }
     return boxes_G;
   }
@@ -177,8 +215,8 @@ class Search {
   Eigen::AlignedBox3d bounds(const std::vector<Eigen::Vector3d>& places_G) const {
     Eigen::AlignedBox3d bounds_G;
     for (const Eigen::Vector3d& p_G : places_G) bounds_G.extend(p_G);
-    bounds_G.min().y() = points_G_.row(1).minCoeff();
-    bounds_G.max().y() = points_G_.row(1).maxCoeff();
+    bounds_G.min().y() = least(points_G_.y);
+    bounds_G.max().y() = greatest(points_G_.y);
     return bounds_G;
   }
 
@@ -204,11 +242,37 @@ class Search {
     });
   }
 
+  /// For each plane, the height above which a hand of an orientation, given by that of its origin,
+  /// certainly does not sink [m].
+  std::vector<double> safe_heights(const Eigen::Matrix3d& R_CG) const {
+    constexpr double kRounding = 1e-6;
+    std::vector<double> heights;
+    const double front = gripper_.finger_front, back = front - gripper_.finger.z();
+    const double side = std::max(0.5 * gripper_.palm.y(), gripper_.finger.y());
+    const double across = std::max(0.5 * gripper_.palm.x(), 0.5 * gripper_.finger.x());
+    for (const SupportPlane& plane : limits_.scene.planes) {
+      const Eigen::Vector3d n_G = R_CG.transpose() * plane.n_C();
+      const double deepest = std::max(-n_G.z() * front, -n_G.z() * (back - gripper_.palm.z()));
+      heights.push_back(std::abs(n_G.x()) * across + std::abs(n_G.y()) * side + deepest - kMaxSunk +
+                        kRounding);
+    }
+    return heights;
+  }
+
+  /// Returns true if a hand may sink; safe_heights() tell for most that they do not.
+  bool may_sink(const Eigen::Vector3d& p_CG, const std::vector<double>& heights) const {
+    for (std::size_t n = 0; n < heights.size(); ++n) {
+      if (limits_.scene.planes[n].distance(p_CG) < heights[n]) return true;
+    }
+    return false;
+  }
+
   const Body& body_;
   const Gripper& gripper_;
   const TipLimits& limits_;
   std::vector<double> dips_;
-  Eigen::Matrix3Xd points_, points_G_;
+  const SurfaceGrid points_;
+  SurfaceGrid points_G_;
   std::vector<Rated> rated_;
 };
 
