@@ -8,19 +8,21 @@
 namespace quadrille {
 namespace {
 
-constexpr std::size_t kLanes = FingerRuns::kMaxDepths;
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-using Lanes __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = float;
-using Masks __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = int;
-using Halves __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = long long;
+constexpr std::size_t kDepthLanes = FingerRuns::kMaxDepths;
+constexpr float kFarAway = std::numeric_limits<float>::infinity();
+using DepthLanes __attribute__((vector_size(kDepthLanes * sizeof(float)), may_alias)) = float;
+using DepthMasks __attribute__((vector_size(kDepthLanes * sizeof(float)), may_alias)) = int;
+using DepthHalves __attribute__((vector_size(kDepthLanes * sizeof(float)), may_alias)) = long long;
 
 /// Sets a value for each depth; depths that are not used get −∞.
-inline __attribute__((always_inline)) void fill(std::span<const float> values, Lanes& lanes) {
-  for (std::size_t n = 0; n < kLanes; ++n) lanes[n] = n < values.size() ? values[n] : -kInfinity;
+inline __attribute__((always_inline)) void fill_lanes(std::span<const float> values,
+                                                      DepthLanes& lanes) {
+  for (std::size_t n = 0; n < kDepthLanes; ++n)
+    lanes[n] = n < values.size() ? values[n] : -kFarAway;
 }
 
-inline __attribute__((always_inline)) bool any(const Masks& masks) {
-  const Halves halves = reinterpret_cast<Halves>(masks);
+inline __attribute__((always_inline)) bool any(const DepthMasks& masks) {
+  const DepthHalves halves = reinterpret_cast<DepthHalves>(masks);
   return ((halves[0] | halves[1]) | (halves[2] | halves[3])) != 0;
 }
 
@@ -30,20 +32,20 @@ QUADRILLE_VECTOR_CLONES
 void FingerRuns::find(std::span<const InSlice> points, std::span<const float> tips,
                       std::span<const float> roots) {
   for (std::vector<Run>& runs : runs_) runs.clear();
-  Lanes tip, root, last_y;
-  fill(tips, tip), fill(roots, root);
+  DepthLanes tip, root, last_y;
+  fill_lanes(tips, tip), fill_lanes(roots, root);
   // The first point lies infinitely far from a previous one, and so starts a run.
-  fill({}, last_y);
-  std::array<std::size_t, kLanes> first{};
-  Masks last = {}, count = {};
+  fill_lanes({}, last_y);
+  std::array<std::size_t, kDepthLanes> first{};
+  DepthMasks last = {}, count = {};
   // Unlike spans, this does not check each access.
   const InSlice* point = points.data();
   const int size = static_cast<int>(points.size());
   for (int here = 0; here < size; ++here, ++point) {
-    const Masks in = (point->z < tip) & (point->z > root);
-    const Masks starts = in & (point->y - last_y > gap_);
+    const DepthMasks in = (point->z < tip) & (point->z > root);
+    const DepthMasks starts = in & (point->y - last_y > gap_);
     if (any(starts)) {
-      for (std::size_t n = 0; n < kLanes; ++n) {
+      for (std::size_t n = 0; n < kDepthLanes; ++n) {
         if (starts[n] == 0) continue;
         if (count[n] > 0) {
           runs_[n].push_back(
@@ -53,13 +55,13 @@ void FingerRuns::find(std::span<const InSlice> points, std::span<const float> ti
         count[n] = 0;
       }
     }
-    const Lanes y = point->y - Lanes{};
-    last_y = reinterpret_cast<Lanes>((in & reinterpret_cast<const Masks&>(y)) |
-                                     (~in & reinterpret_cast<const Masks&>(last_y)));
+    const DepthLanes y = point->y - DepthLanes{};
+    last_y = reinterpret_cast<DepthLanes>((in & reinterpret_cast<const DepthMasks&>(y)) |
+                                          (~in & reinterpret_cast<const DepthMasks&>(last_y)));
     last = (in & here) | (~in & last);
     count -= in;
   }
-  for (std::size_t n = 0; n < kLanes; ++n) {
+  for (std::size_t n = 0; n < kDepthLanes; ++n) {
     if (count[n] == 0) continue;
     runs_[n].push_back(
         {first[n], static_cast<std::size_t>(last[n]), static_cast<std::size_t>(count[n])});

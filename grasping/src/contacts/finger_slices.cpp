@@ -21,21 +21,6 @@ constexpr double kRoundingSlack = 1e-4;
 
 using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
 
-using Four __attribute__((vector_size(4 * sizeof(float)), may_alias)) = float;
-using Halves __attribute__((vector_size(4 * sizeof(float)), may_alias)) = long long;
-
-/// Returns 1 if all of four values lie below their limits, otherwise 0; without a branch.
-inline std::size_t all_below(const Four& values, const std::array<float, 4>& limits) {
-  const auto halves = reinterpret_cast<Halves>(values < reinterpret_cast<const Four&>(limits));
-  const auto both = static_cast<std::size_t>(halves[0] & halves[1]);
-  return both & both >> 32 & 1;
-}
-
-/// The least number above a value, which is the limit of the values up to that one.
-float next_above(float value) {
-  return std::nextafter(value, std::numeric_limits<float>::infinity());
-}
-
 /// How far points lie along a direction.
 auto along(const Eigen::Vector3d& d, const Points& points) {
   return points.col(0).array() * d.x() + points.col(1).array() * d.y() +
@@ -70,10 +55,9 @@ const std::vector<FingerSlice>& FingerSlices::cut(const Eigen::Matrix3d& R) {
   find_own_ranges(R, first, steps);
   fill(R, first);
   for (std::size_t n = 0; n < ranges_.size(); ++n) {
-    const Limits& slice = limits_[n + 1];
-    if (slice.first == slice.end) continue;
-    slices_.push_back({first + static_cast<int>(n) * step_, ranges_[n].top,
-                       std::span(members_).subspan(slice.first, slice.end - slice.first)});
+    const std::span<const InSlice> points = within_reach(n);
+    if (points.empty()) continue;
+    slices_.push_back({first + static_cast<int>(n) * step_, ranges_[n].top, points});
   }
   return slices_;
 }
@@ -85,12 +69,15 @@ void FingerSlices::sort_along(const Eigen::Vector3d& closing) {
   own_y_ = places_.cast<float>();
   const double low = places_.minCoeff(), high = places_.maxCoeff();
   places_ = along(closing, points_);
-  keys_.clear();
+  keys_.resize(static_cast<std::size_t>(places_.size()));
+  // Unlike vectors, this does not check each access.
+  std::int64_t* keys = keys_.data();
   for (Eigen::Index i = 0; i < places_.size(); ++i) {
     const double y = places_[i];
     if (!(y > low - reach_ && y < high + reach_ && std::abs(y) < kFarthest)) continue;
-    keys_.push_back(std::llrint(y / kUnit) * kIndices + i);
+    *keys++ = std::llrint(y / kUnit) * kIndices + i;
   }
+  keys_.resize(static_cast<std::size_t>(keys - keys_.data()));
   sort_keys();
   const std::size_t count = keys_.size();
   sorted_.resize(static_cast<Eigen::Index>(count), 3);
@@ -199,15 +186,12 @@ void FingerSlices::fill(const Eigen::Matrix3d& R, double first) {
     kept[number] = static_cast<std::uint32_t>(k);
     number += strips[k] != 0;
   }
-  const auto beyond = static_cast<float>(reach_ + kRoundingSlack);
   limits_.assign(size, {});
   Limits* limits = limits_.data();
   std::size_t start = 0;
   for (std::size_t n = 0; n + 2 < size; ++n) {
     const OwnRange& own = ranges_[n];
-    limits[n + 1].below = {own.top + heights_.below, heights_.above - own.top,
-                           next_above(own.high + beyond), next_above(beyond - own.low)};
-    limits[n + 1].first = limits[n + 1].end = start;
+    limits[n + 1] = {own.top - heights_.above, own.top + heights_.below, start, start};
     // One place more, since points are written before it is known whether they count.
     start += counts[n + 1] + counts[n + 2] + 1;
   }
@@ -217,13 +201,27 @@ void FingerSlices::fill(const Eigen::Matrix3d& R, double first) {
   for (std::size_t m = 0; m < number; ++m) {
     const std::uint32_t k = kept[m];
     const InSlice point{y_.data()[k], z_.data()[k], index_.data()[k]};
-    const Four place = {point.z, -point.z, point.y, -point.y};
     Limits* slices = limits + strips[k] - 1;
     for (Limits* slice : {slices, slices + 1}) {
       members[slice->end] = point;
-      slice->end += all_below(place, slice->below);
+      slice->end += static_cast<std::size_t>(point.z < slice->high_z) &
+                    static_cast<std::size_t>(point.z > slice->low_z);
     }
   }
+}
+
+/// Returns the points of the n-th slice within reach of its own ones, which lie side by side.
+std::span<const InSlice> FingerSlices::within_reach(std::size_t n) const {
+  const auto beyond = static_cast<float>(reach_ + kRoundingSlack);
+  const float low = ranges_[n].low - beyond, high = ranges_[n].high + beyond;
+  const Limits& slice = limits_[n + 1];
+  const auto begin = members_.begin() + static_cast<std::ptrdiff_t>(slice.first);
+  const auto end = members_.begin() + static_cast<std::ptrdiff_t>(slice.end);
+  const auto first =
+      std::partition_point(begin, end, [&](const InSlice& point) { return point.y < low; });
+  const auto last =
+      std::partition_point(first, end, [&](const InSlice& point) { return point.y <= high; });
+  return {first, last};
 }
 
 }  // namespace quadrille

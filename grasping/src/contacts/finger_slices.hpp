@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -64,10 +63,10 @@ class FingerSlices {
     }
   };
 
-  /// The limits below which z, −z, y and −y of the points of a slice lie [m], by default of none,
-  /// and where its points begin and end among the members.
+  /// The limits of the heights of the points that belong to a slice [m], none by default, and where
+  /// its points begin and end among the members.
   struct Limits {
-    alignas(16) std::array<float, 4> below = {};
+    float low_z = 0.0f, high_z = 0.0f;
     std::size_t first = 0, end = 0;
   };
 
@@ -83,6 +82,7 @@ class FingerSlices {
   Window window() const;
   void find_own_ranges(const Eigen::Matrix3d& R, double first, int steps);
   void fill(const Eigen::Matrix3d& R, double first);
+  std::span<const InSlice> within_reach(std::size_t n) const;
 
   /// The width of a step, and what a hand spans beside an own point, with one gap farther [m].
   double step_, reach_;

@@ -148,15 +148,20 @@ class PointHoldFinder {
 
   /// Returns the last of the points of a run that lie near its first one.
   std::size_t end_of_head(const Run& run) const {
+    // Unlike spans, this does not check each access.
+    const InSlice* reached = reached_.data();
+    const float y = reached[run.first].y;
     std::size_t last = run.first;
-    while (last < run.last && reached_[last + 1].y - reached_[run.first].y < kEndDepth) ++last;
+    while (last < run.last && reached[last + 1].y - y < kEndDepth) ++last;
     return last;
   }
 
   /// Returns the first of the points of a run that lie near its last one.
   std::size_t start_of_tail(const Run& run) const {
+    const InSlice* reached = reached_.data();
+    const float y = reached[run.last].y;
     std::size_t first = run.last;
-    while (first > run.first && reached_[run.last].y - reached_[first - 1].y < kEndDepth) --first;
+    while (first > run.first && y - reached[first - 1].y < kEndDepth) --first;
     return first;
   }
 
@@ -177,11 +182,12 @@ class PointHoldFinder {
                      double sign) const {
     // Unlike vectors, these do not check each access.
     const AlongClosing* along = along_.data();
-    const double y = along[reached_[outermost].index].y;
+    const InSlice* reached = reached_.data();
+    const double y = along[reached[outermost].index].y;
     FacingCount found;
     for (std::size_t k = first; k <= last; ++k) {
-      if (!reached_by_fingers(reached_[k])) continue;
-      const AlongClosing& point = along[reached_[k].index];
+      if (!reached_by_fingers(reached[k])) continue;
+      const AlongClosing& point = along[reached[k].index];
       if (std::abs(point.y - y) <= kPadBand) found.add(sign * point.n_y);
     }
     return found;
