@@ -260,7 +260,8 @@ class SceneMaker {
       warn(text.str());
     }
     SpaceMapper mapper(region, resolution, std::move(boxes), parts_.options.threads);
-    SurfaceCover cover(region, resolution);
+    // A single view has nothing to repeat.
+    SurfaceCover cover(parts_.views.size() > 1 ? region : Eigen::AlignedBox3d(), resolution);
     for (std::size_t v = 0; v < parts_.views.size(); ++v) {
       const std::vector<std::uint8_t> left_out = without_repeats(v, cover);
       mapper.add_points(*views_[v].things, left_out);

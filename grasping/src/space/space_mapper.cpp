@@ -7,9 +7,32 @@
 
 #include "base/rounding.hpp"
 #include "quadrille/detector/parallel_for.hpp"
+#include "quadrille/detector/vector_clones.hpp"
 #include "space/each_cube.hpp"
 
 namespace quadrille {
+
+namespace {
+
+// Number of points whose voxels are found at once.
+constexpr std::size_t kPointsAtOnce = 64;
+
+/// Scales coordinates and rounds them down to whole numbers.
+/// @param most  limits these numbers; missing coordinates become −`most`. As a constant it would
+///   keep the compiler from using vectors.
+QUADRILLE_VECTOR_CLONES
+void round_down(const float* values, std::size_t count, float scale, float most,
+                int* __restrict numbers) {
+  for (std::size_t n = 0; n < count; ++n) {
+    float x = values[n] * scale;
+    x = x > -most ? x : -most;
+    x = x < most ? x : most;
+    const int number = static_cast<int>(x);
+    numbers[n] = number - static_cast<int>(x < static_cast<float>(number));
+  }
+}
+
+}  // namespace
 
 static_assert(static_cast<int>(Voxel::kUnknown) == 0, "zeroed memory holds unknown voxels");
 
@@ -131,28 +154,27 @@ void SpaceMapper::mark_eighths(const DepthView& view, const Eigen::Vector3i& low
 void SpaceMapper::mark_occupied(const PointCloud& cloud,
                                 const std::vector<std::uint8_t>& left_out) {
   const float scale = static_cast<float>(1.0 / grid_.resolution());
-  // No grid reaches so far; missing coordinates are moved there too.
+  // No grid reaches so far.
   constexpr float kBeyond = static_cast<float>(2.0 * OccupancyGrid::kMaxCoordinate);
-  // Avoids std::floor, which is a function call on plain x86-64.
-  const auto whole_below = [&](float x) {
-    x = x > -kBeyond ? std::min(x, kBeyond) : -kBeyond;
-    const int n = static_cast<int>(x);
-    return n - (x < static_cast<float>(n));
-  };
   const Eigen::Vector3i corner = grid_.corner(), size = grid_.size();
   // Unlike vectors, these do not check each access.
   const Eigen::Vector3f* points = cloud.points.data();
+  const std::uint8_t* left = left_out.data();
   Voxel* states = states_.data();
   char* occupied = occupied_.data();
-  for (std::size_t n = 0; n < cloud.points.size(); ++n) {
-    const int i = whole_below(points[n].x() * scale) - corner.x();
-    const int j = whole_below(points[n].y() * scale) - corner.y();
-    const int k = whole_below(points[n].z() * scale) - corner.z();
-    if (i < 0 || j < 0 || k < 0 || i >= size.x() || j >= size.y() || k >= size.z()) continue;
-    if (left_out[n]) continue;
-    states[grid_.index(i, j, k)] = Voxel::kOccupied;
-    const auto block = [](int x) { return static_cast<std::size_t>(x) / kBlock; };
-    occupied[(block(k) * block(size.y()) + block(j)) * block(size.x()) + block(i)] = 1;
+  std::array<int, 3 * kPointsAtOnce> numbers;
+  for (std::size_t first = 0; first < cloud.points.size(); first += kPointsAtOnce) {
+    const std::size_t count = std::min(kPointsAtOnce, cloud.points.size() - first);
+    round_down(points[first].data(), 3 * count, scale, kBeyond, numbers.data());
+    const int* number = numbers.data();
+    for (std::size_t n = first; n < first + count; ++n, number += 3) {
+      const int i = number[0] - corner.x(), j = number[1] - corner.y(), k = number[2] - corner.z();
+      if (i < 0 || j < 0 || k < 0 || i >= size.x() || j >= size.y() || k >= size.z()) continue;
+      if (left[n]) continue;
+      states[grid_.index(i, j, k)] = Voxel::kOccupied;
+      const auto block = [](int x) { return static_cast<std::size_t>(x) / kBlock; };
+      occupied[(block(k) * block(size.y()) + block(j)) * block(size.x()) + block(i)] = 1;
+    }
   }
 }
 
