@@ -69,7 +69,8 @@ bool SpaceMapper::is_beside(const DepthView& view, const Eigen::Vector3i& block)
   const Eigen::Vector3d p_V = middle_V(view, block, kBlock);
   const DepthRange range = view.range(p_V, reach);
   const bool free = range.min > p_V.z() + reach.z();
-  const bool hidden = range.min > 0.0 && range.max < p_V.z() - reach.z();
+  // A least depth of 0 is that of a missing pixel.
+  const bool hidden = range.min != 0.0 && range.max < p_V.z() - reach.z();
   return !free && !hidden;
 }
 

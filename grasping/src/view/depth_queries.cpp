@@ -45,6 +45,9 @@ PixelSpan DepthView::span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& rea
 }
 
 DepthRange DepthView::range(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const {
+  // A box behind the viewpoint is farther than all that was seen: nothing is known about it.
+  constexpr double kLowest = std::numeric_limits<double>::lowest();
+  if (p_V.z() + reach.z() < kMinDepth) return {kLowest, kLowest};
   if (p_V.z() - reach.z() < kMinDepth) return {0.0, std::numeric_limits<double>::max()};
   PixelSpan s = span(p_V, reach);
   if (s.min_u > s.max_u) s.min_u = s.max_u = pixel(p_V).x();

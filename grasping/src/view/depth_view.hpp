@@ -54,7 +54,8 @@ class DepthView {
   Eigen::Vector2i pixel(const Eigen::Vector3d& p_V) const;
   /// Half sizes, along the axes of V, of a cube of this half size whose edges lie along those of C.
   Eigen::Vector3d reach(double half) const { return half * spread_; }
-  /// Bounds of the depth over all pixels whose rays may pass the box p_V ± reach.
+  /// Bounds of the depth over all pixels whose rays may pass the box p_V ± reach. A box behind the
+  /// viewpoint lies beyond both.
   DepthRange range(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const;
   /// Like range(), for eight boxes at once; their depths are rounded to within 1 µm.
   struct EightPoints {

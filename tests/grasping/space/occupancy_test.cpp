@@ -2,12 +2,15 @@
 
 #include <octomap/OcTree.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include "grasping/mapped_scene.hpp"
 #include "grasping/octree_overlap.hpp"
 #include "grasping/seen_space.hpp"
 #include "space/collision.hpp"
+#include "space/space_mapper.hpp"
 #include "support/catch.hpp"
 #include "view/depth_view.hpp"
 
@@ -89,6 +92,17 @@ TEST_CASE("nor is one with missing pixels, a turned camera or gaps that are fill
   CHECK(wrong.unknown == 0);
   CHECK(wrong.undecided < 300);
   CHECK(wrong.right_free > 10000);
+}
+
+TEST_CASE("space behind the viewpoint is unknown", "[occupancy]") {
+  const Scene scene;
+  const Eigen::AlignedBox3d behind(Eigen::Vector3d(-0.3, -0.3, -1.0),
+                                   Eigen::Vector3d(0.3, 0.3, -0.1));
+  SpaceMapper mapper(behind, kResolution);
+  mapper.add(scene.cloud, scene.view);
+  const OccupancyGrid grid = std::move(mapper).take();
+  CHECK(std::all_of(grid.states().begin(), grid.states().end(),
+                    [](Voxel state) { return state == Voxel::kUnknown; }));
 }
 
 TEST_CASE("every point's voxel is occupied, the inside of things unknown", "[occupancy]") {
