@@ -100,6 +100,7 @@ void Aggregation::offer(std::vector<Candidate> candidates, SearchLevel level,
 
 void Aggregation::offer_planes(const std::vector<PlaneRegion>& planes) {
   for (const PlaneRegion& plane : planes) {
+    if (static_cast<int>(plane.samples.size()) < options_.min_plane_samples) continue;
     Surface surface = plane_surface(samples_, plane);
     weigh(&surface);
     if (surface.confidence < options_.min_plane_confidence) continue;

@@ -23,6 +23,16 @@ constexpr int kFitPoints = 1000, kIterations = 2;
 // Independent measurements per sample; each sample is an average over a cell.
 constexpr double kEffectiveShare = 0.25;
 
+/// A plane n·x + d = 0 in local coordinates, for samples that determine none, such as some in a
+/// row.
+PosedQuadric in_local(const Eigen::Vector4d& plane, const Normalisation& local) {
+  const Eigen::Vector3d n = plane.head<3>();
+  PosedQuadric posed;
+  posed.X = pose_along(-(n.dot(local.centre) + plane[3]) / local.scale * n, n);
+  posed.D(2, 3) = posed.D(3, 2) = 0.5;
+  return posed;
+}
+
 /// True if most of a flat surface lies on the plane.
 bool lies_on(const Surface& flat, const SurfaceSamples& samples, const PlaneRegion& plane,
              const SurfaceSamples& coarse) {
@@ -42,9 +52,10 @@ bool lies_on(const Surface& flat, const SurfaceSamples& samples, const PlaneRegi
 Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane) {
   const Normalisation local = normalisation_of(samples, plane.samples);
   const OrientedPointsf points = fit_points(samples, plane.samples, local, kFitPoints);
-  const PosedQuadric start = initial_plane(points).value_or(PosedQuadric());
+  const PosedQuadric start = initial_plane(points).value_or(in_local(plane.plane, local));
   std::optional<FamilyFit> fit = refine(points, Family::kPlane, start, kIterations);
-  Surface surface = surface_of(plane.samples, local, fit ? std::move(*fit) : FamilyFit(), points);
+  if (!fit) fit = FamilyFit{Family::kPlane, start, 0.0, static_cast<int>(points.size())};
+  Surface surface = surface_of(plane.samples, local, std::move(*fit), points);
   surface.effective_size = kEffectiveShare * static_cast<double>(surface.region.size());
   return surface;
 }

@@ -5,6 +5,7 @@
 #include "support/catch.hpp"
 #include "support/depth_camera.hpp"
 #include "support/surface_grid.hpp"
+#include "surfaces/aggregate.hpp"
 #include "surfaces/plane_surface.hpp"
 
 using namespace quadrille;
@@ -58,6 +59,24 @@ TEST_CASE("a plane's region is fitted as a surface with the noise as rms", "[pla
   const Eigen::Vector3d n = surface.Q.gradient(Eigen::Vector3d::Zero()).normalized();
   CHECK(std::abs(n.x()) > 0.99999);
   CHECK(std::abs(surface.Q.distance(Eigen::Vector3d::Zero())) < 2e-4);
+}
+
+TEST_CASE("samples that determine no plane lie on the one that is given", "[planes][claims]") {
+  const SurfaceSamples samples = plane_grid(40, 40, 0.01, 0.0, 1);
+  // The plane 2 cm from the samples, which all lie in x = 0.
+  const Eigen::Vector4d given(1.0, 0.0, 0.0, -0.02);
+  for (const std::vector<int>& few : {std::vector<int>{7}, {7, 8}, {7, 8, 9, 10, 11, 12}}) {
+    const Surface surface = plane_surface(samples, {given, few});
+    REQUIRE(surface.Q.coefficients().allFinite());
+    if (few.size() > 2) continue;
+    const Eigen::Vector3d p = samples.raw[7].cast<double>();
+    CHECK(std::abs(surface.Q.distance(p)) == Approx(0.02));
+    CHECK(std::abs(surface.Q.gradient(p).normalized().x()) == Approx(1.0));
+  }
+  // Too few are no surface.
+  Aggregation aggregation(samples, {}, {});
+  aggregation.offer_planes({{given, {7, 8}}});
+  CHECK(aggregation.surfaces().empty());
 }
 
 TEST_CASE("a flat piece near a plane and parallel to it is part of it, another is not",
