@@ -55,7 +55,9 @@ std::vector<Eigen::Matrix4d> draw_hypotheses(BasisKind kind, const OrientedPoint
 int count_support(const OrientedPointsf& p, const Eigen::Matrix4d& Q, float distance,
                   float min_cosine) {
   const HalfGradients g(p, Q);
-  const Eigen::ArrayXf slope = (g.x().square() + g.y().square() + g.z().square()).sqrt();
+  Eigen::ArrayXf slope = g.x().square() + g.y().square() + g.z().square();
+  // Eigen's roots of vectors start from an estimate of the processor, which differs between makers.
+  for (float& s : slope) s = std::sqrt(s);
   return static_cast<int>((g.f().abs() <= 2.0f * distance * slope &&
                            g.x() * p.nx() + g.y() * p.ny() + g.z() * p.nz() >= min_cosine * slope)
                               .count());
