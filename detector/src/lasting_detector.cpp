@@ -32,7 +32,7 @@ SceneView placed(const KeptView<KeptParts>& view, const Eigen::Isometry3d& X_CV,
 std::string describe_remembered(const Scene& scene) {
   std::ostringstream text;
   text << "this cloud shows nothing: the result is what " << scene.views.size()
-       << (scene.views.size() == 1 ? " other showed, " : " others showed, the newest ")
+       << (scene.views.size() == 1 ? " other cloud showed, " : " others showed, the newest ")
        << std::fixed << std::setprecision(2) << scene.views.front().age << " s before";
   return text.str();
 }
@@ -100,7 +100,8 @@ DetectionResult LastingDetector::detect(std::int64_t utime, const CloudView& clo
     return scene;
   };
   DetectionResult result = detect_joined(join, {&cloud, 1}, views_->options);
-  if (!warning.empty()) result.warnings.push_back(warning);
+  // It comes first, because what is wrong with the cloud is of less interest.
+  if (!warning.empty()) result.warnings.insert(result.warnings.begin(), warning);
   KeptParts* const parts = views_->kept.content(utime, camera);
   if (shows_something && parts != nullptr) {
     std::vector<Box> boxes = result.boxes;

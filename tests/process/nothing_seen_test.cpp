@@ -74,8 +74,8 @@ TEST_CASE("what is remembered is published when a cloud shows nothing, and can b
     CHECK(body.unseen == Approx(2.0));
   }
   REQUIRE_FALSE(after.warnings.empty());
-  CHECK(after.warnings.back() ==
-        "this cloud shows nothing: the result is what 1 other showed, 2.00 s before");
+  CHECK(after.warnings.front() ==
+        "this cloud shows nothing: the result is what 1 other cloud showed, 2.00 s before");
   CHECK_FALSE(chain.grasps().grasps.empty());
   bool said = false;
   for (const std::string& warning : chain.grasps().warnings) {

@@ -90,6 +90,8 @@ TEST_CASE("a cloud in millimetres yields the results of the same cloud in metres
   const std::string from_metres = folder.path("m.lcm"), from_millimetres = folder.path("mm.lcm");
   REQUIRE(run_quadrille("log " + from_metres + " " + small).code == 0);
   REQUIRE(run_quadrille("log --unit mm " + from_millimetres + " " + large).code == 0);
+  CHECK(contains(run_quadrille("log --unit mm " + folder.path("s.lcm") + " " + small).err,
+                 "do not read them as millimetres (--unit mm)"));
   const json logged = json::parse(run_quadrille("detect --json - " + from_metres).out);
   REQUIRE(!logged["detections"].empty());
   CHECK(json::parse(run_quadrille("detect --json - " + from_millimetres).out)["detections"] ==

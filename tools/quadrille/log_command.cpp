@@ -17,6 +17,7 @@
 #include "io/describe.hpp"
 #include "io/new_file.hpp"
 #include "logs/cloud_log_writer.hpp"
+#include "quadrille/detector/cloud_checks.hpp"
 #include "quadrille/detector/printable.hpp"
 
 namespace quadrille {
@@ -34,6 +35,10 @@ void run(const LogArguments& arguments) {
   logs::CloudLogWriter writer(file.path(), arguments.options, arguments.out);
   for (const std::string& input : arguments.inputs) {
     const PointCloud cloud = io::read_cloud(input, Eigen::Affine3d(Eigen::Scaling(arguments.unit)));
+    const std::string doubt = contradict_viewpoint(cloud, {});
+    if (arguments.unit != 1.0 && !doubt.empty()) {
+      fmt::print(stderr, "{}: warning: {}\n", printable(input, kMaxPath), doubt);
+    }
     if (!cloud.viewpoint.isZero(0.0)) {
       fmt::print(stderr, "{}: LCM clouds have no viewpoint; readers will assume the origin\n",
                  printable(input, kMaxPath));

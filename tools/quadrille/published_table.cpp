@@ -40,7 +40,7 @@ std::string published_table(const std::string& channel, const bus::QuadricsMessa
         fmt::format("{:>4}  {:<22} score {:.2f}  at [m] {:>7.3f} {:>7.3f} {:>7.3f}  {}\n", d.id,
                     to_string(d.type), d.score, p.x(), p.y(), p.z(), io::describe_dimensions(d));
   }
-  return text;
+  return text + warning_lines(message.warnings);
 }
 
 std::string published_table(const std::string& channel, const bus::BoxesMessage& message) {

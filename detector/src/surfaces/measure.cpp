@@ -28,10 +28,11 @@ constexpr int kBinsAround = 24, kBinsAlong = 8;
 constexpr double kLostCells = 1.0, kLostSigmas = 4.0, kLostStd = 0.5;
 // Standard deviation of a side of a plane's patch [cells].
 constexpr double kPatchEdgeCells = 3.0;
-// A surface of which more than this share was seen, and less than this majority of the samples from
-// one side, was joined from views all round it. A single view sees as much only of the inside of a
-// bowl, and both sides only of a thin shell, of which more stays hidden.
-constexpr double kSeenAllRound = 0.75, kMinMajority = 0.5;
+// A surface was joined from views all round it if more than this share of it was seen, and if the
+// normals of its two sides, weighted by the slopes of f, differ by less than this share of all. A
+// single view sees as much only of the inside of a bowl, and both sides only of a thin shell, of
+// which more stays hidden.
+constexpr double kSeenAllRound = 0.75, kMaxImbalance = 0.5;
 // Factor on the score if a dimension is a guess, since the surface is then only partly right.
 constexpr double kGuessFactor = 0.9;
 
@@ -188,7 +189,7 @@ Detection measure(const Surface& surface, const SurfaceSamples& samples, const E
   d.extent_Q = trimmed_box(points);
   d.seen = share_seen(points, d.extent_Q, form.type);
   // The normals of its far side point to the viewpoint through it, but the outside was seen.
-  const bool all_round = d.seen > kSeenAllRound && std::abs(side) < kMinMajority * both;
+  const bool all_round = d.seen > kSeenAllRound && std::abs(side) < kMaxImbalance * both;
   if (all_round && shows_inside(d)) d.Q_C = d.Q_C.flipped();
 
   Uncertainty uncertainty = uncertainty_of(surface, samples, form);

@@ -61,7 +61,7 @@ void note_views(const Scene& scene, const std::vector<int>& owner,
       ++views;
       unseen = std::min(unseen, scene.views[v].age);
     }
-    // The newest view is the first, and none is newer if a body has no samples.
+    // No view shows enough of such a body; it counts as seen by the newest one, which is the first.
     body.views = std::max(views, 1);
     body.unseen = views == 0 ? scene.views.front().age : unseen;
   }

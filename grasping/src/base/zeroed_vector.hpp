@@ -21,7 +21,7 @@ struct ZeroedAllocator {
     throw std::bad_alloc();
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
-  /// Elements without a value keep their zeros.
+  /// Elements without a value keep the zeros of fresh memory.
   void construct(T*) {}
   template <class U>
   void construct(U* at, const U& value) {

@@ -21,6 +21,8 @@ inline __attribute__((always_inline)) void fill_lanes(std::span<const float> val
     lanes[n] = n < values.size() ? values[n] : -kFarAway;
 }
 
+static_assert(sizeof(DepthMasks) == 4 * sizeof(long long));
+
 inline __attribute__((always_inline)) bool any(const DepthMasks& masks) {
   const DepthHalves halves = reinterpret_cast<DepthHalves>(masks);
   return ((halves[0] | halves[1]) | (halves[2] | halves[3])) != 0;

@@ -110,6 +110,7 @@ struct PadMeetingFinder::Crossing {
 /// farthest ends on either side; returns false if no chord has any.
 QUADRILLE_VECTOR_CLONES
 bool PadMeetingFinder::cross_all(const Crossing& c) {
+  static_assert(kChords % kChordLanes == 0);
   const ChordLanes zero = {}, none = zero + kNoSurface;
   ChordLanes far0 = none, far1 = none;
   for (int n = 0; n < kChords; n += kChordLanes) {

@@ -20,6 +20,7 @@ namespace {
 // the fingers; deepest first.
 constexpr std::array kDepthsToFinger = {0.75f, 0.55f, 0.4f, 0.28f, 0.16f};
 constexpr std::size_t kDepths = kDepthsToFinger.size();
+static_assert(kDepths <= FingerRuns::kMaxDepths);
 // Fewer points between the fingers may be noise.
 constexpr std::size_t kMinBetween = 8;
 // Weights of what makes a hold promising beside contacts that face the pads: from above, deep,

@@ -67,7 +67,8 @@ void OccupancyGrid::Source::settle(Eigen::Vector3i voxel) {
   bool clear = false;
   for (;;) {
     decide(voxel);
-    const Voxel state = mapper_.voxel(voxel.x(), voxel.y(), voxel.z());
+    const Voxel state =
+        shared(mapper_.voxel(voxel.x(), voxel.y(), voxel.z())).load(std::memory_order_relaxed);
     if (state != kPending) {
       clear = state == Voxel::kFree || state == Voxel::kClear;
       break;

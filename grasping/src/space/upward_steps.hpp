@@ -25,9 +25,10 @@ class UpwardSteps {
   /// The axis along which layers are counted, and their number.
   int axis() const { return axis_; }
   int layers() const { return layers_; }
-  /// Where the n-th layer from below lies along the axis [voxels]; and the other way round.
+  /// Where the n-th layer from below lies along the axis [voxels].
   int place(int n) const { return rises_ ? n : layers_ - 1 - n; }
-  int number(int place) const { return this->place(place); }
+  /// The number, from below, of the layer that lies at a place.
+  int number(int place) const { return rises_ ? place : layers_ - 1 - place; }
   /// The offset of a voxel in the n-th layer, n > 0, from the one on which it stands.
   Eigen::Vector3i step(int n) const { return shift(n) - shift(n - 1); }
 

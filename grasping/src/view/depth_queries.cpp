@@ -45,7 +45,7 @@ PixelSpan DepthView::span(const Eigen::Vector3d& p_V, const Eigen::Vector3d& rea
 }
 
 DepthRange DepthView::range(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const {
-  // A box behind the viewpoint is farther than all that was seen: nothing is known about it.
+  // Nothing is known about a box behind the viewpoint: it counts as beyond all that was seen.
   constexpr double kLowest = std::numeric_limits<double>::lowest();
   if (p_V.z() + reach.z() < kMinDepth) return {kLowest, kLowest};
   if (p_V.z() - reach.z() < kMinDepth) return {0.0, std::numeric_limits<double>::max()};
@@ -136,11 +136,14 @@ bool DepthView::sees_past(const Eigen::Vector3d& centre_C, double half) const {
 }
 
 double DepthView::nearest_surface(const Eigen::Vector3d& p_V, const Eigen::Vector3d& reach) const {
+  if (p_V.z() + reach.z() < kMinDepth) return std::numeric_limits<double>::lowest();
   return p_V.z() - reach.z() < kMinDepth ? 0.0 : bounds_.nearest_surface(span(p_V, reach));
 }
 
 bool DepthView::meets_surface(const Eigen::Vector3d& centre_C, double half) const {
   const Eigen::Vector3d p_V = to_view(centre_C), around = reach(half);
+  // Behind the viewpoint anything may be.
+  if (p_V.z() < 0.0) return true;
   if (p_V.z() - around.z() < kMinDepth) return false;
   const Eigen::Vector2i uv = pixel(p_V);
   if (measured(uv.x(), uv.y()) && depth(uv.x(), uv.y()) <= p_V.z()) return true;

@@ -93,7 +93,7 @@ TEST_CASE("a can in a cloud joined from views all round shows its outside", "[me
   }
   CHECK(2 * inwards > samples.size());
   CHECK_FALSE(inside_seen());
-  // Of a bowl seen from above, all of them do.
+  // All normals of a bowl that is seen from above look into it.
   for (int i = 0; i < samples.size(); ++i) {
     if (samples.n[i].dot(samples.raw[i]) > 0.0f) samples.n[i] = -samples.n[i];
   }

@@ -297,7 +297,7 @@ TEST_CASE("a cloud that shows nothing gives what other views showed, and since w
   REQUIRE(can_of(later) != nullptr);
   CHECK(later.detections.size() == both.detections.size());
   CHECK(later.points_used == 0);
-  CHECK(later.warnings.back() ==
+  CHECK(later.warnings.front() ==
         "this cloud shows nothing: the result is what 2 others showed, the newest 3.00 s before");
   const SceneBody* ball = body_of(later, ball_of(later)->id);
   REQUIRE(ball != nullptr);

@@ -103,6 +103,24 @@ TEST_CASE("space behind the viewpoint is unknown", "[occupancy]") {
   const OccupancyGrid grid = std::move(mapper).take();
   CHECK(std::all_of(grid.states().begin(), grid.states().end(),
                     [](Voxel state) { return state == Voxel::kUnknown; }));
+
+  // Not even what lies above free space is clear there, wherever the blocks lie.
+  const Eigen::AlignedBox3d around(Eigen::Vector3d(-0.3, -0.3, -0.3),
+                                   Eigen::Vector3d(0.3, 0.3, 0.5));
+  SpaceMapper all(around, kResolution);
+  all.add(scene.cloud, scene.view);
+  const OccupancyGrid cleared = std::move(all).take_cleared(scene.view, -Eigen::Vector3d::UnitZ());
+  int known = 0, before = 0;
+  for (int k = 0; k < cleared.size().z(); ++k) {
+    for (int j = 0; j < cleared.size().y(); ++j) {
+      for (int i = 0; i < cleared.size().x(); ++i) {
+        const bool is_known = cleared.at(i, j, k) != Voxel::kUnknown;
+        (cleared.centre(i, j, k).z() < 0.0 ? known : before) += is_known;
+      }
+    }
+  }
+  CHECK(known == 0);
+  CHECK(before > 1000);
 }
 
 TEST_CASE("every point's voxel is occupied, the inside of things unknown", "[occupancy]") {

@@ -2,6 +2,7 @@
 #include "space/space_on_demand.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <random>
 #include <thread>
@@ -23,17 +24,24 @@ const Eigen::AlignedBox3d kWideRegion(Eigen::Vector3d(-0.3, -0.5, 0.4),
 const std::vector<Eigen::AlignedBox3d> kWanted = {
     {Eigen::Vector3d(-0.3, -0.5, 0.4), Eigen::Vector3d(0.1, 0.15, 0.8)}};
 
-OccupancyGrid decided_everywhere(const Scene& scene, const Eigen::Vector3d& up) {
+OccupancyGrid decided_everywhere(const Scene& scene, const Eigen::Vector3d& up,
+                                 const std::vector<PointCloud>& more = {}) {
   SpaceMapper mapper(kWideRegion, kResolution, kWanted);
   mapper.add(scene.cloud, scene.view);
+  for (const PointCloud& cloud : more) mapper.add(cloud, DepthView(cloud));
   return std::move(mapper).take_cleared(scene.view, up);
 }
 
-OccupancyGrid decided_on_demand(const Scene& scene, const Eigen::Vector3d& up) {
+OccupancyGrid decided_on_demand(const Scene& scene, const Eigen::Vector3d& up,
+                                const std::vector<PointCloud>& more = {}) {
   SpaceMapper mapper(kWideRegion, kResolution, kWanted);
   mapper.add_points(scene.cloud, scene.view.stray());
-  const auto views = std::make_shared<const std::vector<DepthView>>(1, scene.view);
-  return std::move(mapper).take_on_demand(views, up);
+  auto views = std::make_shared<std::vector<DepthView>>(1, scene.view);
+  for (const PointCloud& cloud : more) {
+    views->emplace_back(cloud);
+    mapper.add_points(cloud, views->back().stray());
+  }
+  return std::move(mapper).take_on_demand(std::move(views), up);
 }
 
 std::vector<Eigen::Vector3d> centres(const OccupancyGrid& grid) {
@@ -66,6 +74,27 @@ TEST_CASE("a voxel has the same state whether it is asked for or all are", "[occ
     const OccupancyGrid copy = decided_on_demand(scene, above);
     CHECK((OccupancyGrid(copy).states() == expected.states()));
   }
+}
+
+TEST_CASE("a voxel is free if any of several views saw it free", "[occupancy]") {
+  const Scene scene;
+  const Eigen::Vector3d up = table_detection().X_CQ.linear().col(2);
+  // The same picture from 20 cm beside, of which the second half of the rows is missing.
+  PointCloud beside = scene.cloud;
+  const Eigen::Vector3f shift(0.2f, 0.0f, 0.0f);
+  for (Eigen::Vector3f& p : beside.points) p += shift;
+  beside.viewpoint += shift.cast<double>();
+  const auto half = static_cast<std::ptrdiff_t>(beside.points.size() / 2);
+  std::fill(beside.points.begin() + half, beside.points.end(),
+            Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN()));
+  const OccupancyGrid alone = decided_everywhere(scene, up);
+  const OccupancyGrid expected = decided_everywhere(scene, up, {beside});
+  CHECK((alone.states() != expected.states()));
+  const OccupancyGrid grid = decided_on_demand(scene, up, {beside});
+  long wrong = 0;
+  for (const Eigen::Vector3d& p_C : centres(expected)) wrong += grid.at(p_C) != expected.at(p_C);
+  CHECK(wrong == 0);
+  CHECK((grid.states() == expected.states()));
 }
 
 TEST_CASE("threads that ask for the same space at once get the same answers", "[occupancy]") {

@@ -166,6 +166,13 @@ TEST_CASE("options of further cameras that mean nothing are refused",
     many += " --view-camera C" + std::to_string(n) + "=P" + std::to_string(n);
   }
   CHECK(error(many).find("--view-camera") != std::string::npos);
+  // As many views as cameras are remembered at least.
+  std::string eight;
+  for (int n = 0; n < 8; ++n) {
+    eight += " --view-camera C" + std::to_string(n) + "=P" + std::to_string(n);
+  }
+  CHECK(error("--pose-channel POSE" + eight).find("set views.most to 9 at least (it is 8)") !=
+        std::string::npos);
   const test::TempFolder folder;
   CHECK(error(posed + "SIDE=SIDE_POSE --config " +
               folder.write("forgetful.toml", "[views]\nremember = 0.0\n"))

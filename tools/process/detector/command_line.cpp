@@ -43,7 +43,7 @@ DetectorSettings DetectorCommandLine::settings() const {
         "a pattern stands for several cameras, and poses are those of one; start a process for "
         "each");
   }
-  check_view_cameras(settings.view_cameras, settings.has_fixed_frame(), settings.remembers());
+  check_view_cameras(settings.view_cameras, settings.has_fixed_frame(), settings.detector.views);
   std::vector<NamedChannel> channels = channels_of(settings);
   DetectorSettings::visit_viewer(settings, [&](const std::string& name) {
     channels.push_back({"--viz", name});

@@ -213,9 +213,13 @@ void DetectorNode::remember_view(int camera, const bus::CloudMessage& cloud,
   }
   const RobotShapes robot_K = moved(robot_W, pose.X_WK->inverse());
   const Placement placement = place(settings_.frames, pose);
-  detect_lasting(cloud,
-                 robot_K.taken_from(in_camera_frame(cloud.cloud, placement, settings_.frames)),
-                 *pose.X_WK, camera);
+  const DetectionResult result = detect_lasting(
+      cloud, robot_K.taken_from(in_camera_frame(cloud.cloud, placement, settings_.frames)),
+      *pose.X_WK, camera);
+  for (const std::string& warning : result.warnings) {
+    warnings_log_.warning(
+        fmt::format("{}: cloud {}: {}", posed_views_.channel(camera), cloud.utime, warning));
+  }
 }
 
 /// Detects and tracks in a cloud and returns the result in the frame of the results. The result is

@@ -22,7 +22,8 @@ std::string to_exposition(const detector_status_t& status, const DetectorSetting
   out.add_counter("clouds_missing", "Clouds that never came, by gaps in their seq.",
                   status.missing);
   out.add_counter("clouds_superseded", "Clouds dropped for a newer one.", status.superseded);
-  out.add_counter("clouds_failed", "Clouds on which the detection failed.", status.failed);
+  out.add_counter("clouds_failed", "Clouds on which the detection failed, also of further cameras.",
+                  status.failed);
   out.add_counter("quadrics_published", "Messages of quadrics.", status.published);
   out.add_counters("messages_refused", "Messages refused.", status.rejected);
   out.add_counters("clouds_untracked", "Clouds without tracks.", status.untracked);
@@ -65,7 +66,10 @@ std::string DetectorNode::summary() const {
   const std::lock_guard lock(mutex_);
   const std::string poses =
       settings_.pose_channel.empty() ? "" : fmt::format("poses in: {}, ", posed_clouds_.poses());
-  return fmt::format("clouds in: {}, {}{}; quadrics out: {}", counts_.received, poses,
+  const std::string views = settings_.view_cameras.empty()
+                                ? ""
+                                : fmt::format("of further cameras: {}, ", posed_views_.decoded());
+  return fmt::format("clouds in: {}, {}{}{}; quadrics out: {}", counts_.received, views, poses,
                      describe(refusals_.counts()), detections_);
 }
 

@@ -79,7 +79,7 @@ PlannerSettings PlannerCommandLine::settings() const {
   });
   check_poses(settings.frames, settings.X_WK.has_value(), settings.pose_channel,
               {settings.cloud_channel, settings.quadrics_channel, settings.request_channel});
-  check_view_cameras(settings.view_cameras, settings.has_fixed_frame(), settings.remembers());
+  check_view_cameras(settings.view_cameras, settings.has_fixed_frame(), settings.detector.views);
   std::vector<NamedChannel> channels = channels_of(settings);
   PlannerSettings::visit_viewer(settings, [&](std::string& name) {
     name = settings.process.prefixed(name);

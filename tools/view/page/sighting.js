@@ -12,7 +12,7 @@ export const isUnseen = (object) => object.unseen > kRecent;
 /// Returns how long ago the newest view of an object was taken; empty if this cloud shows it.
 export const lastSeen = (object) => (object.unseen > 0 ? `${object.unseen.toFixed(1)} s ago` : "");
 
-/// Lists the facts on an object's views, if there are several or none of now.
+/// Lists the facts on an object's views, if several views show it, or the newest does not.
 export function viewsOf(object) {
   const facts = [];
   if (object.views > 1 || object.unseen > 0) facts.push(["views", object.views]);

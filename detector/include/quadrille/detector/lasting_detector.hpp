@@ -38,7 +38,8 @@ class LastingDetector {
   /// @param cloud   in frame C, with its viewpoint and without points on the robot
   /// @param X_WC    pose of C in a fixed frame W, as far as it is known
   /// @param camera  number of the camera
-  /// @return the result in C; numbers of points are those of this cloud
+  /// @return the result in C; `points_read`, `points_finite` and `points_used` are those of this
+  /// cloud
   QUADRILLE_EXPORT DetectionResult detect(std::int64_t utime, const CloudView& cloud,
                                           const Eigen::Isometry3d& X_WC, int camera = 0);
 

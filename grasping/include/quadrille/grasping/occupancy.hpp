@@ -32,9 +32,10 @@ constexpr auto words_of(Voxel) {
 ///
 /// A voxel is occupied if it holds a point, free if every ray through it was seen to pass, and
 /// unknown otherwise (behind a surface, outside the image, at missing pixels). GraspPlan::space
-/// holds the grid of a plan; most of its voxels are decided when they are asked for, so the first
-/// look at all of them takes longer. Voxel (i, j, k) covers [i, i + 1) × … times the resolution,
-/// counted from a corner on OctoMap's own lattice.
+/// holds the grid of a plan; most of its voxels are decided when they are asked for by place, so
+/// the first look at all of them takes longer. Until it is destroyed, such a grid keeps the depths
+/// that the views saw. Voxel (i, j, k) covers [i, i + 1) × … times the resolution, counted from a
+/// corner on OctoMap's own lattice.
 class OccupancyGrid {
  public:
   /// Edge length of the blocks that make up the grid, in voxels.
@@ -61,6 +62,7 @@ class OccupancyGrid {
   QUADRILLE_EXPORT Eigen::AlignedBox3d bounds() const;
   /// State at a point in frame C; unknown outside the grid.
   QUADRILLE_EXPORT Voxel at(const Eigen::Vector3d& p_C) const;
+  /// Decides all voxels first.
   Voxel at(int i, int j, int k) const { return states()[index(i, j, k)]; }
   std::size_t index(int i, int j, int k) const {
     return (static_cast<std::size_t>(k) * size_.y() + j) * size_.x() + i;

@@ -33,6 +33,12 @@ class PosedViews {
   /// Returns the camera whose clouds come on a channel; 0 for none.
   int camera_of(const std::string& cloud_channel) const;
 
+  /// The channel of a camera's clouds.
+  const std::string& channel(int camera) const { return cameras_[camera - 1].cloud_channel; }
+
+  /// Number of clouds that passed all checks.
+  std::int64_t decoded() const { return decoded_; }
+
   /// Adds a cloud of a camera, or counts and logs why it was refused.
   /// @return its job, if it need not wait for its pose
   std::optional<Job> add(int camera, bus::Decoded<bus::CloudMessage> decoded);

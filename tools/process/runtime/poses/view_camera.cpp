@@ -48,16 +48,24 @@ void add_view_camera_option(CLI::App& app, std::vector<ViewCamera>& cameras) {
 }
 
 void check_view_cameras(const std::vector<ViewCamera>& cameras, bool has_fixed_frame,
-                        bool remembers) {
+                        const ViewOptions& views) {
   if (cameras.empty()) return;
   if (!has_fixed_frame) {
     throw CLI::ValidationError(
         kViewCameraOption,
         "needs the pose of the first camera too; give --pose-channel or --camera-pose");
   }
-  if (!remembers) {
+  if (views.remember == 0.0) {
     throw CLI::ValidationError(kViewCameraOption,
                                "is of no use without memory; set views.remember above 0");
+  }
+  const int all = static_cast<int>(cameras.size()) + 1;
+  if (all > views.most) {
+    throw CLI::ValidationError(
+        kViewCameraOption,
+        fmt::format("{} cameras need as many views in memory, or each drives out another; set "
+                    "views.most to {} at least (it is {})",
+                    all, all, views.most));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/process_arguments.hpp"
+#include "quadrille/detector/options.hpp"
 
 namespace CLI {
 class App;
@@ -38,10 +39,10 @@ void add_view_camera_option(CLI::App& app, std::vector<ViewCamera>& cameras);
 
 /// Checks that further cameras, if there are any, are of use.
 /// @param has_fixed_frame  true if the pose of the first camera is given, or comes
-/// @param remembers        true if views are remembered
+/// @param views            how many views are remembered, and how long
 /// @throws CLI::ValidationError if they are not
 void check_view_cameras(const std::vector<ViewCamera>& cameras, bool has_fixed_frame,
-                        bool remembers);
+                        const ViewOptions& views);
 
 /// Lists the channels of further cameras, as visit_channels() of the settings does.
 template <class ViewCameras, class Visit>
