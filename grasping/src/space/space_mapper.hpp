@@ -74,7 +74,7 @@ class SpaceMapper {
   Voxel& voxel(int i, int j, int k) { return states_.data()[grid_.index(i, j, k)]; }
   const Voxel& voxel(int i, int j, int k) const { return states_.data()[grid_.index(i, j, k)]; }
   /// Number of blocks, and the index of the block of a voxel.
-  std::size_t blocks() const { return states_.size() / (kBlock * kBlock * kBlock); }
+  std::size_t blocks() const { return states_.size() / kBlock / kBlock / kBlock; }
   std::size_t block_index(const Eigen::Vector3i& at) const {
     const Eigen::Vector3i block = at / kBlock, size = grid_.size() / kBlock;
     return (static_cast<std::size_t>(block.z()) * size.y() + block.y()) * size.x() + block.x();
