@@ -37,7 +37,7 @@ std::vector<Eigen::AlignedBox3d> boxes_of(const Gripper& gripper) {
   return boxes;
 }
 
-/// Where the hand is before the camera.
+/// Returns the pose X_KG of the hand in the frame K of the camera at its wrist.
 Eigen::Isometry3d pose_of_hand(const Gripper& gripper) {
   constexpr double kCosine = (1.0 - kTilt * kTilt) / (1.0 + kTilt * kTilt);
   constexpr double kSine = 2.0 * kTilt / (1.0 + kTilt * kTilt);

@@ -13,6 +13,7 @@ template <class T>
 struct ZeroedAllocator {
   using value_type = T;
   ZeroedAllocator() = default;
+  /// Containers convert their allocator to one of other elements, which has to be implicit.
   template <class U>
   ZeroedAllocator(const ZeroedAllocator<U>&) {}  // NOLINT(google-explicit-constructor)
 

@@ -25,9 +25,9 @@ class UpwardSteps {
   /// The axis along which layers are counted, and their number.
   int axis() const { return axis_; }
   int layers() const { return layers_; }
-  /// Where the n-th layer from below lies along the axis [voxels].
+  /// Returns the coordinate along the axis of the layer with number n, counted from below [voxels].
   int place(int n) const { return rises_ ? n : layers_ - 1 - n; }
-  /// The number, from below, of the layer that lies at a place.
+  /// Returns the number, counted from below, of the layer at a coordinate along the axis.
   int number(int place) const { return rises_ ? place : layers_ - 1 - place; }
   /// The offset of a voxel in the n-th layer, n > 0, from the one on which it stands.
   Eigen::Vector3i step(int n) const { return shift(n) - shift(n - 1); }

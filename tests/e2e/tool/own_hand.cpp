@@ -1,4 +1,5 @@
-// What is found and grasped on the hand that a camera at the wrist has in its pictures.
+// Counts the quadrics, bodies and grasps that lie on the robot's own hand, which a camera at its
+// wrist has in its pictures.
 #include <cstdio>
 #include <lcmtypes/quadrille/grasps_t.hpp>
 #include <lcmtypes/quadrille/robot_t.hpp>

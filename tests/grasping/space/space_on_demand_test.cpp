@@ -70,7 +70,7 @@ TEST_CASE("a voxel has the same state whether it is asked for or all are", "[occ
     for (const Eigen::Vector3d& p_C : order) wrong += grid.at(p_C) != expected.at(p_C);
     CHECK(wrong == 0);
     CHECK((grid.states() == expected.states()));
-    // What was copied before it was decided is the same, too.
+    // A grid that is copied before its voxels are decided has the same voxels.
     const OccupancyGrid copy = decided_on_demand(scene, above);
     CHECK((OccupancyGrid(copy).states() == expected.states()));
   }
@@ -79,7 +79,8 @@ TEST_CASE("a voxel has the same state whether it is asked for or all are", "[occ
 TEST_CASE("a voxel is free if any of several views saw it free", "[occupancy]") {
   const Scene scene;
   const Eigen::Vector3d up = table_detection().X_CQ.linear().col(2);
-  // The same picture from 20 cm beside, of which the second half of the rows is missing.
+  // A second camera stands 20 cm beside the first. It sees the same picture, but only its upper
+  // half.
   PointCloud beside = scene.cloud;
   const Eigen::Vector3f shift(0.2f, 0.0f, 0.0f);
   for (Eigen::Vector3f& p : beside.points) p += shift;

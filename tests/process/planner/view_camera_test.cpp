@@ -166,7 +166,7 @@ TEST_CASE("options of further cameras that mean nothing are refused",
     many += " --view-camera C" + std::to_string(n) + "=P" + std::to_string(n);
   }
   CHECK(error(many).find("--view-camera") != std::string::npos);
-  // As many views as cameras are remembered at least.
+  // The memory must have room for one view of each camera.
   std::string eight;
   for (int n = 0; n < 8; ++n) {
     eight += " --view-camera C" + std::to_string(n) + "=P" + std::to_string(n);
