@@ -13,6 +13,7 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
 }  // namespace
 
 std::vector<Eigen::Vector2d> convex_hull(std::vector<Eigen::Vector2d> points) {
+  if (points.empty()) return {};
   std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
   });

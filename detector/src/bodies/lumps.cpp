@@ -14,14 +14,32 @@ constexpr std::size_t kMinSamples = 40;
 // A lump must rise this many standard deviations of the noise above its support, beside the
 // rounding. Far from the sensor, noise alone makes bumps of several standard deviations.
 constexpr double kMinSigmas = 6.0;
-// The middle of a lump lies at least so far inside the outline of its support [m]. It is more than
-// the ten pixels by which stereo cameras misplace edges, a metre away.
+// The middle of a lump lies at least so far inside the outline of its support, as a view that shows
+// the lump sees it [m]. It is more than the ten pixels by which stereo cameras misplace edges, a
+// metre away.
 constexpr double kMinInside = 0.03;
+// A view shows a lump if at least this share of the lump's samples is its own.
+constexpr double kViewShare = 0.25;
 
 double largest_sigma(const SurfaceSamples& samples, const std::vector<int>& piece) {
   double largest = 0.0;
   for (const int i : piece) largest = std::max<double>(largest, samples.sigma[i]);
   return largest;
+}
+
+/// True if a view that shows a piece sees the support around the piece's middle. The noise of a
+/// view is largest at its border, where another view may know the support well.
+bool is_surrounded(const SurfaceSamples& samples, const std::vector<int>& piece,
+                   const Eigen::Vector3d& middle_C, const Support& support) {
+  if (support.outlines_Q.empty()) return true;
+  std::vector<std::size_t> count(support.outlines_Q.size(), 0);
+  for (const int i : piece) ++count[samples.view_of(i)];
+  for (std::size_t v = 0; v < count.size(); ++v) {
+    const bool shows =
+        static_cast<double>(count[v]) >= kViewShare * static_cast<double>(piece.size());
+    if (shows && support.inside(middle_C, v) >= kMinInside) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -50,8 +68,6 @@ const Support* lump_support(const SurfaceSamples& samples, const std::vector<int
   }
   const Support* support = support_below(supports, middle_C);
   if (support == nullptr) return nullptr;
-  // Sensors see edges of the support wider than they are, and matter in the air beside them.
-  if (support->inside(middle_C) < kMinInside) return nullptr;
   // Things do not float, though what stands before them may hide their feet.
   const bool floats = std::all_of(piece.begin(), piece.end(), [&](int i) {
     return support->height(samples.raw[i].cast<double>()) >= kMaxFootGap;
@@ -78,6 +94,8 @@ std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vecto
   const bool flat = height < kRounding + kMinSigmas * largest_sigma(samples, piece);
   const bool thin = box_A.sizes().tail<2>().minCoeff() < kRounding;
   if (flat || thin) return std::nullopt;
+  // Sensors see edges of the support wider than they are, and matter in the air beside them.
+  if (!is_surrounded(samples, piece, outline.middle_C, support)) return std::nullopt;
 
   SceneBody body;
   body.kind = BodyKind::kLump;

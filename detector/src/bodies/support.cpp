@@ -17,9 +17,12 @@ bool Support::is_below(const Eigen::Vector3d& p_C) const {
   return height(p_C) > 0.0 && around.contains(Eigen::Vector2d(p_Q.head<2>()));
 }
 
-double Support::inside(const Eigen::Vector3d& p_C) const {
+double Support::inside(const Eigen::Vector3d& p_C, std::size_t view) const {
+  const std::vector<Eigen::Vector2d>& outline_Q = outlines_Q[view];
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (outline_Q.size() < 3) return -kInfinity;
   const Eigen::Vector2d p_Q = (X_QC * p_C).head<2>();
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   for (std::size_t k = 0; k < outline_Q.size(); ++k) {
     const Eigen::Vector2d side = outline_Q[(k + 1) % outline_Q.size()] - outline_Q[k];
     const Eigen::Vector2d inwards = Eigen::Vector2d(-side.y(), side.x()).normalized();
@@ -46,11 +49,13 @@ std::vector<Support> supports_of(const std::vector<Detection>& detections,
     support.X_QC = plane->X_CQ.inverse();
     support.bounds_Q = {plane->extent_Q.min().head<2>(), plane->extent_Q.max().head<2>()};
     if (const auto places = places_C.find(plane->id); places != places_C.end()) {
-      std::vector<Eigen::Vector2d> places_Q;
-      for (const Eigen::Vector3d& p : places->second) {
-        places_Q.emplace_back((support.X_QC * p).head<2>());
+      for (const std::vector<Eigen::Vector3d>& of_view : places->second) {
+        std::vector<Eigen::Vector2d> places_Q;
+        for (const Eigen::Vector3d& p : of_view) {
+          places_Q.emplace_back((support.X_QC * p).head<2>());
+        }
+        support.outlines_Q.push_back(convex_hull(std::move(places_Q)));
       }
-      support.outline_Q = convex_hull(std::move(places_Q));
     }
     supports.push_back(support);
   }

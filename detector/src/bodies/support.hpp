@@ -13,8 +13,8 @@ namespace quadrille {
 /// mixes it with the support.
 inline constexpr double kMaxFootGap = 0.02;
 
-/// Places on planes, by the ids of the planes [m].
-using PlacesOnPlanes = std::map<int, std::vector<Eigen::Vector3d>>;
+/// Places on planes [m]: by the ids of the planes, and then for each view of the scene.
+using PlacesOnPlanes = std::map<int, std::vector<std::vector<Eigen::Vector3d>>>;
 
 /// A plane on which bodies may stand.
 struct Support {
@@ -24,16 +24,17 @@ struct Support {
   double offset = 0.0;
   Eigen::Isometry3d X_QC = Eigen::Isometry3d::Identity();
   Eigen::AlignedBox2d bounds_Q;
-  /// Corners of the convex hull of the plane's points, counterclockwise in Q [m].
-  std::vector<Eigen::Vector2d> outline_Q;
+  /// For each view, the corners of the convex hull of the places that it sees on the plane,
+  /// counterclockwise in Q [m]; empty if no places are known.
+  std::vector<std::vector<Eigen::Vector2d>> outlines_Q;
 
   double height(const Eigen::Vector3d& p_C) const { return n_C.dot(p_C) - offset; }
   /// True if a place is on the sensor's side of the plane and over the part that was seen, or
   /// within a tenth of its size beside it.
   bool is_below(const Eigen::Vector3d& p_C) const;
-  /// Distance of a place from the edge of the part that was seen, along the plane; negative outside
-  /// of that part [m].
-  double inside(const Eigen::Vector3d& p_C) const;
+  /// Distance of a place from the edge of the part that a view sees, along the plane; negative
+  /// outside of that part [m].
+  double inside(const Eigen::Vector3d& p_C, std::size_t view) const;
 };
 
 /// The planes among the detections that are no parts of bodies, the largest first.

@@ -62,8 +62,8 @@ struct Measured {
   std::vector<int> owner;
   /// For each plane of the scene the index of its detection, −1 for none.
   std::vector<int> of_plane;
-  /// For each plane, by the index of its detection, places on it [m].
-  std::map<int, std::vector<Eigen::Vector3d>> places;
+  /// Places on the planes, by the indices of their detections.
+  PlacesOnPlanes places;
 };
 
 /// @param only  the types that are asked for
@@ -105,8 +105,10 @@ void measure_planes(const Scene& scene, double min_confidence, Measured* measure
     const bool doubtful = weighed[k].confidence < min_confidence;
     if (doubtful && has_larger_parallel(scene.planes, k)) continue;
     of_plane[k] = static_cast<int>(measured->detections.size());
+    std::vector<std::vector<Eigen::Vector3d>>& places = measured->places[of_plane[k]];
+    places.resize(scene.views.size());
     for (const int i : scene.planes[k].samples) {
-      measured->places[of_plane[k]].push_back(scene.coarse.raw[i].cast<double>());
+      places[scene.coarse.view_of(i)].push_back(scene.coarse.raw[i].cast<double>());
     }
     measured->detections.push_back(measure(weighed[k], scene.coarse, scene.viewpoint()));
   }

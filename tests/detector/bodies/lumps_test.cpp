@@ -1,5 +1,6 @@
 #include "bodies/lumps.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -16,7 +17,7 @@ std::vector<Support> square_table() {
   support.id = 4;
   support.n_C = Eigen::Vector3d::UnitZ();
   support.bounds_Q = {Eigen::Vector2d(-0.3, -0.3), Eigen::Vector2d(0.3, 0.3)};
-  support.outline_Q = {{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}};
+  support.outlines_Q = {{{-0.3, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {-0.3, 0.3}}};
   return {support};
 }
 
@@ -73,6 +74,24 @@ TEST_CASE("there are no lumps at the edge of a support or beside it", "[bodies][
     CHECK_FALSE(lump(dome(0.0, -x, 0.03, 0.0)));
   }
   CHECK(lump(dome(0.26, 0.26, 0.03, 0.0)));
+}
+
+TEST_CASE("what only one view shows at the edge of its support is no lump", "[bodies][lumps]") {
+  std::vector<Support> supports = square_table();
+  // The second view sees the half x > 0 alone.
+  supports.front().outlines_Q.push_back({{0.0, -0.3}, {0.3, -0.3}, {0.3, 0.3}, {0.0, 0.3}});
+  SurfaceSamples samples = dome(0.01, 0.0, 0.03, 0.0);
+  std::vector<int> piece(samples.raw.size());
+  std::iota(piece.begin(), piece.end(), 0);
+  samples.view.assign(piece.size(), 0);
+  CHECK(lump_of(samples, piece, supports.front()));
+  samples.view.assign(piece.size(), 1);
+  CHECK_FALSE(lump_of(samples, piece, supports.front()));
+  // A few samples of another view do not show it.
+  std::fill_n(samples.view.begin(), piece.size() / 5, 0);
+  CHECK_FALSE(lump_of(samples, piece, supports.front()));
+  std::fill_n(samples.view.begin(), piece.size() / 2, 0);
+  CHECK(lump_of(samples, piece, supports.front()));
 }
 
 TEST_CASE("a lump floats only if a surface that touches it may hide its foot", "[bodies][lumps]") {
