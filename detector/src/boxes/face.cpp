@@ -1,6 +1,5 @@
 #include "boxes/face.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "base/buckets.hpp"
 #include "base/quantile.hpp"
+#include "base/symmetric_eigen.hpp"
 #include "boxes/connected_pieces.hpp"
 #include "cloud/some_points.hpp"
 #include "samples/height_fit.hpp"

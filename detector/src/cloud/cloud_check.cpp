@@ -1,10 +1,10 @@
 #include "cloud/cloud_check.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "base/quantile.hpp"
+#include "base/symmetric_eigen.hpp"
 #include "cloud/some_points.hpp"
 
 namespace quadrille {

@@ -1,12 +1,12 @@
 #include "planes/planes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
+#include "base/symmetric_eigen.hpp"
 #include "samples/height_fit.hpp"
 #include "samples/plane_sums.hpp"
 

@@ -1,9 +1,9 @@
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
+#include "base/symmetric_eigen.hpp"
 #include "quadrille/detector/quadric.hpp"
 
 namespace quadrille {

@@ -1,6 +1,5 @@
 #include "surfaces/lid.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "base/mask.hpp"
 #include "base/quantile.hpp"
+#include "base/symmetric_eigen.hpp"
 
 namespace quadrille {
 namespace {

@@ -1,6 +1,5 @@
 #include "surfaces/measure.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "base/quantile.hpp"
+#include "base/symmetric_eigen.hpp"
 #include "quadrille/detector/quadric.hpp"
 #include "surfaces/hidden_ends.hpp"
 #include "surfaces/uncertainty.hpp"

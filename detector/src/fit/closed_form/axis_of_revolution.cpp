@@ -1,9 +1,9 @@
 #include "fit/closed_form/axis_of_revolution.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include "base/symmetric_eigen.hpp"
 #include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {

@@ -1,9 +1,9 @@
 #include "fit/closed_form/initial_cone.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "base/symmetric_eigen.hpp"
 #include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {

@@ -1,9 +1,9 @@
 #include "fit/closed_form/initial_cylinder.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <utility>
 
+#include "base/symmetric_eigen.hpp"
 #include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {

@@ -1,7 +1,6 @@
 #include "fit/closed_form/initial_plane.hpp"
 
-#include <Eigen/Eigenvalues>
-
+#include "base/symmetric_eigen.hpp"
 #include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {

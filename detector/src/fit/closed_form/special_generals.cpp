@@ -1,7 +1,8 @@
 #include "fit/closed_form/special_generals.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
+
+#include "base/symmetric_eigen.hpp"
 
 namespace quadrille {
 namespace {

@@ -2,6 +2,8 @@
 
 #include <Eigen/Dense>
 
+#include "base/symmetric_eigen.hpp"
+
 namespace quadrille {
 namespace {
 
