@@ -67,6 +67,18 @@ TEST_CASE("what does not rise above rounding and noise is no lump", "[bodies][lu
   CHECK_FALSE(lump(noisy));
 }
 
+TEST_CASE("a bump that rises from a skirt of its support is no lump", "[bodies][lumps]") {
+  SurfaceSamples samples = dome(0.0, 0.0, 0.02, 0.0);
+  const SurfaceSamples skirt = dome(0.0, 0.0, 0.05, -0.05);
+  for (std::size_t i = 0; i < skirt.raw.size(); ++i) {
+    samples.raw.emplace_back(skirt.raw[i].x(), skirt.raw[i].y(), 0.002f);
+    samples.sigma.push_back(skirt.sigma[i]);
+    samples.cell.push_back(skirt.cell[i]);
+  }
+  CHECK(lump(dome(0.0, 0.0, 0.02, 0.0)));
+  CHECK_FALSE(lump(samples));
+}
+
 TEST_CASE("there are no lumps at the edge of a support or beside it", "[bodies][lumps]") {
   for (const double x : {0.28, 0.3, 0.34}) {
     CAPTURE(x);
