@@ -27,18 +27,25 @@ class LumpAdder {
       if (joined_a_body(connected, contacts)) continue;
       const Support* support = lump_support(found_.samples, connected, level, contacts.empty());
       if (support == nullptr) continue;
-      for (const std::vector<int>& piece : convex_pieces(found_.samples, connected)) {
-        if (joined_a_body(piece, contacts_of(piece))) continue;
-        auto lump = lump_of(found_.samples, piece, *support);
-        if (!lump) continue;
-        lump->points = points_of(piece);
-        lump->id = ++last_id_;
-        bodies_->push_back(std::move(*lump));
+      const Mask above = above_support(found_.samples, connected, *support);
+      for (const std::vector<int>& whole : connected_pieces(found_.samples, above)) {
+        for (const std::vector<int>& piece : convex_pieces(found_.samples, whole)) {
+          add_piece(piece, *support);
+        }
       }
     }
   }
 
  private:
+  void add_piece(const std::vector<int>& piece, const Support& support) {
+    if (joined_a_body(piece, contacts_of(piece))) return;
+    auto lump = lump_of(found_.samples, piece, support);
+    if (!lump) return;
+    lump->points = points_of(piece);
+    lump->id = ++last_id_;
+    bodies_->push_back(std::move(*lump));
+  }
+
   int points_of(const std::vector<int>& piece) const {
     int points = 0;
     for (const int i : piece) points += found_.samples.count[i];

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "base/quantile.hpp"
 #include "boxes/box_axes.hpp"
 #include "boxes/face.hpp"
 
@@ -76,6 +75,15 @@ const Support* lump_support(const SurfaceSamples& samples, const std::vector<int
   return alone && floats ? nullptr : support;
 }
 
+Mask above_support(const SurfaceSamples& samples, const std::vector<int>& piece,
+                   const Support& support) {
+  Mask above(samples.raw.size(), 0);
+  for (const int i : piece) {
+    above[i] = support.height(samples.raw[i].cast<double>()) > kRounding;
+  }
+  return above;
+}
+
 std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vector<int>& piece,
                                  const Support& support) {
   if (piece.size() < kMinSamples) return std::nullopt;
@@ -87,18 +95,14 @@ std::optional<SceneBody> lump_of(const SurfaceSamples& samples, const std::vecto
   outline.n_C = support.n_C;
   const Eigen::Matrix3d R_CA = box_axes({&outline});
   Eigen::AlignedBox3d box_A;
-  std::vector<double> heights;
   for (const Eigen::Vector3d& p : outline.points_C) {
     box_A.extend(Eigen::Vector3d(R_CA.transpose() * p));
-    heights.push_back(support.height(p));
   }
   // Depth edges leave sheets of points that are mixed from two surfaces.
   const double height = box_A.max().x() - support.offset;
   const bool flat = height < kRounding + kMinSigmas * largest_sigma(samples, piece);
   const bool thin = box_A.sizes().tail<2>().minCoeff() < kRounding;
-  // A bump of noise rises from a skirt of its support; a thing has an edge.
-  const bool skirt = median(heights) < kRounding;
-  if (flat || thin || skirt) return std::nullopt;
+  if (flat || thin) return std::nullopt;
   // Sensors see edges of the support wider than they are, and matter in the air beside them.
   if (!is_surrounded(samples, piece, outline.middle_C, support)) return std::nullopt;
 

@@ -22,6 +22,11 @@ Mask open_samples(const SurfaceSamples& samples, const std::vector<int>& owner,
 const Support* lump_support(const SurfaceSamples& samples, const std::vector<int>& piece,
                             const std::vector<Support>& supports, bool alone);
 
+/// The samples of a piece that rise from its support. The others are noise that lies around things,
+/// and would connect them.
+Mask above_support(const SurfaceSamples& samples, const std::vector<int>& piece,
+                   const Support& support);
+
 /// A piece of samples as a body above a support, with the smallest upright box around it; nullopt
 /// if it is too small, or too little rises from the support. Its id and number of points stay
 /// unset.

@@ -201,20 +201,15 @@ DetectionResult DetectorNode::detect_lasting(const bus::CloudMessage& cloud,
 void DetectorNode::remember_view(int camera, const bus::CloudMessage& cloud,
                                  const CameraPose& pose) {
   if (!pose.X_WK || forgotten_.is_after(cloud.utime)) return;
-  RobotShapes robot_W;
+  std::optional<RobotShapes> robot_K;
   {
     const std::lock_guard lock(mutex_);
-    try {
-      robot_W = robot_.in_world(cloud.utime);
-    } catch (const std::invalid_argument& error) {
-      refusals_.add(settings_.robot_channel, {bus::RejectReason::kBadValue, error.what()});
-      return;
-    }
+    robot_K = robot_.at_view(cloud.utime, *pose.X_WK, settings_.robot_channel, &refusals_);
   }
-  const RobotShapes robot_K = moved(robot_W, pose.X_WK->inverse());
+  if (!robot_K) return;
   const Placement placement = place(settings_.frames, pose);
   const DetectionResult result = detect_lasting(
-      cloud, robot_K.taken_from(in_camera_frame(cloud.cloud, placement, settings_.frames)),
+      cloud, robot_K->taken_from(in_camera_frame(cloud.cloud, placement, settings_.frames)),
       *pose.X_WK, camera);
   for (const std::string& warning : result.warnings) {
     warnings_log_.warning(

@@ -39,9 +39,11 @@ class Knowledge {
   /// @throws std::invalid_argument if something is in a frame that is not known
   Known about(const CloudAndQuadrics& pair) const;
 
-  /// Returns the robot's shapes in the fixed frame, for clouds of further cameras.
-  /// @throws std::invalid_argument if they are in a frame of the first camera
-  RobotShapes robot_in_world(std::int64_t utime) const { return robot_.in_world(utime); }
+  /// Returns the robot's shapes in frame K of a further camera; see RobotHistory::at_view().
+  std::optional<RobotShapes> robot_at_view(std::int64_t utime, const Eigen::Isometry3d& X_WK,
+                                           Refusals* refusals) const {
+    return robot_.at_view(utime, X_WK, settings_.robot_channel, refusals);
+  }
 
  private:
   /// Something in a frame that a message names.

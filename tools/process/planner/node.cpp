@@ -116,18 +116,12 @@ void PlannerNode::remember(const SharedPair& pair) {
 void PlannerNode::remember_view(int camera, const bus::CloudMessage& cloud,
                                 const CameraPose& pose) {
   if (!pose.X_WK) return;
-  RobotShapes robot_W;
+  std::optional<RobotShapes> robot_K;
   {
     const std::lock_guard lock(mutex_);
-    try {
-      robot_W = knowledge_.robot_in_world(cloud.utime);
-    } catch (const std::invalid_argument& error) {
-      refused_knowledge_.add(settings_.robot_channel, {bus::RejectReason::kBadValue, error.what()});
-      return;
-    }
+    robot_K = knowledge_.robot_at_view(cloud.utime, *pose.X_WK, &refused_knowledge_);
   }
-  planner_.remember(cloud, place(settings_.frames, pose), moved(robot_W, pose.X_WK->inverse()),
-                    camera);
+  if (robot_K) planner_.remember(cloud, place(settings_.frames, pose), *robot_K, camera);
 }
 
 void PlannerNode::forget(const forget_t& message) {

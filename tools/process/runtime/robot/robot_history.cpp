@@ -71,6 +71,17 @@ RobotShapes RobotHistory::in_world(std::int64_t utime) const {
   });
 }
 
+std::optional<RobotShapes> RobotHistory::at_view(std::int64_t utime, const Eigen::Isometry3d& X_WK,
+                                                 const std::string& channel,
+                                                 Refusals* refusals) const {
+  try {
+    return moved(in_world(utime), X_WK.inverse());
+  } catch (const std::invalid_argument& error) {
+    refusals->add(channel, {bus::RejectReason::kBadValue, error.what()});
+    return std::nullopt;
+  }
+}
+
 std::vector<SolidShape> RobotHistory::attached_at(std::int64_t utime) const {
   std::vector<SolidShape> all = given_.attached;
   if (const RobotState* state = states_.nearest(utime)) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -52,6 +53,11 @@ class RobotHistory {
   /// @param utime  when they were there [us]
   /// @throws std::invalid_argument if they are given in another frame
   RobotShapes in_world(std::int64_t utime) const;
+  /// Returns the robot's shapes in frame K of a further camera, whose clouds name no frame in which
+  /// they could be placed but W. If they are given in another one that is counted and logged as a
+  /// refusal of the channel, and the result is nullopt.
+  std::optional<RobotShapes> at_view(std::int64_t utime, const Eigen::Isometry3d& X_WK,
+                                     const std::string& channel, Refusals* refusals) const;
   /// Returns what was fixed to the hand then.
   std::vector<SolidShape> attached_at(std::int64_t utime) const;
 
