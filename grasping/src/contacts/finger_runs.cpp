@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::size_t kDepthLanes = FingerRuns::kMaxDepths;
 constexpr float kFarAway = std::numeric_limits<float>::infinity();
+// Number of points after which the depths are asked whether a run has started.
+constexpr std::size_t kRunBlock = 8;
 using DepthLanes __attribute__((vector_size(kDepthLanes * sizeof(float)), may_alias)) = float;
 using DepthMasks __attribute__((vector_size(kDepthLanes * sizeof(float)), may_alias)) = int;
 using DepthHalves __attribute__((vector_size(kDepthLanes * sizeof(float)), may_alias)) = long long;
@@ -28,45 +30,78 @@ inline __attribute__((always_inline)) bool any(const DepthMasks& masks) {
   return ((halves[0] | halves[1]) | (halves[2] | halves[3])) != 0;
 }
 
+/// The points of a slice.
+struct SlicePoints {
+  const float *y_of, *z_of;
+  const std::uint32_t* places;
+
+  float y(std::size_t k) const { return y_of[places[k]]; }
+  float z(std::size_t k) const { return z_of[places[k]]; }
+  bool reached(std::size_t k, float tip, float root) const { return z(k) < tip && z(k) > root; }
+};
+
+/// Adds the runs of one depth that start among some points, and ends those before them.
+struct RunStarter {
+  const SlicePoints& points;
+  float tip, root, gap;
+  std::vector<Run>& runs;
+
+  /// @param last  the last point before them that is reached, if there is a run already
+  /// @param last_y  where it lies; infinitely far away if there is no run
+  void add(std::size_t first, std::size_t end, std::size_t last, float last_y) {
+    for (std::size_t k = first; k < end; ++k) {
+      if (!points.reached(k, tip, root)) continue;
+      if (points.y(k) - last_y > gap) {
+        if (!runs.empty()) runs.back().last = last;
+        runs.push_back({k, k});
+      }
+      last = k, last_y = points.y(k);
+    }
+  }
+};
+
+/// Replaces the lanes of a mask by others.
+template <class Lanes>
+inline __attribute__((always_inline)) void replace_in(const DepthMasks& mask, const Lanes& others,
+                                                      Lanes& lanes) {
+  lanes = reinterpret_cast<Lanes>((mask & reinterpret_cast<const DepthMasks&>(others)) |
+                                  (~mask & reinterpret_cast<const DepthMasks&>(lanes)));
+}
+
 }  // namespace
 
 QUADRILLE_VECTOR_CLONES
-void FingerRuns::find(std::span<const InSlice> points, std::span<const float> tips,
-                      std::span<const float> roots) {
+void FingerRuns::find(const SortedPoints& sorted, std::span<const std::uint32_t> places,
+                      std::span<const float> tips, std::span<const float> roots) {
   for (std::vector<Run>& runs : runs_) runs.clear();
+  const SlicePoints points{sorted.y, sorted.z, places.data()};
+  const float gap = gap_;
   DepthLanes tip, root, last_y;
   fill_lanes(tips, tip), fill_lanes(roots, root);
   // The first point lies infinitely far from a previous one, and so starts a run.
   fill_lanes({}, last_y);
-  std::array<std::size_t, kDepthLanes> first{};
-  DepthMasks last = {}, count = {};
-  // Unlike spans, this does not check each access.
-  const InSlice* point = points.data();
-  const int size = static_cast<int>(points.size());
-  for (int here = 0; here < size; ++here, ++point) {
-    const DepthMasks in = (point->z < tip) & (point->z > root);
-    const DepthMasks starts = in & (point->y - last_y > gap_);
-    if (any(starts)) {
-      for (std::size_t n = 0; n < kDepthLanes; ++n) {
-        if (starts[n] == 0) continue;
-        if (count[n] > 0) {
-          runs_[n].push_back(
-              {first[n], static_cast<std::size_t>(last[n]), static_cast<std::size_t>(count[n])});
-        }
-        first[n] = static_cast<std::size_t>(here);
-        count[n] = 0;
-      }
+  DepthMasks last = {};
+  for (std::size_t first = 0; first < places.size(); first += kRunBlock) {
+    const std::size_t end = std::min(first + kRunBlock, places.size());
+    const DepthLanes y_before = last_y;
+    const DepthMasks before = last;
+    DepthMasks started = {}, here = static_cast<int>(first) - DepthMasks{};
+    for (std::size_t k = first; k < end; ++k) {
+      const DepthMasks in = (points.z(k) < tip) & (points.z(k) > root);
+      const DepthLanes y = points.y(k) - DepthLanes{};
+      started |= in & (y - last_y > gap);
+      replace_in(in, y, last_y), replace_in(in, here, last);
+      here += 1;
     }
-    const DepthLanes y = point->y - DepthLanes{};
-    last_y = reinterpret_cast<DepthLanes>((in & reinterpret_cast<const DepthMasks&>(y)) |
-                                          (~in & reinterpret_cast<const DepthMasks&>(last_y)));
-    last = (in & here) | (~in & last);
-    count -= in;
+    if (!any(started)) continue;
+    for (std::size_t n = 0; n < tips.size(); ++n) {
+      if (started[n] == 0) continue;
+      RunStarter{points, tips[n], roots[n], gap, runs_[n]}.add(
+          first, end, static_cast<std::size_t>(before[n]), y_before[n]);
+    }
   }
-  for (std::size_t n = 0; n < kDepthLanes; ++n) {
-    if (count[n] == 0) continue;
-    runs_[n].push_back(
-        {first[n], static_cast<std::size_t>(last[n]), static_cast<std::size_t>(count[n])});
+  for (std::size_t n = 0; n < tips.size(); ++n) {
+    if (!runs_[n].empty()) runs_[n].back().last = static_cast<std::size_t>(last[n]);
   }
 }
 

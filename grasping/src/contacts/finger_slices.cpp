@@ -35,12 +35,16 @@ FingerSlices::FingerSlices(std::span<const Eigen::Vector3d> points, std::span<co
       reach_(gripper.max_opening + gripper.finger.y()),
       heights_(heights),
       points_(std::min<Eigen::Index>(kIndices, std::ssize(points)), 3),
-      own_(std::count_if(own.begin(), own.end(), [](char is_own) { return is_own != 0; }), 3) {
+      own_(std::count_if(own.begin(), own.end(), [](char is_own) { return is_own != 0; }), 3),
+      is_own_(own.begin(), own.end()) {
   for (Eigen::Index i = 0; i < points_.rows(); ++i) points_.row(i) = points[i].transpose();
   Eigen::Index n = 0;
   for (std::size_t i = 0; i < own.size(); ++i) {
     if (own[i]) own_.row(n++) = points[i].transpose();
   }
+  if (own_.rows() > 0) middle_ = own_.colwise().mean();
+  squares_ = (points_.rowwise() - middle_.transpose()).rowwise().squaredNorm();
+  own_squares_ = (own_.rowwise() - middle_.transpose()).rowwise().squaredNorm();
 }
 
 const std::vector<FingerSlice>& FingerSlices::cut(const Eigen::Matrix3d& R) {
@@ -52,41 +56,58 @@ const std::vector<FingerSlice>& FingerSlices::cut(const Eigen::Matrix3d& R) {
   if (!(low <= high)) return slices_;
   const int steps = static_cast<int>((high - low) / step_) + 1;
   const double first = 0.5 * (low + high) - 0.5 * step_ * (steps - 1);
-  find_own_ranges(R, first, steps);
-  fill(R, first);
+  find_strips(R, first, steps);
+  find_own_ranges(steps);
+  find_windows();
+  fill();
   for (std::size_t n = 0; n < ranges_.size(); ++n) {
-    const std::span<const InSlice> points = within_reach(n);
+    const std::span<const std::uint32_t> points = within_reach(n);
     if (points.empty()) continue;
     slices_.push_back({first + static_cast<int>(n) * step_, ranges_[n].top, points});
   }
   return slices_;
 }
 
-/// Sorts the points along a closing direction.
+/// Sorts the points along a closing direction. A point that shares a slice with an own one lies at
+/// most a finger's width and one of the heights from the highest own point there, so that points
+/// farther beside the own ones are left out, too.
 void FingerSlices::sort_along(const Eigen::Vector3d& closing) {
   closing_ = closing;
-  places_ = along(closing, own_);
-  own_y_ = places_.cast<float>();
-  const double low = places_.minCoeff(), high = places_.maxCoeff();
+  own_y_ = along(closing, own_);
+  const double low = own_y_.minCoeff(), high = own_y_.maxCoeff();
   places_ = along(closing, points_);
+  const double middle = closing.dot(middle_);
+  const double beside =
+      std::sqrt(std::max(0.0, (own_squares_ - (own_y_ - middle).square()).maxCoeff()));
+  const double farthest =
+      beside + std::hypot(2.0 * step_, std::max(heights_.above, heights_.below)) + kRoundingSlack;
   keys_.resize(static_cast<std::size_t>(places_.size()));
-  // Unlike vectors, this does not check each access.
+  // Unlike vectors, these do not check each access.
   std::int64_t* keys = keys_.data();
+  const double *places = places_.data(), *squares = squares_.data();
   for (Eigen::Index i = 0; i < places_.size(); ++i) {
-    const double y = places_[i];
-    if (!(y > low - reach_ && y < high + reach_ && std::abs(y) < kFarthest)) continue;
+    const double y = places[i], off = y - middle;
+    const bool near = y > low - reach_ && y < high + reach_ && std::abs(y) < kFarthest &&
+                      squares[i] - off * off < farthest * farthest;
+    if (!near) continue;
     *keys++ = std::llrint(y / kUnit) * kIndices + i;
   }
   keys_.resize(static_cast<std::size_t>(keys - keys_.data()));
   sort_keys();
   const std::size_t count = keys_.size();
   sorted_.resize(static_cast<Eigen::Index>(count), 3);
-  y_.resize(sorted_.rows()), index_.resize(sorted_.rows());
+  exact_y_.resize(count), y_.resize(count), index_.resize(count);
+  own_places_.clear();
+  const double *from_x = points_.col(0).data(), *from_y = points_.col(1).data(),
+               *from_z = points_.col(2).data();
+  double *x = sorted_.col(0).data(), *y = sorted_.col(1).data(), *z = sorted_.col(2).data();
   for (std::size_t k = 0; k < count; ++k) {
-    const Eigen::Index i = keys_[k] & (kIndices - 1);
-    sorted_.row(static_cast<Eigen::Index>(k)) = points_.row(i);
-    y_[static_cast<Eigen::Index>(k)] = static_cast<float>(places_[i]);
-    index_[static_cast<Eigen::Index>(k)] = static_cast<std::uint32_t>(i);
+    const std::int64_t i = keys_.data()[k] & (kIndices - 1);
+    x[k] = from_x[i], y[k] = from_y[i], z[k] = from_z[i];
+    exact_y_.data()[k] = places[i];
+    y_.data()[k] = static_cast<float>(places[i]);
+    index_.data()[k] = static_cast<std::uint32_t>(i);
+    if (is_own_.data()[i] != 0) own_places_.push_back(static_cast<std::uint32_t>(k));
   }
 }
 
@@ -112,43 +133,38 @@ void FingerSlices::sort_keys() {
   }
 }
 
-/// Finds the strip of each point, and how far it lies along the approach. The strips are the parts
-/// that two neighbouring slices share, and the halves of the outermost ones: slice n consists of
-/// strips n + 1 and n + 2. Points before, beyond and outside of the window are in strip 0.
+/// Finds the strip of each sorted point, and how far it lies along the approach. The strips are the
+/// parts that two neighbouring slices share, and the halves of the outermost ones: slice n consists
+/// of strips n + 1 and n + 2. Points before and beyond all slices are in strip 0.
 QUADRILLE_VECTOR_CLONES
-void FingerSlices::find_strips(const Eigen::Matrix3d& R, const Points& points, double first,
-                               int steps, const Window& window) {
-  strips_.resize(points.rows()), z_.resize(points.rows());
-  const double *x = points.col(0).data(), *y = points.col(1).data(), *z = points.col(2).data();
+void FingerSlices::find_strips(const Eigen::Matrix3d& R, double first, int steps) {
+  const auto count = static_cast<std::size_t>(sorted_.rows());
+  strips_.resize(count), z_.resize(count);
+  const double *x = sorted_.col(0).data(), *y = sorted_.col(1).data(), *z = sorted_.col(2).data();
   const double ax = R(0, 0), ay = R(1, 0), az = R(2, 0), bx = R(0, 2), by = R(1, 2), bz = R(2, 2);
   const double step = step_, most = steps;
-  const float low = window.low, high = window.high;
   const int beyond = steps + 2;
   int* __restrict strips = strips_.data();
   float* __restrict heights = z_.data();
-  const auto count = static_cast<std::size_t>(points.rows());
   for (std::size_t i = 0; i < count; ++i) {
     double place = (x[i] * ax + y[i] * ay + z[i] * az - first) / step;
     // No point has a NaN; it would become -2.
     place = place > -2.0 ? place : -2.0;
     place = place < most ? place : most;
     // The shift makes all values positive, so that truncation rounds down.
-    const auto height = static_cast<float>(x[i] * bx + y[i] * by + z[i] * bz);
-    const int in_window = static_cast<int>(height > low) & static_cast<int>(height < high);
     const int strip = static_cast<int>(place + 2.0);
-    strips[i] = strip * (in_window & static_cast<int>(strip < beyond));
-    heights[i] = height;
+    strips[i] = strip * static_cast<int>(strip < beyond);
+    heights[i] = static_cast<float>(x[i] * bx + y[i] * by + z[i] * bz);
   }
 }
 
-void FingerSlices::find_own_ranges(const Eigen::Matrix3d& R, double first, int steps) {
-  find_strips(R, own_, first, steps, {});
+void FingerSlices::find_own_ranges(int steps) {
   own_strips_.assign(static_cast<std::size_t>(steps) + 3, {});
   // Unlike vectors, these do not check each access.
   OwnRange* strips = own_strips_.data();
-  for (Eigen::Index i = 0; i < own_.rows(); ++i) {
-    strips[strips_[i]].join({z_[i], own_y_[i], own_y_[i]});
-  }
+  const int* strip_of = strips_.data();
+  const float *y = y_.data(), *z = z_.data();
+  for (const std::uint32_t k : own_places_) strips[strip_of[k]].join({z[k], y[k], y[k]});
   ranges_.clear();
   for (int n = 0; n < steps; ++n) {
     ranges_.push_back(strips[n + 1]);
@@ -156,35 +172,41 @@ void FingerSlices::find_own_ranges(const Eigen::Matrix3d& R, double first, int s
   }
 }
 
-/// Returns the heights that matter in any slice.
-FingerSlices::Window FingerSlices::window() const {
-  Window all{std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()};
-  for (const OwnRange& own : ranges_) {
+/// Finds the heights that matter in each strip to the slices that share it.
+void FingerSlices::find_windows() {
+  windows_.assign(ranges_.size() + 3, {});
+  for (std::size_t n = 0; n < ranges_.size(); ++n) {
+    const OwnRange& own = ranges_[n];
     if (own.low > own.high) continue;  // without own points
-    all.low = std::min(all.low, own.top - heights_.above);
-    all.high = std::max(all.high, own.top + heights_.below);
+    for (const std::size_t strip : {n + 1, n + 2}) {
+      Window& window = windows_[strip];
+      window.low = std::min(window.low, own.top - heights_.above);
+      window.high = std::max(window.high, own.top + heights_.below);
+    }
   }
-  return all;
 }
 
 /// Fills the slices with the points near their own ones.
-void FingerSlices::fill(const Eigen::Matrix3d& R, double first) {
-  const int steps = static_cast<int>(ranges_.size());
-  find_strips(R, sorted_, first, steps, window());
+void FingerSlices::fill() {
   // A slice holds no more points than its two strips do. The two outermost slices, before the first
   // and beyond the last one, are there so that each strip belongs to two; they stay empty.
-  const std::size_t size = ranges_.size() + 2;
+  const std::size_t size = ranges_.size() + 2, all = strips_.size();
   counts_.assign(size + 1, 0);
-  kept_.resize(static_cast<std::size_t>(strips_.size()));
+  kept_.resize(all);
   // Unlike vectors, these do not check each access.
   std::size_t* counts = counts_.data();
   std::uint32_t* kept = kept_.data();
   const int* strips = strips_.data();
+  const float* z = z_.data();
+  const Window* windows = windows_.data();
   std::size_t number = 0;
-  for (Eigen::Index k = 0; k < strips_.size(); ++k) {
-    ++counts[strips[k]];
+  for (std::size_t k = 0; k < all; ++k) {
+    const int strip = strips[k];
+    const auto is_in = static_cast<std::size_t>(z[k] > windows[strip].low) &
+                       static_cast<std::size_t>(z[k] < windows[strip].high);
+    counts[strip] += is_in;
     kept[number] = static_cast<std::uint32_t>(k);
-    number += strips[k] != 0;
+    number += is_in;
   }
   limits_.assign(size, {});
   Limits* limits = limits_.data();
@@ -197,30 +219,30 @@ void FingerSlices::fill(const Eigen::Matrix3d& R, double first) {
   }
   limits[0].first = limits[0].end = limits[size - 1].first = limits[size - 1].end = start;
   if (members_.size() <= start) members_.resize(start + 1);
-  InSlice* members = members_.data();
+  std::uint32_t* members = members_.data();
   for (std::size_t m = 0; m < number; ++m) {
     const std::uint32_t k = kept[m];
-    const InSlice point{y_.data()[k], z_.data()[k], index_.data()[k]};
+    const float height = z[k];
     Limits* slices = limits + strips[k] - 1;
     for (Limits* slice : {slices, slices + 1}) {
-      members[slice->end] = point;
-      slice->end += static_cast<std::size_t>(point.z < slice->high_z) &
-                    static_cast<std::size_t>(point.z > slice->low_z);
+      members[slice->end] = k;
+      slice->end += static_cast<std::size_t>(height < slice->high_z) &
+                    static_cast<std::size_t>(height > slice->low_z);
     }
   }
 }
 
 /// Returns the points of the n-th slice within reach of its own ones, which lie side by side.
-std::span<const InSlice> FingerSlices::within_reach(std::size_t n) const {
+std::span<const std::uint32_t> FingerSlices::within_reach(std::size_t n) const {
   const auto beyond = static_cast<float>(reach_ + kRoundingSlack);
   const float low = ranges_[n].low - beyond, high = ranges_[n].high + beyond;
   const Limits& slice = limits_[n + 1];
-  const auto begin = members_.begin() + static_cast<std::ptrdiff_t>(slice.first);
-  const auto end = members_.begin() + static_cast<std::ptrdiff_t>(slice.end);
-  const auto first =
-      std::partition_point(begin, end, [&](const InSlice& point) { return point.y < low; });
-  const auto last =
-      std::partition_point(first, end, [&](const InSlice& point) { return point.y <= high; });
+  // Unlike vectors, these do not check each access.
+  const float* y = y_.data();
+  const std::uint32_t *begin = members_.data() + slice.first, *end = members_.data() + slice.end;
+  const auto* first = std::partition_point(begin, end, [&](std::uint32_t k) { return y[k] < low; });
+  const auto* last =
+      std::partition_point(first, end, [&](std::uint32_t k) { return y[k] <= high; });
   return {first, last};
 }
 

@@ -12,20 +12,24 @@
 
 namespace quadrille {
 
-/// A point by its index, and how far it lies along the closing direction and the approach [m].
-struct InSlice {
-  float y, z;
-  std::uint32_t index;
-};
-
 /// The points that a finger covers at one place of the hand.
 struct FingerSlice {
   /// Middle of the finger, across the closing direction and the approach [m].
   double x = 0.0;
   /// How far the highest own point lies along the approach [m].
   float top = 0.0f;
-  /// The points, sorted along the closing direction.
-  std::span<const InSlice> points;
+  /// The points by their places in SortedPoints, so that they are sorted, too.
+  std::span<const std::uint32_t> points;
+};
+
+/// Points that are sorted along the closing direction.
+struct SortedPoints {
+  /// How far the points lie along the closing direction, and the same as floats; how far they lie
+  /// along the approach [m].
+  const double* exact_y = nullptr;
+  const float *y = nullptr, *z = nullptr;
+  /// Their indices in the original order.
+  std::span<const std::uint32_t> index;
 };
 
 /// The heights that matter in a slice: so far above and below its highest own point [m].
@@ -49,6 +53,11 @@ class FingerSlices {
   /// @param R  axes of the hand as columns: y closing, z approach
   /// @return the slices at these places that hold own points; they last until the next call
   const std::vector<FingerSlice>& cut(const Eigen::Matrix3d& R);
+  /// The points as they were sorted for the last call. Those that no slice for its closing
+  /// direction can hold are missing.
+  SortedPoints sorted() const {
+    return {exact_y_.data(), y_.data(), z_.data(), {index_.data(), index_.size()}};
+  }
 
  private:
   using Points = Eigen::Matrix<double, Eigen::Dynamic, 3>;
@@ -70,42 +79,46 @@ class FingerSlices {
     std::size_t first = 0, end = 0;
   };
 
-  void sort_along(const Eigen::Vector3d& closing);
-  void sort_keys();
-  /// The heights above and below which no slice has points [m].
+  /// Heights between two limits; none by default [m].
   struct Window {
-    float low = -std::numeric_limits<float>::infinity(), high = -low;
+    float low = std::numeric_limits<float>::infinity(), high = -low;
   };
 
-  void find_strips(const Eigen::Matrix3d& R, const Points& points, double first, int steps,
-                   const Window& window);
-  Window window() const;
-  void find_own_ranges(const Eigen::Matrix3d& R, double first, int steps);
-  void fill(const Eigen::Matrix3d& R, double first);
-  std::span<const InSlice> within_reach(std::size_t n) const;
+  void sort_along(const Eigen::Vector3d& closing);
+  void sort_keys();
+  void find_strips(const Eigen::Matrix3d& R, double first, int steps);
+  void find_own_ranges(int steps);
+  void find_windows();
+  void fill();
+  std::span<const std::uint32_t> within_reach(std::size_t n) const;
 
   /// The width of a step, and what a hand spans beside an own point, with one gap farther [m].
   double step_, reach_;
   SliceHeights heights_;
   Points points_, own_;
+  std::vector<char> is_own_;
+  /// The middle of the own points, and the squared distances of all points from it [m, m²].
+  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();
+  Eigen::ArrayXd squares_, own_squares_;
   /// The closing direction along which the points are sorted.
   Eigen::Vector3d closing_ = Eigen::Vector3d::Zero();
-  /// The points within reach of the own ones, sorted: their positions, places along the closing
-  /// direction and indices. The places of the own points, in the original order.
+  /// The points that a slice for this closing direction may hold, sorted: their positions, places
+  /// along the closing direction, indices, and which of them are own.
   Points sorted_;
-  Eigen::ArrayXf y_;
-  Eigen::Array<std::uint32_t, Eigen::Dynamic, 1> index_;
-  Eigen::ArrayXf own_y_;
+  std::vector<double> exact_y_;
+  std::vector<float> y_;
+  std::vector<std::uint32_t> index_, own_places_;
   // Kept to reuse their memory:
   std::vector<std::int64_t> keys_, sorted_keys_;
   std::vector<std::uint32_t> kept_;
-  Eigen::ArrayXd places_;
-  Eigen::ArrayXi strips_;
-  Eigen::ArrayXf z_;
+  Eigen::ArrayXd places_, own_y_;
+  std::vector<int> strips_;
+  std::vector<float> z_;
   std::vector<OwnRange> own_strips_, ranges_;
+  std::vector<Window> windows_;
   std::vector<std::size_t> counts_;
   std::vector<Limits> limits_;
-  std::vector<InSlice> members_;
+  std::vector<std::uint32_t> members_;
   std::vector<FingerSlice> slices_;
 };
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numbers>
 
 #include "contacts/directions.hpp"
+#include "quadrille/detector/vector_clones.hpp"
 
 namespace quadrille {
 namespace {
@@ -25,20 +27,53 @@ constexpr std::size_t kMinNormals = 8;
 // Least sine between two directions of which one gives a direction across the other.
 constexpr double kMinAcross = 0.1, kMinSteep = 0.5;
 
+/// Directions, coordinate by coordinate.
+struct DirectionList {
+  std::vector<double> x, y, z;
+
+  explicit DirectionList(const std::vector<Eigen::Vector3d>& directions) {
+    for (const Eigen::Vector3d& d : directions) {
+      x.push_back(d.x()), y.push_back(d.y()), z.push_back(d.z());
+    }
+  }
+};
+
+/// Counts the directions whose cosine with one of them is larger than `least`.
+QUADRILLE_VECTOR_CLONES
+std::size_t count_alike(const DirectionList& directions, const Eigen::Vector3d& one, double least) {
+  // Unlike vectors, these do not check each access.
+  const double *x = directions.x.data(), *y = directions.y.data(), *z = directions.z.data();
+  const double one_x = one.x(), one_y = one.y(), one_z = one.z();
+  std::int64_t alike = 0;
+  for (std::size_t n = 0; n < directions.x.size(); ++n) {
+    // The order of the sum is that of Eigen's product.
+    alike += static_cast<std::int64_t>(x[n] * one_x + (y[n] * one_y + z[n] * one_z) > least);
+  }
+  return static_cast<std::size_t>(alike);
+}
+
+/// Returns the mean of the directions whose cosine with one of them is larger than `least`.
+Eigen::Vector3d mean_alike(const std::vector<Eigen::Vector3d>& directions,
+                           const Eigen::Vector3d& one, double least) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Eigen::Vector3d& d : directions) {
+    if (d.dot(one) > least) sum += d;
+  }
+  return sum.normalized();
+}
+
 /// Returns the directions that most normals share, the most common one first.
 std::vector<Eigen::Vector3d> main_directions(std::vector<Eigen::Vector3d> normals) {
   std::vector<Eigen::Vector3d> main;
   while (main.size() < kMainDirections && normals.size() >= kMinNormals) {
-    std::size_t most = 0;
-    Eigen::Vector3d best = Eigen::Vector3d::Zero();
+    const DirectionList list(normals);
+    std::size_t most = 0, best_seed = 0;
     for (std::size_t i = 0; i < normals.size(); i += normals.size() / kSeeds + 1) {
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      std::size_t alike = 0;
-      for (const Eigen::Vector3d& n : normals) {
-        if (n.dot(normals[i]) > kSameDirection) sum += n, ++alike;
-      }
-      if (alike > most) most = alike, best = sum.normalized();
+      const std::size_t alike = count_alike(list, normals[i], kSameDirection);
+      if (alike > most) most = alike, best_seed = i;
     }
+    const Eigen::Vector3d best = most > 0 ? mean_alike(normals, normals[best_seed], kSameDirection)
+                                          : Eigen::Vector3d::Zero();
     main.push_back(best);
     std::erase_if(normals, [&](const Eigen::Vector3d& n) { return n.dot(best) > kAlike; });
   }

@@ -28,9 +28,10 @@ class FacingCount {
   void add(double cosine) {
     ++count_;
     towards_ += faces_pad(cosine);
-    away_ += cosine < -kTowards;
+    away_ += faces_away(cosine);
   }
   static bool faces_pad(double cosine) { return cosine > kTowards; }
+  static bool faces_away(double cosine) { return cosine < -kTowards; }
 
   int count() const { return count_; }
   /// Whether the side counts as seen, and whether nothing tells where it is, as in PadSide.

@@ -68,8 +68,9 @@ class PointHoldFinder {
     }
     FingerSlices slices(offsets_C_, own_, gripper_, heights_of(gripper_));
     for (const Eigen::Matrix3d& R_CG : hand_directions(std::move(normals), space_)) {
-      set_orientation(R_CG);
-      for (const FingerSlice& slice : slices.cut(R_CG)) lower(slice);
+      const std::vector<FingerSlice>& cut = slices.cut(R_CG);
+      set_orientation(R_CG, slices.sorted());
+      for (const FingerSlice& slice : cut) lower(slice);
     }
     std::stable_sort(ranked_.begin(), ranked_.end(),
                      [](const Ranked& a, const Ranked& b) { return a.rank > b.rank; });
@@ -85,27 +86,26 @@ class PointHoldFinder {
     double rank;
   };
 
-  /// How far a point lies along the closing direction [m], and the part of its normal along it.
-  struct AlongClosing {
-    double y = 0.0, n_y = 0.0;
-  };
-
-  void set_orientation(const Eigen::Matrix3d& R_CG) {
-    const bool same_closing = !along_.empty() && R_CG.col(1) == R_CG_.col(1);
+  void set_orientation(const Eigen::Matrix3d& R_CG, const SortedPoints& sorted) {
+    const bool same_closing = R_CG.col(1) == R_CG_.col(1);
     R_CG_ = R_CG;
-    if (same_closing) return;
-    const Eigen::Matrix3d R_GC = R_CG_.transpose();
-    along_.resize(offsets_C_.size());
-    for (std::size_t i = 0; i < along_.size(); ++i) {
-      const Eigen::Vector3d p_G = R_GC * offsets_C_[i], n_G = R_GC * points_.n_C[i];
-      along_[i] = {p_G.y(), n_G.y()};
+    sorted_ = sorted;
+    if (same_closing && !cosines_.empty()) return;
+    cosines_.resize(sorted.index.size()), is_own_.resize(sorted.index.size());
+    const double x = R_CG(0, 1), y = R_CG(1, 1), z = R_CG(2, 1);
+    for (std::size_t k = 0; k < cosines_.size(); ++k) {
+      // Unlike vectors, these do not check each access.
+      const std::uint32_t i = sorted.index.data()[k];
+      const Eigen::Vector3d& n_C = points_.n_C.data()[i];
+      cosines_.data()[k] = x * n_C.x() + y * n_C.y() + z * n_C.z();
+      is_own_.data()[k] = own_.data()[i];
     }
   }
 
   /// Lowers the fingers on the points of a slice.
   void lower(const FingerSlice& slice) {
     if (slice.points.size() < kMinBetween) return;
-    reached_ = slice.points;
+    points_of_slice_ = slice.points;
     find_runs(slice.top);
     for (std::size_t n = 0; n < kDepths; ++n) {
       tip_ = tips_[n], root_ = roots_[n];
@@ -113,8 +113,15 @@ class PointHoldFinder {
     }
   }
 
-  bool reached_by_fingers(const InSlice& point) const {
-    return (point.z < tip_) & (point.z > root_);
+  /// Returns the place among the sorted points of the k-th point of the slice.
+  std::uint32_t place(std::size_t k) const { return points_of_slice_.data()[k]; }
+  float y(std::size_t k) const { return sorted_.y[place(k)]; }
+  double exact_y(std::size_t k) const { return sorted_.exact_y[place(k)]; }
+  std::size_t index(std::size_t k) const { return sorted_.index.data()[place(k)]; }
+  bool is_own(std::size_t k) const { return is_own_.data()[place(k)] != 0; }
+  bool reached_by_fingers(std::size_t k) const {
+    const float z = sorted_.z[place(k)];
+    return (z < tip_) & (z > root_);
   }
 
   /// Finds the runs of points at all depths.
@@ -124,45 +131,45 @@ class PointHoldFinder {
       tips_[n] = top + kDepthsToFinger[n] * finger;
       roots_[n] = tips_[n] - finger;
     }
-    runs_.find(reached_, tips_, roots_);
+    runs_.find(sorted_, points_of_slice_, tips_, roots_);
   }
 
   /// Holds each run of points in which there is no gap for a finger, and neighbouring runs
   /// together.
   void hold_runs(const std::vector<Run>& runs, double x) {
-    for (std::size_t a = 0; a < runs.size(); ++a) {
-      Run run{runs[a].first, 0, 0};
-      for (std::size_t b = a; b < runs.size(); ++b) {
-        run.last = runs[b].last;
-        run.count += runs[b].count;
+    for (auto first = runs.begin(); first != runs.end(); ++first) {
+      const bool first_own = is_own(first->first);
+      for (auto last = first; last != runs.end(); ++last) {
         // With more runs it only becomes wider.
-        if (reached_[run.last].y - reached_[run.first].y > gripper_.max_opening) break;
-        if (may_hold(run)) hold(x, tip_, run);
+        if (y(last->last) - y(first->first) > gripper_.max_opening) break;
+        // One of the two sides at least must be the target's own.
+        const Run run{first->first, last->last};
+        if ((first_own || is_own(run.last)) && holds_enough(run)) hold(x, tip_, run);
       }
     }
   }
 
-  bool may_hold(const Run& run) const {
-    const InSlice &first = reached_[run.first], &last = reached_[run.last];
-    return run.count >= kMinBetween && (own_[first.index] || own_[last.index]);
+  bool holds_enough(const Run& run) const {
+    std::size_t found = 0;
+    for (std::size_t k = run.first; k <= run.last && found < kMinBetween; ++k) {
+      found += reached_by_fingers(k) ? 1 : 0;
+    }
+    return found >= kMinBetween;
   }
 
   /// Returns the last of the points of a run that lie near its first one.
   std::size_t end_of_head(const Run& run) const {
-    // Unlike spans, this does not check each access.
-    const InSlice* reached = reached_.data();
-    const float y = reached[run.first].y;
+    const float first_y = y(run.first);
     std::size_t last = run.first;
-    while (last < run.last && reached[last + 1].y - y < kEndDepth) ++last;
+    while (last < run.last && y(last + 1) - first_y < kEndDepth) ++last;
     return last;
   }
 
   /// Returns the first of the points of a run that lie near its last one.
   std::size_t start_of_tail(const Run& run) const {
-    const InSlice* reached = reached_.data();
-    const float y = reached[run.last].y;
+    const float last_y = y(run.last);
     std::size_t first = run.last;
-    while (first > run.first && y - reached[first - 1].y < kEndDepth) --first;
+    while (first > run.first && last_y - y(first - 1) < kEndDepth) --first;
     return first;
   }
 
@@ -171,8 +178,8 @@ class PointHoldFinder {
     const Eigen::Matrix3d R_GC = R_CG_.transpose();
     between_.clear();
     for (std::size_t k = first; k <= last; ++k) {
-      if (!reached_by_fingers(reached_[k])) continue;
-      const std::size_t i = reached_[k].index;
+      if (!reached_by_fingers(k)) continue;
+      const std::size_t i = index(k);
       between_.push_back({R_GC * offsets_C_[i], R_GC * points_.n_C[i], own_[i] != 0});
     }
     return between_;
@@ -181,15 +188,13 @@ class PointHoldFinder {
   /// Counts how the points of a range of a run face the pad at `outermost`, as pad_side() does.
   FacingCount facing(std::size_t first, std::size_t last, std::size_t outermost,
                      double sign) const {
-    // Unlike vectors, these do not check each access.
-    const AlongClosing* along = along_.data();
-    const InSlice* reached = reached_.data();
-    const double y = along[reached[outermost].index].y;
+    const double outermost_y = exact_y(outermost);
     FacingCount found;
     for (std::size_t k = first; k <= last; ++k) {
-      if (!reached_by_fingers(reached[k])) continue;
-      const AlongClosing& point = along[reached[k].index];
-      if (std::abs(point.y - y) <= kPadBand) found.add(sign * point.n_y);
+      if (!reached_by_fingers(k)) continue;
+      if (std::abs(exact_y(k) - outermost_y) <= kPadBand) {
+        found.add(sign * cosines_.data()[place(k)]);
+      }
     }
     return found;
   }
@@ -200,7 +205,7 @@ class PointHoldFinder {
     const FacingCount left = facing(run.first, head, run.first, -1.0);
     const FacingCount right = facing(tail, run.last, run.last, 1.0);
     if (!left.seen() && !right.seen()) return false;
-    const double width = along_[reached_[run.last].index].y - along_[reached_[run.first].index].y;
+    const double width = exact_y(run.last) - exact_y(run.first);
     return !(left.behind() || right.behind()) || width < walls_.max;
   }
 
@@ -242,8 +247,8 @@ class PointHoldFinder {
     const Eigen::Matrix3d R_GC = R_CG_.transpose();
     double top = tip;
     for (std::size_t k = run.first; k <= run.last; ++k) {
-      if (!reached_by_fingers(reached_[k])) continue;
-      const Eigen::Vector3d p_G = R_GC * offsets_C_[reached_[k].index];
+      if (!reached_by_fingers(k)) continue;
+      const Eigen::Vector3d p_G = R_GC * offsets_C_[index(k)];
       top = std::min(top, p_G.z());
     }
     return top;
@@ -268,9 +273,9 @@ class PointHoldFinder {
   /// Returns true if the points of a wall go on straight below the tips.
   bool goes_on(double tip, double low, double high) const {
     std::size_t all = 0, straight = 0;
-    for (const InSlice& point : reached_) {
-      const double beside = std::max(low - point.y, point.y - high);
-      if (point.z < tip || point.z > tip + kGoesOn || beside > gripper_.finger.y()) continue;
+    for (std::size_t k = 0; k < points_of_slice_.size(); ++k) {
+      const double beside = std::max(low - y(k), y(k) - high), z = sorted_.z[place(k)];
+      if (z < tip || z > tip + kGoesOn || beside > gripper_.finger.y()) continue;
       ++all;
       straight += beside < kStraight;
     }
@@ -294,13 +299,17 @@ class PointHoldFinder {
   /// The points, from the target's centre on.
   std::vector<Eigen::Vector3d> offsets_C_;
   Eigen::Matrix3d R_CG_ = Eigen::Matrix3d::Identity();
-  /// The position and the normal of each point along the closing direction that is being tried.
-  std::vector<AlongClosing> along_;
+  /// The points as they are sorted along the closing direction that is being tried; for each of
+  /// them, the part of its normal along it, and whether it is own.
+  SortedPoints sorted_;
+  std::vector<double> cosines_;
+  std::vector<char> is_own_;
   /// How far the tips and the roots of the fingers reach along the approach, at the depth that is
   /// being tried [m].
   float tip_ = 0.0f, root_ = 0.0f;
-  /// The points of one slice that the fingers reach at any depth, and those just below.
-  std::span<const InSlice> reached_;
+  /// The points of one slice that the fingers reach at any depth, and those just below, by their
+  /// places among the sorted ones.
+  std::span<const std::uint32_t> points_of_slice_;
   /// How far tips and roots reach at each depth [m], and the runs of the points in between.
   std::array<float, kDepths> tips_{}, roots_{};
   FingerRuns runs_;
