@@ -136,6 +136,16 @@ void ObstacleMap::mark_occupied(const OccupancyGrid& grid) {
   }
 }
 
+bool ObstacleMap::is_occupied(const Eigen::Vector3d& p_C) const {
+  const Level& all = levels_[0];
+  // Voxels are counted as OccupancyGrid::at() counts them.
+  const Eigen::Array3d x =
+      (p_C / resolution_).array().floor() - (corner_ / resolution_).array().round();
+  if (!((x >= 0.0).all() && (x < all.size.cast<double>().array()).all())) return false;
+  const Eigen::Vector3i voxel = x.cast<int>();
+  return (all.flags[all.index(voxel.x(), voxel.y(), voxel.z())] & kAnyOccupied) != 0;
+}
+
 ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
   constexpr int kEdge = OccupancyGrid::kBlock;
   const Range range = voxels(region);

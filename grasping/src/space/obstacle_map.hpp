@@ -46,6 +46,9 @@ class ObstacleMap {
   /// All space beyond them counts as outside.
   ObstacleMap within(const Eigen::AlignedBox3d& region) const;
 
+  /// Returns true if a point lies in a voxel that is occupied and was not freed.
+  bool is_occupied(const Eigen::Vector3d& p_C) const;
+
   /// Returns what the box overlaps; touching without overlap does not count. If the box overlaps
   /// both kinds, either may be returned, but always the same one for the same box.
   Hit collides(const OrientedBox& box) const;

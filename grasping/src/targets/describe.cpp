@@ -55,9 +55,7 @@ GraspTerms terms_of(const Attempt& attempt, const Grasp& grasp, const TargetTask
   terms.clearance = 1.0;
   terms.room = std::min(1.0, 0.5 * (grasp.preshape - line.opening) / kFullRoom);
   terms.central = std::max(0.0, 1.0 - (line.centre_C - body.centre_C()).norm() / reach);
-  const bool costs = task.parts.options.unknown != UnknownPolicy::kFree;
-  const auto fingers = common_fingers(task.parts.gripper, grasp.X_CG, grasp.preshape, grasp.width);
-  terms.seen = costs ? seen_share(fingers, *task.parts.space) : 1.0;
+  terms.seen = 1.0;
   terms.confidence = std::clamp(task.target.confidence, 0.0, 1.0);
   terms.range = std::min(1.0, to_sensor.norm() / kFullRange);
   terms.rim = grasp.kind == GraspKind::kRim ? 1.0 : 0.0;
@@ -69,12 +67,11 @@ GraspTerms terms_of(const Attempt& attempt, const Grasp& grasp, const TargetTask
 
 }  // namespace
 
-bool was_seen(const Eigen::Vector3d& contact_C, const OccupancyGrid& space) {
-  const double step = space.resolution();
+bool was_seen(const Eigen::Vector3d& contact_C, const ObstacleMap& space, double resolution) {
   for (int n = 0; n < 27; ++n) {
     const Eigen::Vector3i steps(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
     const Eigen::Vector3d offset = steps.cast<double>();
-    if (space.at(contact_C + step * offset) == Voxel::kOccupied) return true;
+    if (space.is_occupied(contact_C + resolution * offset)) return true;
   }
   return false;
 }
@@ -95,12 +92,20 @@ Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task) 
   grasp.friction_needed = attempt.friction;
   grasp.epsilon = epsilon(line, task, reach);
   grasp.clearance = kMaxClearance;
-  const OccupancyGrid& space = *task.parts.space;
-  grasp.unknown_contact = attempt.guessed || !was_seen(line.contacts_C[0], space) ||
-                          !was_seen(line.contacts_C[1], space);
+  const double resolution = task.parts.space->resolution();
+  grasp.unknown_contact = attempt.guessed ||
+                          !was_seen(line.contacts_C[0], *task.parts.map, resolution) ||
+                          !was_seen(line.contacts_C[1], *task.parts.map, resolution);
   grasp.terms = terms_of(attempt, grasp, task);
   grasp.score = success_probability(grasp.terms);
   return grasp;
+}
+
+void measure_seen(Grasp& grasp, const TargetTask& task) {
+  if (task.parts.options.unknown == UnknownPolicy::kFree) return;
+  const auto fingers = common_fingers(task.parts.gripper, grasp.X_CG, grasp.preshape, grasp.width);
+  grasp.terms.seen = seen_share(fingers, *task.parts.space);
+  grasp.score = success_probability(grasp.terms);
 }
 
 void measure_clearance(Grasp& grasp, const TargetTask& task) {

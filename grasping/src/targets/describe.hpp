@@ -6,13 +6,18 @@
 namespace quadrille {
 
 /// Returns true if the surface was measured next to a contact.
-bool was_seen(const Eigen::Vector3d& contact_C, const OccupancyGrid& space);
+/// @param resolution  of the space [m]
+bool was_seen(const Eigen::Vector3d& contact_C, const ObstacleMap& space, double resolution);
 
-/// Turns an attempt that met no obstruction into a grasp, with its quality. As its clearance is not
-/// measured yet, its score is what it would be if nothing else were near, which is the most that it
-/// can be.
+/// Turns an attempt that met no obstruction into a grasp, with its quality. As it is not measured
+/// yet how well its space was seen, and its clearance, its score is what it would be if all space
+/// were seen and nothing else were near, which is the most that it can be.
 /// @param preshape  opening of the hand on its way in [m]
 Grasp describe(const Attempt& attempt, double preshape, const TargetTask& task);
+
+/// Measures how well the space of the fingers was seen, and sets the score of the grasp
+/// accordingly.
+void measure_seen(Grasp& grasp, const TargetTask& task);
 
 /// Measures the clearance of a grasp, and sets its score accordingly.
 void measure_clearance(Grasp& grasp, const TargetTask& task);

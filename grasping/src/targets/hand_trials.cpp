@@ -68,8 +68,9 @@ double pad_margin(const ContactLine& line, const PlanOptions& options) {
 
 /// Returns the openings of the hand to be tried, in this order [m].
 std::vector<double> preshapes(const ContactLine& line, const TargetTask& task) {
-  const OccupancyGrid& space = *task.parts.space;
-  const bool seen = was_seen(line.contacts_C[0], space) && was_seen(line.contacts_C[1], space);
+  const double resolution = task.parts.space->resolution();
+  const bool seen = was_seen(line.contacts_C[0], *task.parts.map, resolution) &&
+                    was_seen(line.contacts_C[1], *task.parts.map, resolution);
   const double needed = min_opening(line, task.parts.options);
   const double unit = task.parts.gripper.max_opening / 80.0;
   std::vector<double> openings;
@@ -162,10 +163,12 @@ bool HandTrials::palm_blocked(const ContactLine& line, const Eigen::Vector3d& ap
   return what.has_value();
 }
 
-/// Returns why the query does not want a grasp; nullopt if it does. The clearance takes long to
-/// measure, and is measured only if the grasp may be wanted.
+/// Returns why the query does not want a grasp; nullopt if it does. How well its space was seen,
+/// and the clearance, take long to measure; they are measured only if the grasp may be wanted.
 std::optional<Refusal> HandTrials::unwanted(Grasp& grasp) const {
   const GraspQuery& query = task_.query;
+  if (grasp.score < *query.min_score) return Refusal::kScore;
+  measure_seen(grasp, task_);
   if (grasp.score < *query.min_score) return Refusal::kScore;
   measure_clearance(grasp, task_);
   if (grasp.clearance < query.min_clearance) return Refusal::kClearance;
