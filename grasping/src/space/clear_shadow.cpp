@@ -30,8 +30,7 @@ struct ObstacleMap::Cone {
 };
 
 void ObstacleMap::clear_shadow(const Body& body, const Eigen::AlignedBox3d& region) {
-  if (views_.empty() || levels_[0].flags.empty()) return;
-  constexpr int kEdge = OccupancyGrid::kBlock;
+  if (views_.empty() || blocks_.empty()) return;
   const Range range = voxels(region);
   if ((range.second.array() < 0).any()) return;
   const Range blocks(kEdge * (range.first / kEdge), kEdge * (range.second / kEdge).array() + kEdge);
@@ -42,7 +41,6 @@ void ObstacleMap::clear_shadow(const Body& body, const Eigen::AlignedBox3d& regi
 }
 
 void ObstacleMap::clear_shadow(const DepthView& view, const Body& body, const Range& blocks) {
-  constexpr int kEdge = OccupancyGrid::kBlock;
   const Cone cone(view, body);
   each_cube(blocks.first, blocks.second, kEdge, [&](const Eigen::Vector3i& first) {
     const Eigen::Vector3d middle =
@@ -56,9 +54,12 @@ void ObstacleMap::clear_shadow(const DepthView& view, const Body& body, const Ra
 /// Clears one block of the top level, voxel by voxel.
 void ObstacleMap::clear_block(const DepthView& view, const Body& body, const Cone& cone,
                               const Eigen::Vector3i& first) {
+  Block* block = block_of(first);
+  if (block == nullptr) return;
   const auto on_target = [&](const Eigen::Vector3d& p_C) { return body.contains(p_C, kBodyNoise); };
   each_cube(first, first.array() + OccupancyGrid::kBlock, 1, [&](const Eigen::Vector3i& at) {
-    std::uint8_t& flags = levels_[0].flags[levels_[0].index(at.x(), at.y(), at.z())];
+    const Eigen::Vector3i in_block = at - first;
+    std::uint8_t& flags = block->row(0, in_block.y(), in_block.z())[in_block.x()];
     if (!(flags & kAnyUnknown)) return;
     const Eigen::Vector3d p_C = centre(at.x(), at.y(), at.z());
     if (!cone.meets(p_C, resolution_)) return;

@@ -88,66 +88,95 @@ struct ObstacleMap::Query {
   }
 };
 
+void ObstacleMap::Block::refresh() {
+  for (int n = 1; n < kLevels; ++n) {
+    const int edge = kEdge >> n;
+    const auto row = static_cast<std::size_t>(2 * edge);
+    for (int k = 0; k < edge; ++k) {
+      for (int j = 0; j < edge; ++j) {
+        merge(this->row(n - 1, 2 * j, 2 * k), row, row * row, edge, this->row(n, j, k));
+      }
+    }
+  }
+}
+
 ObstacleMap::ObstacleMap(const OccupancyGrid& grid, bool unknown_blocks,
                          std::span<const DepthView> views, bool divide_occupied)
     : resolution_(grid.resolution()),
       unknown_blocks_(unknown_blocks),
       divide_occupied_(divide_occupied && views.size() == 1),
       views_(views),
-      corner_(grid.corner().cast<double>() * grid.resolution()) {
-  for (int n = 0; n < kLevels; ++n) {
-    levels_[n].size = grid.size().unaryExpr([&](int x) { return x >> n; });
-    levels_[n].flags = ZeroedVector<std::uint8_t>(levels_[n].size.cast<std::size_t>().prod());
-  }
-  if (levels_[0].flags.empty()) return;
+      corner_(grid.corner().cast<double>() * grid.resolution()),
+      size_(grid.size()),
+      numbers_((grid.size() / kEdge).cast<std::size_t>().prod(), -1) {
+  if (numbers_.empty()) return;
   // Only unknown voxels need more than those that hold points.
   if (grid.source_ && !unknown_blocks) {
-    mark_occupied(grid);
+    add_occupied(grid);
   } else {
-    mark_all(grid);
+    add_all(grid);
   }
 }
 
-void ObstacleMap::mark_all(const OccupancyGrid& grid) {
-  const std::uint8_t unknown = unknown_blocks_ ? kAnyUnknown | kAll : 0;
-  const std::uint8_t occupied = kAnyOccupied | kAll;
-  std::transform(
-      grid.states().begin(), grid.states().end(), levels_[0].flags.begin(),
-      [=](Voxel state) -> std::uint8_t {
-        return state == Voxel::kUnknown ? unknown : state == Voxel::kOccupied ? occupied : 0;
-      });
-  refresh({Eigen::Vector3i::Zero(), grid.size().array() - 1});
+/// Adds a block, given by its first voxel and the flags of its voxels, unless it is empty.
+void ObstacleMap::add(const Eigen::Vector3i& first, const Block& block) {
+  blocks_.push_back(block);
+  blocks_.back().refresh();
+  if (blocks_.back().is_empty()) {
+    blocks_.pop_back();
+  } else {
+    numbers_[block_index(first)] = static_cast<int>(blocks_.size()) - 1;
+  }
 }
 
-void ObstacleMap::mark_occupied(const OccupancyGrid& grid) {
-  constexpr int kEdge = OccupancyGrid::kBlock;
+void ObstacleMap::add_all(const OccupancyGrid& grid) {
+  const std::uint8_t unknown = unknown_blocks_ ? kAnyUnknown | kAll : 0;
+  const std::uint8_t occupied = kAnyOccupied | kAll;
+  const Voxel* states = grid.states().data();
+  each_cube(Eigen::Vector3i::Zero(), size_, kEdge, [&](const Eigen::Vector3i& first) {
+    Block block;
+    for (int k = 0; k < kEdge; ++k) {
+      for (int j = 0; j < kEdge; ++j) {
+        const Voxel* row = states + grid.index(first.x(), first.y() + j, first.z() + k);
+        std::transform(row, row + kEdge, block.row(0, j, k), [=](Voxel state) -> std::uint8_t {
+          return state == Voxel::kUnknown ? unknown : state == Voxel::kOccupied ? occupied : 0;
+        });
+      }
+    }
+    add(first, block);
+  });
+}
+
+void ObstacleMap::add_occupied(const OccupancyGrid& grid) {
   const SpaceMapper& voxels = grid.source_->occupied();
-  for (const Eigen::Vector3i& block : voxels.occupied_blocks()) {
-    for (int k = block.z(); k < block.z() + kEdge; ++k) {
-      for (int j = block.y(); j < block.y() + kEdge; ++j) {
-        const Voxel* row = &voxels.voxel(block.x(), j, k);
-        std::uint8_t* flags = &levels_[0].flags[levels_[0].index(block.x(), j, k)];
+  for (const Eigen::Vector3i& first : voxels.occupied_blocks()) {
+    Block block;
+    for (int k = 0; k < kEdge; ++k) {
+      for (int j = 0; j < kEdge; ++j) {
+        const Voxel* row = &voxels.voxel(first.x(), first.y() + j, first.z() + k);
+        std::uint8_t* flags = block.row(0, j, k);
         for (int i = 0; i < kEdge; ++i) {
           flags[i] = row[i] == Voxel::kOccupied ? kAnyOccupied | kAll : 0;
         }
       }
     }
-    refresh({block, block.array() + (kEdge - 1)});
+    add(first, block);
   }
 }
 
 bool ObstacleMap::is_occupied(const Eigen::Vector3d& p_C) const {
-  const Level& all = levels_[0];
   // Voxels are counted as OccupancyGrid::at() counts them.
   const Eigen::Array3d x =
       (p_C / resolution_).array().floor() - (corner_ / resolution_).array().round();
-  if (!((x >= 0.0).all() && (x < all.size.cast<double>().array()).all())) return false;
-  const Eigen::Vector3i voxel = x.cast<int>();
-  return (all.flags[all.index(voxel.x(), voxel.y(), voxel.z())] & kAnyOccupied) != 0;
+  if (!((x >= 0.0).all() && (x < size_.cast<double>().array()).all())) return false;
+  const Eigen::Vector3i voxel = x.cast<int>(),
+                        in_block = voxel.unaryExpr([](int at) { return at % kEdge; });
+  const Block* block = block_of(voxel);
+  return block != nullptr &&
+         (block->row(0, in_block.y(), in_block.z())[in_block.x()] & kAnyOccupied) != 0;
 }
 
 ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
-  constexpr int kEdge = OccupancyGrid::kBlock;
   const Range range = voxels(region);
   ObstacleMap map;
   map.resolution_ = resolution_;
@@ -155,58 +184,29 @@ ObstacleMap ObstacleMap::within(const Eigen::AlignedBox3d& region) const {
   map.divide_occupied_ = divide_occupied_;
   map.views_ = views_;
   const Eigen::Vector3i low = range.first / kEdge * kEdge;
-  const Eigen::Vector3i size = ((range.second.array() + kEdge) / kEdge * kEdge).matrix() - low;
+  map.size_ = ((range.second.array() + kEdge) / kEdge * kEdge).matrix() - low;
   map.corner_ = corner_ + resolution_ * low.cast<double>();
-  for (int n = 0; n < kLevels; ++n) {
-    map.levels_[n].size = size.unaryExpr([&](int x) { return x >> n; });
-    map.levels_[n].flags =
-        ZeroedVector<std::uint8_t>(map.levels_[n].size.cast<std::size_t>().prod());
-  }
-  constexpr int kTop = kLevels - 1;
-  each_cube(low, low + size, kEdge, [&](const Eigen::Vector3i& block) {
-    const Level& top = levels_[kTop];
+  map.numbers_.assign((map.size_ / kEdge).cast<std::size_t>().prod(), -1);
+  each_cube(low, low + map.size_, kEdge, [&](const Eigen::Vector3i& first) {
+    const Block* block = block_of(first);
     // Most blocks hold nothing.
-    if (top.flags[top.index(block.x() >> kTop, block.y() >> kTop, block.z() >> kTop)] == 0) return;
-    for (int n = 0; n < kLevels; ++n) copy_cubes(levels_[n], block, low, n, map.levels_[n]);
+    if (block == nullptr) return;
+    map.numbers_[map.block_index(first - low)] = static_cast<int>(map.blocks_.size());
+    map.blocks_.push_back(*block);
   });
   return map;
 }
 
-/// Copies the cubes of one level in a block to a map whose first voxel is `low` of this one.
-void ObstacleMap::copy_cubes(const Level& from, const Eigen::Vector3i& block,
-                             const Eigen::Vector3i& low, int level, Level& to) {
-  const int edge = OccupancyGrid::kBlock >> level;
-  const auto at_level = [&](int x) { return x >> level; };
-  const Eigen::Vector3i here = block.unaryExpr(at_level);
-  const Eigen::Vector3i there = (block - low).unaryExpr(at_level);
-  for (int k = 0; k < edge; ++k) {
-    for (int j = 0; j < edge; ++j) {
-      const std::uint8_t* row = &from.flags[from.index(here.x(), here.y() + j, here.z() + k)];
-      std::copy_n(row, edge, &to.flags[to.index(there.x(), there.y() + j, there.z() + k)]);
-    }
-  }
-}
-
 void ObstacleMap::refresh(const Range& range) {
-  Eigen::Vector3i low = range.first, high = range.second;
-  if ((high.array() < 0).any()) return;
-  for (int n = 1; n < kLevels; ++n) {
-    low /= 2;
-    high /= 2;
-    const Level& fine = levels_[n - 1];
-    Level& coarse = levels_[n];
-    const std::size_t row = fine.size.x(), layer = row * fine.size.y();
-    for (int k = low.z(); k <= high.z(); ++k) {
-      for (int j = low.y(); j <= high.y(); ++j) {
-        merge(&fine.flags[fine.index(2 * low.x(), 2 * j, 2 * k)], row, layer,
-              high.x() - low.x() + 1, &coarse.flags[coarse.index(low.x(), j, k)]);
-      }
-    }
-  }
+  if ((range.second.array() < 0).any()) return;
+  each_cube(range.first / kEdge * kEdge, range.second.array() + 1, kEdge,
+            [&](const Eigen::Vector3i& first) {
+              if (Block* block = block_of(first)) block->refresh();
+            });
 }
 
 ObstacleMap::Range ObstacleMap::voxels(const Eigen::AlignedBox3d& box) const {
-  const Eigen::Array3d last = levels_[0].size.cast<double>().array() - 1.0;
+  const Eigen::Array3d last = size_.cast<double>().array() - 1.0;
   const auto clip = [&](const Eigen::Vector3d& p) {
     const Eigen::Array3d x = ((p - corner_) / resolution_).array().floor();
     return Eigen::Vector3i(x.max(0.0).min(last).cast<int>());
@@ -219,26 +219,35 @@ ObstacleMap::Range ObstacleMap::voxels(const Eigen::AlignedBox3d& box) const {
   return {clip(box.min()), clip(box.max())};
 }
 
+/// A cube of a level of a block: its place among the cubes of its level there, and among those of
+/// the whole map.
+struct ObstacleMap::Cube {
+  const Block& block;
+  int level;
+  Eigen::Vector3i here, at;
+};
+
 Hit ObstacleMap::collides(const OrientedBox& box) const {
   const Eigen::Vector3d reach = box.reach();
-  const Eigen::Vector3d top = corner_ + resolution_ * levels_[0].size.cast<double>();
+  const Eigen::Vector3d top = corner_ + resolution_ * size_.cast<double>();
   const bool outside = ((box.p_CB - reach).array() < corner_.array()).any() ||
                        ((box.p_CB + reach).array() > top.array()).any();
   if (outside && unknown_blocks_) return Hit::kUnknown;
-  if (levels_[0].flags.empty()) return Hit::kNone;
+  if (blocks_.empty()) return Hit::kNone;
   const Query query(box);
   const auto [low, high] = voxels({box.p_CB - reach, box.p_CB + reach});
   constexpr int kTop = kLevels - 1;
   if ((high.array() < 0).any()) return Hit::kNone;
-  const Level& top_level = levels_[kTop];
-  const double edge = resolution_ * (1 << kTop);
+  const double edge = resolution_ * kEdge;
   for (int k = low.z() >> kTop; k <= high.z() >> kTop; ++k) {
     for (int j = low.y() >> kTop; j <= high.y() >> kTop; ++j) {
       for (int i = low.x() >> kTop; i <= high.x() >> kTop; ++i) {
-        if (top_level.flags[top_level.index(i, j, k)] == 0) continue;
-        const Eigen::Vector3d centre =
-            corner_ + edge * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
-        const std::uint8_t hit = descend(query, kTop, {i, j, k}, query.on_faces(centre - query.p));
+        const Eigen::Vector3i at(i, j, k);
+        const Block* block = block_of(kEdge * at);
+        if (block == nullptr || block->is_empty()) continue;
+        const Eigen::Vector3d centre = corner_ + edge * (at.array().cast<double>() + 0.5).matrix();
+        const std::uint8_t hit = descend(query, {*block, kTop, Eigen::Vector3i::Zero(), at},
+                                         query.on_faces(centre - query.p));
         if (hit) return hit & kAnyOccupied ? Hit::kOccupied : Hit::kUnknown;
       }
     }
@@ -247,29 +256,30 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
 }
 
 /// Returns the flags of the voxels that the box meets in a cube that holds something.
-std::uint8_t ObstacleMap::descend(const Query& query, int level, const Eigen::Vector3i& at,
+std::uint8_t ObstacleMap::descend(const Query& query, const Cube& cube,
                                   const Offset& offset) const {
-  const double h = 0.5 * resolution_ * (1 << level);
+  const double h = 0.5 * resolution_ * (1 << cube.level);
   const Offset gap = offset.abs() - query.quick_reach - static_cast<float>(h) * query.quick_spread;
   if (gap.maxCoeff() > 0.0f) return 0;
-  const Level& here = levels_[level];
-  const std::uint8_t flags = here.flags[here.index(at.x(), at.y(), at.z())];
+  const std::uint8_t flags =
+      cube.block.row(cube.level, cube.here.y(), cube.here.z())[cube.here.x()];
   const int divided = kAnyUnknown | (divide_occupied_ ? kAnyOccupied : 0);
   const bool refined = !views_.empty() && flags & divided;
-  if (level == 0 || (flags & kAll && !refined)) {
-    const Eigen::Vector3d centre = corner_ + 2.0 * h * (at.cast<double>().array() + 0.5).matrix();
+  if (cube.level == 0 || (flags & kAll && !refined)) {
+    const Eigen::Vector3d centre =
+        corner_ + 2.0 * h * (cube.at.cast<double>().array() + 0.5).matrix();
     if (!query.overlaps(centre, h)) return 0;
     if (!refined) return flags;
     const bool hit = flags & kAnyOccupied ? enters_hidden(query, centre, h, 1, kPointNoise)
                                           : enters_hidden(query, centre, h, 2, 0.0);
     return hit ? flags : 0;
   }
-  const Level& below = levels_[level - 1];
   for (int n = 0; n < 8; ++n) {
-    const Eigen::Vector3i eighth = 2 * at + eighth_of_cube(n);
-    if (below.flags[below.index(eighth.x(), eighth.y(), eighth.z())] == 0) continue;
+    const Eigen::Vector3i eighth = eighth_of_cube(n), here = 2 * cube.here + eighth;
+    if (cube.block.row(cube.level - 1, here.y(), here.z())[here.x()] == 0) continue;
     const Offset there = offset + static_cast<float>(0.5 * h) * query.to_eighth[n];
-    if (const std::uint8_t hit = descend(query, level - 1, eighth, there)) return hit;
+    const Cube part{cube.block, cube.level - 1, here, 2 * cube.at + eighth};
+    if (const std::uint8_t hit = descend(query, part, there)) return hit;
   }
   return 0;
 }

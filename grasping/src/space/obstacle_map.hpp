@@ -10,7 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include "base/zeroed_vector.hpp"
 #include "body/body.hpp"
 #include "hand/oriented_box.hpp"
 #include "quadrille/grasping/occupancy.hpp"
@@ -68,20 +67,58 @@ class ObstacleMap {
   void clear_shadow(const Body& body, const Eigen::AlignedBox3d& region);
 
  private:
+  static constexpr int kEdge = OccupancyGrid::kBlock;
   /// The cubes of the top level are the blocks of the grid.
   static constexpr int kLevels = std::bit_width(unsigned{OccupancyGrid::kBlock});
   static constexpr std::uint8_t kAnyOccupied = 1, kAnyUnknown = 2, kAll = 4;
-  struct Level {
-    Eigen::Vector3i size;
-    ZeroedVector<std::uint8_t> flags;
-    std::size_t index(int i, int j, int k) const {
-      return (static_cast<std::size_t>(k) * size.y() + j) * size.x() + i;
+
+  /// The flags of the cubes of a block, level by level, from its voxels up to the block itself.
+  struct Block {
+    /// Where the cubes of each level begin.
+    static constexpr std::array<std::size_t, kLevels + 1> kFirst = [] {
+      std::array<std::size_t, kLevels + 1> first{};
+      for (unsigned n = 0; n < kLevels; ++n) {
+        const std::size_t edge = unsigned{kEdge} >> n;
+        first[n + 1] = first[n] + edge * edge * edge;
+      }
+      return first;
+    }();
+    std::array<std::uint8_t, kFirst[kLevels]> flags{};
+
+    /// The first cube of a row of a level.
+    std::uint8_t* row(int level, int j, int k) { return flags.data() + place(level, 0, j, k); }
+    const std::uint8_t* row(int level, int j, int k) const {
+      return flags.data() + place(level, 0, j, k);
     }
+    static std::size_t place(int level, int i, int j, int k) {
+      const std::size_t edge = unsigned{kEdge} >> static_cast<unsigned>(level);
+      return kFirst[static_cast<std::size_t>(level)] +
+             (static_cast<std::size_t>(k) * edge + static_cast<std::size_t>(j)) * edge +
+             static_cast<std::size_t>(i);
+    }
+    bool is_empty() const { return flags.back() == 0; }
+    /// Sets the flags of all larger cubes by those of the voxels.
+    void refresh();
   };
-  static void copy_cubes(const Level& from, const Eigen::Vector3i& block,
-                         const Eigen::Vector3i& low, int level, Level& to);
-  void mark_all(const OccupancyGrid& grid);
-  void mark_occupied(const OccupancyGrid& grid);
+
+  /// Returns the block of a voxel; nullptr if it holds nothing.
+  const Block* block_of(const Eigen::Vector3i& voxel) const {
+    const int n = numbers_.data()[block_index(voxel)];
+    return n < 0 ? nullptr : &blocks_.data()[n];
+  }
+  Block* block_of(const Eigen::Vector3i& voxel) {
+    return const_cast<Block*>(std::as_const(*this).block_of(voxel));
+  }
+  std::size_t block_index(const Eigen::Vector3i& voxel) const {
+    const Eigen::Vector3i at = voxel / kEdge, size = size_ / kEdge;
+    return (static_cast<std::size_t>(at.z()) * static_cast<std::size_t>(size.y()) +
+            static_cast<std::size_t>(at.y())) *
+               static_cast<std::size_t>(size.x()) +
+           static_cast<std::size_t>(at.x());
+  }
+  void add(const Eigen::Vector3i& first, const Block& block);
+  void add_all(const OccupancyGrid& grid);
+  void add_occupied(const OccupancyGrid& grid);
   struct Query;
   struct Cone;
   using Range = std::pair<Eigen::Vector3i, Eigen::Vector3i>;
@@ -100,14 +137,16 @@ class ObstacleMap {
   Range voxels(const Eigen::AlignedBox3d& box) const;
   template <class Frees>
   void free(const Range& range, Frees&& frees);
+  template <class Frees>
+  void free_in(Block& block, const Eigen::Vector3i& first, const Range& range, Frees&& frees);
   Eigen::Vector3d centre(int i, int j, int k) const {
     return corner_ + resolution_ * (Eigen::Vector3d(i, j, k).array() + 0.5).matrix();
   }
   /// Offset of a cube's centre from a box's centre along six axes that may separate them, as
   /// floats; the last two elements are zero.
   using Offset = Eigen::Array<float, 8, 1>;
-  std::uint8_t descend(const Query& query, int level, const Eigen::Vector3i& at,
-                       const Offset& offset) const;
+  struct Cube;
+  std::uint8_t descend(const Query& query, const Cube& cube, const Offset& offset) const;
   bool enters_hidden(const Query& query, const Eigen::Vector3d& centre, double half, int depth,
                      double margin) const;
   void clear_shadow(const DepthView& view, const Body& body, const Range& blocks);
@@ -123,21 +162,38 @@ class ObstacleMap {
   bool divide_occupied_ = false;
   std::span<const DepthView> views_;
   Eigen::Vector3d corner_;
-  std::array<Level, kLevels> levels_;
+  /// Number of voxels along x, y and z.
+  Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
+  /// For each block of the grid, its number; negative if it holds nothing.
+  std::vector<int> numbers_;
+  std::vector<Block> blocks_;
 };
 
-/// Frees the voxels of a range for which frees(centre) holds. The pyramid over them stays as it is.
+/// Frees the voxels of a range for which frees(centre) holds. The larger cubes stay as they are.
 template <class Frees>
 void ObstacleMap::free(const Range& range, Frees&& frees) {
-  const Eigen::Vector3i &first = range.first, &last = range.second;
-  for (int k = first.z(); k <= last.z(); ++k) {
-    for (int j = first.y(); j <= last.y(); ++j) {
-      // Unlike vectors, this does not check each access.
-      std::uint8_t* flags = levels_[0].flags.data() + levels_[0].index(0, j, k);
+  const Eigen::Vector3i &low = range.first, &high = range.second;
+  if ((high.array() < 0).any()) return;
+  each_cube(low / kEdge * kEdge, high.array() + 1, kEdge, [&](const Eigen::Vector3i& first) {
+    if (Block* block = block_of(first)) free_in(*block, first, range, frees);
+  });
+}
+
+/// Frees such voxels of a block, given by its first voxel.
+template <class Frees>
+void ObstacleMap::free_in(Block& block, const Eigen::Vector3i& first, const Range& range,
+                          Frees&& frees) {
+  const Eigen::Vector3i low = (range.first - first).cwiseMax(0);
+  const Eigen::Vector3i high = (range.second - first).cwiseMin(kEdge - 1);
+  for (int k = low.z(); k <= high.z(); ++k) {
+    for (int j = low.y(); j <= high.y(); ++j) {
+      std::uint8_t* flags = block.row(0, j, k);
       // Most rows hold nothing.
-      if (!any_set(flags + first.x(), last.x() - first.x() + 1)) continue;
-      for (int i = first.x(); i <= last.x(); ++i) {
-        if (flags[i] != 0 && frees(centre(i, j, k))) flags[i] = 0;
+      if (!any_set(flags + low.x(), high.x() - low.x() + 1)) continue;
+      for (int i = low.x(); i <= high.x(); ++i) {
+        if (flags[i] != 0 && frees(centre(first.x() + i, first.y() + j, first.z() + k))) {
+          flags[i] = 0;
+        }
       }
     }
   }
