@@ -185,7 +185,7 @@ class SceneMaker {
         choose_unshaped(bodies, parts_.targets, detections_, parts_.options);
     std::move(unshaped.begin(), unshaped.end(), std::back_inserter(parts_.targets));
     for (Target& target : parts_.targets) {
-      target.view = best_view(target);
+      target.view = best_view(target, cloud);
       if (!known_.support) continue;
       target.supports.push_back(plane_of(*known_.support, target.body.centre_C()));
     }
@@ -305,21 +305,20 @@ class SceneMaker {
   }
 
   /// The view with the most points in the box around a target.
-  std::size_t best_view(const Target& target) const {
+  /// @param cloud  the points of all views, one view after the other
+  std::size_t best_view(const Target& target, const CloudRuns& cloud) const {
     if (views_.size() == 1) return 0;
-    const Eigen::AlignedBox3f box = target.body.bounds_C().cast<float>();
-    std::size_t best = 0;
-    std::ptrdiff_t most = 0;
-    for (std::size_t v = 0; v < parts_.views.size(); ++v) {
-      const std::vector<Eigen::Vector3f>& points = views_[v].things->points;
-      const auto count = std::count_if(points.begin(), points.end(),
-                                       [&](const auto& p) { return box.contains(p); });
-      if (count > most) {
-        most = count;
-        best = v;
-      }
+    std::vector<std::size_t> counts(views_.size(), 0), ends;
+    for (const ViewClouds::View& view : views_) {
+      ends.push_back((ends.empty() ? 0 : ends.back()) + view.things->points.size());
     }
-    return best;
+    std::size_t view = 0;
+    cloud.each_in(target.body.bounds_C().cast<float>(), [&](std::size_t n) {
+      while (n >= ends[view]) ++view;
+      ++counts[view];
+    });
+    return static_cast<std::size_t>(std::max_element(counts.begin(), counts.end()) -
+                                    counts.begin());
   }
 
   /// Returns the normal of the first support; zero if no space is to be cleared above it.

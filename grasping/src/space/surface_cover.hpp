@@ -22,11 +22,13 @@ class SurfaceCover {
   bool covers(const Eigen::Vector3f& p_C) const;
 
  private:
+  /// Returns where a place lies, in cubes from the corner of the region; whole numbers of it, which
+  /// are not negative there, round down.
+  Eigen::Array3f cube_of(const Eigen::Vector3f& p_C) const {
+    return (p_C - corner_C_).array() / edge_;
+  }
   bool holds(const Eigen::Array3f& cube) const {
     return (cube >= 0.0f).all() && (cube < size_.cast<float>()).all();
-  }
-  Eigen::Array3f cube_of(const Eigen::Vector3f& p_C) const {
-    return ((p_C - corner_C_).array() / edge_).floor();
   }
   std::size_t index(int i, int j, int k) const {
     return (static_cast<std::size_t>(k) * size_.y() + j) * size_.x() + i;
@@ -35,7 +37,9 @@ class SurfaceCover {
   Eigen::Vector3f corner_C_ = Eigen::Vector3f::Zero();
   float edge_;
   Eigen::Array3i size_ = Eigen::Array3i::Zero();
-  std::vector<char> near_;
+  /// For each cube, whether it is near a point that was added, and whether it holds one.
+  static constexpr char kNear = 1, kHolds = 2;
+  std::vector<char> cubes_;
 };
 
 }  // namespace quadrille

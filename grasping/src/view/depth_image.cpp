@@ -45,6 +45,28 @@ void mark_doubtful(const float* __restrict depth, int width, char* __restrict do
   doubtful[width - 1] = depth[width - 1] > 0.0f;
 }
 
+/// Fills the holes of a row between two others.
+/// @param row  the first pixel of the row; the other rows lie before and after it
+QUADRILLE_VECTOR_CLONES
+void fill_holes_of_row(const float* __restrict row, int width, float* __restrict filled) {
+  constexpr float kNone = std::numeric_limits<float>::max();
+  for (int u = 1; u + 1 < width; ++u) {
+    const float *here = row + u, *above = here - width, *below = here + width;
+    int known = 0;
+    float least = kNone;
+    const auto look = [&](float depth) {
+      known += static_cast<int>(depth > 0.0f);
+      const float measured = depth > 0.0f ? depth : kNone;
+      least = measured < least ? measured : least;
+    };
+    look(above[-1]), look(above[0]), look(above[1]);
+    look(here[-1]), look(here[1]);
+    look(below[-1]), look(below[0]), look(below[1]);
+    const float fill = known >= kMinMeasured ? least : here[0];
+    filled[u] = here[0] > 0.0f ? here[0] : fill;
+  }
+}
+
 }  // namespace
 
 std::vector<std::size_t> find_strays(const DepthImage& image) {
@@ -64,21 +86,7 @@ std::vector<std::size_t> find_strays(const DepthImage& image) {
 DepthImage fill_holes(const DepthImage& raw) {
   DepthImage image = raw;
   for (int v = 1; v + 1 < image.height; ++v) {
-    const float* row = &raw.depth[raw.index(0, v)];
-    for (int u = 1; u + 1 < image.width; ++u) {
-      if (row[u] > 0.0f) continue;
-      int known = 0;
-      float min_depth = std::numeric_limits<float>::max();
-      for (int y = v - 1; y <= v + 1; ++y) {
-        for (int x = u - 1; x <= u + 1; ++x) {
-          const float depth = raw.depth[raw.index(x, y)];
-          if (depth == 0.0f) continue;
-          ++known;
-          min_depth = std::min(min_depth, depth);
-        }
-      }
-      if (known >= kMinMeasured) image.depth[image.index(u, v)] = min_depth;
-    }
+    fill_holes_of_row(&raw.depth[raw.index(0, v)], image.width, &image.depth[image.index(0, v)]);
   }
   return image;
 }
