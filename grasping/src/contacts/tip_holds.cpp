@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <tuple>
@@ -82,11 +84,64 @@ void turn_points(const SurfaceGrid& points_C, const Eigen::Matrix3d& R_CG, Surfa
   }
 }
 
-double least(const std::array<double, kPoints>& values) {
-  return *std::min_element(values.begin(), values.end());
+constexpr std::size_t kGridLanes = 4;
+static_assert(kPoints % kGridLanes == 0);
+using GridLanes __attribute__((vector_size(kGridLanes * sizeof(double)), may_alias)) = double;
+using GridMasks __attribute__((vector_size(kGridLanes * sizeof(double)), may_alias)) = long long;
+
+inline __attribute__((always_inline)) void lower_to(const GridLanes& others, GridLanes& values) {
+  values = others < values ? others : values;
 }
-double greatest(const std::array<double, kPoints>& values) {
-  return *std::max_element(values.begin(), values.end());
+inline __attribute__((always_inline)) void raise_to(const GridLanes& others, GridLanes& values) {
+  values = others > values ? others : values;
+}
+
+inline __attribute__((always_inline)) double least_of(const GridLanes& lanes) {
+  return std::min(std::min(lanes[0], lanes[1]), std::min(lanes[2], lanes[3]));
+}
+inline __attribute__((always_inline)) double greatest_of(const GridLanes& lanes) {
+  return std::max(std::max(lanes[0], lanes[1]), std::max(lanes[2], lanes[3]));
+}
+
+/// The bounds of some points along x and y.
+struct GridBounds {
+  double x_min, x_max, y_min, y_max;
+};
+
+/// Returns the bounds of the points whose z is at most `deep` beyond the nearest one.
+QUADRILLE_VECTOR_CLONES
+GridBounds bounds_within(const SurfaceGrid& points, double deep, double nearest) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  const GridLanes low = GridLanes{} - kFar, high = GridLanes{} + kFar;
+  GridLanes x_min = high, y_min = high, x_max = low, y_max = low;
+  for (std::size_t n = 0; n < kPoints; n += kGridLanes) {
+    GridLanes x, y, z;
+    std::memcpy(&x, points.x.data() + n, sizeof(x));
+    std::memcpy(&y, points.y.data() + n, sizeof(y));
+    std::memcpy(&z, points.z.data() + n, sizeof(z));
+    const GridMasks in = z - nearest <= deep;
+    lower_to(in ? x : high, x_min), raise_to(in ? x : low, x_max);
+    lower_to(in ? y : high, y_min), raise_to(in ? y : low, y_max);
+  }
+  return {least_of(x_min), greatest_of(x_max), least_of(y_min), greatest_of(y_max)};
+}
+
+/// The least and the greatest of some values.
+struct Span {
+  double least, greatest;
+};
+
+QUADRILLE_VECTOR_CLONES
+Span span_of(const std::array<double, kPoints>& values) {
+  GridLanes low, high;
+  std::memcpy(&low, values.data(), sizeof(low));
+  high = low;
+  for (std::size_t n = kGridLanes; n < kPoints; n += kGridLanes) {
+    GridLanes lanes;
+    std::memcpy(&lanes, values.data() + n, sizeof(lanes));
+    lower_to(lanes, low), raise_to(lanes, high);
+  }
+  return {least_of(low), greatest_of(high)};
 }
 
 /// Returns closing directions over half a sphere: all of it for ellipsoids, otherwise up to 22°
@@ -179,14 +234,17 @@ class Search {
   /// Returns the places at which the origin of G is put, in the axes of an orientation.
   std::vector<Eigen::Vector3d> places(const Eigen::Isometry3d& X_CG) {
     turn_points(points_, X_CG.linear(), &points_G_);
-    const double nearest = least(points_G_.z), farthest = greatest(points_G_.z);
-    const std::vector<Eigen::AlignedBox2d> between = between_dips(nearest);
+    const Span along = span_of(points_G_.z);
+    const double nearest = along.least, farthest = along.greatest;
     std::vector<Eigen::Vector3d> places;
     places.reserve(dips_.size() * (std::size(kOffMiddle) + std::size(kSharesBeside)));
+    double reached_depth = -1.0;
     Eigen::AlignedBox2d reached_G;
     for (std::size_t n = 0; n < dips_.size(); ++n) {
       if (nearest + dips_[n] > farthest + kMaxBeyond) break;
-      reached_G.extend(between[n]);
+      const double depth = std::max(dips_[n], kMinReached);
+      if (depth != reached_depth) reached_G = reached(nearest, depth);
+      reached_depth = depth;
       const Eigen::Vector2d middle = reached_G.center();
       const Eigen::Vector3d p_G(middle.x(), middle.y(), nearest + dips_[n] - gripper_.finger_front);
       const auto add = [&](double beside) {
@@ -198,25 +256,20 @@ class Search {
     return places;
   }
 
-  /// Returns the bounds, across the approach, of the parts of the surface that each dip reaches
-  /// beyond the previous one.
-  std::vector<Eigen::AlignedBox2d> between_dips(double nearest) const {
-    std::vector<Eigen::AlignedBox2d> boxes_G(dips_.size());
-    for (std::size_t n = 0; n < kPoints; ++n) {
-      const double deep = points_G_.z[n] - nearest;
-      std::size_t dip = 0;
-      while (deep > kMinReached && dip < dips_.size() && dips_[dip] < deep) ++dip;
-      if (dip < dips_.size()) boxes_G[dip].extend(Eigen::Vector2d(points_G_.x[n], points_G_.y[n]));
-    }
-    return boxes_G;
+  /// Returns the bounds, across the approach, of the surface down to a depth.
+  Eigen::AlignedBox2d reached(double nearest, double depth) const {
+    const GridBounds bounds = bounds_within(points_G_, depth, nearest);
+    return {Eigen::Vector2d(bounds.x_min, bounds.y_min),
+            Eigen::Vector2d(bounds.x_max, bounds.y_max)};
   }
 
   /// Returns the bounds of these places, wherever along y they end up.
   Eigen::AlignedBox3d bounds(const std::vector<Eigen::Vector3d>& places_G) const {
     Eigen::AlignedBox3d bounds_G;
     for (const Eigen::Vector3d& p_G : places_G) bounds_G.extend(p_G);
-    bounds_G.min().y() = least(points_G_.y);
-    bounds_G.max().y() = greatest(points_G_.y);
+    const Span across = span_of(points_G_.y);
+    bounds_G.min().y() = across.least;
+    bounds_G.max().y() = across.greatest;
     return bounds_G;
   }
 

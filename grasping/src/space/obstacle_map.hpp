@@ -70,6 +70,8 @@ class ObstacleMap {
   static constexpr int kEdge = OccupancyGrid::kBlock;
   /// The cubes of the top level are the blocks of the grid.
   static constexpr int kLevels = std::bit_width(unsigned{OccupancyGrid::kBlock});
+  /// Greatest number of points that free voxels together.
+  static constexpr std::ptrdiff_t kTogether = 16;
   static constexpr std::uint8_t kAnyOccupied = 1, kAnyUnknown = 2, kAll = 4;
 
   /// The flags of the cubes of a block, level by level, from its voxels up to the block itself.
@@ -211,13 +213,26 @@ void ObstacleMap::carve(const Body& body, double margin, Keep&& keep) {
 
 template <class Keep>
 void ObstacleMap::carve(const std::vector<Eigen::Vector3d>& points_C, double margin, Keep&& keep) {
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(margin);
   Eigen::AlignedBox3d all;
-  for (const Eigen::Vector3d& p : points_C) {
-    const Eigen::AlignedBox3d near(p.array() - margin, p.array() + margin);
+  // Points that follow each other mostly lie side by side, and free almost the same voxels.
+  for (auto first = points_C.begin(); first != points_C.end();) {
+    Eigen::AlignedBox3d near(*first - reach, *first + reach);
+    auto last = first;
+    for (; last != points_C.end() && last - first < kTogether; ++last) {
+      Eigen::AlignedBox3d more = near;
+      more.extend(*last - reach).extend(*last + reach);
+      if (more.sizes().maxCoeff() > 2.0 * margin + resolution_) break;
+      near = more;
+    }
     all.extend(near);
     free(voxels(near), [&](const Eigen::Vector3d& c) {
-      return (c - p).squaredNorm() <= margin * margin && !keep(c);
+      const bool is_near = std::any_of(first, last, [&](const Eigen::Vector3d& p) {
+        return (c - p).squaredNorm() <= margin * margin;
+      });
+      return is_near && !keep(c);
     });
+    first = last;
   }
   if (!all.isEmpty()) refresh(voxels(all));
 }
