@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/rounding.hpp"
 #include "space/space_on_demand.hpp"
@@ -33,15 +34,29 @@ constexpr double kPointNoise = 0.001;
 }  // namespace
 
 /// A box, prepared for the separating-axis test against cubes: the 15 axes, each with the box's own
-/// extent along it.
+/// extent along it. Few tests get as far as the axes across two edges, so that these are prepared
+/// for the first of them.
 struct ObstacleMap::Query {
+  struct Edges {
+    Eigen::Matrix<double, 3, 9> axes;  // cross products of edges
+    Eigen::Matrix<double, 9, 1> reach, spread;
+
+    Edges(const Eigen::Matrix3d& R, const Eigen::Vector3d& half) {
+      for (int n = 0; n < 9; ++n) {
+        const Eigen::Vector3d axis = Eigen::Vector3d::Unit(n / 3).cross(R.col(n % 3));
+        axes.col(n) = axis;
+        reach[n] = (R.transpose() * axis).cwiseAbs().dot(half);
+        spread[n] = axis.cwiseAbs().sum();
+      }
+    }
+  };
+
   Eigen::Vector3d p;            // centre of the box
   Eigen::Vector3d reach;        // half extent of the box along the cube's axes
   Eigen::Matrix3d R, absolute;  // axes of the box, as columns
   Eigen::Vector3d half;
-  Eigen::Matrix<double, 3, 9> edge_axes;  // cross products of edges
-  Eigen::Matrix<double, 9, 1> edge_reach, edge_spread;
   Eigen::Vector3d face_spread;
+  mutable std::optional<Edges> edges;
   // Data for a quick test on the axes of the faces: the offsets from a cube's centre to the centres
   // of its eighths, per half an eighth's edge; the box's own extent on each axis, and the extent of
   // a cube of half size 1.
@@ -55,12 +70,6 @@ struct ObstacleMap::Query {
         absolute(box.R_CB.cwiseAbs()),
         half(box.half) {
     face_spread = absolute.colwise().sum();
-    for (int n = 0; n < 9; ++n) {
-      const Eigen::Vector3d axis = Eigen::Vector3d::Unit(n / 3).cross(R.col(n % 3));
-      edge_axes.col(n) = axis;
-      edge_reach[n] = (R.transpose() * axis).cwiseAbs().dot(half);
-      edge_spread[n] = axis.cwiseAbs().sum();
-    }
     for (unsigned n = 0; n < 8; ++n) {
       to_eighth[n] = on_faces(cube_corner(n));
     }
@@ -82,8 +91,9 @@ struct ObstacleMap::Query {
     if (((R.transpose() * t).cwiseAbs().array() >= half.array() + g * face_spread.array()).any()) {
       return false;
     }
-    return ((edge_axes.transpose() * t).cwiseAbs().array() <
-            edge_reach.array() + g * edge_spread.array() + 1e-12)
+    if (!edges) edges.emplace(R, half);
+    return ((edges->axes.transpose() * t).cwiseAbs().array() <
+            edges->reach.array() + g * edges->spread.array() + 1e-12)
         .all();
   }
 };
@@ -234,7 +244,7 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
                        ((box.p_CB + reach).array() > top.array()).any();
   if (outside && unknown_blocks_) return Hit::kUnknown;
   if (blocks_.empty()) return Hit::kNone;
-  const Query query(box);
+  std::optional<Query> query;
   const auto [low, high] = voxels({box.p_CB - reach, box.p_CB + reach});
   constexpr int kTop = kLevels - 1;
   if ((high.array() < 0).any()) return Hit::kNone;
@@ -245,9 +255,11 @@ Hit ObstacleMap::collides(const OrientedBox& box) const {
         const Eigen::Vector3i at(i, j, k);
         const Block* block = block_of(kEdge * at);
         if (block == nullptr || block->is_empty()) continue;
+        // Many boxes come near no block that holds anything.
+        if (!query) query.emplace(box);
         const Eigen::Vector3d centre = corner_ + edge * (at.array().cast<double>() + 0.5).matrix();
-        const std::uint8_t hit = descend(query, {*block, kTop, Eigen::Vector3i::Zero(), at},
-                                         query.on_faces(centre - query.p));
+        const std::uint8_t hit = descend(*query, {*block, kTop, Eigen::Vector3i::Zero(), at},
+                                         query->on_faces(centre - query->p));
         if (hit) return hit & kAnyOccupied ? Hit::kOccupied : Hit::kUnknown;
       }
     }
