@@ -125,6 +125,30 @@ TEST_CASE("no overlap of a box and a voxel is missed, nor one told that is none"
   CHECK(hits > 500 * rounds());
 }
 
+TEST_CASE("a map, and its part around a place, know which voxels are occupied", "[occupancy]") {
+  std::mt19937 random(16);
+  int occupied = 0;
+  for (int n = 0; n < rounds(); ++n) {
+    const PointCloud cloud = scattered(random);
+    const OccupancyGrid grid = map_of(cloud, DepthView(cloud));
+    const ObstacleMap map(grid, false);
+    const Eigen::Vector3d middle = kRegion.center();
+    const Eigen::AlignedBox3d half(kRegion.min(), middle);
+    const ObstacleMap part = map.within(half);
+    for (const Eigen::Vector3f& p : cloud.points) {
+      for (const double off : {0.0, 0.004, -0.011}) {
+        const Eigen::Vector3d p_C = p.cast<double>().array() + off;
+        const bool expected = grid.at(p_C) == Voxel::kOccupied;
+        occupied += expected;
+        CHECK(map.is_occupied(p_C) == expected);
+        if (half.contains(p_C)) CHECK(part.is_occupied(p_C) == expected);
+      }
+    }
+    CHECK_FALSE(map.is_occupied(kRegion.max() + Eigen::Vector3d::Constant(0.5)));
+  }
+  CHECK(occupied > 40);
+}
+
 TEST_CASE("unknown space, and all beyond the map, stops a box exactly if the policy says so",
           "[occupancy][collision][policy]") {
   const Scene scene;
