@@ -4,7 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "fit/geometric_fit.hpp"
+#include "fit/family_fit.hpp"
+#include "fit/normal_equations.hpp"
+#include "fit/starts.hpp"
 
 namespace quadrille {
 
@@ -34,14 +36,30 @@ double bic(double rss, int size, int dof, const SelectionOptions& options);
 /// BIC of a fit, with the prior of its type.
 double bic(const FamilyFit& fit, const SelectionOptions& options);
 
-/// The best fit of one family from its own closed-form starts. Nullopt if it has none: paraboloids
-/// and the elliptic cylinder start from fits of other families.
-std::optional<FamilyFit> fit_family(const OrientedPointsf& points, Family family, int iterations);
+/// Fits of families to one set of points, which are summed and laid out once for all of them.
+class FamilyFits {
+ public:
+  explicit FamilyFits(const OrientedPointsf& points) : starts_(points), sums_(points) {}
 
-/// Fits the families and selects one.
-/// @param general  fit of the general family; no other family fits better, which makes most fits
-///   unnecessary
-Selection select_family(const OrientedPointsf& points, std::span<const Family> families,
-                        const FamilyFit& general, const SelectionOptions& options);
+  /// The best fit of one family from its own closed-form starts. Nullopt if it has none:
+  /// paraboloids and the elliptic cylinder start from fits of other families.
+  std::optional<FamilyFit> fit(Family family, int iterations);
+
+  /// Fits the families and selects one.
+  /// @param general  fit of the general family; no other family fits better, which makes most fits
+  ///   unnecessary
+  Selection select(std::span<const Family> families, const FamilyFit& general,
+                   const SelectionOptions& options);
+
+ private:
+  std::optional<FamilyFit> fit_from(Family family, const std::vector<FamilyFit>& known,
+                                    int iterations, double wanted);
+
+  Starts starts_;
+  DistanceSums<float> sums_;
+};
+
+/// FamilyFits::fit() of one family.
+std::optional<FamilyFit> fit_family(const OrientedPointsf& points, Family family, int iterations);
 
 }  // namespace quadrille

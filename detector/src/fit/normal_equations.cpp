@@ -5,7 +5,7 @@
 #include <memory>
 #include <span>
 
-#include "base/vector_clones.hpp"
+#include "fit/column_products.hpp"
 #include "fit/half_gradient.hpp"
 
 namespace quadrille {
@@ -14,9 +14,6 @@ namespace {
 // Near an apex or a centre the gradient vanishes and the first-order distance explodes, so the
 // gradient's length counts as at least this share of its mean.
 constexpr float kWeakGradient = 0.05f;
-// Points are processed in chunks of this many, which compilers vectorise and which fit the L1
-// cache.
-constexpr int kChunk = 128;
 constexpr int kColumns = 11;
 
 }  // namespace
@@ -42,25 +39,7 @@ struct alignas(kLanes * sizeof(Scalar)) PointChunk {
 namespace {
 
 template <typename Scalar>
-struct alignas(kLanes * sizeof(Scalar)) Jacobian {
-  Scalar column[kColumns][kChunk];
-};
-
-/// Eight partial sums side by side: for floats one AVX register, or two SSE registers.
-template <typename Scalar>
-struct StrandsOf;
-template <>
-struct StrandsOf<float> {
-  using Type __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = float;
-};
-template <>
-struct StrandsOf<double> {
-  using Type __attribute__((vector_size(kLanes * sizeof(double)), may_alias)) = double;
-};
-
-// Compilers clone no templates for other instruction sets, so these are inlined into plain
-// functions.
-#define QUADRILLE_INTO_CLONES inline __attribute__((always_inline))
+using Jacobian = ChunkColumns<Scalar, kColumns>;
 
 template <typename Scalar>
 QUADRILLE_INTO_CLONES void evaluate_points(const Coefficients<Scalar>& q, PointChunk<Scalar>* c) {
@@ -100,12 +79,6 @@ QUADRILLE_INTO_CLONES void differentiate_points(const PointChunk<Scalar>& c, Sca
   }
 }
 
-/// The sum of all strands.
-template <typename Strands>
-QUADRILLE_INTO_CLONES double joined(const Strands& s) {
-  return static_cast<double>((s[0] + s[4]) + (s[1] + s[5]) + ((s[2] + s[6]) + (s[3] + s[7])));
-}
-
 /// The sum of r², in the same order as the last element of JᵀJ.
 template <typename Scalar>
 QUADRILLE_INTO_CLONES double square_of_points(const PointChunk<Scalar>& c, Scalar min_slope) {
@@ -118,33 +91,8 @@ QUADRILLE_INTO_CLONES double square_of_points(const PointChunk<Scalar>& c, Scala
     const auto v = reinterpret_cast<const typename StrandsOf<Scalar>::Type&>(r[k]);
     sum += v * v;
   }
-  return joined(sum);
+  return sum_of_strands(sum);
 }
-
-/// Adds row a of JᵀJ from the diagonal on. Since `a` is known at compile time, the sums stay in
-/// registers.
-template <int a, typename Scalar>
-QUADRILLE_INTO_CLONES void add_row(const Jacobian<Scalar>& J, int size, double* N) {
-  using Strands = typename StrandsOf<Scalar>::Type;
-  Strands sum[kColumns - a] = {};
-  for (int k = 0; k < size; k += kLanes) {
-    const Strands left = reinterpret_cast<const Strands&>(J.column[a][k]);
-    for (int b = a; b < kColumns; ++b)
-      sum[b - a] += left * reinterpret_cast<const Strands&>(J.column[b][k]);
-  }
-  for (int b = a; b < kColumns; ++b) N[a * kColumns + b] += joined(sum[b - a]);
-}
-
-/// Adds the upper triangle of JᵀJ.
-template <typename Scalar>
-QUADRILLE_INTO_CLONES void add_all_rows(const Jacobian<Scalar>& J, int size, double* N) {
-  add_row<0>(J, size, N), add_row<1>(J, size, N), add_row<2>(J, size, N);
-  add_row<3>(J, size, N), add_row<4>(J, size, N), add_row<5>(J, size, N);
-  add_row<6>(J, size, N), add_row<7>(J, size, N), add_row<8>(J, size, N);
-  add_row<9>(J, size, N), add_row<10>(J, size, N);
-}
-
-#undef QUADRILLE_INTO_CLONES
 
 QUADRILLE_VECTOR_CLONES
 void evaluate_at(Coefficients<float> q, PointChunk<float>* c) { evaluate_points(q, c); }
@@ -167,19 +115,11 @@ double sum_squares(const PointChunk<double>& c, double min_slope) {
 }
 
 QUADRILLE_VECTOR_CLONES
-void add_products(const Jacobian<float>& J, int size, double* N) { add_all_rows(J, size, N); }
-void add_products(const Jacobian<double>& J, int size, double* N) { add_all_rows(J, size, N); }
+void add_products(const Jacobian<float>& J, int size, double* N) { add_rows(J, size, N); }
+void add_products(const Jacobian<double>& J, int size, double* N) { add_rows(J, size, N); }
 
 /// The number of points, rounded up to whole vectors.
 int padded(int size) { return (size + kLanes - 1) / kLanes * kLanes; }
-
-/// Clears the columns from the last point to the end of its vector.
-template <typename Scalar>
-void clear_beyond(int size, Jacobian<Scalar>* J) {
-  for (auto& column : J->column) {
-    for (int k = size; k < padded(size); ++k) column[k] = 0;
-  }
-}
 
 }  // namespace
 
@@ -232,7 +172,7 @@ Matrix11d DistanceSums<Scalar>::normal_equations() const {
   Jacobian<Scalar> J;
   for (const PointChunk<Scalar>& chunk : chunks()) {
     differentiate(chunk, min_slope_, &J);
-    clear_beyond(chunk.size, &J);
+    J.clear_beyond(chunk.size);
     add_products(J, chunk.size, N.data());
   }
   return N.template selfadjointView<Eigen::Upper>();

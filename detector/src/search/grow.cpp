@@ -24,13 +24,14 @@ bool refit(const SurfaceSamples& samples, const GrowOptions& options, bool selec
            Candidate* candidate) {
   const Normalisation local = normalisation_of(samples, candidate->region);
   const OrientedPointsf points = fit_points(samples, candidate->region, local, options.fit_points);
+  FamilyFits fits(points);
   std::optional<FamilyFit> best =
-      fit_family(points, select ? Family::kGeneral : candidate->family, kIterations);
+      fits.fit(select ? Family::kGeneral : candidate->family, kIterations);
   if (!best) return false;
   if (select) {
     SelectionOptions selection_options;
     selection_options.effective_share = kEffectiveShare;
-    best = select_family(points, options.families, *best, selection_options).best;
+    best = fits.select(options.families, *best, selection_options).best;
   }
   candidate->Q = local.to_frame(best->posed.matrix()).normalized();
   candidate->family = best->family;

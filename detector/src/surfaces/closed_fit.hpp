@@ -37,7 +37,7 @@ struct ClosedFit {
 };
 
 /// Fits a round and an elliptic cylinder to a wall and the outline of its lid, and chooses by the
-/// Bayesian information criterion, as select_family() does.
+/// Bayesian information criterion, as FamilyFits::select() does.
 ///
 /// The wall alone leaves open how its section closes if little of it is seen: a circle of twice the
 /// radius explains a quarter of an ellipse. A point of the outline counts as one of the wall. It is

@@ -52,7 +52,8 @@ bool lies_on(const Surface& flat, const SurfaceSamples& samples, const PlaneRegi
 Surface plane_surface(const SurfaceSamples& samples, const PlaneRegion& plane) {
   const Normalisation local = normalisation_of(samples, plane.samples);
   const OrientedPointsf points = fit_points(samples, plane.samples, local, kFitPoints);
-  const PosedQuadric start = initial_plane(points).value_or(in_local(plane.plane, local));
+  const PosedQuadric start =
+      initial_plane(PointMoments(points)).value_or(in_local(plane.plane, local));
   std::optional<FamilyFit> fit = refine(points, Family::kPlane, start, kIterations);
   if (!fit) fit = FamilyFit{Family::kPlane, start, 0.0, static_cast<int>(points.size())};
   Surface surface = surface_of(plane.samples, local, std::move(*fit), points);

@@ -30,7 +30,8 @@ std::optional<Surface> fit_surface(const SurfaceSamples& samples, std::vector<in
                                    const AggregateOptions& options) {
   const Normalisation local = normalisation_of(samples, region);
   const OrientedPointsf points = fit_points(samples, region, local, options.fit_points);
-  const std::optional<FamilyFit> general = fit_family(points, Family::kGeneral, kIterations);
+  FamilyFits fits(points);
+  const std::optional<FamilyFit> general = fits.fit(Family::kGeneral, kIterations);
   if (!general) return std::nullopt;
   const double share =
       std::min(effective_share(samples, region, local.to_frame(general->posed.matrix())),
@@ -42,7 +43,7 @@ std::optional<Surface> fit_surface(const SurfaceSamples& samples, std::vector<in
   selection.effective_share = effective_size / static_cast<double>(points.size());
   const double common_noise = samples.common_noise * mean_sigma(samples, region) / local.scale;
   selection.common_noise = std::hypot(common_noise, kFlawShare);
-  FamilyFit best = select_family(points, options.families, *general, selection).best;
+  FamilyFit best = fits.select(options.families, *general, selection).best;
   Surface surface = surface_of(std::move(region), local, std::move(best), points);
   surface.effective_size = effective_size;
   return surface;

@@ -17,9 +17,10 @@ constexpr std::array kAll = {
     Family::kRevolution, Family::kParaboloid, Family::kEllipticCylinder, Family::kParabolic};
 
 std::optional<Selection> select(const OrientedPointsf& points, const SelectionOptions& options) {
-  const auto general = fit_family(points, Family::kGeneral, 15);
+  FamilyFits fits(points);
+  const auto general = fits.fit(Family::kGeneral, 15);
   if (!general) return std::nullopt;
-  return select_family(points, kAll, *general, options);
+  return fits.select(kAll, *general, options);
 }
 
 }  // namespace

@@ -8,14 +8,10 @@
 
 namespace quadrille {
 
-template <typename Scalar>
-std::optional<AxisOfRevolution> axis_of_revolution(const OrientedPoints<Scalar>& p, double ridge) {
-  // A normal line (n, x × n) meets the axis (a, m) if n·m + (x × n)·a = 0.
-  Eigen::Matrix<Scalar, Eigen::Dynamic, 6> H(p.size(), 6);
-  H << (p.y() * p.nz() - p.z() * p.ny()).matrix(), (p.z() * p.nx() - p.x() * p.nz()).matrix(),
-      (p.x() * p.ny() - p.y() * p.nx()).matrix(), p.nx().matrix(), p.ny().matrix(), p.nz().matrix();
-  const Eigen::Matrix<double, 6, 6> S = products_of_columns(H);
-  // Minimises |H [a m]| subject to |a| = 1, with m eliminated.
+std::optional<AxisOfRevolution> axis_of_revolution(const Eigen::Matrix<double, 6, 6>& S,
+                                                   double ridge) {
+  // A normal line (n, x × n) meets the axis (a, m) if n·m + (x × n)·a = 0. This minimises
+  // Σ (h·[a m])² subject to |a| = 1, with m eliminated.
   const Eigen::Matrix3d Smm =
       S.bottomRightCorner<3, 3>() +
       ridge * S.bottomRightCorner<3, 3>().trace() * Eigen::Matrix3d::Identity();
@@ -31,7 +27,11 @@ std::optional<AxisOfRevolution> axis_of_revolution(const OrientedPoints<Scalar>&
   return axis;
 }
 
-template std::optional<AxisOfRevolution> axis_of_revolution(const OrientedPointsf&, double);
-template std::optional<AxisOfRevolution> axis_of_revolution(const OrientedPointsd&, double);
+std::optional<AxisOfRevolution> axis_of_revolution(const OrientedPointsd& p, double ridge) {
+  Eigen::Matrix<double, Eigen::Dynamic, 6> H(p.size(), 6);
+  H << (p.y() * p.nz() - p.z() * p.ny()).matrix(), (p.z() * p.nx() - p.x() * p.nz()).matrix(),
+      (p.x() * p.ny() - p.y() * p.nx()).matrix(), p.nx().matrix(), p.ny().matrix(), p.nz().matrix();
+  return axis_of_revolution(products_of_columns(H), ridge);
+}
 
 }  // namespace quadrille

@@ -4,18 +4,17 @@
 #include <cmath>
 
 #include "base/symmetric_eigen.hpp"
-#include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {
 
-std::optional<PosedQuadric> initial_cone(const OrientedPointsf& p) {
-  const Eigen::Vector3d n = mean_of(p.normals);
-  const Eigen::Matrix3d N = scatter_of(p.normals);
-  const Eigen::Matrix3d S = N - static_cast<double>(p.size()) * n * n.transpose();
+std::optional<PosedQuadric> initial_cone(const PointMoments& moments) {
+  const Eigen::Vector3d n = moments.mean_normal();
+  const Eigen::Matrix3d N = moments.normal_scatter();
+  const Eigen::Matrix3d S = N - static_cast<double>(moments.size) * n * n.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(S);
   const Eigen::Vector3d axis = eigen.eigenvectors().col(0);
   // The apex lies in each tangent plane: nᵢ·apex = nᵢ·xᵢ.
-  const Eigen::Vector3d apex = N.ldlt().solve(sum_of_planes(p));
+  const Eigen::Vector3d apex = N.ldlt().solve(moments.normals.block<3, 1>(3, 6));
   // All unit normals have the same component along the axis, and so has their mean.
   const double sine = std::abs(n.dot(axis));
   if (!apex.allFinite() || apex.norm() > 1e3 || sine < 1e-3 || sine > 0.999) return std::nullopt;

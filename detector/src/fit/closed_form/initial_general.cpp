@@ -11,12 +11,12 @@ constexpr double kRidge = 1e-9;
 
 }  // namespace
 
-std::optional<PosedQuadric> initial_general(const OrientedPointsf& points) {
-  if (points.size() < 9) return std::nullopt;
-  const auto solution = solve_taubin(scatter_of_values(points), kRidge);
+std::optional<PosedQuadric> initial_general(const PointMoments& moments) {
+  if (moments.size < 9) return std::nullopt;
+  const auto solution = least_taubin(moments.values, kRidge);
   if (!solution) return std::nullopt;
   PosedQuadric general;
-  general.D = Quadric(solution->q).matrix();
+  general.D = Quadric(*solution).matrix();
   general.D /= general.D.norm();
   return general;
 }

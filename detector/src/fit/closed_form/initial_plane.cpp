@@ -1,14 +1,13 @@
 #include "fit/closed_form/initial_plane.hpp"
 
 #include "base/symmetric_eigen.hpp"
-#include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {
 
-std::optional<PosedQuadric> initial_plane(const OrientedPointsf& p) {
-  const Eigen::Vector3d mean = mean_of(p.points);
+std::optional<PosedQuadric> initial_plane(const PointMoments& moments) {
+  const Eigen::Vector3d mean = moments.centre();
   const Eigen::Matrix3d S =
-      scatter_of(p.points) - static_cast<double>(p.size()) * mean * mean.transpose();
+      moments.scatter() - static_cast<double>(moments.size) * mean * mean.transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(S);
   if (!(eigen.eigenvalues()[1] > 0)) return std::nullopt;
   PosedQuadric plane;

@@ -1,7 +1,8 @@
 #include "fit/closed_form/initial_revolution.hpp"
 
+#include <Eigen/Cholesky>
+
 #include "fit/closed_form/axis_of_revolution.hpp"
-#include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {
 namespace {
@@ -11,23 +12,21 @@ constexpr double kRidge = 1e-9;
 
 }  // namespace
 
-std::optional<PosedQuadric> initial_revolution(const OrientedPointsf& p) {
-  const auto axis = axis_of_revolution(p, kRidge);
+std::optional<PosedQuadric> initial_revolution(const PointMoments& moments) {
+  const auto axis = axis_of_revolution(moments.normals.topLeftCorner<6, 6>(), kRidge);
   if (!axis) return std::nullopt;
-  // The profile is ρ² = α + β s + γ s².
-  const Eigen::Isometry3d X = pose_along(axis->foot, axis->direction);
-  const Eigen::Isometry3f Y = X.inverse().cast<float>();
-  const auto local = [&](int r) {
-    return Y(r, 0) * p.x() + Y(r, 1) * p.y() + Y(r, 2) * p.z() + Y(r, 3);
-  };
-  const Eigen::ArrayXf s = local(2);
-  Eigen::Matrix<float, Eigen::Dynamic, 4> M(p.size(), 4);
-  M << Eigen::VectorXf::Ones(p.size()), s.matrix(), s.square().matrix(),
-      (local(0).square() + local(1).square()).matrix();
-  const Eigen::Vector3d profile = least_squares(M);
+  // The profile is ρ² = α + β s + γ s² with s = d·x and ρ² = |x|² − s² − 2 foot·x + |foot|², since
+  // the foot is the point of the axis that is nearest to the origin.
+  const Eigen::Vector3d d = axis->direction, zero = Eigen::Vector3d::Zero();
+  const Eigen::Matrix3d none = Eigen::Matrix3d::Zero(), along = d * d.transpose();
+  Eigen::Matrix<double, 10, 4> columns;
+  columns << quadratic(none, zero, 1.0), quadratic(none, 0.5 * d, 0.0), quadratic(along, zero, 0.0),
+      quadratic(Eigen::Matrix3d::Identity() - along, -axis->foot, 0.0);
+  Eigen::Vector3d profile = least_squares(moments, columns);
+  profile[0] += axis->foot.squaredNorm();
   if (!profile.allFinite()) return std::nullopt;
   PosedQuadric revolution;
-  revolution.X = X;
+  revolution.X = pose_along(axis->foot, axis->direction);
   revolution.D.diagonal() << 1, 1, -profile[2], -profile[0];
   revolution.D(2, 3) = revolution.D(3, 2) = -0.5 * profile[1];
   return revolution;

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "fit/oriented_points.hpp"
+#include "fit/closed_form/point_moments.hpp"
 #include "fit/posed_quadric.hpp"
 
 namespace quadrille {
@@ -11,6 +11,6 @@ namespace quadrille {
 /// the profile
 ///   ρ² = α + β s + γ s².
 /// @return nullopt if the points do not determine the surface
-std::optional<PosedQuadric> initial_revolution(const OrientedPointsf& points);
+std::optional<PosedQuadric> initial_revolution(const PointMoments& moments);
 
 }  // namespace quadrille

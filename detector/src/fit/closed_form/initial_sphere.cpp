@@ -1,15 +1,17 @@
 #include "fit/closed_form/initial_sphere.hpp"
 
-#include "fit/closed_form/point_sums.hpp"
+#include <Eigen/Cholesky>
 
 namespace quadrille {
 
-std::optional<PosedQuadric> initial_sphere(const OrientedPointsf& p) {
-  Eigen::Matrix<float, Eigen::Dynamic, 5> M(p.size(), 5);
-  M << p.x().matrix(), p.y().matrix(), p.z().matrix(), Eigen::VectorXf::Ones(p.size()),
-      (p.x().square() + p.y().square() + p.z().square()).matrix();
-  const Eigen::Vector4d s = least_squares(M);
-  const Eigen::Vector3d centre = 0.5 * s.head<3>();
+std::optional<PosedQuadric> initial_sphere(const PointMoments& moments) {
+  const Eigen::Matrix3d none = Eigen::Matrix3d::Zero();
+  Eigen::Matrix<double, 10, 5> columns;
+  for (int k = 0; k < 3; ++k) columns.col(k) = quadratic(none, Eigen::Vector3d::Unit(k), 0.0);
+  columns.col(3) = quadratic(none, Eigen::Vector3d::Zero(), 1.0);
+  columns.col(4) = quadratic(Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero(), 0.0);
+  const Eigen::Vector4d s = least_squares(moments, columns);
+  const Eigen::Vector3d centre = s.head<3>();
   const double r2 = s[3] + centre.squaredNorm();
   if (!s.allFinite() || !(r2 > 0)) return std::nullopt;
   PosedQuadric sphere;

@@ -14,30 +14,10 @@ auto products_of_columns(const Eigen::MatrixBase<Derived>& M) {
   return Eigen::Matrix<double, size, size>((M.transpose() * M).template cast<double>());
 }
 
-/// The x that minimises |A x − b|, where M = [A b].
-template <typename Derived>
-auto least_squares(const Eigen::MatrixBase<Derived>& M) {
-  constexpr int size = Derived::ColsAtCompileTime - 1;
-  const auto S = products_of_columns(M);
-  const Eigen::Matrix<double, size, size> A = S.template topLeftCorner<size, size>();
-  const Eigen::Matrix<double, size, 1> b = S.template topRightCorner<size, 1>();
-  return Eigen::Matrix<double, size, 1>(A.ldlt().solve(b));
-}
-
 /// Σ n nᵀ over the normals, or Σ x xᵀ over the points.
 template <typename Scalar>
 Eigen::Matrix3d scatter_of(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic, Eigen::RowMajor>& rows) {
   return products_of_columns(Eigen::Matrix<Scalar, Eigen::Dynamic, 3>(rows.transpose()));
-}
-
-template <typename Scalar>
-Eigen::Vector3d mean_of(const Eigen::Matrix<Scalar, 3, Eigen::Dynamic, Eigen::RowMajor>& rows) {
-  // A copy is summed, since the order of a vectorised sum depends on where in memory the row
-  // begins.
-  const auto mean = [&](Eigen::Index k) {
-    return static_cast<double>(Eigen::Array<Scalar, Eigen::Dynamic, 1>(rows.row(k)).mean());
-  };
-  return {mean(0), mean(1), mean(2)};
 }
 
 /// Σ n (n·x). Together with Σ n nᵀ it gives the normal equations of the point common to all tangent

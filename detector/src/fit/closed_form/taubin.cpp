@@ -1,24 +1,52 @@
 #include "fit/closed_form/taubin.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include "fit/closed_form/point_sums.hpp"
 
 namespace quadrille {
+namespace {
 
-template <typename Scalar>
-Matrix10d scatter_of_values(const OrientedPoints<Scalar>& p) {
-  const auto x = p.x(), y = p.y(), z = p.z();
-  const Scalar two(2);
-  Eigen::Matrix<Scalar, Eigen::Dynamic, 10> V(p.size(), 10);
-  V << x.square().matrix(), y.square().matrix(), z.square().matrix(), (two * x * y).matrix(),
-      (two * x * z).matrix(), (two * y * z).matrix(), (two * x).matrix(), (two * y).matrix(),
-      (two * z).matrix(), Eigen::Matrix<Scalar, Eigen::Dynamic, 1>::Ones(p.size());
-  return products_of_columns(V);
+using Matrix9d = Eigen::Matrix<double, 9, 9>;
+using Vector9d = Eigen::Matrix<double, 9, 1>;
+
+// Steps of the inverse iteration. Each multiplies the error by the ratio of the two least
+// distances, which is small wherever the points determine the quadric.
+constexpr int kIterations = 5;
+// Share of the mean distance that is added to all, so that none is exactly zero.
+constexpr double kShift = 1e-7;
+
+/// The equations S q = d G q in all but the constant coefficient, which follows from the others.
+struct Reduced {
+  Matrix9d scatter, weight;
+
+  Reduced(const Matrix10d& S, double ridge)
+      : scatter(S.topLeftCorner<9, 9>() -
+                S.topRightCorner<9, 1>() * S.bottomLeftCorner<1, 9>() / S(9, 9)),
+        weight(scatter_of_gradients(S).topLeftCorner<9, 9>()) {
+    // The weight is singular only in the constant coefficient.
+    weight.diagonal().array() += ridge * weight.trace();
+  }
+};
+
+/// Completes a solution by the constant coefficient.
+Vector10d completed(const Vector9d& q, const Matrix10d& S) {
+  Vector10d all;
+  all << q, -S.bottomLeftCorner<1, 9>().dot(q) / S(9, 9);
+  return all;
 }
 
-template Matrix10d scatter_of_values(const OrientedPointsf&);
-template Matrix10d scatter_of_values(const OrientedPointsd&);
+}  // namespace
+
+Matrix10d scatter_of_values(const OrientedPointsd& p) {
+  const auto x = p.x(), y = p.y(), z = p.z();
+  Eigen::Matrix<double, Eigen::Dynamic, 10> V(p.size(), 10);
+  V << x.square().matrix(), y.square().matrix(), z.square().matrix(), (2.0 * x * y).matrix(),
+      (2.0 * x * z).matrix(), (2.0 * y * z).matrix(), (2.0 * x).matrix(), (2.0 * y).matrix(),
+      (2.0 * z).matrix(), Eigen::VectorXd::Ones(p.size());
+  return products_of_columns(V);
+}
 
 Matrix10d scatter_of_gradients(const Matrix10d& S) {
   // ∇v is (2x, 0, 0) for x², (2y, 2x, 0) for 2xy, and (2, 0, 0) for 2x.
@@ -42,19 +70,29 @@ Matrix10d scatter_of_gradients(const Matrix10d& S) {
 }
 
 std::optional<TaubinSolution> solve_taubin(const Matrix10d& S, double ridge) {
-  using Matrix9d = Eigen::Matrix<double, 9, 9>;
-  // The weight is singular only in the constant coefficient, which is eliminated from the scatter.
-  const Matrix9d reduced =
-      S.topLeftCorner<9, 9>() - S.topRightCorner<9, 1>() * S.bottomLeftCorner<1, 9>() / S(9, 9);
-  Matrix9d weight = scatter_of_gradients(S).topLeftCorner<9, 9>();
-  weight.diagonal().array() += ridge * weight.trace();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix9d> eigen(reduced, weight);
+  const Reduced reduced(S, ridge);
+  const Eigen::GeneralizedSelfAdjointEigenSolver<Matrix9d> eigen(reduced.scatter, reduced.weight);
   if (eigen.info() != Eigen::Success) return std::nullopt;
   TaubinSolution solution;
   solution.distances = eigen.eigenvalues();
-  solution.q.head<9>() = eigen.eigenvectors().col(0);
-  solution.q[9] = -S.bottomLeftCorner<1, 9>().dot(solution.q.head<9>()) / S(9, 9);
+  solution.q = completed(eigen.eigenvectors().col(0), S);
   if (!solution.q.allFinite()) return std::nullopt;
+  return solution;
+}
+
+std::optional<Vector10d> least_taubin(const Matrix10d& S, double ridge) {
+  Reduced reduced(S, ridge);
+  const double mean = reduced.scatter.trace() / reduced.weight.trace();
+  reduced.scatter += kShift * mean * reduced.weight;
+  const Eigen::LDLT<Matrix9d> factors(reduced.scatter);
+  // An irregular start is square to no solution that may be looked for.
+  Vector9d q{{0.9, -0.6, 0.7, 0.3, -0.4, 0.5, 0.8, 0.2, -0.1}};
+  for (int i = 0; i < kIterations; ++i) {
+    q = factors.solve(Vector9d(reduced.weight * q));
+    q.normalize();
+  }
+  const Vector10d solution = completed(q, S);
+  if (!solution.allFinite()) return std::nullopt;
   return solution;
 }
 

@@ -13,8 +13,7 @@ namespace quadrille {
 /// nonplanar space curves defined by implicit equations", PAMI 1991).
 
 /// Σ v vᵀ, the quadratic form of the squared algebraic distance.
-template <typename Scalar>
-Matrix10d scatter_of_values(const OrientedPoints<Scalar>& points);
+Matrix10d scatter_of_values(const OrientedPointsd& points);
 
 /// Σ ∇v ∇vᵀ, the quadratic form of the squared norm of the gradient. All its sums occur in Σ v vᵀ.
 Matrix10d scatter_of_gradients(const Matrix10d& values);
@@ -31,5 +30,9 @@ struct TaubinSolution {
 ///   definite despite sums in single precision; 0 for exact sums
 /// @return nullopt if the points do not determine a finite solution
 std::optional<TaubinSolution> solve_taubin(const Matrix10d& values, double ridge);
+
+/// Solves it by inverse iteration for the least distance alone, in a tenth of the time. If several
+/// solutions have nearly the least distance, as on planes, the result is a mixture of them.
+std::optional<Vector10d> least_taubin(const Matrix10d& values, double ridge);
 
 }  // namespace quadrille

@@ -1,5 +1,6 @@
 #include "fit/closed_form/axis_of_revolution.hpp"
 
+#include "fit/closed_form/point_moments.hpp"
 #include "support/catch.hpp"
 #include "support/quadric_points.hpp"
 
@@ -16,7 +17,8 @@ TEST_CASE("the axis of a surface of revolution is found in both precisions",
     const Eigen::Vector3d direction = X.linear().col(2);
     const Eigen::Vector3d foot = X.translation() - direction.dot(X.translation()) * direction;
     const auto exact = axis_of_revolution(to_oriented_points<double>(points), 0.0);
-    const auto rounded = axis_of_revolution(to_oriented_points<float>(points), 1e-9);
+    const PointMoments moments(to_oriented_points<float>(points));
+    const auto rounded = axis_of_revolution(moments.normals.topLeftCorner<6, 6>(), 1e-9);
     REQUIRE((exact && rounded));
     CHECK(exact->direction.cross(direction).norm() < 1e-9);
     CHECK((exact->foot - foot).norm() < 1e-9);

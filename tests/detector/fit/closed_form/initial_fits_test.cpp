@@ -27,16 +27,16 @@ double worst_difference(Family family, Fit&& fit) {
   double worst = 0;
   for (int k = 0; k < 10; ++k) {
     const ExamplePoints data = make_points(example_of(family), 200, 0.0, random);
-    const std::optional<PosedQuadric> found = fit(data.points);
+    const std::optional<PosedQuadric> found = fit(PointMoments(data.points));
     if (!found) return INFINITY;
     worst = std::max(worst, difference(found->matrix(), data.truth.matrix()));
   }
   return worst;
 }
 
-OrientedPointsf repeated(const Eigen::Vector3d& x, int count) {
-  return to_fit_points(
-      std::vector<OrientedPoint>(static_cast<std::size_t>(count), {x, Eigen::Vector3d::UnitZ()}));
+PointMoments repeated(const Eigen::Vector3d& x, int count) {
+  return PointMoments(to_fit_points(
+      std::vector<OrientedPoint>(static_cast<std::size_t>(count), {x, Eigen::Vector3d::UnitZ()})));
 }
 
 }  // namespace
@@ -47,8 +47,8 @@ TEST_CASE("exact points of each family lead to its quadric in closed form", "[fi
   CHECK(worst_difference(Family::kSphere, initial_sphere) < kRounding);
   CHECK(worst_difference(Family::kCylinder, initial_cylinder) < kRounding);
   CHECK(worst_difference(Family::kRevolution, initial_revolution) < 10 * kRounding);
-  CHECK(worst_difference(Family::kParaboloid, [](const OrientedPointsf& p) {
-          const auto round = initial_revolution(p);
+  CHECK(worst_difference(Family::kParaboloid, [](const PointMoments& moments) {
+          const auto round = initial_revolution(moments);
           return round ? initial_paraboloid(*round) : std::nullopt;
         }) < 10 * kRounding);
 }
@@ -71,7 +71,7 @@ TEST_CASE("a cone seen from one side or all around has its half angle in closed 
       }
     }
     CAPTURE(turn);
-    const auto cone = initial_cone(to_fit_points(points));
+    const auto cone = initial_cone(PointMoments(to_fit_points(points)));
     REQUIRE(cone);
     CHECK(difference(cone->matrix(), truth.matrix()) < 1e-4);
   }

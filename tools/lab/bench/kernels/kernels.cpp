@@ -194,7 +194,8 @@ BENCHMARK(sum_of_squares_of_points)->Arg(128)->Arg(1000);
 void geometric_refit(benchmark::State& state) {
   const OrientedPointsf points = patch_points(128);
   const bool sphere = state.range(0) == 0;
-  const auto start = sphere ? initial_sphere(points) : initial_general(points);
+  const PointMoments moments(points);
+  const auto start = sphere ? initial_sphere(moments) : initial_general(moments);
   if (!start) return state.SkipWithError("the patch gives no start");
   const Family family = sphere ? Family::kSphere : Family::kGeneral;
   constexpr int kIterations = 10;

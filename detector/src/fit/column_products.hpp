@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+
+#include "base/vector_clones.hpp"
+
+namespace quadrille {
+
+/// Points are processed in chunks of this many, which compilers vectorise and which fit the L1
+/// cache.
+inline constexpr int kChunk = 128;
+
+/// Some values of each point of a chunk, a column for each value.
+template <typename Scalar, int columns>
+struct alignas(kLanes * sizeof(Scalar)) ChunkColumns {
+  Scalar column[columns][kChunk];
+
+  /// Clears the columns from the last point to the end of its vector.
+  void clear_beyond(int size) {
+    const int padded = (size + kLanes - 1) / kLanes * kLanes;
+    for (auto& values : column) std::fill(values + size, values + padded, Scalar(0));
+  }
+};
+
+/// Eight partial sums side by side: for floats one AVX register, or two SSE registers.
+template <typename Scalar>
+struct StrandsOf;
+template <>
+struct StrandsOf<float> {
+  using Type __attribute__((vector_size(kLanes * sizeof(float)), may_alias)) = float;
+};
+template <>
+struct StrandsOf<double> {
+  using Type __attribute__((vector_size(kLanes * sizeof(double)), may_alias)) = double;
+};
+
+// Compilers clone no templates for other instruction sets, so these are inlined into plain
+// functions.
+#define QUADRILLE_INTO_CLONES inline __attribute__((always_inline))
+
+/// The sum of all strands.
+template <typename Strands>
+QUADRILLE_INTO_CLONES double sum_of_strands(const Strands& s) {
+  return static_cast<double>((s[0] + s[4]) + (s[1] + s[5]) + ((s[2] + s[6]) + (s[3] + s[7])));
+}
+
+/// Adds the products of column a with itself and the later ones to row a of N. Since `a` is known
+/// at compile time, the sums stay in registers.
+template <int a, typename Scalar, int columns>
+QUADRILLE_INTO_CLONES void add_row(const ChunkColumns<Scalar, columns>& C, int size, double* N) {
+  using Strands = typename StrandsOf<Scalar>::Type;
+  Strands sum[columns - a] = {};
+  for (int k = 0; k < size; k += kLanes) {
+    const Strands left = reinterpret_cast<const Strands&>(C.column[a][k]);
+    for (int b = a; b < columns; ++b)
+      sum[b - a] += left * reinterpret_cast<const Strands&>(C.column[b][k]);
+  }
+  for (int b = a; b < columns; ++b) N[a * columns + b] += sum_of_strands(sum[b - a]);
+}
+
+/// Adds the upper triangle of CᵀC from row a on.
+/// @param C  cleared beyond the last point
+/// @param N  rows of a square matrix
+template <int a = 0, typename Scalar, int columns>
+QUADRILLE_INTO_CLONES void add_rows(const ChunkColumns<Scalar, columns>& C, int size, double* N) {
+  add_row<a>(C, size, N);
+  if constexpr (a + 1 < columns) add_rows<a + 1>(C, size, N);
+}
+
+}  // namespace quadrille
