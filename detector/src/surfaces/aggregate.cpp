@@ -126,12 +126,12 @@ Trial Aggregation::try_out(PendingCandidate* pending, const Acceptance& asked) c
   surface = extender_.extended(std::move(*surface), free());
   // The extended fit may differ, so it is checked again.
   if (is_thin(*surface, samples_)) return trial;
-  weigh(&*surface);
+  weigh(&*surface, asked_of(*surface, asked));
   // A surface that hardly bends is reported as the plane that it nearly is.
   if (!is_flat(*surface) && surface->evidence.spread < options_.min_spread) {
     surface = plane_instead(std::move(*surface), asked);
     if (!surface) return trial;
-    weigh(&*surface);
+    weigh(&*surface, asked_of(*surface, asked));
   }
   trial.end = is_acceptable(*surface, asked) ? TrialEnd::kAccepted : TrialEnd::kConfidence;
   return trial;
@@ -187,12 +187,11 @@ std::optional<Surface> Aggregation::plane_instead(Surface surface, const Accepta
 }
 
 bool Aggregation::is_acceptable(const Surface& surface, const Acceptance& asked) const {
+  if (!(surface.confidence >= asked_of(surface, asked))) return false;
   if (is_flat(surface)) {
-    return static_cast<int>(surface.region.size()) >= options_.min_plane_samples &&
-           surface.confidence >= options_.min_plane_confidence;
+    return static_cast<int>(surface.region.size()) >= options_.min_plane_samples;
   }
-  return surface.confidence >= asked.min_confidence &&
-         !(surface.rms > asked.max_residual * mean_sigma(samples_, surface.region));
+  return !(surface.rms > asked.max_residual * mean_sigma(samples_, surface.region));
 }
 
 /// Merges the surface with earlier ones that the same quadric explains, and removes those.
@@ -213,8 +212,14 @@ Surface Aggregation::joined(Surface surface) {
   return surface;
 }
 
-void Aggregation::weigh(Surface* surface) const {
-  quadrille::weigh(source(), surface, around(surface->region));
+/// @param asked  see quadrille::weigh(); whoever observes trials is told all evidence
+void Aggregation::weigh(Surface* surface, double asked) const {
+  quadrille::weigh(source(), surface, around(surface->region), observer_ ? 0.0 : asked);
+}
+
+/// Least confidence at which a surface is accepted.
+double Aggregation::asked_of(const Surface& surface, const Acceptance& asked) const {
+  return is_flat(surface) ? options_.min_plane_confidence : asked.min_confidence;
 }
 
 /// The samples that no surface has claimed, if no accepted surface nearby nearly explains the

@@ -49,7 +49,8 @@ class Aggregation {
   bool is_acceptable(const Surface& surface, const Acceptance& asked) const;
   std::optional<Surface> plane_instead(Surface surface, const Acceptance& asked) const;
   Surface joined(Surface surface);
-  void weigh(Surface* surface) const;
+  void weigh(Surface* surface, double asked = 0.0) const;
+  double asked_of(const Surface& surface, const Acceptance& asked) const;
   EvidenceSource source() const { return {samples_, blocks_, context_, &claims_}; }
   const Mask& around(std::span<const int> region) const;
 

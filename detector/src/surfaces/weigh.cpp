@@ -44,10 +44,19 @@ Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, c
   return result.evidence;
 }
 
-void weigh(const EvidenceSource& from, Surface* surface, const Mask& free) {
-  surface->evidence = all_evidence(from, surface->region, surface->Q, form_of(*surface), free);
-  surface->confidence =
-      confidence(terms_of(*surface), is_flat(*surface) ? SurfaceKind::kFlat : SurfaceKind::kCurved);
+void weigh(const EvidenceSource& from, Surface* surface, const Mask& free, double asked) {
+  const SurfaceKind kind = is_flat(*surface) ? SurfaceKind::kFlat : SurfaceKind::kCurved;
+  const CanonicalForm form = form_of(*surface);
+  LastingEvidence result = lasting_evidence(from, surface->region, surface->Q, form);
+  look_around(from, surface->region, free, &result);
+  surface->evidence = result.evidence;
+  if (asked > 0.0) {
+    surface->confidence = highest_confidence(terms_of(*surface), "see_through", kind);
+    if (surface->confidence < asked) return;
+  }
+  surface->evidence.see_through =
+      see_through(from.context, from.samples, surface->region, surface->Q, form);
+  surface->confidence = confidence(terms_of(*surface), kind);
 }
 
 }  // namespace quadrille

@@ -44,6 +44,9 @@ Evidence all_evidence(const EvidenceSource& from, std::span<const int> region, c
                       const CanonicalForm& form, const Mask& free = {});
 
 /// Sets a surface's evidence and confidence.
-void weigh(const EvidenceSource& from, Surface* surface, const Mask& free = {});
+/// @param asked  confidence below which a surface is of no interest: if no result of counting what
+///   is seen through it, which takes long, can reach it, that evidence is left out, and the
+///   confidence is an upper bound
+void weigh(const EvidenceSource& from, Surface* surface, const Mask& free = {}, double asked = 0.0);
 
 }  // namespace quadrille

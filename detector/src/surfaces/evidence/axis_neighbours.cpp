@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
+#include "base/vector_clones.hpp"
 #include "fit/posed_quadric.hpp"
 #include "samples/region.hpp"
 #include "search/axes/normal_line.hpp"
@@ -17,6 +17,43 @@ constexpr float kReach = 1.5f;
 // the region's size.
 constexpr double kMaxRadius = 3.0;
 
+/// A cylinder about an axis, by the map to the frame of the axis.
+struct AxisTest {
+  float X[3][4];
+  float max_square, low, high;
+};
+
+/// Numbers of samples within the cylinder whose normal lines meet the axis, and of all those whose
+/// normal lines have a direction.
+struct LineCounts {
+  int meet = 0, all = 0;
+};
+
+/// Counts samples as NormalLine does, with squares in place of roots.
+QUADRILLE_VECTOR_CLONES
+LineCounts count_lines(const AxisTest& t, const SampleRows& s) {
+  constexpr float kMinSquare = NormalLine::kMinSine * NormalLine::kMinSine;
+  constexpr float kCells = NormalLine::kMaxMissCells * NormalLine::kMaxMissCells;
+  constexpr float kShare = NormalLine::kMaxMissShare * NormalLine::kMaxMissShare;
+  int meet = 0, all = 0;
+  for (int k = 0; k < s.size; ++k) {
+    const float px = s.x[k], py = s.y[k], pz = s.z[k], qx = s.nx[k], qy = s.ny[k], qz = s.nz[k];
+    const float x = t.X[0][0] * px + t.X[0][1] * py + t.X[0][2] * pz + t.X[0][3];
+    const float y = t.X[1][0] * px + t.X[1][1] * py + t.X[1][2] * pz + t.X[1][3];
+    const float z = t.X[2][0] * px + t.X[2][1] * py + t.X[2][2] * pz + t.X[2][3];
+    const float nx = t.X[0][0] * qx + t.X[0][1] * qy + t.X[0][2] * qz;
+    const float ny = t.X[1][0] * qx + t.X[1][1] * qy + t.X[1][2] * qz;
+    const float square = x * x + y * y, sine = nx * nx + ny * ny;
+    const float miss = x * ny - y * nx;
+    const float max_miss = std::max(kCells * s.cell[k] * s.cell[k], kShare * square);
+    const int counts =
+        (z >= t.low) & (z <= t.high) & (square <= t.max_square) & (sine >= kMinSquare);
+    all += counts;
+    meet += counts & (miss * miss <= sine * max_miss);
+  }
+  return {meet, all};
+}
+
 }  // namespace
 
 AxisNeighbours axis_neighbours(const SurfaceSamples& samples, const SampleBlocks& blocks,
@@ -25,29 +62,30 @@ AxisNeighbours axis_neighbours(const SurfaceSamples& samples, const SampleBlocks
   const Eigen::Vector3d foot =
       axis.point + axis.direction * axis.direction.dot(local.centre - axis.point);
   const Eigen::Isometry3f X_AC = pose_along(foot, axis.direction).inverse().cast<float>();
-  std::vector<char> inside(static_cast<std::size_t>(samples.size()), 0);
   float radius = 0, low = 0, high = 0;
   for (const int i : region) {
-    inside[i] = 1;
     const Eigen::Vector3f x = X_AC * samples.raw[i];
-    radius = std::max(radius, x.head<2>().norm());
+    radius = std::max(radius, x.head<2>().squaredNorm());
     low = std::min(low, x.z()), high = std::max(high, x.z());
   }
-  radius = kReach * std::min(radius, static_cast<float>(kMaxRadius * local.scale));
+  radius = kReach * std::min(std::sqrt(radius), static_cast<float>(kMaxRadius * local.scale));
   low -= radius, high += radius;
-  int meet = 0, miss = 0;
+  AxisTest test{{}, radius * radius, low, high};
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 4; ++c) test.X[r][c] = X_AC(r, c);
+  }
   const Eigen::AlignedBox3f box(Eigen::Vector3f(-radius, -radius, low),
                                 Eigen::Vector3f(radius, radius, high));
-  for (const int i : blocks.in_box(X_AC, box)) {
-    if (inside[i]) continue;
-    const Eigen::Vector3f x = X_AC * samples.raw[i];
-    if (x.z() < low || x.z() > high || x.head<2>().norm() > radius) continue;
-    const NormalLine line(x, X_AC.linear() * samples.n[i]);
-    if (!line.has_direction()) continue;
-    ++(line.meets_axis(samples.cell[i]) ? meet : miss);
+  // The region's own samples are counted with the others and then taken off.
+  const SampleTable own(samples, region);
+  LineCounts around, within = count_lines(test, own.rows());
+  for (const SampleRows& rows : blocks.near_box(X_AC, box)) {
+    const LineCounts counts = count_lines(test, rows);
+    around.meet += counts.meet, around.all += counts.all;
   }
+  const int meet = around.meet - within.meet, all = around.all - within.all;
   const double size = static_cast<double>(region.size());
-  return {meet / size, miss / size};
+  return {meet / size, (all - meet) / size};
 }
 
 }  // namespace quadrille

@@ -8,7 +8,6 @@
 #include "base/quantile.hpp"
 #include "samples/inliers.hpp"
 #include "samples/plane_sums.hpp"
-#include "samples/region.hpp"
 #include "surfaces/evidence/neighbour_sums.hpp"
 #include "surfaces/evidence/smooth_parts.hpp"
 #include "surfaces/evidence/two_planes.hpp"
@@ -20,6 +19,8 @@ namespace {
 constexpr int kAllNeighbours = 8;
 // Added to sums of squared distances [m²], so that their ratio exists even for exact fits.
 constexpr double kMinSquare = 1e-12;
+// Least size [m], so that the logarithm of that of one sample exists.
+constexpr double kMinSize = 1e-6;
 
 /// The neighbour of j farthest in the direction of a step that leads to j; -1 if none lies that
 /// way.
@@ -66,30 +67,22 @@ RegionBorder walk_neighbours(const SurfaceSamples& samples, std::span<const int>
   return border;
 }
 
-double thickness_of(const SurfaceSamples& samples, std::span<const int> region,
-                    const Normalisation& local) {
-  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
-  for (const int i : region) {
-    const Eigen::Vector3d x = (samples.raw[i].cast<double>() - local.centre) / local.scale;
-    square += x * x.transpose();
-  }
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-  eigen.computeDirect(square, Eigen::EigenvaluesOnly);
-  const Eigen::Vector3d v = eigen.eigenvalues();
-  return std::sqrt(std::max(0.0, v[0]) / v[2]);
-}
-
-/// Sum of squared distances from the best plane [m²].
-double one_plane_rss(const SurfaceSamples& samples, std::span<const int> region) {
+/// Sets the evidence about how far the positions spread.
+/// @param square  sum of the squared distances from the quadric [m²]
+void compare_with_plane(const SurfaceSamples& samples, std::span<const int> region, double square,
+                        Evidence* e) {
+  const Eigen::Vector3d origin = samples.raw[region[0]].cast<double>();
   PlaneSums sums;
-  for (const int i : region) sums.add(samples.raw[i].cast<double>());
-  const Eigen::Vector4d plane = sums.plane();
-  double square = 0;
-  for (const int i : region) {
-    const double d = plane.dot(samples.raw[i].cast<double>().homogeneous());
-    square += d * d;
-  }
-  return square;
+  for (const int i : region) sums.add(samples.raw[i].cast<double>() - origin);
+  const Eigen::Vector3d mean = sums.sum / sums.n;
+  const Eigen::Matrix3d covariance = sums.squares() / sums.n - mean * mean.transpose();
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+  eigen.computeDirect(covariance, Eigen::EigenvaluesOnly);
+  // The mean squares along the principal axes; the least is the distance from the best plane.
+  const Eigen::Vector3d v = eigen.eigenvalues().cwiseMax(0.0);
+  e->size = std::max(kMinSize, std::sqrt(v.sum()));
+  e->thickness = std::sqrt(v[0] / v[2]);
+  e->one_plane = std::log((v[0] + kMinSquare) * sums.n / square);
 }
 
 /// Sets the evidence about the correlation of neighbouring distances.
@@ -157,15 +150,12 @@ Evidence collect_evidence(const SurfaceSamples& samples, std::span<const int> re
     square += static_cast<double>(d * d);
     inside[i] = 1;
   }
-  const Normalisation local = normalisation_of(samples, region);
   e.log_count = std::log(n);
-  e.size = local.scale;
   for (const int i : region) e.sigma += samples.sigma[i] / n, e.cell += samples.cell[i] / n;
   e.common_noise = samples.common_noise;
   e.spread = normal_spread(samples, region);
-  e.thickness = thickness_of(samples, region, local);
   e.two_planes = std::log((two_planes_rss(samples, region) + kMinSquare * n) / square);
-  e.one_plane = std::log((one_plane_rss(samples, region) + kMinSquare * n) / square);
+  compare_with_plane(samples, region, square, &e);
   compare_neighbours(samples, region, inside, distance, square / n, &e);
   e.convexity = mean_curvature(samples, region, Q) * e.size;
   *border = walk_neighbours(samples, region, inside, &e);

@@ -2,10 +2,9 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <cmath>
-#include <vector>
 
-#include "samples/inliers.hpp"
+#include "base/vector_clones.hpp"
+#include "fit/half_gradient.hpp"
 #include "samples/plane_sums.hpp"
 
 namespace quadrille {
@@ -23,33 +22,74 @@ Eigen::Matrix3f principal_axes(const PlaneSums& sums) {
   return eigen.computeDirect(covariance).eigenvectors().transpose().cast<float>();
 }
 
+/// A box along principal axes, by the map to its frame.
+struct IntruderTest {
+  float X[3][4];
+  float low[3], high[3];
+};
+
+/// Numbers of samples in the box that lie off the quadric, on the side to which its gradient points
+/// and on either side.
+struct SideCounts {
+  int ahead = 0, all = 0;
+};
+
+QUADRILLE_VECTOR_CLONES
+SideCounts count_sides(const IntruderTest& t, Coefficients<float> q, const SampleRows& s) {
+  int ahead = 0, all = 0;
+  for (int k = 0; k < s.size; ++k) {
+    int inside = 1;
+    for (int r = 0; r < 3; ++r) {
+      const float c = t.X[r][0] * s.x[k] + t.X[r][1] * s.y[k] + t.X[r][2] * s.z[k] + t.X[r][3];
+      inside &= (c >= t.low[r]) & (c <= t.high[r]);
+    }
+    const HalfGradient<float> g = half_gradient(q, s.x[k], s.y[k], s.z[k]);
+    // The distance is f / 2 |g|.
+    const float limit = kOffSigmas * s.sigma[k] + kOffCells * s.cell[k];
+    const float slope = 4.0f * (g.x * g.x + g.y * g.y + g.z * g.z);
+    inside &= !(g.f * g.f < limit * limit * slope);
+    all += inside;
+    ahead += inside & (g.f > 0.0f);
+  }
+  return {ahead, all};
+}
+
 }  // namespace
 
 void add_intruders(const SurfaceSamples& samples, const SampleBlocks& blocks,
                    std::span<const int> region, const Quadric& quadric, Evidence* evidence) {
-  const Eigen::Matrix4f Q = quadric.normalized().matrix().cast<float>();
-  std::vector<char> inside(static_cast<std::size_t>(samples.size()), 0);
+  const Eigen::Matrix4d Q = quadric.normalized().matrix();
+  const Coefficients<float> q(Q);
   PlaneSums sums;
   float side = 0;
   for (const int i : region) {
-    inside[i] = 1;
-    sums.add(samples.raw[i].cast<double>());
-    side += (Q * samples.raw[i].homogeneous()).head<3>().normalized().dot(samples.n[i]);
+    const Eigen::Vector3f &x = samples.raw[i], &n = samples.n[i];
+    sums.add(x.cast<double>());
+    const HalfGradient<float> g = half_gradient(q, x.x(), x.y(), x.z());
+    const Eigen::Vector3f gradient(g.x, g.y, g.z);
+    side += gradient.dot(n) / gradient.norm();
   }
   const Eigen::Vector3f centre = (sums.sum / sums.n).cast<float>();
   const Eigen::Matrix3f axes = principal_axes(sums);
   Eigen::AlignedBox3f box;
   for (const int i : region) box.extend(Eigen::Vector3f(axes * (samples.raw[i] - centre)));
   const Eigen::Affine3f X_BC = Eigen::Affine3f(axes) * Eigen::Translation3f(-centre);
-  int in_front = 0, behind = 0;
-  for (const int i : blocks.in_box(X_BC, box)) {
-    if (inside[i] || !box.contains(Eigen::Vector3f(axes * (samples.raw[i] - centre)))) continue;
-    const float d = distance_to(Q, samples.raw[i]);
-    if (std::abs(d) < kOffSigmas * samples.sigma[i] + kOffCells * samples.cell[i]) continue;
-    ++((d > 0) == (side > 0) ? in_front : behind);
+  IntruderTest test;
+  for (int r = 0; r < 3; ++r) {
+    for (int c = 0; c < 4; ++c) test.X[r][c] = X_BC(r, c);
+    test.low[r] = box.min()[r], test.high[r] = box.max()[r];
   }
-  evidence->in_front = in_front / sums.n;
-  evidence->behind = behind / sums.n;
+  // The region's own samples are counted with the others and then taken off.
+  const SampleTable own(samples, region);
+  const SideCounts within = count_sides(test, q, own.rows());
+  SideCounts around;
+  for (const SampleRows& rows : blocks.near_box(X_BC, box)) {
+    const SideCounts counts = count_sides(test, q, rows);
+    around.ahead += counts.ahead, around.all += counts.all;
+  }
+  const int ahead = around.ahead - within.ahead, rest = around.all - within.all - ahead;
+  evidence->in_front = (side > 0 ? ahead : rest) / sums.n;
+  evidence->behind = (side > 0 ? rest : ahead) / sums.n;
 }
 
 }  // namespace quadrille

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 #include "base/buckets.hpp"
@@ -16,7 +17,7 @@ namespace {
 constexpr float kEdgeCells = 16.0f;
 // Boxes are widened by this share of the coordinates, many times what rounding makes of them.
 constexpr float kRounding = 1e-5f;
-// Positions are tested in steps of this many, so their lists are longer by as much.
+// Positions are tested in steps of this many, so rows are longer by as much.
 constexpr int kStep = 32;
 
 /// A box in its frame and the map to it, as plain numbers.
@@ -67,6 +68,23 @@ std::size_t find_inside(BoxTest test, int size, const float* x, const float* y, 
 
 }  // namespace
 
+SampleTable::SampleTable(const SurfaceSamples& samples, std::span<const int> list)
+    : size_(list.size()), stride_(list.size() + kStep), values_(8 * stride_) {
+  float* const values = values_.data();
+  for (std::size_t k = 0; k < size_; ++k) {
+    const int i = list[k];
+    const Eigen::Vector3f &p = samples.raw[i], &n = samples.n[i];
+    const float of[] = {p.x(),          p.y(), p.z(), n.x(), n.y(), n.z(), samples.sigma[i],
+                        samples.cell[i]};
+    for (std::size_t row = 0; row < std::size(of); ++row) values[row * stride_ + k] = of[row];
+  }
+}
+
+SampleRows SampleTable::rows(int first, int size) const {
+  const auto row = [&](std::size_t k) { return values_.data() + k * stride_ + first; };
+  return {size, row(0), row(1), row(2), row(3), row(4), row(5), row(6), row(7)};
+}
+
 SampleBlocks::SampleBlocks(const SurfaceSamples& samples) {
   if (samples.size() == 0) return;
   const float edge = kEdgeCells * samples.cell[static_cast<std::size_t>(samples.size()) / 2];
@@ -74,41 +92,50 @@ SampleBlocks::SampleBlocks(const SurfaceSamples& samples) {
   const VoxelGrid grid(samples.raw, {}, edge, &voxel);
   Buckets buckets = sort_into_buckets(voxel, grid.size());
   sample_ = std::move(buckets.list);
-  for (std::vector<float>* coordinate : {&x_, &y_, &z_}) {
-    coordinate->reserve(sample_.size() + kStep);
-  }
+  table_ = SampleTable(samples, sample_);
   for (int b = 0; b < buckets.size(); ++b) {
     Block block{grid.mean()[b], 0.0f, buckets.first[b], buckets.first[b + 1] - buckets.first[b]};
     for (int k = block.first; k < block.first + block.size; ++k) {
-      const Eigen::Vector3f& p = samples.raw[sample_[k]];
-      block.radius = std::max(block.radius, (p - block.centre).norm());
-      x_.push_back(p.x()), y_.push_back(p.y()), z_.push_back(p.z());
+      block.radius = std::max(block.radius, (samples.raw[sample_[k]] - block.centre).norm());
     }
     blocks_.push_back(block);
   }
-  for (std::vector<float>* coordinate : {&x_, &y_, &z_}) {
-    coordinate->resize(sample_.size() + kStep);
+}
+
+std::vector<const SampleBlocks::Block*> SampleBlocks::blocks_near(
+    const Eigen::Affine3f& X_BC, const Eigen::AlignedBox3f& box_B) const {
+  const BoxTest test = test_of(X_BC, box_B);
+  const Eigen::Array3f low = Eigen::Array3f::Map(test.low), high = Eigen::Array3f::Map(test.high);
+  const Eigen::Array3f stretch = (1.0f + kRounding) * X_BC.linear().rowwise().norm().array();
+  std::vector<const Block*> near;
+  for (const Block& block : blocks_) {
+    const Eigen::Array3f c = (X_BC * block.centre).array(), r = block.radius * stretch;
+    if (((c + r >= low) && (c - r <= high)).all()) near.push_back(&block);
   }
+  return near;
+}
+
+std::vector<SampleRows> SampleBlocks::near_box(const Eigen::Affine3f& X_BC,
+                                               const Eigen::AlignedBox3f& box_B) const {
+  std::vector<SampleRows> rows;
+  for (const Block* block : blocks_near(X_BC, box_B)) {
+    rows.push_back(table_.rows(block->first, block->size));
+  }
+  return rows;
 }
 
 std::vector<int> SampleBlocks::in_box(const Eigen::Affine3f& X_BC,
                                       const Eigen::AlignedBox3f& box_B) const {
   const BoxTest test = test_of(X_BC, box_B);
-  const Eigen::Array3f low = Eigen::Array3f::Map(test.low), high = Eigen::Array3f::Map(test.high);
-  const Eigen::Array3f stretch = (1.0f + kRounding) * X_BC.linear().rowwise().norm().array();
-  std::vector<const Block*> near;
+  const std::vector<const Block*> near = blocks_near(X_BC, box_B);
   std::size_t size = 0;
-  for (const Block& block : blocks_) {
-    const Eigen::Array3f c = (X_BC * block.centre).array(), r = block.radius * stretch;
-    if (!((c + r >= low) && (c - r <= high)).all()) continue;
-    near.push_back(&block);
-    size += static_cast<std::size_t>(block.size);
-  }
+  for (const Block* block : near) size += static_cast<std::size_t>(block->size);
   std::vector<int> found(size);
   std::size_t length = 0;
   for (const Block* block : near) {
-    const int k = block->first;
-    length += find_inside(test, block->size, &x_[k], &y_[k], &z_[k], &sample_[k], &found[length]);
+    const SampleRows rows = table_.rows(block->first, block->size);
+    length += find_inside(test, rows.size, rows.x, rows.y, rows.z, &sample_[block->first],
+                          &found[length]);
   }
   found.resize(length);
   return found;

@@ -1,13 +1,37 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "samples/surface_samples.hpp"
 
 namespace quadrille {
 
-/// Sorts the samples into blocks that are near each other, with their positions one after another,
+/// What tests of many samples read of successive ones: positions and normals, noise and cells.
+struct SampleRows {
+  int size;
+  const float *x, *y, *z, *nx, *ny, *nz, *sigma, *cell;
+};
+
+/// Some samples, with each of these values in a row.
+class SampleTable {
+ public:
+  SampleTable() = default;
+  SampleTable(const SurfaceSamples& samples, std::span<const int> list);
+
+  /// The samples from place `first` of the list on.
+  SampleRows rows(int first, int size) const;
+  /// All samples of the list.
+  SampleRows rows() const { return rows(0, static_cast<int>(size_)); }
+
+ private:
+  std::size_t size_ = 0, stride_ = 0;
+  std::vector<float> values_;
+};
+
+/// Sorts the samples into blocks that are near each other, with their values one after another,
 /// to find those in a box with few steps.
 class SampleBlocks {
  public:
@@ -18,6 +42,10 @@ class SampleBlocks {
   /// @param X_BC  map from frame C to the frame of the box, which may scale
   std::vector<int> in_box(const Eigen::Affine3f& X_BC, const Eigen::AlignedBox3f& box_B) const;
 
+  /// Returns the samples of all blocks that reach into the box, of which many lie outside of it.
+  std::vector<SampleRows> near_box(const Eigen::Affine3f& X_BC,
+                                   const Eigen::AlignedBox3f& box_B) const;
+
  private:
   /// The samples first … first + size - 1 in the order of the blocks, which lie in a ball.
   struct Block {
@@ -26,9 +54,12 @@ class SampleBlocks {
     int first, size;
   };
 
+  std::vector<const Block*> blocks_near(const Eigen::Affine3f& X_BC,
+                                        const Eigen::AlignedBox3f& box_B) const;
+
   std::vector<Block> blocks_;
-  /// Positions of the samples [m] and their indices, in the order of the blocks.
-  std::vector<float> x_, y_, z_;
+  /// The samples and their indices, in the order of the blocks.
+  SampleTable table_;
   std::vector<int> sample_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "fit/half_gradient.hpp"
 #include "fit/posed_quadric.hpp"
 #include "samples/region.hpp"
 #include "surfaces/evidence/upright.hpp"
@@ -77,13 +78,18 @@ VouchedPart vouched_part(const Eigen::Isometry3d& X_VC, const SurfaceSamples& sa
   part.centre = X_VC * local.centre;
   part.reach = kReach * local.scale;
   part.off = kOffSizes * local.scale;
+  const Eigen::Affine3d X_AC(part.axes.transpose() * X_VC.matrix().topRows<3>());
+  const Coefficients<float> q(quadric.normalized().matrix());
+  double sigmas = 0.0;
   for (const int i : region) {
-    const Eigen::Vector3d x = X_VC * samples.raw[i].cast<double>();
-    const Eigen::Vector3d n = X_VC.linear() * samples.n[i].cast<double>();
-    part.box.extend(Eigen::Vector3d(part.axes.transpose() * x));
-    part.side += (part.Q.matrix() * x.homogeneous()).head<3>().normalized().dot(n);
-    part.off += kOffSigmas * samples.sigma[i] / static_cast<double>(region.size());
+    const Eigen::Vector3f &x = samples.raw[i], &n = samples.n[i];
+    part.box.extend(Eigen::Vector3d(X_AC * x.cast<double>()));
+    const HalfGradient<float> g = half_gradient(q, x.x(), x.y(), x.z());
+    const Eigen::Vector3f gradient(g.x, g.y, g.z);
+    part.side += static_cast<double>(gradient.dot(n) / gradient.norm());
+    sigmas += samples.sigma[i];
   }
+  part.off += kOffSigmas * sigmas / static_cast<double>(region.size());
   part.side = part.side > 0 ? 1.0 : -1.0;
   if (has_closed_section(form.type)) {
     // Without an axis and without an up direction, all directions are equivalent.
@@ -121,13 +127,20 @@ RayCounts count_rays(const Sight& sight, const VouchedPart& part) {
   RayCounts count;
   if (!(part.centre.z() > 0.0)) return count;
   const Window window = window_about(sight, part.centre, part.reach);
+  // A ray along d meets the quadric if dᵀMd is positive; see Quadric::crossings().
+  const Eigen::Matrix4d& Q = part.Q.matrix();
+  const Eigen::Vector3d g = Q.topRightCorner<3, 1>();
+  const Eigen::Matrix3d M = g * g.transpose() - Q(3, 3) * Q.topLeftCorner<3, 3>();
   for (int j = window.first_j; j <= window.last_j; j += window.stride) {
+    const double y = sight.corner.y() + (j + 0.5) * sight.step;
+    const double linear = 2.0 * (M(0, 1) * y + M(0, 2));
+    const double constant = (M(1, 1) * y + 2.0 * M(1, 2)) * y + M(2, 2);
     for (int i = window.first_i; i <= window.last_i; i += window.stride) {
       const float w = sight.w[static_cast<std::size_t>(j) * static_cast<std::size_t>(sight.width) +
                               static_cast<std::size_t>(i)];
-      if (w == 0.0f) continue;
-      const Eigen::Vector3d ray(sight.corner.x() + (i + 0.5) * sight.step,
-                                sight.corner.y() + (j + 0.5) * sight.step, 1.0);
+      const double x = sight.corner.x() + (i + 0.5) * sight.step;
+      if (w == 0.0f || !((M(0, 0) * x + linear) * x + constant > 0.0)) continue;
+      const Eigen::Vector3d ray(x, y, 1.0);
       for (const double z : part.Q.crossings(Eigen::Vector3d::Zero(), ray)) {
         if (!(z > 0.0)) continue;
         const double cosine = part.cosine_at(z * ray, ray);

@@ -1,6 +1,7 @@
 #include "surfaces/evidence/sample_blocks.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/random.hpp"
 #include "support/catch.hpp"
@@ -15,6 +16,7 @@ TEST_CASE("a box holds the samples that lie in it, in whatever frame it is", "[b
     const double x = random.uniform(), y = random.uniform(), z = 0.1 * random.uniform();
     samples.raw.push_back(Eigen::Vector3d(x - 0.5, y - 0.5, z + 1.0).cast<float>());
     samples.cell.push_back(0.004f);
+    samples.sigma.push_back(0.001f * static_cast<float>(i));
   }
   samples.p = samples.n = samples.raw;
   const SampleBlocks blocks(samples);
@@ -30,6 +32,16 @@ TEST_CASE("a box holds the samples that lie in it, in whatever frame it is", "[b
     }
     CHECK(found == expected);
     CHECK_FALSE(found.empty());
+    std::vector<int> near;
+    for (const SampleRows& rows : blocks.near_box(X, box)) {
+      for (int k = 0; k < rows.size; ++k) {
+        const int sample = static_cast<int>(std::lround(1000.0f * rows.sigma[k]));
+        near.push_back(sample);
+        CHECK(Vector3f(rows.x[k], rows.y[k], rows.z[k]) == samples.raw[sample]);
+      }
+    }
+    std::sort(near.begin(), near.end());
+    CHECK(std::includes(near.begin(), near.end(), found.begin(), found.end()));
   }
 }
 
