@@ -84,11 +84,15 @@ std::optional<Vector10d> least_taubin(const Matrix10d& S, double ridge) {
   Reduced reduced(S, ridge);
   const double mean = reduced.scatter.trace() / reduced.weight.trace();
   reduced.scatter += kShift * mean * reduced.weight;
-  const Eigen::LDLT<Matrix9d> factors(reduced.scatter);
+  // Rounding may have made the scatter of exact points indefinite.
+  const Eigen::LLT<Matrix9d> positive(reduced.scatter);
+  const bool is_positive = positive.info() == Eigen::Success;
+  const Eigen::LDLT<Matrix9d> any = is_positive ? Eigen::LDLT<Matrix9d>() : reduced.scatter.ldlt();
   // An irregular start is square to no solution that may be looked for.
   Vector9d q{{0.9, -0.6, 0.7, 0.3, -0.4, 0.5, 0.8, 0.2, -0.1}};
   for (int i = 0; i < kIterations; ++i) {
-    q = factors.solve(Vector9d(reduced.weight * q));
+    const Vector9d along = reduced.weight * q;
+    q = is_positive ? Vector9d(positive.solve(along)) : Vector9d(any.solve(along));
     q.normalize();
   }
   const Vector10d solution = completed(q, S);
