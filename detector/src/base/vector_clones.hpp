@@ -2,6 +2,14 @@
 
 #include "quadrille/detector/vector_clones.hpp"
 
+// Keeps a short loop within another one until it can become vector instructions; GCC would unroll
+// it first, and what is unrolled seldom becomes any.
+#if defined(__GNUC__) && !defined(__clang__)
+#define QUADRILLE_KEEP_LOOP _Pragma("GCC unroll 1")
+#else
+#define QUADRILLE_KEEP_LOOP
+#endif
+
 namespace quadrille {
 
 /// Sums run in this many strands whatever the width of the vectors, so that results do not depend

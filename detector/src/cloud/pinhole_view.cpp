@@ -1,10 +1,10 @@
 // Finds the direction in which a pinhole camera looks, and the points that it sees.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "base/vector_clones.hpp"
+#include "cloud/look_at.hpp"
 #include "cloud/some_points.hpp"
 #include "quadrille/detector/cloud_checks.hpp"
 #include "quadrille/detector/pinhole.hpp"
@@ -60,17 +60,23 @@ struct Bounds {
   }
 };
 
-/// Extends the bounds by the seen points, and returns their number.
+/// Looks at kSize points from the k-th on, extends the bounds by the seen ones, and returns their
+/// number.
 QUADRILLE_VECTOR_CLONES
-int widen(const SeenPoints& t, Bounds* bounds) {
+int widen(const PinholeView& view, std::span<const Eigen::Vector3f> points, std::size_t first,
+          Bounds* bounds) {
+  constexpr float kMax = PinholeView::kMaxTangent;
+  const SeenPoints t = look_at(view, points, first);
   int n = 0;
   for (int k = 0; k < SeenPoints::kSize; ++k) {
     const bool seen = t.w[k] > 0.0f;
+    const float low_u = seen ? t.u[k] : kMax, high_u = seen ? t.u[k] : -kMax;
+    const float low_v = seen ? t.v[k] : kMax, high_v = seen ? t.v[k] : -kMax;
     n += seen;
-    bounds->min_u[k] = std::min(bounds->min_u[k], seen ? t.u[k] : bounds->min_u[k]);
-    bounds->max_u[k] = std::max(bounds->max_u[k], seen ? t.u[k] : bounds->max_u[k]);
-    bounds->min_v[k] = std::min(bounds->min_v[k], seen ? t.v[k] : bounds->min_v[k]);
-    bounds->max_v[k] = std::max(bounds->max_v[k], seen ? t.v[k] : bounds->max_v[k]);
+    bounds->min_u[k] = low_u < bounds->min_u[k] ? low_u : bounds->min_u[k];
+    bounds->max_u[k] = high_u > bounds->max_u[k] ? high_u : bounds->max_u[k];
+    bounds->min_v[k] = low_v < bounds->min_v[k] ? low_v : bounds->min_v[k];
+    bounds->max_v[k] = high_v > bounds->max_v[k] ? high_v : bounds->max_v[k];
   }
   return n;
 }
@@ -89,27 +95,7 @@ int count_finite(const CloudView& cloud, const PinholeView& view, std::size_t k)
 
 QUADRILLE_VECTOR_CLONES
 SeenPoints PinholeView::look(std::span<const Eigen::Vector3f> points, std::size_t k) const {
-  constexpr int kSize = SeenPoints::kSize;
-  const std::size_t step = static_cast<std::size_t>(stride), first = k * step;
-  std::array<float, kSize> x, y, z;
-  if (step == 1 && first + kSize <= points.size()) {
-    const float* p = points[first].data();
-    for (int i = 0; i < kSize; ++i) x[i] = p[3 * i], y[i] = p[3 * i + 1], z[i] = p[3 * i + 2];
-  } else {
-    const Eigen::Vector3f missing =
-        Eigen::Vector3f::Constant(std::numeric_limits<float>::quiet_NaN());
-    for (int i = 0; i < kSize; ++i) {
-      const std::size_t at = first + static_cast<std::size_t>(i) * step;
-      const Eigen::Vector3f& p = at < points.size() ? points[at] : missing;
-      x[i] = p.x(), y[i] = p.y(), z[i] = p.z();
-    }
-  }
-  SeenPoints seen;
-  for (int i = 0; i < kSize; ++i) {
-    const Eigen::Vector3f t = (*this)({x[i], y[i], z[i]});
-    seen.u[i] = t.x(), seen.v[i] = t.y(), seen.w[i] = t.z();
-  }
-  return seen;
+  return look_at(*this, points, k);
 }
 
 std::optional<PinholeView> look_from_viewpoint(const CloudView& cloud, int stride) {
@@ -120,7 +106,7 @@ std::optional<PinholeView> look_from_viewpoint(const CloudView& cloud, int strid
   view.stride = stride;
   Bounds bounds;
   for (std::size_t k = 0; k < view.looked_at(cloud.points.size()); k += SeenPoints::kSize) {
-    const int n = widen(view.look(cloud.points, k), &bounds);
+    const int n = widen(view, cloud.points, k, &bounds);
     view.seen += static_cast<std::size_t>(n);
     if (n < SeenPoints::kSize) {
       view.unseen += static_cast<std::size_t>(count_finite(cloud, view, k) - n);

@@ -32,8 +32,10 @@ struct DepthCells {
   int size() const { return width * height; }
   /// Step from one pixel to the next, as a tangent.
   float pitch() const { return image.pitch.x(); }
+  /// Edge of a cell, as a tangent.
+  float tangent() const { return pitch() * static_cast<float>(pixels); }
   /// Edge of a cell at inverse depth w [m].
-  float metric(float w) const { return pitch() * static_cast<float>(pixels) / w; }
+  float metric(float w) const { return tangent() / w; }
   /// The cell that contains a point, given its tangents and inverse depth; −1 if the point lies
   /// outside the image or on the other side of a depth edge.
   int cell_of(const Eigen::Vector3f& uvw) const;
@@ -43,15 +45,25 @@ struct DepthCells {
 
 /// Largest step in depth between neighbouring cells of one surface at inverse depth w [m]: the step
 /// of a surface seen at 75° plus the noise, which grows with the square of the depth.
-inline float continuous_step(const DepthCells& cells, float w) {
+/// @param edge  of a cell, as a tangent
+inline float continuous_step(float edge, float w) {
   constexpr float kSteepest = 3.7f, kNoisePerSquareMetre = 0.008f;
-  return kSteepest * cells.metric(w) + kNoisePerSquareMetre / (w * w);
+  return kSteepest * (edge / w) + kNoisePerSquareMetre / (w * w);
 }
 
 /// True if neighbouring cells of the given inverse depths may belong to one surface.
-inline bool continuous(const DepthCells& cells, float w_a, float w_b) {
+/// @param edge  of a cell, as a tangent
+inline bool continuous(float edge, float w_a, float w_b) {
   // This compares |1/w_a - 1/w_b| with the step allowed at the farther cell.
-  return std::abs(w_b - w_a) < continuous_step(cells, std::min(w_a, w_b)) * (w_a * w_b);
+  const float farther = w_b < w_a ? w_b : w_a;
+  return std::abs(w_b - w_a) < continuous_step(edge, farther) * (w_a * w_b);
+}
+
+inline float continuous_step(const DepthCells& cells, float w) {
+  return continuous_step(cells.tangent(), w);
+}
+inline bool continuous(const DepthCells& cells, float w_a, float w_b) {
+  return continuous(cells.tangent(), w_a, w_b);
 }
 
 /// Averages the points over cells of the given number of pixels. A cell across a depth edge keeps
