@@ -52,18 +52,39 @@ struct Patch {
   std::array<float, 6> a;
 };
 
+/// Some consecutive cells of a row, at most kLanes.
+struct CellRun {
+  const DepthCells& cells;
+  int first, n;
+};
+
 /// Offsets and relative heights of consecutive cells over a patch; all 0 for empty cells.
 struct Heights {
   std::array<float, kLanes> one, s, t, h;
 
-  Heights(const DepthCells& cells, const Patch& patch, int first, int n) {
+  [[gnu::always_inline]] Heights(const CellRun& run, const Patch& patch) {
+    const DepthCells& cells = run.cells;
     const float over = 1.0f / patch.w0;
+    std::array<int, kLanes> count{};
+    std::array<float, kLanes> u{}, v{}, w{};
+    const auto read = [&](int n) {
+      std::copy_n(cells.count.data() + run.first, n, count.data());
+      std::copy_n(cells.u.data() + run.first, n, u.data());
+      std::copy_n(cells.v.data() + run.first, n, v.data());
+      std::copy_n(cells.w.data() + run.first, n, w.data());
+    };
+    // Vectors may read past the run, but not past the image.
+    if (run.first + kLanes <= cells.size()) {
+      read(kLanes);
+    } else {
+      read(run.n);
+    }
     for (int k = 0; k < kLanes; ++k) {
-      const int c = first + std::min(k, n - 1);
-      one[k] = k < n && cells.count[c] > 0 ? 1.0f : 0.0f;
-      s[k] = one[k] * (cells.u[c] - patch.u0) * patch.scale;
-      t[k] = one[k] * (cells.v[c] - patch.v0) * patch.scale;
-      h[k] = one[k] * (cells.w[c] * over - 1.0f);
+      const int filled = static_cast<int>(k < run.n) & static_cast<int>(count[k] > 0);
+      one[k] = static_cast<float>(filled);
+      s[k] = one[k] * (u[k] - patch.u0) * patch.scale;
+      t[k] = one[k] * (v[k] - patch.v0) * patch.scale;
+      h[k] = one[k] * (w[k] * over - 1.0f);
     }
   }
 };
@@ -81,7 +102,8 @@ struct PatchSums {
 };
 
 QUADRILLE_VECTOR_CLONES
-void add(const Heights& c, PatchSums* sums) {
+void add(const CellRun& run, const Patch& patch, PatchSums* sums) {
+  const Heights c(run, patch);
   auto& m = sums->moment;
   auto& b = sums->height;
   for (int k = 0; k < kLanes; ++k) {
@@ -118,7 +140,8 @@ struct Residuals {
 };
 
 QUADRILLE_VECTOR_CLONES
-void add(const Heights& c, const Patch& patch, Residuals* sums) {
+void add(const CellRun& run, const Patch& patch, Residuals* sums) {
+  const Heights c(run, patch);
   float square = 0, n = 0;
   std::array<float, kLanes> r;
   for (int k = 0; k < kLanes; ++k) {
@@ -157,7 +180,9 @@ std::optional<Patch> fit_patch(const DepthCells& cells, const std::vector<int>& 
     while (filled < end && cells.count[filled] == 0) ++filled;
     if (filled == end) return;
     torn |= edges[end - 1] != edges[filled];
-    for (int c = first; c < end; c += kLanes) add(Heights(cells, patch, c, end - c), &sums);
+    for (int c = first; c < end; c += kLanes) {
+      add({cells, c, std::min(kLanes, end - c)}, patch, &sums);
+    }
   });
   if (torn || sums.cells() < 2 * reach * reach) return std::nullopt;
   const HeightFit fit = sums.fit();
@@ -178,7 +203,9 @@ float patch_residual(const DepthCells& cells, const Patch& patch, double lost) {
   const int stride = reach > kMaxReach ? 2 : 1;
   Residuals sums;
   visit_disc(cells, i, j, reach, stride, [&](int first, int n) {
-    for (int k = 0; k < n; k += kLanes) add(Heights(cells, patch, first + k, n - k), patch, &sums);
+    for (int k = 0; k < n; k += kLanes) {
+      add({cells, first + k, std::min(kLanes, n - k)}, patch, &sums);
+    }
   });
   if (sums.n < 2 * lost + 4) return -1.0f;
   return static_cast<float>(std::sqrt(sums.square / (sums.n - lost))) / patch.w0;
